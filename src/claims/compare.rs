@@ -1,0 +1,94 @@
+//! How a trial compares: stated value against found value, over many points, into one [`Evidence`].
+
+use crate::ledger::{Evidence, Route, Sample, Subject, Tolerance};
+use std::fmt::Display;
+
+/// One comparison.
+pub struct Pair {
+    /// The point, in the claim's own symbols.
+    pub at: String,
+    /// What the claim says.
+    pub stated: f64,
+    /// What was found without it.
+    pub found: f64,
+    /// The size in units of which the two may differ: that of the largest term, not less.
+    pub scale: f64,
+}
+
+impl Pair {
+    /// The difference in units of the scale. Infinite where the claim has no value and the motion has
+    /// one; NaN where our own side has none.
+    pub fn disagreement(&self) -> f64 {
+        if !self.found.is_finite() || !(self.scale.is_finite() && self.scale > 0.0) {
+            f64::NAN
+        } else if !self.stated.is_finite() {
+            f64::INFINITY
+        } else {
+            (self.stated - self.found).abs() / self.scale
+        }
+    }
+}
+
+/// A trial in the making: how, about what, and how close.
+pub struct Trial {
+    /// The route.
+    pub route: Route,
+    /// What it speaks about.
+    pub subject: Subject,
+    /// What is compared with what.
+    pub compared: &'static str,
+    /// What counts as agreement.
+    pub tolerance: Tolerance,
+}
+
+impl Trial {
+    /// Compares at every point; a point where our own side fails makes the evidence NaN and says why.
+    pub fn over<P, E: Display>(
+        &self,
+        points: impl IntoIterator<Item = P>,
+        mut pair: impl FnMut(P) -> Result<Pair, E>,
+    ) -> Evidence {
+        let mut evidence = Evidence {
+            route: self.route,
+            subject: self.subject,
+            compared: self.compared,
+            points: 0,
+            worst: 0.0,
+            at: String::new(),
+            tolerance: self.tolerance,
+            samples: Vec::new(),
+        };
+        for point in points {
+            let pair = match pair(point) {
+                Ok(pair) => pair,
+                Err(error) => {
+                    evidence.worst = f64::NAN;
+                    evidence.at = error.to_string();
+                    return evidence;
+                }
+            };
+            evidence.points += 1;
+            let disagreement = pair.disagreement();
+            if disagreement.is_nan() {
+                evidence.worst = f64::NAN;
+                evidence.at = pair.at;
+                return evidence;
+            }
+            if evidence.at.is_empty() || disagreement > evidence.worst {
+                evidence.worst = disagreement;
+                evidence.at.clone_from(&pair.at);
+            }
+            if evidence.samples.len() < SAMPLES {
+                evidence.samples.push(Sample {
+                    at: pair.at,
+                    stated: pair.stated,
+                    found: pair.found,
+                });
+            }
+        }
+        evidence
+    }
+}
+
+/// How many compared pairs are kept for readers: the first ones, so that they do not depend on last bits.
+const SAMPLES: usize = 3;

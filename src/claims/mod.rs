@@ -1,0 +1,117 @@
+//! Where the two wings meet: one row per claim of the paper, and the trials that try it.
+//!
+//! A claim is data; a trial is a function that returns [`Evidence`]. Whether a claim holds is not
+//! said here: the [ledger](crate::ledger) judges.
+
+pub mod compare;
+pub mod tolerances;
+
+pub mod anisotropic;
+pub mod constant;
+pub mod escape;
+pub mod general;
+pub mod periodic;
+pub mod rest;
+pub mod sinusoidal;
+pub mod sphere;
+pub mod turntable;
+
+pub use crate::ledger::{Change, Evidence, Kind};
+
+/// A condition under which a claim is tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Condition {
+    /// The condition, as LaTeX inside `$…$` and plain words.
+    pub text: &'static str,
+    /// True if the paper states it, false if we had to add it.
+    pub stated: bool,
+}
+
+/// What replaces a claim that fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Correction {
+    /// How much it changes.
+    pub change: Change,
+    /// What is right, in LaTeX.
+    pub latex: &'static str,
+    /// What is right, in plain text.
+    pub plain: &'static str,
+}
+
+/// One claim of the paper.
+#[derive(Debug, Clone, Copy)]
+pub struct Claim {
+    /// Permanent id: `eq-13`, `s22-no-rest-below`, `fig-3`.
+    pub id: &'static str,
+    /// Section of the paper: `2.1`.
+    pub section: &'static str,
+    /// Number of the equation, for a numbered one.
+    pub equation: Option<u16>,
+    /// What sort of statement it is.
+    pub kind: Kind,
+    /// What it is about, in a few words.
+    pub title: &'static str,
+    /// The statement in LaTeX: the formula as printed, or our words with the formulas in `$…$`.
+    pub latex: &'static str,
+    /// The statement in plain text, for terminals and snapshots.
+    pub plain: &'static str,
+    /// The conditions under which it is stated or has to be read.
+    pub conditions: &'static [Condition],
+    /// Ids of the claims that it is derived from or refers to.
+    pub depends_on: &'static [&'static str],
+    /// What replaces it, where it fails.
+    pub correction: Option<Correction>,
+    /// How it is tried.
+    pub trials: &'static [fn() -> Evidence],
+}
+
+impl Claim {
+    /// What a row need not say: no conditions, no correction, no trials.
+    const BLANK: Claim = Claim {
+        id: "",
+        section: "",
+        equation: None,
+        kind: Kind::Property,
+        title: "",
+        latex: "",
+        plain: "",
+        conditions: &[],
+        depends_on: &[],
+        correction: None,
+        trials: &[],
+    };
+}
+
+/// A topic: a chapter of the book, and the stem of its files in every room.
+#[derive(Debug, Clone, Copy)]
+pub struct Topic {
+    /// Stem of the files: `constant`.
+    pub stem: &'static str,
+    /// Title of the chapter.
+    pub title: &'static str,
+    /// Its claims, in the paper's order.
+    pub claims: &'static [Claim],
+}
+
+/// All topics, in the paper's order.
+pub const TOPICS: [Topic; 9] = [
+    general::TOPIC,
+    constant::TOPIC,
+    sinusoidal::TOPIC,
+    periodic::TOPIC,
+    anisotropic::TOPIC,
+    sphere::TOPIC,
+    turntable::TOPIC,
+    escape::TOPIC,
+    rest::TOPIC,
+];
+
+/// All claims, in the paper's order of topics.
+pub fn all() -> impl Iterator<Item = &'static Claim> {
+    TOPICS.iter().flat_map(|topic| topic.claims)
+}
+
+/// The claim of this id.
+pub fn find(id: &str) -> Option<&'static Claim> {
+    all().find(|claim| claim.id == id)
+}

@@ -1,0 +1,5 @@
+//! What replaces a printed formula that fails, or that has no value where the motion has one.
+//!
+//! Same stems as in [`crate::paper`]; every entry is tried in [`crate::claims`] like a printed formula.
+
+pub mod constant;

@@ -1,0 +1,147 @@
+//! Evidence: what one trial of one claim brought to light.
+
+use serde::Serialize;
+
+/// The way by which a trial came to its evidence. Two trials are independent when their routes differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Route {
+    /// Zero-testing in exact arithmetic: a proof.
+    Exact,
+    /// A rigorous enclosure: a proof.
+    Certified,
+    /// Integration of the equation of motion.
+    Integration,
+    /// Quadrature of an integrand.
+    Quadrature,
+    /// Root-finding.
+    Root,
+    /// The approach to a limit, its rate included.
+    Limit,
+    /// A count over many cases.
+    Census,
+    /// Dimensions, and the use that the paper makes of a definition.
+    Consistency,
+}
+
+impl Route {
+    /// True for a route that proves and does not merely measure.
+    pub fn is_proof(self) -> bool {
+        matches!(self, Route::Exact | Route::Certified)
+    }
+
+    /// The fewest points from which evidence by this route counts.
+    pub fn min_points(self) -> usize {
+        if self.is_proof() { 1 } else { 20 }
+    }
+
+    /// The route's name, in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Route::Exact => "exact",
+            Route::Certified => "certified",
+            Route::Integration => "integration",
+            Route::Quadrature => "quadrature",
+            Route::Root => "root",
+            Route::Limit => "limit",
+            Route::Census => "census",
+            Route::Consistency => "consistency",
+        }
+    }
+}
+
+/// What a trial's comparison speaks about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Subject {
+    /// The claim as printed, wherever the paper's own conditions hold.
+    Printed,
+    /// The claim as printed, where a condition that the paper does not state holds as well.
+    Within,
+    /// The claim as printed, where that condition does not hold: disagreement is expected.
+    Outside,
+    /// What replaces a claim that fails.
+    Corrected,
+}
+
+impl Subject {
+    /// What the trial was about, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Subject::Printed => "as printed",
+            Subject::Within => "under the condition",
+            Subject::Outside => "without the condition",
+            Subject::Corrected => "as corrected",
+        }
+    }
+}
+
+/// How far two values may differ, and why that far.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Tolerance {
+    /// The largest disagreement that counts as agreement (dimensionless).
+    pub value: f64,
+    /// Where this number comes from.
+    pub reason: &'static str,
+}
+
+/// One compared pair, for readers.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sample {
+    /// The point, in the claim's own symbols.
+    pub at: String,
+    /// The value that the claim states there.
+    pub stated: f64,
+    /// The value found without the claim.
+    pub found: f64,
+}
+
+/// What one trial brought.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Evidence {
+    /// How it was obtained.
+    pub route: Route,
+    /// What it speaks about.
+    pub subject: Subject,
+    /// What was compared with what.
+    pub compared: &'static str,
+    /// How many points were compared.
+    pub points: usize,
+    /// The largest disagreement, in units of the scale that the comparison names; infinite where the
+    /// claim has no value and the motion has one; NaN where our own side failed.
+    pub worst: f64,
+    /// Where the largest disagreement was.
+    pub at: String,
+    /// What counts as agreement.
+    pub tolerance: Tolerance,
+    /// A few of the compared pairs.
+    pub samples: Vec<Sample>,
+}
+
+/// What a piece of evidence says by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Within the tolerance.
+    Agrees,
+    /// Beyond the tolerance.
+    Disagrees,
+    /// Our own side gave no number.
+    NotANumber,
+    /// Not enough points to say anything.
+    TooFewPoints,
+}
+
+impl Evidence {
+    /// Reads the evidence by its own tolerance.
+    pub fn outcome(&self) -> Outcome {
+        if self.worst.is_nan() || !self.tolerance.value.is_finite() {
+            Outcome::NotANumber
+        } else if self.points < self.route.min_points() {
+            Outcome::TooFewPoints
+        } else if self.worst <= self.tolerance.value {
+            Outcome::Agrees
+        } else {
+            Outcome::Disagrees
+        }
+    }
+}

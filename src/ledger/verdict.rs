@@ -1,0 +1,253 @@
+//! The judge: evidence in, verdict out. Nothing else decides what a claim is worth.
+
+use super::evidence::{Evidence, Outcome, Route, Subject};
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+/// What sort of statement a claim is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// Introduces a symbol or sets up a problem.
+    Definition,
+    /// Says that two expressions are equal.
+    Equation,
+    /// Says that one expression exceeds another.
+    Inequality,
+    /// States a number.
+    Number,
+    /// States what something tends to, or how.
+    Limit,
+    /// Says in words how the motion behaves.
+    Property,
+    /// A picture.
+    Figure,
+}
+
+impl Kind {
+    /// The kind's name, in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Definition => "definition",
+            Kind::Equation => "equation",
+            Kind::Inequality => "inequality",
+            Kind::Number => "number",
+            Kind::Limit => "limit",
+            Kind::Property => "property",
+            Kind::Figure => "figure",
+        }
+    }
+}
+
+/// How much a correction changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Change {
+    /// A sign.
+    Sign,
+    /// A factor.
+    Factor,
+    /// One symbol for another.
+    Symbol,
+    /// The statement itself.
+    Statement,
+}
+
+/// What a claim is worth.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// Every trial agrees, by two independent routes or by one that proves.
+    Confirmed,
+    /// True, but only under a condition that the paper does not state; tried on both sides.
+    Conditional,
+    /// False as printed; a small correction is confirmed, and what follows is unharmed.
+    Misprint,
+    /// False; what is right is itself confirmed.
+    Refuted,
+    /// Nothing to try but consistency, and that holds.
+    Definition,
+    /// The trials do not settle it.
+    Undecided,
+}
+
+impl Verdict {
+    /// All verdicts, in the order in which tables list them.
+    pub const ALL: [Verdict; 6] = [
+        Verdict::Confirmed,
+        Verdict::Conditional,
+        Verdict::Misprint,
+        Verdict::Refuted,
+        Verdict::Definition,
+        Verdict::Undecided,
+    ];
+
+    /// The verdict in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Verdict::Confirmed => "confirmed",
+            Verdict::Conditional => "confirmed with a condition",
+            Verdict::Misprint => "misprint",
+            Verdict::Refuted => "refuted",
+            Verdict::Definition => "definition",
+            Verdict::Undecided => "undecided",
+        }
+    }
+
+    /// A short name without blanks, for records and style sheets.
+    pub fn slug(self) -> &'static str {
+        match self {
+            Verdict::Conditional => "conditional",
+            other => other.words(),
+        }
+    }
+}
+
+/// A verdict and what it rests on, in one sentence.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Judgement {
+    /// The verdict.
+    pub verdict: Verdict,
+    /// The ground for it; of an undecided claim, what would settle it.
+    pub ground: String,
+}
+
+fn judgement(verdict: Verdict, ground: impl Into<String>) -> Judgement {
+    Judgement {
+        verdict,
+        ground: ground.into(),
+    }
+}
+
+/// Judges one claim by its evidence.
+///
+/// `change` is how much the correction changes that the evidence on [`Subject::Corrected`] is about,
+/// if there is one. The function depends on nothing but its arguments.
+pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judgement {
+    let undecided = |ground: String| judgement(Verdict::Undecided, ground);
+    if evidence.is_empty() {
+        return undecided("no trial yet".into());
+    }
+    for e in evidence {
+        match e.outcome() {
+            Outcome::NotANumber => {
+                return undecided(format!(
+                    "the trial by {} gave no number ({})",
+                    e.route.name(),
+                    e.at
+                ));
+            }
+            Outcome::TooFewPoints => {
+                return undecided(format!(
+                    "the trial by {} has {} points, it needs {}",
+                    e.route.name(),
+                    e.points,
+                    e.route.min_points()
+                ));
+            }
+            Outcome::Agrees | Outcome::Disagrees => {}
+        }
+    }
+    let of = |subject| Weighed::new(evidence, subject);
+    let (printed, within, outside, corrected) = (
+        of(Subject::Printed),
+        of(Subject::Within),
+        of(Subject::Outside),
+        of(Subject::Corrected),
+    );
+
+    if let Some(e) = printed.against.first().or(within.against.first()) {
+        return if corrected.against.is_empty() && corrected.enough() {
+            match change {
+                Some(Change::Sign | Change::Factor | Change::Symbol) => judgement(
+                    Verdict::Misprint,
+                    format!("fails at {}; the corrected form holds by {}", e.at, corrected.routes()),
+                ),
+                Some(Change::Statement) => judgement(
+                    Verdict::Refuted,
+                    format!("fails at {}; what replaces it holds by {}", e.at, corrected.routes()),
+                ),
+                None => undecided("a correction holds, but how much it changes is not said".into()),
+            }
+        } else {
+            undecided(format!(
+                "fails at {}, and no correction is confirmed: derive what is right and try it by two routes",
+                e.at
+            ))
+        };
+    }
+    if !outside.is_empty() {
+        return if !outside.agree.is_empty() {
+            undecided("it holds without the condition too, where that was tried: find where the condition matters".into())
+        } else if within.with(&printed).enough() {
+            judgement(
+                Verdict::Conditional,
+                format!(
+                    "holds under the condition by {}, fails without it",
+                    within.with(&printed).routes()
+                ),
+            )
+        } else {
+            undecided("under the condition one more independent route is needed".into())
+        };
+    }
+    let held = printed.with(&within);
+    if kind == Kind::Definition && held.only(Route::Consistency) {
+        return judgement(Verdict::Definition, "consistent with the use made of it");
+    }
+    if held.enough() {
+        judgement(Verdict::Confirmed, format!("holds by {}", held.routes()))
+    } else {
+        undecided(format!(
+            "holds by {} alone: one more independent route is needed",
+            held.routes()
+        ))
+    }
+}
+
+/// The evidence on one subject, by what it says.
+struct Weighed<'a> {
+    agree: Vec<&'a Evidence>,
+    against: Vec<&'a Evidence>,
+}
+
+impl<'a> Weighed<'a> {
+    fn new(evidence: &'a [Evidence], subject: Subject) -> Self {
+        let (agree, against) = evidence
+            .iter()
+            .filter(|e| e.subject == subject)
+            .partition(|e| e.outcome() == Outcome::Agrees);
+        Weighed { agree, against }
+    }
+
+    fn with(&self, other: &Self) -> Self {
+        let join = |a: &[&'a Evidence], b: &[&'a Evidence]| [a, b].concat();
+        Weighed {
+            agree: join(&self.agree, &other.agree),
+            against: join(&self.against, &other.against),
+        }
+    }
+
+    fn is_empty(&self) -> bool {
+        self.agree.is_empty() && self.against.is_empty()
+    }
+
+    fn distinct(&self) -> BTreeSet<Route> {
+        self.agree.iter().map(|e| e.route).collect()
+    }
+
+    /// Two independent routes, or one that proves.
+    fn enough(&self) -> bool {
+        let routes = self.distinct();
+        routes.len() >= 2 || routes.iter().any(|r| r.is_proof())
+    }
+
+    fn only(&self, route: Route) -> bool {
+        self.distinct() == BTreeSet::from([route])
+    }
+
+    fn routes(&self) -> String {
+        let names: Vec<_> = self.distinct().iter().map(|r| r.name()).collect();
+        names.join(", ")
+    }
+}

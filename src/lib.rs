@@ -1,0 +1,7 @@
+//! Slipbook: a paper that checks itself.
+
+pub mod claims;
+pub mod corrections;
+pub mod ledger;
+pub mod paper;
+pub mod scalar;
