@@ -2,6 +2,7 @@
 
 mod evidence;
 mod record;
+mod table;
 mod verdict;
 
 pub use evidence::{Evidence, Outcome, Route, Sample, Subject, Tolerance};
