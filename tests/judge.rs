@@ -1,6 +1,7 @@
 //! The judge, tried on evidence made by hand.
 
-use slipbook::ledger::{Change, Evidence, Kind, Route, Subject, Tolerance, Verdict, judge};
+use slipbook::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
+use slipbook::ledger::{Verdict, judge};
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     Evidence {
@@ -78,10 +79,7 @@ fn a_confirmed_correction_makes_a_misprint_or_a_refutation_by_its_size() {
         evidence(Route::Quadrature, Subject::Corrected, GOOD),
     ];
     for change in [Change::Sign, Change::Factor, Change::Symbol] {
-        assert_eq!(
-            verdict(Kind::Equation, Some(change), &e),
-            Verdict::Misprint
-        );
+        assert_eq!(verdict(Kind::Equation, Some(change), &e), Verdict::Misprint);
     }
     let refuted = verdict(Kind::Equation, Some(Change::Statement), &e);
     assert_eq!(refuted, Verdict::Refuted);

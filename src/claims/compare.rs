@@ -1,6 +1,6 @@
 //! How a trial compares: stated value against found value, over many points, into one [`Evidence`].
 
-use crate::ledger::{Evidence, Route, Sample, Subject, Tolerance};
+use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
 use std::fmt::Display;
 
 /// One comparison.
@@ -92,3 +92,20 @@ impl Trial {
 
 /// How many compared pairs are kept for readers: the first ones, so that they do not depend on last bits.
 const SAMPLES: usize = 3;
+
+impl Pair {
+    /// A printed formula's value against a found one, in units of what the formula can resolve.
+    pub fn conditioned(at: String, stated: super::conditioned::Conditioned, found: f64) -> Self {
+        let scale = stated.spread.max(found.abs());
+        Pair {
+            at,
+            stated: stated.value,
+            found,
+            scale: if scale.is_finite() {
+                scale
+            } else {
+                found.abs()
+            },
+        }
+    }
+}

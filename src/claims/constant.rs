@@ -1,6 +1,7 @@
 //! Constant acceleration: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {

@@ -4,6 +4,7 @@
 //! said here: the [ledger](crate::ledger) judges.
 
 pub mod compare;
+pub mod conditioned;
 pub mod tolerances;
 
 pub mod anisotropic;
@@ -16,7 +17,7 @@ pub mod sinusoidal;
 pub mod sphere;
 pub mod turntable;
 
-pub use crate::ledger::{Change, Evidence, Kind};
+use crate::evidence::{Change, Evidence, Kind};
 
 /// A condition under which a claim is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]

@@ -1,6 +1,7 @@
 //! A sphere that slips and rolls: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {

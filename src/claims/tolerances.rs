@@ -1,6 +1,6 @@
 //! Every tolerance, with its reason, in one place.
 
-use crate::ledger::Tolerance;
+use crate::evidence::Tolerance;
 
 /// Nothing may differ.
 pub const NONE: Tolerance = Tolerance {

@@ -1,15 +1,15 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
-mod evidence;
 mod record;
+mod sheet;
 mod table;
 mod verdict;
 
-pub use evidence::{Evidence, Outcome, Route, Sample, Subject, Tolerance};
 pub use record::{Difference, Record, RecordError};
-pub use verdict::{Change, Judgement, Kind, Verdict, judge};
+pub use verdict::{Judgement, Verdict, judge};
 
 use crate::claims::{Claim, TOPICS, Topic};
+use crate::evidence::{Evidence, Subject};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 

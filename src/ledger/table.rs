@@ -1,6 +1,7 @@
 //! The ledger as text, for terminals.
 
-use super::{Entry, Ledger, Subject, Verdict};
+use super::{Entry, Ledger, Verdict};
+use crate::evidence::Subject;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
@@ -31,7 +32,9 @@ impl Ledger {
         for section in sections {
             let _ = writeln!(text, "\nSection {section}");
             for entry in self.entries.iter().filter(|e| e.claim.section == section) {
-                let worst = entry.worst().map_or(String::new(), |e| format!("{:.0e}", e.worst));
+                let worst = entry
+                    .worst()
+                    .map_or(String::new(), |e| format!("{:.0e}", e.worst));
                 let line = format!(
                     "  {:<31} {:<FORMULA$}  {:<26}  {:<9} {}",
                     entry.claim.id,
@@ -50,7 +53,11 @@ impl Ledger {
     pub fn summary(&self) -> String {
         let counts = self.counts();
         let part = |v: &Verdict| format!("{} {}", counts[v], v.words());
-        let parts: Vec<_> = Verdict::ALL.iter().filter(|v| counts[v] > 0).map(part).collect();
+        let parts: Vec<_> = Verdict::ALL
+            .iter()
+            .filter(|v| counts[v] > 0)
+            .map(part)
+            .collect();
         format!("{} claims: {}", self.entries.len(), parts.join(", "))
     }
 }
