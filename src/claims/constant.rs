@@ -95,7 +95,7 @@ const CLAIMS: &[Claim] = &[
         equation: Some(10),
         kind: Kind::Equation,
         title: "a constant of the motion",
-        latex: r"v (\sin\theta) \left(\tan\frac{\theta}{2}\right)^{-\lambda}=\mbox{constant}",
+        latex: r"v (\sin\theta) \left(\tan\frac{\theta}{2}\right)^{-\lambda}=\text{constant}",
         plain: "v (sin θ) (tan(θ/2))^(−λ) = constant",
         depends_on: &["eq-9"],
         ..Claim::BLANK
