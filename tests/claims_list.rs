@@ -2,7 +2,8 @@
 //!
 //! Every test gathers all offences before it fails, each with the id of its claim.
 
-use slipbook::claims::{Claim, Kind, all, find};
+use slipbook::claims::{Claim, all, find};
+use slipbook::evidence::Kind;
 use std::collections::BTreeMap;
 
 const EQUATIONS: &str = include_str!("data/equations.md");

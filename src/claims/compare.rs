@@ -19,7 +19,7 @@ impl Pair {
     /// The difference in units of the scale. Infinite where the claim has no value and the motion has
     /// one; NaN where our own side has none.
     pub fn disagreement(&self) -> f64 {
-        if !self.found.is_finite() || !(self.scale.is_finite() && self.scale > 0.0) {
+        if !self.found.is_finite() || !self.scale.is_finite() || self.scale <= 0.0 {
             f64::NAN
         } else if !self.stated.is_finite() {
             f64::INFINITY
