@@ -2,9 +2,14 @@
 //!
 //! Every test gathers all offences before it fails, each with the id of its claim.
 
-use slipbook::claims::{Claim, all, find};
+use slipbook::claims::{self, Claim, find};
 use slipbook::evidence::Kind;
 use std::collections::BTreeMap;
+
+/// The claims without their topics.
+fn all() -> impl Iterator<Item = &'static Claim> {
+    claims::all().map(|(_, claim)| claim)
+}
 
 const EQUATIONS: &str = include_str!("data/equations.md");
 const OTHERS: &str = include_str!("data/claims.md");

@@ -8,7 +8,7 @@ mod verdict;
 pub use record::{Difference, Record, RecordError};
 pub use verdict::{Judgement, Verdict, judge};
 
-use crate::claims::{Claim, TOPICS, Topic};
+use crate::claims::{self, Claim, Topic};
 use crate::evidence::{Evidence, Subject};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -61,11 +61,7 @@ pub struct Ledger {
 impl Ledger {
     /// Tries every claim on all cores; calls `done` after each one.
     pub fn try_all(done: impl Fn(&Claim) + Sync) -> Self {
-        static ALL: [Topic; TOPICS.len()] = TOPICS;
-        let claims: Vec<_> = ALL
-            .iter()
-            .flat_map(|topic| topic.claims.iter().map(move |claim| (topic, claim)))
-            .collect();
+        let claims: Vec<_> = claims::all().collect();
         let entries = claims
             .into_par_iter()
             .map(|(topic, claim)| {
