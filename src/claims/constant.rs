@@ -1,5 +1,7 @@
 //! Constant acceleration: the claims.
 
+pub mod exact;
+
 use super::{Claim, Kind, Topic};
 
 /// The topic.
