@@ -191,6 +191,44 @@ impl Expr {
         }
     }
 
+    /// The formula's value, with `value` for each symbol; `None` if that has none for one of them.
+    pub fn evaluate<S: Scalar>(self, value: &dyn Fn(&str) -> Option<S>) -> Option<S> {
+        Some(match self.node() {
+            Node::Int(n) => S::int(n),
+            Node::Pi => S::pi(),
+            Node::Symbol(name) => value(name)?,
+            Node::Neg(x) => -x.evaluate(value)?,
+            Node::Binary(op, x, y) => {
+                let (x, y) = (x.evaluate(value)?, y.evaluate(value)?);
+                match op {
+                    Binary::Add => x + y,
+                    Binary::Sub => x - y,
+                    Binary::Mul => x * y,
+                    Binary::Div => x / y,
+                    Binary::Pow => x.pow(y),
+                }
+            }
+            Node::Call(function, x) => {
+                let x = x.evaluate(value)?;
+                match function {
+                    Function::Sin => x.sin(),
+                    Function::Cos => x.cos(),
+                    Function::Tan => x.tan(),
+                    Function::Cot => x.cot(),
+                    Function::Asin => x.asin(),
+                    Function::Acos => x.acos(),
+                    Function::Sinh => x.sinh(),
+                    Function::Cosh => x.cosh(),
+                    Function::Tanh => x.tanh(),
+                    Function::Coth => x.coth(),
+                    Function::Exp => x.exp(),
+                    Function::Ln => x.ln(),
+                    Function::Sqrt => x.sqrt(),
+                }
+            }
+        })
+    }
+
     fn join(self, op: Binary, other: Self) -> Self {
         Self::new(Node::Binary(op, self, other))
     }

@@ -190,7 +190,10 @@ impl Ring {
             if !(&known.exponent - e).is_literally_zero() {
                 continue;
             }
-            let k = rest.valuation(&known.prime);
+            let k = match &known.prime {
+                Some(prime) => rest.valuation(prime),
+                None => i64::from((&rest - &known.base).is_literally_zero()),
+            };
             if k != 0 {
                 rest = self.divide(&rest, &self.whole_power(&known.base, k)?)?;
                 product = product * self.whole_power(&known.value, k)?;
@@ -218,3 +221,6 @@ impl Ring {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

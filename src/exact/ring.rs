@@ -36,8 +36,8 @@ enum Rule {
 #[derive(Debug, Clone)]
 pub(super) struct KnownPower {
     pub base: Rational,
-    /// The base's numerator without its content: what is looked for in a product.
-    pub prime: Polynomial,
+    /// What is looked for in a product: the base's numerator without its content; of a number, nothing.
+    pub prime: Option<Polynomial>,
     pub exponent: Rational,
     pub value: Rational,
 }
@@ -186,43 +186,40 @@ impl Ring {
     /// [`ExactError::BadDeclaration`] for a base that is a number.
     pub fn power(&mut self, base: &Rational, exponent: &Rational) -> Result<Rational, ExactError> {
         let name = format!("({})^({})", self.text(base), self.text(exponent));
-        let prime = self.prime(base, &name)?;
+        self.prime(base, &name)?;
         let rule = Rule::Power {
             base: base.clone(),
             exponent: exponent.clone(),
         };
         let value = Rational::generator(self.generator(name, rule));
-        self.powers.push(KnownPower {
-            base: base.clone(),
-            prime,
-            exponent: exponent.clone(),
-            value: value.clone(),
-        });
+        self.push_power(base, exponent.clone(), value.clone());
         Ok(value)
     }
 
-    /// Declares the positive root of this degree of a positive radicand that is not a number; returns it.
+    /// Declares the positive root of this degree of a positive radicand, which may be a number; returns it.
     /// The radicand must have no root in the ring as it is.
     ///
     /// # Errors
-    /// [`ExactError::BadDeclaration`] for degree 0 or a radicand that is a number.
+    /// [`ExactError::BadDeclaration`] for degree 0 or the radicand 0.
     pub fn root(&mut self, radicand: &Rational, degree: u32) -> Result<Rational, ExactError> {
         let name = format!("({})^(1/{degree})", self.text(radicand));
         let rule = Rule::Root {
             radicand: radicand.clone(),
             degree,
         };
-        self.prime(radicand, &name)?;
         let exponent = self.one_over(degree, &name)?;
-        let value = Rational::generator(self.generator(name.clone(), rule));
-        self.push_power(radicand, exponent, value.clone(), &name)?;
+        if self.is_zero(radicand)? {
+            return Err(ExactError::BadDeclaration { what: name });
+        }
+        let value = Rational::generator(self.generator(name, rule));
+        self.push_power(radicand, exponent, value.clone());
         Ok(value)
     }
 
     /// Says which element of the ring is the positive root of a radicand.
     ///
     /// # Errors
-    /// [`ExactError::BadDeclaration`] if its power is not the radicand, or the radicand is a number.
+    /// [`ExactError::BadDeclaration`] for degree 0, or if the value's power is not the radicand.
     pub fn root_is(
         &mut self,
         radicand: &Rational,
@@ -234,25 +231,17 @@ impl Ring {
         if !self.is_zero(&(value.pow(degree) - radicand))? {
             return Err(ExactError::BadDeclaration { what: name });
         }
-        self.push_power(radicand, exponent, value.clone(), &name)
+        self.push_power(radicand, exponent, value.clone());
+        Ok(())
     }
 
-    fn push_power(
-        &mut self,
-        base: &Rational,
-        exponent: Rational,
-        value: Rational,
-        name: &str,
-    ) -> Result<(), ExactError> {
-        let prime = self.prime(base, name)?;
-        let base = base.clone();
+    fn push_power(&mut self, base: &Rational, exponent: Rational, value: Rational) {
         self.powers.push(KnownPower {
-            base,
-            prime,
+            base: base.clone(),
+            prime: self.prime(base, "").ok(),
             exponent,
             value,
         });
-        Ok(())
     }
 
     fn one_over(&self, degree: u32, name: &str) -> Result<Rational, ExactError> {
