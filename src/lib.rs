@@ -23,14 +23,14 @@
 //! # Ok::<(), &str>(())
 //! ```
 
-pub mod book;
+//pub mod book;
 pub mod claims;
 pub mod corrections;
 pub mod evidence;
 pub mod exact;
-pub mod figures;
+//pub mod figures;
 pub mod ledger;
-pub mod motion;
-pub mod numerics;
+//pub mod motion;
+//pub mod numerics;
 pub mod paper;
 pub mod scalar;

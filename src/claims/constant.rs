@@ -1,5 +1,7 @@
 //! Constant acceleration: the claims.
 
+pub mod exact;
+
 use super::{Claim, Condition, Topic};
 use crate::evidence::Kind;
 

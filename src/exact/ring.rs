@@ -1,0 +1,498 @@
+//! A differential ring: generators, the relations among them, and the rules by which they are differentiated.
+//!
+//! | declared | generators | rule |
+//! |---|---|---|
+//! | symbol x | x | free: the rate of x is whatever a motion gives it |
+//! | angle θ | θ, u = tan(θ/2), h = cos(θ/2) | u′ = (1 + u²)/2 θ′, h² = 1/(1 + u²) |
+//! | hyperbolic argument α | α, w = exp(α/2) | w′ = w/2 α′ |
+//! | power b^e | P | P′ = P (e b′/b + e′ ln b) |
+//! | root b^(1/n) | r | rⁿ = b, r′ = r b′/(n b) |
+//! | logarithm ln b | L | L′ = b′/b |
+//!
+//! The generators are otherwise taken to be independent, so that an element is zero exactly if its numerator
+//! is, after the relations are used. Were they dependent, a true identity might be missed; none that is
+//! false would be proved. Powers of products are split into products of powers, (x y)^e = x^e y^e: all that
+//! is proved holds where the declared bases are positive.
+
+use super::error::ExactError;
+use super::expr::Function;
+use super::polynomial::Polynomial;
+use super::rational::Rational;
+use std::collections::BTreeMap;
+
+/// How a generator behaves.
+#[derive(Debug, Clone)]
+enum Rule {
+    Constant,
+    Free,
+    HalfTangent { angle: usize },
+    HalfExponential { argument: usize },
+    Power { base: Rational, exponent: Rational },
+    Root { radicand: Rational, degree: u32 },
+    Logarithm { of: Rational },
+}
+
+/// base^exponent = value.
+#[derive(Debug, Clone)]
+pub(super) struct KnownPower {
+    pub base: Rational,
+    /// What is looked for in a product: the base's numerator without its content; of a number, nothing.
+    pub prime: Option<Polynomial>,
+    pub exponent: Rational,
+    pub value: Rational,
+}
+
+/// ln base = value.
+#[derive(Debug, Clone)]
+pub(super) struct KnownLogarithm {
+    pub base: Rational,
+    pub prime: Polynomial,
+    pub value: Rational,
+}
+
+/// An inverse circular function: function(of) = angle.
+#[derive(Debug, Clone)]
+pub(super) struct KnownInverse {
+    pub function: Function,
+    pub of: Rational,
+    pub angle: Rational,
+}
+
+/// A differential ring over ℚ, with π as a constant of its own.
+#[derive(Debug, Clone)]
+pub struct Ring {
+    names: Vec<String>,
+    rules: Vec<Rule>,
+    symbols: BTreeMap<&'static str, Rational>,
+    /// Index of each angle, of its half tangent and of its half cosine.
+    pub(super) angles: Vec<[usize; 3]>,
+    /// Index of each hyperbolic argument and of its half exponential.
+    pub(super) arguments: Vec<[usize; 2]>,
+    pub(super) powers: Vec<KnownPower>,
+    pub(super) logarithms: Vec<KnownLogarithm>,
+    pub(super) inverses: Vec<KnownInverse>,
+}
+
+/// The rates of the free symbols along a motion, or with respect to one of them; 0 for all others.
+#[derive(Debug, Clone, Default)]
+pub struct Derivation {
+    rates: BTreeMap<usize, Rational>,
+}
+
+impl Default for Ring {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+/// The index of π among the generators.
+pub(super) const PI: usize = 0;
+
+impl Ring {
+    /// The ring ℚ(π).
+    pub fn new() -> Self {
+        Ring {
+            names: vec!["π".into()],
+            rules: vec![Rule::Constant],
+            symbols: BTreeMap::new(),
+            angles: Vec::new(),
+            arguments: Vec::new(),
+            powers: Vec::new(),
+            logarithms: Vec::new(),
+            inverses: Vec::new(),
+        }
+    }
+
+    fn generator(&mut self, name: String, rule: Rule) -> usize {
+        self.names.push(name);
+        self.rules.push(rule);
+        self.names.len() - 1
+    }
+
+    /// Declares a free symbol, or returns the one of this name.
+    pub fn symbol(&mut self, name: &'static str) -> Rational {
+        if let Some(known) = self.symbols.get(name) {
+            return known.clone();
+        }
+        let symbol = Rational::generator(self.generator(name.into(), Rule::Free));
+        self.symbols.insert(name, symbol.clone());
+        symbol
+    }
+
+    /// Lets a name stand for an element.
+    ///
+    /// # Errors
+    /// [`ExactError::DeclaredTwice`] if the name has a meaning already.
+    pub fn define(&mut self, name: &'static str, value: Rational) -> Result<(), ExactError> {
+        if self.symbols.contains_key(name) {
+            return Err(ExactError::DeclaredTwice { name: name.into() });
+        }
+        self.symbols.insert(name, value);
+        Ok(())
+    }
+
+    /// Declares an angle, with the tangent and the cosine of its half, or returns the one of this name.
+    pub fn angle(&mut self, name: &'static str) -> Rational {
+        let angle = self.symbol(name);
+        let Some(index) = angle.generators().next() else {
+            return angle;
+        };
+        if !self.angles.iter().any(|[known, ..]| *known == index) {
+            let tangent =
+                self.generator(format!("tan({name}/2)"), Rule::HalfTangent { angle: index });
+            let u = Rational::generator(tangent);
+            let radicand = (&Rational::int(1) + &u * &u)
+                .reciprocal()
+                .unwrap_or_else(|| Rational::int(0));
+            let root = Rule::Root {
+                radicand,
+                degree: 2,
+            };
+            let cosine = self.generator(format!("cos({name}/2)"), root);
+            self.angles.push([index, tangent, cosine]);
+        }
+        angle
+    }
+
+    /// The tangent of half an angle that is declared.
+    ///
+    /// # Errors
+    /// [`ExactError::UnknownSymbol`] if there is no such angle.
+    pub fn half_tangent(&self, angle: &str) -> Result<Rational, ExactError> {
+        let index = self.free_index(angle)?;
+        let known = self.angles.iter().find(|[known, ..]| *known == index);
+        known
+            .map(|[_, tangent, _]| Rational::generator(*tangent))
+            .ok_or_else(|| ExactError::UnknownSymbol { name: angle.into() })
+    }
+
+    /// Declares an argument of hyperbolic functions, with the exponential of its half.
+    pub fn hyperbolic(&mut self, name: &'static str) -> Rational {
+        let argument = self.symbol(name);
+        let Some(index) = argument.generators().next() else {
+            return argument;
+        };
+        if !self.arguments.iter().any(|[known, _]| *known == index) {
+            let rule = Rule::HalfExponential { argument: index };
+            let exponential = self.generator(format!("exp({name}/2)"), rule);
+            self.arguments.push([index, exponential]);
+        }
+        argument
+    }
+
+    /// Declares base^exponent, for a positive base that is not a number; returns it.
+    ///
+    /// # Errors
+    /// [`ExactError::BadDeclaration`] for a base that is a number.
+    pub fn power(&mut self, base: &Rational, exponent: &Rational) -> Result<Rational, ExactError> {
+        let name = format!("({})^({})", self.text(base), self.text(exponent));
+        self.prime(base, &name)?;
+        let rule = Rule::Power {
+            base: base.clone(),
+            exponent: exponent.clone(),
+        };
+        let value = Rational::generator(self.generator(name, rule));
+        self.push_power(base, exponent.clone(), value.clone());
+        Ok(value)
+    }
+
+    /// Declares the positive root of this degree of a positive radicand, which may be a number; returns it.
+    /// The radicand must have no root in the ring as it is.
+    ///
+    /// # Errors
+    /// [`ExactError::BadDeclaration`] for degree 0 or the radicand 0.
+    pub fn root(&mut self, radicand: &Rational, degree: u32) -> Result<Rational, ExactError> {
+        let name = format!("({})^(1/{degree})", self.text(radicand));
+        let rule = Rule::Root {
+            radicand: radicand.clone(),
+            degree,
+        };
+        let exponent = self.one_over(degree, &name)?;
+        if self.is_zero(radicand)? {
+            return Err(ExactError::BadDeclaration { what: name });
+        }
+        let value = Rational::generator(self.generator(name, rule));
+        self.push_power(radicand, exponent, value.clone());
+        Ok(value)
+    }
+
+    /// Says which element of the ring is the positive root of a radicand.
+    ///
+    /// # Errors
+    /// [`ExactError::BadDeclaration`] for degree 0, or if the value's power is not the radicand.
+    pub fn root_is(
+        &mut self,
+        radicand: &Rational,
+        degree: u32,
+        value: &Rational,
+    ) -> Result<(), ExactError> {
+        let name = format!("({})^(1/{degree})", self.text(radicand));
+        let exponent = self.one_over(degree, &name)?;
+        if !self.is_zero(&(value.pow(degree) - radicand))? {
+            return Err(ExactError::BadDeclaration { what: name });
+        }
+        self.push_power(radicand, exponent, value.clone());
+        Ok(())
+    }
+
+    fn push_power(&mut self, base: &Rational, exponent: Rational, value: Rational) {
+        self.powers.push(KnownPower {
+            base: base.clone(),
+            prime: self.prime(base, "").ok(),
+            exponent,
+            value,
+        });
+    }
+
+    fn one_over(&self, degree: u32, name: &str) -> Result<Rational, ExactError> {
+        let reciprocal = Rational::int(i64::from(degree)).reciprocal();
+        reciprocal.ok_or_else(|| ExactError::BadDeclaration { what: name.into() })
+    }
+
+    /// Declares the logarithm of a positive base that is not a number; returns it.
+    ///
+    /// # Errors
+    /// [`ExactError::BadDeclaration`] for a base that is a number.
+    pub fn logarithm(&mut self, base: &Rational) -> Result<Rational, ExactError> {
+        let name = format!("ln({})", self.text(base));
+        let prime = self.prime(base, &name)?;
+        let rule = Rule::Logarithm { of: base.clone() };
+        let value = Rational::generator(self.generator(name, rule));
+        self.logarithms.push(KnownLogarithm {
+            base: base.clone(),
+            prime,
+            value: value.clone(),
+        });
+        Ok(value)
+    }
+
+    /// Lets arcsin (`Function::Asin`) or arccos (`Function::Acos`) of an element be a declared angle.
+    ///
+    /// # Errors
+    /// [`ExactError::BadDeclaration`] if the sine or cosine of the angle is not the element.
+    pub fn inverse(
+        &mut self,
+        function: Function,
+        of: &Rational,
+        angle: &Rational,
+    ) -> Result<(), ExactError> {
+        let what = format!("{}({})", function.name(), self.text(of));
+        let (cosine, sine) = self.circular(angle)?;
+        let value = match function {
+            Function::Asin => sine,
+            Function::Acos => cosine,
+            _ => return Err(ExactError::BadDeclaration { what }),
+        };
+        if !self.is_zero(&(&value - of))? {
+            return Err(ExactError::BadDeclaration { what });
+        }
+        self.inverses.push(KnownInverse {
+            function,
+            of: of.clone(),
+            angle: angle.clone(),
+        });
+        Ok(())
+    }
+
+    fn prime(&self, base: &Rational, name: &str) -> Result<Polynomial, ExactError> {
+        let numerator = base.numerator();
+        let bad = || ExactError::BadDeclaration { what: name.into() };
+        if numerator.as_constant().is_some() {
+            return Err(bad());
+        }
+        let content = Polynomial::constant(numerator.content());
+        numerator.divide_exact(&content).ok_or_else(bad)
+    }
+
+    /// What a name stands for.
+    ///
+    /// # Errors
+    /// [`ExactError::UnknownSymbol`] if it is not declared.
+    pub fn named(&self, name: &str) -> Result<Rational, ExactError> {
+        let known = self.symbols.get(name).cloned();
+        known.ok_or_else(|| ExactError::UnknownSymbol { name: name.into() })
+    }
+
+    fn free_index(&self, name: &str) -> Result<usize, ExactError> {
+        let known = self.named(name)?;
+        let index = known.generators().next();
+        index
+            .filter(|g| matches!(self.rules[*g], Rule::Free) && self.names[*g] == name)
+            .ok_or_else(|| ExactError::NotFree { name: name.into() })
+    }
+
+    /// The normal form: powers of roots below their degree above the line, and as bare factors below it.
+    pub fn normal(&self, x: &Rational) -> Rational {
+        let mut x = x.clone();
+        for (g, rule) in self.rules.iter().enumerate().rev() {
+            let Rule::Root { radicand, degree } = rule else {
+                continue;
+            };
+            let generator = Polynomial::generator(g);
+            let below = x.factors().iter().find(|(f, _)| *f == generator);
+            if let Some(whole) = below.map(|(_, k)| k / degree).filter(|whole| *whole > 0)
+                && let Some(inverse) = radicand.reciprocal()
+            {
+                let raised = Rational::from(generator.pow(whole * degree));
+                x = &x * &raised * inverse.pow(whole);
+            }
+            let parts = x.numerator().coefficients_in(g);
+            if parts.keys().all(|k| k < degree) {
+                continue;
+            }
+            let mut reduced = Rational::int(0);
+            for (k, part) in parts {
+                let low = &Rational::from(part) * &Rational::generator(g).pow(k % degree);
+                reduced = reduced + low * radicand.pow(k / degree);
+            }
+            x = reduced * x.denominator_inverse();
+        }
+        x
+    }
+
+    /// Whether an element is zero.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] if something below the line is zero by a relation.
+    pub fn is_zero(&self, x: &Rational) -> Result<bool, ExactError> {
+        for (factor, _) in x.factors() {
+            let factor = Rational::from(factor.clone());
+            if self.normal(&factor).is_literally_zero() {
+                let divisor = self.text(&factor);
+                return Err(ExactError::DivisionByZero { divisor });
+            }
+        }
+        Ok(self.normal(x).is_literally_zero())
+    }
+
+    /// One element over another.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] if the divisor is zero in the ring.
+    pub fn divide(&self, x: &Rational, y: &Rational) -> Result<Rational, ExactError> {
+        let inverse = self.normal(y).reciprocal();
+        let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero {
+            divisor: self.text(y),
+        })?;
+        Ok(self.normal(&(x * &inverse)))
+    }
+
+    /// The derivation with respect to a free symbol, all others fixed.
+    ///
+    /// # Errors
+    /// [`ExactError::UnknownSymbol`] or [`ExactError::NotFree`].
+    pub fn by(&self, name: &str) -> Result<Derivation, ExactError> {
+        self.along(&[(name, Rational::int(1))])
+    }
+
+    /// The derivation along a motion that gives these free symbols these rates, and keeps all others.
+    ///
+    /// # Errors
+    /// [`ExactError::UnknownSymbol`] or [`ExactError::NotFree`].
+    pub fn along(&self, rates: &[(&str, Rational)]) -> Result<Derivation, ExactError> {
+        let rate = |(name, rate): &(&str, Rational)| Ok((self.free_index(name)?, rate.clone()));
+        Ok(Derivation {
+            rates: rates.iter().map(rate).collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// The derivative of an element.
+    ///
+    /// # Errors
+    /// [`ExactError::VaryingExponent`] for b^e with varying e, unless ln b is declared.
+    pub fn derivative(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
+        let mut slope = self.of_polynomial(x.numerator(), by)? * x.denominator_inverse();
+        for (factor, k) in x.factors() {
+            let factor_slope = self.of_polynomial(factor, by)?;
+            if factor_slope.is_literally_zero() {
+                continue;
+            }
+            let relative = self.divide(&factor_slope, &Rational::from(factor.clone()))?;
+            slope = slope - x * &relative * Rational::int(i64::from(*k));
+        }
+        Ok(self.normal(&slope))
+    }
+
+    fn of_polynomial(&self, p: &Polynomial, by: &Derivation) -> Result<Rational, ExactError> {
+        let mut slope = Rational::int(0);
+        for g in p.degrees().into_keys() {
+            let rate = self.rate(g, by)?;
+            if !rate.is_literally_zero() {
+                slope = slope + Rational::from(p.partial(g)) * rate;
+            }
+        }
+        Ok(slope)
+    }
+
+    fn rate(&self, g: usize, by: &Derivation) -> Result<Rational, ExactError> {
+        let own = Rational::generator(g);
+        let half = |index: usize| self.divide(&self.rate(index, by)?, &Rational::int(2));
+        match &self.rules[g] {
+            Rule::Constant => Ok(Rational::int(0)),
+            Rule::Free => Ok(by
+                .rates
+                .get(&g)
+                .cloned()
+                .unwrap_or_else(|| Rational::int(0))),
+            Rule::HalfTangent { angle } => Ok((Rational::int(1) + &own * &own) * half(*angle)?),
+            Rule::HalfExponential { argument } => Ok(own * half(*argument)?),
+            Rule::Logarithm { of } => self.divide(&self.derivative(of, by)?, of),
+            Rule::Root { radicand, degree } => {
+                let below = radicand * &Rational::int(i64::from(*degree));
+                Ok(own * self.divide(&self.derivative(radicand, by)?, &below)?)
+            }
+            Rule::Power { base, exponent } => {
+                let mut relative = exponent * &self.divide(&self.derivative(base, by)?, base)?;
+                let growing = self.derivative(exponent, by)?;
+                if !growing.is_literally_zero() {
+                    let ln = self.ln(base).map_err(|_| ExactError::VaryingExponent {
+                        power: self.names[g].clone(),
+                    })?;
+                    relative = relative + growing * ln;
+                }
+                Ok(own * relative)
+            }
+        }
+    }
+
+    /// The element with values put in for some of its generators. It is for the caller to put in values that
+    /// belong together, where generators depend on each other.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] if that makes a divisor zero.
+    pub fn put(
+        &self,
+        x: &Rational,
+        values: &[(&Rational, &Rational)],
+    ) -> Result<Rational, ExactError> {
+        let values: Vec<_> = values
+            .iter()
+            .filter_map(|(g, value)| Some((g.generators().next()?, *value)))
+            .collect();
+        let into = |p: &Polynomial| {
+            p.terms()
+                .fold(Rational::int(0), |sum, (monomial, coefficient)| {
+                    let start = Rational::from(Polynomial::constant(coefficient.clone()));
+                    let powers = monomial.iter().enumerate().filter(|(_, k)| **k > 0);
+                    sum + powers.fold(start, |term, (g, k)| {
+                        let known = values.iter().find(|(index, _)| *index == g);
+                        let value =
+                            known.map_or_else(|| Rational::generator(g), |(_, v)| (*v).clone());
+                        term * value.pow(*k)
+                    })
+                })
+        };
+        let mut result = into(x.numerator());
+        for (factor, k) in x.factors() {
+            for _ in 0..*k {
+                result = self.divide(&result, &into(factor))?;
+            }
+        }
+        Ok(result * x.number_inverse())
+    }
+
+    /// Plain text in the names of the generators.
+    pub fn text(&self, x: &Rational) -> String {
+        x.text(&self.names)
+    }
+}
