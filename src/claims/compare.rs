@@ -1,5 +1,6 @@
 //! How a trial compares: stated value against found value, over many points, into one [`Evidence`].
 
+use super::tolerances;
 use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
 use std::fmt::Display;
 
@@ -42,6 +43,31 @@ pub struct Trial {
 }
 
 impl Trial {
+    /// A formula or statement against the integrated motion.
+    pub const fn motion(subject: Subject, compared: &'static str) -> Self {
+        Self::by(Route::Integration, subject, compared, tolerances::MOTION)
+    }
+
+    /// A formula against a quadrature.
+    pub const fn quadrature(subject: Subject, compared: &'static str) -> Self {
+        Self::by(Route::Quadrature, subject, compared, tolerances::QUADRATURE)
+    }
+
+    /// By any route, to any tolerance.
+    pub const fn by(
+        route: Route,
+        subject: Subject,
+        compared: &'static str,
+        tolerance: Tolerance,
+    ) -> Self {
+        Trial {
+            route,
+            subject,
+            compared,
+            tolerance,
+        }
+    }
+
     /// Compares at every point; a point where our own side fails makes the evidence NaN and says why.
     pub fn over<P, E: Display>(
         &self,
@@ -109,3 +135,6 @@ impl Pair {
         }
     }
 }
+
+/// Why a trial's own side gave no number.
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
