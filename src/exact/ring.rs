@@ -125,10 +125,11 @@ impl Ring {
         Ok(())
     }
 
-    /// Declares an angle, with the tangent and the cosine of its half, or returns the one of this name.
+    /// Declares an angle, with the tangent and the cosine of its half; of a name that stands for something
+    /// else, returns that.
     pub fn angle(&mut self, name: &'static str) -> Rational {
         let angle = self.symbol(name);
-        let Some(index) = angle.generators().next() else {
+        let Ok(index) = self.free_index(name) else {
             return angle;
         };
         if !self.angles.iter().any(|[known, ..]| *known == index) {
@@ -160,10 +161,11 @@ impl Ring {
             .ok_or_else(|| ExactError::UnknownSymbol { name: angle.into() })
     }
 
-    /// Declares an argument of hyperbolic functions, with the exponential of its half.
+    /// Declares an argument of hyperbolic functions, with the exponential of its half; of a name that stands
+    /// for something else, returns that.
     pub fn hyperbolic(&mut self, name: &'static str) -> Rational {
         let argument = self.symbol(name);
-        let Some(index) = argument.generators().next() else {
+        let Ok(index) = self.free_index(name) else {
             return argument;
         };
         if !self.arguments.iter().any(|[known, _]| *known == index) {

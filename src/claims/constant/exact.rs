@@ -208,6 +208,9 @@ fn prove(
                 Friction::Zero => p.note("Friction", "λ = 0"),
                 Friction::One => p.note("Friction", "λ = 1"),
             }
+            let theta = Expr::symbol("θ");
+            p.read("The sine, made rational", theta.sin())?;
+            p.read("The cosine, made rational", theta.cos())?;
             p.note("dv/dt by (1), along v", ring.text(&newton.speed_rate));
             p.note("dθ/dt by (1), across v", ring.text(&newton.angle_rate));
             steps(p, &newton)
