@@ -243,6 +243,7 @@ impl Expr {
             Node::Binary(Binary::Add | Binary::Sub, ..) => 1,
             Node::Neg(_) => 2,
             Node::Int(n) if n < 0 => 2,
+            Node::Binary(Binary::Mul, x, y) if x == y => 4,
             Node::Binary(Binary::Mul | Binary::Div, ..) => 3,
             Node::Binary(Binary::Pow, ..) => 4,
             Node::Call(..) | Node::Int(_) | Node::Pi | Node::Symbol(_) => 5,
@@ -270,6 +271,10 @@ impl fmt::Display for Expr {
                 x.write(f, 3)
             }
             Node::Call(function, x) => write!(f, "{}({x})", function.name()),
+            Node::Binary(Binary::Mul, x, y) if x == y => {
+                x.write(f, 5)?;
+                write!(f, "^2")
+            }
             Node::Binary(op, x, y) => {
                 let (sign, left, right) = match op {
                     Binary::Add => (" + ", 1, 2),
@@ -388,7 +393,7 @@ mod tests {
         assert_eq!((a - (b - c)).to_string(), "a − (b − c)");
         assert_eq!(((a - b) - c).to_string(), "a − b − c");
         assert_eq!((a / (b * c)).to_string(), "a/(b c)");
-        assert_eq!((a * (b + c)).squared().to_string(), "a (b + c) (a (b + c))");
+        assert_eq!((a * (b + c)).squared().to_string(), "(a (b + c))^2");
         assert_eq!((-(a + b)).to_string(), "−(a + b)");
         assert_eq!(
             (a / Expr::int(2)).tan().pow(-b).to_string(),

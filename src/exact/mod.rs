@@ -20,6 +20,7 @@
 //! assert!(proof.holds());
 //! ```
 
+mod calculus;
 mod error;
 mod expr;
 mod mutation;
@@ -29,10 +30,11 @@ mod rational;
 mod read;
 mod ring;
 
+pub use calculus::Derivation;
 pub use error::ExactError;
 pub use expr::{Binary, Expr, Function, Node};
 pub use mutation::{Mutation, mutations};
 pub use polynomial::Polynomial;
 pub use proof::{Obstacle, Proof, Prover, Step};
 pub use rational::Rational;
-pub use ring::{Derivation, Ring};
+pub use ring::Ring;

@@ -70,7 +70,10 @@ fn at_every_place(
 fn changes(here: Expr, symbols: &BTreeSet<&'static str>) -> Vec<Expr> {
     let one = Expr::int(1);
     match here.node() {
-        Node::Int(n) => vec![Expr::int(n + 1), Expr::int(n - 1)],
+        Node::Int(n) => vec![
+            Expr::int(n.saturating_add(1)),
+            Expr::int(n.saturating_sub(1)),
+        ],
         Node::Pi => vec![one, -here],
         Node::Symbol(name) => {
             let others = symbols.iter().filter(|other| **other != name);

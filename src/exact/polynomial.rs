@@ -158,6 +158,16 @@ impl Polynomial {
         }))
     }
 
+    /// A number times powers of generators, and what is left when that is divided out.
+    pub fn split_monomial(&self) -> (Polynomial, Polynomial) {
+        let terms = BTreeMap::from([(self.monomial_divisor(), self.content())]);
+        let monomial = Polynomial { terms };
+        match self.divide_exact(&monomial) {
+            Some(rest) => (monomial, rest),
+            None => (Self::one(), self.clone()),
+        }
+    }
+
     /// The quotient, if `divisor` divides the polynomial without a remainder; `None` also for divisor 0.
     pub fn divide_exact(&self, divisor: &Polynomial) -> Option<Polynomial> {
         let (lead, lead_c) = divisor.terms.last_key_value()?;
@@ -212,6 +222,9 @@ impl Polynomial {
             for (g, k) in m.iter().enumerate().filter(|(_, k)| **k > 0) {
                 let mut factor = names.get(g).cloned().unwrap_or_else(|| format!("#{g}"));
                 if *k > 1 {
+                    if factor.contains('^') {
+                        factor = format!("({factor})");
+                    }
                     let _ = write!(factor, "^{k}");
                 }
                 factors.push(factor);

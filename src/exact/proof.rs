@@ -1,9 +1,10 @@
 //! A proof: steps that a reader can follow, each carried out, and whether all differences came out zero.
 
+use super::calculus::Derivation;
 use super::error::ExactError;
 use super::expr::Expr;
 use super::rational::Rational;
-use super::ring::{Derivation, Ring};
+use super::ring::Ring;
 use std::fmt;
 
 /// One step of a proof.

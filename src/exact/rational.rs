@@ -82,24 +82,17 @@ impl Rational {
 
     /// One over it, without asking whether it is zero by a relation; `None` where the numerator is 0.
     pub(super) fn reciprocal(&self) -> Option<Self> {
-        let mut rest = self.numerator.clone();
+        let rest = &self.numerator;
         if rest.is_zero() {
             return None;
         }
         let content = rest.content();
-        rest = rest.divide_exact(&Polynomial::constant(content.clone()))?;
-        let mut factors = Vec::new();
-        for (g, &k) in rest
-            .monomial_divisor()
-            .iter()
-            .enumerate()
-            .filter(|(_, k)| **k > 0)
-        {
-            factors.push((Polynomial::generator(g), k));
-        }
-        for (factor, k) in &factors {
-            rest = rest.divide_exact(&factor.pow(*k))?;
-        }
+        let (monomial, rest) = rest.split_monomial();
+        let mut factors: Vec<_> = monomial
+            .degrees()
+            .into_iter()
+            .map(|(g, k)| (Polynomial::generator(g), k))
+            .collect();
         if rest.as_constant().is_none() {
             factors.push((rest, 1));
         }
@@ -186,7 +179,18 @@ impl Rational {
 
     /// Plain text, with the generators' names.
     pub fn text(&self, names: &[String]) -> String {
-        let above = self.numerator.text(names);
+        let (monomial, rest) = self.numerator.split_monomial();
+        let above = if self.numerator.len() < 2 {
+            self.numerator.text(names)
+        } else if monomial == Polynomial::one() {
+            let text = rest.text(names);
+            let alone = self.number == IBig::ONE && self.factors.is_empty();
+            if alone { text } else { format!("({text})") }
+        } else if monomial == -&Polynomial::one() {
+            format!("−({})", rest.text(names))
+        } else {
+            format!("{} ({})", monomial.text(names), rest.text(names))
+        };
         let mut below = Vec::new();
         if self.number != IBig::ONE {
             below.push(self.number.to_string());
@@ -198,11 +202,6 @@ impl Rational {
             }
             below.push(if *k > 1 { format!("{text}^{k}") } else { text });
         }
-        let above = if self.numerator.len() > 1 && !below.is_empty() {
-            format!("({above})")
-        } else {
-            above
-        };
         match below.as_slice() {
             [] => above,
             [one] => format!("{above}/{one}"),

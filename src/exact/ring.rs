@@ -22,7 +22,7 @@ use std::collections::BTreeMap;
 
 /// How a generator behaves.
 #[derive(Debug, Clone)]
-enum Rule {
+pub(super) enum Rule {
     Constant,
     Free,
     HalfTangent { angle: usize },
@@ -61,8 +61,8 @@ pub(super) struct KnownInverse {
 /// A differential ring over ℚ, with π as a constant of its own.
 #[derive(Debug, Clone)]
 pub struct Ring {
-    names: Vec<String>,
-    rules: Vec<Rule>,
+    pub(super) names: Vec<String>,
+    pub(super) rules: Vec<Rule>,
     symbols: BTreeMap<&'static str, Rational>,
     /// Index of each angle, of its half tangent and of its half cosine.
     pub(super) angles: Vec<[usize; 3]>,
@@ -71,12 +71,6 @@ pub struct Ring {
     pub(super) powers: Vec<KnownPower>,
     pub(super) logarithms: Vec<KnownLogarithm>,
     pub(super) inverses: Vec<KnownInverse>,
-}
-
-/// The rates of the free symbols along a motion, or with respect to one of them; 0 for all others.
-#[derive(Debug, Clone, Default)]
-pub struct Derivation {
-    rates: BTreeMap<usize, Rational>,
 }
 
 impl Default for Ring {
@@ -131,10 +125,11 @@ impl Ring {
         Ok(())
     }
 
-    /// Declares an angle, with the tangent and the cosine of its half, or returns the one of this name.
+    /// Declares an angle, with the tangent and the cosine of its half; of a name that stands for something
+    /// else, returns that.
     pub fn angle(&mut self, name: &'static str) -> Rational {
         let angle = self.symbol(name);
-        let Some(index) = angle.generators().next() else {
+        let Ok(index) = self.free_index(name) else {
             return angle;
         };
         if !self.angles.iter().any(|[known, ..]| *known == index) {
@@ -166,10 +161,11 @@ impl Ring {
             .ok_or_else(|| ExactError::UnknownSymbol { name: angle.into() })
     }
 
-    /// Declares an argument of hyperbolic functions, with the exponential of its half.
+    /// Declares an argument of hyperbolic functions, with the exponential of its half; of a name that stands
+    /// for something else, returns that.
     pub fn hyperbolic(&mut self, name: &'static str) -> Rational {
         let argument = self.symbol(name);
-        let Some(index) = argument.generators().next() else {
+        let Ok(index) = self.free_index(name) else {
             return argument;
         };
         if !self.arguments.iter().any(|[known, _]| *known == index) {
@@ -185,7 +181,8 @@ impl Ring {
     /// # Errors
     /// [`ExactError::BadDeclaration`] for a base that is a number.
     pub fn power(&mut self, base: &Rational, exponent: &Rational) -> Result<Rational, ExactError> {
-        let name = format!("({})^({})", self.text(base), self.text(exponent));
+        let [of, to] = [base, exponent].map(|x| self.operand(x));
+        let name = format!("{of}^{to}");
         self.prime(base, &name)?;
         let rule = Rule::Power {
             base: base.clone(),
@@ -202,7 +199,7 @@ impl Ring {
     /// # Errors
     /// [`ExactError::BadDeclaration`] for degree 0 or the radicand 0.
     pub fn root(&mut self, radicand: &Rational, degree: u32) -> Result<Rational, ExactError> {
-        let name = format!("({})^(1/{degree})", self.text(radicand));
+        let name = format!("{}^(1/{degree})", self.operand(radicand));
         let rule = Rule::Root {
             radicand: radicand.clone(),
             degree,
@@ -226,13 +223,23 @@ impl Ring {
         degree: u32,
         value: &Rational,
     ) -> Result<(), ExactError> {
-        let name = format!("({})^(1/{degree})", self.text(radicand));
+        let name = format!("{}^(1/{degree})", self.operand(radicand));
         let exponent = self.one_over(degree, &name)?;
         if !self.is_zero(&(value.pow(degree) - radicand))? {
             return Err(ExactError::BadDeclaration { what: name });
         }
         self.push_power(radicand, exponent, value.clone());
         Ok(())
+    }
+
+    /// An element's text, in parentheses unless it is a single name.
+    fn operand(&self, x: &Rational) -> String {
+        let text = self.text(x);
+        if text.contains([' ', '^', '−']) || text.contains('/') && !text.ends_with(')') {
+            format!("({text})")
+        } else {
+            text
+        }
     }
 
     fn push_power(&mut self, base: &Rational, exponent: Rational, value: Rational) {
@@ -313,182 +320,12 @@ impl Ring {
         known.ok_or_else(|| ExactError::UnknownSymbol { name: name.into() })
     }
 
-    fn free_index(&self, name: &str) -> Result<usize, ExactError> {
+    pub(super) fn free_index(&self, name: &str) -> Result<usize, ExactError> {
         let known = self.named(name)?;
         let index = known.generators().next();
         index
             .filter(|g| matches!(self.rules[*g], Rule::Free) && self.names[*g] == name)
             .ok_or_else(|| ExactError::NotFree { name: name.into() })
-    }
-
-    /// The normal form: powers of roots below their degree above the line, and as bare factors below it.
-    pub fn normal(&self, x: &Rational) -> Rational {
-        let mut x = x.clone();
-        for (g, rule) in self.rules.iter().enumerate().rev() {
-            let Rule::Root { radicand, degree } = rule else {
-                continue;
-            };
-            let generator = Polynomial::generator(g);
-            let below = x.factors().iter().find(|(f, _)| *f == generator);
-            if let Some(whole) = below.map(|(_, k)| k / degree).filter(|whole| *whole > 0)
-                && let Some(inverse) = radicand.reciprocal()
-            {
-                let raised = Rational::from(generator.pow(whole * degree));
-                x = &x * &raised * inverse.pow(whole);
-            }
-            let parts = x.numerator().coefficients_in(g);
-            if parts.keys().all(|k| k < degree) {
-                continue;
-            }
-            let mut reduced = Rational::int(0);
-            for (k, part) in parts {
-                let low = &Rational::from(part) * &Rational::generator(g).pow(k % degree);
-                reduced = reduced + low * radicand.pow(k / degree);
-            }
-            x = reduced * x.denominator_inverse();
-        }
-        x
-    }
-
-    /// Whether an element is zero.
-    ///
-    /// # Errors
-    /// [`ExactError::DivisionByZero`] if something below the line is zero by a relation.
-    pub fn is_zero(&self, x: &Rational) -> Result<bool, ExactError> {
-        for (factor, _) in x.factors() {
-            let factor = Rational::from(factor.clone());
-            if self.normal(&factor).is_literally_zero() {
-                let divisor = self.text(&factor);
-                return Err(ExactError::DivisionByZero { divisor });
-            }
-        }
-        Ok(self.normal(x).is_literally_zero())
-    }
-
-    /// One element over another.
-    ///
-    /// # Errors
-    /// [`ExactError::DivisionByZero`] if the divisor is zero in the ring.
-    pub fn divide(&self, x: &Rational, y: &Rational) -> Result<Rational, ExactError> {
-        let inverse = self.normal(y).reciprocal();
-        let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero {
-            divisor: self.text(y),
-        })?;
-        Ok(self.normal(&(x * &inverse)))
-    }
-
-    /// The derivation with respect to a free symbol, all others fixed.
-    ///
-    /// # Errors
-    /// [`ExactError::UnknownSymbol`] or [`ExactError::NotFree`].
-    pub fn by(&self, name: &str) -> Result<Derivation, ExactError> {
-        self.along(&[(name, Rational::int(1))])
-    }
-
-    /// The derivation along a motion that gives these free symbols these rates, and keeps all others.
-    ///
-    /// # Errors
-    /// [`ExactError::UnknownSymbol`] or [`ExactError::NotFree`].
-    pub fn along(&self, rates: &[(&str, Rational)]) -> Result<Derivation, ExactError> {
-        let rate = |(name, rate): &(&str, Rational)| Ok((self.free_index(name)?, rate.clone()));
-        Ok(Derivation {
-            rates: rates.iter().map(rate).collect::<Result<_, _>>()?,
-        })
-    }
-
-    /// The derivative of an element.
-    ///
-    /// # Errors
-    /// [`ExactError::VaryingExponent`] for b^e with varying e, unless ln b is declared.
-    pub fn derivative(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
-        let mut slope = self.of_polynomial(x.numerator(), by)? * x.denominator_inverse();
-        for (factor, k) in x.factors() {
-            let factor_slope = self.of_polynomial(factor, by)?;
-            if factor_slope.is_literally_zero() {
-                continue;
-            }
-            let relative = self.divide(&factor_slope, &Rational::from(factor.clone()))?;
-            slope = slope - x * &relative * Rational::int(i64::from(*k));
-        }
-        Ok(self.normal(&slope))
-    }
-
-    fn of_polynomial(&self, p: &Polynomial, by: &Derivation) -> Result<Rational, ExactError> {
-        let mut slope = Rational::int(0);
-        for g in p.degrees().into_keys() {
-            let rate = self.rate(g, by)?;
-            if !rate.is_literally_zero() {
-                slope = slope + Rational::from(p.partial(g)) * rate;
-            }
-        }
-        Ok(slope)
-    }
-
-    fn rate(&self, g: usize, by: &Derivation) -> Result<Rational, ExactError> {
-        let own = Rational::generator(g);
-        let half = |index: usize| self.divide(&self.rate(index, by)?, &Rational::int(2));
-        match &self.rules[g] {
-            Rule::Constant => Ok(Rational::int(0)),
-            Rule::Free => Ok(by
-                .rates
-                .get(&g)
-                .cloned()
-                .unwrap_or_else(|| Rational::int(0))),
-            Rule::HalfTangent { angle } => Ok((Rational::int(1) + &own * &own) * half(*angle)?),
-            Rule::HalfExponential { argument } => Ok(own * half(*argument)?),
-            Rule::Logarithm { of } => self.divide(&self.derivative(of, by)?, of),
-            Rule::Root { radicand, degree } => {
-                let below = radicand * &Rational::int(i64::from(*degree));
-                Ok(own * self.divide(&self.derivative(radicand, by)?, &below)?)
-            }
-            Rule::Power { base, exponent } => {
-                let mut relative = exponent * &self.divide(&self.derivative(base, by)?, base)?;
-                let growing = self.derivative(exponent, by)?;
-                if !growing.is_literally_zero() {
-                    let ln = self.ln(base).map_err(|_| ExactError::VaryingExponent {
-                        power: self.names[g].clone(),
-                    })?;
-                    relative = relative + growing * ln;
-                }
-                Ok(own * relative)
-            }
-        }
-    }
-
-    /// The element with values put in for some of its generators. It is for the caller to put in values that
-    /// belong together, where generators depend on each other.
-    ///
-    /// # Errors
-    /// [`ExactError::DivisionByZero`] if that makes a divisor zero.
-    pub fn put(
-        &self,
-        x: &Rational,
-        values: &[(&Rational, &Rational)],
-    ) -> Result<Rational, ExactError> {
-        let values: Vec<_> = values
-            .iter()
-            .filter_map(|(g, value)| Some((g.generators().next()?, *value)))
-            .collect();
-        let into = |p: &Polynomial| {
-            p.terms()
-                .fold(Rational::int(0), |sum, (monomial, coefficient)| {
-                    let start = Rational::from(Polynomial::constant(coefficient.clone()));
-                    let powers = monomial.iter().enumerate().filter(|(_, k)| **k > 0);
-                    sum + powers.fold(start, |term, (g, k)| {
-                        let known = values.iter().find(|(index, _)| *index == g);
-                        let value =
-                            known.map_or_else(|| Rational::generator(g), |(_, v)| (*v).clone());
-                        term * value.pow(*k)
-                    })
-                })
-        };
-        let mut result = into(x.numerator());
-        for (factor, k) in x.factors() {
-            for _ in 0..*k {
-                result = self.divide(&result, &into(factor))?;
-            }
-        }
-        Ok(result * x.number_inverse())
     }
 
     /// Plain text in the names of the generators.
