@@ -3,5 +3,6 @@
 pub mod claims;
 pub mod corrections;
 pub mod ledger;
+pub mod numerics;
 pub mod paper;
 pub mod scalar;
