@@ -2,6 +2,7 @@
 
 pub mod claims;
 pub mod corrections;
+pub mod figures;
 pub mod ledger;
 pub mod paper;
 pub mod scalar;
