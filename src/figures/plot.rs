@@ -140,7 +140,7 @@ impl Plot {
                 s.y.pixels = (y0 + s.height, y0);
                 body.push_str(&s.draw(x0, y0));
             }
-            top += head + foot + 10.0;
+            top += head + foot + 16.0;
         }
         let head = format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \

@@ -32,7 +32,8 @@ impl Raster {
     /// Cells row by row from the lowest y, each row from the lowest x, over `x` = (from, to) and `y`
     /// = (from, to): the outer edges of the outer cells. A cell is the number of its class or
     /// [`BLANK`]. On a logarithmic axis cells are equally wide in the logarithm.
-    /// [`FigureError::RasterShape`] if the cells do not fill `columns` × `rows`.
+    /// What lies beyond the panel's axes is cut off. [`FigureError::RasterShape`] if the cells do not
+    /// fill `columns` × `rows`, [`FigureError::Range`] if an edge is not finite or from ≥ to.
     pub fn new(
         columns: usize,
         rows: usize,
@@ -46,6 +47,15 @@ impl Raster {
                 rows,
                 cells: cells.len(),
             });
+        }
+        for (name, (from, to)) in [("x of a raster", x), ("y of a raster", y)] {
+            if !(from.is_finite() && to.is_finite() && from < to) {
+                return Err(FigureError::Range {
+                    axis: name.into(),
+                    from,
+                    to,
+                });
+            }
         }
         Ok(Raster {
             x,
@@ -310,6 +320,10 @@ mod tests {
                 cells,
             };
             assert_eq!(made, Err(error));
+        }
+        for x in [(0.0, f64::NAN), (1.0, 0.0), (f64::NEG_INFINITY, 0.0)] {
+            let made = Raster::new(1, 1, x, (0.0, 1.0), vec![0]);
+            assert!(matches!(made, Err(FigureError::Range { .. })));
         }
         let raster = raster(2, 1, vec![BLANK, 1]).class("a", 0, 0.2);
         let error = FigureError::RasterClass {

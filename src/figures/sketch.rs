@@ -126,9 +126,29 @@ impl<'a> Sketch<'a> {
 
     /// Draws the cells of a raster and names the classes that have room.
     pub fn raster(&mut self, raster: &Raster) {
-        self.below.push_str(&cells(raster, self.x, self.y));
+        let cells = cells(raster, self.x, self.y);
+        let corners = [[raster.x.0, raster.y.0], [raster.x.1, raster.y.1]];
+        if corners
+            .iter()
+            .all(|p| self.frame.grown(0.01).contains(self.place(p)))
+        {
+            self.below.push_str(&cells);
+        } else {
+            let [x, y] = [self.frame.left, self.frame.top].map(number);
+            let [w, h] = [
+                self.frame.right - self.frame.left,
+                self.frame.bottom - self.frame.top,
+            ]
+            .map(number);
+            // An inner drawing of its own size cuts off what lies outside.
+            self.below.push_str(&format!(
+                "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" \
+                 viewBox=\"{x} {y} {w} {h}\" overflow=\"hidden\">\n{cells}</svg>\n"
+            ));
+        }
         for (n, class) in raster.classes.iter().enumerate() {
-            if let Some(at) = inside(raster, n, self.x, self.y) {
+            let at = inside(raster, n, self.x, self.y);
+            if let Some(at) = at.filter(|&at| self.frame.contains(at)) {
                 self.write(at, &class.label, Align::Middle);
             }
         }

@@ -391,6 +391,20 @@ fn a_diagonal_runs_from_the_lower_left_to_the_upper_right() {
 }
 
 #[test]
+fn a_raster_beyond_the_axes_is_cut_off() {
+    let inner_drawings = |to: f64| {
+        let raster = Raster::new(2, 2, (0.0, to), (0.0, 1.0), vec![0; 4])
+            .unwrap()
+            .class("a", 0, 0.5);
+        let axis = |label: &str| Axis::linear(label).range(0.0, 1.0);
+        let plot = Plot::new("r", "R").panel(Panel::new(axis("x"), axis("y")).raster(raster));
+        let svg = plot.figure(Table::new(&[])).unwrap().svg;
+        tags(&svg).iter().filter(|tag| tag.0 == "svg").count() - 1
+    };
+    assert_eq!([1.0, 2.0].map(inner_drawings), [0, 1]);
+}
+
+#[test]
 fn a_gap_in_the_data_is_a_gap_in_the_curve() {
     let with_gap = |y: f64| {
         let points = [[0.0, 0.0], [1.0, 1.0], [2.0, y], [3.0, 1.0], [4.0, 0.0]];
