@@ -28,7 +28,7 @@ pub mod claims;
 pub mod corrections;
 pub mod evidence;
 pub mod exact;
-//pub mod figures;
+pub mod figures;
 pub mod ledger;
 //pub mod motion;
 pub mod numerics;
