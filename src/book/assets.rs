@@ -10,8 +10,9 @@ macro_rules! files {
     };
 }
 
-/// The style sheets, with the fonts and the licences that belong to them.
+/// The icon and the style sheets, with the fonts and the licences that belong to them.
 pub(super) const THEME: &[(&str, &[u8])] = files![
+    "theme/favicon.svg",
     "theme/slipbook.css",
     "theme/katex/katex.min.css",
     "theme/katex/NOTICE.txt",

@@ -2,9 +2,10 @@
 
 use super::error::Fault;
 use super::fill::{Filler, label, verdict};
+use super::maths::Maths;
 use super::text::{counted, escape, size, value};
 use crate::claims::{Change, Claim};
-use crate::ledger::{Entry, Evidence, Outcome};
+use crate::ledger::{Entry, Evidence, Outcome, Subject};
 
 /// The box of one claim, as a block of HTML.
 pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
@@ -21,11 +22,11 @@ pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fa
         section = escape(claim.section),
         kind = claim.kind.name(),
         verdict = verdict(judgement.verdict),
-        ground = escape(&judgement.ground),
+        ground = filler.maths().words(&judgement.ground)?,
     );
     html.push_str(&statements(filler, claim)?);
     html.push_str(&conditions(filler, claim)?);
-    html.push_str(&trials(&entry.evidence));
+    html.push_str(&trials(filler.maths(), &entry.evidence)?);
     html.push_str(&neighbours(filler, claim)?);
     html.push_str(&source(claim));
     html.push_str("</article>\n");
@@ -96,17 +97,23 @@ fn conditions(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
     Ok(html + "</ul>")
 }
 
-fn trials(evidence: &[Evidence]) -> String {
+fn trials(maths: &Maths, evidence: &[Evidence]) -> Result<String, Fault> {
     if evidence.is_empty() {
-        return String::new();
+        return Ok(String::new());
     }
-    let items: String = evidence.iter().map(trial).collect();
-    format!("<p class=\"claim-label\">Trials</p><ul class=\"trials\">{items}</ul>")
+    let items: Result<String, Fault> = evidence.iter().map(|e| trial(maths, e)).collect();
+    Ok(format!(
+        "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>",
+        items?
+    ))
 }
 
-fn trial(evidence: &Evidence) -> String {
+fn trial(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
     let (class, outcome) = match evidence.outcome() {
         Outcome::Agrees => ("agrees", "agrees"),
+        Outcome::Disagrees if evidence.subject == Subject::Outside => {
+            ("matters", "disagrees, so the condition matters")
+        }
         Outcome::Disagrees => ("disagrees", "disagrees"),
         Outcome::NotANumber => ("open", "gave no number"),
         Outcome::TooFewPoints => ("open", "has too few points"),
@@ -118,20 +125,20 @@ fn trial(evidence: &Evidence) -> String {
     };
     let at = match evidence.at.as_str() {
         "" => String::new(),
-        at => format!(" at <span class=\"point\">{}</span>", escape(at)),
+        at => format!(" at {}", maths.words(at)?),
     };
-    format!(
+    Ok(format!(
         "<li class=\"{class}\"><p><strong>{route}</strong>, {subject}: <span class=\"outcome\">{outcome}</span>. \
          {compared}.</p>\
          <p class=\"measure\">{points}; {worst}{at}; tolerance {tolerance} ({reason}).</p>{samples}</li>",
         route = evidence.route.name(),
         subject = evidence.subject.words(),
-        compared = escape(&sentence(evidence.compared)),
+        compared = maths.words(&sentence(evidence.compared))?,
         points = counted(evidence.points, "point"),
         tolerance = size(evidence.tolerance.value),
-        reason = escape(evidence.tolerance.reason),
-        samples = samples(evidence),
-    )
+        reason = maths.words(evidence.tolerance.reason)?,
+        samples = samples(maths, evidence)?,
+    ))
 }
 
 /// A phrase as the beginning of a sentence, without a full stop.
@@ -147,27 +154,24 @@ fn sentence(phrase: &str) -> String {
     }
 }
 
-fn samples(evidence: &Evidence) -> String {
+fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
     if evidence.samples.is_empty() {
-        return String::new();
+        return Ok(String::new());
     }
-    let rows: String = evidence
-        .samples
-        .iter()
-        .map(|sample| {
-            format!(
-                "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
-                escape(&sample.at),
-                value(sample.stated),
-                value(sample.found)
-            )
-        })
-        .collect();
-    format!(
+    let mut rows = String::new();
+    for sample in &evidence.samples {
+        rows.push_str(&format!(
+            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
+            maths.words(&sample.at)?,
+            value(sample.stated),
+            value(sample.found)
+        ));
+    }
+    Ok(format!(
         "<details><summary>Some of the compared values</summary><div class=\"table-wrapper\"><table>\
          <thead><tr><th>at</th><th>stated</th><th>found</th></tr></thead><tbody>{rows}</tbody>\
          </table></div></details>"
-    )
+    ))
 }
 
 /// What the claim depends on, and what depends on it.
@@ -196,18 +200,21 @@ fn neighbours(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
     Ok(html)
 }
 
-/// The LaTeX, to copy.
+/// The LaTeX, to copy; nothing where the statement has none.
 fn source(claim: &Claim) -> String {
-    let code = |latex: &str| {
-        format!(
-            "<pre><code class=\"language-text nohighlight\">{}</code></pre>",
-            escape(latex)
-        )
-    };
-    let corrected = claim.correction.map(|correction| code(correction.latex));
-    format!(
-        "<details class=\"latex\"><summary>LaTeX</summary>{}{}</details>",
-        code(claim.latex),
-        corrected.unwrap_or_default()
-    )
+    let has_formula = |latex: &&str| is_formula(claim, latex) || latex.contains('$');
+    let forms = [Some(claim.latex), claim.correction.map(|c| c.latex)];
+    let code: String = forms
+        .into_iter()
+        .flatten()
+        .filter(has_formula)
+        .map(|latex| {
+            let latex = escape(latex);
+            format!("<pre><code class=\"language-text nohighlight\">{latex}</code></pre>")
+        })
+        .collect();
+    if code.is_empty() {
+        return code;
+    }
+    format!("<details class=\"latex\"><summary>LaTeX</summary>{code}</details>")
 }

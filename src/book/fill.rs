@@ -66,7 +66,7 @@ impl<'a> Filler<'a> {
             ["ledger"] => block(tables::whole_ledger(self)?),
             ["ledger", topic] => block(tables::topic(self, topic)?),
             ["routes"] => block(tables::routes(self.ledger)),
-            ["tolerances"] => block(tables::tolerances(self.ledger)),
+            ["tolerances"] => block(tables::tolerances(self)?),
             ["verdict", id] => inline(verdict(self.entry(id)?.judgement.verdict)),
             ["points", id] => {
                 let evidence = &self.entry(id)?.evidence;

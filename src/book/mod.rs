@@ -88,11 +88,11 @@ fn write_pages(
         put(&source.join("src").join(name), text.as_bytes())?;
     }
     for (name, bytes) in assets::THEME {
-        // mdBook takes style sheets from beside `src` and everything else from within it.
-        let folder = if name.ends_with(".css") {
-            source.clone()
-        } else {
+        // mdBook takes style sheets and its theme from beside `src`, all other files from within it.
+        let folder = if name.contains("katex") && !name.ends_with(".css") {
             source.join("src")
+        } else {
+            source.clone()
         };
         put(&folder.join(name), bytes)?;
     }

@@ -58,23 +58,24 @@ pub(super) fn topic(filler: &Filler<'_>, stem: &str) -> Result<String, Fault> {
         return Err(Fault::Placeholder(format!("there is no topic `{stem}`")));
     }
     let rows: Result<Vec<_>, _> = entries.iter().map(|entry| row(filler, entry)).collect();
-    Ok(table(
-        "ledger",
-        ["Claim", "What it says", "Verdict", "Tried by"],
-        rows?,
-    ))
+    Ok(table("ledger", ["Claim", "Verdict", "Tried by"], rows?))
 }
 
-fn row(filler: &Filler<'_>, entry: &Entry) -> Result<[String; 4], Fault> {
+fn row(filler: &Filler<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
     let claim = entry.claim;
     let maths = filler.maths();
-    let says = if !claim.title.is_empty() && claim.equation.is_some() {
-        maths.words(claim.title)?
-    } else if is_formula(claim, claim.latex) {
+    let statement = if is_formula(claim, claim.latex) {
         maths.inline(claim.latex)?
     } else {
         maths.words(claim.latex)?
     };
+    // The link already bears the title of a claim without a number.
+    let title = match claim.equation {
+        Some(_) => maths.words(claim.title)?,
+        None => String::new(),
+    };
+    let link = filler.link(entry)?;
+    let claim = format!("{link} {title}<div class=\"says\">{statement}</div>");
     let routes: BTreeSet<_> = entry.evidence.iter().map(|e| e.route.name()).collect();
     let routes: Vec<_> = routes.into_iter().collect();
     let points = entry.evidence.iter().map(|e| e.points).sum();
@@ -82,12 +83,7 @@ fn row(filler: &Filler<'_>, entry: &Entry) -> Result<[String; 4], Fault> {
         0 => String::new(),
         _ => format!("{}; {}", routes.join(", "), counted(points, "point")),
     };
-    Ok([
-        filler.link(entry)?,
-        says,
-        verdict(entry.judgement.verdict),
-        tried,
-    ])
+    Ok([claim, verdict(entry.judgement.verdict), tried])
 }
 
 /// All claims, topic by topic.
@@ -164,18 +160,19 @@ pub(super) fn routes(ledger: &Ledger) -> String {
 }
 
 /// The tolerances in use, each with its reason.
-pub(super) fn tolerances(ledger: &Ledger) -> String {
+pub(super) fn tolerances(filler: &Filler<'_>) -> Result<String, Fault> {
     let mut uses: BTreeMap<(u64, &str), usize> = BTreeMap::new();
-    for evidence in ledger.entries.iter().flat_map(|entry| &entry.evidence) {
+    let entries = &filler.ledger().entries;
+    for evidence in entries.iter().flat_map(|entry| &entry.evidence) {
+        let tolerance = evidence.tolerance;
         // The bits of positive numbers are in the order of the numbers.
-        let key = (
-            evidence.tolerance.value.to_bits(),
-            evidence.tolerance.reason,
-        );
+        let key = (tolerance.value.to_bits(), tolerance.reason);
         *uses.entry(key).or_default() += 1;
     }
-    let rows = uses.into_iter().map(|((bits, reason), trials)| {
-        [size(f64::from_bits(bits)), escape(reason), count(trials)]
-    });
-    table("tolerances", ["Tolerance", "Reason", "Trials"], rows)
+    let mut rows = Vec::new();
+    for ((bits, reason), trials) in uses {
+        let reason = filler.maths().words(reason)?;
+        rows.push([size(f64::from_bits(bits)), reason, count(trials)]);
+    }
+    Ok(table("tolerances", ["Tolerance", "Reason", "Trials"], rows))
 }

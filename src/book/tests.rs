@@ -269,7 +269,7 @@ fn a_box_shows_all_and_data_stays_data() {
         "&amp; &lt;b&gt;",
         "no value where the motion has one",
         "1,234 points",
-        "1 × 10<sup>−10</sup> (ten digits of &lt;both&gt;)",
+        "1\u{a0}×\u{a0}10<sup>−10</sup> (ten digits of &lt;both&gt;)",
         "<td class=\"number\">0.25</td><td class=\"number\">no value</td>",
         "θ₀ &lt; 1 &amp; v|0 = 2",
         "Depends on <a href=\"constant.html#eq-11\">(11)</a>",
@@ -376,7 +376,7 @@ fn values_formulas_and_code_stand_where_they_should() {
     with_page("methods", |text| format!("{text}{added}"), &out).unwrap();
     let html = fs::read_to_string(out.join("methods.html")).unwrap();
     for part in [
-        "It is <span class=\"verdict confirmed\">confirmed</span>, <em>worst</em> 3.2 × 10<sup>−13</sup> at 2,468 points",
+        "It is <span class=\"verdict confirmed\">confirmed</span>, <em>worst</em> 3.2\u{a0}×\u{a0}10<sup>−13</sup> at 2,468 points",
         "<a href=\"constant.html#eq-11\">(11)</a>",
         "<code>$x {{y}}</code>",
         "{{counts}} $",

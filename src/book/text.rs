@@ -22,7 +22,7 @@ pub(super) fn count(n: usize) -> String {
     let digits = n.to_string();
     let mut out = String::new();
     for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i) % 3 == 0 {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
             out.push(',');
         }
         out.push(digit);
@@ -77,7 +77,10 @@ fn power_of_ten(scientific: &str) -> String {
     let mantissa = trimmed(mantissa).replace('-', "−");
     match exponent {
         "0" => mantissa,
-        exponent => format!("{mantissa} × 10<sup>{}</sup>", exponent.replace('-', "−")),
+        exponent => format!(
+            "{mantissa}\u{a0}×\u{a0}10<sup>{}</sup>",
+            exponent.replace('-', "−")
+        ),
     }
 }
 
@@ -100,13 +103,13 @@ mod tests {
         assert_eq!(count(1000), "1,000");
         assert_eq!(count(1_234_567), "1,234,567");
         assert_eq!(counted(1, "point"), "1 point");
-        assert_eq!(size(3.21e-13), "3.2 × 10<sup>−13</sup>");
-        assert_eq!(size(1e-10), "1 × 10<sup>−10</sup>");
+        assert_eq!(size(3.21e-13), "3.2\u{a0}×\u{a0}10<sup>−13</sup>");
+        assert_eq!(size(1e-10), "1\u{a0}×\u{a0}10<sup>−10</sup>");
         assert_eq!(size(2.0), "2");
         assert_eq!(size(f64::INFINITY), "∞");
         assert_eq!(value(0.1 + 0.2), "0.3");
         assert_eq!(value(-1234.5), "−1234.5");
-        assert_eq!(value(1.5e-7), "1.5 × 10<sup>−7</sup>");
+        assert_eq!(value(1.5e-7), "1.5\u{a0}×\u{a0}10<sup>−7</sup>");
         assert_eq!(value(100.0), "100");
         assert_eq!(value(f64::NAN), "no value");
     }
