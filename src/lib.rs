@@ -23,7 +23,7 @@
 //! # Ok::<(), &str>(())
 //! ```
 
-//pub mod book;
+pub mod book;
 pub mod claims;
 pub mod corrections;
 pub mod evidence;

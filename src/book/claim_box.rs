@@ -1,0 +1,221 @@
+//! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
+
+use super::error::Fault;
+use super::fill::{Filler, label, verdict};
+use super::maths::Maths;
+use super::text::{counted, escape, size, value};
+use crate::claims::Claim;
+use crate::evidence::{Change, Evidence, Outcome, Subject};
+use crate::ledger::Entry;
+
+/// The box of one claim, as a block of HTML.
+pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
+    let claim = entry.claim;
+    let judgement = &entry.judgement;
+    let mut html = format!(
+        "<article class=\"claim {slug}\" aria-labelledby=\"{id}\">\
+         <h3 id=\"{id}\" class=\"claim-title\"><a class=\"header\" href=\"#{id}\">{heading}</a></h3>\
+         <p class=\"claim-place\">Section {section}, {kind}</p>\
+         <p class=\"claim-verdict\">{verdict} {ground}</p>",
+        slug = judgement.verdict.slug(),
+        id = claim.id,
+        heading = filler.maths().words(&heading(claim))?,
+        section = escape(claim.section),
+        kind = claim.kind.name(),
+        verdict = verdict(judgement.verdict),
+        ground = filler.maths().words(&judgement.ground)?,
+    );
+    html.push_str(&statements(filler, claim)?);
+    html.push_str(&conditions(filler, claim)?);
+    html.push_str(&trials(filler.maths(), &entry.evidence)?);
+    html.push_str(&neighbours(filler, claim)?);
+    html.push_str(&source(claim));
+    html.push_str("</article>\n");
+    Ok(html)
+}
+
+fn heading(claim: &Claim) -> String {
+    let label = label(claim);
+    if claim.title.is_empty() || label == claim.title {
+        label
+    } else {
+        format!("{label} {}", claim.title)
+    }
+}
+
+/// What a claim states, or what replaces it: a formula on its own line, or words with formulas in them.
+pub(super) fn statement(filler: &Filler<'_>, claim: &Claim, latex: &str) -> Result<String, Fault> {
+    if is_formula(claim, latex) {
+        let formula = filler.maths().display(latex)?;
+        Ok(format!("<div class=\"claim-formula\">{formula}</div>"))
+    } else {
+        let words = filler.maths().words(latex)?;
+        Ok(format!("<p class=\"claim-words\">{words}</p>"))
+    }
+}
+
+/// A numbered claim is a formula unless formulas stand within it.
+pub(super) fn is_formula(claim: &Claim, latex: &str) -> bool {
+    claim.equation.is_some() && !latex.contains('$')
+}
+
+fn statements(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
+    let printed = statement(filler, claim, claim.latex)?;
+    let Some(correction) = claim.correction else {
+        return Ok(printed);
+    };
+    let changed = match correction.change {
+        Change::Sign => "a sign",
+        Change::Factor => "a factor",
+        Change::Symbol => "a symbol",
+        Change::Statement => "the statement",
+    };
+    let corrected = statement(filler, claim, correction.latex)?;
+    Ok(format!(
+        "<div class=\"claim-forms\">\
+         <div class=\"printed\"><p class=\"claim-label\">As printed</p>{printed}</div>\
+         <div class=\"corrected\"><p class=\"claim-label\">As corrected (changed: {changed})</p>{corrected}</div>\
+         </div>"
+    ))
+}
+
+fn conditions(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
+    if claim.conditions.is_empty() {
+        return Ok(String::new());
+    }
+    let mut html = String::from("<p class=\"claim-label\">Conditions</p><ul class=\"conditions\">");
+    for condition in claim.conditions {
+        let (class, stated) = if condition.stated {
+            ("stated", "stated in the paper")
+        } else {
+            ("unstated", "not stated in the paper")
+        };
+        let words = filler.maths().words(condition.text)?;
+        html.push_str(&format!(
+            "<li class=\"{class}\">{words} <span class=\"tag\">{stated}</span></li>"
+        ));
+    }
+    Ok(html + "</ul>")
+}
+
+fn trials(maths: &Maths, evidence: &[Evidence]) -> Result<String, Fault> {
+    if evidence.is_empty() {
+        return Ok(String::new());
+    }
+    let items: Result<String, Fault> = evidence.iter().map(|e| trial(maths, e)).collect();
+    Ok(format!(
+        "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>",
+        items?
+    ))
+}
+
+fn trial(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
+    let (class, outcome) = match evidence.outcome() {
+        Outcome::Agrees => ("agrees", "agrees"),
+        Outcome::Disagrees if evidence.subject == Subject::Outside => {
+            ("matters", "disagrees, so the condition matters")
+        }
+        Outcome::Disagrees => ("disagrees", "disagrees"),
+        Outcome::NotANumber => ("open", "gave no number"),
+        Outcome::TooFewPoints => ("open", "has too few points"),
+    };
+    let worst = if evidence.worst.is_infinite() {
+        "no value where the motion has one".to_owned()
+    } else {
+        format!("worst disagreement {}", size(evidence.worst))
+    };
+    let at = match evidence.at.as_str() {
+        "" => String::new(),
+        at => format!(" at {}", maths.words(at)?),
+    };
+    Ok(format!(
+        "<li class=\"{class}\"><p><strong>{route}</strong>, {subject}: <span class=\"outcome\">{outcome}</span>. \
+         {compared}.</p>\
+         <p class=\"measure\">{points}; {worst}{at}; tolerance {tolerance} ({reason}).</p>{samples}</li>",
+        route = evidence.route.name(),
+        subject = evidence.subject.words(),
+        compared = maths.words(&sentence(evidence.compared))?,
+        points = counted(evidence.points, "point"),
+        tolerance = size(evidence.tolerance.value),
+        reason = maths.words(evidence.tolerance.reason)?,
+        samples = samples(maths, evidence)?,
+    ))
+}
+
+/// A phrase as the beginning of a sentence, without a full stop.
+fn sentence(phrase: &str) -> String {
+    let phrase = phrase.trim().trim_end_matches('.');
+    let mut letters = phrase.chars();
+    match (letters.next(), letters.as_str().chars().next()) {
+        // A symbol stays as it is: `v(t)`, `T`.
+        (Some(first), Some(second)) if first.is_alphabetic() && second.is_alphabetic() => {
+            first.to_uppercase().chain(letters).collect()
+        }
+        _ => phrase.to_owned(),
+    }
+}
+
+fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
+    if evidence.samples.is_empty() {
+        return Ok(String::new());
+    }
+    let mut rows = String::new();
+    for sample in &evidence.samples {
+        rows.push_str(&format!(
+            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
+            maths.words(&sample.at)?,
+            value(sample.stated),
+            value(sample.found)
+        ));
+    }
+    Ok(format!(
+        "<details><summary>Some of the compared values</summary><div class=\"table-wrapper\"><table>\
+         <thead><tr><th>at</th><th>stated</th><th>found</th></tr></thead><tbody>{rows}</tbody>\
+         </table></div></details>"
+    ))
+}
+
+/// What the claim depends on, and what depends on it.
+fn neighbours(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
+    let links = |ids: &[&str]| -> Result<String, Fault> {
+        let links: Result<Vec<_>, _> = ids
+            .iter()
+            .map(|id| filler.link(filler.entry(id)?))
+            .collect();
+        Ok(links?.join(", "))
+    };
+    let entries = filler.ledger().entries.iter().map(|entry| entry.claim);
+    let users: Vec<_> = entries
+        .filter(|other| other.depends_on.contains(&claim.id))
+        .map(|other| other.id)
+        .collect();
+    let mut html = String::new();
+    for (word, ids) in [("Depends on", claim.depends_on), ("Used by", &users)] {
+        if !ids.is_empty() {
+            html.push_str(&format!(
+                "<p class=\"neighbours\">{word} {}</p>",
+                links(ids)?
+            ));
+        }
+    }
+    Ok(html)
+}
+
+/// The LaTeX, to copy; nothing where the statement has none.
+fn source(claim: &Claim) -> String {
+    let has_formula = |latex: &&str| is_formula(claim, latex) || latex.contains('$');
+    let forms = [Some(claim.latex), claim.correction.map(|c| c.latex)];
+    let code: String = forms
+        .into_iter()
+        .flatten()
+        .filter(has_formula)
+        .map(|latex| {
+            let latex = escape(latex);
+            format!("<pre><code class=\"language-text nohighlight\">{latex}</code></pre>")
+        })
+        .collect();
+    if code.is_empty() {
+        return code;
+    }
+    format!("<details class=\"latex\"><summary>LaTeX</summary>{code}</details>")
+}

@@ -1,0 +1,86 @@
+//! What can go wrong when the book is written.
+
+use std::io;
+use std::path::PathBuf;
+
+/// Why no book was written. The folder that was to receive it is as it was before.
+#[derive(Debug, thiserror::Error)]
+pub enum BookError {
+    /// A file or folder cannot be written.
+    #[error("cannot write the book to `{}`: {reason}", path.display())]
+    Unwritable {
+        /// What was to be written.
+        path: PathBuf,
+        /// What the system says.
+        #[source]
+        reason: io::Error,
+    },
+    /// Something stands at the folder's place that is not an earlier book, and is left alone.
+    #[error(
+        "`{}` is not empty and is not an earlier book: name another folder, or empty this one",
+        path.display()
+    )]
+    NotOurs {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// A placeholder on a page that means nothing, or not there.
+    #[error("{page}, line {line}: `{placeholder}`: {reason}")]
+    Placeholder {
+        /// The page's file name.
+        page: String,
+        /// The line on the page, from 1.
+        line: usize,
+        /// The placeholder as it stands there.
+        placeholder: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A formula that cannot be set.
+    #[error("{page}, line {line}: the formula `{formula}`: {reason}")]
+    Formula {
+        /// The page's file name.
+        page: String,
+        /// The line on the page, from 1.
+        line: usize,
+        /// The formula, in LaTeX.
+        formula: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Markup that would not come out as it was meant.
+    #[error("{page}, line {line}: {reason}")]
+    Markup {
+        /// The page's file name.
+        page: String,
+        /// The line on the page, from 1.
+        line: usize,
+        /// What is wrong.
+        reason: String,
+    },
+    /// A claim of the ledger that no page shows.
+    #[error("no page shows the claim `{id}`: put {{{{claim {id}}}}} on the page {page}")]
+    ClaimNowhere {
+        /// The claim's id.
+        id: &'static str,
+        /// The page where it belongs.
+        page: String,
+    },
+    /// mdBook refused the pages or the settings.
+    #[error("mdBook: {0}")]
+    Render(String),
+}
+
+/// What is wrong, before it is known on which page and line.
+#[derive(Debug)]
+pub(super) enum Fault {
+    /// See [`BookError::Placeholder`].
+    Placeholder(String),
+    /// See [`BookError::Formula`].
+    Formula {
+        /// The formula, in LaTeX.
+        formula: String,
+        /// What is wrong with it.
+        reason: String,
+    },
+}

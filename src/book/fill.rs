@@ -1,0 +1,163 @@
+//! What each placeholder stands for.
+
+use super::claim_box;
+use super::error::Fault;
+use super::maths::Maths;
+use super::tables;
+use super::text::{count, escape, size};
+use crate::claims::Claim;
+use crate::evidence::Kind;
+use crate::figures::Figure;
+use crate::ledger::{Entry, Ledger, Verdict};
+use std::collections::BTreeSet;
+
+/// What stands in a placeholder's place.
+pub(super) enum Filled {
+    /// A value within a line.
+    Inline(String),
+    /// A block of HTML, on lines of its own, without a blank line in it.
+    Block(String),
+}
+
+/// Fills placeholders from the ledger and the figures.
+pub(super) struct Filler<'a> {
+    ledger: &'a Ledger,
+    figures: &'a [Figure],
+    maths: Maths,
+    boxed: BTreeSet<&'static str>,
+}
+
+impl<'a> Filler<'a> {
+    pub(super) fn new(ledger: &'a Ledger, figures: &'a [Figure]) -> Self {
+        Filler {
+            ledger,
+            figures,
+            maths: Maths::new(),
+            boxed: BTreeSet::new(),
+        }
+    }
+
+    pub(super) fn maths(&self) -> &Maths {
+        &self.maths
+    }
+
+    pub(super) fn ledger(&self) -> &'a Ledger {
+        self.ledger
+    }
+
+    /// The first claim that no page has shown so far.
+    pub(super) fn without_box(&self) -> Option<&'a Entry> {
+        let mut entries = self.ledger.entries.iter();
+        entries.find(|entry| !self.boxed.contains(entry.claim.id))
+    }
+
+    /// Fills one placeholder, given without its braces, on the page of this stem.
+    pub(super) fn fill(&mut self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
+        let words: Vec<_> = placeholder.split_whitespace().collect();
+        let block = |html| Ok(Filled::Block(html));
+        let inline = |html| Ok(Filled::Inline(html));
+        match words.as_slice() {
+            ["claim", id] => {
+                let entry = self.entry(id)?;
+                self.place(page, entry)?;
+                block(claim_box::claim_box(self, entry)?)
+            }
+            ["figure", id] => block(self.figure(id)?),
+            ["counts"] => block(tables::counts(self.ledger)),
+            ["ledger"] => block(tables::whole_ledger(self)?),
+            ["ledger", topic] => block(tables::topic(self, topic)?),
+            ["routes"] => block(tables::routes(self.ledger)),
+            ["tolerances"] => block(tables::tolerances(self)?),
+            ["verdict", id] => inline(verdict(self.entry(id)?.judgement.verdict)),
+            ["points", id] => {
+                let evidence = &self.entry(id)?.evidence;
+                inline(count(evidence.iter().map(|e| e.points).sum()))
+            }
+            ["worst", id] => {
+                let none = || Fault::Placeholder(format!("no trial of `{id}` gave a disagreement"));
+                inline(size(self.entry(id)?.worst().ok_or_else(none)?.worst))
+            }
+            ["ref", id] => inline(self.link(self.entry(id)?)?),
+            ["count", "claims"] => inline(count(self.ledger.entries.len())),
+            ["count", "points"] => inline(count(self.ledger.points())),
+            ["count", slug] => {
+                let verdict = Verdict::ALL.into_iter().find(|v| v.slug() == *slug);
+                let unknown = || Fault::Placeholder(format!("there is no verdict `{slug}`"));
+                let counts = self.ledger.counts();
+                inline(count(counts[&verdict.ok_or_else(unknown)?]))
+            }
+            _ => Err(Fault::Placeholder("there is no such placeholder".into())),
+        }
+    }
+
+    /// The entry of this id.
+    pub(super) fn entry(&self, id: &str) -> Result<&'a Entry, Fault> {
+        let unknown = || Fault::Placeholder(format!("the ledger has no claim `{id}`"));
+        self.ledger.entry(id).ok_or_else(unknown)
+    }
+
+    /// A link to a claim's box.
+    pub(super) fn link(&self, entry: &Entry) -> Result<String, Fault> {
+        Ok(format!(
+            "<a href=\"{}.html#{}\">{}</a>",
+            entry.topic.stem,
+            entry.claim.id,
+            self.maths.words(&label(entry.claim))?
+        ))
+    }
+
+    /// Notes that a claim is shown, once and on its own page: its address is permanent.
+    fn place(&mut self, page: &str, entry: &Entry) -> Result<(), Fault> {
+        let stem = entry.topic.stem;
+        if page != stem {
+            let reason = format!("this claim belongs on {stem}.md");
+            return Err(Fault::Placeholder(reason));
+        }
+        if !self.boxed.insert(entry.claim.id) {
+            return Err(Fault::Placeholder("this claim is shown already".into()));
+        }
+        Ok(())
+    }
+
+    fn figure(&self, id: &str) -> Result<String, Fault> {
+        let found = self.figures.iter().find(|figure| figure.id == id);
+        let figure =
+            found.ok_or_else(|| Fault::Placeholder(format!("there is no figure `{id}`")))?;
+        let svg = figure.svg.find("<svg").map(|start| &figure.svg[start..]);
+        let Some(svg) = svg else {
+            return Err(Fault::Placeholder("this figure is not an SVG".into()));
+        };
+        Ok(format!(
+            "<figure class=\"plot\" id=\"plot-{id}\"><div role=\"img\" aria-label=\"{}\">{}</div>\
+             <figcaption>{} <a href=\"{}\" download>Data (CSV)</a></figcaption></figure>\n",
+            escape(&figure.alt),
+            svg.lines().map(str::trim).collect::<Vec<_>>().join(" "),
+            self.maths.words(&figure.caption)?,
+            data_file(figure),
+        ))
+    }
+}
+
+/// Where a figure's data lies within the book.
+pub(super) fn data_file(figure: &Figure) -> String {
+    format!("figures/{}.csv", figure.id)
+}
+
+/// A verdict, in word and colour.
+pub(super) fn verdict(verdict: Verdict) -> String {
+    format!(
+        "<span class=\"verdict {}\">{}</span>",
+        verdict.slug(),
+        verdict.words()
+    )
+}
+
+/// What a claim is called for short: `(11)`, or its title.
+pub(super) fn label(claim: &Claim) -> String {
+    match (claim.equation, claim.kind) {
+        (Some(number), _) => format!("({number})"),
+        (None, Kind::Figure) => format!("Figure {}", claim.id.trim_start_matches("fig-")),
+        (None, _) if claim.title.is_empty() => claim.id.to_owned(),
+        (None, _) => claim.title.to_owned(),
+    }
+}

@@ -1,0 +1,196 @@
+//! Formulas: from LaTeX to HTML and MathML, when the book is built.
+
+use super::error::Fault;
+use super::text::escape;
+use katex::macro_expander::MacroMap;
+use katex::macros::MacroDefinition;
+use katex::{KatexContext, Settings, render_to_string};
+
+/// KaTeX underlines where an error is by combining characters.
+const UNDERLINE: char = '\u{332}';
+
+/// Sets formulas.
+pub(super) struct Maths {
+    context: KatexContext,
+    inline: Settings,
+    display: Settings,
+}
+
+impl Maths {
+    pub(super) fn new() -> Self {
+        let settings = |display| {
+            let mut macros = MacroMap::default();
+            // The paper uses it, KaTeX does not know it.
+            macros.insert(r"\mbox".into(), MacroDefinition::StaticStr(r"\text"));
+            let settings = Settings::builder().macros(macros).display_mode(display);
+            settings.build()
+        };
+        Maths {
+            context: KatexContext::default(),
+            inline: settings(false),
+            display: settings(true),
+        }
+    }
+
+    /// A formula within a line.
+    pub(super) fn inline(&self, latex: &str) -> Result<String, Fault> {
+        self.set(latex, &self.inline)
+    }
+
+    /// A formula on a line of its own.
+    pub(super) fn display(&self, latex: &str) -> Result<String, Fault> {
+        self.set(latex, &self.display)
+    }
+
+    /// Words with formulas in `$…$`, as HTML.
+    pub(super) fn words(&self, text: &str) -> Result<String, Fault> {
+        if text.matches('$').count() % 2 == 1 {
+            return Err(Fault::Formula {
+                formula: text.to_owned(),
+                reason: "a `$` without its partner".into(),
+            });
+        }
+        let parts = text.split('$').enumerate();
+        parts
+            .map(|(i, part)| match i % 2 {
+                0 => Ok(escape(part)),
+                _ => self.inline(part),
+            })
+            .collect()
+    }
+
+    fn set(&self, latex: &str, settings: &Settings) -> Result<String, Fault> {
+        let fault = |reason: String| Fault::Formula {
+            formula: latex.to_owned(),
+            reason,
+        };
+        if latex.trim().is_empty() {
+            return Err(fault("there is nothing in it".into()));
+        }
+        let html = render_to_string(&self.context, latex.trim(), settings)
+            .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
+        Ok(tidy(&without_annotation(&html), false))
+    }
+}
+
+/// Leaves out the LaTeX source within the MathML: it would be read by the search as if it were text.
+fn without_annotation(html: &str) -> String {
+    let mut rest = html;
+    let mut kept = String::with_capacity(html.len());
+    while let Some(start) = rest.find("<annotation") {
+        kept.push_str(&rest[..start]);
+        const END: &str = "</annotation>";
+        rest = rest[start..].split_once(END).map_or("", |(_, after)| after);
+    }
+    kept + rest
+}
+
+/// HTML for running text, which is read as Markdown once more: punctuation becomes character
+/// references, so that Markdown sees none.
+pub(super) fn for_markdown(html: &str) -> String {
+    tidy(html, true)
+}
+
+/// Puts attributes in order, since KaTeX writes them in any, and joins lines.
+fn tidy(html: &str, hide_punctuation: bool) -> String {
+    let mut out = String::with_capacity(html.len() * 2);
+    let mut rest = html;
+    while let Some(c) = rest.chars().next() {
+        if c == '<' {
+            let end = tag_end(rest);
+            write_tag(&rest[..end], &mut out);
+            rest = &rest[end..];
+            continue;
+        }
+        let reference = (c == '&').then(|| rest.find(';')).flatten();
+        if let Some(end) = reference {
+            out.push_str(&rest[..=end]);
+            rest = &rest[end + 1..];
+            continue;
+        }
+        if c == '\n' {
+            out.push(' ');
+        } else if hide_punctuation && c.is_ascii_punctuation() {
+            out.push_str(&format!("&#{};", u32::from(c)));
+        } else {
+            out.push(c);
+        }
+        rest = &rest[c.len_utf8()..];
+    }
+    out
+}
+
+/// The length of the tag at the start of `html`, its brackets included.
+fn tag_end(html: &str) -> usize {
+    let mut quote = None;
+    for (i, c) in html.char_indices() {
+        match (quote, c) {
+            (None, '>') => return i + 1,
+            (None, '"' | '\'') => quote = Some(c),
+            (Some(open), c) if c == open => quote = None,
+            _ => {}
+        }
+    }
+    html.len()
+}
+
+fn write_tag(tag: &str, out: &mut String) {
+    let inside = tag.trim_start_matches('<').trim_end_matches('>');
+    let (inside, close) = match inside.strip_suffix('/') {
+        Some(inside) => (inside, "/>"),
+        None => (inside, ">"),
+    };
+    let (name, mut rest) = inside.split_once(' ').unwrap_or((inside, ""));
+    let mut attributes = Vec::new();
+    while let Some((key, after)) = rest.trim_start().split_once('=') {
+        let quote = if after.starts_with('\'') { '\'' } else { '"' };
+        let value = after.strip_prefix(quote).unwrap_or(after);
+        let (value, after) = value.split_once(quote).unwrap_or((value, ""));
+        attributes.push((key, value, quote));
+        rest = after;
+    }
+    attributes.sort_unstable();
+    out.push('<');
+    out.push_str(name);
+    for (key, value, quote) in attributes {
+        let value = value.replace('\n', " ").replace('|', "&#124;");
+        out.push_str(&format!(" {key}={quote}{value}{quote}"));
+    }
+    out.push_str(close);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn attributes_come_in_order_and_punctuation_is_hidden_from_markdown() {
+        let html = "<span style=\"a:b\" class='c d'>x_1*|<path d='M0 0'/></span>&amp;\n";
+        assert_eq!(
+            tidy(html, true),
+            "<span class='c d' style=\"a:b\">x&#95;1&#42;&#124;<path d='M0 0'/></span>&amp; "
+        );
+        assert!(tidy(html, false).contains("x_1*|"));
+    }
+
+    #[test]
+    fn an_empty_attribute_does_not_swallow_the_next() {
+        assert_eq!(tidy("<a b=\"\" a=\"1\">", false), "<a a=\"1\" b=\"\">");
+    }
+
+    #[test]
+    fn words_keep_their_text_and_need_paired_dollars() {
+        let maths = Maths::new();
+        let html = maths.words("if $x<1$ & so on").unwrap();
+        assert!(html.starts_with("if <span class=\"katex\">") && html.ends_with(" &amp; so on"));
+        assert!(!html.contains('$') && !html.contains("annotation"));
+        assert!(matches!(
+            maths.words("costs $5"),
+            Err(Fault::Formula { .. })
+        ));
+        assert!(matches!(
+            maths.words(r"$\frac{1}{$"),
+            Err(Fault::Formula { .. })
+        ));
+    }
+}

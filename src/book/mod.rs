@@ -1,0 +1,122 @@
+//! The book: pages filled from the ledger and the figures, rendered by mdBook, put in place whole.
+//!
+//! The pages are Markdown under `book/src`, with formulas in `$…$` and `$$…$$` and with placeholders:
+//!
+//! | placeholder | stands for |
+//! |---|---|
+//! | `{{claim eq-11}}` | the claim's box; every claim has one, on the page of its topic |
+//! | `{{figure fig-1}}` | the figure with its caption, text alternative and data |
+//! | `{{counts}}` | a table of the verdicts with the number of claims |
+//! | `{{ledger constant}}` | a table of the claims of a topic |
+//! | `{{ledger}}` | the tables of all topics under headings |
+//! | `{{routes}}`, `{{tolerances}}` | tables of what the trials of this ledger use |
+//! | `{{verdict eq-11}}` | the verdict in word and colour |
+//! | `{{points eq-11}}` | how many points its trials compared |
+//! | `{{worst eq-11}}` | the disagreement that comes nearest to, or farthest beyond, its tolerance |
+//! | `{{ref eq-11}}` | a link to the claim's box |
+//! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
+//! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
+//!
+//! Those that stand for a box, a figure or a table stand alone on their line. None is filled in code.
+//! Whatever cannot be filled or set stops the book, with page and line.
+
+mod assets;
+mod claim_box;
+mod error;
+mod expand;
+mod fill;
+mod maths;
+mod pages;
+mod swap;
+mod tables;
+#[cfg(test)]
+mod tests;
+mod text;
+
+pub use error::BookError;
+
+use crate::figures::Figure;
+use crate::ledger::Ledger;
+use fill::Filler;
+use mdbook_driver::MDBook;
+use mdbook_driver::config::Config;
+use pages::Page;
+use std::fs;
+use std::path::{Path, PathBuf};
+use swap::{Staging, unwritable};
+
+/// Writes the book into the folder `out` and returns the path of its first page.
+///
+/// The book is made in a temporary folder beside `out`, which changes places with `out` at the end:
+/// until then, and whenever anything fails, `out` is what it was. Parent folders are made where they
+/// are missing. The same ledger and figures give the same bytes.
+///
+/// # Errors
+/// [`BookError::Unwritable`] if a file or folder cannot be written, [`BookError::NotOurs`] if `out`
+/// is neither empty nor an earlier book, and the other kinds of [`BookError`] if a page does not
+/// fit the ledger.
+pub fn write(ledger: &Ledger, figures: &[Figure], out: &Path) -> Result<PathBuf, BookError> {
+    write_pages(pages::pages(figures), ledger, figures, out)
+}
+
+fn write_pages(
+    pages: Vec<Page>,
+    ledger: &Ledger,
+    figures: &[Figure],
+    out: &Path,
+) -> Result<PathBuf, BookError> {
+    let mut filler = Filler::new(ledger, figures);
+    let texts: Result<Vec<_>, _> = pages
+        .iter()
+        .map(|page| Ok((page.file(), expand::expand(page, &mut filler)?)))
+        .collect();
+    let mut files = texts?;
+    if let Some(entry) = filler.without_box() {
+        return Err(BookError::ClaimNowhere {
+            id: entry.claim.id,
+            page: format!("{}.md", entry.topic.stem),
+        });
+    }
+    files.push(("SUMMARY.md".into(), pages::summary(&pages)));
+    for figure in figures {
+        files.push((fill::data_file(figure), figure.csv.clone()));
+    }
+
+    let staging = Staging::beside(out)?;
+    let source = staging.path("source");
+    for (name, text) in &files {
+        put(&source.join("src").join(name), text.as_bytes())?;
+    }
+    for (name, bytes) in assets::THEME {
+        // mdBook takes style sheets and its theme from beside `src`, all other files from within it.
+        let folder = if name.contains("katex") && !name.ends_with(".css") {
+            source.join("src")
+        } else {
+            source.clone()
+        };
+        put(&folder.join(name), bytes)?;
+    }
+    let book = staging.path("book");
+    render(&source, &book)?;
+    put(&book.join(swap::MARKER), swap::MARKER_TEXT)?;
+    let out = staging.swap(&book)?;
+    Ok(out.join("index.html"))
+}
+
+/// Lets mdBook make `book` from `source`.
+fn render(source: &Path, book: &Path) -> Result<(), BookError> {
+    let mut config: Config = assets::SETTINGS
+        .parse()
+        .map_err(|error| BookError::Render(format!("{error:#}")))?;
+    config.build.build_dir = book.to_owned();
+    MDBook::load_with_config(source, config)
+        .and_then(|mdbook| mdbook.build())
+        .map_err(|error| BookError::Render(format!("{error:#}")))
+}
+
+/// Writes one file, with its folders.
+fn put(path: &Path, bytes: &[u8]) -> Result<(), BookError> {
+    let folder = path.parent().unwrap_or(path);
+    fs::create_dir_all(folder).map_err(|reason| unwritable(folder, reason))?;
+    fs::write(path, bytes).map_err(|reason| unwritable(path, reason))
+}

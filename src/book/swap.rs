@@ -1,0 +1,101 @@
+//! Nothing half-written: the book is made beside its place and changes places with what is there.
+
+use super::error::BookError;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+/// The file by which a folder is known as a book of ours.
+pub(super) const MARKER: &str = ".slipbook";
+
+/// What stands in it.
+pub(super) const MARKER_TEXT: &[u8] =
+    b"A book written by slipbook. The next run replaces this folder as a whole.\n";
+
+/// A temporary folder on the same file system as the book's place.
+pub(super) struct Staging {
+    folder: TempDir,
+    out: PathBuf,
+}
+
+impl Staging {
+    /// A temporary folder beside `out`, whose parent is made where it is missing. It goes when it is
+    /// dropped.
+    pub(super) fn beside(out: &Path) -> Result<Self, BookError> {
+        let out = resolve(out).map_err(|reason| unwritable(out, reason))?;
+        let no_parent = || io::Error::new(io::ErrorKind::InvalidInput, "this is no folder's name");
+        let parent = out.parent().ok_or_else(|| unwritable(&out, no_parent()))?;
+        check(&out)?;
+        fs::create_dir_all(parent).map_err(|reason| unwritable(parent, reason))?;
+        let folder = tempfile::Builder::new()
+            .prefix(".slipbook-")
+            .tempdir_in(parent)
+            .map_err(|reason| unwritable(parent, bare(reason)))?;
+        Ok(Staging { folder, out })
+    }
+
+    /// A path within the temporary folder.
+    pub(super) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Puts the finished `book` in place; returns where that is.
+    pub(super) fn swap(self, book: &Path) -> Result<PathBuf, BookError> {
+        check(&self.out)?;
+        let old = self.path("old");
+        let failed = |reason| unwritable(&self.out, reason);
+        let exists = self.out.exists();
+        if exists {
+            fs::rename(&self.out, &old).map_err(failed)?;
+        }
+        if let Err(reason) = fs::rename(book, &self.out) {
+            if exists {
+                fs::rename(&old, &self.out).map_err(failed)?;
+            }
+            return Err(failed(reason));
+        }
+        Ok(self.out)
+    }
+}
+
+/// The error of a path that cannot be written.
+pub(super) fn unwritable(path: &Path, reason: io::Error) -> BookError {
+    BookError::Unwritable {
+        path: path.to_owned(),
+        reason,
+    }
+}
+
+/// The system's own words, without the temporary name that `tempfile` adds.
+fn bare(error: io::Error) -> io::Error {
+    match error.raw_os_error() {
+        Some(code) => io::Error::from_raw_os_error(code),
+        None => io::Error::from(error.kind()),
+    }
+}
+
+/// The absolute path, links followed where the folder exists.
+fn resolve(out: &Path) -> io::Result<PathBuf> {
+    if out.exists() {
+        out.canonicalize()
+    } else {
+        std::path::absolute(out)
+    }
+}
+
+/// Refuses a place that holds what is not a book of ours.
+fn check(out: &Path) -> Result<(), BookError> {
+    let mut content = match fs::read_dir(out) {
+        Ok(content) => content,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(reason) => return Err(unwritable(out, reason)),
+    };
+    if content.next().is_none() || out.join(MARKER).is_file() {
+        Ok(())
+    } else {
+        Err(BookError::NotOurs {
+            path: out.to_owned(),
+        })
+    }
+}

@@ -1,0 +1,179 @@
+//! Tables made from the ledger.
+
+use super::claim_box::is_formula;
+use super::error::Fault;
+use super::fill::{Filler, verdict};
+use super::text::{count, counted, escape, size};
+use crate::claims::Topic;
+use crate::evidence::Route;
+use crate::ledger::{Entry, Ledger, Verdict};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A table, as a block of HTML. The cells are HTML.
+fn table<const N: usize>(
+    class: &str,
+    head: [&str; N],
+    rows: impl IntoIterator<Item = [String; N]>,
+) -> String {
+    let head: String = head.iter().map(|cell| format!("<th>{cell}</th>")).collect();
+    let row = |cells: [String; N]| {
+        let cells: String = cells
+            .iter()
+            .map(|cell| format!("<td>{cell}</td>"))
+            .collect();
+        format!("<tr>{cells}</tr>")
+    };
+    let rows: String = rows.into_iter().map(row).collect();
+    format!(
+        "<div class=\"table-wrapper {class}\"><table><thead><tr>{head}</tr></thead>\
+         <tbody>{rows}</tbody></table></div>\n"
+    )
+}
+
+/// How many claims got which verdict.
+pub(super) fn counts(ledger: &Ledger) -> String {
+    let counts = ledger.counts();
+    let rows = Verdict::ALL.map(|v| [verdict(v), count(counts[&v]), meaning(v).to_owned()]);
+    table("counts", ["Verdict", "Claims", "Meaning"], rows)
+}
+
+/// What a verdict means, in a few words.
+fn meaning(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Confirmed => "every trial agrees, by two independent routes or by a proof",
+        Verdict::Conditional => "true, but only under a condition that the paper does not state",
+        Verdict::Misprint => {
+            "false as printed; a small correction holds, and what follows is unharmed"
+        }
+        Verdict::Refuted => "false; what is right holds instead",
+        Verdict::Definition => "introduces a symbol; consistent with the use made of it",
+        Verdict::Undecided => "the trials made so far do not settle it",
+    }
+}
+
+/// The claims of the topic of this stem.
+pub(super) fn topic(filler: &Filler<'_>, stem: &str) -> Result<String, Fault> {
+    let of_topic = |entry: &&Entry| entry.topic.stem == stem;
+    let entries: Vec<_> = filler.ledger().entries.iter().filter(of_topic).collect();
+    if entries.is_empty() {
+        return Err(Fault::Placeholder(format!("there is no topic `{stem}`")));
+    }
+    let rows: Result<Vec<_>, _> = entries.iter().map(|entry| row(filler, entry)).collect();
+    Ok(table("ledger", ["Claim", "Verdict", "Tried by"], rows?))
+}
+
+fn row(filler: &Filler<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
+    let claim = entry.claim;
+    let maths = filler.maths();
+    let statement = if is_formula(claim, claim.latex) {
+        maths.inline(claim.latex)?
+    } else {
+        maths.words(claim.latex)?
+    };
+    // The link already bears the title of a claim without a number.
+    let title = match claim.equation {
+        Some(_) => maths.words(claim.title)?,
+        None => String::new(),
+    };
+    let link = filler.link(entry)?;
+    let claim = format!("{link} {title}<div class=\"says\">{statement}</div>");
+    let routes: BTreeSet<_> = entry.evidence.iter().map(|e| e.route.name()).collect();
+    let routes: Vec<_> = routes.into_iter().collect();
+    let points = entry.evidence.iter().map(|e| e.points).sum();
+    let tried = match entry.evidence.len() {
+        0 => String::new(),
+        _ => format!("{}; {}", routes.join(", "), counted(points, "point")),
+    };
+    Ok([claim, verdict(entry.judgement.verdict), tried])
+}
+
+/// All claims, topic by topic.
+pub(super) fn whole_ledger(filler: &Filler<'_>) -> Result<String, Fault> {
+    let mut html = String::new();
+    let mut seen = BTreeSet::new();
+    for entry in &filler.ledger().entries {
+        let stem = entry.topic.stem;
+        if seen.insert(stem) {
+            html.push_str(&format!(
+                "<h2 id=\"ledger-{stem}\"><a class=\"header\" href=\"#ledger-{stem}\">{}{}</a></h2>\n",
+                sections(entry.topic),
+                escape(entry.topic.title)
+            ));
+            html.push_str(&topic(filler, stem)?);
+        }
+    }
+    Ok(html)
+}
+
+/// The sections of the paper that a topic treats: `2.1 `, `3 to 3.4 `.
+fn sections(topic: &Topic) -> String {
+    match topic.claims {
+        [] => String::new(),
+        [first, .., last] if first.section != last.section => {
+            format!("{} to {} ", first.section, last.section)
+        }
+        [first, ..] => format!("{} ", first.section),
+    }
+}
+
+/// The routes: what each is, and how much this ledger rests on it.
+pub(super) fn routes(ledger: &Ledger) -> String {
+    const ALL: [(Route, &str); 8] = [
+        (Route::Exact, "zero-testing in exact arithmetic"),
+        (
+            Route::Certified,
+            "an enclosure by intervals, rounded outwards",
+        ),
+        (Route::Integration, "integration of the equation of motion"),
+        (
+            Route::Quadrature,
+            "numerical integration of a given integrand",
+        ),
+        (Route::Root, "root-finding"),
+        (Route::Limit, "the approach to a limit, its rate included"),
+        (Route::Census, "a count over many cases"),
+        (
+            Route::Consistency,
+            "dimensions, and the use made of a definition",
+        ),
+    ];
+    let rows = ALL.map(|(route, what)| {
+        let evidence = ledger.entries.iter().flat_map(|entry| &entry.evidence);
+        let trials = evidence.filter(|e| e.route == route).count();
+        let proves = if route.is_proof() {
+            "proves"
+        } else {
+            "measures"
+        };
+        [
+            route.name().to_owned(),
+            what.to_owned(),
+            proves.to_owned(),
+            count(route.min_points()),
+            count(trials),
+        ]
+    });
+    table(
+        "routes",
+        ["Route", "What it is", "It", "Fewest points", "Trials"],
+        rows,
+    )
+}
+
+/// The tolerances in use, each with its reason.
+pub(super) fn tolerances(filler: &Filler<'_>) -> Result<String, Fault> {
+    let mut uses: BTreeMap<(u64, &str), usize> = BTreeMap::new();
+    let entries = &filler.ledger().entries;
+    for evidence in entries.iter().flat_map(|entry| &entry.evidence) {
+        let tolerance = evidence.tolerance;
+        // The bits of positive numbers are in the order of the numbers.
+        let key = (tolerance.value.to_bits(), tolerance.reason);
+        *uses.entry(key).or_default() += 1;
+    }
+    let mut rows = Vec::new();
+    for ((bits, reason), trials) in uses {
+        let reason = filler.maths().words(reason)?;
+        rows.push([size(f64::from_bits(bits)), reason, count(trials)]);
+    }
+    Ok(table("tolerances", ["Tolerance", "Reason", "Trials"], rows))
+}

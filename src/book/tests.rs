@@ -1,0 +1,462 @@
+use super::pages::{Page, pages};
+use super::*;
+use crate::claims::{Claim, Condition, Correction, TOPICS, Topic};
+use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
+use crate::ledger::{Entry, judge};
+use std::collections::{BTreeMap, BTreeSet};
+use tempfile::TempDir;
+
+static ALL: [Topic; TOPICS.len()] = TOPICS;
+
+/// A claim with everything that a box can show, some of it hostile.
+static FULL: Claim = Claim {
+    id: "eq-13",
+    section: "2.1",
+    equation: Some(13),
+    kind: Kind::Equation,
+    title: r"time as a function of $\theta_0$",
+    latex: r"t=\frac{a_1*b_2}{c_3*d_4}\left|\sqrt{x}\right|, {{y}}",
+    plain: "t",
+    conditions: &[
+        Condition {
+            text: r"$\lambda<1$ & <b>",
+            stated: true,
+        },
+        Condition {
+            text: "v > 0",
+            stated: false,
+        },
+    ],
+    depends_on: &["eq-11", "s21-large-friction-stops"],
+    correction: Some(Correction {
+        change: Change::Sign,
+        latex: "t=-1",
+        plain: "t = -1",
+    }),
+    trials: &[],
+};
+
+fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
+    Evidence {
+        route,
+        subject,
+        compared: "<script>alert(1)</script> against the *motion*",
+        points: 1234,
+        worst,
+        at: "λ = 0.5, θ₀ < 1 & v|0 = 2".into(),
+        tolerance: Tolerance {
+            value: 1e-10,
+            reason: "ten digits of <both>",
+        },
+        samples: vec![Sample {
+            at: "a_1 < 2".into(),
+            stated: 0.25,
+            found: f64::NAN,
+        }],
+    }
+}
+
+/// A ledger of all claims, of which two were tried. No trial is run for it.
+fn ledger() -> Ledger {
+    let entry = |topic: &'static Topic, claim: &'static Claim| {
+        let evidence = match claim.id {
+            "eq-11" => vec![
+                evidence(Route::Exact, Subject::Printed, 0.0),
+                evidence(Route::Integration, Subject::Printed, 3.2e-13),
+            ],
+            "eq-13" => vec![
+                evidence(Route::Quadrature, Subject::Printed, f64::INFINITY),
+                evidence(Route::Exact, Subject::Corrected, 0.0),
+            ],
+            _ => Vec::new(),
+        };
+        let claim = if claim.id == "eq-13" { &FULL } else { claim };
+        let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
+        Entry {
+            claim,
+            topic,
+            evidence,
+            judgement,
+        }
+    };
+    let of_topic =
+        |topic: &'static Topic| topic.claims.iter().map(move |claim| entry(topic, claim));
+    Ledger {
+        entries: ALL.iter().flat_map(of_topic).collect(),
+    }
+}
+
+fn figures() -> Vec<Figure> {
+    let figure = |id| {
+        Figure {
+        id,
+        caption: r"Hodographs for $\lambda\leq 1$".into(),
+        alt: "curves that \"bend\"".into(),
+        svg: "<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 4 2\">\n\n  <path d=\"M0 0 L4 2\"/>\n</svg>\n".into(),
+        csv: "x,y\n0,0\n4,2\n".into(),
+    }
+    };
+    vec![figure("fig-1"), figure("fig-3")]
+}
+
+/// Every file below a folder, by its path from there.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut open = vec![folder.to_owned()];
+    while let Some(next) = open.pop() {
+        for item in fs::read_dir(next).unwrap() {
+            let path = item.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                let name = path
+                    .strip_prefix(folder)
+                    .unwrap()
+                    .to_str()
+                    .unwrap()
+                    .replace('\\', "/");
+                found.insert(name, fs::read(path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+/// The values of an attribute in a page.
+fn values<'a>(html: &'a str, attribute: &str) -> Vec<&'a str> {
+    let start = format!(" {attribute}=\"");
+    let parts = html.split(start.as_str()).skip(1);
+    parts.map(|part| part.split('"').next().unwrap()).collect()
+}
+
+/// The text of a page's content, without tags and without code.
+fn prose(html: &str) -> String {
+    let main = html
+        .split("<main>")
+        .nth(1)
+        .unwrap()
+        .split("</main>")
+        .next()
+        .unwrap();
+    let mut text = String::new();
+    let mut code = 0_usize;
+    for part in main.split('<').skip(1) {
+        let (tag, after) = part.split_once('>').unwrap();
+        match tag.split(' ').next().unwrap() {
+            "code" => code += 1,
+            "/code" => code -= 1,
+            _ => {}
+        }
+        if code == 0 {
+            text.push_str(after);
+        }
+    }
+    text
+}
+
+fn written(folder: &TempDir) -> BTreeMap<String, Vec<u8>> {
+    let out = folder.path().join("deep/book");
+    let first = write(&ledger(), &figures(), &out).unwrap();
+    assert_eq!(first, out.canonicalize().unwrap().join("index.html"));
+    files(&out)
+}
+
+#[test]
+fn the_book_is_whole() {
+    let folder = TempDir::new().unwrap();
+    let files = written(&folder);
+    let text = |name: &str| std::str::from_utf8(&files[name]).unwrap();
+    let pages: Vec<_> = files
+        .keys()
+        .filter(|name| name.ends_with(".html"))
+        .collect();
+    // Index, ledger, methods, print page and table of contents besides one page per topic.
+    assert_eq!(pages.len(), TOPICS.len() + 5);
+
+    for page in &pages {
+        let html = text(page);
+        for link in [values(html, "href"), values(html, "src")].concat() {
+            assert!(
+                !link.starts_with("http") && !link.starts_with("//"),
+                "{page}: {link}"
+            );
+            let (file, fragment) = link.split_once('#').unwrap_or((link, ""));
+            let target = if file.is_empty() { page } else { file };
+            assert!(files.contains_key(target), "{page} links to {link}");
+            if !fragment.is_empty() {
+                let ids = values(text(target), "id");
+                assert!(ids.contains(&fragment), "{page} links to {link}");
+            }
+        }
+        let ids = values(html, "id");
+        assert_eq!(
+            ids.iter().collect::<BTreeSet<_>>().len(),
+            ids.len(),
+            "{page}: an id twice"
+        );
+        if **page != "toc.html" {
+            let prose = prose(html);
+            for left in ["$", "{{", "}}", "\\frac", "**"] {
+                assert!(!prose.contains(left), "{page}: a leftover {left}");
+            }
+        }
+    }
+    for (name, bytes) in &files {
+        if name.ends_with(".css") {
+            let css = std::str::from_utf8(bytes).unwrap();
+            for url in css.split("url(").skip(1) {
+                let url = url.split(')').next().unwrap().trim_matches(['"', '\'']);
+                if url.starts_with("data:") {
+                    continue;
+                }
+                let mut target: Vec<_> = name.split('/').collect();
+                target.pop();
+                for part in url.split('/') {
+                    match part {
+                        "." => {}
+                        ".." => drop(target.pop()),
+                        part => target.push(part),
+                    }
+                }
+                assert!(files.contains_key(&target.join("/")), "{name} loads {url}");
+            }
+        }
+    }
+    let fonts = files
+        .keys()
+        .filter(|name| name.starts_with("theme/katex/fonts/KaTeX_"));
+    assert_eq!(fonts.count(), 20);
+    assert!(text("theme/katex/katex.min.css").contains("KaTeX_Main-Regular.woff2"));
+    assert_eq!(text("figures/fig-1.csv"), "x,y\n0,0\n4,2\n");
+}
+
+#[test]
+fn every_claim_has_its_address_and_its_verdict() {
+    let folder = TempDir::new().unwrap();
+    let files = written(&folder);
+    for entry in &ledger().entries {
+        let page = &files[&format!("{}.html", entry.topic.stem)];
+        let html = std::str::from_utf8(page).unwrap();
+        let start = format!("aria-labelledby=\"{}\"", entry.claim.id);
+        let claim = html.split(&start).nth(1).expect(entry.claim.id);
+        let claim = claim.split("</article>").next().unwrap();
+        let verdict = entry.judgement.verdict;
+        assert!(claim.contains(&format!(
+            "<span class=\"verdict {}\">{}</span>",
+            verdict.slug(),
+            verdict.words()
+        )));
+        assert!(claim.contains(&format!("id=\"{}\"", entry.claim.id)));
+    }
+}
+
+#[test]
+fn a_box_shows_all_and_data_stays_data() {
+    let folder = TempDir::new().unwrap();
+    let files = written(&folder);
+    let html = std::str::from_utf8(&files["constant.html"]).unwrap();
+    let full = html
+        .split("id=\"eq-13\"")
+        .nth(1)
+        .unwrap()
+        .split("</article>")
+        .next()
+        .unwrap();
+    for part in [
+        "misprint",
+        "As printed",
+        "As corrected (changed: a sign)",
+        "not stated in the paper",
+        "&amp; &lt;b&gt;",
+        "no value where the motion has one",
+        "1,234 points",
+        "1\u{a0}×\u{a0}10<sup>−10</sup> (ten digits of &lt;both&gt;)",
+        "<td class=\"number\">0.25</td><td class=\"number\">no value</td>",
+        "θ₀ &lt; 1 &amp; v|0 = 2",
+        "Depends on <a href=\"constant.html#eq-11\">(11)</a>",
+        "a_1*b_2",
+        "<math",
+    ] {
+        assert!(full.contains(part), "no {part} in {full}");
+    }
+    assert!(!html.contains("<script>alert"));
+    let used = html
+        .split("id=\"eq-11\"")
+        .nth(1)
+        .unwrap()
+        .split("</article>")
+        .next()
+        .unwrap();
+    assert!(used.contains("Used by <a href=\"constant.html#eq-13\">(13)</a>"));
+}
+
+#[test]
+fn two_books_are_the_same_to_the_byte() {
+    let (one, two) = (TempDir::new().unwrap(), TempDir::new().unwrap());
+    let (one, two) = (written(&one), written(&two));
+    assert_eq!(
+        one.keys().collect::<Vec<_>>(),
+        two.keys().collect::<Vec<_>>()
+    );
+    for (name, bytes) in &one {
+        assert!(*bytes == two[name], "{name} differs");
+    }
+}
+
+/// What comes of writing the book with one page changed.
+fn with_page(
+    stem: &str,
+    change: impl Fn(&str) -> String,
+    out: &Path,
+) -> Result<PathBuf, BookError> {
+    let figures = figures();
+    let mut pages = pages(&figures);
+    let page: &mut Page = pages.iter_mut().find(|page| page.stem == stem).unwrap();
+    page.text = change(&page.text);
+    write_pages(pages, &ledger(), &figures, out)
+}
+
+#[test]
+fn what_cannot_be_filled_or_set_is_named_with_page_and_line() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    for (added, told) in [
+        (
+            "{{nonsense}}",
+            "methods.md, line 2: `{{nonsense}}`: there is no such placeholder",
+        ),
+        (
+            "{{verdict eq-999}}",
+            "line 2: `{{verdict eq-999}}`: the ledger has no claim `eq-999`",
+        ),
+        ("{{count wrong}}", "there is no verdict `wrong`"),
+        ("{{ledger nowhere}}", "there is no topic `nowhere`"),
+        ("{{figure fig-9}}", "there is no figure `fig-9`"),
+        ("{{worst eq-1}}", "no trial of `eq-1`"),
+        ("{{claim eq-1}}", "this claim belongs on general.md"),
+        ("see {{counts}}", "must stand alone on its line"),
+        ("a {{count claims", "`{{` without `}}`"),
+        ("a }} b", "`}}` without `{{`"),
+        ("costs $5", "a `$` that is not part of a formula"),
+        (r"so $\frac{1}{$ is", "a `$`"),
+        (
+            r"so $\nonsense{x}$ is",
+            r"methods.md, line 2: the formula `\nonsense{x}`",
+        ),
+        ("## On $x$", "needs an id of its own"),
+    ] {
+        let error =
+            with_page("methods", |text| format!("\n{added}\n\n{text}"), &out).expect_err(added);
+        assert!(error.to_string().contains(told), "{added}: {error}");
+        assert!(!out.exists());
+    }
+    let twice = with_page(
+        "constant",
+        |text| format!("{text}\n{{{{claim eq-11}}}}\n"),
+        &out,
+    );
+    assert!(twice.unwrap_err().to_string().contains("shown already"));
+    let nowhere = with_page("constant", |text| text.replace("{{claim eq-11}}", ""), &out);
+    assert!(matches!(
+        nowhere,
+        Err(BookError::ClaimNowhere { id: "eq-11", .. })
+    ));
+    assert_eq!(
+        fs::read_dir(folder.path()).unwrap().count(),
+        0,
+        "something is left behind"
+    );
+}
+
+#[test]
+fn values_formulas_and_code_stand_where_they_should() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    let added = "\nIt is {{verdict eq-11}}, *worst* {{worst eq-11}} at {{points eq-11}} points, see {{ref eq-11}}; \
+                 $a_1*b_1*c_1$ and `$x {{y}}`.\n\n```text\n{{counts}} $\n```\n\n| $u$ | b |\n|---|---|\n| $\\lvert v\\rvert$ | 2 |\n";
+    with_page("methods", |text| format!("{text}{added}"), &out).unwrap();
+    let html = fs::read_to_string(out.join("methods.html")).unwrap();
+    for part in [
+        "It is <span class=\"verdict confirmed\">confirmed</span>, <em>worst</em> 3.2\u{a0}×\u{a0}10<sup>−13</sup> at 2,468 points",
+        "<a href=\"constant.html#eq-11\">(11)</a>",
+        "<code>$x {{y}}</code>",
+        "{{counts}} $",
+    ] {
+        assert!(html.contains(part), "no {part}");
+    }
+    assert_eq!(
+        html.split("It is <span")
+            .nth(1)
+            .unwrap()
+            .matches("<em>")
+            .count(),
+        1
+    );
+}
+
+#[test]
+fn an_earlier_book_is_replaced_whole_and_only_by_a_whole_one() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    write(&ledger(), &figures(), &out).unwrap();
+    fs::write(out.join("stale.html"), "old").unwrap();
+    let before = files(&out);
+    assert!(with_page("index", |text| format!("{text}\n{{{{oops}}}}\n"), &out).is_err());
+    assert!(files(&out) == before, "a failed run changed the book");
+    write(&ledger(), &figures(), &out).unwrap();
+    assert!(!out.join("stale.html").exists());
+    assert_eq!(
+        fs::read_dir(folder.path()).unwrap().count(),
+        1,
+        "something is left behind"
+    );
+}
+
+#[test]
+fn what_is_not_ours_is_left_alone() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("thesis");
+    fs::create_dir(&out).unwrap();
+    write(&ledger(), &figures(), &out).expect("an empty folder may be filled");
+    fs::remove_file(out.join(swap::MARKER)).unwrap();
+    let before = files(&out);
+    let error = write(&ledger(), &figures(), &out).unwrap_err();
+    assert!(matches!(&error, BookError::NotOurs { path } if path.ends_with("thesis")));
+    assert!(files(&out) == before);
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_named_with_the_reason() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, "mine").unwrap();
+    for out in [file.clone(), file.join("book")] {
+        let error = write(&ledger(), &figures(), &out).unwrap_err();
+        assert!(matches!(error, BookError::Unwritable { .. }), "{error}");
+        assert!(error.to_string().contains("file"), "{error}");
+        assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+    }
+    assert!(write(&ledger(), &figures(), Path::new("/")).is_err());
+}
+
+/// Needs a system that keeps its word on permissions; a superuser is not held by them.
+#[cfg(unix)]
+#[test]
+fn a_locked_parent_keeps_the_old_book() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = TempDir::new().unwrap();
+    let parent = folder.path().join("locked");
+    let out = parent.join("book");
+    write(&ledger(), &figures(), &out).unwrap();
+    let before = files(&out);
+    fs::set_permissions(&parent, fs::Permissions::from_mode(0o555)).unwrap();
+    let held = fs::write(parent.join("probe"), "").is_err();
+    let result = write(&ledger(), &figures(), &out);
+    fs::set_permissions(&parent, fs::Permissions::from_mode(0o755)).unwrap();
+    if held {
+        assert!(matches!(result, Err(BookError::Unwritable { .. })));
+    } else {
+        result.unwrap();
+    }
+    assert!(files(&out) == before);
+}

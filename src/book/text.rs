@@ -1,0 +1,124 @@
+//! Text and numbers for HTML.
+
+/// Data as text in HTML, on one line.
+pub(super) fn escape(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => out.push_str("&amp;"),
+            '<' => out.push_str("&lt;"),
+            '>' => out.push_str("&gt;"),
+            '"' => out.push_str("&quot;"),
+            '\'' => out.push_str("&#39;"),
+            '\n' | '\r' => out.push(' '),
+            c => out.push(c),
+        }
+    }
+    out
+}
+
+/// A count, its thousands parted.
+pub(super) fn count(n: usize) -> String {
+    let digits = n.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
+
+/// A count with its noun: `1 point`, `20 points`.
+pub(super) fn counted(n: usize, noun: &str) -> String {
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{} {noun}{plural}", count(n))
+}
+
+/// A size of which the first two digits matter, as HTML.
+pub(super) fn size(x: f64) -> String {
+    if x == 0.0 {
+        "0".into()
+    } else if x.is_nan() {
+        "no number".into()
+    } else if x.is_infinite() {
+        "∞".into()
+    } else {
+        power_of_ten(&format!("{x:.1e}"))
+    }
+}
+
+/// A value with twelve digits, as HTML.
+pub(super) fn value(x: f64) -> String {
+    if x.is_nan() {
+        return "no value".into();
+    }
+    if x.is_infinite() {
+        return if x > 0.0 { "∞" } else { "−∞" }.into();
+    }
+    let scientific = format!("{x:.11e}");
+    let exponent = scientific
+        .split_once('e')
+        .and_then(|(_, e)| e.parse::<i32>().ok());
+    match exponent {
+        Some(e @ -4..=5) if x != 0.0 => {
+            let decimals = usize::try_from(11 - e).unwrap_or(0);
+            trimmed(&format!("{x:.decimals$}")).replace('-', "−")
+        }
+        _ if x == 0.0 => "0".into(),
+        _ => power_of_ten(&scientific),
+    }
+}
+
+/// `3.20e-13` as 3.2 × 10⁻¹³.
+fn power_of_ten(scientific: &str) -> String {
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));
+    let mantissa = trimmed(mantissa).replace('-', "−");
+    match exponent {
+        "0" => mantissa,
+        exponent => format!(
+            "{mantissa}\u{a0}×\u{a0}10<sup>{}</sup>",
+            exponent.replace('-', "−")
+        ),
+    }
+}
+
+fn trimmed(decimal: &str) -> &str {
+    if decimal.contains('.') {
+        decimal.trim_end_matches('0').trim_end_matches('.')
+    } else {
+        decimal
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_read_as_they_should() {
+        assert_eq!(count(0), "0");
+        assert_eq!(count(999), "999");
+        assert_eq!(count(1000), "1,000");
+        assert_eq!(count(1_234_567), "1,234,567");
+        assert_eq!(counted(1, "point"), "1 point");
+        assert_eq!(size(3.21e-13), "3.2\u{a0}×\u{a0}10<sup>−13</sup>");
+        assert_eq!(size(1e-10), "1\u{a0}×\u{a0}10<sup>−10</sup>");
+        assert_eq!(size(2.0), "2");
+        assert_eq!(size(f64::INFINITY), "∞");
+        assert_eq!(value(0.1 + 0.2), "0.3");
+        assert_eq!(value(-1234.5), "−1234.5");
+        assert_eq!(value(1.5e-7), "1.5\u{a0}×\u{a0}10<sup>−7</sup>");
+        assert_eq!(value(100.0), "100");
+        assert_eq!(value(f64::NAN), "no value");
+    }
+
+    #[test]
+    fn data_cannot_become_markup() {
+        assert_eq!(
+            escape("<b a=\"'\">&\n"),
+            "&lt;b a=&quot;&#39;&quot;&gt;&amp; "
+        );
+    }
+}
