@@ -2,6 +2,7 @@
 
 use super::tolerances;
 use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
+use crate::exact::Proof;
 use std::fmt::Display;
 
 /// One comparison.
@@ -138,3 +139,17 @@ impl Pair {
 
 /// Why a trial's own side gave no number.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
+
+/// Evidence from a proof: it holds or it does not.
+pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Evidence {
+    Evidence {
+        route: Route::Exact,
+        subject,
+        compared,
+        points: 1,
+        worst: if proof.holds() { 0.0 } else { f64::INFINITY },
+        at: proof.obstacle().map_or(String::new(), ToString::to_string),
+        tolerance: tolerances::NONE,
+        samples: Vec::new(),
+    }
+}

@@ -1,9 +1,17 @@
 //! Constant acceleration: the claims.
 
 pub mod exact;
+mod hodograph;
+mod incline;
+mod limits;
+pub mod portrait;
+mod runs;
+mod setup;
+mod time;
+mod words;
 
 use super::{Claim, Condition, Topic};
-use crate::evidence::Kind;
+use crate::evidence::{Kind, Subject};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -25,6 +33,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A>0$, constant",
             stated: true,
         }],
+        trials: &[setup::eq3],
         ..Claim::BLANK
     },
     Claim {
@@ -35,6 +44,7 @@ const CLAIMS: &[Claim] = &[
         title: "the velocity by speed and angle",
         latex: r"\bm{v}=v (\hat{\bm{x}} \cos\theta+\hat{\bm{y}} \sin\theta)",
         plain: "𝐯 = v (x̂ cos θ + ŷ sin θ)",
+        trials: &[setup::eq4],
         ..Claim::BLANK
     },
     Claim {
@@ -46,6 +56,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda=\frac{\mu g}{A}",
         plain: "λ = μ g / A",
         depends_on: &["eq-3"],
+        trials: &[setup::eq5],
         ..Claim::BLANK
     },
     Claim {
@@ -57,6 +68,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \cos\theta)}{\mathrm{d} t}=A (1-\lambda \cos\theta)",
         plain: "d(v cos θ)/dt = A (1 − λ cos θ)",
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
+        trials: &[|| exact::evidence("eq-6", Subject::Printed), hodograph::eq6_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -68,6 +80,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} t}=-A \lambda \sin\theta",
         plain: "d(v sin θ)/dt = −A λ sin θ",
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
+        trials: &[|| exact::evidence("eq-7", Subject::Printed), hodograph::eq7_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -79,6 +92,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} (v \cos\theta)}= -\frac{\lambda \sin\theta}{1-\lambda \cos\theta}",
         plain: "d(v sin θ)/d(v cos θ) = −λ sin θ / (1 − λ cos θ)",
         depends_on: &["eq-6", "eq-7"],
+        trials: &[|| exact::evidence("eq-8", Subject::Printed), hodograph::eq8_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -90,6 +104,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} v}{v}=\frac{\lambda-\cos\theta}{\sin\theta} \mathrm{d} \theta",
         plain: "dv/v = ((λ − cos θ) / sin θ) dθ",
         depends_on: &["eq-8"],
+        trials: &[|| exact::evidence("eq-9", Subject::Printed), hodograph::eq9_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -101,6 +116,8 @@ const CLAIMS: &[Claim] = &[
         latex: r"v (\sin\theta) \left(\tan\frac{\theta}{2}\right)^{-\lambda}=\text{constant}",
         plain: "v (sin θ) (tan(θ/2))^(−λ) = constant",
         depends_on: &["eq-9"],
+        conditions: &[Condition { text: r"$0<\theta<\pi$: a power of a negative tangent has no real value", stated: false }, ],
+        trials: &[|| exact::evidence("eq-10", Subject::Within), hodograph::eq10_motion, hodograph::eq10_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -112,6 +129,8 @@ const CLAIMS: &[Claim] = &[
         latex: r"v=v_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda",
         plain: "v = v₀ (sin θ₀ / sin θ) (tan(θ/2) / tan(θ₀/2))^λ",
         depends_on: &["eq-10"],
+        conditions: &[Condition { text: r"$\theta_0\neq0,\pi$: along the line of the acceleration it is $0/0$", stated: false }, ],
+        trials: &[|| exact::evidence("eq-11", Subject::Within), hodograph::eq11_motion, hodograph::eq11_quadrature, hodograph::eq11_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -123,6 +142,8 @@ const CLAIMS: &[Claim] = &[
         latex: r"A \mathrm{d} t=-\frac{v_0 \sin\theta_0}{{\left(\tan\frac{\theta_0}{2}\right)^\lambda}} \frac{\mathrm{d} {\left[\left(\tan\frac{\theta}{2}\right)^\lambda\right]}}{\lambda \sin\theta}",
         plain: "A dt = −(v₀ sin θ₀ / (tan(θ₀/2))^λ) d[(tan(θ/2))^λ] / (λ sin θ)",
         depends_on: &["eq-7", "eq-11"],
+        conditions: &[Condition { text: r"$0<\theta<\pi$ and $\lambda\neq0$: at $\lambda=0$ it is $0/0$", stated: false }, ],
+        trials: &[|| exact::evidence("eq-12", Subject::Within), time::eq12_quadrature, time::eq12_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -134,6 +155,8 @@ const CLAIMS: &[Claim] = &[
         latex: r"t=\frac{v_0 (\lambda+\cos\theta_0)}{A (1-\lambda^2)} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right]",
         plain: "t = (v₀ (λ + cos θ₀) / (A (1 − λ²))) [((λ + cos θ) sin θ₀ / ((λ + cos θ₀) sin θ)) (tan(θ/2) / tan(θ₀/2))^λ − 1]",
         depends_on: &["eq-12"],
+        conditions: &[Condition { text: r"$\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, where it is $0/0$ or $0\cdot\infty$", stated: false }, Condition { text: r"$\theta_0\neq0,\pi$", stated: false }, ],
+        trials: &[|| exact::evidence("eq-13", Subject::Within), time::eq13_motion, time::eq13_quadrature, time::eq13_root, time::eq13_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -145,6 +168,8 @@ const CLAIMS: &[Claim] = &[
         latex: r"v=\frac{(1-\lambda^2) A t+v_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}",
         plain: "v = ((1 − λ²) A t + v₀ (λ + cos θ₀)) / (λ + cos θ)",
         depends_on: &["eq-11", "eq-13"],
+        conditions: &[Condition { text: r"$\cos\theta\neq-\lambda$, where it is $0/0$", stated: false }, ],
+        trials: &[|| exact::evidence("eq-14", Subject::Within), time::eq14_motion, time::eq14_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -160,6 +185,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-6"],
+        trials: &[|| exact::evidence("eq-15", Subject::Printed), limits::eq15_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -175,6 +201,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-7"],
+        trials: &[|| exact::evidence("eq-16", Subject::Printed), limits::eq16_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -190,6 +217,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-11"],
+        trials: &[|| exact::evidence("eq-17", Subject::Printed), limits::eq17_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -211,6 +239,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
+        trials: &[|| exact::evidence("eq-18", Subject::Printed), limits::eq18_limit, limits::eq18_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -232,6 +261,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
+        trials: &[|| exact::evidence("eq-19", Subject::Printed), limits::eq19_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -247,6 +277,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-14"],
+        trials: &[|| exact::evidence("eq-20", Subject::Printed), limits::eq20_motion, limits::eq20_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -258,6 +289,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda=0$, $v_y$ stays constant and $v_x$ grows linearly with $t$; the path is in general a parabola.",
         plain: "For λ = 0, v_y stays constant and v_x grows linearly with t; the path is in general a parabola.",
         depends_on: &["eq-15", "eq-16"],
+        trials: &[limits::parabola_motion, limits::parabola_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -269,6 +301,8 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda\leq1$ friction cannot hold the particle: $\theta\to0$ at large times, and the particle slides along the line of the acceleration.",
         plain: "For λ ≤ 1 friction cannot hold the particle: θ → 0 at large times, and the particle slides along the line of the acceleration.",
         depends_on: &["eq-13"],
+        conditions: &[Condition { text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it", stated: false }, ],
+        trials: &[words::small_friction_limit, words::small_friction_census, words::small_friction_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -280,6 +314,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda=1$ the velocity tends to a constant at large times, the one of (18) and (19).",
         plain: "For λ = 1 the velocity tends to a constant at large times, the one of (18) and (19).",
         depends_on: &["eq-18", "eq-19"],
+        trials: &[limits::eq18_limit, limits::eq18_quadrature, limits::eq19_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -291,6 +326,8 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda>1$ the particle comes to rest at the time $T$ of (20), and $\theta\to0$ as $t\to T$.",
         plain: "For λ > 1 the particle comes to rest at the time T of (20), and θ → 0 as t → T.",
         depends_on: &["eq-13", "eq-20"],
+        conditions: &[Condition { text: r"$\theta_0\neq\pi$: that particle stops at $T$ without turning", stated: false }, ],
+        trials: &[limits::eq20_motion, limits::eq20_quadrature, words::large_friction_limit, words::large_friction_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -302,6 +339,7 @@ const CLAIMS: &[Claim] = &[
         latex: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         plain: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         depends_on: &["eq-11", "eq-13", "eq-20"],
+        trials: &[incline::speed, incline::forces],
         ..Claim::BLANK
     },
     Claim {
@@ -317,6 +355,7 @@ const CLAIMS: &[Claim] = &[
             "s21-small-friction-aligns",
             "s21-large-friction-stops",
         ],
+        trials: &[portrait::points, portrait::ends],
         ..Claim::BLANK
     },
 ];

@@ -8,6 +8,12 @@ pub const FOREIGN: Tolerance = Tolerance {
     reason: "the second integrator, of order 8, is asked for 1e-13 a step",
 };
 
+/// An angle that tends to zero as a power of the time, or faster.
+pub const LATE_ANGLE: Tolerance = Tolerance {
+    value: 1e-7,
+    reason: "the slowest case, without friction, has 2e-8 left at a hundred million times v₀/A",
+};
+
 /// A formula against the integrated motion.
 pub const MOTION: Tolerance = Tolerance {
     value: 1e-12,
@@ -30,4 +36,16 @@ pub const QUADRATURE: Tolerance = Tolerance {
 pub const ROOT: Tolerance = Tolerance {
     value: 1e-11,
     reason: "the root is found to 1e-15; the formula's own rounding is divided by its slope",
+};
+
+/// A logarithmic slope against its limit.
+pub const SLOPE: Tolerance = Tolerance {
+    value: 1e-6,
+    reason: "taken where the speed is below 1e-12 of the initial one; the angle's correction falls with it",
+};
+
+/// A velocity that has settled.
+pub const TERMINAL: Tolerance = Tolerance {
+    value: 1e-12,
+    reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
 };

@@ -225,3 +225,13 @@ fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
 fn at_start(formula: Expr) -> Expr {
     formula.with("θ", Expr::symbol("θ₀"))
 }
+
+/// Evidence of the proof of the formula with this id.
+pub fn evidence(id: &str, subject: Subject) -> Evidence {
+    let compared = "the printed formula with Newton's law (1), as rational functions of tan(θ/2) and its powers";
+    let proof = proof(id).unwrap_or_else(|| {
+        let name = id.to_owned();
+        Proof::impossible(id, ExactError::UnknownSymbol { name })
+    });
+    proved(&proof, subject, compared)
+}

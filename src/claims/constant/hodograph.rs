@@ -1,7 +1,7 @@
 //! Trials of (6) to (11): the two components of Newton's law, the hodograph's slope, the speed against the
 //! angle.
 
-use super::runs::{Turn, launch, straight, turns, turns_where};
+use super::runs::{Turn, straight, turns, turns_where};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::evidence::{Evidence, Subject};
@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 fn summed_rate(compared: &'static str, component: usize, rate: fn(&Turn, f64) -> f64) -> Evidence {
     Trial::quadrature(Subject::Printed, compared).over(turns(), |turn| {
         let turn = turn?;
-        let motion = launch(turn, turn.t)?;
+        let motion = turn.motion(turn.t)?;
         let along = |t: f64| {
             let [vx, vy] = motion.at(t).map_or([f64::NAN; 2], |state| state.v);
             rate(turn, libm::atan2(vy, vx))

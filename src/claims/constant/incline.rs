@@ -1,0 +1,111 @@
+//! The inclined plane, in three dimensions: weight, normal force and friction. It is the case A = g sin β,
+//! λ = μ cot β of section 2.1.
+
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::points::Points;
+use crate::claims::tolerances::{FOREIGN, MOTION};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::numerics::dop853;
+use crate::paper::constant as printed;
+use nalgebra::{Rotation3, Unit, Vector3};
+
+/// A plane tilted by β about a horizontal axis, and a particle on it.
+struct Incline {
+    g: f64,
+    mu: f64,
+    beta: f64,
+    /// Down the slope.
+    down: Vector3<f64>,
+    /// Along the slope, horizontally.
+    across: Vector3<f64>,
+    normal: Vector3<f64>,
+    v0: f64,
+    theta0: f64,
+}
+
+impl Incline {
+    fn any(points: &mut Points) -> Self {
+        let beta = points.uniform(0.1, 1.4);
+        let turned = Rotation3::from_axis_angle(&Vector3::z_axis(), points.uniform(0.0, 6.0));
+        let tilt = Rotation3::from_axis_angle(&Unit::new_unchecked(turned * Vector3::y()), beta);
+        let down = tilt * (turned * Vector3::x());
+        let normal = tilt * Vector3::z();
+        Incline {
+            g: points.uniform(1.0, 20.0),
+            mu: points.uniform(0.01, 1.0),
+            beta,
+            down,
+            across: normal.cross(&down),
+            normal,
+            v0: points.uniform(0.5, 5.0),
+            theta0: points.uniform(0.1, 3.0),
+        }
+    }
+
+    /// Weight, normal force and friction on a unit mass that slides with velocity `v`.
+    fn acceleration(&self, v: &Vector3<f64>) -> Vector3<f64> {
+        let weight = Vector3::new(0.0, 0.0, -self.g);
+        let push = -weight.dot(&self.normal);
+        weight + self.normal * push - v.normalize() * (self.mu * push)
+    }
+
+    fn lambda(&self) -> f64 {
+        self.mu / libm::tan(self.beta)
+    }
+
+    fn a(&self) -> f64 {
+        self.g * libm::sin(self.beta)
+    }
+
+    fn velocity(&self, v: f64, theta: f64) -> Vector3<f64> {
+        let [x, y] = printed::eq4_velocity(v, theta);
+        self.down * x + self.across * y
+    }
+
+    fn at(&self) -> String {
+        let Incline { g, mu, beta, v0, theta0, .. } = self;
+        format!("g = {g:.6}, μ = {mu:.6}, β = {beta:.6}, v₀ = {v0:.6}, θ₀ = {theta0:.6}")
+    }
+}
+
+/// (11) with the motion on the incline.
+pub fn speed() -> Evidence {
+    let compared = "(11) with the speed on an inclined plane in three dimensions, at its angle to the slope";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
+    let mut points = Points::stream(12);
+    trial.over(0..300, |_| {
+        let incline = Incline::any(&mut points);
+        let duration = points.uniform(0.1, 0.5) * incline.v0 / (incline.a() * (1.0 + incline.lambda()));
+        let start = incline.velocity(incline.v0, incline.theta0);
+        let rate = |_: f64, v: &[f64; 3]| incline.acceleration(&Vector3::from(*v)).into();
+        let end = Vector3::from(dop853::end(rate, 0.0, start.into(), duration, 1e-13, 1e-15)?);
+        let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
+        let number = Conditioned::measured;
+        let stated = printed::eq11_speed(
+            number(incline.lambda()),
+            number(incline.v0),
+            number(incline.theta0),
+            number(theta),
+        );
+        Ok::<_, Failure>(Pair::conditioned(incline.at(), stated, end.norm()))
+    })
+}
+
+/// (6) and (7) with the forces on the incline.
+pub fn forces() -> Evidence {
+    let compared = "(6) + 2 (7) with the same components of weight, normal force and friction";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(13);
+    trial.over(0..1000, |_| {
+        let incline = Incline::any(&mut points);
+        let (lambda, a, theta) = (incline.lambda(), incline.a(), incline.theta0);
+        let force = incline.acceleration(&incline.velocity(incline.v0, theta));
+        Ok::<_, Failure>(Pair {
+            at: incline.at(),
+            stated: printed::eq6_vx_rate(lambda, a, theta) + 2.0 * printed::eq7_vy_rate(lambda, a, theta),
+            found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
+            scale: a * (1.0 + lambda),
+        })
+    })
+}

@@ -1,0 +1,100 @@
+//! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
+
+use super::runs::Turn;
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::tolerances::NONE;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::{Motion, MotionError};
+use crate::paper::constant as printed;
+use std::f64::consts::PI;
+
+/// A motion in units of v₀ and A.
+#[derive(Debug, Clone)]
+pub struct Curve {
+    /// Friction λ.
+    pub lambda: f64,
+    /// Initial angle θ₀.
+    pub theta0: f64,
+    /// The motion; to rest for λ > 1, else for a while.
+    pub motion: Motion,
+}
+
+/// Friction in panel (a) of fig-1.
+pub const WEAK: [f64; 3] = [0.0, 0.5, 1.0];
+/// Friction in panel (b) of fig-1.
+pub const STRONG: [f64; 3] = [1.2, 2.0, 5.0];
+
+/// How long a motion that does not stop is followed, in units of v₀/A.
+const WHILE: f64 = 8.0;
+
+/// One motion with v₀ = A = 1.
+pub fn curve(lambda: f64, theta0: f64) -> Result<Curve, MotionError> {
+    let launch = Turn::launch(lambda, 1.0, 1.0, theta0);
+    let motion = if lambda > 1.0 {
+        launch.motion_to_rest()?
+    } else {
+        launch.motion(WHILE)?
+    };
+    Ok(Curve {
+        lambda,
+        theta0,
+        motion,
+    })
+}
+
+/// The curves of one panel of fig-1: eight launch angles for each λ.
+pub fn panel(lambdas: &[f64]) -> Result<Vec<Curve>, MotionError> {
+    let angles = (0..8).map(|i| (f64::from(i) - 3.5) * PI / 4.0);
+    let pairs = angles.flat_map(|theta0| lambdas.iter().map(move |&lambda| (lambda, theta0)));
+    let mut curves: Vec<_> = pairs
+        .map(|(lambda, theta0)| curve(lambda, theta0))
+        .collect::<Result<_, _>>()?;
+    curves.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
+    Ok(curves)
+}
+
+fn both_panels() -> impl Iterator<Item = Result<Curve, MotionError>> {
+    [&WEAK[..], &STRONG]
+        .into_iter()
+        .flat_map(|lambdas| match panel(lambdas) {
+            Ok(curves) => curves.into_iter().map(Ok).collect(),
+            Err(error) => vec![Err(error)],
+        })
+}
+
+/// Every drawn point with (11) at its angle.
+pub fn points() -> Evidence {
+    let trial = Trial::motion(Subject::Printed, "(11) at the angle of each drawn point with its speed");
+    let drawn = both_panels().flat_map(|curve| match curve {
+        Ok(curve) => {
+            let states: Vec<_> = curve.motion.nodes().filter(|s| s.speed() > 1e-6).collect();
+            states.into_iter().map(|s| Ok((curve.lambda, curve.theta0, s))).collect()
+        }
+        Err(error) => vec![Err(error)],
+    });
+    trial.over(drawn, |point| {
+        let (lambda, theta0, state) = point?;
+        let number = Conditioned::measured;
+        let theta = state.direction();
+        let speed = printed::eq11_speed(number(lambda), number(1.0), number(theta0), number(theta));
+        let at = format!("λ = {lambda}, θ₀ = {theta0:.6}, θ = {theta:.6}");
+        Ok::<_, Failure>(Pair::conditioned(at, speed, state.speed()))
+    })
+}
+
+/// How the curves end: in panel (a) the particle still moves, in panel (b) it rests.
+pub fn ends() -> Evidence {
+    let compared = "panel (a): 1, panel (b): 0, with 1 for a curve that ends in motion and 0 for one that ends at rest";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(both_panels(), |curve| {
+        let curve = curve?;
+        let is = |truth: bool| f64::from(u8::from(truth));
+        Ok::<_, Failure>(Pair {
+            at: format!("λ = {}, θ₀ = {:.6}", curve.lambda, curve.theta0),
+            stated: is(curve.lambda <= 1.0),
+            found: is(curve.motion.end().speed() > 0.0),
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,312 @@
+//! The motions that the printed formulas of section 2.1 are held against: launches at a speed v₀ and an
+//! angle θ₀, followed until the velocity has turned to an angle θ.
+
+use crate::claims::conditioned::Conditioned;
+use crate::claims::points::Points;
+use crate::motion::{Motion, MotionError, Plane, State, run, run_to_stop};
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// A launch, and the moment at which the velocity has turned to θ.
+#[derive(Debug, Clone, Copy)]
+pub struct Turn {
+    /// Friction λ = μg/A.
+    pub lambda: f64,
+    /// The plane's acceleration A.
+    pub a: f64,
+    /// Initial speed v₀.
+    pub v0: f64,
+    /// Initial angle θ₀.
+    pub theta0: f64,
+    /// The later angle θ.
+    pub theta: f64,
+    /// The time at which it is reached.
+    pub t: f64,
+    /// The speed there.
+    pub v: f64,
+}
+
+impl Turn {
+    /// The velocity at the launch.
+    pub fn velocity0(&self) -> [f64; 2] {
+        velocity(self.v0, self.theta0)
+    }
+
+    /// The velocity at θ.
+    pub fn velocity(&self) -> [f64; 2] {
+        velocity(self.v, self.theta)
+    }
+
+    /// A printed formula for the speed, at this turn.
+    pub fn formula(&self, speed: fn(Conditioned, Conditioned, Conditioned, Conditioned) -> Conditioned) -> Conditioned {
+        let [lambda, v0, theta0, theta] =
+            [self.lambda, self.v0, self.theta0, self.theta].map(Conditioned::measured);
+        speed(lambda, v0, theta0, theta)
+    }
+
+    /// The motion from the launch until a time.
+    pub fn motion(&self, until: f64) -> Result<Motion, MotionError> {
+        run(&plane(self.a), self.lambda * self.a, self.start(), until)
+    }
+
+    /// The motion from the launch until it stops; for λ > 1.
+    pub fn motion_to_rest(&self) -> Result<Motion, MotionError> {
+        run_to_stop(&plane(self.a), self.lambda * self.a, self.start(), f64::MAX)
+    }
+
+    /// A launch that has not turned yet.
+    pub fn launch(lambda: f64, a: f64, v0: f64, theta0: f64) -> Self {
+        Turn {
+            lambda,
+            a,
+            v0,
+            theta0,
+            theta: theta0,
+            t: 0.0,
+            v: v0,
+        }
+    }
+
+    fn start(&self) -> State {
+        State {
+            t: 0.0,
+            v: self.velocity0(),
+            x: [0.0; 2],
+        }
+    }
+
+    /// The point in the claim's own symbols.
+    pub fn at(&self) -> String {
+        let Turn {
+            lambda,
+            a,
+            v0,
+            theta0,
+            theta,
+            ..
+        } = self;
+        format!("λ = {lambda:.6}, A = {a:.6}, v₀ = {v0:.6}, θ₀ = {theta0:.6}, θ = {theta:.6}")
+    }
+}
+
+/// Every turn, or the reason why there is none.
+pub fn turns() -> impl Iterator<Item = Result<&'static Turn, MotionError>> {
+    static TURNS: LazyLock<Result<Vec<Turn>, MotionError>> =
+        LazyLock::new(|| launches().into_iter().map(turn).collect());
+    let (turns, error) = match &*TURNS {
+        Ok(turns) => (&turns[..], None),
+        Err(error) => (&[][..], Some(Err(error.clone()))),
+    };
+    turns.iter().map(Ok).chain(error)
+}
+
+/// Those turns of which `wanted` holds.
+pub fn turns_where(wanted: impl Fn(&Turn) -> bool) -> impl Iterator<Item = Result<&'static Turn, MotionError>> {
+    turns().filter(move |turn| turn.as_ref().map_or(true, |t| wanted(t)))
+}
+
+/// Friction: from no friction to thirty times the acceleration, the critical value and its neighbours.
+const LAMBDAS: [f64; 10] = [
+    0.0,
+    1e-6,
+    0.3,
+    1.0 - 1e-9,
+    1.0,
+    1.0 + 1e-9,
+    1.5,
+    3.0,
+    10.0,
+    30.0,
+];
+
+/// Initial angles: near both ends and in between.
+const ANGLES: [f64; 7] = [1e-6, 0.4, 1.3, PI / 2.0, 2.2, 3.0, PI - 1e-6];
+
+/// (λ, A, v₀, θ₀, θ): the edges of the domain, launches with cos θ₀ = −λ, and random points.
+fn launches() -> Vec<[f64; 5]> {
+    let mut points = Points::stream(1);
+    let mut launches = Vec::new();
+    let add = |lambda: f64, theta0: f64, launches: &mut Vec<_>, points: &mut Points| {
+        let (a, v0) = (points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0));
+        let theta = theta0 * points.uniform(0.3, 0.98);
+        launches.push([lambda, a, v0, theta0, theta]);
+    };
+    for theta0 in [2.0, 1.8, 2.9] {
+        add(-libm::cos(theta0), theta0, &mut launches, &mut points);
+    }
+    for lambda in LAMBDAS {
+        for theta0 in ANGLES {
+            for sign in [1.0, -1.0] {
+                add(lambda, sign * theta0, &mut launches, &mut points);
+            }
+        }
+    }
+    for i in 0..2200 {
+        let lambda = if i % 2 == 0 {
+            points.uniform(0.0, 1.0)
+        } else {
+            points.uniform(1.0, 8.0)
+        };
+        let theta0 = points.sign() * points.uniform(0.01, PI - 0.01);
+        add(lambda, theta0, &mut launches, &mut points);
+    }
+    launches
+}
+
+fn velocity(v: f64, theta: f64) -> [f64; 2] {
+    // Exactly along the axis at π, where the rounded sine is not zero.
+    let sine = if theta.abs() == PI { 0.0 } else { libm::sin(theta) };
+    [v * libm::cos(theta), v * sine]
+}
+
+fn plane(a: f64) -> Plane {
+    Plane::constant([-a, 0.0])
+}
+
+/// Follows a launch until its velocity points along θ.
+fn turn([lambda, a, v0, theta0, theta]: [f64; 5]) -> Result<Turn, MotionError> {
+    let launch = Turn::launch(lambda, a, v0, theta0);
+    let mut until = v0 / a;
+    loop {
+        let motion = launch.motion(until)?;
+        if let Some(State { t, v, .. }) = motion.first_along(velocity(1.0, theta))? {
+            return Ok(Turn {
+                theta,
+                t,
+                v: libm::hypot(v[0], v[1]),
+                ..launch
+            });
+        }
+        if until > 1e9 * v0 / a {
+            return Err(MotionError::Argument {
+                name: "θ",
+                value: theta,
+                range: "an angle that the motion reaches",
+            });
+        }
+        until *= 4.0;
+    }
+}
+
+/// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
+pub fn straight() -> impl Iterator<Item = Result<Turn, MotionError>> {
+    let mut points = Points::stream(2);
+    (0..40).map(move |i| {
+        let theta0 = if i % 2 == 0 { 0.0 } else { PI };
+        let launch = Turn::launch(points.uniform(0.0, 0.9), points.uniform(0.5, 2.0), points.uniform(2.0, 4.0), theta0);
+        let t = 0.5;
+        let state = launch.motion(t)?.at(t)?;
+        Ok(Turn { t, v: state.speed(), ..launch })
+    })
+}
+
+/// Motions with λ < 1 at the angle where cos θ = −λ.
+pub fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
+    let mut points = Points::stream(3);
+    (0..40).map(move |_| {
+        let theta = points.uniform(PI / 2.0 + 0.05, PI - 0.3);
+        let theta0 = points.uniform(theta + 0.05, PI - 0.05);
+        let lambda = -libm::cos(theta);
+        turn([lambda, points.uniform(0.5, 2.0), points.uniform(0.5, 2.0), theta0, theta])
+    })
+}
+
+/// Turns at λ = 1.
+pub fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
+    let mut points = Points::stream(4);
+    (0..1000).map(move |_| {
+        let theta0 = points.sign() * points.uniform(0.01, PI - 0.01);
+        let theta = theta0 * points.uniform(0.05, 0.98);
+        turn([1.0, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0, theta])
+    })
+}
+
+/// Flights without friction, with the state at a later time.
+pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
+    let mut points = Points::stream(5);
+    (0..1000).map(move |i| {
+        let theta0 = match i {
+            0 => 0.0,
+            1 => PI,
+            _ => points.sign() * points.uniform(0.0, PI),
+        };
+        let launch = Turn::launch(0.0, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0);
+        let t = points.uniform(0.1, 5.0) * launch.v0 / launch.a;
+        Ok((launch, launch.motion(t)?.at(t)?))
+    })
+}
+
+/// Motions at λ = 1 after so long a time that they have settled: v_y falls as exp(−A t/v_x(∞)).
+pub fn settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
+    let mut points = Points::stream(6);
+    (0..1000).map(move |i| {
+        let theta0 = match i {
+            0 => 0.0,
+            1 => PI - 0.3,
+            _ => points.sign() * points.uniform(0.0, PI - 0.3),
+        };
+        let launch = Turn::launch(1.0, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0);
+        let t = 60.0 * launch.v0 / launch.a;
+        Ok((launch, launch.motion(t)?.at(t)?))
+    })
+}
+
+/// A launch with λ > 1 and its end.
+#[derive(Debug, Clone)]
+pub struct Stop {
+    /// The launch.
+    pub start: Turn,
+    /// The whole motion.
+    pub motion: Motion,
+    /// When it stops.
+    pub t: f64,
+}
+
+/// Launches with λ > 1, from both ends of the angles and from friction just above the critical one, to rest.
+pub fn stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
+    let mut points = Points::stream(7);
+    (0..1000).map(move |i| {
+        let lambda = match i % 4 {
+            0 => 1.0 + points.log_uniform(1e-3, 1e-1),
+            1 => points.uniform(1.1, 3.0),
+            2 => points.uniform(3.0, 30.0),
+            _ => points.log_uniform(30.0, 1e3),
+        };
+        let theta0 = match i % 20 {
+            0 => 0.0,
+            1 => PI,
+            2 => PI - 1e-6,
+            3 => 1e-6,
+            _ => points.sign() * points.uniform(0.0, PI),
+        };
+        let start = Turn::launch(lambda, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0);
+        let motion = start.motion_to_rest()?;
+        let t = motion.end().t;
+        Ok(Stop { start, motion, t })
+    })
+}
+
+/// Launches with λ ≤ 1, but not those that friction stops for good.
+pub fn launches_below_critical() -> impl Iterator<Item = Result<Turn, MotionError>> {
+    let mut points = Points::stream(10);
+    (0..1000).map(move |i| {
+        let lambda = match i % 4 {
+            0 => 1.0,
+            1 => 1.0 - points.log_uniform(1e-9, 1e-2),
+            _ => points.uniform(0.0, 1.0),
+        };
+        let theta0 = match i % 25 {
+            0 => 0.0,
+            1 if lambda < 1.0 => PI,
+            2 if lambda < 1.0 => PI - 1e-6,
+            _ => points.sign() * points.uniform(0.0, PI - 0.1),
+        };
+        Ok(Turn::launch(lambda, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0))
+    })
+}
+
+/// Launches at λ = 1 straight against the inertial force.
+pub fn held() -> impl Iterator<Item = Turn> {
+    let mut points = Points::stream(11);
+    (0..40).map(move |_| Turn::launch(1.0, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), PI))
+}

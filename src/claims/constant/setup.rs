@@ -1,0 +1,76 @@
+//! Trials of (3) to (5): the definitions are consistent with the use made of them.
+
+use super::runs::turns;
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::MOTION;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::{Plane, State, run};
+use crate::paper::constant as printed;
+
+const fn consistency(compared: &'static str) -> Trial {
+    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
+}
+
+/// (3): under this acceleration a particle at rest on a smooth plane is left behind along +x.
+pub fn eq3() -> Evidence {
+    let trial = consistency("A t with v_x of a particle from rest without friction, under (3)");
+    let mut points = Points::stream(8);
+    trial.over(0..100, |_| {
+        let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 5.0));
+        let rest = State {
+            t: 0.0,
+            v: [0.0; 2],
+            x: [0.0; 2],
+        };
+        let v = run(&Plane::constant(printed::eq3_acceleration(a)), 0.0, rest, t)?.end().v;
+        Ok::<_, Failure>(Pair {
+            at: format!("A = {a:.6}, t = {t:.6}"),
+            stated: a * t,
+            found: v[0] - v[1].abs(),
+            scale: a * t,
+        })
+    })
+}
+
+/// (4): the angle of the vector built from v and θ is θ, its length v.
+pub fn eq4() -> Evidence {
+    let trial = consistency("|(4)| exp(angle of (4)) with v exp θ, along motions");
+    trial.over(turns(), |turn| {
+        let turn = turn?;
+        let [vx, vy] = printed::eq4_velocity(turn.v, turn.theta);
+        let found = turn.v * libm::exp(turn.theta);
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: libm::hypot(vx, vy) * libm::exp(libm::atan2(vy, vx)),
+            found,
+            scale: found,
+        })
+    })
+}
+
+/// (5): motions with the same λ are the same in units of v₀ and A, whatever μ, g and A are.
+pub fn eq5() -> Evidence {
+    let trial = consistency("v_x/v₀ at the same A t/v₀ of two motions with the same λ of (5) and different μ, g, A, v₀");
+    let mut points = Points::stream(9);
+    trial.over(0..200, |_| {
+        let (theta0, mu, g) = (points.uniform(0.1, 3.0), points.uniform(0.1, 1.0), points.uniform(1.0, 20.0));
+        let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 0.9));
+        let lambda = printed::eq5_lambda(mu, g, a);
+        let vx = |friction: f64, a: f64, v0: f64| {
+            let start = State {
+                t: 0.0,
+                v: [v0 * libm::cos(theta0), v0 * libm::sin(theta0)],
+                x: [0.0; 2],
+            };
+            let end = run(&Plane::constant([-a, 0.0]), friction, start, t * v0 / a)?.end();
+            Ok::<_, Failure>(end.v[0] / v0)
+        };
+        Ok::<_, Failure>(Pair {
+            at: format!("μ = {mu:.6}, g = {g:.6}, A = {a:.6}, θ₀ = {theta0:.6}, A t/v₀ = {t:.6}"),
+            stated: vx(lambda, 1.0, 1.0)?,
+            found: vx(mu * g, a, 3.0)?,
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,117 @@
+//! Trials of what section 2.1 says in words.
+
+use super::runs::{Stop, Turn, held, launches_below_critical, stops};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::tolerances::{LATE_ANGLE, NONE, SLOPE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::{Motion, State};
+
+/// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
+pub fn small_friction_limit() -> Evidence {
+    let compared = "0 with the angle of the velocity at A t/v₀ = 1e8";
+    let trial = Trial::by(Route::Limit, Subject::Within, compared, LATE_ANGLE);
+    trial.over(launches_below_critical(), |launch| {
+        let launch = launch?;
+        let late = launch.motion(1e8 * launch.v0 / launch.a)?.end();
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: 0.0,
+            found: late.direction(),
+            scale: 1.0,
+        })
+    })
+}
+
+/// λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving.
+pub fn small_friction_census() -> Evidence {
+    let compared = "no step with the steps of the motion on which the angle grows or the particle rests";
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    trial.over(launches_below_critical(), |launch| {
+        let launch = launch?;
+        let motion = launch.motion(1e3 * launch.v0 / launch.a)?;
+        // The last digits of an angle near π, and one that has become zero, are not a growth.
+        let grows = |a: &State, b: &State| {
+            b.direction().abs() > a.direction().abs() * (1.0 + 1e-14) || b.speed() == 0.0
+        };
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: 0.0,
+            found: violations(&motion, grows) as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
+pub fn small_friction_outside() -> Evidence {
+    let compared = "motion (1) with 1 for sliding and 0 for rest, at A t/v₀ = 100";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
+    trial.over(held(), |launch: Turn| {
+        let late = launch.motion(100.0 * launch.v0 / launch.a)?.end();
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: 1.0,
+            found: if late.speed() > 0.0 { 1.0 } else { 0.0 },
+            scale: 1.0,
+        })
+    })
+}
+
+/// λ > 1: towards the stop, d ln θ/d ln v is positive and that of a motion that turns into the x axis, so θ → 0.
+pub fn large_friction_limit() -> Evidence {
+    let compared = "1/(λ − 1) with d ln θ/d ln v over the last steps before the stop";
+    let trial = Trial::by(Route::Limit, Subject::Within, compared, SLOPE);
+    let turning = stops().filter(|s| {
+        s.as_ref().map_or(true, |s| s.start.lambda > 1.2 && !along_the_line(&s.start))
+    });
+    trial.over(turning, |stop| {
+        let stop = stop?;
+        Ok::<_, Failure>(Pair {
+            at: stop.start.at(),
+            stated: 1.0 / (stop.start.lambda - 1.0),
+            found: last_slope(&stop),
+            scale: 1.0 / (stop.start.lambda - 1.0),
+        })
+    })
+}
+
+fn along_the_line(launch: &Turn) -> bool {
+    launch.velocity0()[1] == 0.0
+}
+
+/// d ln θ/d ln v between the last two nodes at which both are normal numbers.
+fn last_slope(stop: &Stop) -> f64 {
+    let nodes: Vec<_> = stop
+        .motion
+        .nodes()
+        .map(|s| (libm::log(s.direction().abs()), libm::log(s.speed())))
+        .filter(|(theta, v)| theta.is_finite() && v.is_finite())
+        .collect();
+    match nodes[..] {
+        [.., (theta1, v1), (theta2, v2)] => (theta2 - theta1) / (v2 - v1),
+        _ => f64::NAN,
+    }
+}
+
+/// λ > 1 and θ₀ = π: the particle stops without turning.
+pub fn large_friction_outside() -> Evidence {
+    let compared = "0 with the angle of the velocity at 99 % of the time of stopping";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, LATE_ANGLE);
+    let backwards = stops().filter(|s| {
+        s.as_ref().map_or(true, |s| along_the_line(&s.start) && s.start.velocity0()[0] < 0.0)
+    });
+    trial.over(backwards, |stop| {
+        let stop = stop?;
+        Ok::<_, Failure>(Pair {
+            at: stop.start.at(),
+            stated: 0.0,
+            found: stop.motion.at(0.99 * stop.t)?.direction(),
+            scale: 1.0,
+        })
+    })
+}
+
+fn violations(motion: &Motion, broken: impl Fn(&State, &State) -> bool) -> usize {
+    let nodes: Vec<_> = motion.nodes().collect();
+    nodes.windows(2).filter(|w| broken(&w[0], &w[1])).count()
+}
