@@ -1,9 +1,36 @@
-//! Slipbook: a paper that checks itself.
+//! A physics paper that checks itself.
+//!
+//! The paper, *Slipping and rolling on a rough accelerating surface*, studies a particle and a sphere on a
+//! rough plane that accelerates, and a particle on a rough turntable. This crate asks of each of its claims:
+//! is it true, how do we know, and what is right where it is not?
+//!
+//! The house has two wings that do not see each other:
+//!
+//! - [`paper`] holds the formulas as printed, errors included; [`corrections`] what replaces those that fail.
+//! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
+//!
+//! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
+//! proves identities. The [`ledger`] judges: evidence in, verdict out. [`figures`] draws, and [`book`] writes
+//! all of it down.
+//!
+//! ```
+//! use slipbook::claims;
+//! use slipbook::ledger::{Entry, Verdict};
+//!
+//! let (topic, claim) = claims::find("eq-11").ok_or("no such claim")?;
+//! let entry = Entry::try_claim(topic, claim);
+//! assert_eq!(entry.judgement.verdict, Verdict::Conditional);
+//! # Ok::<(), &str>(())
+//! ```
 
 pub mod book;
 pub mod claims;
 pub mod corrections;
+pub mod evidence;
+pub mod exact;
 pub mod figures;
 pub mod ledger;
+//pub mod motion;
+//pub mod numerics;
 pub mod paper;
 pub mod scalar;

@@ -4,8 +4,9 @@ use super::error::Fault;
 use super::fill::{Filler, label, verdict};
 use super::maths::Maths;
 use super::text::{counted, escape, size, value};
-use crate::claims::{Change, Claim};
-use crate::ledger::{Entry, Evidence, Outcome, Subject};
+use crate::claims::Claim;
+use crate::evidence::{Change, Evidence, Outcome, Subject};
+use crate::ledger::Entry;
 
 /// The box of one claim, as a block of HTML.
 pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {

@@ -5,7 +5,8 @@ use super::error::Fault;
 use super::fill::{Filler, verdict};
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
-use crate::ledger::{Entry, Ledger, Route, Verdict};
+use crate::evidence::Route;
+use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A table, as a block of HTML. The cells are HTML.

@@ -1,6 +1,7 @@
 //! Anisotropic friction: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Condition, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -14,40 +15,52 @@ const CLAIMS: &[Claim] = &[
         id: "eq-47",
         section: "2.4",
         equation: Some(47),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_+=\frac{\mu_+ g}{A_0}.",
-        plain: r"\lambda_+=\frac{\mu_+ g}{A_0}.",
+        kind: Kind::Definition,
+        title: "friction of forward motion",
+        latex: r"\lambda_+=\frac{\mu_+ g}{A_0}",
+        plain: "λ₊ = μ₊ g / A₀",
+        conditions: &[Condition {
+            text: r"$\mu_+$ holds for $v_x>0$",
+            stated: true,
+        }],
+        depends_on: &["eq-21"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-48",
         section: "2.4",
         equation: Some(48),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_-=\frac{\mu_- g}{A_0}.",
-        plain: r"\lambda_-=\frac{\mu_- g}{A_0}.",
+        kind: Kind::Definition,
+        title: "friction of backward motion",
+        latex: r"\lambda_-=\frac{\mu_- g}{A_0}",
+        plain: "λ₋ = μ₋ g / A₀",
+        conditions: &[Condition {
+            text: r"$\mu_-$ holds for $v_x<0$",
+            stated: true,
+        }],
+        depends_on: &["eq-21"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-49",
         section: "2.4",
         equation: Some(49),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_+=\lambda_0.",
-        plain: r"\lambda_+=\lambda_0.",
+        kind: Kind::Definition,
+        title: "the forward friction as parameter",
+        latex: r"\lambda_+=\lambda_0",
+        plain: "λ₊ = λ₀",
+        depends_on: &["eq-47"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-50",
         section: "2.4",
         equation: Some(50),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_-=q \lambda_0.",
-        plain: r"\lambda_-=q \lambda_0.",
+        kind: Kind::Definition,
+        title: "the ratio of the frictions",
+        latex: r"\lambda_-=q \lambda_0",
+        plain: "λ₋ = q λ₀",
+        depends_on: &["eq-48", "eq-49"],
         ..Claim::BLANK
     },
     Claim {
@@ -55,9 +68,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: Some(51),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi-\lambda_0,\quad\mathfrak{w}>0.",
-        plain: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi-\lambda_0,\quad\mathfrak{w}>0.",
+        title: "motion while sliding forward",
+        latex: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi-\lambda_0,\quad\mathfrak{w}>0",
+        plain: "dw/dφ = sin φ − λ₀, w > 0",
+        conditions: &[Condition {
+            text: "at large times",
+            stated: true,
+        }],
+        depends_on: &["eq-26", "eq-49"],
         ..Claim::BLANK
     },
     Claim {
@@ -65,9 +83,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: Some(52),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi+q \lambda_0,\quad\mathfrak{w}<0.",
-        plain: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi+q \lambda_0,\quad\mathfrak{w}<0.",
+        title: "motion while sliding backward",
+        latex: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi+q \lambda_0,\quad\mathfrak{w}<0",
+        plain: "dw/dφ = sin φ + q λ₀, w < 0",
+        conditions: &[Condition {
+            text: "at large times",
+            stated: true,
+        }],
+        depends_on: &["eq-26", "eq-50"],
         ..Claim::BLANK
     },
     Claim {
@@ -75,9 +98,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: Some(53),
         kind: Kind::Equation,
-        title: "",
-        latex: r"A:K=\frac{\pi q}{q+1}, \quad \frac{\sqrt{1-\lambda_0^2}}{\lambda_0}=\frac{K}{\sin^2 K}-\cot K.",
-        plain: r"A:K=\frac{\pi q}{q+1}, \quad \frac{\sqrt{1-\lambda_0^2}}{\lambda_0}=\frac{K}{\sin^2 K}-\cot K.",
+        title: "curve A",
+        latex: r"\text{A:}\quad K=\frac{\pi q}{q+1}, \quad \frac{\sqrt{1-\lambda_0^2}}{\lambda_0}=\frac{K}{\sin^2 K}-\cot K",
+        plain: "A: K = π q / (q + 1), √(1 − λ₀²) / λ₀ = K / sin² K − cot K",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-51", "eq-52"],
         ..Claim::BLANK
     },
     Claim {
@@ -85,9 +113,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: Some(54),
         kind: Kind::Equation,
-        title: "",
-        latex: r"B:\quad \sqrt{1-\lambda_0^2} +\sqrt{1-(q \lambda_0)^2}= \lambda_0 [\pi + \sin^{-1}(q \lambda_0) - \sin^{-1}(\lambda_0)].",
-        plain: r"B:\quad \sqrt{1-\lambda_0^2} +\sqrt{1-(q \lambda_0)^2}= \lambda_0 [\pi + \sin^{-1}(q \lambda_0) - \sin^{-1}(\lambda_0)].",
+        title: "curve B",
+        latex: r"\text{B:}\quad \sqrt{1-\lambda_0^2} +\sqrt{1-(q \lambda_0)^2}= \lambda_0 [\pi + \sin^{-1}(q \lambda_0) - \sin^{-1}(\lambda_0)]",
+        plain: "B: √(1 − λ₀²) + √(1 − (q λ₀)²) = λ₀ [π + asin(q λ₀) − asin(λ₀)]",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-51", "eq-52"],
         ..Claim::BLANK
     },
     Claim {
@@ -95,9 +128,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: Some(55),
         kind: Kind::Equation,
-        title: "",
-        latex: r"C:\quad \lambda_0=\frac{1}{q}.",
-        plain: r"C:\quad \lambda_0=\frac{1}{q}.",
+        title: "curve C",
+        latex: r"\text{C:}\quad \lambda_0=\frac{1}{q}",
+        plain: "C: λ₀ = 1/q",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-52"],
         ..Claim::BLANK
     },
     Claim {
@@ -105,29 +143,36 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: Some(56),
         kind: Kind::Equation,
-        title: "",
-        latex: r"D:\quad \lambda_0=1.",
-        plain: r"D:\quad \lambda_0=1.",
+        title: "curve D",
+        latex: r"\text{D:}\quad \lambda_0=1",
+        plain: "D: λ₀ = 1",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-51"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-57",
         section: "2.4",
         equation: Some(57),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"X=(q=1,\lambda_0=\lambda_\mathrm{c}).",
-        plain: r"X=(q=1,\lambda_0=\lambda_\mathrm{c}).",
+        kind: Kind::Number,
+        title: "where A and B meet",
+        latex: r"X=(q=1,\lambda_0=\lambda_\mathrm{c})",
+        plain: "X = (q = 1, λ₀ = λ_c)",
+        depends_on: &["eq-37", "eq-53", "eq-54"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-58",
         section: "2.4",
         equation: Some(58),
-        kind: Kind::Equation,
-        title: "",
+        kind: Kind::Number,
+        title: "where B and C touch",
         latex: r"Y=(q=4.603,\lambda_0=0.217)",
-        plain: r"Y=(q=4.603,\lambda_0=0.217)",
+        plain: "Y = (q = 4.603, λ₀ = 0.217)",
+        depends_on: &["eq-54", "eq-55"],
         ..Claim::BLANK
     },
     Claim {
@@ -135,9 +180,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"q ≥ 1 without loss of generality",
-        plain: r"q ≥ 1 without loss of generality",
+        title: "the larger friction may be the backward one",
+        latex: r"Taking $q\geq1$ is no loss of generality.",
+        plain: "Taking q ≥ 1 is no loss of generality.",
+        depends_on: &["eq-51", "eq-52"],
         ..Claim::BLANK
     },
     Claim {
@@ -145,9 +191,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"below A: a positive and a negative interval, no rest",
-        plain: r"below A: a positive and a negative interval, no rest",
+        title: "region I: no rest",
+        latex: r"Below A, each period has an interval with $\mathfrak{w}>0$ and one with $\mathfrak{w}<0$, and no rest.",
+        plain: "Below A, each period has an interval with w > 0 and one with w < 0, and no rest.",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-51", "eq-52", "eq-53"],
         ..Claim::BLANK
     },
     Claim {
@@ -155,9 +206,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"above A, below B and below C: positive, at once negative, then rest",
-        plain: r"above A, below B and below C: positive, at once negative, then rest",
+        title: "region II: one rest, after the backward slip",
+        latex: r"Above A and below B and C, each period has an interval with $\mathfrak{w}>0$, at once one with $\mathfrak{w}<0$, then a rest.",
+        plain: "Above A and below B and C, each period has an interval with w > 0, at once one with w < 0, then a rest.",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-51", "eq-52", "eq-53", "eq-54", "eq-55"],
         ..Claim::BLANK
     },
     Claim {
@@ -165,9 +221,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"between B and C: positive and negative, with two rests between them",
-        plain: r"between B and C: positive and negative, with two rests between them",
+        title: "region III: two rests",
+        latex: r"Between B and C, each period has an interval with $\mathfrak{w}>0$ and one with $\mathfrak{w}<0$, with two rests between them.",
+        plain: "Between B and C, each period has an interval with w > 0 and one with w < 0, with two rests between them.",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-51", "eq-52", "eq-54", "eq-55"],
         ..Claim::BLANK
     },
     Claim {
@@ -175,9 +236,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"between C and D: positive, then rest",
-        plain: r"between C and D: positive, then rest",
+        title: "region IV: forward slip and rest",
+        latex: r"Between C and D, each period has an interval with $\mathfrak{w}>0$ and a rest.",
+        plain: "Between C and D, each period has an interval with w > 0 and a rest.",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-51", "eq-52", "eq-55", "eq-56"],
         ..Claim::BLANK
     },
     Claim {
@@ -185,9 +251,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"above D: at rest",
-        plain: r"above D: at rest",
+        title: "region V: rest",
+        latex: "Above D the particle is at rest.",
+        plain: "Above D the particle is at rest.",
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            stated: true,
+        }],
+        depends_on: &["eq-51", "eq-52", "eq-56"],
         ..Claim::BLANK
     },
     Claim {
@@ -195,9 +266,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"A and B meet at X = (1, λ_c)",
-        plain: r"A and B meet at X = (1, λ_c)",
+        title: "A and B meet",
+        latex: r"A and B meet at $X=(1,\lambda_\mathrm{c})$.",
+        plain: "A and B meet at X = (1, λ_c).",
+        depends_on: &["eq-57"],
         ..Claim::BLANK
     },
     Claim {
@@ -205,9 +277,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"B and C meet at Y = (4.603, 0.217) and are tangent there",
-        plain: r"B and C meet at Y = (4.603, 0.217) and are tangent there",
+        title: "B and C touch",
+        latex: "B and C meet at $Y=(4.603,0.217)$ and are tangent there.",
+        plain: "B and C meet at Y = (4.603, 0.217) and are tangent there.",
+        depends_on: &["eq-58"],
         ..Claim::BLANK
     },
     Claim {
@@ -215,9 +288,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Figure,
-        title: "",
-        latex: r"the region diagram; axes q from 1 to 7, λ₀ from 0 to 1.4",
-        plain: r"the region diagram; axes q from 1 to 7, λ₀ from 0 to 1.4",
+        title: "map of the regions",
+        latex: r"The regions I to V with the curves A to D and the points $X$, $Y$; axes $q$ from $1$ to $7$, $\lambda_0$ from $0$ to $1.4$.",
+        plain: "The regions I to V with the curves A to D and the points X, Y; axes q from 1 to 7, λ₀ from 0 to 1.4.",
+        depends_on: &["eq-53", "eq-54", "eq-55", "eq-56", "eq-57", "eq-58"],
         ..Claim::BLANK
     },
     Claim {
@@ -225,9 +299,16 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         equation: None,
         kind: Kind::Figure,
-        title: "",
-        latex: r"w(φ) over two periods, one panel for each of the regions I to V; axes 0 to 4π, ±1",
-        plain: r"w(φ) over two periods, one panel for each of the regions I to V; axes 0 to 4π, ±1",
+        title: "large-time motion in each region",
+        latex: r"$\mathfrak{w}(\phi)$ over two periods, one panel for each of the regions I to V; axes $0$ to $4\pi$ and $\pm1$.",
+        plain: "w(φ) over two periods, one panel for each of the regions I to V; axes 0 to 4π and ±1.",
+        depends_on: &[
+            "s24-region-1",
+            "s24-region-2",
+            "s24-region-3",
+            "s24-region-4",
+            "s24-region-5",
+        ],
         ..Claim::BLANK
     },
 ];

@@ -1,6 +1,7 @@
 //! How a trial compares: stated value against found value, over many points, into one [`Evidence`].
 
-use crate::ledger::{Evidence, Route, Sample, Subject, Tolerance};
+use super::tolerances;
+use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
 use std::fmt::Display;
 
 /// One comparison.
@@ -19,7 +20,7 @@ impl Pair {
     /// The difference in units of the scale. Infinite where the claim has no value and the motion has
     /// one; NaN where our own side has none.
     pub fn disagreement(&self) -> f64 {
-        if !self.found.is_finite() || !(self.scale.is_finite() && self.scale > 0.0) {
+        if !self.found.is_finite() || !self.scale.is_finite() || self.scale <= 0.0 {
             f64::NAN
         } else if !self.stated.is_finite() {
             f64::INFINITY
@@ -42,6 +43,31 @@ pub struct Trial {
 }
 
 impl Trial {
+    /// A formula or statement against the integrated motion.
+    pub const fn motion(subject: Subject, compared: &'static str) -> Self {
+        Self::by(Route::Integration, subject, compared, tolerances::MOTION)
+    }
+
+    /// A formula against a quadrature.
+    pub const fn quadrature(subject: Subject, compared: &'static str) -> Self {
+        Self::by(Route::Quadrature, subject, compared, tolerances::QUADRATURE)
+    }
+
+    /// By any route, to any tolerance.
+    pub const fn by(
+        route: Route,
+        subject: Subject,
+        compared: &'static str,
+        tolerance: Tolerance,
+    ) -> Self {
+        Trial {
+            route,
+            subject,
+            compared,
+            tolerance,
+        }
+    }
+
     /// Compares at every point; a point where our own side fails makes the evidence NaN and says why.
     pub fn over<P, E: Display>(
         &self,
@@ -92,3 +118,23 @@ impl Trial {
 
 /// How many compared pairs are kept for readers: the first ones, so that they do not depend on last bits.
 const SAMPLES: usize = 3;
+
+impl Pair {
+    /// A printed formula's value against a found one, in units of what the formula can resolve.
+    pub fn conditioned(at: String, stated: super::conditioned::Conditioned, found: f64) -> Self {
+        let scale = stated.spread.max(found.abs());
+        Pair {
+            at,
+            stated: stated.value,
+            found,
+            scale: if scale.is_finite() {
+                scale
+            } else {
+                found.abs()
+            },
+        }
+    }
+}
+
+/// Why a trial's own side gave no number.
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;

@@ -1,6 +1,9 @@
 //! Constant acceleration: the claims.
 
-use super::{Claim, Kind, Topic};
+pub mod exact;
+
+use super::{Claim, Condition, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -14,30 +17,35 @@ const CLAIMS: &[Claim] = &[
         id: "eq-3",
         section: "2.1",
         equation: Some(3),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{A}=-A \hat{\bm{x}},",
-        plain: r"\bm{A}=-A \hat{\bm{x}},",
+        kind: Kind::Definition,
+        title: "the constant acceleration",
+        latex: r"\bm{A}=-A \hat{\bm{x}}",
+        plain: "𝐀 = −A x̂",
+        conditions: &[Condition {
+            text: "$A>0$, constant",
+            stated: true,
+        }],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-4",
         section: "2.1",
         equation: Some(4),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{v}=v (\hat{\bm{x}} \cos\theta+\hat{\bm{y}} \sin\theta),",
-        plain: r"\bm{v}=v (\hat{\bm{x}} \cos\theta+\hat{\bm{y}} \sin\theta),",
+        kind: Kind::Definition,
+        title: "the velocity by speed and angle",
+        latex: r"\bm{v}=v (\hat{\bm{x}} \cos\theta+\hat{\bm{y}} \sin\theta)",
+        plain: "𝐯 = v (x̂ cos θ + ŷ sin θ)",
         ..Claim::BLANK
     },
     Claim {
         id: "eq-5",
         section: "2.1",
         equation: Some(5),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda=\frac{\mu g}{A},",
-        plain: r"\lambda=\frac{\mu g}{A},",
+        kind: Kind::Definition,
+        title: "friction over acceleration",
+        latex: r"\lambda=\frac{\mu g}{A}",
+        plain: "λ = μ g / A",
+        depends_on: &["eq-3"],
         ..Claim::BLANK
     },
     Claim {
@@ -45,9 +53,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(6),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} (v \cos\theta)}{\mathrm{d} t}=A (1-\lambda \cos\theta).",
-        plain: r"\frac{\mathrm{d} (v \cos\theta)}{\mathrm{d} t}=A (1-\lambda \cos\theta).",
+        title: "motion along the acceleration",
+        latex: r"\frac{\mathrm{d} (v \cos\theta)}{\mathrm{d} t}=A (1-\lambda \cos\theta)",
+        plain: "d(v cos θ)/dt = A (1 − λ cos θ)",
+        depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
         ..Claim::BLANK
     },
     Claim {
@@ -55,9 +64,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(7),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} t}=-A \lambda \sin\theta.",
-        plain: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} t}=-A \lambda \sin\theta.",
+        title: "motion across the acceleration",
+        latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} t}=-A \lambda \sin\theta",
+        plain: "d(v sin θ)/dt = −A λ sin θ",
+        depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
         ..Claim::BLANK
     },
     Claim {
@@ -65,9 +75,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(8),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} (v \cos\theta)}= -\frac{\lambda \sin\theta}{1-\lambda \cos\theta}.",
-        plain: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} (v \cos\theta)}= -\frac{\lambda \sin\theta}{1-\lambda \cos\theta}.",
+        title: "slope of the path in velocity space",
+        latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} (v \cos\theta)}= -\frac{\lambda \sin\theta}{1-\lambda \cos\theta}",
+        plain: "d(v sin θ)/d(v cos θ) = −λ sin θ / (1 − λ cos θ)",
+        depends_on: &["eq-6", "eq-7"],
         ..Claim::BLANK
     },
     Claim {
@@ -75,9 +86,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(9),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} v}{v}=\frac{\lambda-\cos\theta}{\sin\theta} \mathrm{d} \theta,",
-        plain: r"\frac{\mathrm{d} v}{v}=\frac{\lambda-\cos\theta}{\sin\theta} \mathrm{d} \theta,",
+        title: "speed against angle, as differentials",
+        latex: r"\frac{\mathrm{d} v}{v}=\frac{\lambda-\cos\theta}{\sin\theta} \mathrm{d} \theta",
+        plain: "dv/v = ((λ − cos θ) / sin θ) dθ",
+        depends_on: &["eq-8"],
         ..Claim::BLANK
     },
     Claim {
@@ -85,9 +97,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(10),
         kind: Kind::Equation,
-        title: "",
-        latex: r"v (\sin\theta) \left(\tan\frac{\theta}{2}\right)^{-\lambda}=\mbox{constant},",
-        plain: r"v (\sin\theta) \left(\tan\frac{\theta}{2}\right)^{-\lambda}=\mbox{constant},",
+        title: "a constant of the motion",
+        latex: r"v (\sin\theta) \left(\tan\frac{\theta}{2}\right)^{-\lambda}=\text{constant}",
+        plain: "v (sin θ) (tan(θ/2))^(−λ) = constant",
+        depends_on: &["eq-9"],
         ..Claim::BLANK
     },
     Claim {
@@ -95,9 +108,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(11),
         kind: Kind::Equation,
-        title: "",
-        latex: r"v=v_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda.",
-        plain: r"v=v_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda.",
+        title: "speed against angle",
+        latex: r"v=v_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda",
+        plain: "v = v₀ (sin θ₀ / sin θ) (tan(θ/2) / tan(θ₀/2))^λ",
+        depends_on: &["eq-10"],
         ..Claim::BLANK
     },
     Claim {
@@ -105,9 +119,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(12),
         kind: Kind::Equation,
-        title: "",
-        latex: r"A \mathrm{d} t=-\frac{v_0 \sin\theta_0}{{\left(\tan\frac{\theta_0}{2}\right)^\lambda}} \frac{\mathrm{d} {\left[\left(\tan\frac{\theta}{2}\right)^\lambda\right]}}{\lambda \sin\theta},",
-        plain: r"A \mathrm{d} t=-\frac{v_0 \sin\theta_0}{{\left(\tan\frac{\theta_0}{2}\right)^\lambda}} \frac{\mathrm{d} {\left[\left(\tan\frac{\theta}{2}\right)^\lambda\right]}}{\lambda \sin\theta},",
+        title: "time against angle, as differentials",
+        latex: r"A \mathrm{d} t=-\frac{v_0 \sin\theta_0}{{\left(\tan\frac{\theta_0}{2}\right)^\lambda}} \frac{\mathrm{d} {\left[\left(\tan\frac{\theta}{2}\right)^\lambda\right]}}{\lambda \sin\theta}",
+        plain: "A dt = −(v₀ sin θ₀ / (tan(θ₀/2))^λ) d[(tan(θ/2))^λ] / (λ sin θ)",
+        depends_on: &["eq-7", "eq-11"],
         ..Claim::BLANK
     },
     Claim {
@@ -115,9 +130,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(13),
         kind: Kind::Equation,
-        title: "",
-        latex: r"t=\frac{v_0 (\lambda+\cos\theta_0)}{A (1-\lambda^2)} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right].",
-        plain: r"t=\frac{v_0 (\lambda+\cos\theta_0)}{A (1-\lambda^2)} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right].",
+        title: "time against angle",
+        latex: r"t=\frac{v_0 (\lambda+\cos\theta_0)}{A (1-\lambda^2)} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right]",
+        plain: "t = (v₀ (λ + cos θ₀) / (A (1 − λ²))) [((λ + cos θ) sin θ₀ / ((λ + cos θ₀) sin θ)) (tan(θ/2) / tan(θ₀/2))^λ − 1]",
+        depends_on: &["eq-12"],
         ..Claim::BLANK
     },
     Claim {
@@ -125,9 +141,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(14),
         kind: Kind::Equation,
-        title: "",
-        latex: r"v=\frac{(1-\lambda^2) A t+v_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}.",
-        plain: r"v=\frac{(1-\lambda^2) A t+v_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}.",
+        title: "speed against time and angle",
+        latex: r"v=\frac{(1-\lambda^2) A t+v_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}",
+        plain: "v = ((1 − λ²) A t + v₀ (λ + cos θ₀)) / (λ + cos θ)",
+        depends_on: &["eq-11", "eq-13"],
         ..Claim::BLANK
     },
     Claim {
@@ -135,9 +152,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(15),
         kind: Kind::Equation,
-        title: "",
-        latex: r"v_x=v_{0 x}+A t.",
-        plain: r"v_x=v_{0 x}+A t.",
+        title: "no friction: velocity along the acceleration",
+        latex: "v_x=v_{0 x}+A t",
+        plain: "v_x = v₀ₓ + A t",
+        conditions: &[Condition {
+            text: r"$\lambda=0$",
+            stated: true,
+        }],
+        depends_on: &["eq-6"],
         ..Claim::BLANK
     },
     Claim {
@@ -145,9 +167,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(16),
         kind: Kind::Equation,
-        title: "",
-        latex: r"v_y=v_{0 y}.",
-        plain: r"v_y=v_{0 y}.",
+        title: "no friction: velocity across the acceleration",
+        latex: "v_y=v_{0 y}",
+        plain: "v_y = v₀ᵧ",
+        conditions: &[Condition {
+            text: r"$\lambda=0$",
+            stated: true,
+        }],
+        depends_on: &["eq-7"],
         ..Claim::BLANK
     },
     Claim {
@@ -155,29 +182,56 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(17),
         kind: Kind::Equation,
-        title: "",
-        latex: r"v (1+\cos\theta)=v_0 (1+\cos\theta_0).",
-        plain: r"v (1+\cos\theta)=v_0 (1+\cos\theta_0).",
+        title: "speed against angle at the critical friction",
+        latex: r"v (1+\cos\theta)=v_0 (1+\cos\theta_0)",
+        plain: "v (1 + cos θ) = v₀ (1 + cos θ₀)",
+        conditions: &[Condition {
+            text: r"$\lambda=1$",
+            stated: true,
+        }],
+        depends_on: &["eq-11"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-18",
         section: "2.1",
         equation: Some(18),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"v_x(\infty)=\frac{v_0 (1+\cos\theta_0)}{2}.",
-        plain: r"v_x(\infty)=\frac{v_0 (1+\cos\theta_0)}{2}.",
+        kind: Kind::Limit,
+        title: "final velocity along the acceleration",
+        latex: r"v_x(\infty)=\frac{v_0 (1+\cos\theta_0)}{2}",
+        plain: "v_x(∞) = v₀ (1 + cos θ₀) / 2",
+        conditions: &[
+            Condition {
+                text: r"$\lambda=1$",
+                stated: true,
+            },
+            Condition {
+                text: r"$t\to\infty$",
+                stated: true,
+            },
+        ],
+        depends_on: &["eq-17", "s21-small-friction-aligns"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-19",
         section: "2.1",
         equation: Some(19),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"v_y(\infty)=0.",
-        plain: r"v_y(\infty)=0.",
+        kind: Kind::Limit,
+        title: "final velocity across the acceleration",
+        latex: r"v_y(\infty)=0",
+        plain: "v_y(∞) = 0",
+        conditions: &[
+            Condition {
+                text: r"$\lambda=1$",
+                stated: true,
+            },
+            Condition {
+                text: r"$t\to\infty$",
+                stated: true,
+            },
+        ],
+        depends_on: &["eq-17", "s21-small-friction-aligns"],
         ..Claim::BLANK
     },
     Claim {
@@ -185,9 +239,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(20),
         kind: Kind::Equation,
-        title: "",
-        latex: r"T=\frac{v_0 (\lambda+\cos\theta_0)}{A (\lambda^2-1)}.",
-        plain: r"T=\frac{v_0 (\lambda+\cos\theta_0)}{A (\lambda^2-1)}.",
+        title: "time at which the particle stops",
+        latex: r"T=\frac{v_0 (\lambda+\cos\theta_0)}{A (\lambda^2-1)}",
+        plain: "T = v₀ (λ + cos θ₀) / (A (λ² − 1))",
+        conditions: &[Condition {
+            text: r"$\lambda>1$",
+            stated: true,
+        }],
+        depends_on: &["eq-14"],
         ..Claim::BLANK
     },
     Claim {
@@ -195,9 +254,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"λ = 0: v_y constant, v_x linear in t, the path is in general a parabola",
-        plain: r"λ = 0: v_y constant, v_x linear in t, the path is in general a parabola",
+        title: "no friction: a parabola",
+        latex: r"For $\lambda=0$, $v_y$ stays constant and $v_x$ grows linearly with $t$; the path is in general a parabola.",
+        plain: "For λ = 0, v_y stays constant and v_x grows linearly with t; the path is in general a parabola.",
+        depends_on: &["eq-15", "eq-16"],
         ..Claim::BLANK
     },
     Claim {
@@ -205,9 +265,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"λ ≤ 1: θ → 0 at large times; the particle slides along the line of the acceleration",
-        plain: r"λ ≤ 1: θ → 0 at large times; the particle slides along the line of the acceleration",
+        title: "small friction: the velocity aligns",
+        latex: r"For $\lambda\leq1$ friction cannot hold the particle: $\theta\to0$ at large times, and the particle slides along the line of the acceleration.",
+        plain: "For λ ≤ 1 friction cannot hold the particle: θ → 0 at large times, and the particle slides along the line of the acceleration.",
+        depends_on: &["eq-13"],
         ..Claim::BLANK
     },
     Claim {
@@ -215,9 +276,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"λ = 1: the velocity tends to the constant of (18), (19)",
-        plain: r"λ = 1: the velocity tends to the constant of (18), (19)",
+        title: "critical friction: a final velocity",
+        latex: r"For $\lambda=1$ the velocity tends to a constant at large times, the one of (18) and (19).",
+        plain: "For λ = 1 the velocity tends to a constant at large times, the one of (18) and (19).",
+        depends_on: &["eq-18", "eq-19"],
         ..Claim::BLANK
     },
     Claim {
@@ -225,9 +287,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"λ > 1: the particle stops at T of (20), and θ → 0 as t → T",
-        plain: r"λ > 1: the particle stops at T of (20), and θ → 0 as t → T",
+        title: "large friction: the particle stops",
+        latex: r"For $\lambda>1$ the particle comes to rest at the time $T$ of (20), and $\theta\to0$ as $t\to T$.",
+        plain: "For λ > 1 the particle comes to rest at the time T of (20), and θ → 0 as t → T.",
+        depends_on: &["eq-13", "eq-20"],
         ..Claim::BLANK
     },
     Claim {
@@ -235,9 +298,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"the results agree with the inclined-plane results of Eur. J. Phys. 32, 1049",
-        plain: r"the results agree with the inclined-plane results of Eur. J. Phys. 32, 1049",
+        title: "agreement with the inclined plane",
+        latex: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
+        plain: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
+        depends_on: &["eq-11", "eq-13", "eq-20"],
         ..Claim::BLANK
     },
     Claim {
@@ -245,9 +309,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: None,
         kind: Kind::Figure,
-        title: "",
-        latex: r"phase portraits of (v_x, v_y), panel (a) λ ≤ 1, panel (b) λ > 1",
-        plain: r"phase portraits of (v_x, v_y), panel (a) λ ≤ 1, panel (b) λ > 1",
+        title: "portraits of the velocity",
+        latex: r"Phase portraits of $(v_x,v_y)$ for several $\lambda$: panel (a) $\lambda\leq1$, panel (b) $\lambda>1$.",
+        plain: "Phase portraits of (v_x, v_y) for several λ: panel (a) λ ≤ 1, panel (b) λ > 1.",
+        depends_on: &[
+            "eq-11",
+            "s21-small-friction-aligns",
+            "s21-large-friction-stops",
+        ],
         ..Claim::BLANK
     },
 ];

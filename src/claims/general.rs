@@ -1,6 +1,7 @@
 //! Sliding on an accelerating plane: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Condition, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -15,9 +16,23 @@ const CLAIMS: &[Claim] = &[
         section: "2",
         equation: Some(1),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} \bm{v}}{\mathrm{d} t}=-\bm{A}-\mu g \frac{\bm{v}}{v},",
-        plain: r"\frac{\mathrm{d} \bm{v}}{\mathrm{d} t}=-\bm{A}-\mu g \frac{\bm{v}}{v},",
+        title: "equation of motion while sliding",
+        latex: r"\frac{\mathrm{d} \bm{v}}{\mathrm{d} t}=-\bm{A}-\mu g \frac{\bm{v}}{v}",
+        plain: "d𝐯/dt = −𝐀 − μ g 𝐯/v",
+        conditions: &[
+            Condition {
+                text: "the particle is not at rest: $v>0$",
+                stated: true,
+            },
+            Condition {
+                text: "in the frame of the accelerating plane",
+                stated: true,
+            },
+            Condition {
+                text: r"one coefficient $\mu$ for static and kinetic friction",
+                stated: true,
+            },
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -25,9 +40,14 @@ const CLAIMS: &[Claim] = &[
         section: "2",
         equation: Some(2),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} v}{\mathrm{d} t}=-\bm{A}\cdot\frac{\bm{v}}{v}-\mu g.",
-        plain: r"\frac{\mathrm{d} v}{\mathrm{d} t}=-\bm{A}\cdot\frac{\bm{v}}{v}-\mu g.",
+        title: "rate of change of the speed",
+        latex: r"\frac{\mathrm{d} v}{\mathrm{d} t}=-\bm{A}\cdot\frac{\bm{v}}{v}-\mu g",
+        plain: "dv/dt = −𝐀·𝐯/v − μ g",
+        conditions: &[Condition {
+            text: "the particle is not at rest: $v>0$",
+            stated: true,
+        }],
+        depends_on: &["eq-1"],
         ..Claim::BLANK
     },
     Claim {
@@ -35,9 +55,10 @@ const CLAIMS: &[Claim] = &[
         section: "2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"if max |A| < μg, the speed decreases and the particle is at rest after a finite time",
-        plain: r"if max |A| < μg, the speed decreases and the particle is at rest after a finite time",
+        title: "a weak drive lets the particle stop",
+        latex: r"If the largest value of $\lvert\bm{A}\rvert$ is below $\mu g$, the speed falls and the particle is at rest after a finite time.",
+        plain: "If max |𝐀| < μ g, the speed falls and the particle is at rest after a finite time.",
+        depends_on: &["eq-2"],
         ..Claim::BLANK
     },
     Claim {
@@ -45,9 +66,10 @@ const CLAIMS: &[Claim] = &[
         section: "2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"if |A| exceeds μg again and again, the particle cannot stay at rest for ever",
-        plain: r"if |A| exceeds μg again and again, the particle cannot stay at rest for ever",
+        title: "a strong drive ends every rest",
+        latex: r"If $\lvert\bm{A}\rvert$ exceeds $\mu g$ again after every time, however late, the particle cannot stay at rest for ever.",
+        plain: "If |𝐀| exceeds μ g again after every time, however late, the particle cannot stay at rest for ever.",
+        depends_on: &["eq-1"],
         ..Claim::BLANK
     },
     Claim {
@@ -55,9 +77,10 @@ const CLAIMS: &[Claim] = &[
         section: "2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"if A has a fixed direction and |A| > μg always, then v increases at all sufficiently large times",
-        plain: r"if A has a fixed direction and |A| > μg always, then v increases at all sufficiently large times",
+        title: "a strong drive of fixed direction speeds the particle up",
+        latex: r"If $\bm{A}$ has a fixed direction and $\lvert\bm{A}\rvert>\mu g$ at all times, then $v$ increases from some time on.",
+        plain: "If 𝐀 has a fixed direction and |𝐀| > μ g at all times, then v increases from some time on.",
+        depends_on: &["eq-2"],
         ..Claim::BLANK
     },
     Claim {
@@ -65,9 +88,10 @@ const CLAIMS: &[Claim] = &[
         section: "2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"if A has a fixed direction, |v⊥| decreases; if |A| is also bounded, v⊥ → 0",
-        plain: r"if A has a fixed direction, |v⊥| decreases; if |A| is also bounded, v⊥ → 0",
+        title: "the velocity across the drive decays",
+        latex: r"If $\bm{A}$ has a fixed direction, the part $\bm{v}_\perp$ of the velocity across it shrinks; if $\lvert\bm{A}\rvert$ is bounded as well, $\bm{v}_\perp\to0$ at large times.",
+        plain: "If 𝐀 has a fixed direction, the part 𝐯⊥ of the velocity across it shrinks; if |𝐀| is bounded as well, 𝐯⊥ → 0 at large times.",
+        depends_on: &["eq-1"],
         ..Claim::BLANK
     },
 ];

@@ -4,6 +4,8 @@
 //! said here: the [ledger](crate::ledger) judges.
 
 pub mod compare;
+pub mod conditioned;
+pub mod points;
 pub mod tolerances;
 
 pub mod anisotropic;
@@ -16,7 +18,7 @@ pub mod sinusoidal;
 pub mod sphere;
 pub mod turntable;
 
-pub use crate::ledger::{Change, Evidence, Kind};
+use crate::evidence::{Change, Evidence, Kind};
 
 /// A condition under which a claim is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -94,7 +96,7 @@ pub struct Topic {
 }
 
 /// All topics, in the paper's order.
-pub const TOPICS: [Topic; 9] = [
+pub static TOPICS: [Topic; 9] = [
     general::TOPIC,
     constant::TOPIC,
     sinusoidal::TOPIC,
@@ -106,12 +108,13 @@ pub const TOPICS: [Topic; 9] = [
     rest::TOPIC,
 ];
 
-/// All claims, in the paper's order of topics.
-pub fn all() -> impl Iterator<Item = &'static Claim> {
-    TOPICS.iter().flat_map(|topic| topic.claims)
+/// All claims with their topics, in the order of the topics.
+pub fn all() -> impl Iterator<Item = (&'static Topic, &'static Claim)> {
+    let of = |topic: &'static Topic| topic.claims.iter().map(move |claim| (topic, claim));
+    TOPICS.iter().flat_map(of)
 }
 
-/// The claim of this id.
-pub fn find(id: &str) -> Option<&'static Claim> {
-    all().find(|claim| claim.id == id)
+/// The claim of this id, with its topic.
+pub fn find(id: &str) -> Option<(&'static Topic, &'static Claim)> {
+    all().find(|(_, claim)| claim.id == id)
 }

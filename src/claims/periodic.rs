@@ -1,6 +1,7 @@
 //! Any periodic acceleration: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Condition, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -14,20 +15,26 @@ const CLAIMS: &[Claim] = &[
         id: "eq-42",
         section: "2.3",
         equation: Some(42),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"h(\phi)=\begin{cases} 1,0<\phi<\eta \pi\\ 0,\eta \pi<\phi<\pi \end{cases}.",
-        plain: r"h(\phi)=\begin{cases} 1,0<\phi<\eta \pi\\ 0,\eta \pi<\phi<\pi \end{cases}.",
+        kind: Kind::Definition,
+        title: "a train of pulses: first half",
+        latex: r"h(\phi)=\begin{cases} 1,&0<\phi<\eta \pi\\ 0,&\eta \pi<\phi<\pi \end{cases}",
+        plain: "h(φ) = 1 for 0 < φ < η π; 0 for η π < φ < π",
+        conditions: &[Condition {
+            text: r"$\eta$ constant, between $0$ and $1$",
+            stated: true,
+        }],
+        depends_on: &["eq-26"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-43",
         section: "2.3",
         equation: Some(43),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"h(\pi+\phi)=-h(\phi).",
-        plain: r"h(\pi+\phi)=-h(\phi).",
+        kind: Kind::Definition,
+        title: "a train of pulses: second half",
+        latex: r"h(\pi+\phi)=-h(\phi)",
+        plain: "h(π + φ) = −h(φ)",
+        depends_on: &["eq-42"],
         ..Claim::BLANK
     },
     Claim {
@@ -35,9 +42,20 @@ const CLAIMS: &[Claim] = &[
         section: "2.3",
         equation: Some(44),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\mathfrak{w}=\begin{cases} (1-\lambda_0) \phi,0<\phi<\eta \pi\\ (1-\lambda_0) \eta \pi-\lambda_0 (\phi-\eta \pi),\eta \pi<\phi <(\eta \pi/\lambda_0)\\ 0,(\eta \pi/\lambda_0)<\phi<\pi \end{cases}.",
-        plain: r"\mathfrak{w}=\begin{cases} (1-\lambda_0) \phi,0<\phi<\eta \pi\\ (1-\lambda_0) \eta \pi-\lambda_0 (\phi-\eta \pi),\eta \pi<\phi <(\eta \pi/\lambda_0)\\ 0,(\eta \pi/\lambda_0)<\phi<\pi \end{cases}.",
+        title: "large-time motion: first half",
+        latex: r"\mathfrak{w}=\begin{cases} (1-\lambda_0) \phi,&0<\phi<\eta \pi\\ (1-\lambda_0) \eta \pi-\lambda_0 (\phi-\eta \pi),&\eta \pi<\phi <(\eta \pi/\lambda_0)\\ 0,&(\eta \pi/\lambda_0)<\phi<\pi \end{cases}",
+        plain: "w = (1 − λ₀) φ for 0 < φ < η π; (1 − λ₀) η π − λ₀ (φ − η π) for η π < φ < η π / λ₀; 0 for η π / λ₀ < φ < π",
+        conditions: &[
+            Condition {
+                text: r"$\lambda_0<1$",
+                stated: true,
+            },
+            Condition {
+                text: r"$\lambda_0>\lambda_\mathrm{c}$ of (46)",
+                stated: true,
+            },
+        ],
+        depends_on: &["eq-26", "eq-42"],
         ..Claim::BLANK
     },
     Claim {
@@ -45,19 +63,31 @@ const CLAIMS: &[Claim] = &[
         section: "2.3",
         equation: Some(45),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\mathfrak{w}(\pi+\phi)=-\mathfrak{w}(\phi).",
-        plain: r"\mathfrak{w}(\pi+\phi)=-\mathfrak{w}(\phi).",
+        title: "large-time motion: second half",
+        latex: r"\mathfrak{w}(\pi+\phi)=-\mathfrak{w}(\phi)",
+        plain: "w(π + φ) = −w(φ)",
+        conditions: &[
+            Condition {
+                text: r"$\lambda_0<1$",
+                stated: true,
+            },
+            Condition {
+                text: r"$\lambda_0>\lambda_\mathrm{c}$ of (46)",
+                stated: true,
+            },
+        ],
+        depends_on: &["eq-43", "eq-44"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-46",
         section: "2.3",
         equation: Some(46),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_\mathrm{c}=\eta.",
-        plain: r"\lambda_\mathrm{c}=\eta.",
+        kind: Kind::Number,
+        title: "critical friction of the pulses",
+        latex: r"\lambda_\mathrm{c}=\eta",
+        plain: "λ_c = η",
+        depends_on: &["eq-44"],
         ..Claim::BLANK
     },
     Claim {
@@ -65,9 +95,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.3",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"max |h| = 1 and λ₀ > 1: the particle is always at rest (at large times)",
-        plain: r"max |h| = 1 and λ₀ > 1: the particle is always at rest (at large times)",
+        title: "very large friction: rest",
+        latex: r"If the largest value of $\lvert h\rvert$ is $1$ and $\lambda_0>1$, the particle is always at rest at large times.",
+        plain: "If max |h| = 1 and λ₀ > 1, the particle is always at rest at large times.",
+        conditions: &[Condition {
+            text: r"$h$ has period $2\pi$",
+            stated: true,
+        }],
+        depends_on: &["eq-26"],
         ..Claim::BLANK
     },
     Claim {
@@ -75,9 +110,20 @@ const CLAIMS: &[Claim] = &[
         section: "2.3",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"for generic h there is a λ_c that divides large from small friction; there may be more than one change",
-        plain: r"for generic h there is a λ_c that divides large from small friction; there may be more than one change",
+        title: "a threshold between small and large friction",
+        latex: r"For a generic $h$ some $\lambda_\mathrm{c}$ divides large friction, with rests, from small friction, without; the behaviour may change at more than one value.",
+        plain: "For a generic h some λ_c divides large friction, with rests, from small friction, without; the behaviour may change at more than one value.",
+        conditions: &[
+            Condition {
+                text: r"$h$ has period $2\pi$",
+                stated: true,
+            },
+            Condition {
+                text: r"the largest value of $\lvert h\rvert$ is $1$",
+                stated: true,
+            },
+        ],
+        depends_on: &["eq-26"],
         ..Claim::BLANK
     },
     Claim {
@@ -85,9 +131,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.3",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"the pulse train of (42), (43): η = 1 has no large-friction phase, η = 0 no small-friction phase",
-        plain: r"the pulse train of (42), (43): η = 1 has no large-friction phase, η = 0 no small-friction phase",
+        title: "the two extremes of the pulses",
+        latex: r"For the pulses of (42), (43): $\eta=1$ has no large-friction phase, $\eta=0$ has no small-friction phase.",
+        plain: "For the pulses of (42), (43): η = 1 has no large-friction phase, η = 0 has no small-friction phase.",
+        depends_on: &["eq-43", "eq-46"],
         ..Claim::BLANK
     },
 ];

@@ -1,6 +1,7 @@
 //! The turntable: rest: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Condition, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -9,35 +10,59 @@ pub const TOPIC: Topic = Topic {
     claims: CLAIMS,
 };
 
+/// Stated before (139).
+const AT_REST: &[Condition] = &[Condition {
+    text: r"the particle stays at rest at $\rho=\sigma$",
+    stated: true,
+}];
+
+/// Stated before (140).
+const NEAR_REST: &[Condition] = &[Condition {
+    text: r"just before the particle comes to rest at $\rho=\sigma$",
+    stated: true,
+}];
+
+/// The first case, (110).
+const INNER: &[Condition] = &[Condition {
+    text: r"$p<\rho$",
+    stated: true,
+}];
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-139",
         section: "4",
         equation: Some(139),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\sigma\leq 1.",
-        plain: r"\sigma\leq 1.",
+        kind: Kind::Inequality,
+        title: "where rest is possible",
+        latex: r"\sigma\leq 1",
+        plain: "σ ≤ 1",
+        conditions: AT_REST,
+        depends_on: &["eq-89"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-140",
         section: "4",
         equation: Some(140),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\alpha=1-\frac{1}{\sigma}+\cdots,",
-        plain: r"\dot\alpha=1-\frac{1}{\sigma}+\cdots,",
+        kind: Kind::Limit,
+        title: "rate of α near rest",
+        latex: r"\dot\alpha=1-\frac{1}{\sigma}+\cdots",
+        plain: "dα/dτ = 1 − 1/σ + ⋯",
+        conditions: NEAR_REST,
+        depends_on: &["eq-114", "eq-115", "eq-139"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-141",
         section: "4",
         equation: Some(141),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\alpha=\frac{(\sigma-1) \tau}{\sigma}+\cdots.",
-        plain: r"\alpha=\frac{(\sigma-1) \tau}{\sigma}+\cdots.",
+        kind: Kind::Limit,
+        title: "α near rest",
+        latex: r"\alpha=\frac{(\sigma-1) \tau}{\sigma}+\cdots",
+        plain: "α = (σ − 1) τ/σ + ⋯",
+        conditions: NEAR_REST,
+        depends_on: &["eq-140"],
         ..Claim::BLANK
     },
     Claim {
@@ -45,19 +70,23 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(142),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\sigma-1}{\sigma} \frac{\mathrm{d} \psi}{\mathrm{d} \alpha} \approx 2 \left(1-\frac{\psi}{2 \alpha}\right),",
-        plain: r"\frac{\sigma-1}{\sigma} \frac{\mathrm{d} \psi}{\mathrm{d} \alpha} \approx 2 \left(1-\frac{\psi}{2 \alpha}\right),",
+        title: "equation for ψ over α near rest",
+        latex: r"\frac{\sigma-1}{\sigma} \frac{\mathrm{d} \psi}{\mathrm{d} \alpha} \approx 2 \left(1-\frac{\psi}{2 \alpha}\right)",
+        plain: "((σ − 1)/σ) dψ/dα ≈ 2 [1 − ψ/(2α)]",
+        conditions: NEAR_REST,
+        depends_on: &["eq-115", "eq-140"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-143",
         section: "4",
         equation: Some(143),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\psi=2 \alpha \left[\frac{\sigma}{2 \sigma-1}+ c \alpha^{(2 \sigma-1)/(1-\sigma)}\right]+\cdots,",
-        plain: r"\psi=2 \alpha \left[\frac{\sigma}{2 \sigma-1}+ c \alpha^{(2 \sigma-1)/(1-\sigma)}\right]+\cdots,",
+        kind: Kind::Limit,
+        title: "ψ over α near rest",
+        latex: r"\psi=2 \alpha \left[\frac{\sigma}{2 \sigma-1}+ c \alpha^{(2 \sigma-1)/(1-\sigma)}\right]+\cdots",
+        plain: "ψ = 2α [σ/(2σ − 1) + c α^((2σ − 1)/(1 − σ))] + ⋯, c constant",
+        conditions: NEAR_REST,
+        depends_on: &["eq-142"],
         ..Claim::BLANK
     },
     Claim {
@@ -65,19 +94,23 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(144),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\sigma-1}{\sigma} \frac{\mathrm{d} A}{\mathrm{d} \alpha}\approx\alpha,",
-        plain: r"\frac{\sigma-1}{\sigma} \frac{\mathrm{d} A}{\mathrm{d} \alpha}\approx\alpha,",
+        title: "equation for A over α near rest",
+        latex: r"\frac{\sigma-1}{\sigma} \frac{\mathrm{d} A}{\mathrm{d} \alpha}\approx\alpha",
+        plain: "((σ − 1)/σ) dA/dα ≈ α",
+        conditions: NEAR_REST,
+        depends_on: &["eq-113", "eq-140"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-145",
         section: "4",
         equation: Some(145),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"A=\sigma+\frac{\sigma}{\sigma-1} \frac{\alpha^2}{2}+\cdots.",
-        plain: r"A=\sigma+\frac{\sigma}{\sigma-1} \frac{\alpha^2}{2}+\cdots.",
+        kind: Kind::Limit,
+        title: "A over α near rest",
+        latex: r"A=\sigma+\frac{\sigma}{\sigma-1} \frac{\alpha^2}{2}+\cdots",
+        plain: "A = σ + (σ/(σ − 1)) α²/2 + ⋯",
+        conditions: NEAR_REST,
+        depends_on: &["eq-144"],
         ..Claim::BLANK
     },
     Claim {
@@ -85,9 +118,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(146),
         kind: Kind::Equation,
-        title: "",
-        latex: r"0=1-\frac{1}{(\sigma-1)^2} \frac{\alpha^2}{2}+\cdots.",
-        plain: r"0=1-\frac{1}{(\sigma-1)^2} \frac{\alpha^2}{2}+\cdots.",
+        title: "condition of the envelope",
+        latex: r"0=1-\frac{1}{(\sigma-1)^2} \frac{\alpha^2}{2}+\cdots",
+        plain: "0 = 1 − (1/(σ − 1)²) α²/2 + ⋯",
+        depends_on: &["eq-145"],
         ..Claim::BLANK
     },
     Claim {
@@ -95,9 +129,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(147),
         kind: Kind::Equation,
-        title: "",
-        latex: r"A=\left(1-\frac{\alpha}{\sqrt{2}}\right)^2+\cdots.",
-        plain: r"A=\left(1-\frac{\alpha}{\sqrt{2}}\right)^2+\cdots.",
+        title: "the envelope",
+        latex: r"A=\left(1-\frac{\alpha}{\sqrt{2}}\right)^2+\cdots",
+        plain: "A = (1 − α/√2)² + ⋯",
+        depends_on: &["eq-145", "eq-146"],
         ..Claim::BLANK
     },
     Claim {
@@ -105,9 +140,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"a particle can stay at rest at ρ = σ only if σ ≤ 1",
-        plain: r"a particle can stay at rest at ρ = σ only if σ ≤ 1",
+        title: "where rest is possible, in words",
+        latex: r"A particle can stay at rest at $\rho=\sigma$ only if $\sigma\le1$: farther out the centrifugal force exceeds the greatest static friction.",
+        plain: "A particle can stay at rest at ρ = σ only if σ ≤ 1: farther out the centrifugal force exceeds the greatest static friction.",
+        depends_on: &["eq-139"],
         ..Claim::BLANK
     },
     Claim {
@@ -115,9 +151,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"near rest α and ψ → 0 as in (140) to (145)",
-        plain: r"near rest α and ψ → 0 as in (140) to (145)",
+        title: "how the particle comes to rest",
+        latex: r"As the particle comes to rest, $\alpha$ and $\psi$ tend to zero, as in (140) to (145).",
+        plain: "As the particle comes to rest, α and ψ tend to zero, as in (140) to (145).",
+        depends_on: &["eq-140", "eq-141", "eq-142", "eq-143", "eq-144", "eq-145"],
         ..Claim::BLANK
     },
     Claim {
@@ -125,9 +162,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"the envelope (147) is the boundary: rest if and only if A is below it",
-        plain: r"the envelope (147) is the boundary: rest if and only if A is below it",
+        title: "the boundary between rest and escape",
+        latex: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if $A$ starts below it, and goes off without bound otherwise.",
+        plain: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if A starts below it, and goes off without bound otherwise.",
+        conditions: INNER,
+        depends_on: &["eq-143", "eq-145", "eq-147"],
         ..Claim::BLANK
     },
 ];

@@ -1,6 +1,7 @@
 //! Sinusoidal acceleration: stick and slip: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Condition, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -14,50 +15,62 @@ const CLAIMS: &[Claim] = &[
         id: "eq-21",
         section: "2.2",
         equation: Some(21),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{A}=-A_0 \sin(\varpi t) \hat{\bm{x}}.",
-        plain: r"\bm{A}=-A_0 \sin(\varpi t) \hat{\bm{x}}.",
+        kind: Kind::Definition,
+        title: "the sinusoidal acceleration",
+        latex: r"\bm{A}=-A_0 \sin(\varpi t) \hat{\bm{x}}",
+        plain: "𝐀 = −A₀ sin(ϖ t) x̂",
+        conditions: &[Condition {
+            text: "$A_0>0$",
+            stated: true,
+        }],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-22",
         section: "2.2",
         equation: Some(22),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_0=\frac{\mu g}{A_0}.",
-        plain: r"\lambda_0=\frac{\mu g}{A_0}.",
+        kind: Kind::Definition,
+        title: "friction over amplitude",
+        latex: r"\lambda_0=\frac{\mu g}{A_0}",
+        plain: "λ₀ = μ g / A₀",
+        depends_on: &["eq-21"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-23",
         section: "2.2",
         equation: Some(23),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\phi=\varpi t.",
-        plain: r"\phi=\varpi t.",
+        kind: Kind::Definition,
+        title: "dimensionless time",
+        latex: r"\phi=\varpi t",
+        plain: "φ = ϖ t",
+        depends_on: &["eq-21"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-24",
         section: "2.2",
         equation: Some(24),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\mathfrak{w}=\frac{\varpi v_x}{A_0}.",
-        plain: r"\mathfrak{w}=\frac{\varpi v_x}{A_0}.",
+        kind: Kind::Definition,
+        title: "dimensionless velocity",
+        latex: r"\mathfrak{w}=\frac{\varpi v_x}{A_0}",
+        plain: "w = ϖ v_x / A₀",
+        depends_on: &["eq-21"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-25",
         section: "2.2",
         equation: Some(25),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_0<1.",
-        plain: r"\lambda_0<1.",
+        kind: Kind::Inequality,
+        title: "the drive beats friction",
+        latex: r"\lambda_0<1",
+        plain: "λ₀ < 1",
+        conditions: &[Condition {
+            text: r"$A_0>\mu g$",
+            stated: true,
+        }],
+        depends_on: &["eq-22"],
         ..Claim::BLANK
     },
     Claim {
@@ -65,9 +78,27 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(26),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi-\lambda_0 \frac{\mathfrak{w}}{\vert \mathfrak{w}\vert }.",
-        plain: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi-\lambda_0 \frac{\mathfrak{w}}{\vert \mathfrak{w}\vert }.",
+        title: "dimensionless motion while sliding",
+        latex: r"\frac{\mathrm{d} \mathfrak{w}}{\mathrm{d} \phi}=\sin\phi-\lambda_0 \frac{\mathfrak{w}}{\vert \mathfrak{w}\vert }",
+        plain: "dw/dφ = sin φ − λ₀ w/|w|",
+        conditions: &[
+            Condition {
+                text: "at large times, when $v_y$ has vanished",
+                stated: true,
+            },
+            Condition {
+                text: r"$\mathfrak{w}\neq0$",
+                stated: true,
+            },
+        ],
+        depends_on: &[
+            "eq-1",
+            "eq-21",
+            "eq-22",
+            "eq-23",
+            "eq-24",
+            "s22-vy-vanishes",
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -75,9 +106,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(27),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\phi_1=\sin^{-1}\lambda_0.",
-        plain: r"\phi_1=\sin^{-1}\lambda_0.",
+        title: "drive equals friction: first phase",
+        latex: r"\phi_1=\sin^{-1}\lambda_0",
+        plain: "φ₁ = asin λ₀",
+        conditions: &[Condition {
+            text: r"$\phi$ in $[0,2\pi]$",
+            stated: true,
+        }],
+        depends_on: &["eq-25", "eq-26"],
         ..Claim::BLANK
     },
     Claim {
@@ -85,9 +121,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(28),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\phi_2=\pi-\sin^{-1}\lambda_0.",
-        plain: r"\phi_2=\pi-\sin^{-1}\lambda_0.",
+        title: "drive equals friction: second phase",
+        latex: r"\phi_2=\pi-\sin^{-1}\lambda_0",
+        plain: "φ₂ = π − asin λ₀",
+        conditions: &[Condition {
+            text: r"$\phi$ in $[0,2\pi]$",
+            stated: true,
+        }],
+        depends_on: &["eq-25", "eq-26"],
         ..Claim::BLANK
     },
     Claim {
@@ -95,9 +136,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(29),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\phi_3=\pi+\sin^{-1}\lambda_0.",
-        plain: r"\phi_3=\pi+\sin^{-1}\lambda_0.",
+        title: "drive equals friction: third phase",
+        latex: r"\phi_3=\pi+\sin^{-1}\lambda_0",
+        plain: "φ₃ = π + asin λ₀",
+        conditions: &[Condition {
+            text: r"$\phi$ in $[0,2\pi]$",
+            stated: true,
+        }],
+        depends_on: &["eq-25", "eq-26"],
         ..Claim::BLANK
     },
     Claim {
@@ -105,9 +151,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(30),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\phi_4=2 \pi-\sin^{-1}\lambda_0.",
-        plain: r"\phi_4=2 \pi-\sin^{-1}\lambda_0.",
+        title: "drive equals friction: fourth phase",
+        latex: r"\phi_4=2 \pi-\sin^{-1}\lambda_0",
+        plain: "φ₄ = 2π − asin λ₀",
+        conditions: &[Condition {
+            text: r"$\phi$ in $[0,2\pi]$",
+            stated: true,
+        }],
+        depends_on: &["eq-25", "eq-26"],
         ..Claim::BLANK
     },
     Claim {
@@ -115,9 +166,24 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(31),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\mathfrak{w}=-\lambda_0 (\phi-\phi_1)+\cos\phi_1-\cos\phi.",
-        plain: r"\mathfrak{w}=-\lambda_0 (\phi-\phi_1)+\cos\phi_1-\cos\phi.",
+        title: "forward slip after a rest",
+        latex: r"\mathfrak{w}=-\lambda_0 (\phi-\phi_1)+\cos\phi_1-\cos\phi",
+        plain: "w = −λ₀ (φ − φ₁) + cos φ₁ − cos φ",
+        conditions: &[
+            Condition {
+                text: r"$\mathfrak{w}=0$ at $\phi_1$",
+                stated: true,
+            },
+            Condition {
+                text: r"$\mathfrak{w}>0$",
+                stated: true,
+            },
+            Condition {
+                text: r"$\phi$ in $[\phi_1,\tilde\phi_2]$",
+                stated: true,
+            },
+        ],
+        depends_on: &["eq-26", "eq-27"],
         ..Claim::BLANK
     },
     Claim {
@@ -125,9 +191,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(32),
         kind: Kind::Equation,
-        title: "",
-        latex: r"-\lambda_0 (\tilde\phi_2-\phi_1)+\cos\phi_1-\cos\tilde\phi_2=0.",
-        plain: r"-\lambda_0 (\tilde\phi_2-\phi_1)+\cos\phi_1-\cos\tilde\phi_2=0.",
+        title: "end of the forward slip",
+        latex: r"-\lambda_0 (\tilde\phi_2-\phi_1)+\cos\phi_1-\cos\tilde\phi_2=0",
+        plain: "−λ₀ (φ̃₂ − φ₁) + cos φ₁ − cos φ̃₂ = 0",
+        conditions: &[Condition {
+            text: r"$\tilde\phi_2$ is the smallest solution above $\phi_1$",
+            stated: true,
+        }],
+        depends_on: &["eq-31"],
         ..Claim::BLANK
     },
     Claim {
@@ -135,49 +206,76 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(33),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\mathfrak{w}=\begin{cases} -\lambda_0 (\phi-\phi_1)+\cos\phi_1-\cos\phi,\phi_1<\phi<\tilde\phi_2\\ 0,\tilde\phi_2<\phi<\phi_3\\ \lambda_0 (\phi-\phi_3)+\cos\phi_3-\cos\phi,\phi_3<\phi<\tilde\phi_2+\pi\\ 0,\tilde\phi_2+\pi<\phi<\phi_1+2 \pi \end{cases}.",
-        plain: r"\mathfrak{w}=\begin{cases} -\lambda_0 (\phi-\phi_1)+\cos\phi_1-\cos\phi,\phi_1<\phi<\tilde\phi_2\\ 0,\tilde\phi_2<\phi<\phi_3\\ \lambda_0 (\phi-\phi_3)+\cos\phi_3-\cos\phi,\phi_3<\phi<\tilde\phi_2+\pi\\ 0,\tilde\phi_2+\pi<\phi<\phi_1+2 \pi \end{cases}.",
+        title: "large-time motion with rests",
+        latex: r"\mathfrak{w}=\begin{cases} -\lambda_0 (\phi-\phi_1)+\cos\phi_1-\cos\phi,&\phi_1<\phi<\tilde\phi_2\\ 0,&\tilde\phi_2<\phi<\phi_3\\ \lambda_0 (\phi-\phi_3)+\cos\phi_3-\cos\phi,&\phi_3<\phi<\tilde\phi_2+\pi\\ 0,&\tilde\phi_2+\pi<\phi<\phi_1+2 \pi \end{cases}",
+        plain: "w = −λ₀ (φ − φ₁) + cos φ₁ − cos φ for φ₁ < φ < φ̃₂; 0 for φ̃₂ < φ < φ₃; λ₀ (φ − φ₃) + cos φ₃ − cos φ for φ₃ < φ < φ̃₂ + π; 0 for φ̃₂ + π < φ < φ₁ + 2π",
+        conditions: &[
+            Condition {
+                text: r"$\tilde\phi_2<\phi_3$",
+                stated: true,
+            },
+            Condition {
+                text: r"continued with period $2\pi$",
+                stated: true,
+            },
+        ],
+        depends_on: &["eq-29", "eq-31", "eq-32", "s22-rest-ends"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-34",
         section: "2.2",
         equation: Some(34),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"-\lambda_0 (\phi_3-\phi_1)+\cos\phi_1-\cos\phi_3<0.",
-        plain: r"-\lambda_0 (\phi_3-\phi_1)+\cos\phi_1-\cos\phi_3<0.",
+        kind: Kind::Inequality,
+        title: "when the slip ends before the next",
+        latex: r"-\lambda_0 (\phi_3-\phi_1)+\cos\phi_1-\cos\phi_3<0",
+        plain: "−λ₀ (φ₃ − φ₁) + cos φ₁ − cos φ₃ < 0",
+        conditions: &[Condition {
+            text: r"$\tilde\phi_2<\phi_3$",
+            stated: true,
+        }],
+        depends_on: &["eq-27", "eq-29", "eq-32"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-35",
         section: "2.2",
         equation: Some(35),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"-\pi \lambda_0+2 \sqrt{1-\lambda_0^2}<0,",
-        plain: r"-\pi \lambda_0+2 \sqrt{1-\lambda_0^2}<0,",
+        kind: Kind::Inequality,
+        title: "the same, in the friction alone",
+        latex: r"-\pi \lambda_0+2 \sqrt{1-\lambda_0^2}<0",
+        plain: "−π λ₀ + 2 √(1 − λ₀²) < 0",
+        conditions: &[Condition {
+            text: r"$\tilde\phi_2<\phi_3$",
+            stated: true,
+        }],
+        depends_on: &["eq-27", "eq-29", "eq-34"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-36",
         section: "2.2",
         equation: Some(36),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_0>\lambda_\mathrm{c}.",
-        plain: r"\lambda_0>\lambda_\mathrm{c}.",
+        kind: Kind::Inequality,
+        title: "friction above the critical value",
+        latex: r"\lambda_0>\lambda_\mathrm{c}",
+        plain: "λ₀ > λ_c",
+        conditions: &[Condition {
+            text: r"$\tilde\phi_2<\phi_3$",
+            stated: true,
+        }],
+        depends_on: &["eq-35", "eq-37"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-37",
         section: "2.2",
         equation: Some(37),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}.",
-        plain: r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}.",
+        kind: Kind::Number,
+        title: "the critical friction",
+        latex: r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}",
+        plain: "λ_c = 2 / √(4 + π²)",
+        depends_on: &["eq-35"],
         ..Claim::BLANK
     },
     Claim {
@@ -185,9 +283,14 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(38),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\mathfrak{w}=\begin{cases}-\lambda_0 (\phi-\tilde\phi_1)+\cos\tilde\phi_1-\cos\phi, \tilde\phi_1<\phi<\tilde\phi_1+\pi\\ \lambda_0 (\phi-\tilde\phi_1-\pi)-\cos\tilde\phi_1-\cos\phi, \tilde\phi_1+\pi<\phi<\tilde\phi_1+2 \pi \end{cases},",
-        plain: r"\mathfrak{w}=\begin{cases}-\lambda_0 (\phi-\tilde\phi_1)+\cos\tilde\phi_1-\cos\phi, \tilde\phi_1<\phi<\tilde\phi_1+\pi\\ \lambda_0 (\phi-\tilde\phi_1-\pi)-\cos\tilde\phi_1-\cos\phi, \tilde\phi_1+\pi<\phi<\tilde\phi_1+2 \pi \end{cases},",
+        title: "large-time motion without rests",
+        latex: r"\mathfrak{w}=\begin{cases}-\lambda_0 (\phi-\tilde\phi_1)+\cos\tilde\phi_1-\cos\phi,& \tilde\phi_1<\phi<\tilde\phi_1+\pi\\ \lambda_0 (\phi-\tilde\phi_1-\pi)-\cos\tilde\phi_1-\cos\phi,& \tilde\phi_1+\pi<\phi<\tilde\phi_1+2 \pi \end{cases}",
+        plain: "w = −λ₀ (φ − φ̃₁) + cos φ̃₁ − cos φ for φ̃₁ < φ < φ̃₁ + π; λ₀ (φ − φ̃₁ − π) − cos φ̃₁ − cos φ for φ̃₁ + π < φ < φ̃₁ + 2π",
+        conditions: &[Condition {
+            text: "(36) does not hold",
+            stated: true,
+        }],
+        depends_on: &["eq-26", "eq-36", "s22-no-rest-below"],
         ..Claim::BLANK
     },
     Claim {
@@ -195,29 +298,44 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: Some(39),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\tilde\phi_1=\cos^{-1}\frac{\pi \lambda_0}{2}.",
-        plain: r"\tilde\phi_1=\cos^{-1}\frac{\pi \lambda_0}{2}.",
+        title: "phase at which the velocity turns positive",
+        latex: r"\tilde\phi_1=\cos^{-1}\frac{\pi \lambda_0}{2}",
+        plain: "φ̃₁ = acos(π λ₀ / 2)",
+        conditions: &[Condition {
+            text: "(36) does not hold",
+            stated: true,
+        }],
+        depends_on: &["eq-38"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-40",
         section: "2.2",
         equation: Some(40),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_0<\lambda_\mathrm{c},",
-        plain: r"\lambda_0<\lambda_\mathrm{c},",
+        kind: Kind::Inequality,
+        title: "friction below the critical value",
+        latex: r"\lambda_0<\lambda_\mathrm{c}",
+        plain: "λ₀ < λ_c",
+        conditions: &[Condition {
+            text: "the motion is that of (38)",
+            stated: true,
+        }],
+        depends_on: &["eq-37", "eq-38"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-41",
         section: "2.2",
         equation: Some(41),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\tilde\phi_1>\phi_1.",
-        plain: r"\tilde\phi_1>\phi_1.",
+        kind: Kind::Inequality,
+        title: "the turn comes after the drive beats friction",
+        latex: r"\tilde\phi_1>\phi_1",
+        plain: "φ̃₁ > φ₁",
+        conditions: &[Condition {
+            text: r"$\lambda_0<\lambda_\mathrm{c}$",
+            stated: true,
+        }],
+        depends_on: &["eq-27", "eq-39", "eq-40"],
         ..Claim::BLANK
     },
     Claim {
@@ -225,9 +343,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"v_y → 0 at large times",
-        plain: r"v_y → 0 at large times",
+        title: "the velocity across the drive vanishes",
+        latex: r"$v_y\to0$ at large times.",
+        plain: "v_y → 0 at large times.",
+        depends_on: &["s2-perpendicular-decays", "eq-21"],
         ..Claim::BLANK
     },
     Claim {
@@ -235,9 +354,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"A₀ < μg: v_x vanishes at large times too",
-        plain: r"A₀ < μg: v_x vanishes at large times too",
+        title: "a weak drive: rest",
+        latex: r"For $A_0<\mu g$, $v_x$ too vanishes at large times.",
+        plain: "For A₀ < μ g, v_x too vanishes at large times.",
+        depends_on: &["s2-stops-if-weak", "eq-21"],
         ..Claim::BLANK
     },
     Claim {
@@ -245,9 +365,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"while v_y ≫ v_x, v_y falls linearly in time; once v_y ≪ v_x, it falls more slowly, exponentially",
-        plain: r"while v_y ≫ v_x, v_y falls linearly in time; once v_y ≪ v_x, it falls more slowly, exponentially",
+        title: "two stages of the decay across the drive",
+        latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time; once $v_y\ll v_x$, it falls more slowly, exponentially.",
+        plain: "While v_y ≫ v_x, v_y falls linearly in time; once v_y ≪ v_x, it falls more slowly, exponentially.",
+        depends_on: &["eq-1", "eq-21"],
         ..Claim::BLANK
     },
     Claim {
@@ -255,9 +376,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"the large-time v_x does not depend on the initial v_y; its transient does",
-        plain: r"the large-time v_x does not depend on the initial v_y; its transient does",
+        title: "the large-time motion forgets the start across the drive",
+        latex: "At large times $v_x$ does not depend on the initial $v_y$; on the way there it does.",
+        plain: "At large times v_x does not depend on the initial v_y; on the way there it does.",
+        depends_on: &["eq-26", "s22-vy-vanishes"],
         ..Claim::BLANK
     },
     Claim {
@@ -265,9 +387,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Figure,
-        title: "",
-        latex: r"v_x(t) for one initial v_x and several initial v_y",
-        plain: r"v_x(t) for one initial v_x and several initial v_y",
+        title: "the way to the large-time motion",
+        latex: "$v_x$ against time for one initial $v_x$ and several initial $v_y$.",
+        plain: "v_x against time for one initial v_x and several initial v_y.",
+        depends_on: &["eq-1", "eq-21", "s22-attractor-ignores-vy"],
         ..Claim::BLANK
     },
     Claim {
@@ -275,9 +398,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"|sin φ| = λ₀ at exactly four points per period, those of (27) to (30)",
-        plain: r"|sin φ| = λ₀ at exactly four points per period, those of (27) to (30)",
+        title: "drive equals friction four times",
+        latex: r"$\lvert\sin\phi\rvert=\lambda_0$ at exactly four points of a period, those of (27) to (30).",
+        plain: "|sin φ| = λ₀ at exactly four points of a period, those of (27) to (30).",
+        depends_on: &["eq-27", "eq-28", "eq-29", "eq-30"],
         ..Claim::BLANK
     },
     Claim {
@@ -285,9 +409,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"an interval of rest can end only at φ₁ or φ₃",
-        plain: r"an interval of rest can end only at φ₁ or φ₃",
+        title: "where a rest can end",
+        latex: r"Within $[0,2\pi]$ an interval of rest can end only at $\phi_1$ or $\phi_3$.",
+        plain: "Within [0, 2π] an interval of rest can end only at φ₁ or φ₃.",
+        depends_on: &["eq-26", "eq-27", "eq-29"],
         ..Claim::BLANK
     },
     Claim {
@@ -295,9 +420,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"φ₂ < φ̃₂ < φ₄",
-        plain: r"φ₂ < φ̃₂ < φ₄",
+        title: "bounds on the end of the slip",
+        latex: r"$\phi_2<\tilde\phi_2<\phi_4$.",
+        plain: "φ₂ < φ̃₂ < φ₄.",
+        depends_on: &["eq-28", "eq-30", "eq-32"],
         ..Claim::BLANK
     },
     Claim {
@@ -305,9 +431,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"φ̃₂ < φ₃ ⇒ the large-time motion is (33), with rest on [φ̃₂, φ₃] and half a period later",
-        plain: r"φ̃₂ < φ₃ ⇒ the large-time motion is (33), with rest on [φ̃₂, φ₃] and half a period later",
+        title: "a slip that ends early leaves a rest",
+        latex: r"If $\tilde\phi_2<\phi_3$, the large-time motion is (33), at rest on $[\tilde\phi_2,\phi_3]$ and again half a period later.",
+        plain: "If φ̃₂ < φ₃, the large-time motion is (33), at rest on [φ̃₂, φ₃] and again half a period later.",
+        depends_on: &["eq-33"],
         ..Claim::BLANK
     },
     Claim {
@@ -315,9 +442,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"λ₀ < λ_c: no periodic motion vanishes on an interval",
-        plain: r"λ₀ < λ_c: no periodic motion vanishes on an interval",
+        title: "no rest at small friction",
+        latex: r"For $\lambda_0<\lambda_\mathrm{c}$ no periodic motion vanishes on an interval.",
+        plain: "For λ₀ < λ_c no periodic motion vanishes on an interval.",
+        depends_on: &["eq-26", "eq-32", "eq-36", "s22-rest-ends"],
         ..Claim::BLANK
     },
     Claim {
@@ -325,9 +453,16 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"λ₀ < λ_c: exactly two zeros per period; λ_c < λ₀ < 1: two intervals of rest; λ₀ > 1: identically zero",
-        plain: r"λ₀ < λ_c: exactly two zeros per period; λ_c < λ₀ < 1: two intervals of rest; λ₀ > 1: identically zero",
+        title: "small, large and very large friction",
+        latex: r"At large times $v_x$ has exactly two zeros in each period for $\lambda_0<\lambda_\mathrm{c}$, two intervals of rest for $\lambda_\mathrm{c}<\lambda_0<1$, and is identically zero for $\lambda_0>1$.",
+        plain: "At large times v_x has exactly two zeros in each period for λ₀ < λ_c, two intervals of rest for λ_c < λ₀ < 1, and is identically zero for λ₀ > 1.",
+        depends_on: &[
+            "eq-36",
+            "eq-38",
+            "s22-weak-drive-stops",
+            "s22-rest-interval",
+            "s22-no-rest-below",
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -335,9 +470,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Figure,
-        title: "",
-        latex: r"w(φ), two periods, λ₀ = 1/π; axes 0 to 4π, ±0.8",
-        plain: r"w(φ), two periods, λ₀ = 1/π; axes 0 to 4π, ±0.8",
+        title: "large-time motion at small friction",
+        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$; axes $0$ to $4\pi$ and $\pm0.8$.",
+        plain: "w(φ) over two periods for λ₀ = 1/π; axes 0 to 4π and ±0.8.",
+        depends_on: &["eq-38", "eq-39"],
         ..Claim::BLANK
     },
     Claim {
@@ -345,9 +481,10 @@ const CLAIMS: &[Claim] = &[
         section: "2.2",
         equation: None,
         kind: Kind::Figure,
-        title: "",
-        latex: r"w(φ), two periods, λ₀ = 1/√2; axes 0 to 4π, ±0.3",
-        plain: r"w(φ), two periods, λ₀ = 1/√2; axes 0 to 4π, ±0.3",
+        title: "large-time motion at large friction",
+        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$; axes $0$ to $4\pi$ and $\pm0.3$.",
+        plain: "w(φ) over two periods for λ₀ = 1/√2; axes 0 to 4π and ±0.3.",
+        depends_on: &["eq-33"],
         ..Claim::BLANK
     },
 ];

@@ -1,6 +1,7 @@
 //! A sphere that slips and rolls: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Condition, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -9,15 +10,27 @@ pub const TOPIC: Topic = Topic {
     claims: CLAIMS,
 };
 
+/// Stated with (63).
+const SLIDES: &[Condition] = &[Condition {
+    text: "the sphere slides",
+    stated: true,
+}];
+
+/// Stated with (3), to which section 3.1 refers.
+const CONSTANT: &[Condition] = &[Condition {
+    text: r"$\bm{A}=-A\hat{\bm{x}}$ is constant, $A>0$",
+    stated: true,
+}];
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-59",
         section: "3",
         equation: Some(59),
         kind: Kind::Equation,
-        title: "",
-        latex: r"m \frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-m \bm{A}+\bm{F},",
-        plain: r"m \frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-m \bm{A}+\bm{F},",
+        title: "Newton's law for the centre",
+        latex: r"m \frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-m \bm{A}+\bm{F}",
+        plain: "m d²𝐫/dt² = −m 𝐀 + 𝐅",
         ..Claim::BLANK
     },
     Claim {
@@ -25,29 +38,29 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(60),
         kind: Kind::Equation,
-        title: "",
-        latex: r"I \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=\bm{R}\times\bm{F},",
-        plain: r"I \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=\bm{R}\times\bm{F},",
+        title: "Newton's law for the spin",
+        latex: r"I \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=\bm{R}\times\bm{F}",
+        plain: "I d𝛚/dt = 𝐑 × 𝐅",
         ..Claim::BLANK
     },
     Claim {
         id: "eq-61",
         section: "3",
         equation: Some(61),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{R}=-R \hat{\bm{z}}.",
-        plain: r"\bm{R}=-R \hat{\bm{z}}.",
+        kind: Kind::Definition,
+        title: "from the centre to the contact",
+        latex: r"\bm{R}=-R \hat{\bm{z}}",
+        plain: "𝐑 = −R ẑ",
         ..Claim::BLANK
     },
     Claim {
         id: "eq-62",
         section: "3",
         equation: Some(62),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\kappa=\frac{I}{m R^2},",
-        plain: r"\kappa=\frac{I}{m R^2},",
+        kind: Kind::Definition,
+        title: "dimensionless moment of inertia",
+        latex: r"\kappa=\frac{I}{m R^2}",
+        plain: "κ = I/(m R²)",
         ..Claim::BLANK
     },
     Claim {
@@ -55,9 +68,11 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(63),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-\bm{A}-\mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right).",
-        plain: r"\frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-\bm{A}-\mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right).",
+        title: "acceleration of the sliding sphere",
+        latex: r"\frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-\bm{A}-\mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)",
+        plain: "d²𝐫/dt² = −𝐀 − μ g 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
+        conditions: SLIDES,
+        depends_on: &["eq-59", "eq-61"],
         ..Claim::BLANK
     },
     Claim {
@@ -65,9 +80,11 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(64),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\kappa R^2 \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=-\mu g \bm{R}\times\left\{ \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)\right\}.",
-        plain: r"\kappa R^2 \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=-\mu g \bm{R}\times\left\{ \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)\right\}.",
+        title: "angular acceleration of the sliding sphere",
+        latex: r"\kappa R^2 \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=-\mu g \bm{R}\times\left\{ \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)\right\}",
+        plain: "κ R² d𝛚/dt = −μ g 𝐑 × 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
+        conditions: SLIDES,
+        depends_on: &["eq-60", "eq-61", "eq-62"],
         ..Claim::BLANK
     },
     Claim {
@@ -75,9 +92,11 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(65),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d} (\bm{\omega}\times\bm{R})}{\mathrm{d} t}=-\frac{\mu g}{\kappa} \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right).",
-        plain: r"\frac{\mathrm{d} (\bm{\omega}\times\bm{R})}{\mathrm{d} t}=-\frac{\mu g}{\kappa} \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right).",
+        title: "rate of the spin's share of the slip",
+        latex: r"\frac{\mathrm{d} (\bm{\omega}\times\bm{R})}{\mathrm{d} t}=-\frac{\mu g}{\kappa} \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)",
+        plain: "d(𝛚 × 𝐑)/dt = −(μ g/κ) 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
+        conditions: SLIDES,
+        depends_on: &["eq-61", "eq-64"],
         ..Claim::BLANK
     },
     Claim {
@@ -85,69 +104,73 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(66),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d}}{\mathrm{d} t} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right) =-\bm{A}-b \mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right),",
-        plain: r"\frac{\mathrm{d}}{\mathrm{d} t} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right) =-\bm{A}-b \mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right),",
+        title: "rate of the slip velocity",
+        latex: r"\frac{\mathrm{d}}{\mathrm{d} t} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right) =-\bm{A}-b \mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right\vert ^{-1} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)",
+        plain: "d𝐰/dt = −𝐀 − b μ g 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
+        conditions: SLIDES,
+        depends_on: &["eq-63", "eq-65", "eq-67"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-67",
         section: "3",
         equation: Some(67),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"b=1+\frac{1}{\kappa}.",
-        plain: r"b=1+\frac{1}{\kappa}.",
+        kind: Kind::Definition,
+        title: "factor of the friction coefficient",
+        latex: r"b=1+\frac{1}{\kappa}",
+        plain: "b = 1 + 1/κ",
+        depends_on: &["eq-62"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-68",
         section: "3",
         equation: Some(68),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{\rho}=\frac{\bm{r}}{R}.",
-        plain: r"\bm{\rho}=\frac{\bm{r}}{R}.",
+        kind: Kind::Definition,
+        title: "dimensionless position",
+        latex: r"\bm{\rho}=\frac{\bm{r}}{R}",
+        plain: "𝛒 = 𝐫/R",
         ..Claim::BLANK
     },
     Claim {
         id: "eq-69",
         section: "3",
         equation: Some(69),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\tau=\sqrt{\frac{\mu g}{R}} t.",
-        plain: r"\tau=\sqrt{\frac{\mu g}{R}} t.",
+        kind: Kind::Definition,
+        title: "dimensionless time",
+        latex: r"\tau=\sqrt{\frac{\mu g}{R}} t",
+        plain: "τ = √(μ g/R) t",
         ..Claim::BLANK
     },
     Claim {
         id: "eq-70",
         section: "3",
         equation: Some(70),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{\zeta}=\sqrt{\frac{R}{\mu g}} \bm{\omega}.",
-        plain: r"\bm{\zeta}=\sqrt{\frac{R}{\mu g}} \bm{\omega}.",
+        kind: Kind::Definition,
+        title: "dimensionless angular velocity",
+        latex: r"\bm{\zeta}=\sqrt{\frac{R}{\mu g}} \bm{\omega}",
+        plain: "𝛇 = √(R/(μ g)) 𝛚",
         ..Claim::BLANK
     },
     Claim {
         id: "eq-71",
         section: "3",
         equation: Some(71),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{u}=\frac{1}{\sqrt{\mu g R}} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right).",
-        plain: r"\bm{u}=\frac{1}{\sqrt{\mu g R}} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right).",
+        kind: Kind::Definition,
+        title: "dimensionless slip velocity",
+        latex: r"\bm{u}=\frac{1}{\sqrt{\mu g R}} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)",
+        plain: "𝐮 = (d𝐫/dt + 𝛚 × 𝐑)/√(μ g R)",
+        depends_on: &["eq-61"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-72",
         section: "3",
         equation: Some(72),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{\gamma}=\frac{\bm{A}}{\mu g}.",
-        plain: r"\bm{\gamma}=\frac{\bm{A}}{\mu g}.",
+        kind: Kind::Definition,
+        title: "dimensionless acceleration",
+        latex: r"\bm{\gamma}=\frac{\bm{A}}{\mu g}",
+        plain: "𝛄 = 𝐀/(μ g)",
         ..Claim::BLANK
     },
     Claim {
@@ -155,9 +178,11 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(73),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\ddot{\bm{\rho}}=-\bm{\gamma}-\frac{\bm{u}}{u}.",
-        plain: r"\ddot{\bm{\rho}}=-\bm{\gamma}-\frac{\bm{u}}{u}.",
+        title: "acceleration of the centre, dimensionless",
+        latex: r"\ddot{\bm{\rho}}=-\bm{\gamma}-\frac{\bm{u}}{u}",
+        plain: "d²𝛒/dτ² = −𝛄 − 𝐮/u",
+        conditions: SLIDES,
+        depends_on: &["eq-63", "eq-68", "eq-69", "eq-71", "eq-72"],
         ..Claim::BLANK
     },
     Claim {
@@ -165,9 +190,11 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(74),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot{\bm{u}}=-\bm{\gamma}-b \frac{\bm{u}}{u}.",
-        plain: r"\dot{\bm{u}}=-\bm{\gamma}-b \frac{\bm{u}}{u}.",
+        title: "rate of the slip velocity, dimensionless",
+        latex: r"\dot{\bm{u}}=-\bm{\gamma}-b \frac{\bm{u}}{u}",
+        plain: "d𝐮/dτ = −𝛄 − b 𝐮/u",
+        conditions: SLIDES,
+        depends_on: &["eq-66", "eq-69", "eq-71", "eq-72"],
         ..Claim::BLANK
     },
     Claim {
@@ -175,19 +202,21 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(75),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{\zeta}=\hat{\bm{z}} \zeta_3+\hat{\bm{z}}\times(\bm{u}-\dot{\bm{\rho}}).",
-        plain: r"\bm{\zeta}=\hat{\bm{z}} \zeta_3+\hat{\bm{z}}\times(\bm{u}-\dot{\bm{\rho}}).",
+        title: "angular velocity from the slip",
+        latex: r"\bm{\zeta}=\hat{\bm{z}} \zeta_3+\hat{\bm{z}}\times(\bm{u}-\dot{\bm{\rho}})",
+        plain: "𝛇 = ẑ ζ₃ + ẑ × (𝐮 − d𝛒/dτ)",
+        depends_on: &["eq-61", "eq-68", "eq-69", "eq-70", "eq-71"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-76",
         section: "3",
         equation: Some(76),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\dot{\bm{\nu}}=\bm{\gamma},",
-        plain: r"\dot{\bm{\nu}}=\bm{\gamma},",
+        kind: Kind::Definition,
+        title: "integrated acceleration",
+        latex: r"\dot{\bm{\nu}}=\bm{\gamma}",
+        plain: "d𝛎/dτ = 𝛄",
+        depends_on: &["eq-69", "eq-72"],
         ..Claim::BLANK
     },
     Claim {
@@ -195,9 +224,11 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(77),
         kind: Kind::Equation,
-        title: "",
-        latex: r"(\dot{\bm{\rho}}+\bm{\nu})^{\cdot}=-\frac{\bm{u}}{u}.",
-        plain: r"(\dot{\bm{\rho}}+\bm{\nu})^{\cdot}=-\frac{\bm{u}}{u}.",
+        title: "friction alone changes dρ/dτ + ν",
+        latex: r"(\dot{\bm{\rho}}+\bm{\nu})^{\cdot}=-\frac{\bm{u}}{u}",
+        plain: "d(d𝛒/dτ + 𝛎)/dτ = −𝐮/u",
+        conditions: SLIDES,
+        depends_on: &["eq-73", "eq-76"],
         ..Claim::BLANK
     },
     Claim {
@@ -205,9 +236,11 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(78),
         kind: Kind::Equation,
-        title: "",
-        latex: r"(\bm{u}+\bm{\nu})^{\cdot}=-b \frac{\bm{u}}{u}.",
-        plain: r"(\bm{u}+\bm{\nu})^{\cdot}=-b \frac{\bm{u}}{u}.",
+        title: "friction alone changes u + ν",
+        latex: r"(\bm{u}+\bm{\nu})^{\cdot}=-b \frac{\bm{u}}{u}",
+        plain: "d(𝐮 + 𝛎)/dτ = −b 𝐮/u",
+        conditions: SLIDES,
+        depends_on: &["eq-74", "eq-76"],
         ..Claim::BLANK
     },
     Claim {
@@ -215,19 +248,21 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: Some(79),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot{\bm{\rho}}=-\left(1-\frac{1}{b}\right) \bm{\nu}+\frac{\bm{u}}{b}+\bm{c},",
-        plain: r"\dot{\bm{\rho}}=-\left(1-\frac{1}{b}\right) \bm{\nu}+\frac{\bm{u}}{b}+\bm{c},",
+        title: "velocity of the centre from the slip",
+        latex: r"\dot{\bm{\rho}}=-\left(1-\frac{1}{b}\right) \bm{\nu}+\frac{\bm{u}}{b}+\bm{c}",
+        plain: "d𝛒/dτ = −(1 − 1/b) 𝛎 + 𝐮/b + 𝐜, 𝐜 constant",
+        depends_on: &["eq-77", "eq-78"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-80",
         section: "3.1",
         equation: Some(80),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda=\frac{b \mu g}{A},",
-        plain: r"\lambda=\frac{b \mu g}{A},",
+        kind: Kind::Definition,
+        title: "friction parameter of the sphere",
+        latex: r"\lambda=\frac{b \mu g}{A}",
+        plain: "λ = b μ g/A",
+        depends_on: &["eq-3", "eq-67"],
         ..Claim::BLANK
     },
     Claim {
@@ -235,9 +270,11 @@ const CLAIMS: &[Claim] = &[
         section: "3.1",
         equation: Some(81),
         kind: Kind::Equation,
-        title: "",
-        latex: r"u=u_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda.",
-        plain: r"u=u_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda.",
+        title: "slip speed over the angle",
+        latex: r"u=u_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda",
+        plain: "u = u₀ (sin θ₀/sin θ) [tan(θ/2)/tan(θ₀/2)]^λ",
+        conditions: CONSTANT,
+        depends_on: &["eq-11", "eq-74", "eq-80"],
         ..Claim::BLANK
     },
     Claim {
@@ -245,9 +282,11 @@ const CLAIMS: &[Claim] = &[
         section: "3.1",
         equation: Some(82),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\tau=\frac{u_0 (\lambda+\cos\theta_0)}{1-\lambda^2} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right].",
-        plain: r"\tau=\frac{u_0 (\lambda+\cos\theta_0)}{1-\lambda^2} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right].",
+        title: "time over the angle of slip",
+        latex: r"\tau=\frac{u_0 (\lambda+\cos\theta_0)}{1-\lambda^2} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right]",
+        plain: "τ = u₀ (λ + cos θ₀)/(1 − λ²) · {[(λ + cos θ) sin θ₀]/[(λ + cos θ₀) sin θ] · [tan(θ/2)/tan(θ₀/2)]^λ − 1}",
+        conditions: CONSTANT,
+        depends_on: &["eq-13", "eq-69", "eq-71", "eq-74", "eq-80"],
         ..Claim::BLANK
     },
     Claim {
@@ -255,29 +294,33 @@ const CLAIMS: &[Claim] = &[
         section: "3.1",
         equation: Some(83),
         kind: Kind::Equation,
-        title: "",
-        latex: r"u=\frac{(1-\lambda^2) \tau+u_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}.",
-        plain: r"u=\frac{(1-\lambda^2) \tau+u_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}.",
+        title: "slip speed over time and angle",
+        latex: r"u=\frac{(1-\lambda^2) \tau+u_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}",
+        plain: "u = [(1 − λ²) τ + u₀ (λ + cos θ₀)]/(λ + cos θ)",
+        conditions: CONSTANT,
+        depends_on: &["eq-14", "eq-81", "eq-82"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-84",
         section: "3.2",
         equation: Some(84),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_0=\frac{b \mu g}{A_0}.",
-        plain: r"\lambda_0=\frac{b \mu g}{A_0}.",
+        kind: Kind::Definition,
+        title: "friction parameter, sinusoidal drive",
+        latex: r"\lambda_0=\frac{b \mu g}{A_0}",
+        plain: "λ₀ = b μ g/A₀",
+        depends_on: &["eq-22", "eq-67"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-85",
         section: "3.4",
         equation: Some(85),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\lambda_0=\frac{b \mu_+ g}{A_0}.",
-        plain: r"\lambda_0=\frac{b \mu_+ g}{A_0}.",
+        kind: Kind::Definition,
+        title: "friction parameter, anisotropic friction",
+        latex: r"\lambda_0=\frac{b \mu_+ g}{A_0}",
+        plain: "λ₀ = b μ₊ g/A₀",
+        depends_on: &["eq-47", "eq-49", "eq-67"],
         ..Claim::BLANK
     },
     Claim {
@@ -285,9 +328,10 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"the sphere's slip velocity u obeys the particle's equation with μ → bμ; the rest follows from u",
-        plain: r"the sphere's slip velocity u obeys the particle's equation with μ → bμ; the rest follows from u",
+        title: "the sphere reduced to the particle",
+        latex: r"The slip velocity $\bm{u}$ moves like a particle's velocity under the same $\bm{A}$ with $b\mu$ in place of $\mu$; the velocity of the centre and the spin then follow from $\bm{u}$.",
+        plain: "The slip velocity 𝐮 moves like a particle's velocity under the same 𝐀 with bμ in place of μ; the velocity of the centre and the spin then follow from 𝐮.",
+        depends_on: &["eq-1", "eq-74", "eq-75", "eq-79"],
         ..Claim::BLANK
     },
     Claim {
@@ -295,9 +339,10 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"ζ₃ is constant and enters nothing else",
-        plain: r"ζ₃ is constant and enters nothing else",
+        title: "spin about the vertical",
+        latex: r"$\zeta_3$ keeps its value and enters no other equation.",
+        plain: "ζ₃ keeps its value and enters no other equation.",
+        depends_on: &["eq-64", "eq-73", "eq-74", "eq-75"],
         ..Claim::BLANK
     },
     Claim {
@@ -305,9 +350,10 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"s22-trichotomy for u_x; u = 0 is rolling without slipping",
-        plain: r"s22-trichotomy for u_x; u = 0 is rolling without slipping",
+        title: "when the driven sphere rolls",
+        latex: r"At large times $u_x$ vanishes at exactly two instants per period if $\lambda_0<\lambda_\mathrm{c}$, on two intervals per period if $\lambda_\mathrm{c}<\lambda_0<1$, always if $\lambda_0>1$; where $\bm{u}=0$ the sphere rolls without slipping.",
+        plain: "At large times u_x vanishes at exactly two instants per period if λ₀ < λ_c, on two intervals per period if λ_c < λ₀ < 1, always if λ₀ > 1; where 𝐮 = 0 the sphere rolls without slipping.",
+        depends_on: &["s22-trichotomy", "eq-71", "eq-84", "s3-reduction"],
         ..Claim::BLANK
     },
     Claim {
@@ -315,9 +361,10 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"λ_c = η holds for the sphere with λ₀ of (84)",
-        plain: r"λ_c = η holds for the sphere with λ₀ of (84)",
+        title: "pulse drive of the sphere",
+        latex: r"With $\lambda_0$ of (84), the pulse train of (42), (43) has the same boundary $\lambda_\mathrm{c}=\eta$ for the sphere.",
+        plain: "With λ₀ of (84), the pulse train of (42), (43) has the same boundary λ_c = η for the sphere.",
+        depends_on: &["eq-42", "eq-43", "eq-46", "eq-84", "s3-reduction"],
         ..Claim::BLANK
     },
     Claim {
@@ -325,9 +372,10 @@ const CLAIMS: &[Claim] = &[
         section: "3",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"the region diagram holds for the sphere with λ₀ of (85)",
-        plain: r"the region diagram holds for the sphere with λ₀ of (85)",
+        title: "anisotropic friction on the sphere",
+        latex: r"With $\lambda_0$ of (85), the slip velocity has the regions I to V of the particle.",
+        plain: "With λ₀ of (85), the slip velocity has the regions I to V of the particle.",
+        depends_on: &["fig-5", "eq-85", "s3-reduction"],
         ..Claim::BLANK
     },
 ];

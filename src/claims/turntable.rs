@@ -1,6 +1,7 @@
 //! The turntable: equations: the claims.
 
-use super::{Claim, Kind, Topic};
+use super::{Claim, Condition, Topic};
+use crate::evidence::Kind;
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -9,35 +10,55 @@ pub const TOPIC: Topic = Topic {
     claims: CLAIMS,
 };
 
+/// Stated after (86).
+const POSITIVE: &[Condition] = &[Condition {
+    text: r"$\Omega>0$",
+    stated: true,
+}];
+
+/// The first case, (110).
+const INNER: &[Condition] = &[Condition {
+    text: r"$p<\rho$",
+    stated: true,
+}];
+
+/// The second case, (116).
+const OUTER: &[Condition] = &[Condition {
+    text: r"$p>\rho$",
+    stated: true,
+}];
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-86",
         section: "4",
         equation: Some(86),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=\Omega^2 \bm{r}+2 \Omega \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\times\hat{\bm{z}} -\mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right\vert ^{-1} \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}.",
-        plain: r"\frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=\Omega^2 \bm{r}+2 \Omega \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\times\hat{\bm{z}} -\mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right\vert ^{-1} \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}.",
+        title: "Newton's law on the turntable",
+        latex: r"\frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=\Omega^2 \bm{r}+2 \Omega \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\times\hat{\bm{z}} -\mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right\vert ^{-1} \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}",
+        plain: "d²𝐫/dt² = Ω² 𝐫 + 2Ω d𝐫/dt × ẑ − μ g (d𝐫/dt)/|d𝐫/dt|",
         ..Claim::BLANK
     },
     Claim {
         id: "eq-87",
         section: "4",
         equation: Some(87),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{\rho}=\frac{\Omega^2}{\mu g} \bm{r}.",
-        plain: r"\bm{\rho}=\frac{\Omega^2}{\mu g} \bm{r}.",
+        kind: Kind::Definition,
+        title: "dimensionless position",
+        latex: r"\bm{\rho}=\frac{\Omega^2}{\mu g} \bm{r}",
+        plain: "𝛒 = (Ω²/(μ g)) 𝐫",
+        conditions: POSITIVE,
         ..Claim::BLANK
     },
     Claim {
         id: "eq-88",
         section: "4",
         equation: Some(88),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\tau=\Omega t.",
-        plain: r"\tau=\Omega t.",
+        kind: Kind::Definition,
+        title: "dimensionless time",
+        latex: r"\tau=\Omega t",
+        plain: "τ = Ω t",
+        conditions: POSITIVE,
         ..Claim::BLANK
     },
     Claim {
@@ -45,9 +66,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(89),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\ddot{\bm{\rho}}=\bm{\rho}+2 \dot{\bm{\rho}}\times\hat{\bm{z}} -\frac{\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert },",
-        plain: r"\ddot{\bm{\rho}}=\bm{\rho}+2 \dot{\bm{\rho}}\times\hat{\bm{z}} -\frac{\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert },",
+        title: "Newton's law, dimensionless",
+        latex: r"\ddot{\bm{\rho}}=\bm{\rho}+2 \dot{\bm{\rho}}\times\hat{\bm{z}} -\frac{\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }",
+        plain: "d²𝛒/dτ² = 𝛒 + 2 d𝛒/dτ × ẑ − (d𝛒/dτ)/|d𝛒/dτ|",
+        conditions: POSITIVE,
+        depends_on: &["eq-86", "eq-87", "eq-88"],
         ..Claim::BLANK
     },
     Claim {
@@ -55,9 +78,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(90),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot{\bm{\rho}}\cdot\ddot{\bm{\rho}}=\bm{\rho}\cdot\dot{\bm{\rho}}-\vert \dot{\bm{\rho}}\vert .",
-        plain: r"\dot{\bm{\rho}}\cdot\ddot{\bm{\rho}}=\bm{\rho}\cdot\dot{\bm{\rho}}-\vert \dot{\bm{\rho}}\vert .",
+        title: "projection on the velocity",
+        latex: r"\dot{\bm{\rho}}\cdot\ddot{\bm{\rho}}=\bm{\rho}\cdot\dot{\bm{\rho}}-\vert \dot{\bm{\rho}}\vert",
+        plain: "(d𝛒/dτ)·(d²𝛒/dτ²) = 𝛒·(d𝛒/dτ) − |d𝛒/dτ|",
+        depends_on: &["eq-89"],
         ..Claim::BLANK
     },
     Claim {
@@ -65,9 +89,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(91),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\hat{\bm{z}}\cdot\bm{\rho}\times\ddot{\bm{\rho}}=-2 \bm{\rho}\cdot\dot{\bm{\rho}} -\frac{\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }.",
-        plain: r"\hat{\bm{z}}\cdot\bm{\rho}\times\ddot{\bm{\rho}}=-2 \bm{\rho}\cdot\dot{\bm{\rho}} -\frac{\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }.",
+        title: "moment about the axis",
+        latex: r"\hat{\bm{z}}\cdot\bm{\rho}\times\ddot{\bm{\rho}}=-2 \bm{\rho}\cdot\dot{\bm{\rho}} -\frac{\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }",
+        plain: "ẑ·(𝛒 × d²𝛒/dτ²) = −2 𝛒·(d𝛒/dτ) − ẑ·(𝛒 × d𝛒/dτ)/|d𝛒/dτ|",
+        depends_on: &["eq-89"],
         ..Claim::BLANK
     },
     Claim {
@@ -75,39 +100,43 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(92),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{\rho}\cdot\ddot{\bm{\rho}}+\dot{\bm{\rho}}\cdot\dot{\bm{\rho}}=\bm{\rho}\cdot\bm{\rho} +2 \hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}} -\frac{\bm{\rho}\cdot\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }+\dot{\bm{\rho}}\cdot\dot{\bm{\rho}}.",
-        plain: r"\bm{\rho}\cdot\ddot{\bm{\rho}}+\dot{\bm{\rho}}\cdot\dot{\bm{\rho}}=\bm{\rho}\cdot\bm{\rho} +2 \hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}} -\frac{\bm{\rho}\cdot\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }+\dot{\bm{\rho}}\cdot\dot{\bm{\rho}}.",
+        title: "projection on the position",
+        latex: r"\bm{\rho}\cdot\ddot{\bm{\rho}}+\dot{\bm{\rho}}\cdot\dot{\bm{\rho}}=\bm{\rho}\cdot\bm{\rho} +2 \hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}} -\frac{\bm{\rho}\cdot\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }+\dot{\bm{\rho}}\cdot\dot{\bm{\rho}}",
+        plain: "𝛒·(d²𝛒/dτ²) + |d𝛒/dτ|² = 𝛒·𝛒 + 2 ẑ·(𝛒 × d𝛒/dτ) − 𝛒·(d𝛒/dτ)/|d𝛒/dτ| + |d𝛒/dτ|²",
+        depends_on: &["eq-89"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-93",
         section: "4",
         equation: Some(93),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"p=\vert \dot{\bm{\rho}}\vert ,",
-        plain: r"p=\vert \dot{\bm{\rho}}\vert ,",
+        kind: Kind::Definition,
+        title: "dimensionless speed",
+        latex: r"p=\vert \dot{\bm{\rho}}\vert",
+        plain: "p = |d𝛒/dτ|",
+        depends_on: &["eq-87", "eq-88"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-94",
         section: "4",
         equation: Some(94),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\xi=\rho \cos\psi.",
-        plain: r"\xi=\rho \cos\psi.",
+        kind: Kind::Definition,
+        title: "position along the velocity",
+        latex: r"\xi=\rho \cos\psi",
+        plain: "ξ = ρ cos ψ",
+        depends_on: &["eq-87"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-95",
         section: "4",
         equation: Some(95),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\ell=-\rho \sin\psi.",
-        plain: r"\ell=-\rho \sin\psi.",
+        kind: Kind::Definition,
+        title: "position across the velocity",
+        latex: r"\ell=-\rho \sin\psi",
+        plain: "ℓ = −ρ sin ψ",
+        depends_on: &["eq-87"],
         ..Claim::BLANK
     },
     Claim {
@@ -115,9 +144,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(96),
         kind: Kind::Equation,
-        title: "",
-        latex: r"p \ell=\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}},",
-        plain: r"p \ell=\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}},",
+        title: "angular momentum",
+        latex: r"p \ell=\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}}",
+        plain: "p ℓ = ẑ·(𝛒 × d𝛒/dτ)",
+        depends_on: &["eq-93", "eq-95"],
         ..Claim::BLANK
     },
     Claim {
@@ -125,9 +155,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(97),
         kind: Kind::Equation,
-        title: "",
-        latex: r"p \xi=\bm{\rho}\cdot\dot{\bm{\rho}},",
-        plain: r"p \xi=\bm{\rho}\cdot\dot{\bm{\rho}},",
+        title: "radial motion",
+        latex: r"p \xi=\bm{\rho}\cdot\dot{\bm{\rho}}",
+        plain: "p ξ = 𝛒·(d𝛒/dτ)",
+        depends_on: &["eq-93", "eq-94"],
         ..Claim::BLANK
     },
     Claim {
@@ -135,9 +166,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(98),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\bm{\rho}\cdot\bm{\rho}=\ell^2+\xi^2,",
-        plain: r"\bm{\rho}\cdot\bm{\rho}=\ell^2+\xi^2,",
+        title: "distance from the axis",
+        latex: r"\bm{\rho}\cdot\bm{\rho}=\ell^2+\xi^2",
+        plain: "𝛒·𝛒 = ℓ² + ξ²",
+        depends_on: &["eq-94", "eq-95"],
         ..Claim::BLANK
     },
     Claim {
@@ -145,9 +177,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(99),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot p=\xi-1.",
-        plain: r"\dot p=\xi-1.",
+        title: "rate of the speed p",
+        latex: r"\dot p=\xi-1",
+        plain: "dp/dτ = ξ − 1",
+        depends_on: &["eq-90", "eq-93", "eq-97"],
         ..Claim::BLANK
     },
     Claim {
@@ -155,9 +188,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(100),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\ell=-\frac{\xi (2 p+\ell)}{p}.",
-        plain: r"\dot\ell=-\frac{\xi (2 p+\ell)}{p}.",
+        title: "rate of ℓ",
+        latex: r"\dot\ell=-\frac{\xi (2 p+\ell)}{p}",
+        plain: "dℓ/dτ = −ξ (2p + ℓ)/p",
+        depends_on: &["eq-91", "eq-96", "eq-97", "eq-99"],
         ..Claim::BLANK
     },
     Claim {
@@ -165,9 +199,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(101),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\xi=\frac{(p+\ell)^2}{p}.",
-        plain: r"\dot\xi=\frac{(p+\ell)^2}{p}.",
+        title: "rate of ξ",
+        latex: r"\dot\xi=\frac{(p+\ell)^2}{p}",
+        plain: "dξ/dτ = (p + ℓ)²/p",
+        depends_on: &["eq-92", "eq-96", "eq-97", "eq-98", "eq-99"],
         ..Claim::BLANK
     },
     Claim {
@@ -175,9 +210,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(102),
         kind: Kind::Equation,
-        title: "",
-        latex: r"=p (\dot p+1).",
-        plain: r"=p (\dot p+1).",
+        title: "rate of ρ²/2",
+        latex: r"=p (\dot p+1)",
+        plain: "ρ dρ/dτ = ℓ dℓ/dτ + ξ dξ/dτ = ξ p = p (dp/dτ + 1)",
+        depends_on: &["eq-98", "eq-99", "eq-100", "eq-101"],
         ..Claim::BLANK
     },
     Claim {
@@ -185,9 +221,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(103),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\left(\frac{p^2-\rho^2}{2}\right)^{\cdot}=-p,",
-        plain: r"\left(\frac{p^2-\rho^2}{2}\right)^{\cdot}=-p,",
+        title: "loss of energy to friction",
+        latex: r"\left(\frac{p^2-\rho^2}{2}\right)^{\cdot}=-p",
+        plain: "d[(p² − ρ²)/2]/dτ = −p",
+        depends_on: &["eq-102"],
         ..Claim::BLANK
     },
     Claim {
@@ -195,19 +232,21 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(104),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{p^2-\rho^2}{2}+s=\mbox{constant},",
-        plain: r"\frac{p^2-\rho^2}{2}+s=\mbox{constant},",
+        title: "constant of motion",
+        latex: r"\frac{p^2-\rho^2}{2}+s=\text{constant}",
+        plain: "(p² − ρ²)/2 + s = constant",
+        depends_on: &["eq-103", "eq-105"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-105",
         section: "4",
         equation: Some(105),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\dot s=p.",
-        plain: r"\dot s=p.",
+        kind: Kind::Definition,
+        title: "arc length",
+        latex: r"\dot s=p",
+        plain: "ds/dτ = p",
+        depends_on: &["eq-93"],
         ..Claim::BLANK
     },
     Claim {
@@ -215,9 +254,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(106),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\frac{m}{2} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right)\cdot\left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right) -\frac{m \Omega^2 r^2}{2}+m g s=\mbox{constant}.",
-        plain: r"\frac{m}{2} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right)\cdot\left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right) -\frac{m \Omega^2 r^2}{2}+m g s=\mbox{constant}.",
+        title: "energy theorem with its dimensions",
+        latex: r"\frac{m}{2} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right)\cdot\left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right) -\frac{m \Omega^2 r^2}{2}+m g s=\text{constant}",
+        plain: "(m/2) (d𝐫/dt)·(d𝐫/dt) − m Ω² r²/2 + m g s = constant",
+        depends_on: &["eq-87", "eq-88", "eq-104"],
         ..Claim::BLANK
     },
     Claim {
@@ -225,9 +265,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(107),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot p=\rho \cos\psi-1.",
-        plain: r"\dot p=\rho \cos\psi-1.",
+        title: "rate of the speed p, by ψ",
+        latex: r"\dot p=\rho \cos\psi-1",
+        plain: "dp/dτ = ρ cos ψ − 1",
+        depends_on: &["eq-94", "eq-99"],
         ..Claim::BLANK
     },
     Claim {
@@ -235,9 +276,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(108),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\rho=p \cos\psi.",
-        plain: r"\dot\rho=p \cos\psi.",
+        title: "rate of the distance ρ",
+        latex: r"\dot\rho=p \cos\psi",
+        plain: "dρ/dτ = p cos ψ",
+        depends_on: &["eq-94", "eq-102"],
         ..Claim::BLANK
     },
     Claim {
@@ -245,39 +287,43 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(109),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\psi=2-\left(\frac{p}{\rho}+\frac{\rho}{p}\right) \sin\psi.",
-        plain: r"\dot\psi=2-\left(\frac{p}{\rho}+\frac{\rho}{p}\right) \sin\psi.",
+        title: "rate of the angle ψ",
+        latex: r"\dot\psi=2-\left(\frac{p}{\rho}+\frac{\rho}{p}\right) \sin\psi",
+        plain: "dψ/dτ = 2 − (p/ρ + ρ/p) sin ψ",
+        depends_on: &["eq-94", "eq-95", "eq-100", "eq-108"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-110",
         section: "4",
         equation: Some(110),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"p^2-\rho^2<0.",
-        plain: r"p^2-\rho^2<0.",
+        kind: Kind::Definition,
+        title: "the first case: slower than the table",
+        latex: r"p^2-\rho^2<0",
+        plain: "p² − ρ² < 0",
+        depends_on: &["eq-93"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-111",
         section: "4",
         equation: Some(111),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"p=A \sinh\alpha.",
-        plain: r"p=A \sinh\alpha.",
+        kind: Kind::Definition,
+        title: "speed by A and α",
+        latex: r"p=A \sinh\alpha",
+        plain: "p = A sinh α",
+        depends_on: &["eq-110"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-112",
         section: "4",
         equation: Some(112),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\rho=A \cosh\alpha.",
-        plain: r"\rho=A \cosh\alpha.",
+        kind: Kind::Definition,
+        title: "distance by A and α",
+        latex: r"\rho=A \cosh\alpha",
+        plain: "ρ = A cosh α",
+        depends_on: &["eq-110"],
         ..Claim::BLANK
     },
     Claim {
@@ -285,9 +331,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(113),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot A=\sinh\alpha.",
-        plain: r"\dot A=\sinh\alpha.",
+        title: "rate of A",
+        latex: r"\dot A=\sinh\alpha",
+        plain: "dA/dτ = sinh α",
+        conditions: INNER,
+        depends_on: &["eq-107", "eq-108", "eq-111", "eq-112"],
         ..Claim::BLANK
     },
     Claim {
@@ -295,9 +343,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(114),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\alpha=\cos\psi-\frac{\cosh\alpha}{A}.",
-        plain: r"\dot\alpha=\cos\psi-\frac{\cosh\alpha}{A}.",
+        title: "rate of α",
+        latex: r"\dot\alpha=\cos\psi-\frac{\cosh\alpha}{A}",
+        plain: "dα/dτ = cos ψ − (cosh α)/A",
+        conditions: INNER,
+        depends_on: &["eq-107", "eq-108", "eq-111", "eq-112"],
         ..Claim::BLANK
     },
     Claim {
@@ -305,39 +355,44 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(115),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\psi=2 [1-(\sin\psi) \coth(2 \alpha)].",
-        plain: r"\dot\psi=2 [1-(\sin\psi) \coth(2 \alpha)].",
+        title: "rate of the angle ψ, by α",
+        latex: r"\dot\psi=2 [1-(\sin\psi) \coth(2 \alpha)]",
+        plain: "dψ/dτ = 2 [1 − sin ψ coth(2α)]",
+        conditions: INNER,
+        depends_on: &["eq-109", "eq-111", "eq-112"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-116",
         section: "4",
         equation: Some(116),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"p^2-\rho^2>0.",
-        plain: r"p^2-\rho^2>0.",
+        kind: Kind::Definition,
+        title: "the second case: faster than the table",
+        latex: r"p^2-\rho^2>0",
+        plain: "p² − ρ² > 0",
+        depends_on: &["eq-93"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-117",
         section: "4",
         equation: Some(117),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"p=B \cosh\beta.",
-        plain: r"p=B \cosh\beta.",
+        kind: Kind::Definition,
+        title: "speed by B and β",
+        latex: r"p=B \cosh\beta",
+        plain: "p = B cosh β",
+        depends_on: &["eq-116"],
         ..Claim::BLANK
     },
     Claim {
         id: "eq-118",
         section: "4",
         equation: Some(118),
-        kind: Kind::Equation,
-        title: "",
-        latex: r"\rho=B \sinh\beta.",
-        plain: r"\rho=B \sinh\beta.",
+        kind: Kind::Definition,
+        title: "distance by B and β",
+        latex: r"\rho=B \sinh\beta",
+        plain: "ρ = B sinh β",
+        depends_on: &["eq-116"],
         ..Claim::BLANK
     },
     Claim {
@@ -345,9 +400,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(119),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot B=-\cosh\beta.",
-        plain: r"\dot B=-\cosh\beta.",
+        title: "rate of B",
+        latex: r"\dot B=-\cosh\beta",
+        plain: "dB/dτ = −cosh β",
+        conditions: OUTER,
+        depends_on: &["eq-107", "eq-108", "eq-117", "eq-118"],
         ..Claim::BLANK
     },
     Claim {
@@ -355,9 +412,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(120),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\beta=\cos\psi+\frac{\sinh\beta}{B}.",
-        plain: r"\dot\beta=\cos\psi+\frac{\sinh\beta}{B}.",
+        title: "rate of β",
+        latex: r"\dot\beta=\cos\psi+\frac{\sinh\beta}{B}",
+        plain: "dβ/dτ = cos ψ + (sinh β)/B",
+        conditions: OUTER,
+        depends_on: &["eq-107", "eq-108", "eq-117", "eq-118"],
         ..Claim::BLANK
     },
     Claim {
@@ -365,9 +424,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(121),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\dot\psi=2 [1-(\sin\psi) \coth(2 \beta)].",
-        plain: r"\dot\psi=2 [1-(\sin\psi) \coth(2 \beta)].",
+        title: "rate of the angle ψ, by β",
+        latex: r"\dot\psi=2 [1-(\sin\psi) \coth(2 \beta)]",
+        plain: "dψ/dτ = 2 [1 − sin ψ coth(2β)]",
+        conditions: OUTER,
+        depends_on: &["eq-109", "eq-117", "eq-118"],
         ..Claim::BLANK
     },
     Claim {
@@ -375,9 +436,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(122),
         kind: Kind::Equation,
-        title: "",
-        latex: r"A=-\mathrm{i} B.",
-        plain: r"A=-\mathrm{i} B.",
+        title: "A from B",
+        latex: r"A=-\mathrm{i} B",
+        plain: "A = −i B",
+        depends_on: &["eq-111", "eq-112", "eq-117", "eq-118"],
         ..Claim::BLANK
     },
     Claim {
@@ -385,9 +447,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(123),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\alpha=\frac{\mathrm{i} \pi}{2}+\beta.",
-        plain: r"\alpha=\frac{\mathrm{i} \pi}{2}+\beta.",
+        title: "α from β",
+        latex: r"\alpha=\frac{\mathrm{i} \pi}{2}+\beta",
+        plain: "α = iπ/2 + β",
+        depends_on: &["eq-111", "eq-112", "eq-117", "eq-118"],
         ..Claim::BLANK
     },
     Claim {
@@ -395,9 +458,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(124),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\psi_1=\sin^{-1}[\tanh(2 \alpha)].",
-        plain: r"\psi_1=\sin^{-1}[\tanh(2 \alpha)].",
+        title: "first quasi-fixed point of ψ",
+        latex: r"\psi_1=\sin^{-1}[\tanh(2 \alpha)]",
+        plain: "ψ₁ = asin[tanh(2α)]",
+        conditions: INNER,
+        depends_on: &["eq-115"],
         ..Claim::BLANK
     },
     Claim {
@@ -405,9 +470,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: Some(125),
         kind: Kind::Equation,
-        title: "",
-        latex: r"\psi_2=\pi-\sin^{-1}[\tanh(2 \alpha)].",
-        plain: r"\psi_2=\pi-\sin^{-1}[\tanh(2 \alpha)].",
+        title: "second quasi-fixed point of ψ",
+        latex: r"\psi_2=\pi-\sin^{-1}[\tanh(2 \alpha)]",
+        plain: "ψ₂ = π − asin[tanh(2α)]",
+        conditions: INNER,
+        depends_on: &["eq-115"],
         ..Claim::BLANK
     },
     Claim {
@@ -415,9 +482,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"Ω → −Ω mirrors every solution, so Ω > 0 is no loss of generality",
-        plain: r"Ω → −Ω mirrors every solution, so Ω > 0 is no loss of generality",
+        title: "mirror image",
+        latex: r"A solution for $\Omega$, mirrored, is a solution for $-\Omega$; so $\Omega>0$ loses nothing.",
+        plain: "A solution for Ω, mirrored, is a solution for −Ω; so Ω > 0 loses nothing.",
+        depends_on: &["eq-86"],
         ..Claim::BLANK
     },
     Claim {
@@ -425,9 +493,10 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"(106) is the work-energy theorem in the rotating frame; the Coriolis force does no work",
-        plain: r"(106) is the work-energy theorem in the rotating frame; the Coriolis force does no work",
+        title: "who does work",
+        latex: "(106) is the work-energy theorem in the rotating frame, $-mgs$ the work of the friction; the Coriolis force does no work.",
+        plain: "(106) is the work-energy theorem in the rotating frame, −m g s the work of the friction; the Coriolis force does no work.",
+        depends_on: &["eq-86", "eq-106"],
         ..Claim::BLANK
     },
     Claim {
@@ -435,9 +504,11 @@ const CLAIMS: &[Claim] = &[
         section: "4",
         equation: None,
         kind: Kind::Property,
-        title: "",
-        latex: r"ψ₁ of (124) attracts, ψ₂ of (125) repels",
-        plain: r"ψ₁ of (124) attracts, ψ₂ of (125) repels",
+        title: "stability of the quasi-fixed points",
+        latex: r"$\psi_1$ of (124) attracts, $\psi_2$ of (125) repels.",
+        plain: "ψ₁ of (124) attracts, ψ₂ of (125) repels.",
+        conditions: INNER,
+        depends_on: &["eq-115", "eq-124", "eq-125"],
         ..Claim::BLANK
     },
 ];

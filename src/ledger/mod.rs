@@ -1,14 +1,15 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
-mod evidence;
 mod record;
+mod sheet;
+mod table;
 mod verdict;
 
-pub use evidence::{Evidence, Outcome, Route, Sample, Subject, Tolerance};
 pub use record::{Difference, Record, RecordError};
-pub use verdict::{Change, Judgement, Kind, Verdict, judge};
+pub use verdict::{Judgement, Verdict, judge};
 
-use crate::claims::{Claim, TOPICS, Topic};
+use crate::claims::{self, Claim, Topic};
+use crate::evidence::{Evidence, Subject};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -60,11 +61,7 @@ pub struct Ledger {
 impl Ledger {
     /// Tries every claim on all cores; calls `done` after each one.
     pub fn try_all(done: impl Fn(&Claim) + Sync) -> Self {
-        static ALL: [Topic; TOPICS.len()] = TOPICS;
-        let claims: Vec<_> = ALL
-            .iter()
-            .flat_map(|topic| topic.claims.iter().map(move |claim| (topic, claim)))
-            .collect();
+        let claims: Vec<_> = claims::all().collect();
         let entries = claims
             .into_par_iter()
             .map(|(topic, claim)| {

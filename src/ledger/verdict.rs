@@ -1,57 +1,8 @@
 //! The judge: evidence in, verdict out. Nothing else decides what a claim is worth.
 
-use super::evidence::{Evidence, Outcome, Route, Subject};
+use crate::evidence::{Change, Evidence, Kind, Outcome, Route, Subject};
 use serde::Serialize;
 use std::collections::BTreeSet;
-
-/// What sort of statement a claim is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Kind {
-    /// Introduces a symbol or sets up a problem.
-    Definition,
-    /// Says that two expressions are equal.
-    Equation,
-    /// Says that one expression exceeds another.
-    Inequality,
-    /// States a number.
-    Number,
-    /// States what something tends to, or how.
-    Limit,
-    /// Says in words how the motion behaves.
-    Property,
-    /// A picture.
-    Figure,
-}
-
-impl Kind {
-    /// The kind's name, in lower case.
-    pub fn name(self) -> &'static str {
-        match self {
-            Kind::Definition => "definition",
-            Kind::Equation => "equation",
-            Kind::Inequality => "inequality",
-            Kind::Number => "number",
-            Kind::Limit => "limit",
-            Kind::Property => "property",
-            Kind::Figure => "figure",
-        }
-    }
-}
-
-/// How much a correction changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Change {
-    /// A sign.
-    Sign,
-    /// A factor.
-    Factor,
-    /// One symbol for another.
-    Symbol,
-    /// The statement itself.
-    Statement,
-}
 
 /// What a claim is worth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]

@@ -1,0 +1,227 @@
+//! Constant acceleration, exactly: proofs of (6) to (20) from Newton's law (1).
+//!
+//! Only Newton's law with A = −A x̂ and v = v (cos θ, sin θ) is entered here; the printed formulas come from
+//! [`crate::paper::constant`], as trees. All holds for 0 < θ, θ₀ < π, where tan(θ/2) is positive.
+
+mod cases;
+mod sliding;
+#[cfg(test)]
+mod tests;
+
+use cases::*;
+use sliding::*;
+
+use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::scalar::Scalar;
+
+/// A printed formula and the way to prove it.
+#[derive(Debug, Clone, Copy)]
+pub struct Statement {
+    /// Id of the claim; `corrected-11` for a correction.
+    pub id: &'static str,
+    /// The formula.
+    pub printed: fn() -> Expr,
+    /// Tries to prove what the claim says of a formula that stands in the printed one's place.
+    pub prove: fn(Expr) -> Proof,
+    /// Which friction it is about.
+    pub friction: Friction,
+    /// True if the claim only says that the formula keeps its value.
+    pub invariant: bool,
+}
+
+impl Statement {
+    /// The proof of the formula as it stands.
+    pub fn proof(&self) -> Proof {
+        (self.prove)((self.printed)())
+    }
+}
+
+/// The friction λ of a statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Friction {
+    /// Any λ; (tan θ/2)^λ is a generator.
+    Any,
+    /// λ > 1; (tan θ/2)^(λ−1), which tends to 0 with θ, is a generator.
+    BeyondOne,
+    /// λ = 0.
+    Zero,
+    /// λ = 1; ln tan(θ/2) is a generator.
+    One,
+}
+
+/// All statements of section 2.1 that are proved.
+pub const STATEMENTS: &[Statement] = &[
+    statement("eq-6", eq6, prove_eq6, Friction::Any),
+    statement("eq-7", eq7, prove_eq7, Friction::Any),
+    statement("eq-8", eq8, prove_eq8, Friction::Any),
+    statement("eq-9", eq9, prove_eq9, Friction::Any),
+    invariant("eq-10", eq10, prove_eq10, Friction::Any),
+    statement("eq-11", eq11, prove_eq11, Friction::Any),
+    statement("eq-12", eq12, prove_eq12, Friction::Any),
+    statement("eq-13", eq13, prove_eq13, Friction::Any),
+    statement("eq-14", eq14, prove_eq14, Friction::Any),
+    statement("eq-15", eq15, prove_eq15, Friction::Zero),
+    statement("eq-16", eq16, prove_eq16, Friction::Zero),
+    invariant("eq-17", eq17, prove_eq17, Friction::One),
+    statement("eq-18", eq18, prove_eq18, Friction::One),
+    statement("eq-19", eq19, prove_eq19, Friction::One),
+    statement("eq-20", eq20, prove_eq20, Friction::BeyondOne),
+    statement(
+        "corrected-11",
+        corrected_speed,
+        prove_corrected_speed,
+        Friction::Any,
+    ),
+];
+
+/// The proof of the formula with this id.
+pub fn proof(id: &str) -> Option<Proof> {
+    STATEMENTS.iter().find(|s| s.id == id).map(Statement::proof)
+}
+
+const fn statement(
+    id: &'static str,
+    printed: fn() -> Expr,
+    prove: fn(Expr) -> Proof,
+    friction: Friction,
+) -> Statement {
+    Statement {
+        id,
+        printed,
+        prove,
+        friction,
+        invariant: false,
+    }
+}
+
+const fn invariant(
+    id: &'static str,
+    printed: fn() -> Expr,
+    prove: fn(Expr) -> Proof,
+    friction: Friction,
+) -> Statement {
+    Statement {
+        invariant: true,
+        ..statement(id, printed, prove, friction)
+    }
+}
+
+/// Newton's law in a ring.
+#[derive(Debug)]
+struct Newton {
+    ring: Ring,
+    /// The speed v, a free symbol.
+    v: Rational,
+    /// d/dt along the motion.
+    motion: Derivation,
+    /// dv/dt.
+    speed_rate: Rational,
+    /// dθ/dt.
+    angle_rate: Rational,
+}
+
+impl Newton {
+    fn new(friction: Friction) -> Result<Self, ExactError> {
+        let mut ring = Ring::new();
+        let [a, v] = ["A", "v"].map(|name| ring.symbol(name));
+        for name in ["v₀", "v₀x", "v₀y", "t"] {
+            ring.symbol(name);
+        }
+        for name in ["θ", "θ₀"] {
+            ring.angle(name);
+        }
+        let tangents = [ring.half_tangent("θ")?, ring.half_tangent("θ₀")?];
+        match friction {
+            Friction::Any => {
+                let lambda = ring.symbol("λ");
+                for u in &tangents {
+                    ring.power(u, &lambda)?;
+                }
+            }
+            Friction::BeyondOne => {
+                let excess = ring.symbol("λ") - Rational::int(1);
+                for u in &tangents {
+                    ring.power(u, &excess)?;
+                }
+            }
+            Friction::Zero => ring.define("λ", Rational::int(0))?,
+            Friction::One => {
+                ring.define("λ", Rational::int(1))?;
+                for u in &tangents {
+                    ring.logarithm(u)?;
+                }
+            }
+        }
+        let theta = Expr::symbol("θ");
+        let (vx, vy) = (&v * ring.read(theta.cos())?, &v * ring.read(theta.sin())?);
+        // (1): dv/dt = −A − μg v/v, with μg = λA by (5).
+        let drag = ring.divide(&(ring.named("λ")? * &a), &v)?;
+        let (ax, ay) = (&a - &drag * &vx, -(&drag * &vy));
+        let speed_rate = ring.divide(&(&vx * &ax + &vy * &ay), &v)?;
+        let angle_rate = ring.divide(&(&vx * &ay - &vy * &ax), &(&v * &v))?;
+        let motion = ring.along(&[("v", speed_rate.clone()), ("θ", angle_rate.clone())])?;
+        Ok(Newton {
+            ring,
+            v,
+            motion,
+            speed_rate,
+            angle_rate,
+        })
+    }
+
+    /// dt/dθ where the speed is `speed`.
+    fn time_rate(&self, speed: &Rational) -> Result<Rational, ExactError> {
+        let rate = self.ring.put(&self.angle_rate, &[(&self.v, speed)])?;
+        self.ring.divide(&Rational::int(1), &rate)
+    }
+
+    /// The limit θ → 0, in which tan(θ/2) and its positive power tend to 0.
+    fn at_zero_angle(&self, x: &Rational) -> Result<Rational, ExactError> {
+        let [zero, one] = [0, 1].map(Rational::int);
+        let theta = Expr::symbol("θ");
+        let half = theta / Expr::int(2);
+        let (angle, u) = (self.ring.read(theta)?, self.ring.half_tangent("θ")?);
+        let h = self.ring.read(half.cos())?;
+        let mut values = vec![(&angle, &zero), (&u, &zero), (&h, &one)];
+        let power = half.tan().pow(Expr::symbol("λ") - Expr::int(1));
+        // For λ = 1 the power is 1 and needs no value of its own.
+        let power = self.ring.read(power)?;
+        if power.as_integer().is_none() {
+            values.push((&power, &zero));
+        }
+        self.ring.put(x, &values)
+    }
+}
+
+fn prove(
+    title: &str,
+    friction: Friction,
+    steps: impl FnOnce(&mut Prover<'_>, &Newton) -> Result<(), Obstacle>,
+) -> Proof {
+    match Newton::new(friction) {
+        Err(error) => Proof::impossible(title, error),
+        Ok(newton) => Proof::of(title, &newton.ring, |p| {
+            let ring = p.ring();
+            match friction {
+                Friction::Any => p.note("Friction", "any λ = μg/A"),
+                Friction::BeyondOne => p.note("Friction", "λ > 1"),
+                Friction::Zero => p.note("Friction", "λ = 0"),
+                Friction::One => p.note("Friction", "λ = 1"),
+            }
+            let theta = Expr::symbol("θ");
+            p.read("The sine, made rational", theta.sin())?;
+            p.read("The cosine, made rational", theta.cos())?;
+            p.note("dv/dt by (1), along v", ring.text(&newton.speed_rate));
+            p.note("dθ/dt by (1), across v", ring.text(&newton.angle_rate));
+            steps(p, &newton)
+        }),
+    }
+}
+
+fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
+    names.map(Expr::symbol)
+}
+
+fn at_start(formula: Expr) -> Expr {
+    formula.with("θ", Expr::symbol("θ₀"))
+}

@@ -1,0 +1,178 @@
+//! Trials of (12) to (14): the time against the angle.
+
+use super::runs::{Turn, straight, turns, turns_where};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::tolerances::ROOT;
+use crate::corrections::constant as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::numerics::quadrature::integrate;
+use crate::numerics::roots::root;
+use crate::paper::constant as printed;
+use crate::scalar::Scalar;
+
+/// True where (13) has a value.
+fn eq13_has_a_value(turn: &Turn) -> bool {
+    turn.lambda != 1.0 && turn.lambda + libm::cos(turn.theta0) != 0.0
+}
+
+fn eq13(turn: &Turn) -> Conditioned {
+    let number = Conditioned::measured;
+    printed::eq13_time(
+        number(turn.lambda),
+        number(turn.a),
+        number(turn.v0),
+        number(turn.theta0),
+        number(turn.theta),
+    )
+}
+
+/// A dt/dθ by (12), with the derivative λ (tan θ/2)^λ / sin θ of (tan θ/2)^λ put in.
+fn eq12_rate(turn: &Turn, theta: f64) -> f64 {
+    let power = Scalar::pow(Scalar::tan(theta / 2.0), turn.lambda);
+    let d_power = turn.lambda * power / Scalar::sin(theta);
+    printed::eq12_time_rate(turn.lambda, turn.v0, turn.theta0, theta, d_power)
+}
+
+/// (12), integrated over the angle.
+pub fn eq12_quadrature() -> Evidence {
+    let trial = Trial::quadrature(Subject::Within, "∫ (12) dθ with A t of the motion");
+    trial.over(turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0), |turn| {
+        let turn = turn?;
+        let stated = integrate(|theta| eq12_rate(turn, theta), turn.theta0, turn.theta)?.value;
+        let found = turn.a * turn.t;
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated,
+            found,
+            scale: found,
+        })
+    })
+}
+
+/// (12) where it has no value, while the motion turns as ever: at λ = 0, and for θ < 0 with friction.
+pub fn eq12_outside() -> Evidence {
+    let trial = Trial::motion(Subject::Outside, "(12) per dθ with A dt/dθ = −v/sin θ of the motion");
+    let wanted = |turn: &Turn| turn.lambda == 0.0 || turn.lambda.fract() != 0.0 && turn.theta0 < 0.0;
+    trial.over(turns_where(wanted), |turn| {
+        let turn = turn?;
+        let found = -turn.v / Scalar::sin(turn.theta);
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: eq12_rate(turn, turn.theta),
+            found,
+            scale: found.abs(),
+        })
+    })
+}
+
+/// (13) with the time of the motion.
+pub fn eq13_motion() -> Evidence {
+    let trial = Trial::motion(Subject::Within, "(13) with the time at which the motion has turned to θ");
+    trial.over(turns_where(eq13_has_a_value), |turn| {
+        let turn = turn?;
+        Ok::<_, Failure>(Pair::conditioned(turn.at(), eq13(turn), turn.t))
+    })
+}
+
+/// (13) with the integral of dt.
+pub fn eq13_quadrature() -> Evidence {
+    let trial = Trial::quadrature(Subject::Within, "(13) with −∫ v dθ/(A sin θ), v from (11)");
+    trial.over(turns_where(eq13_has_a_value), |turn| {
+        let turn = turn?;
+        let rate = |theta: f64| {
+            let v = printed::eq11_speed(turn.lambda, turn.v0, turn.theta0, theta);
+            -v / (turn.a * Scalar::sin(theta))
+        };
+        let found = integrate(rate, turn.theta0, turn.theta)?.value;
+        Ok::<_, Failure>(Pair::conditioned(turn.at(), eq13(turn), found))
+    })
+}
+
+/// (13) solved for the angle at the time of the motion.
+pub fn eq13_root() -> Evidence {
+    let trial = Trial::by(Route::Root, Subject::Within, "the root θ of (13) = t with the angle of the motion at t", ROOT);
+    let wanted = |turn: &Turn| eq13_has_a_value(turn) && (turn.lambda - 1.0).abs() > 1e-3;
+    trial.over(turns_where(wanted), |turn| {
+        let turn = turn?;
+        let late = |theta| {
+            printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t
+        };
+        let (low, high) = (0.2 * turn.theta0, turn.theta0);
+        let found = root(late, low.min(high), low.max(high))?;
+        // The formula resolves t to its spread, and so θ to its spread over dt/dθ.
+        let slope = turn.v / (turn.a * Scalar::sin(turn.theta).abs());
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: found,
+            found: turn.theta,
+            scale: turn.theta.abs().max(eq13(turn).spread / slope),
+        })
+    })
+}
+
+/// (13) where it is 0/0 or 0·∞: at λ = 1, where cos θ₀ = −λ, and along the line of the acceleration.
+pub fn eq13_outside() -> Evidence {
+    let trial = Trial::motion(Subject::Outside, "(13) with the time of the motion");
+    let excluded = turns_where(|turn| !eq13_has_a_value(turn)).chain(straight());
+    trial.over(excluded, |turn| {
+        let turn = turn?;
+        let stated = printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, turn.theta);
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated,
+            found: turn.t,
+            scale: turn.t,
+        })
+    })
+}
+
+fn eq14(turn: &Turn) -> Conditioned {
+    let number = Conditioned::measured;
+    printed::eq14_speed_at_time(
+        number(turn.lambda),
+        number(turn.a),
+        number(turn.v0),
+        number(turn.theta0),
+        number(turn.theta),
+        number(turn.t),
+    )
+}
+
+/// (14) with the speed of the motion.
+pub fn eq14_motion() -> Evidence {
+    let trial = Trial::motion(Subject::Within, "(14) at the angle and time of the motion with its speed");
+    trial.over(turns(), |turn| {
+        let turn = turn?;
+        Ok::<_, Failure>(Pair::conditioned(turn.at(), eq14(turn), turn.v))
+    })
+}
+
+/// (14) where cos θ = −λ, the angle at which it is 0/0.
+pub fn eq14_outside() -> Evidence {
+    let trial = Trial::motion(Subject::Outside, "(14) where cos θ = −λ with the speed of the motion");
+    trial.over(super::runs::turns_to_the_gap(), |turn| {
+        let turn = turn?;
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: eq14(turn).value,
+            found: turn.v,
+            scale: turn.v,
+        })
+    })
+}
+
+/// The regular form of the time, at all points, those included where (13) has no value.
+pub fn regular_motion() -> Evidence {
+    let trial = Trial::motion(Subject::Within, "the regular form of the time, where (13) has a value and where not, with the motion");
+    trial.over(turns(), |turn| {
+        let turn = turn?;
+        let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: corrected::time(turn.lambda, turn.a, turn.v0, turn.theta0, r),
+            found: turn.t,
+            scale: turn.t,
+        })
+    })
+}

@@ -1,0 +1,185 @@
+//! What is done with elements of a ring: zero-testing, division, differentiation, putting values in.
+
+use super::error::ExactError;
+use super::polynomial::Polynomial;
+use super::rational::Rational;
+use super::ring::{Ring, Rule};
+use std::collections::BTreeMap;
+
+/// The rates of the free symbols along a motion, or with respect to one of them; 0 for all others.
+#[derive(Debug, Clone, Default)]
+pub struct Derivation {
+    rates: BTreeMap<usize, Rational>,
+}
+
+impl Ring {
+    /// The normal form: powers of roots below their degree above the line, and as bare factors below it.
+    pub fn normal(&self, x: &Rational) -> Rational {
+        let mut x = x.clone();
+        for (g, rule) in self.rules.iter().enumerate().rev() {
+            let Rule::Root { radicand, degree } = rule else {
+                continue;
+            };
+            let generator = Polynomial::generator(g);
+            let below = x.factors().iter().find(|(f, _)| *f == generator);
+            if let Some(whole) = below.map(|(_, k)| k / degree).filter(|whole| *whole > 0)
+                && let Some(inverse) = radicand.reciprocal()
+            {
+                let raised = Rational::from(generator.pow(whole * degree));
+                x = &x * &raised * inverse.pow(whole);
+            }
+            let parts = x.numerator().coefficients_in(g);
+            if parts.keys().all(|k| k < degree) {
+                continue;
+            }
+            let mut reduced = Rational::int(0);
+            for (k, part) in parts {
+                let low = &Rational::from(part) * &Rational::generator(g).pow(k % degree);
+                reduced = reduced + low * radicand.pow(k / degree);
+            }
+            x = reduced * x.denominator_inverse();
+        }
+        x
+    }
+
+    /// Whether an element is zero.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] if something below the line is zero by a relation.
+    pub fn is_zero(&self, x: &Rational) -> Result<bool, ExactError> {
+        for (factor, _) in x.factors() {
+            let factor = Rational::from(factor.clone());
+            if self.normal(&factor).is_literally_zero() {
+                let divisor = self.text(&factor);
+                return Err(ExactError::DivisionByZero { divisor });
+            }
+        }
+        Ok(self.normal(x).is_literally_zero())
+    }
+
+    /// One element over another.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] if the divisor is zero in the ring.
+    pub fn divide(&self, x: &Rational, y: &Rational) -> Result<Rational, ExactError> {
+        let inverse = self.normal(y).reciprocal();
+        let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero {
+            divisor: self.text(y),
+        })?;
+        Ok(self.normal(&(x * &inverse)))
+    }
+
+    /// The derivation with respect to a free symbol, all others fixed.
+    ///
+    /// # Errors
+    /// [`ExactError::UnknownSymbol`] or [`ExactError::NotFree`].
+    pub fn by(&self, name: &str) -> Result<Derivation, ExactError> {
+        self.along(&[(name, Rational::int(1))])
+    }
+
+    /// The derivation along a motion that gives these free symbols these rates, and keeps all others.
+    ///
+    /// # Errors
+    /// [`ExactError::UnknownSymbol`] or [`ExactError::NotFree`].
+    pub fn along(&self, rates: &[(&str, Rational)]) -> Result<Derivation, ExactError> {
+        let rate = |(name, rate): &(&str, Rational)| Ok((self.free_index(name)?, rate.clone()));
+        Ok(Derivation {
+            rates: rates.iter().map(rate).collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// The derivative of an element.
+    ///
+    /// # Errors
+    /// [`ExactError::VaryingExponent`] for b^e with varying e, unless ln b is declared.
+    pub fn derivative(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
+        let mut slope = self.of_polynomial(x.numerator(), by)? * x.denominator_inverse();
+        for (factor, k) in x.factors() {
+            let factor_slope = self.of_polynomial(factor, by)?;
+            if factor_slope.is_literally_zero() {
+                continue;
+            }
+            let relative = self.divide(&factor_slope, &Rational::from(factor.clone()))?;
+            slope = slope - x * &relative * Rational::int(i64::from(*k));
+        }
+        Ok(self.normal(&slope))
+    }
+
+    fn of_polynomial(&self, p: &Polynomial, by: &Derivation) -> Result<Rational, ExactError> {
+        let mut slope = Rational::int(0);
+        for g in p.degrees().into_keys() {
+            let rate = self.rate(g, by)?;
+            if !rate.is_literally_zero() {
+                slope = slope + Rational::from(p.partial(g)) * rate;
+            }
+        }
+        Ok(slope)
+    }
+
+    fn rate(&self, g: usize, by: &Derivation) -> Result<Rational, ExactError> {
+        let own = Rational::generator(g);
+        let half = |index: usize| self.divide(&self.rate(index, by)?, &Rational::int(2));
+        match &self.rules[g] {
+            Rule::Constant => Ok(Rational::int(0)),
+            Rule::Free => Ok(by
+                .rates
+                .get(&g)
+                .cloned()
+                .unwrap_or_else(|| Rational::int(0))),
+            Rule::HalfTangent { angle } => Ok((Rational::int(1) + &own * &own) * half(*angle)?),
+            Rule::HalfExponential { argument } => Ok(own * half(*argument)?),
+            Rule::Logarithm { of } => self.divide(&self.derivative(of, by)?, of),
+            Rule::Root { radicand, degree } => {
+                let below = radicand * &Rational::int(i64::from(*degree));
+                Ok(own * self.divide(&self.derivative(radicand, by)?, &below)?)
+            }
+            Rule::Power { base, exponent } => {
+                let mut relative = exponent * &self.divide(&self.derivative(base, by)?, base)?;
+                let growing = self.derivative(exponent, by)?;
+                if !growing.is_literally_zero() {
+                    let ln = self.ln(base).map_err(|_| ExactError::VaryingExponent {
+                        power: self.names[g].clone(),
+                    })?;
+                    relative = relative + growing * ln;
+                }
+                Ok(own * relative)
+            }
+        }
+    }
+
+    /// The element with values put in for some of its generators. It is for the caller to put in values that
+    /// belong together, where generators depend on each other.
+    ///
+    /// # Errors
+    /// [`ExactError::DivisionByZero`] if that makes a divisor zero.
+    pub fn put(
+        &self,
+        x: &Rational,
+        values: &[(&Rational, &Rational)],
+    ) -> Result<Rational, ExactError> {
+        let values: Vec<_> = values
+            .iter()
+            .filter_map(|(g, value)| Some((g.generators().next()?, *value)))
+            .collect();
+        let into = |p: &Polynomial| {
+            p.terms()
+                .fold(Rational::int(0), |sum, (monomial, coefficient)| {
+                    let start = Rational::from(Polynomial::constant(coefficient.clone()));
+                    let powers = monomial.iter().enumerate().filter(|(_, k)| **k > 0);
+                    sum + powers.fold(start, |term, (g, k)| {
+                        let known = values.iter().find(|(index, _)| *index == g);
+                        let value =
+                            known.map_or_else(|| Rational::generator(g), |(_, v)| (*v).clone());
+                        term * value.pow(*k)
+                    })
+                })
+        };
+        let mut result = into(x.numerator());
+        for (factor, k) in x.factors() {
+            for _ in 0..*k {
+                result = self.divide(&result, &into(factor))?;
+            }
+        }
+        Ok(result * x.number_inverse())
+    }
+}

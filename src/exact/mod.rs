@@ -1,0 +1,40 @@
+//! Proofs in exact arithmetic: identities among a paper's formulas, decided and not measured.
+//!
+//! A formula is read as a tree ([`Expr`]), put into a differential ring ([`Ring`]) where sines, exponentials,
+//! powers and roots are rational functions of a few generators, and tested for zero exactly. A [`Proof`] keeps
+//! the steps for a reader.
+//!
+//! ```
+//! use slipbook::exact::{Expr, Proof, Ring};
+//! use slipbook::scalar::Scalar;
+//!
+//! let mut ring = Ring::new();
+//! ring.angle("θ");
+//! let theta = Expr::symbol("θ");
+//! let proof = Proof::of("sin′ = cos", &ring, |p| {
+//!     let sine = p.read("the sine", theta.sin())?;
+//!     let slope = p.derivative("d sin θ/dθ", &sine, &ring.by("θ")?)?;
+//!     let cosine = p.read("the cosine", theta.cos())?;
+//!     p.equal("they are the same", &slope, &cosine)
+//! });
+//! assert!(proof.holds());
+//! ```
+
+mod calculus;
+mod error;
+mod expr;
+mod mutation;
+mod polynomial;
+mod proof;
+mod rational;
+mod read;
+mod ring;
+
+pub use calculus::Derivation;
+pub use error::ExactError;
+pub use expr::{Binary, Expr, Function, Node};
+pub use mutation::{Mutation, mutations};
+pub use polynomial::Polynomial;
+pub use proof::{Obstacle, Proof, Prover, Step};
+pub use rational::Rational;
+pub use ring::Ring;

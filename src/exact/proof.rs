@@ -1,0 +1,218 @@
+//! A proof: steps that a reader can follow, each carried out, and whether all differences came out zero.
+
+use super::calculus::Derivation;
+use super::error::ExactError;
+use super::expr::Expr;
+use super::rational::Rational;
+use super::ring::Ring;
+use std::fmt;
+
+/// One step of a proof.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Step {
+    /// What is done: what is read, put in, differentiated, compared.
+    pub says: String,
+    /// What comes of it, in plain text.
+    pub gives: String,
+}
+
+/// Why a proof does not hold.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum Obstacle {
+    /// A difference that had to be zero and is not.
+    #[error("{says}: the difference is {normal_form}, not 0")]
+    NotZero {
+        /// What was compared.
+        says: String,
+        /// The difference.
+        normal_form: String,
+    },
+    /// A step that cannot be carried out.
+    #[error(transparent)]
+    Impossible(#[from] ExactError),
+    /// A proof that this one rests on does not hold.
+    #[error("it rests on {title}, which does not hold")]
+    Premise {
+        /// The other proof.
+        title: String,
+    },
+    /// Nothing was compared.
+    #[error("nothing was compared")]
+    Empty,
+}
+
+/// What was tried to prove, how, and with what success.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Proof {
+    title: String,
+    steps: Vec<Step>,
+    obstacle: Option<Obstacle>,
+}
+
+impl Proof {
+    /// Carries out the steps of a proof in a ring.
+    pub fn of(
+        title: impl Into<String>,
+        ring: &Ring,
+        steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+    ) -> Self {
+        let mut prover = Prover {
+            ring,
+            steps: Vec::new(),
+            compared: 0,
+        };
+        let outcome = steps(&mut prover);
+        let empty = (prover.compared == 0).then_some(Obstacle::Empty);
+        Proof {
+            title: title.into(),
+            steps: prover.steps,
+            obstacle: outcome.err().or(empty),
+        }
+    }
+
+    /// A proof that cannot even start, because its ring cannot be set up.
+    pub fn impossible(title: impl Into<String>, error: ExactError) -> Self {
+        Proof {
+            title: title.into(),
+            steps: Vec::new(),
+            obstacle: Some(error.into()),
+        }
+    }
+
+    /// What is proved.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// True if every comparison came out zero, and there was one.
+    pub fn holds(&self) -> bool {
+        self.obstacle.is_none()
+    }
+
+    /// Why it does not hold; `None` if it does.
+    pub fn obstacle(&self) -> Option<&Obstacle> {
+        self.obstacle.as_ref()
+    }
+
+    /// The steps, in order, up to the obstacle if there is one.
+    pub fn steps(&self) -> &[Step] {
+        &self.steps
+    }
+}
+
+/// The proof as numbered lines of plain text.
+impl fmt::Display for Proof {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", self.title)?;
+        for (i, step) in self.steps.iter().enumerate() {
+            writeln!(f, "{}. {}: {}", i + 1, step.says, step.gives)?;
+        }
+        match &self.obstacle {
+            None => writeln!(f, "Proved."),
+            Some(obstacle) => writeln!(f, "Not proved: {obstacle}."),
+        }
+    }
+}
+
+/// Carries out steps in a ring and writes them down.
+#[derive(Debug)]
+pub struct Prover<'a> {
+    ring: &'a Ring,
+    steps: Vec<Step>,
+    compared: usize,
+}
+
+impl<'a> Prover<'a> {
+    /// The ring.
+    pub fn ring(&self) -> &'a Ring {
+        self.ring
+    }
+
+    /// Writes down a remark: an assumption, or the meaning of a symbol.
+    pub fn note(&mut self, says: &str, gives: impl Into<String>) {
+        self.steps.push(Step {
+            says: says.into(),
+            gives: gives.into(),
+        });
+    }
+
+    /// Rests on another proof.
+    ///
+    /// # Errors
+    /// [`Obstacle::Premise`] if that one does not hold.
+    pub fn rests_on(&mut self, other: &Proof) -> Result<(), Obstacle> {
+        if !other.holds() {
+            return Err(Obstacle::Premise {
+                title: other.title.clone(),
+            });
+        }
+        self.note("Proved before", other.title.clone());
+        Ok(())
+    }
+
+    /// Reads a formula into the ring.
+    ///
+    /// # Errors
+    /// As [`Ring::read`].
+    pub fn read(&mut self, says: &str, formula: Expr) -> Result<Rational, Obstacle> {
+        let element = self.ring.read(formula)?;
+        self.note(says, format!("{formula} = {}", self.ring.text(&element)));
+        Ok(element)
+    }
+
+    /// Differentiates an element.
+    ///
+    /// # Errors
+    /// As [`Ring::derivative`].
+    pub fn derivative(
+        &mut self,
+        says: &str,
+        x: &Rational,
+        by: &Derivation,
+    ) -> Result<Rational, Obstacle> {
+        let slope = self.ring.derivative(x, by)?;
+        self.note(says, self.ring.text(&slope));
+        Ok(slope)
+    }
+
+    /// Divides an element by another.
+    ///
+    /// # Errors
+    /// As [`Ring::divide`].
+    pub fn quotient(
+        &mut self,
+        says: &str,
+        x: &Rational,
+        y: &Rational,
+    ) -> Result<Rational, Obstacle> {
+        let quotient = self.ring.divide(x, y)?;
+        self.note(says, self.ring.text(&quotient));
+        Ok(quotient)
+    }
+
+    /// Demands that two elements are equal.
+    ///
+    /// # Errors
+    /// [`Obstacle::NotZero`] with the difference, if they are not.
+    pub fn equal(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<(), Obstacle> {
+        let difference = x - y;
+        self.compared += 1;
+        if self.ring.is_zero(&difference)? {
+            self.note(says, "the difference is 0");
+            Ok(())
+        } else {
+            Err(Obstacle::NotZero {
+                says: says.into(),
+                normal_form: self.ring.text(&self.ring.normal(&difference)),
+            })
+        }
+    }
+
+    /// Demands that an element is zero.
+    ///
+    /// # Errors
+    /// [`Obstacle::NotZero`], if it is not.
+    pub fn zero(&mut self, says: &str, x: &Rational) -> Result<(), Obstacle> {
+        self.equal(says, x, &Rational::int(0))
+    }
+}

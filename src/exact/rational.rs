@@ -1,0 +1,368 @@
+//! Rational functions in several generators over ℚ.
+//!
+//! A numerator over a product of factors. The factors are kept apart, as they came in, and each is cancelled
+//! by exact division wherever it divides the numerator: that keeps degrees low without a greatest common
+//! divisor of polynomials, and zero is zero, because it has the numerator 0.
+
+use super::polynomial::Polynomial;
+use dashu_int::IBig;
+use dashu_int::ops::Gcd;
+use std::ops::{Add, Mul, Neg, Sub};
+
+/// A rational function: numerator / (number × product of factors to positive powers).
+///
+/// Division is not an operator here: whether a divisor is zero is known to the
+/// [`Ring`](super::ring::Ring), which knows the relations among the generators.
+#[derive(Debug, Clone)]
+pub struct Rational {
+    numerator: Polynomial,
+    /// Positive, without a common divisor with the numerator's content.
+    number: IBig,
+    /// Not constant, primitive, leading coefficient positive, powers at least 1.
+    factors: Vec<(Polynomial, u32)>,
+}
+
+impl Rational {
+    /// A whole number.
+    pub fn int(n: i64) -> Self {
+        Polynomial::constant(IBig::from(n)).into()
+    }
+
+    /// The generator of this index.
+    pub fn generator(index: usize) -> Self {
+        Polynomial::generator(index).into()
+    }
+
+    /// The polynomial above the line.
+    pub fn numerator(&self) -> &Polynomial {
+        &self.numerator
+    }
+
+    /// The factors below the line with their powers, without the number.
+    pub fn factors(&self) -> &[(Polynomial, u32)] {
+        &self.factors
+    }
+
+    /// True if the numerator is 0. Says nothing about relations among generators.
+    pub fn is_literally_zero(&self) -> bool {
+        self.numerator.is_zero()
+    }
+
+    /// The value, if it is a whole number.
+    pub fn as_integer(&self) -> Option<IBig> {
+        let whole = self.factors.is_empty() && self.number == IBig::ONE;
+        whole.then(|| self.numerator.as_constant()).flatten()
+    }
+
+    /// The coefficient of each generator as a multiple of 1/2, if this is a sum of such multiples.
+    pub fn as_halves(&self) -> Option<Vec<(usize, i64)>> {
+        let twice = self + self;
+        if !twice.factors.is_empty() || twice.number != IBig::ONE {
+            return None;
+        }
+        let terms = twice.numerator.as_linear()?.into_iter();
+        terms
+            .map(|(g, c)| Some((g, i64::try_from(c).ok()?)))
+            .collect()
+    }
+
+    /// The indices of the generators that occur.
+    pub fn generators(&self) -> impl Iterator<Item = usize> {
+        let below = self
+            .factors
+            .iter()
+            .flat_map(|(f, _)| f.degrees().into_keys());
+        self.numerator.degrees().into_keys().chain(below)
+    }
+
+    /// To the power `n` ≥ 0.
+    pub fn pow(&self, n: u32) -> Self {
+        (0..n).fold(Self::int(1), |power, _| &power * self)
+    }
+
+    /// One over it, without asking whether it is zero by a relation; `None` where the numerator is 0.
+    pub(super) fn reciprocal(&self) -> Option<Self> {
+        let rest = &self.numerator;
+        if rest.is_zero() {
+            return None;
+        }
+        let content = rest.content();
+        let (monomial, rest) = rest.split_monomial();
+        let mut factors: Vec<_> = monomial
+            .degrees()
+            .into_iter()
+            .map(|(g, k)| (Polynomial::generator(g), k))
+            .collect();
+        if rest.as_constant().is_none() {
+            factors.push((rest, 1));
+        }
+        let mut numerator = Polynomial::constant(self.number.clone());
+        for (factor, k) in &self.factors {
+            numerator = &numerator * &factor.pow(*k);
+        }
+        let mut inverse = Rational {
+            numerator,
+            number: content,
+            factors,
+        };
+        inverse.cancel();
+        Some(inverse)
+    }
+
+    /// One over all that stands below the line.
+    pub(super) fn denominator_inverse(&self) -> Self {
+        Rational {
+            numerator: Polynomial::one(),
+            ..self.clone()
+        }
+    }
+
+    /// One over the number below the line.
+    pub(super) fn number_inverse(&self) -> Self {
+        Rational {
+            numerator: Polynomial::one(),
+            number: self.number.clone(),
+            factors: Vec::new(),
+        }
+    }
+
+    /// How many times `p` divides it: positive above the line, negative below; 0 for a constant `p`.
+    pub fn valuation(&self, p: &Polynomial) -> i64 {
+        if self.numerator.is_zero() || p.as_constant().is_some() {
+            return 0;
+        }
+        let count = |q: &Polynomial| {
+            let next = |q: &Polynomial| q.divide_exact(p);
+            std::iter::successors(next(q), next).count() as i64
+        };
+        let below = self.factors.iter().map(|(f, k)| count(f) * i64::from(*k));
+        count(&self.numerator) - below.sum::<i64>()
+    }
+
+    fn cancel(&mut self) {
+        if self.numerator.is_zero() {
+            *self = Rational::from(Polynomial::zero());
+            return;
+        }
+        for (factor, k) in &mut self.factors {
+            while *k > 0 {
+                let Some(quotient) = self.numerator.divide_exact(factor) else {
+                    break;
+                };
+                self.numerator = quotient;
+                *k -= 1;
+            }
+        }
+        self.factors.retain(|(_, k)| *k > 0);
+        if self.number < IBig::ZERO {
+            self.number = -self.number.clone();
+            self.numerator = -&self.numerator;
+        }
+        if self.number != IBig::ONE {
+            let gcd: IBig = (&self.number).gcd(&self.numerator.content()).into();
+            self.number = &self.number / &gcd;
+            if let Some(reduced) = self.numerator.divide_exact(&Polynomial::constant(gcd)) {
+                self.numerator = reduced;
+            }
+        }
+    }
+
+    /// The value where generator `g` has the value `at[g]`, in floating point: for tests against numbers.
+    #[cfg(test)]
+    pub fn value(&self, at: &[f64]) -> f64 {
+        let below = self
+            .factors
+            .iter()
+            .map(|(f, k)| libm::pow(f.value(at), f64::from(*k)));
+        self.numerator.value(at) / (self.number.to_f64().value() * below.product::<f64>())
+    }
+
+    /// Plain text, with the generators' names.
+    pub fn text(&self, names: &[String]) -> String {
+        let (monomial, rest) = self.numerator.split_monomial();
+        let above = if self.numerator.len() < 2 {
+            self.numerator.text(names)
+        } else if monomial == Polynomial::one() {
+            let text = rest.text(names);
+            let alone = self.number == IBig::ONE && self.factors.is_empty();
+            if alone { text } else { format!("({text})") }
+        } else if monomial == -&Polynomial::one() {
+            format!("−({})", rest.text(names))
+        } else {
+            format!("{} ({})", monomial.text(names), rest.text(names))
+        };
+        let mut below = Vec::new();
+        if self.number != IBig::ONE {
+            below.push(self.number.to_string());
+        }
+        for (factor, k) in &self.factors {
+            let mut text = factor.text(names);
+            if factor.len() > 1 {
+                text = format!("({text})");
+            }
+            below.push(if *k > 1 { format!("{text}^{k}") } else { text });
+        }
+        match below.as_slice() {
+            [] => above,
+            [one] => format!("{above}/{one}"),
+            many => format!("{above}/({})", many.join(" ")),
+        }
+    }
+}
+
+impl From<Polynomial> for Rational {
+    fn from(numerator: Polynomial) -> Self {
+        Rational {
+            numerator,
+            number: IBig::ONE,
+            factors: Vec::new(),
+        }
+    }
+}
+
+impl Add for &Rational {
+    type Output = Rational;
+    fn add(self, other: Self) -> Rational {
+        if self.numerator.is_zero() {
+            return other.clone();
+        }
+        if other.numerator.is_zero() {
+            return self.clone();
+        }
+        let gcd: IBig = (&self.number).gcd(&other.number).into();
+        let mut left = self.numerator.scale(&(&other.number / &gcd));
+        let mut right = other.numerator.scale(&(&self.number / &gcd));
+        let mut factors = self.factors.clone();
+        for (factor, k) in &other.factors {
+            match factors.iter_mut().find(|(f, _)| f == factor) {
+                Some((_, common)) => {
+                    if *k > *common {
+                        left = &left * &factor.pow(*k - *common);
+                        *common = *k;
+                    }
+                }
+                None => {
+                    left = &left * &factor.pow(*k);
+                    factors.push((factor.clone(), *k));
+                }
+            }
+        }
+        for (factor, common) in &factors {
+            let has = other
+                .factors
+                .iter()
+                .find(|(f, _)| f == factor)
+                .map_or(0, |(_, k)| *k);
+            right = &right * &factor.pow(common - has);
+        }
+        let mut sum = Rational {
+            numerator: &left + &right,
+            number: &self.number / &gcd * &other.number,
+            factors,
+        };
+        sum.cancel();
+        sum
+    }
+}
+
+impl Neg for &Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        Rational {
+            numerator: -&self.numerator,
+            ..self.clone()
+        }
+    }
+}
+
+impl Sub for &Rational {
+    type Output = Rational;
+    fn sub(self, other: Self) -> Rational {
+        self + &-other
+    }
+}
+
+impl Mul for &Rational {
+    type Output = Rational;
+    fn mul(self, other: Self) -> Rational {
+        let mut factors = self.factors.clone();
+        for (factor, k) in &other.factors {
+            match factors.iter_mut().find(|(f, _)| f == factor) {
+                Some((_, power)) => *power += k,
+                None => factors.push((factor.clone(), *k)),
+            }
+        }
+        let mut product = Rational {
+            numerator: &self.numerator * &other.numerator,
+            number: &self.number * &other.number,
+            factors,
+        };
+        product.cancel();
+        product
+    }
+}
+
+macro_rules! owned {
+    ($($trait:ident $method:ident),*) => {$(
+        impl $trait for Rational {
+            type Output = Rational;
+            fn $method(self, other: Self) -> Rational {
+                (&self).$method(&other)
+            }
+        }
+        impl $trait<&Rational> for Rational {
+            type Output = Rational;
+            fn $method(self, other: &Rational) -> Rational {
+                (&self).$method(other)
+            }
+        }
+        impl $trait<Rational> for &Rational {
+            type Output = Rational;
+            fn $method(self, other: Rational) -> Rational {
+                self.$method(&other)
+            }
+        }
+    )*};
+}
+owned!(Add add, Sub sub, Mul mul);
+
+impl Neg for Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        -&self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn over(a: &Rational, b: &Rational) -> Rational {
+        a * &b.reciprocal().expect("not zero")
+    }
+
+    #[test]
+    fn partial_fractions_add_up() {
+        let [x, one] = [Rational::generator(0), Rational::int(1)];
+        let (more, less) = (&x + &one, &x - &one);
+        // 1/(x−1) − 1/(x+1) = 2/(x²−1)
+        let left = over(&one, &less) - over(&one, &more);
+        let right = over(&Rational::int(2), &(&more * &less));
+        assert!((&left - &right).is_literally_zero());
+        assert!(!(&left + &right).is_literally_zero());
+        assert!(over(&(&x * &x - &one), &more).factors().is_empty());
+    }
+
+    #[test]
+    fn numbers_and_valuations() {
+        let x = Rational::generator(0);
+        let half = over(&x, &Rational::int(-2));
+        assert_eq!(half.text(&["x".into()]), "−x/2");
+        assert_eq!((&half + &half + &x).numerator(), &Polynomial::zero());
+        let p = Polynomial::generator(0);
+        assert_eq!(half.pow(3).valuation(&p), 3);
+        assert_eq!(half.reciprocal().expect("not zero").valuation(&p), -1);
+        assert!(Rational::int(0).reciprocal().is_none());
+        assert_eq!(half.text(&[]), "−#0/2");
+    }
+}

@@ -1,0 +1,249 @@
+//! Reading against numbers, and what the ring must prove, refute and refuse.
+
+use super::*;
+use crate::exact::mutations;
+use crate::scalar::Scalar;
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["a", "b", "λ"] {
+        ring.symbol(name);
+    }
+    ring.angle("θ");
+    ring.angle("φ");
+    ring.hyperbolic("α");
+    Ok(ring)
+}
+
+fn same(ring: &Ring, x: Expr, y: Expr) -> Result<bool, ExactError> {
+    ring.is_zero(&(ring.read(x)? - ring.read(y)?))
+}
+
+/// The generators of `ring()`, in order: π, a, b, λ, θ, tan θ/2, cos θ/2, φ, tan φ/2, cos φ/2, α, exp α/2.
+fn point() -> [f64; 12] {
+    let (theta, phi, alpha) = (0.7_f64, 1.9_f64, 0.4_f64);
+    let half = |x: f64| [libm::tan(x / 2.0), libm::cos(x / 2.0)];
+    let [u, h] = half(theta);
+    let [w, k] = half(phi);
+    let e = libm::exp(alpha / 2.0);
+    [
+        std::f64::consts::PI,
+        1.3,
+        0.6,
+        2.2,
+        theta,
+        u,
+        h,
+        phi,
+        w,
+        k,
+        alpha,
+        e,
+    ]
+}
+
+fn number(name: &str) -> Option<f64> {
+    let index = ["π", "a", "b", "λ", "θ", "", "", "φ", "", "", "α"]
+        .iter()
+        .position(|n| *n == name);
+    index.map(|i| point()[i])
+}
+
+#[test]
+fn an_element_has_the_value_of_the_formula() -> Result<(), ExactError> {
+    let ring = ring()?;
+    let [a, b, theta, phi, alpha] = ["a", "b", "θ", "φ", "α"].map(Expr::symbol);
+    let [two, three] = [2, 3].map(Expr::int);
+    let pi = Expr::pi();
+    let formulas = [
+        (theta + two * phi - pi / two).sin() / (a - b).pow(-three),
+        (three * theta / two - phi).cos() * (pi - phi).cot(),
+        (theta / two - phi / two).tan() - (theta + pi).tan() * theta,
+        (alpha / two).sinh() * (two * alpha).coth() - (-alpha).tanh(),
+        (three * alpha).cosh() + (alpha / two - three * alpha).exp() * pi,
+        -(a / (b * b) - b / a) / (Expr::int(1) - a.squared()) - (a / b).pow(three),
+    ];
+    let wrong = formulas
+        .iter()
+        .flat_map(|f| mutations(*f))
+        .map(|m| m.formula);
+    let mut read = 0;
+    for formula in formulas.into_iter().chain(wrong) {
+        let Ok(element) = ring.read(formula) else {
+            continue;
+        };
+        let found = ring.normal(&element).value(&point());
+        let expected = formula.evaluate(&number).unwrap_or(f64::NAN);
+        assert!(
+            (found - expected).abs() <= 1e-11 * (1.0 + expected.abs()),
+            "{formula}: {found}, {expected}"
+        );
+        read += 1;
+    }
+    assert!(read > 80, "only {read} formulas could be read");
+    for formula in formulas {
+        ring.read(formula)?;
+    }
+    Ok(())
+}
+
+#[test]
+fn identities_hold_and_their_mutants_do_not() -> Result<(), ExactError> {
+    let ring = ring()?;
+    let [theta, phi, alpha] = ["θ", "φ", "α"].map(Expr::symbol);
+    let [one, two] = [1, 2].map(Expr::int);
+    let identities = [
+        (
+            (theta + phi).sin(),
+            theta.sin() * phi.cos() + theta.cos() * phi.sin(),
+        ),
+        ((theta / two).cos().squared(), (one + theta.cos()) / two),
+        ((theta / two).tan(), (one - theta.cos()) / theta.sin()),
+        ((two * alpha).cosh(), one + two * alpha.sinh().squared()),
+        (
+            (two * alpha).tanh(),
+            two * alpha.tanh() / (one + alpha.tanh().squared()),
+        ),
+        ((Expr::pi() - theta).cos(), -theta.cos()),
+    ];
+    for (left, right) in identities {
+        assert!(same(&ring, left, right)?, "{left} = {right}");
+        for mutation in mutations(right) {
+            let holds = same(&ring, left, mutation.formula) == Ok(true);
+            let [x, y] = [left, mutation.formula].map(|f| f.evaluate(&number).unwrap_or(f64::NAN));
+            assert_eq!(holds, (x - y).abs() < 1e-9, "{left} = {}", mutation.formula);
+        }
+    }
+    Ok(())
+}
+
+#[test]
+fn derivatives_agree_with_difference_quotients() -> Result<(), ExactError> {
+    let mut ring = ring()?;
+    let u = ring.half_tangent("θ")?;
+    let lambda = ring.named("λ")?;
+    let power = ring.power(&u, &lambda)?;
+    let [a, theta, l] = ["a", "θ", "λ"].map(Expr::symbol);
+    let radicand = ring.read(Expr::int(1) + a * theta.sin())?;
+    ring.root(&radicand, 2)?;
+    ring.logarithm(&u)?;
+    let half_tan = (theta / Expr::int(2)).tan();
+    let formula = half_tan.pow(-l - Expr::int(2)) * (Expr::int(1) + a * theta.sin()).sqrt() * theta
+        - half_tan.ln() * theta.cos();
+    let at = |theta: f64| {
+        let [u, h] = [libm::tan(theta / 2.0), libm::cos(theta / 2.0)];
+        let mut values = point().to_vec();
+        values[4..7].copy_from_slice(&[theta, u, h]);
+        values.extend([
+            libm::pow(u, 2.2),
+            libm::sqrt(1.0 + 1.3 * libm::sin(theta)),
+            libm::log(u),
+        ]);
+        values
+    };
+    let element = ring.read(formula)?;
+    let slope = ring.derivative(&element, &ring.by("θ")?)?;
+    let step = 1e-5;
+    let quotient = (element.value(&at(0.7 + step)) - element.value(&at(0.7 - step))) / (2.0 * step);
+    assert!((slope.value(&at(0.7)) - quotient).abs() < 1e-7 * quotient.abs());
+    // With ln u at hand, even the exponent may vary: d(u^λ)/dλ = u^λ ln u.
+    let by_exponent = ring.derivative(&power, &ring.by("λ")?)?;
+    assert!(ring.is_zero(&(by_exponent - power * ring.read(half_tan.ln())?))?);
+    Ok(())
+}
+
+#[test]
+fn a_hyperbolic_change_of_variables() -> Result<(), ExactError> {
+    // p′ = ρ cos ψ − 1 and ρ′ = p cos ψ, with p = A sinh α and ρ = A cosh α, where A′ and α′ are solved for.
+    let mut ring = Ring::new();
+    ring.symbol("A");
+    ring.angle("ψ");
+    ring.hyperbolic("α");
+    let [a, psi, alpha] = ["A", "ψ", "α"].map(Expr::symbol);
+    let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
+    let rates = [
+        ring.read(alpha.sinh())?,
+        ring.read(psi.cos() - alpha.cosh() / a)?,
+    ];
+    let [a_rate, alpha_rate] = rates;
+    let motion = ring.along(&[("A", a_rate), ("α", alpha_rate)])?;
+    for (x, rate) in [(p, rho * psi.cos() - Expr::int(1)), (rho, p * psi.cos())] {
+        let found = ring.derivative(&ring.read(x)?, &motion)?;
+        assert!(ring.is_zero(&(found - ring.read(rate)?))?, "{x}");
+    }
+    Ok(())
+}
+
+#[test]
+fn roots_and_inverse_functions() -> Result<(), ExactError> {
+    let mut ring = ring()?;
+    let sine = ring.read(Expr::symbol("φ").sin())?;
+    let cosine = ring.read(Expr::symbol("φ").cos())?;
+    ring.define("s", sine.clone())?;
+    let phi = ring.named("φ")?;
+    ring.inverse(Function::Asin, &sine, &phi)?;
+    let one = Rational::int(1);
+    ring.root_is(&(&one - &sine * &sine), 2, &cosine)?;
+    let s = Expr::symbol("s");
+    let one_e = Expr::int(1);
+    assert!(same(
+        &ring,
+        (Expr::pi() + s.asin()).cos(),
+        -(one_e - s.squared()).sqrt()
+    )?);
+    assert!(!same(
+        &ring,
+        (Expr::pi() + s.asin()).cos(),
+        (one_e - s.squared()).sqrt()
+    )?);
+    assert!(ring.inverse(Function::Acos, &sine, &phi).is_err());
+    assert!(ring.root_is(&sine, 2, &cosine).is_err());
+
+    ring.root(&Rational::int(3), 2)?;
+    let a = ring.named("a")?;
+    let four_a = &Rational::int(4) * &a;
+    let cube = ring.root(&four_a, 3)?;
+    let a = Expr::symbol("a");
+    let root = Expr::int(3).sqrt();
+    assert!(same(&ring, one_e / root, root / Expr::int(3))?);
+    assert!(same(
+        &ring,
+        one_e / (root - one_e),
+        (root + one_e) / Expr::int(2)
+    )?);
+    assert!(!same(&ring, root, Expr::int(2))?);
+    let third = (Expr::int(4) * a).pow(one_e / Expr::int(3));
+    assert!(same(
+        &ring,
+        third.pow(Expr::int(4)),
+        Expr::int(4) * a * third
+    )?);
+    assert_eq!(ring.text(&cube), "(4 a)^(1/3)");
+    Ok(())
+}
+
+#[test]
+fn what_has_no_meaning_is_refused() -> Result<(), ExactError> {
+    let mut ring = ring()?;
+    let [a, theta] = ["a", "θ"].map(Expr::symbol);
+    let zero = theta.sin().squared() + theta.cos().squared() - Expr::int(1);
+    let error = |x: Expr| ring.read(x).expect_err("has no meaning").to_string();
+    assert!(error(a / zero).contains("which is zero"));
+    assert!(error(Expr::symbol("nobody")).contains("nobody is not declared"));
+    assert!(error((theta / Expr::int(3)).sin()).contains("not a sum of half multiples"));
+    assert!(error((Expr::int(1000) * theta).sin()).contains("up to 32"));
+    assert!(error(theta.cosh()).contains("hyperbolic"));
+    assert!(error(a.pow(Expr::symbol("λ"))).contains("declared powers"));
+    assert!(error(a.pow(Expr::int(1_000_000_000))).contains("from −64 to 64"));
+    assert!(error(a.sqrt()).contains("declared powers"));
+    assert!(error(a.ln()).contains("declared logarithms"));
+    assert!(error(a.acos()).contains("not a declared angle"));
+    assert!(ring.along(&[("π", Rational::int(1))]).is_err());
+    assert!(ring.define("a", Rational::int(1)).is_err());
+    assert!(ring.root(&Rational::int(2), 0).is_err());
+    // With r² = 3, the divisor r² − 3 is zero though its text is not.
+    let root = ring.root(&Rational::int(3), 2)?;
+    let hidden = &root * &root - Rational::int(3);
+    assert!(ring.divide(&Rational::int(1), &hidden).is_err());
+    Ok(())
+}

@@ -1,0 +1,37 @@
+//! The README's table of verdicts is the ledger's.
+
+use slipbook::ledger::{Ledger, Verdict};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+#[test]
+fn the_table_of_verdicts_is_the_ledgers() {
+    let ledger = Ledger::try_all(|_| {});
+    let mut rows: Vec<(&str, BTreeMap<Verdict, usize>)> = Vec::new();
+    for entry in &ledger.entries {
+        let title = entry.topic.title;
+        if rows.last().is_none_or(|(last, _)| *last != title) {
+            rows.push((title, BTreeMap::new()));
+        }
+        let counts = &mut rows.last_mut().unwrap().1;
+        *counts.entry(entry.judgement.verdict).or_default() += 1;
+    }
+    rows.push(("**all**", ledger.counts()));
+    let cells = |cells: Vec<String>| format!("| {} |\n", cells.join(" | "));
+    let words = Verdict::ALL.iter().map(|v| v.words().to_owned());
+    let mut table = cells([String::from("topic")].into_iter().chain(words).collect());
+    table += &cells(vec!["---".into(); Verdict::ALL.len() + 1]);
+    for (title, counts) in rows {
+        let count = |v: &Verdict| counts.get(v).map_or(String::new(), usize::to_string);
+        let numbers = Verdict::ALL.iter().map(count);
+        table += &cells([title.to_owned()].into_iter().chain(numbers).collect());
+    }
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
+    let readme = fs::read_to_string(readme).unwrap();
+    let block = format!("<!-- verdicts -->\n{table}<!-- /verdicts -->\n");
+    assert!(
+        readme.contains(&block),
+        "README.md: put this in place of the table of verdicts:\n\n{block}"
+    );
+}

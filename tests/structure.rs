@@ -1,0 +1,181 @@
+//! The rooms of the house and who may know whom, read off the sources themselves.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Each room with the rooms that it may name.
+const MAY_NAME: &[(&str, &[&str])] = &[
+    ("scalar", &[]),
+    ("evidence", &[]),
+    ("numerics", &["scalar"]),
+    ("motion", &["numerics", "scalar"]),
+    ("paper", &["scalar"]),
+    ("corrections", &["scalar"]),
+    ("exact", &["scalar"]),
+    (
+        "claims",
+        &[
+            "scalar",
+            "evidence",
+            "numerics",
+            "motion",
+            "paper",
+            "corrections",
+            "exact",
+        ],
+    ),
+    ("ledger", &["evidence", "claims"]),
+    ("figures", &["numerics"]),
+    ("book", &["evidence", "claims", "ledger", "figures"]),
+];
+
+#[test]
+fn every_room_names_only_the_rooms_above_it() {
+    let rooms: BTreeSet<&str> = MAY_NAME.iter().map(|(room, _)| *room).collect();
+    let mut offences = Vec::new();
+    for (room, may) in MAY_NAME {
+        for file in sources_of(room) {
+            let code = fs::read_to_string(&file).unwrap();
+            for named in rooms_named(&code, &rooms) {
+                if named != *room && !may.contains(&named.as_str()) {
+                    offences.push(format!("{} names {named}", file.display()));
+                }
+            }
+        }
+    }
+    assert!(offences.is_empty(), "{offences:#?}");
+}
+
+#[test]
+fn every_room_is_in_the_table() {
+    let listed: BTreeSet<String> = MAY_NAME
+        .iter()
+        .map(|(room, _)| (*room).to_owned())
+        .collect();
+    let there: BTreeSet<String> = fs::read_dir(root())
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .map(|path| path.file_stem().unwrap().to_str().unwrap().to_owned())
+        .filter(|stem| stem != "lib" && stem != "main")
+        .collect();
+    assert_eq!(listed, there);
+}
+
+#[test]
+fn an_import_of_the_other_side_is_seen_in_every_disguise() {
+    let rooms = BTreeSet::from(["paper", "claims"]);
+    for code in [
+        "use crate::paper::constant;",
+        "use crate::{numerics, paper};",
+        "use crate::{\n    numerics::{ode, roots},\n    paper::constant as c,\n};",
+        "fn f() { super::super::paper::constant::eq11_speed(); }",
+        "use crate as house; fn f() { house :: paper::x(); }",
+        "/* // */ use crate::paper; // harmless",
+        "const Q: char = '\"'; use crate::paper;",
+        "use crate::r#paper;",
+        "include!(\"../paper/constant.rs\");",
+        "#[path = \"../paper/constant.rs\"] mod c;",
+    ] {
+        assert!(rooms_named(code, &rooms).contains("paper"), "{code}");
+    }
+    for code in [
+        "// crate::paper",
+        "/// see [`crate::paper`]\nfn f() {}",
+        "let x = \"the paper says\";",
+        "/* a /* crate::paper */ b */",
+        "let wallpaper = 1;",
+    ] {
+        assert!(rooms_named(code, &rooms).is_empty(), "{code}");
+    }
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("src")
+}
+
+/// The source files of a room: `room.rs`, or all below `room/`.
+fn sources_of(room: &str) -> Vec<PathBuf> {
+    let (file, folder) = (root().join(format!("{room}.rs")), root().join(room));
+    let mut sources = Vec::new();
+    let mut open = vec![];
+    if file.exists() {
+        sources.push(file);
+    }
+    if folder.exists() {
+        open.push(folder);
+    }
+    while let Some(folder) = open.pop() {
+        for entry in fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else if path.extension().is_some_and(|e| e == "rs") {
+                sources.push(path);
+            }
+        }
+    }
+    assert!(!sources.is_empty(), "the room {room} has no sources");
+    sources
+}
+
+/// The rooms whose names stand in the code as whole words in a path, or inside a file name.
+fn rooms_named(code: &str, rooms: &BTreeSet<&str>) -> BTreeSet<String> {
+    let code = without_comments(code);
+    let mut named = BTreeSet::new();
+    for word in code.split(|c: char| !(c.is_alphanumeric() || c == '_')) {
+        let in_file_name =
+            || code.contains(&format!("/{word}/")) || code.contains(&format!("/{word}.rs"));
+        if rooms.contains(word) && (in_path(&code, word) || in_file_name()) {
+            named.insert(word.to_owned());
+        }
+    }
+    named
+}
+
+/// True if `word` stands beside `::`, or in a `use` declaration's braces.
+fn in_path(code: &str, word: &str) -> bool {
+    let flat: String = code.split_whitespace().collect::<Vec<_>>().join(" ");
+    let flat = flat
+        .replace(" :: ", "::")
+        .replace(" ::", "::")
+        .replace(":: ", "::");
+    let flat = flat.replace("r#", "");
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let by_colons = flat.match_indices(word).any(|(at, _)| {
+        let (before, after) = (&flat[..at], &flat[at + word.len()..]);
+        let whole = !before.ends_with(is_word) && !after.starts_with(is_word);
+        whole && (before.ends_with("::") || after.starts_with("::"))
+    });
+    let uses = flat
+        .split(';')
+        .filter_map(|s| s.split_once("use ").map(|(_, rest)| rest));
+    let by_use = uses
+        .into_iter()
+        .any(|declared| declared.split(|c: char| !is_word(c)).any(|w| w == word));
+    by_colons || by_use
+}
+
+/// The code with its comments, nested ones included, taken out; text in quotes stays.
+fn without_comments(code: &str) -> String {
+    let mut out = String::new();
+    let mut rest = code;
+    let mut depth = 0;
+    while let Some(c) = rest.chars().next() {
+        if depth == 0 && rest.starts_with("//") {
+            rest = rest.find('\n').map_or("", |end| &rest[end..]);
+        } else if rest.starts_with("/*") {
+            depth += 1;
+            rest = &rest[2..];
+        } else if depth > 0 && rest.starts_with("*/") {
+            depth -= 1;
+            rest = &rest[2..];
+        } else {
+            if depth == 0 {
+                out.push(c);
+            }
+            rest = &rest[c.len_utf8()..];
+        }
+    }
+    out
+}
