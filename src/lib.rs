@@ -31,6 +31,6 @@ pub mod exact;
 pub mod figures;
 pub mod ledger;
 //pub mod motion;
-//pub mod numerics;
+pub mod numerics;
 pub mod paper;
 pub mod scalar;

@@ -5,7 +5,7 @@ use super::runs::{Turn, launch, straight, turns, turns_where};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::evidence::{Evidence, Subject};
-use crate::numerics::quadrature::integrate;
+use crate::numerics::quadrature::integral;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 
@@ -18,7 +18,7 @@ fn summed_rate(compared: &'static str, component: usize, rate: fn(&Turn, f64) ->
             let [vx, vy] = motion.at(t).map_or([f64::NAN; 2], |state| state.v);
             rate(turn, libm::atan2(vy, vx))
         };
-        let change = integrate(along, 0.0, turn.t)?.value;
+        let change = integral(along, 0.0, turn.t)?.value;
         let (before, after) = (turn.velocity0()[component], turn.velocity()[component]);
         Ok::<_, Failure>(Pair {
             at: turn.at(),
@@ -58,7 +58,7 @@ pub fn eq9_quadrature() -> Evidence {
     Trial::quadrature(Subject::Printed, compared).over(turns(), |turn| {
         let turn = turn?;
         let rate = |theta| printed::eq9_log_speed_rate(turn.lambda, theta);
-        let log_ratio = integrate(rate, turn.theta0, turn.theta)?.value;
+        let log_ratio = integral(rate, turn.theta0, turn.theta)?.value;
         let found = turn.v / turn.v0;
         Ok::<_, Failure>(Pair {
             at: turn.at(),
@@ -108,7 +108,7 @@ pub fn eq11_quadrature() -> Evidence {
         let turn = turn?;
         // Along and across the velocity, with A along x: dv/dt = A cos θ − λA, v dθ/dt = −A sin θ.
         let rate = |theta: f64| -(Scalar::cos(theta) - turn.lambda) / Scalar::sin(theta);
-        let log_ratio = integrate(rate, turn.theta0, turn.theta)?.value;
+        let log_ratio = integral(rate, turn.theta0, turn.theta)?.value;
         let found = turn.v0 * libm::exp(log_ratio);
         let speed = turn.formula(printed::eq11_speed);
         let mut pair = Pair::conditioned(turn.at(), speed, found);

@@ -1,11 +1,168 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
-use super::runs::{Stop, Turn, launch_free, settled, stops, turns_where};
+use super::runs::{Stop, Turn, frictionless, settled, stops, turns_where};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::TERMINAL;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::numerics::quadrature::integrate;
+use crate::numerics::quadrature::integral;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
+
+/// (15) with v_x of the motion without friction.
+pub fn eq15_motion() -> Evidence {
+    let trial = Trial::motion(Subject::Printed, "(15) with v_x of the motion without friction");
+    trial.over(frictionless(), |flight| {
+        let (start, state) = flight?;
+        let stated = printed::eq15_vx(start.a, start.velocity0()[0], state.t);
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {:.6}", start.at(), state.t),
+            stated,
+            found: state.v[0],
+            scale: start.v0 + start.a * state.t,
+        })
+    })
+}
+
+/// (16) with v_y of the motion without friction.
+pub fn eq16_motion() -> Evidence {
+    let trial = Trial::motion(Subject::Printed, "(16) with v_y of the motion without friction");
+    trial.over(frictionless(), |flight| {
+        let (start, state) = flight?;
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {:.6}", start.at(), state.t),
+            stated: printed::eq16_vy(start.velocity0()[1]),
+            found: state.v[1],
+            scale: start.v0,
+        })
+    })
+}
+
+/// The parabola: v_y² x − v_y v_0x y − A y²/2 vanishes along the path, the time being eliminated.
+pub fn parabola_motion() -> Evidence {
+    let compared = "x(y) of the path without friction with the parabola through the launch";
+    let trial = Trial::motion(Subject::Printed, compared);
+    let flights = frictionless().filter(|f| f.as_ref().map_or(true, |(s, _)| s.theta0.abs() > 0.01));
+    trial.over(flights, |flight| {
+        let (start, state) = flight?;
+        let [vx, vy] = start.velocity0();
+        let t = state.x[1] / vy;
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {:.6}", start.at(), state.t),
+            stated: vx * t + start.a * t * t / 2.0,
+            found: state.x[0],
+            scale: (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs(),
+        })
+    })
+}
+
+/// The same path by quadrature of its slope dx/dy = v_x/v_y.
+pub fn parabola_quadrature() -> Evidence {
+    let compared = "∫ v_x dy/v_y with (15), (16) over the path, with its x";
+    let trial = Trial::quadrature(Subject::Printed, compared);
+    let flights = frictionless().filter(|f| f.as_ref().map_or(true, |(s, _)| s.theta0.abs() > 0.01));
+    trial.over(flights, |flight| {
+        let (start, state) = flight?;
+        let [vx, vy] = start.velocity0();
+        let slope = |y: f64| printed::eq15_vx(start.a, vx, y / vy) / printed::eq16_vy(vy);
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {:.6}", start.at(), state.t),
+            stated: integral(slope, 0.0, state.x[1])?.value,
+            found: state.x[0],
+            scale: (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs(),
+        })
+    })
+}
+
+/// (17): the invariant at θ over that at θ₀.
+pub fn eq17_motion() -> Evidence {
+    let compared = "(17) at θ over (17) at θ₀, along the motion, with 1";
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(super::runs::critical_turns(), |turn: Result<Turn, _>| {
+        let turn = turn?;
+        let number = Conditioned::measured;
+        let at = |v, theta| printed::eq17_invariant(number(v), number(theta));
+        let ratio = at(turn.v, turn.theta) / at(turn.v0, turn.theta0);
+        Ok::<_, Failure>(Pair::conditioned(turn.at(), ratio, 1.0))
+    })
+}
+
+/// (18) with v_x after a long time.
+pub fn eq18_limit() -> Evidence {
+    let compared = "(18) with v_x of the motion when v_y has fallen below 1e-15 v₀";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
+    trial.over(settled(), |late| {
+        let (start, state) = late?;
+        Ok::<_, Failure>(Pair {
+            at: start.at(),
+            stated: printed::eq18_vx_limit(start.v0, start.theta0),
+            found: state.v[0],
+            scale: start.v0,
+        })
+    })
+}
+
+/// (18) with v₀ exp ∫ dv/v from θ₀ to 0, where dv/v = tan(θ/2) dθ at λ = 1.
+pub fn eq18_quadrature() -> Evidence {
+    let compared = "(18) with v₀ exp ∫ dv/v over the whole turn";
+    let trial = Trial::quadrature(Subject::Printed, compared);
+    trial.over(settled(), |late| {
+        let (start, _) = late?;
+        let rate = |theta: f64| Scalar::tan(theta / 2.0);
+        let log_ratio = integral(rate, start.theta0, 0.0)?.value;
+        Ok::<_, Failure>(Pair {
+            at: start.at(),
+            stated: printed::eq18_vx_limit(start.v0, start.theta0),
+            found: start.v0 * libm::exp(log_ratio),
+            scale: start.v0,
+        })
+    })
+}
+
+/// (19) with v_y after a long time.
+pub fn eq19_limit() -> Evidence {
+    let compared = "(19) with v_y of the motion after 40 times the time v₀/A, and longer where it turns slowly";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
+    trial.over(settled(), |late| {
+        let (start, state) = late?;
+        Ok::<_, Failure>(Pair {
+            at: start.at(),
+            stated: printed::eq19_vy_limit(),
+            found: state.v[1],
+            scale: start.v0,
+        })
+    })
+}
+
+/// (20) with the time at which the motion stops.
+pub fn eq20_motion() -> Evidence {
+    let trial = Trial::motion(Subject::Printed, "(20) with the time at which the motion stops");
+    trial.over(stops(), |stop| {
+        let stop = stop?;
+        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(stop), stop.t))
+    })
+}
+
+/// (20) with the integral of dt over the whole turn, in the variable r of the regular form.
+pub fn eq20_quadrature() -> Evidence {
+    let trial = Trial::quadrature(Subject::Printed, "(20) with ∫ dt = ∫ v dr/(A r) over 0 < r < 1");
+    trial.over(stops(), |stop| {
+        let stop = stop?;
+        let Turn { lambda, a, v0, theta0, .. } = stop.start;
+        // With r = x^(1/(λ−1)) the integrand is finite at 0.
+        let k = 1.0 / (lambda - 1.0);
+        let rate = |x: f64| {
+            let r = Scalar::pow(x, k);
+            corrected::speed(lambda, v0, theta0, r) * k / (a * x)
+        };
+        let found = integral(rate, 0.0, 1.0)?.value;
+        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(stop), found))
+    })
+}
+
+fn eq20(stop: &Stop) -> Conditioned {
+    let number = Conditioned::measured;
+    let Turn { lambda, a, v0, theta0, .. } = stop.start;
+    printed::eq20_stop_time(number(lambda), number(a), number(v0), number(theta0))
+}

@@ -6,7 +6,7 @@ use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::numerics::quadrature::integrate;
+use crate::numerics::quadrature::integral;
 use crate::numerics::roots::root;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
@@ -39,7 +39,7 @@ pub fn eq12_quadrature() -> Evidence {
     let trial = Trial::quadrature(Subject::Within, "∫ (12) dθ with A t of the motion");
     trial.over(turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0), |turn| {
         let turn = turn?;
-        let stated = integrate(|theta| eq12_rate(turn, theta), turn.theta0, turn.theta)?.value;
+        let stated = integral(|theta| eq12_rate(turn, theta), turn.theta0, turn.theta)?.value;
         let found = turn.a * turn.t;
         Ok::<_, Failure>(Pair {
             at: turn.at(),
@@ -84,7 +84,7 @@ pub fn eq13_quadrature() -> Evidence {
             let v = printed::eq11_speed(turn.lambda, turn.v0, turn.theta0, theta);
             -v / (turn.a * Scalar::sin(theta))
         };
-        let found = integrate(rate, turn.theta0, turn.theta)?.value;
+        let found = integral(rate, turn.theta0, turn.theta)?.value;
         Ok::<_, Failure>(Pair::conditioned(turn.at(), eq13(turn), found))
     })
 }

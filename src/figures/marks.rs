@@ -1,0 +1,356 @@
+//! What a panel can show, besides a raster: curves, points, areas, rules and notes.
+
+use super::svg::Colour;
+
+/// How a line is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stroke {
+    /// Without a break.
+    Solid,
+    /// Dashes.
+    Dashed,
+    /// Dots.
+    Dotted,
+    /// Dashes and dots in turn.
+    DashDotted,
+}
+
+impl Stroke {
+    /// The pattern of a series, so that series differ without colour.
+    fn of(series: usize) -> Self {
+        [
+            Stroke::Solid,
+            Stroke::Dashed,
+            Stroke::Dotted,
+            Stroke::DashDotted,
+        ][series % 4]
+    }
+
+    /// The value of `stroke-dasharray` for round ends.
+    pub(super) fn pattern(self) -> Option<&'static str> {
+        match self {
+            Stroke::Solid => None,
+            Stroke::Dashed => Some("7 5"),
+            Stroke::Dotted => Some("0 4.5"),
+            Stroke::DashDotted => Some("9 4.5 0 4.5"),
+        }
+    }
+}
+
+/// Words beside a mark: what, and how far along it they are wanted.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Label {
+    pub text: String,
+    pub at: f64,
+}
+
+/// A line through points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) colour: Colour,
+    pub(super) stroke: Stroke,
+    pub(super) width: f64,
+    pub(super) arrows: Vec<f64>,
+    pub(super) label: Option<Label>,
+    pub(super) key: Option<String>,
+}
+
+impl Curve {
+    /// A solid line in the first series' colour through `[x, y]` in order. A point that is not finite
+    /// is a gap.
+    pub fn new(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        Curve {
+            points: points.into_iter().collect(),
+            colour: Colour::Series(0),
+            stroke: Stroke::Solid,
+            width: 1.8,
+            arrows: Vec::new(),
+            label: None,
+            key: None,
+        }
+    }
+
+    /// Colour and dash pattern of series `n` (counted from 0; twelve differ).
+    pub fn series(mut self, n: usize) -> Self {
+        self.colour = Colour::Series(n);
+        self.stroke = Stroke::of(n);
+        self
+    }
+
+    /// The page's text colour.
+    pub fn ink(mut self) -> Self {
+        self.colour = Colour::Ink;
+        self
+    }
+
+    /// Another dash pattern.
+    pub fn stroke(mut self, stroke: Stroke) -> Self {
+        self.stroke = stroke;
+        self
+    }
+
+    /// Another width, in units of 1/480 of the panel's width; 1.8 if not set.
+    pub fn width(mut self, width: f64) -> Self {
+        self.width = width;
+        self
+    }
+
+    /// Arrowheads in the direction of the points' order, at these fractions of the visible length.
+    pub fn arrows(mut self, fractions: &[f64]) -> Self {
+        self.arrows = fractions.to_vec();
+        self
+    }
+
+    /// Words beside the end of the curve, moved to where they cover nothing.
+    pub fn label(self, text: impl Into<String>) -> Self {
+        self.label_at(text, 1.0)
+    }
+
+    /// Words beside the curve, near this fraction of its visible length.
+    pub fn label_at(mut self, text: impl Into<String>, fraction: f64) -> Self {
+        self.label = Some(Label {
+            text: text.into(),
+            at: fraction,
+        });
+        self
+    }
+
+    /// An entry in the key below the panel, where there is no room for a label.
+    pub fn key(mut self, text: impl Into<String>) -> Self {
+        self.key = Some(text.into());
+        self
+    }
+}
+
+/// The shape of a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// A filled disc.
+    Disc,
+    /// An open circle.
+    Circle,
+    /// A filled square.
+    Square,
+    /// An open triangle.
+    Triangle,
+    /// An oblique cross.
+    Cross,
+}
+
+/// Single points.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Points {
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) colour: Colour,
+    pub(super) marker: Marker,
+    pub(super) size: f64,
+    pub(super) label: Option<Label>,
+    pub(super) key: Option<String>,
+}
+
+impl Points {
+    /// Discs in the first series' colour at `[x, y]`. A point that is not finite is left out.
+    pub fn new(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        Points {
+            points: points.into_iter().collect(),
+            colour: Colour::Series(0),
+            marker: Marker::Disc,
+            size: 4.0,
+            label: None,
+            key: None,
+        }
+    }
+
+    /// Colour and marker of series `n` (counted from 0).
+    pub fn series(mut self, n: usize) -> Self {
+        let markers = [
+            Marker::Disc,
+            Marker::Circle,
+            Marker::Square,
+            Marker::Triangle,
+            Marker::Cross,
+        ];
+        self.colour = Colour::Series(n);
+        self.marker = markers[n % markers.len()];
+        self
+    }
+
+    /// The page's text colour.
+    pub fn ink(mut self) -> Self {
+        self.colour = Colour::Ink;
+        self
+    }
+
+    /// Another shape.
+    pub fn marker(mut self, marker: Marker) -> Self {
+        self.marker = marker;
+        self
+    }
+
+    /// Another radius, in units of 1/480 of the panel's width; 4 if not set.
+    pub fn size(mut self, size: f64) -> Self {
+        self.size = size;
+        self
+    }
+
+    /// Words beside the last point, moved to where they cover nothing.
+    pub fn label(mut self, text: impl Into<String>) -> Self {
+        self.label = Some(Label {
+            text: text.into(),
+            at: 1.0,
+        });
+        self
+    }
+
+    /// An entry in the key below the panel.
+    pub fn key(mut self, text: impl Into<String>) -> Self {
+        self.key = Some(text.into());
+        self
+    }
+}
+
+/// A filled polygon without an outline.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Area {
+    pub(super) points: Vec<[f64; 2]>,
+    pub(super) colour: Colour,
+    pub(super) opacity: f64,
+    pub(super) key: Option<String>,
+}
+
+impl Area {
+    /// The polygon with these corners `[x, y]`, tinted in the first series' colour. A corner that is
+    /// not finite is left out.
+    pub fn new(corners: impl IntoIterator<Item = [f64; 2]>) -> Self {
+        Area {
+            points: corners.into_iter().collect(),
+            colour: Colour::Series(0),
+            opacity: 0.18,
+            key: None,
+        }
+    }
+
+    /// What lies between two curves that run in the same direction.
+    pub fn between(
+        one: impl IntoIterator<Item = [f64; 2]>,
+        other: impl IntoIterator<Item = [f64; 2]>,
+    ) -> Self {
+        let back: Vec<_> = other.into_iter().collect();
+        Area::new(one.into_iter().chain(back.into_iter().rev()))
+    }
+
+    /// Colour of series `n` (counted from 0).
+    pub fn series(mut self, n: usize) -> Self {
+        self.colour = Colour::Series(n);
+        self
+    }
+
+    /// The page's text colour.
+    pub fn ink(mut self) -> Self {
+        self.colour = Colour::Ink;
+        self
+    }
+
+    /// Another opacity, from 0 to 1; 0.18 if not set.
+    pub fn opacity(mut self, opacity: f64) -> Self {
+        self.opacity = opacity;
+        self
+    }
+
+    /// An entry in the key below the panel.
+    pub fn key(mut self, text: impl Into<String>) -> Self {
+        self.key = Some(text.into());
+        self
+    }
+}
+
+/// A straight line across the panel, for a value to compare with. It does not widen an axis that is
+/// parallel to it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rule {
+    pub(super) horizontal: bool,
+    pub(super) at: f64,
+    /// Everything of the curve that it is drawn as, but its points.
+    pub(super) line: Curve,
+}
+
+impl Rule {
+    fn new(horizontal: bool, at: f64) -> Self {
+        Rule {
+            horizontal,
+            at,
+            line: Curve::new([]).ink().stroke(Stroke::Dashed).width(1.2),
+        }
+    }
+
+    /// The line of constant y.
+    pub fn horizontal(y: f64) -> Self {
+        Rule::new(true, y)
+    }
+
+    /// The line of constant x.
+    pub fn vertical(x: f64) -> Self {
+        Rule::new(false, x)
+    }
+
+    /// Colour and dash pattern of series `n` (counted from 0).
+    pub fn series(mut self, n: usize) -> Self {
+        self.line = self.line.series(n).width(1.6);
+        self
+    }
+
+    /// Another dash pattern.
+    pub fn stroke(mut self, stroke: Stroke) -> Self {
+        self.line = self.line.stroke(stroke);
+        self
+    }
+
+    /// Words beside the right or upper end.
+    pub fn label(mut self, text: impl Into<String>) -> Self {
+        self.line = self.line.label(text);
+        self
+    }
+
+    /// An entry in the key below the panel.
+    pub fn key(mut self, text: impl Into<String>) -> Self {
+        self.line = self.line.key(text);
+        self
+    }
+}
+
+/// Which side of a note its place is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Align {
+    /// The note starts there.
+    Start,
+    /// The note is centred there.
+    Middle,
+    /// The note ends there.
+    End,
+}
+
+/// Words at a place. Labels keep clear of them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Note {
+    pub(super) at: [f64; 2],
+    pub(super) text: String,
+    pub(super) align: Align,
+}
+
+impl Note {
+    /// Words centred at `[x, y]`. Nothing is drawn at a place that is not finite or off the panel.
+    pub fn new(at: [f64; 2], text: impl Into<String>) -> Self {
+        Note {
+            at,
+            text: text.into(),
+            align: Align::Middle,
+        }
+    }
+
+    /// Where the words stand relative to their place.
+    pub fn align(mut self, align: Align) -> Self {
+        self.align = align;
+        self
+    }
+}

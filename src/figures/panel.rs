@@ -1,0 +1,214 @@
+//! A panel: two axes, and what is drawn between them.
+
+use super::FigureError;
+use super::axes::{Axis, Scale};
+use super::marks::{Area, Curve, Note, Points, Rule};
+use super::raster::Raster;
+use super::sketch::{Sketch, inside, marker, sample, stroke};
+
+#[derive(Debug, Clone, PartialEq)]
+enum Mark {
+    Curve(Curve),
+    Points(Points),
+    Area(Area),
+    Rule(Rule),
+    Note(Note),
+    Raster(Raster),
+}
+
+/// Two axes and the marks between them. Rasters and areas lie lowest, then grid and axes, then the
+/// rest in the order in which it was added.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    pub(super) title: String,
+    x: Axis,
+    y: Axis,
+    marks: Vec<Mark>,
+    height: f64,
+    equal: bool,
+}
+
+impl Panel {
+    /// An empty panel.
+    pub fn new(x: Axis, y: Axis) -> Self {
+        Panel {
+            title: String::new(),
+            x,
+            y,
+            marks: Vec::new(),
+            height: 290.0,
+            equal: false,
+        }
+    }
+
+    /// A line above the panel: `"(a)  λ ≤ 1"`.
+    pub fn title(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// Height between the axes' ends, from 40 to 4000 units; 290 if not set. The page is 480 wide.
+    pub fn height(mut self, height: f64) -> Self {
+        self.height = height;
+        self
+    }
+
+    /// Makes the units (on logarithmic axes the decades) of both axes equally long.
+    pub fn equal(mut self) -> Self {
+        self.equal = true;
+        self
+    }
+
+    /// Adds a curve.
+    pub fn curve(mut self, curve: Curve) -> Self {
+        self.marks.push(Mark::Curve(curve));
+        self
+    }
+
+    /// Adds points.
+    pub fn points(mut self, points: Points) -> Self {
+        self.marks.push(Mark::Points(points));
+        self
+    }
+
+    /// Adds a filled polygon.
+    pub fn area(mut self, area: Area) -> Self {
+        self.marks.push(Mark::Area(area));
+        self
+    }
+
+    /// Adds a straight line across the panel.
+    pub fn rule(mut self, rule: Rule) -> Self {
+        self.marks.push(Mark::Rule(rule));
+        self
+    }
+
+    /// Adds words at a place.
+    pub fn note(mut self, note: Note) -> Self {
+        self.marks.push(Mark::Note(note));
+        self
+    }
+
+    /// Adds a raster.
+    pub fn raster(mut self, raster: Raster) -> Self {
+        self.marks.push(Mark::Raster(raster));
+        self
+    }
+
+    /// Everything that has a place along x (`0`) or y (`1`).
+    fn values(&self, axis: usize) -> Vec<f64> {
+        let mut values = Vec::new();
+        for mark in &self.marks {
+            match mark {
+                Mark::Curve(Curve { points, .. })
+                | Mark::Points(Points { points, .. })
+                | Mark::Area(Area { points, .. }) => values.extend(points.iter().map(|p| p[axis])),
+                Mark::Rule(rule) if rule.horizontal == (axis == 1) => values.push(rule.at),
+                Mark::Rule(_) => {}
+                Mark::Note(note) => values.push(note.at[axis]),
+                Mark::Raster(raster) => {
+                    let (from, to) = if axis == 0 { raster.x } else { raster.y };
+                    values.extend([from, to]);
+                }
+            }
+        }
+        values
+    }
+
+    /// Fixes both axes, for a panel `width` wide.
+    pub(super) fn settle(&self, width: f64) -> Result<(Scale, Scale), FigureError> {
+        for mark in &self.marks {
+            if let Mark::Raster(raster) = mark {
+                raster.check()?;
+            }
+        }
+        let x = self.x.settle(
+            self.values(0).into_iter(),
+            if width < 400.0 { 4 } else { 6 },
+        )?;
+        let about = if self.height < 150.0 { 2 } else { 5 };
+        let y = self.y.settle(self.values(1).into_iter(), about)?;
+        Ok((x, y))
+    }
+
+    /// Height between the axes' ends when they are `width` long.
+    pub(super) fn inner_height(
+        &self,
+        x: &Scale,
+        y: &Scale,
+        width: f64,
+    ) -> Result<f64, FigureError> {
+        let span = |scale: &Scale| {
+            if scale.log {
+                libm::log10(scale.to) - libm::log10(scale.from)
+            } else {
+                scale.to - scale.from
+            }
+        };
+        let height = if self.equal {
+            width * span(y) / span(x)
+        } else {
+            self.height
+        };
+        if (40.0..=4000.0).contains(&height) {
+            Ok(height)
+        } else {
+            Err(FigureError::Layout {
+                parameter: "height of a panel",
+                allowed: "from 40 to 4000",
+                value: height,
+            })
+        }
+    }
+
+    /// The entries of the key: a sample and words.
+    pub(super) fn key(&self, x: &Scale, y: &Scale) -> Vec<(String, String)> {
+        let mut entries = Vec::new();
+        for mark in &self.marks {
+            match mark {
+                Mark::Curve(curve) | Mark::Rule(Rule { line: curve, .. }) => {
+                    if let Some(words) = &curve.key {
+                        entries.push((stroke(curve, "M1 -5H29"), words.clone()));
+                    }
+                }
+                Mark::Points(points) => {
+                    if let Some(words) = &points.key {
+                        entries.push((marker(points, &[[15.0, -5.0]]), words.clone()));
+                    }
+                }
+                Mark::Area(area) => {
+                    if let Some(words) = &area.key {
+                        entries.push((sample(area.colour, area.opacity), words.clone()));
+                    }
+                }
+                Mark::Raster(raster) => {
+                    for (n, class) in raster.classes.iter().enumerate() {
+                        let hidden = inside(raster, n, x, y).is_some() || raster.counts()[n] == 0;
+                        if !class.label.is_empty() && !hidden {
+                            let sample = sample(class.colour, class.opacity);
+                            entries.push((sample, class.label.clone()));
+                        }
+                    }
+                }
+                Mark::Note(_) => {}
+            }
+        }
+        entries
+    }
+
+    /// The panel between the scales' pixels, without title and key.
+    pub(super) fn draw(&self, x: &Scale, y: &Scale) -> String {
+        let mut sketch = Sketch::new(x, y);
+        for (mark, owner) in self.marks.iter().zip((1..u16::MAX).cycle()) {
+            match mark {
+                Mark::Area(area) => sketch.area(area),
+                Mark::Raster(raster) => sketch.raster(raster),
+                Mark::Curve(curve) => sketch.curve(curve, &curve.points, owner),
+                Mark::Rule(rule) => sketch.rule(rule, owner),
+                Mark::Points(points) => sketch.points(points, owner),
+                Mark::Note(note) => sketch.note(note),
+            }
+        }
+        sketch.finish()
+    }
+}

@@ -1,0 +1,230 @@
+//! The page: panels in a grid, their keys, and the finished figure.
+
+use super::axes::{Scale, TEXT_SIZE, text};
+use super::svg::{escape, number};
+use super::text::width;
+use super::{Figure, FigureError, Panel, Table};
+
+/// Width of the page, in units of which type is 15 or 16 high.
+const WIDTH: f64 = 480.0;
+/// Height of a line of the key.
+const KEY_LINE: f64 = 25.0;
+/// Sample of the key, with the space after it.
+const KEY_SAMPLE: f64 = 36.0;
+/// Typefaces: those of the formulas around, then what a machine has.
+const FACES: &str =
+    "KaTeX_Main, KaTeX_Math, 'Latin Modern Roman', 'STIX Two Text', 'Times New Roman', serif";
+
+/// A figure in the making.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plot {
+    id: &'static str,
+    title: String,
+    caption: String,
+    alt: String,
+    columns: usize,
+    panels: Vec<Panel>,
+}
+
+/// A panel with its settled axes and the height of its inner part.
+struct Settled<'a> {
+    panel: &'a Panel,
+    x: Scale,
+    y: Scale,
+    height: f64,
+    key: Vec<Vec<(f64, String, String)>>,
+}
+
+impl Plot {
+    /// An empty figure: its permanent id (letters, digits, hyphens) and a title of a few words.
+    pub fn new(id: &'static str, title: impl Into<String>) -> Self {
+        Plot {
+            id,
+            title: title.into(),
+            caption: String::new(),
+            alt: String::new(),
+            columns: 1,
+            panels: Vec::new(),
+        }
+    }
+
+    /// What a reader should see in it; formulas in `$…$`.
+    pub fn caption(mut self, caption: impl Into<String>) -> Self {
+        self.caption = caption.into();
+        self
+    }
+
+    /// What it shows, in plain words, for those who do not see it.
+    pub fn alt(mut self, alt: impl Into<String>) -> Self {
+        self.alt = alt.into();
+        self
+    }
+
+    /// Puts panels side by side, 1 to 4 in a row of the same 480 units: for small panels with little
+    /// in them. One column if not set.
+    pub fn columns(mut self, columns: usize) -> Self {
+        self.columns = columns;
+        self
+    }
+
+    /// Adds a panel: to the right, then below.
+    pub fn panel(mut self, panel: Panel) -> Self {
+        self.panels.push(panel);
+        self
+    }
+
+    /// Draws it and puts the data beside it.
+    pub fn figure(self, data: Table) -> Result<Figure, FigureError> {
+        let svg = self.draw()?;
+        Ok(Figure {
+            id: self.id,
+            caption: self.caption,
+            alt: self.alt,
+            svg,
+            csv: data.into_text(),
+        })
+    }
+
+    /// The drawing alone.
+    fn draw(&self) -> Result<String, FigureError> {
+        if !(1..=4).contains(&self.columns) {
+            return Err(layout("columns of a figure", "from 1 to 4", self.columns));
+        }
+        if self.panels.is_empty() {
+            return Err(layout("panels of a figure", "at least 1", 0));
+        }
+        let share = WIDTH / self.columns as f64;
+        let scales: Result<Vec<_>, _> = self.panels.iter().map(|p| p.settle(share)).collect();
+        let scales = scales?;
+        let widest = scales
+            .iter()
+            .map(|(_, y)| y.label_width())
+            .fold(0.0, f64::max);
+        let hanging = scales
+            .iter()
+            .map(|(x, _)| x.overhang())
+            .fold(14.0, f64::max);
+        let (left, right) = (widest + 18.0, hanging + 2.0);
+        let inner = share - left - right;
+        if inner < 60.0 {
+            return Err(layout(
+                "columns of a figure",
+                "few enough to leave room",
+                self.columns,
+            ));
+        }
+        let mut settled = Vec::new();
+        for (panel, (mut x, mut y)) in self.panels.iter().zip(scales) {
+            let height = panel.inner_height(&x, &y, inner)?;
+            x.pixels = (0.0, inner);
+            y.pixels = (height, 0.0);
+            let key = key_lines(panel.key(&x, &y), inner);
+            settled.push(Settled {
+                panel,
+                x,
+                y,
+                height,
+                key,
+            });
+        }
+
+        let mut body = String::new();
+        let mut top = 4.0;
+        for row in settled.chunks_mut(self.columns) {
+            let head = row.iter().map(|s| s.head()).fold(0.0, f64::max);
+            let foot = row.iter().map(|s| s.height + s.foot()).fold(0.0, f64::max);
+            for (i, s) in row.iter_mut().enumerate() {
+                let x0 = i as f64 * share + left;
+                let y0 = top + head;
+                s.x.pixels = (x0, x0 + inner);
+                s.y.pixels = (y0 + s.height, y0);
+                body.push_str(&s.draw(x0, y0));
+            }
+            top += head + foot + 16.0;
+        }
+        let head = format!(
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" \
+             height=\"{h}\" role=\"img\" aria-labelledby=\"{id}-title {id}-desc\" \
+             style=\"max-width:100%;height:auto;font-family:{FACES}\">\n\
+             <title id=\"{id}-title\">{title}</title>\n<desc id=\"{id}-desc\">{alt}</desc>\n",
+            w = number(WIDTH),
+            h = number(libm::ceil(top)),
+            id = escape(self.id),
+            title = escape(&self.title),
+            alt = escape(&self.alt),
+        );
+        Ok(head + &body + "</svg>\n")
+    }
+}
+
+impl Settled<'_> {
+    /// Height of what stands above the panel's box.
+    fn head(&self) -> f64 {
+        let title = if self.panel.title.is_empty() {
+            0.0
+        } else {
+            28.0
+        };
+        title + if self.y.label.is_empty() { 8.0 } else { 28.0 }
+    }
+
+    /// Height of what stands below it.
+    fn foot(&self) -> f64 {
+        let label = if self.x.label.is_empty() { 26.0 } else { 50.0 };
+        label + KEY_LINE * self.key.len() as f64
+    }
+
+    /// The panel with its title and key, its box having its upper left corner at `x0`, `y0`.
+    fn draw(&self, x0: f64, y0: f64) -> String {
+        let group = format!("<g fill=\"currentColor\" font-size=\"{TEXT_SIZE}\">\n");
+        let mut out = String::new();
+        if !self.panel.title.is_empty() {
+            let at = y0 - self.head() + 16.0;
+            out.push_str(&format!(
+                "{group}{}</g>\n",
+                text(x0 - 6.0, at, "start", &self.panel.title)
+            ));
+        }
+        out.push_str(&self.panel.draw(&self.x, &self.y));
+        let mut below = y0 + self.height + self.foot() - KEY_LINE * self.key.len() as f64;
+        for line in &self.key {
+            below += KEY_LINE;
+            for (at, sample, words) in line {
+                out.push_str(&format!(
+                    "<g transform=\"translate({} {})\" fill=\"currentColor\" \
+                     font-size=\"{TEXT_SIZE}\" stroke-linecap=\"round\">\n{sample}{}</g>\n",
+                    number(x0 + at),
+                    number(below - 6.0),
+                    text(KEY_SAMPLE, 0.0, "start", words)
+                ));
+            }
+        }
+        out
+    }
+}
+
+/// Breaks the entries of a key into lines; each entry gets its place in the line.
+fn key_lines(entries: Vec<(String, String)>, room: f64) -> Vec<Vec<(f64, String, String)>> {
+    let mut lines: Vec<Vec<(f64, String, String)>> = Vec::new();
+    let mut at = f64::INFINITY;
+    for (sample, words) in entries {
+        let width = KEY_SAMPLE + width(&words, TEXT_SIZE);
+        if at + width > room {
+            lines.push(Vec::new());
+            at = 0.0;
+        }
+        if let Some(line) = lines.last_mut() {
+            line.push((at, sample, words));
+        }
+        at += width + 18.0;
+    }
+    lines
+}
+
+fn layout(parameter: &'static str, allowed: &'static str, value: usize) -> FigureError {
+    FigureError::Layout {
+        parameter,
+        allowed,
+        value: value as f64,
+    }
+}

@@ -1,0 +1,374 @@
+//! Marks as SVG, and room for their labels.
+
+use super::axes::{self, Scale, TEXT_SIZE, text};
+use super::labels::{Canvas, anchors};
+use super::marks::{Align, Area, Curve, Label, Marker, Note, Points, Rule};
+use super::path::{self, Frame, Place};
+use super::raster::{BLANK, Raster};
+use super::svg::{Colour, number};
+use super::text::{markup, width};
+
+/// How far a drawn curve may lie from its data, in units of the page.
+const TOLERANCE: f64 = 0.08;
+
+/// Words that want room beside a mark.
+struct Wanted<'a> {
+    label: &'a Label,
+    anchors: Vec<(Place, f64)>,
+    colour: Colour,
+    owner: u16,
+}
+
+/// The inner part of a panel in the making.
+pub(super) struct Sketch<'a> {
+    x: &'a Scale,
+    y: &'a Scale,
+    frame: Frame,
+    canvas: Canvas,
+    below: String,
+    above: String,
+    words: String,
+    wanted: Vec<Wanted<'a>>,
+}
+
+impl<'a> Sketch<'a> {
+    /// An empty sketch between the scales' pixels.
+    pub fn new(x: &'a Scale, y: &'a Scale) -> Self {
+        let frame = Frame {
+            left: x.pixels.0,
+            right: x.pixels.1,
+            top: y.pixels.1,
+            bottom: y.pixels.0,
+        };
+        Sketch {
+            x,
+            y,
+            frame,
+            canvas: Canvas::new(frame),
+            below: String::new(),
+            above: String::new(),
+            words: String::new(),
+            wanted: Vec::new(),
+        }
+    }
+
+    fn place(&self, p: &[f64; 2]) -> Place {
+        [self.x.at(p[0]), self.y.at(p[1])]
+    }
+
+    /// Draws a curve through these points, with its arrows.
+    pub fn curve(&mut self, curve: &'a Curve, points: &[[f64; 2]], owner: u16) {
+        let points: Vec<Place> = points.iter().map(|p| self.place(p)).collect();
+        let pieces: Vec<Vec<Place>> = path::clip(&points, &self.frame.grown(0.01))
+            .iter()
+            .map(|piece| path::simplify(piece, TOLERANCE))
+            .collect();
+        if pieces.is_empty() {
+            return;
+        }
+        self.above.push_str(&stroke(curve, &path::data(&pieces)));
+        self.canvas.lines(&pieces, owner);
+        for &fraction in &curve.arrows {
+            if let Some((at, direction)) = path::along(&pieces, fraction) {
+                self.above
+                    .push_str(&fill(&arrow(at, direction), curve.colour, 1.0));
+                self.canvas.take(spot(at, 4.0), owner);
+            }
+        }
+        if let Some(label) = &curve.label {
+            self.wanted.push(Wanted {
+                label,
+                anchors: anchors(&pieces, label.at),
+                colour: curve.colour,
+                owner,
+            });
+        }
+    }
+
+    /// Draws a line from end to end of the other axis.
+    pub fn rule(&mut self, rule: &'a Rule, owner: u16) {
+        let points = if rule.horizontal {
+            [self.x.from, self.x.to].map(|end| [end, rule.at])
+        } else {
+            [self.y.from, self.y.to].map(|end| [rule.at, end])
+        };
+        self.curve(&rule.line, &points, owner);
+    }
+
+    /// Draws points.
+    pub fn points(&mut self, points: &'a Points, owner: u16) {
+        let mut places: Vec<Place> = points.points.iter().map(|p| self.place(p)).collect();
+        places.retain(|&p| self.frame.grown(0.01).contains(p));
+        self.above.push_str(&marker(points, &places));
+        for &p in &places {
+            self.canvas.take(spot(p, points.size), owner);
+        }
+        if let (Some(label), Some(&last)) = (&points.label, places.last()) {
+            self.wanted.push(Wanted {
+                label,
+                anchors: vec![(last, 0.0)],
+                colour: points.colour,
+                owner,
+            });
+        }
+    }
+
+    /// Fills a polygon.
+    pub fn area(&mut self, area: &Area) {
+        let corners: Vec<Place> = area.points.iter().map(|p| self.place(p)).collect();
+        let corners = path::clip_polygon(&corners, &self.frame);
+        let data = path::data(&[path::simplify(&corners, TOLERANCE)]);
+        if !data.is_empty() {
+            self.below
+                .push_str(&fill(&format!("{data}z"), area.colour, area.opacity));
+        }
+    }
+
+    /// Draws the cells of a raster and names the classes that have room.
+    pub fn raster(&mut self, raster: &Raster) {
+        let cells = cells(raster, self.x, self.y);
+        let corners = [[raster.x.0, raster.y.0], [raster.x.1, raster.y.1]];
+        if corners
+            .iter()
+            .all(|p| self.frame.grown(0.01).contains(self.place(p)))
+        {
+            self.below.push_str(&cells);
+        } else {
+            let [x, y] = [self.frame.left, self.frame.top].map(number);
+            let [w, h] = [
+                self.frame.right - self.frame.left,
+                self.frame.bottom - self.frame.top,
+            ]
+            .map(number);
+            // An inner drawing of its own size cuts off what lies outside.
+            self.below.push_str(&format!(
+                "<svg x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" \
+                 viewBox=\"{x} {y} {w} {h}\" overflow=\"hidden\">\n{cells}</svg>\n"
+            ));
+        }
+        for (n, class) in raster.classes.iter().enumerate() {
+            let at = inside(raster, n, self.x, self.y);
+            if let Some(at) = at.filter(|&at| self.frame.contains(at)) {
+                self.write(at, &class.label, Align::Middle);
+            }
+        }
+    }
+
+    /// Writes a note.
+    pub fn note(&mut self, note: &Note) {
+        let at = self.place(&note.at);
+        if self.frame.contains(at) {
+            self.write(at, &note.text, note.align);
+        }
+    }
+
+    fn write(&mut self, at: Place, words: &str, align: Align) {
+        let anchor = match align {
+            Align::Start => "start",
+            Align::Middle => "middle",
+            Align::End => "end",
+        };
+        self.words
+            .push_str(&text(at[0], at[1] + 5.0, anchor, words));
+        self.canvas.take(room(at, words, align), u16::MAX);
+    }
+
+    /// Everything, with axes, and with labels where there is room for them.
+    pub fn finish(mut self) -> String {
+        let mut labels = String::new();
+        for wanted in &self.wanted {
+            let words = &wanted.label.text;
+            if let Some(at) = self.canvas.place(words, &wanted.anchors, wanted.owner) {
+                labels.push_str(&format!(
+                    "<text x=\"{}\" y=\"{}\" style=\"fill:{}\">{}</text>\n",
+                    number(at[0]),
+                    number(at[1] + 5.0),
+                    wanted.colour.css(),
+                    markup(words)
+                ));
+            }
+        }
+        let group = |attributes: &str, content: &str| {
+            if content.is_empty() {
+                return String::new();
+            }
+            format!("<g {attributes}>\n{content}</g>\n")
+        };
+        let round = "stroke-linecap=\"round\" stroke-linejoin=\"round\"";
+        let ink = format!("fill=\"currentColor\" font-size=\"{TEXT_SIZE}\"");
+        // A rim in the page's colour, where the page names it, lifts labels off what they touch.
+        let rimmed = format!(
+            "font-size=\"{TEXT_SIZE}\" text-anchor=\"middle\" style=\"paint-order:stroke;\
+             stroke:var(--bg, none);stroke-width:3px;stroke-linejoin:round\""
+        );
+        self.below
+            + &axes::frame(self.x, self.y)
+            + &group(round, &self.above)
+            + &group(&ink, &self.words)
+            + &group(&rimmed, &labels)
+    }
+}
+
+/// Path data of an arrowhead.
+fn arrow(at: Place, [dx, dy]: Place) -> String {
+    let corner = |ahead: f64, aside: f64| {
+        let p = [
+            at[0] + ahead * dx - aside * dy,
+            at[1] + ahead * dy + aside * dx,
+        ];
+        format!("{} {}", number(p[0]), number(p[1]))
+    };
+    format!(
+        "M{}L{} {}z",
+        corner(5.0, 0.0),
+        corner(-4.5, 3.8),
+        corner(-4.5, -3.8)
+    )
+}
+
+/// A line in a curve's look.
+pub(super) fn stroke(curve: &Curve, data: &str) -> String {
+    let pattern = curve
+        .stroke
+        .pattern()
+        .map_or(String::new(), |p| format!(" stroke-dasharray=\"{p}\""));
+    format!(
+        "<path d=\"{data}\" fill=\"none\" style=\"stroke:{}\" stroke-width=\"{}\"{pattern}/>\n",
+        curve.colour.css(),
+        number(curve.width)
+    )
+}
+
+/// A filled path.
+fn fill(data: &str, colour: Colour, opacity: f64) -> String {
+    let opacity = match number(opacity).as_str() {
+        "1" => String::new(),
+        value => format!(" fill-opacity=\"{value}\""),
+    };
+    format!(
+        "<path d=\"{data}\" style=\"fill:{}\"{opacity}/>\n",
+        colour.css()
+    )
+}
+
+/// The sample of a tint in the key.
+pub(super) fn sample(colour: Colour, opacity: f64) -> String {
+    fill("M4 -12h22v14h-22z", colour, opacity)
+}
+
+/// All points of a set as one path.
+pub(super) fn marker(points: &Points, places: &[Place]) -> String {
+    if places.is_empty() {
+        return String::new();
+    }
+    let r = points.size;
+    let shape = match points.marker {
+        Marker::Disc | Marker::Circle => {
+            format!(
+                "m-{0} 0a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0z",
+                number(r),
+                number(2.0 * r)
+            )
+        }
+        Marker::Square => format!("m-{0} -{0}h{1}v{1}h-{1}z", number(0.9 * r), number(1.8 * r)),
+        Marker::Triangle => {
+            format!(
+                "m0 -{0}l{1} {2}h-{3}z",
+                number(1.2 * r),
+                number(1.1 * r),
+                number(1.9 * r),
+                number(2.2 * r)
+            )
+        }
+        Marker::Cross => {
+            format!(
+                "m-{0} -{0}l{1} {1}m0 -{1}l-{1} {1}",
+                number(r),
+                number(2.0 * r)
+            )
+        }
+    };
+    let data: String = places
+        .iter()
+        .map(|p| format!("M{} {}{shape}", number(p[0]), number(p[1])))
+        .collect();
+    if matches!(points.marker, Marker::Disc | Marker::Square) {
+        fill(&data, points.colour, 1.0)
+    } else {
+        format!(
+            "<path d=\"{data}\" fill=\"none\" style=\"stroke:{}\" stroke-width=\"1.6\"/>\n",
+            points.colour.css()
+        )
+    }
+}
+
+/// The cells of a raster: one path per class, in units of cells, moved and stretched into place.
+fn cells(raster: &Raster, x: &Scale, y: &Scale) -> String {
+    let (columns, rows) = raster.shape();
+    let (left, right) = (x.at(raster.x.0), x.at(raster.x.1));
+    let (bottom, top) = (y.at(raster.y.0), y.at(raster.y.1));
+    let paths: String = raster
+        .classes
+        .iter()
+        .zip(0..BLANK)
+        .map(|(class, n)| (class, raster.outline(n)))
+        .filter(|(_, data)| !data.is_empty())
+        .map(|(class, data)| fill(&data, class.colour, class.opacity))
+        .collect();
+    format!(
+        "<g transform=\"matrix({:.6} 0 0 {:.6} {} {})\" fill-rule=\"evenodd\" \
+         shape-rendering=\"crispEdges\">\n{paths}</g>\n",
+        (right - left) / columns as f64,
+        (top - bottom) / rows as f64,
+        number(left),
+        number(bottom)
+    )
+}
+
+/// Where the label of a raster's class stands, if it fits inside.
+pub(super) fn inside(raster: &Raster, class: usize, x: &Scale, y: &Scale) -> Option<Place> {
+    let label = &raster.classes.get(class)?.label;
+    let number = u8::try_from(class).ok().filter(|&n| n != BLANK)?;
+    let (i, j, side) = raster.largest_square(number)?;
+    let (columns, rows) = raster.shape();
+    let (left, right) = (x.at(raster.x.0), x.at(raster.x.1));
+    let (bottom, top) = (y.at(raster.y.0), y.at(raster.y.1));
+    let cell = [
+        (right - left) / columns as f64,
+        (top - bottom) / rows as f64,
+    ];
+    let half = side as f64 / 2.0;
+    let at = [
+        left + (i as f64 + half) * cell[0],
+        bottom + (j as f64 + half) * cell[1],
+    ];
+    let room = [2.0 * half * cell[0].abs(), 2.0 * half * cell[1].abs()];
+    let fits = width(label, TEXT_SIZE) + 6.0 <= room[0] && 1.4 * TEXT_SIZE <= room[1];
+    (fits && !label.is_empty()).then_some(at)
+}
+
+/// The box around a point.
+fn spot(p: Place, radius: f64) -> Frame {
+    Frame {
+        left: p[0] - radius,
+        right: p[0] + radius,
+        top: p[1] - radius,
+        bottom: p[1] + radius,
+    }
+}
+
+/// The box around words.
+fn room(at: Place, words: &str, align: Align) -> Frame {
+    let width = width(words, TEXT_SIZE);
+    let left = match align {
+        Align::Start => at[0],
+        Align::Middle => at[0] - width / 2.0,
+        Align::End => at[0] - width,
+    };
+    Frame {
+        left,
+        right: left + width,
+        top: at[1] - 0.6 * TEXT_SIZE,
+        bottom: at[1] + 0.6 * TEXT_SIZE,
+    }
+}
