@@ -39,12 +39,12 @@ pub(super) fn counted(n: usize, noun: &str) -> String {
 /// A phrase as the beginning of a sentence, without a full stop.
 pub(super) fn sentence(phrase: &str) -> String {
     let phrase = phrase.trim().trim_end_matches('.');
+    let word = phrase.split(' ').next().unwrap_or_default();
+    // A symbol stays as it is: `v(t)`, `T`.
+    let is_word = word == "a" || word.chars().take(2).filter(|c| c.is_alphabetic()).count() == 2;
     let mut letters = phrase.chars();
-    match (letters.next(), letters.as_str().chars().next()) {
-        // A symbol stays as it is: `v(t)`, `T`.
-        (Some(first), Some(second)) if first.is_alphabetic() && second.is_alphabetic() => {
-            first.to_uppercase().chain(letters).collect()
-        }
+    match letters.next() {
+        Some(first) if is_word => first.to_uppercase().chain(letters).collect(),
         _ => phrase.to_owned(),
     }
 }
@@ -130,6 +130,7 @@ mod tests {
     #[test]
     fn a_sentence_begins_with_a_capital_but_a_symbol_stays() {
         assert_eq!(sentence("the speed."), "The speed");
+        assert_eq!(sentence("a constant"), "A constant");
         assert_eq!(sentence("v(t) of (11)"), "v(t) of (11)");
         assert_eq!(sentence("$v$ at rest"), "$v$ at rest");
         assert_eq!(sentence(""), "");
