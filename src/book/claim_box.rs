@@ -3,9 +3,9 @@
 use super::error::Fault;
 use super::fill::{Filler, label, verdict};
 use super::maths::Maths;
-use super::text::{counted, escape, size, value};
+use super::text::{counted, escape, sentence, size, value};
 use crate::claims::Claim;
-use crate::evidence::{Change, Evidence, Outcome, Subject};
+use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::Entry;
 
 /// The box of one claim, as a block of HTML.
@@ -34,12 +34,15 @@ pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fa
     Ok(html)
 }
 
+/// `(11) Speed as a function of direction`, `Figure 1: Portraits of the velocity`.
 fn heading(claim: &Claim) -> String {
     let label = label(claim);
-    if claim.title.is_empty() || label == claim.title {
-        label
-    } else {
-        format!("{label} {}", claim.title)
+    let title = sentence(claim.title);
+    match claim.kind {
+        _ if title.is_empty() => label,
+        Kind::Figure => format!("{label}: {title}"),
+        _ if label == claim.title => title,
+        _ => format!("{label} {title}"),
     }
 }
 
@@ -140,19 +143,6 @@ fn trial(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
         reason = maths.words(evidence.tolerance.reason)?,
         samples = samples(maths, evidence)?,
     ))
-}
-
-/// A phrase as the beginning of a sentence, without a full stop.
-fn sentence(phrase: &str) -> String {
-    let phrase = phrase.trim().trim_end_matches('.');
-    let mut letters = phrase.chars();
-    match (letters.next(), letters.as_str().chars().next()) {
-        // A symbol stays as it is: `v(t)`, `T`.
-        (Some(first), Some(second)) if first.is_alphabetic() && second.is_alphabetic() => {
-            first.to_uppercase().chain(letters).collect()
-        }
-        _ => phrase.to_owned(),
-    }
 }
 
 fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {

@@ -1,12 +1,10 @@
 use super::pages::{Page, pages};
 use super::*;
-use crate::claims::{Claim, Condition, Correction, TOPICS, Topic};
+use crate::claims::{self, Claim, Condition, Correction, TOPICS, Topic};
 use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::ledger::{Entry, judge};
 use std::collections::{BTreeMap, BTreeSet};
 use tempfile::TempDir;
-
-static ALL: [Topic; TOPICS.len()] = TOPICS;
 
 /// A claim with everything that a box can show, some of it hostile.
 static FULL: Claim = Claim {
@@ -79,10 +77,9 @@ fn ledger() -> Ledger {
             judgement,
         }
     };
-    let of_topic =
-        |topic: &'static Topic| topic.claims.iter().map(move |claim| entry(topic, claim));
+    let entries = claims::all().map(|(topic, claim)| entry(topic, claim));
     Ledger {
-        entries: ALL.iter().flat_map(of_topic).collect(),
+        entries: entries.collect(),
     }
 }
 
@@ -96,7 +93,12 @@ fn figures() -> Vec<Figure> {
         csv: "x,y\n0,0\n4,2\n".into(),
     }
     };
-    vec![figure("fig-1"), figure("fig-3")]
+    vec![
+        figure("constant-speed-angle"),
+        figure("constant-stopping-time"),
+        figure("fig-1"),
+        figure("fig-3"),
+    ]
 }
 
 /// Every file below a folder, by its path from there.
@@ -287,7 +289,14 @@ fn a_box_shows_all_and_data_stays_data() {
         .split("</article>")
         .next()
         .unwrap();
-    assert!(used.contains("Used by <a href=\"constant.html#eq-13\">(13)</a>"));
+    let users = used
+        .split("Used by ")
+        .nth(1)
+        .unwrap()
+        .split("</p>")
+        .next()
+        .unwrap();
+    assert!(users.contains("<a href=\"constant.html#eq-13\">(13)</a>"));
 }
 
 #[test]

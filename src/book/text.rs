@@ -36,6 +36,19 @@ pub(super) fn counted(n: usize, noun: &str) -> String {
     format!("{} {noun}{plural}", count(n))
 }
 
+/// A phrase as the beginning of a sentence, without a full stop.
+pub(super) fn sentence(phrase: &str) -> String {
+    let phrase = phrase.trim().trim_end_matches('.');
+    let word = phrase.split(' ').next().unwrap_or_default();
+    // A symbol stays as it is: `v(t)`, `T`.
+    let is_word = word == "a" || word.chars().take(2).filter(|c| c.is_alphabetic()).count() == 2;
+    let mut letters = phrase.chars();
+    match letters.next() {
+        Some(first) if is_word => first.to_uppercase().chain(letters).collect(),
+        _ => phrase.to_owned(),
+    }
+}
+
 /// A size of which the first two digits matter, as HTML.
 pub(super) fn size(x: f64) -> String {
     if x == 0.0 {
@@ -112,6 +125,15 @@ mod tests {
         assert_eq!(value(1.5e-7), "1.5\u{a0}×\u{a0}10<sup>−7</sup>");
         assert_eq!(value(100.0), "100");
         assert_eq!(value(f64::NAN), "no value");
+    }
+
+    #[test]
+    fn a_sentence_begins_with_a_capital_but_a_symbol_stays() {
+        assert_eq!(sentence("the speed."), "The speed");
+        assert_eq!(sentence("a constant"), "A constant");
+        assert_eq!(sentence("v(t) of (11)"), "v(t) of (11)");
+        assert_eq!(sentence("$v$ at rest"), "$v$ at rest");
+        assert_eq!(sentence(""), "");
     }
 
     #[test]
