@@ -135,6 +135,26 @@ fn a_condition_must_be_needed_and_must_suffice() {
 }
 
 #[test]
+fn a_form_for_everywhere_must_hold_everywhere() {
+    let with = |worst| {
+        [
+            evidence(Route::Integration, Subject::Within, GOOD),
+            evidence(Route::Quadrature, Subject::Within, GOOD),
+            evidence(Route::Integration, Subject::Outside, f64::INFINITY),
+            evidence(Route::Integration, Subject::Corrected, worst),
+        ]
+    };
+    assert_eq!(
+        verdict(Kind::Equation, None, &with(GOOD)),
+        Verdict::Conditional
+    );
+    assert_eq!(
+        verdict(Kind::Equation, None, &with(BAD)),
+        Verdict::Undecided
+    );
+}
+
+#[test]
 fn a_definition_is_one_only_while_it_is_consistent() {
     let e = |worst| [evidence(Route::Consistency, Subject::Printed, worst)];
     assert_eq!(

@@ -10,14 +10,28 @@ mod setup;
 mod time;
 mod words;
 
-use super::{Claim, Condition, Topic};
-use crate::evidence::{Kind, Subject};
+use super::{Claim, Condition, Correction, Topic};
+use crate::evidence::{Change, Kind, Subject};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
     stem: "constant",
     title: "Constant acceleration",
     claims: CLAIMS,
+};
+
+/// (11) where it has no value too.
+const REGULAR_SPEED: Correction = Correction {
+    change: Change::Statement,
+    latex: r"v=v_0\left[\cos^2\tfrac{\theta_0}{2}\,r^{\lambda-1}+\sin^2\tfrac{\theta_0}{2}\,r^{\lambda+1}\right],\quad r=\frac{\tan\frac{\theta}{2}}{\tan\frac{\theta_0}{2}}",
+    plain: "v = v₀ [cos²(θ₀/2) r^(λ−1) + sin²(θ₀/2) r^(λ+1)], r = tan(θ/2)/tan(θ₀/2)",
+};
+
+/// (13) where it has no value too.
+const REGULAR_TIME: Correction = Correction {
+    change: Change::Statement,
+    latex: r"t=\frac{v_0}{A}\left[\cos^2\tfrac{\theta_0}{2}\,\frac{1-r^{\lambda-1}}{\lambda-1}+\sin^2\tfrac{\theta_0}{2}\,\frac{1-r^{\lambda+1}}{\lambda+1}\right]",
+    plain: "t = (v₀/A) [cos²(θ₀/2) (1 − r^(λ−1))/(λ − 1) + sin²(θ₀/2) (1 − r^(λ+1))/(λ + 1)]",
 };
 
 const CLAIMS: &[Claim] = &[
@@ -68,7 +82,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \cos\theta)}{\mathrm{d} t}=A (1-\lambda \cos\theta)",
         plain: "d(v cos θ)/dt = A (1 − λ cos θ)",
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
-        trials: &[|| exact::evidence("eq-6", Subject::Printed), hodograph::eq6_quadrature],
+        trials: &[
+            || exact::evidence("eq-6", Subject::Printed),
+            hodograph::eq6_quadrature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -80,7 +97,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} t}=-A \lambda \sin\theta",
         plain: "d(v sin θ)/dt = −A λ sin θ",
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
-        trials: &[|| exact::evidence("eq-7", Subject::Printed), hodograph::eq7_quadrature],
+        trials: &[
+            || exact::evidence("eq-7", Subject::Printed),
+            hodograph::eq7_quadrature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -92,7 +112,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} (v \cos\theta)}= -\frac{\lambda \sin\theta}{1-\lambda \cos\theta}",
         plain: "d(v sin θ)/d(v cos θ) = −λ sin θ / (1 − λ cos θ)",
         depends_on: &["eq-6", "eq-7"],
-        trials: &[|| exact::evidence("eq-8", Subject::Printed), hodograph::eq8_quadrature],
+        trials: &[
+            || exact::evidence("eq-8", Subject::Printed),
+            hodograph::eq8_quadrature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -104,7 +127,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} v}{v}=\frac{\lambda-\cos\theta}{\sin\theta} \mathrm{d} \theta",
         plain: "dv/v = ((λ − cos θ) / sin θ) dθ",
         depends_on: &["eq-8"],
-        trials: &[|| exact::evidence("eq-9", Subject::Printed), hodograph::eq9_quadrature],
+        trials: &[
+            || exact::evidence("eq-9", Subject::Printed),
+            hodograph::eq9_quadrature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -116,8 +142,15 @@ const CLAIMS: &[Claim] = &[
         latex: r"v (\sin\theta) \left(\tan\frac{\theta}{2}\right)^{-\lambda}=\text{constant}",
         plain: "v (sin θ) (tan(θ/2))^(−λ) = constant",
         depends_on: &["eq-9"],
-        conditions: &[Condition { text: r"$0<\theta<\pi$: a power of a negative tangent has no real value", stated: false }, ],
-        trials: &[|| exact::evidence("eq-10", Subject::Within), hodograph::eq10_motion, hodograph::eq10_outside],
+        conditions: &[Condition {
+            text: r"$0<\theta<\pi$: a power of a negative tangent has no real value",
+            stated: false,
+        }],
+        trials: &[
+            || exact::evidence("eq-10", Subject::Within),
+            hodograph::eq10_motion,
+            hodograph::eq10_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -129,8 +162,19 @@ const CLAIMS: &[Claim] = &[
         latex: r"v=v_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda",
         plain: "v = v₀ (sin θ₀ / sin θ) (tan(θ/2) / tan(θ₀/2))^λ",
         depends_on: &["eq-10"],
-        conditions: &[Condition { text: r"$\theta_0\neq0,\pi$: along the line of the acceleration it is $0/0$", stated: false }, ],
-        trials: &[|| exact::evidence("eq-11", Subject::Within), hodograph::eq11_motion, hodograph::eq11_quadrature, hodograph::eq11_outside],
+        conditions: &[Condition {
+            text: r"$\theta_0\neq0,\pi$: along the line of the acceleration it is $0/0$",
+            stated: false,
+        }],
+        trials: &[
+            || exact::evidence("eq-11", Subject::Within),
+            hodograph::eq11_motion,
+            hodograph::eq11_quadrature,
+            hodograph::eq11_outside,
+            time::regular_speed,
+            time::regular_straight,
+        ],
+        correction: Some(REGULAR_SPEED),
         ..Claim::BLANK
     },
     Claim {
@@ -142,8 +186,15 @@ const CLAIMS: &[Claim] = &[
         latex: r"A \mathrm{d} t=-\frac{v_0 \sin\theta_0}{{\left(\tan\frac{\theta_0}{2}\right)^\lambda}} \frac{\mathrm{d} {\left[\left(\tan\frac{\theta}{2}\right)^\lambda\right]}}{\lambda \sin\theta}",
         plain: "A dt = −(v₀ sin θ₀ / (tan(θ₀/2))^λ) d[(tan(θ/2))^λ] / (λ sin θ)",
         depends_on: &["eq-7", "eq-11"],
-        conditions: &[Condition { text: r"$0<\theta<\pi$ and $\lambda\neq0$: at $\lambda=0$ it is $0/0$", stated: false }, ],
-        trials: &[|| exact::evidence("eq-12", Subject::Within), time::eq12_quadrature, time::eq12_outside],
+        conditions: &[Condition {
+            text: r"$0<\theta<\pi$ and $\lambda\neq0$: at $\lambda=0$ it is $0/0$",
+            stated: false,
+        }],
+        trials: &[
+            || exact::evidence("eq-12", Subject::Within),
+            time::eq12_quadrature,
+            time::eq12_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -155,8 +206,25 @@ const CLAIMS: &[Claim] = &[
         latex: r"t=\frac{v_0 (\lambda+\cos\theta_0)}{A (1-\lambda^2)} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right]",
         plain: "t = (v₀ (λ + cos θ₀) / (A (1 − λ²))) [((λ + cos θ) sin θ₀ / ((λ + cos θ₀) sin θ)) (tan(θ/2) / tan(θ₀/2))^λ − 1]",
         depends_on: &["eq-12"],
-        conditions: &[Condition { text: r"$\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, where it is $0/0$ or $0\cdot\infty$", stated: false }, Condition { text: r"$\theta_0\neq0,\pi$", stated: false }, ],
-        trials: &[|| exact::evidence("eq-13", Subject::Within), time::eq13_motion, time::eq13_quadrature, time::eq13_root, time::eq13_outside],
+        conditions: &[
+            Condition {
+                text: r"$\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, where it is $0/0$ or $0\cdot\infty$",
+                stated: false,
+            },
+            Condition {
+                text: r"$\theta_0\neq0,\pi$",
+                stated: false,
+            },
+        ],
+        trials: &[
+            || exact::evidence("eq-13", Subject::Within),
+            time::eq13_motion,
+            time::eq13_quadrature,
+            time::eq13_root,
+            time::eq13_outside,
+            time::regular_time,
+        ],
+        correction: Some(REGULAR_TIME),
         ..Claim::BLANK
     },
     Claim {
@@ -168,8 +236,15 @@ const CLAIMS: &[Claim] = &[
         latex: r"v=\frac{(1-\lambda^2) A t+v_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}",
         plain: "v = ((1 − λ²) A t + v₀ (λ + cos θ₀)) / (λ + cos θ)",
         depends_on: &["eq-11", "eq-13"],
-        conditions: &[Condition { text: r"$\cos\theta\neq-\lambda$, where it is $0/0$", stated: false }, ],
-        trials: &[|| exact::evidence("eq-14", Subject::Within), time::eq14_motion, time::eq14_outside],
+        conditions: &[Condition {
+            text: r"$\cos\theta\neq-\lambda$, where it is $0/0$",
+            stated: false,
+        }],
+        trials: &[
+            || exact::evidence("eq-14", Subject::Within),
+            time::eq14_motion,
+            time::eq14_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -185,7 +260,10 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-6"],
-        trials: &[|| exact::evidence("eq-15", Subject::Printed), limits::eq15_motion],
+        trials: &[
+            || exact::evidence("eq-15", Subject::Printed),
+            limits::eq15_motion,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -201,7 +279,10 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-7"],
-        trials: &[|| exact::evidence("eq-16", Subject::Printed), limits::eq16_motion],
+        trials: &[
+            || exact::evidence("eq-16", Subject::Printed),
+            limits::eq16_motion,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -217,7 +298,10 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-11"],
-        trials: &[|| exact::evidence("eq-17", Subject::Printed), limits::eq17_motion],
+        trials: &[
+            || exact::evidence("eq-17", Subject::Printed),
+            limits::eq17_motion,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -239,7 +323,11 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
-        trials: &[|| exact::evidence("eq-18", Subject::Printed), limits::eq18_limit, limits::eq18_quadrature],
+        trials: &[
+            || exact::evidence("eq-18", Subject::Printed),
+            limits::eq18_limit,
+            limits::eq18_quadrature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -261,7 +349,10 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
-        trials: &[|| exact::evidence("eq-19", Subject::Printed), limits::eq19_limit],
+        trials: &[
+            || exact::evidence("eq-19", Subject::Printed),
+            limits::eq19_limit,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -277,7 +368,11 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-14"],
-        trials: &[|| exact::evidence("eq-20", Subject::Printed), limits::eq20_motion, limits::eq20_quadrature],
+        trials: &[
+            || exact::evidence("eq-20", Subject::Printed),
+            limits::eq20_motion,
+            limits::eq20_quadrature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -301,8 +396,15 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda\leq1$ friction cannot hold the particle: $\theta\to0$ at large times, and the particle slides along the line of the acceleration.",
         plain: "For λ ≤ 1 friction cannot hold the particle: θ → 0 at large times, and the particle slides along the line of the acceleration.",
         depends_on: &["eq-13"],
-        conditions: &[Condition { text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it", stated: false }, ],
-        trials: &[words::small_friction_limit, words::small_friction_census, words::small_friction_outside],
+        conditions: &[Condition {
+            text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it",
+            stated: false,
+        }],
+        trials: &[
+            words::small_friction_limit,
+            words::small_friction_census,
+            words::small_friction_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -314,7 +416,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda=1$ the velocity tends to a constant at large times, the one of (18) and (19).",
         plain: "For λ = 1 the velocity tends to a constant at large times, the one of (18) and (19).",
         depends_on: &["eq-18", "eq-19"],
-        trials: &[limits::eq18_limit, limits::eq18_quadrature, limits::eq19_limit],
+        trials: &[
+            limits::eq18_limit,
+            limits::eq18_quadrature,
+            limits::eq19_limit,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -326,8 +432,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda>1$ the particle comes to rest at the time $T$ of (20), and $\theta\to0$ as $t\to T$.",
         plain: "For λ > 1 the particle comes to rest at the time T of (20), and θ → 0 as t → T.",
         depends_on: &["eq-13", "eq-20"],
-        conditions: &[Condition { text: r"$\theta_0\neq\pi$: that particle stops at $T$ without turning", stated: false }, ],
-        trials: &[limits::eq20_motion, limits::eq20_quadrature, words::large_friction_limit, words::large_friction_outside],
+        conditions: &[Condition {
+            text: r"$\theta_0\neq\pi$: that particle stops at $T$ without turning",
+            stated: false,
+        }],
+        trials: &[
+            limits::eq20_motion,
+            limits::eq20_quadrature,
+            words::large_friction_limit,
+            words::large_friction_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {

@@ -38,6 +38,7 @@
 //! # Ok::<(), slipbook::figures::FigureError>(())
 //! ```
 
+mod all;
 mod axes;
 pub mod constant;
 mod csv;
@@ -54,6 +55,7 @@ mod tests;
 mod text;
 mod ticks;
 
+pub use all::{AllFiguresError, all};
 pub use axes::Axis;
 pub use csv::{Cell, Table};
 pub use marks::{Align, Area, Curve, Marker, Note, Points, Rule, Stroke};

@@ -135,6 +135,12 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
             ))
         };
     }
+    if let Some(e) = corrected.against.first() {
+        return undecided(format!(
+            "the form that is to hold everywhere fails at {}",
+            e.at
+        ));
+    }
     if !outside.is_empty() {
         return if !outside.agree.is_empty() {
             undecided("it holds without the condition too, where that was tried: find where the condition matters".into())

@@ -33,6 +33,26 @@ impl<F: Fn(f64) -> f64> Integrable for Integrand<F> {
 /// [`NumericsError::Argument`] for an end that is not finite, [`NumericsError::Library`] when the rule gives up
 /// (an integrand that is not finite inside, or 200,000 evaluations).
 pub fn integral(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Result<Integral, NumericsError> {
+    integral_within(f, low, high, ABSOLUTE)
+}
+
+/// As [`integral`], but content with an error of `absolute`: for an integral that may be zero.
+///
+/// # Errors
+/// As for [`integral`], and [`NumericsError::Argument`] for an `absolute` that is not finite and positive.
+pub fn integral_within(
+    f: impl Fn(f64) -> f64,
+    low: f64,
+    high: f64,
+    absolute: f64,
+) -> Result<Integral, NumericsError> {
+    if !(absolute.is_finite() && absolute > 0.0) {
+        return Err(NumericsError::Argument {
+            name: "absolute",
+            value: absolute,
+            range: "finite and positive",
+        });
+    }
     finite("low", low)?;
     finite("high", high)?;
     if low == high {
@@ -45,7 +65,7 @@ pub fn integral(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Result<Integral,
         .with_minimum_segment_width(1e-300)
         .with_max_function_evalutions(EVALUATIONS)
         .with_relative_tolerance(RELATIVE)
-        .with_absolute_tolerance(ABSOLUTE);
+        .with_absolute_tolerance(absolute);
     let result = integrate_real(Integrand(f), vec![low, high], config).map_err(|error| {
         NumericsError::Library {
             method: "adaptive quadrature",
@@ -85,7 +105,7 @@ pub fn between_ends(
 const EVALUATIONS: usize = 200_000;
 /// Relative tolerance: just above what the library's own estimate can reach (50 units of rounding).
 const RELATIVE: f64 = 1.2e-14;
-/// Absolute tolerance: for integrals that are zero.
+/// Absolute tolerance where only the relative one counts.
 const ABSOLUTE: f64 = 1e-300;
 
 #[cfg(test)]

@@ -11,6 +11,8 @@ mod tests;
 use cases::*;
 use sliding::*;
 
+use crate::claims::compare::proved;
+use crate::evidence::{Evidence, Subject};
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::scalar::Scalar;
 

@@ -64,22 +64,38 @@ impl Incline {
     }
 
     fn at(&self) -> String {
-        let Incline { g, mu, beta, v0, theta0, .. } = self;
+        let Incline {
+            g,
+            mu,
+            beta,
+            v0,
+            theta0,
+            ..
+        } = self;
         format!("g = {g:.6}, μ = {mu:.6}, β = {beta:.6}, v₀ = {v0:.6}, θ₀ = {theta0:.6}")
     }
 }
 
 /// (11) with the motion on the incline.
 pub fn speed() -> Evidence {
-    let compared = "(11) with the speed on an inclined plane in three dimensions, at its angle to the slope";
+    let compared =
+        "(11) with the speed on an inclined plane in three dimensions, at its angle to the slope";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(12);
     trial.over(0..300, |_| {
         let incline = Incline::any(&mut points);
-        let duration = points.uniform(0.1, 0.5) * incline.v0 / (incline.a() * (1.0 + incline.lambda()));
+        let duration =
+            points.uniform(0.1, 0.5) * incline.v0 / (incline.a() * (1.0 + incline.lambda()));
         let start = incline.velocity(incline.v0, incline.theta0);
         let rate = |_: f64, v: &[f64; 3]| incline.acceleration(&Vector3::from(*v)).into();
-        let end = Vector3::from(dop853::end(rate, 0.0, start.into(), duration, 1e-13, 1e-15)?);
+        let end = Vector3::from(dop853::end(
+            rate,
+            0.0,
+            start.into(),
+            duration,
+            1e-13,
+            1e-15,
+        )?);
         let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
         let number = Conditioned::measured;
         let stated = printed::eq11_speed(
@@ -103,7 +119,8 @@ pub fn forces() -> Evidence {
         let force = incline.acceleration(&incline.velocity(incline.v0, theta));
         Ok::<_, Failure>(Pair {
             at: incline.at(),
-            stated: printed::eq6_vx_rate(lambda, a, theta) + 2.0 * printed::eq7_vy_rate(lambda, a, theta),
+            stated: printed::eq6_vx_rate(lambda, a, theta)
+                + 2.0 * printed::eq7_vy_rate(lambda, a, theta),
             found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
             scale: a * (1.0 + lambda),
         })

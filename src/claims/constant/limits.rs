@@ -1,18 +1,22 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
-use super::runs::{Stop, Turn, frictionless, settled, stops, turns_where};
+use super::runs::{Stop, Turn, frictionless, settled, stops};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::TERMINAL;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::numerics::quadrature::integral;
+use crate::motion::MotionError;
+use crate::numerics::quadrature::{integral, integral_within};
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 
 /// (15) with v_x of the motion without friction.
 pub fn eq15_motion() -> Evidence {
-    let trial = Trial::motion(Subject::Printed, "(15) with v_x of the motion without friction");
+    let trial = Trial::motion(
+        Subject::Printed,
+        "(15) with v_x of the motion without friction",
+    );
     trial.over(frictionless(), |flight| {
         let (start, state) = flight?;
         let stated = printed::eq15_vx(start.a, start.velocity0()[0], state.t);
@@ -27,7 +31,10 @@ pub fn eq15_motion() -> Evidence {
 
 /// (16) with v_y of the motion without friction.
 pub fn eq16_motion() -> Evidence {
-    let trial = Trial::motion(Subject::Printed, "(16) with v_y of the motion without friction");
+    let trial = Trial::motion(
+        Subject::Printed,
+        "(16) with v_y of the motion without friction",
+    );
     trial.over(frictionless(), |flight| {
         let (start, state) = flight?;
         Ok::<_, Failure>(Pair {
@@ -43,7 +50,10 @@ pub fn eq16_motion() -> Evidence {
 pub fn parabola_motion() -> Evidence {
     let compared = "x(y) of the path without friction with the parabola through the launch";
     let trial = Trial::motion(Subject::Printed, compared);
-    let flights = frictionless().filter(|f| f.as_ref().map_or(true, |(s, _)| s.theta0.abs() > 0.01));
+    let flights = frictionless().filter(|f| {
+        f.as_ref()
+            .map_or(true, |(s, _)| libm::sin(s.theta0).abs() > 0.01)
+    });
     trial.over(flights, |flight| {
         let (start, state) = flight?;
         let [vx, vy] = start.velocity0();
@@ -61,16 +71,20 @@ pub fn parabola_motion() -> Evidence {
 pub fn parabola_quadrature() -> Evidence {
     let compared = "∫ v_x dy/v_y with (15), (16) over the path, with its x";
     let trial = Trial::quadrature(Subject::Printed, compared);
-    let flights = frictionless().filter(|f| f.as_ref().map_or(true, |(s, _)| s.theta0.abs() > 0.01));
+    let flights = frictionless().filter(|f| {
+        f.as_ref()
+            .map_or(true, |(s, _)| libm::sin(s.theta0).abs() > 0.01)
+    });
     trial.over(flights, |flight| {
         let (start, state) = flight?;
         let [vx, vy] = start.velocity0();
+        let scale = (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs();
         let slope = |y: f64| printed::eq15_vx(start.a, vx, y / vy) / printed::eq16_vy(vy);
         Ok::<_, Failure>(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
-            stated: integral(slope, 0.0, state.x[1])?.value,
+            stated: integral_within(slope, 0.0, state.x[1], 1e-13 * scale)?.value,
             found: state.x[0],
-            scale: (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs(),
+            scale,
         })
     })
 }
@@ -137,32 +151,53 @@ pub fn eq19_limit() -> Evidence {
 
 /// (20) with the time at which the motion stops.
 pub fn eq20_motion() -> Evidence {
-    let trial = Trial::motion(Subject::Printed, "(20) with the time at which the motion stops");
+    let trial = Trial::motion(
+        Subject::Printed,
+        "(20) with the time at which the motion stops",
+    );
     trial.over(stops(), |stop| {
         let stop = stop?;
-        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(stop), stop.t))
+        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(&stop), stop.t))
     })
 }
 
 /// (20) with the integral of dt over the whole turn, in the variable r of the regular form.
 pub fn eq20_quadrature() -> Evidence {
-    let trial = Trial::quadrature(Subject::Printed, "(20) with ∫ dt = ∫ v dr/(A r) over 0 < r < 1");
-    trial.over(stops(), |stop| {
+    let trial = Trial::quadrature(
+        Subject::Printed,
+        "(20) with ∫ dt = ∫ v dr/(A r) over 0 < r < 1",
+    );
+    // Below, r^(λ−1) would be lost to underflow.
+    let wanted =
+        |s: &Result<Stop, MotionError>| s.as_ref().map_or(true, |s: &Stop| s.start.lambda > 1.1);
+    trial.over(stops().filter(wanted), |stop| {
         let stop = stop?;
-        let Turn { lambda, a, v0, theta0, .. } = stop.start;
+        let Turn {
+            lambda,
+            a,
+            v0,
+            theta0,
+            ..
+        } = stop.start;
         // With r = x^(1/(λ−1)) the integrand is finite at 0.
         let k = 1.0 / (lambda - 1.0);
         let rate = |x: f64| {
             let r = Scalar::pow(x, k);
             corrected::speed(lambda, v0, theta0, r) * k / (a * x)
         };
-        let found = integral(rate, 0.0, 1.0)?.value;
-        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(stop), found))
+        let found = integral_within(rate, 0.0, 1.0, 1e-13 * stop.t)?.value;
+        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(&stop), found))
     })
 }
 
 fn eq20(stop: &Stop) -> Conditioned {
     let number = Conditioned::measured;
-    let Turn { lambda, a, v0, theta0, .. } = stop.start;
+    let Turn {
+        lambda,
+        a,
+        v0,
+        theta0,
+        ..
+    } = stop.start;
     printed::eq20_stop_time(number(lambda), number(a), number(v0), number(theta0))
 }

@@ -65,11 +65,17 @@ fn both_panels() -> impl Iterator<Item = Result<Curve, MotionError>> {
 
 /// Every drawn point with (11) at its angle.
 pub fn points() -> Evidence {
-    let trial = Trial::motion(Subject::Printed, "(11) at the angle of each drawn point with its speed");
+    let trial = Trial::motion(
+        Subject::Printed,
+        "(11) at the angle of each drawn point with its speed",
+    );
     let drawn = both_panels().flat_map(|curve| match curve {
         Ok(curve) => {
             let states: Vec<_> = curve.motion.nodes().filter(|s| s.speed() > 1e-6).collect();
-            states.into_iter().map(|s| Ok((curve.lambda, curve.theta0, s))).collect()
+            states
+                .into_iter()
+                .map(|s| Ok((curve.lambda, curve.theta0, s)))
+                .collect()
         }
         Err(error) => vec![Err(error)],
     });

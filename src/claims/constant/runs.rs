@@ -38,10 +38,24 @@ impl Turn {
     }
 
     /// A printed formula for the speed, at this turn.
-    pub fn formula(&self, speed: fn(Conditioned, Conditioned, Conditioned, Conditioned) -> Conditioned) -> Conditioned {
+    pub fn formula(
+        &self,
+        speed: fn(Conditioned, Conditioned, Conditioned, Conditioned) -> Conditioned,
+    ) -> Conditioned {
         let [lambda, v0, theta0, theta] =
             [self.lambda, self.v0, self.theta0, self.theta].map(Conditioned::measured);
         speed(lambda, v0, theta0, theta)
+    }
+
+    /// How much a relative error of the angles grows in the speed and the time: tan(θ/2) is steep near π.
+    pub fn condition(&self) -> f64 {
+        let steep = |theta: f64| (1.0 + self.lambda) * (theta / libm::sin(theta)).abs();
+        steep(self.theta0).max(steep(self.theta))
+    }
+
+    /// True where that growth costs at most two digits or so; the other points are left to other routes.
+    pub fn is_gentle(&self) -> bool {
+        self.condition() < 300.0
     }
 
     /// The motion from the launch until a time.
@@ -51,7 +65,12 @@ impl Turn {
 
     /// The motion from the launch until it stops; for λ > 1.
     pub fn motion_to_rest(&self) -> Result<Motion, MotionError> {
-        run_to_stop(&plane(self.a), self.lambda * self.a, self.start(), f64::MAX)
+        run_to_stop(
+            &plane(self.a),
+            self.lambda * self.a,
+            self.start(),
+            1e6 * self.v0 / self.a,
+        )
     }
 
     /// A launch that has not turned yet.
@@ -90,18 +109,20 @@ impl Turn {
 }
 
 /// Every turn, or the reason why there is none.
-pub fn turns() -> impl Iterator<Item = Result<&'static Turn, MotionError>> {
+pub fn turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
     static TURNS: LazyLock<Result<Vec<Turn>, MotionError>> =
         LazyLock::new(|| launches().into_iter().map(turn).collect());
     let (turns, error) = match &*TURNS {
         Ok(turns) => (&turns[..], None),
         Err(error) => (&[][..], Some(Err(error.clone()))),
     };
-    turns.iter().map(Ok).chain(error)
+    turns.iter().copied().map(Ok).chain(error)
 }
 
 /// Those turns of which `wanted` holds.
-pub fn turns_where(wanted: impl Fn(&Turn) -> bool) -> impl Iterator<Item = Result<&'static Turn, MotionError>> {
+pub fn turns_where(
+    wanted: impl Fn(&Turn) -> bool,
+) -> impl Iterator<Item = Result<Turn, MotionError>> {
     turns().filter(move |turn| turn.as_ref().map_or(true, |t| wanted(t)))
 }
 
@@ -128,7 +149,10 @@ fn launches() -> Vec<[f64; 5]> {
     let mut launches = Vec::new();
     let add = |lambda: f64, theta0: f64, launches: &mut Vec<_>, points: &mut Points| {
         let (a, v0) = (points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0));
-        let theta = theta0 * points.uniform(0.3, 0.98);
+        // As far round as leaves a millionth of the speed, or a fiftieth of the tangent of the half angle.
+        let least = libm::log(1e-6) / (lambda + 1.0);
+        let r = libm::exp(points.uniform(least.max(libm::log(0.02)), -0.02));
+        let theta = 2.0 * libm::atan(r * libm::tan(theta0 / 2.0));
         launches.push([lambda, a, v0, theta0, theta]);
     };
     for theta0 in [2.0, 1.8, 2.9] {
@@ -155,7 +179,11 @@ fn launches() -> Vec<[f64; 5]> {
 
 fn velocity(v: f64, theta: f64) -> [f64; 2] {
     // Exactly along the axis at π, where the rounded sine is not zero.
-    let sine = if theta.abs() == PI { 0.0 } else { libm::sin(theta) };
+    let sine = if theta.abs() == PI {
+        0.0
+    } else {
+        libm::sin(theta)
+    };
     [v * libm::cos(theta), v * sine]
 }
 
@@ -193,10 +221,19 @@ pub fn straight() -> impl Iterator<Item = Result<Turn, MotionError>> {
     let mut points = Points::stream(2);
     (0..40).map(move |i| {
         let theta0 = if i % 2 == 0 { 0.0 } else { PI };
-        let launch = Turn::launch(points.uniform(0.0, 0.9), points.uniform(0.5, 2.0), points.uniform(2.0, 4.0), theta0);
+        let launch = Turn::launch(
+            points.uniform(0.0, 0.9),
+            points.uniform(0.5, 2.0),
+            points.uniform(2.0, 4.0),
+            theta0,
+        );
         let t = 0.5;
         let state = launch.motion(t)?.at(t)?;
-        Ok(Turn { t, v: state.speed(), ..launch })
+        Ok(Turn {
+            t,
+            v: state.speed(),
+            ..launch
+        })
     })
 }
 
@@ -207,7 +244,13 @@ pub fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
         let theta = points.uniform(PI / 2.0 + 0.05, PI - 0.3);
         let theta0 = points.uniform(theta + 0.05, PI - 0.05);
         let lambda = -libm::cos(theta);
-        turn([lambda, points.uniform(0.5, 2.0), points.uniform(0.5, 2.0), theta0, theta])
+        turn([
+            lambda,
+            points.uniform(0.5, 2.0),
+            points.uniform(0.5, 2.0),
+            theta0,
+            theta,
+        ])
     })
 }
 
@@ -217,7 +260,13 @@ pub fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
     (0..1000).map(move |_| {
         let theta0 = points.sign() * points.uniform(0.01, PI - 0.01);
         let theta = theta0 * points.uniform(0.05, 0.98);
-        turn([1.0, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0, theta])
+        turn([
+            1.0,
+            points.log_uniform(0.1, 10.0),
+            points.log_uniform(0.1, 10.0),
+            theta0,
+            theta,
+        ])
     })
 }
 
@@ -230,7 +279,12 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), MotionError>
             1 => PI,
             _ => points.sign() * points.uniform(0.0, PI),
         };
-        let launch = Turn::launch(0.0, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0);
+        let launch = Turn::launch(
+            0.0,
+            points.log_uniform(0.1, 10.0),
+            points.log_uniform(0.1, 10.0),
+            theta0,
+        );
         let t = points.uniform(0.1, 5.0) * launch.v0 / launch.a;
         Ok((launch, launch.motion(t)?.at(t)?))
     })
@@ -245,7 +299,12 @@ pub fn settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
             1 => PI - 0.3,
             _ => points.sign() * points.uniform(0.0, PI - 0.3),
         };
-        let launch = Turn::launch(1.0, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0);
+        let launch = Turn::launch(
+            1.0,
+            points.log_uniform(0.1, 10.0),
+            points.log_uniform(0.1, 10.0),
+            theta0,
+        );
         let t = 60.0 * launch.v0 / launch.a;
         Ok((launch, launch.motion(t)?.at(t)?))
     })
@@ -279,7 +338,12 @@ pub fn stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
             3 => 1e-6,
             _ => points.sign() * points.uniform(0.0, PI),
         };
-        let start = Turn::launch(lambda, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0);
+        let start = Turn::launch(
+            lambda,
+            points.log_uniform(0.1, 10.0),
+            points.log_uniform(0.1, 10.0),
+            theta0,
+        );
         let motion = start.motion_to_rest()?;
         let t = motion.end().t;
         Ok(Stop { start, motion, t })
@@ -301,12 +365,24 @@ pub fn launches_below_critical() -> impl Iterator<Item = Result<Turn, MotionErro
             2 if lambda < 1.0 => PI - 1e-6,
             _ => points.sign() * points.uniform(0.0, PI - 0.1),
         };
-        Ok(Turn::launch(lambda, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), theta0))
+        Ok(Turn::launch(
+            lambda,
+            points.log_uniform(0.1, 10.0),
+            points.log_uniform(0.1, 10.0),
+            theta0,
+        ))
     })
 }
 
 /// Launches at λ = 1 straight against the inertial force.
 pub fn held() -> impl Iterator<Item = Turn> {
     let mut points = Points::stream(11);
-    (0..40).map(move |_| Turn::launch(1.0, points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0), PI))
+    (0..40).map(move |_| {
+        Turn::launch(
+            1.0,
+            points.log_uniform(0.1, 10.0),
+            points.log_uniform(0.1, 10.0),
+            PI,
+        )
+    })
 }

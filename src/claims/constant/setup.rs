@@ -23,7 +23,9 @@ pub fn eq3() -> Evidence {
             v: [0.0; 2],
             x: [0.0; 2],
         };
-        let v = run(&Plane::constant(printed::eq3_acceleration(a)), 0.0, rest, t)?.end().v;
+        let v = run(&Plane::constant(printed::eq3_acceleration(a)), 0.0, rest, t)?
+            .end()
+            .v;
         Ok::<_, Failure>(Pair {
             at: format!("A = {a:.6}, t = {t:.6}"),
             stated: a * t,
@@ -37,7 +39,7 @@ pub fn eq3() -> Evidence {
 pub fn eq4() -> Evidence {
     let trial = consistency("|(4)| exp(angle of (4)) with v exp θ, along motions");
     trial.over(turns(), |turn| {
-        let turn = turn?;
+        let turn = &turn?;
         let [vx, vy] = printed::eq4_velocity(turn.v, turn.theta);
         let found = turn.v * libm::exp(turn.theta);
         Ok::<_, Failure>(Pair {
@@ -51,10 +53,16 @@ pub fn eq4() -> Evidence {
 
 /// (5): motions with the same λ are the same in units of v₀ and A, whatever μ, g and A are.
 pub fn eq5() -> Evidence {
-    let trial = consistency("v_x/v₀ at the same A t/v₀ of two motions with the same λ of (5) and different μ, g, A, v₀");
+    let trial = consistency(
+        "v_x/v₀ at the same A t/v₀ of two motions with the same λ of (5) and different μ, g, A, v₀",
+    );
     let mut points = Points::stream(9);
     trial.over(0..200, |_| {
-        let (theta0, mu, g) = (points.uniform(0.1, 3.0), points.uniform(0.1, 1.0), points.uniform(1.0, 20.0));
+        let (theta0, mu, g) = (
+            points.uniform(0.1, 3.0),
+            points.uniform(0.1, 1.0),
+            points.uniform(1.0, 20.0),
+        );
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 0.9));
         let lambda = printed::eq5_lambda(mu, g, a);
         let vx = |friction: f64, a: f64, v0: f64| {

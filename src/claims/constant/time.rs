@@ -6,7 +6,7 @@ use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::numerics::quadrature::integral;
+use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
@@ -37,25 +37,41 @@ fn eq12_rate(turn: &Turn, theta: f64) -> f64 {
 /// (12), integrated over the angle.
 pub fn eq12_quadrature() -> Evidence {
     let trial = Trial::quadrature(Subject::Within, "∫ (12) dθ with A t of the motion");
-    trial.over(turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0), |turn| {
-        let turn = turn?;
-        let stated = integral(|theta| eq12_rate(turn, theta), turn.theta0, turn.theta)?.value;
-        let found = turn.a * turn.t;
-        Ok::<_, Failure>(Pair {
-            at: turn.at(),
-            stated,
-            found,
-            scale: found,
-        })
-    })
+    trial.over(
+        turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
+        |turn| {
+            let turn = &turn?;
+            let stated = {
+                let enough = 1e-14 * turn.condition() * turn.a * turn.t;
+                integral_within(
+                    |theta| eq12_rate(turn, theta),
+                    turn.theta0,
+                    turn.theta,
+                    enough,
+                )?
+                .value
+            };
+            let found = turn.a * turn.t;
+            Ok::<_, Failure>(Pair {
+                at: turn.at(),
+                stated,
+                found,
+                scale: found,
+            })
+        },
+    )
 }
 
 /// (12) where it has no value, while the motion turns as ever: at λ = 0, and for θ < 0 with friction.
 pub fn eq12_outside() -> Evidence {
-    let trial = Trial::motion(Subject::Outside, "(12) per dθ with A dt/dθ = −v/sin θ of the motion");
-    let wanted = |turn: &Turn| turn.lambda == 0.0 || turn.lambda.fract() != 0.0 && turn.theta0 < 0.0;
+    let trial = Trial::motion(
+        Subject::Outside,
+        "(12) per dθ with A dt/dθ = −v/sin θ of the motion",
+    );
+    let wanted =
+        |turn: &Turn| turn.lambda == 0.0 || turn.lambda.fract() != 0.0 && turn.theta0 < 0.0;
     trial.over(turns_where(wanted), |turn| {
-        let turn = turn?;
+        let turn = &turn?;
         let found = -turn.v / Scalar::sin(turn.theta);
         Ok::<_, Failure>(Pair {
             at: turn.at(),
@@ -68,9 +84,12 @@ pub fn eq12_outside() -> Evidence {
 
 /// (13) with the time of the motion.
 pub fn eq13_motion() -> Evidence {
-    let trial = Trial::motion(Subject::Within, "(13) with the time at which the motion has turned to θ");
+    let trial = Trial::motion(
+        Subject::Within,
+        "(13) with the time at which the motion has turned to θ",
+    );
     trial.over(turns_where(eq13_has_a_value), |turn| {
-        let turn = turn?;
+        let turn = &turn?;
         Ok::<_, Failure>(Pair::conditioned(turn.at(), eq13(turn), turn.t))
     })
 }
@@ -78,27 +97,39 @@ pub fn eq13_motion() -> Evidence {
 /// (13) with the integral of dt.
 pub fn eq13_quadrature() -> Evidence {
     let trial = Trial::quadrature(Subject::Within, "(13) with −∫ v dθ/(A sin θ), v from (11)");
-    trial.over(turns_where(eq13_has_a_value), |turn| {
-        let turn = turn?;
-        let rate = |theta: f64| {
-            let v = printed::eq11_speed(turn.lambda, turn.v0, turn.theta0, theta);
-            -v / (turn.a * Scalar::sin(theta))
-        };
-        let found = integral(rate, turn.theta0, turn.theta)?.value;
-        Ok::<_, Failure>(Pair::conditioned(turn.at(), eq13(turn), found))
-    })
+    trial.over(
+        turns_where(|turn| eq13_has_a_value(turn) && turn.is_gentle()),
+        |turn| {
+            let turn = &turn?;
+            let rate = |theta: f64| {
+                let v = printed::eq11_speed(turn.lambda, turn.v0, turn.theta0, theta);
+                -v / (turn.a * Scalar::sin(theta))
+            };
+            let enough = 1e-14 * turn.condition() * turn.t;
+            let found = integral_within(rate, turn.theta0, turn.theta, enough)?.value;
+            let mut pair = Pair::conditioned(turn.at(), eq13(turn), found);
+            pair.scale = pair.scale.max(found * turn.condition());
+            Ok::<_, Failure>(pair)
+        },
+    )
 }
 
 /// (13) solved for the angle at the time of the motion.
 pub fn eq13_root() -> Evidence {
-    let trial = Trial::by(Route::Root, Subject::Within, "the root θ of (13) = t with the angle of the motion at t", ROOT);
-    let wanted = |turn: &Turn| eq13_has_a_value(turn) && (turn.lambda - 1.0).abs() > 1e-3;
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Within,
+        "the root θ of (13) = t with the angle of the motion at t",
+        ROOT,
+    );
+    let wanted = |turn: &Turn| {
+        eq13_has_a_value(turn) && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle()
+    };
     trial.over(turns_where(wanted), |turn| {
-        let turn = turn?;
-        let late = |theta| {
-            printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t
-        };
-        let (low, high) = (0.2 * turn.theta0, turn.theta0);
+        let turn = &turn?;
+        let late =
+            |theta| printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t;
+        let (low, high) = (0.9 * turn.theta, turn.theta0);
         let found = root(late, low.min(high), low.max(high))?;
         // The formula resolves t to its spread, and so θ to its spread over dt/dθ.
         let slope = turn.v / (turn.a * Scalar::sin(turn.theta).abs());
@@ -116,7 +147,7 @@ pub fn eq13_outside() -> Evidence {
     let trial = Trial::motion(Subject::Outside, "(13) with the time of the motion");
     let excluded = turns_where(|turn| !eq13_has_a_value(turn)).chain(straight());
     trial.over(excluded, |turn| {
-        let turn = turn?;
+        let turn = &turn?;
         let stated = printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, turn.theta);
         Ok::<_, Failure>(Pair {
             at: turn.at(),
@@ -141,18 +172,24 @@ fn eq14(turn: &Turn) -> Conditioned {
 
 /// (14) with the speed of the motion.
 pub fn eq14_motion() -> Evidence {
-    let trial = Trial::motion(Subject::Within, "(14) at the angle and time of the motion with its speed");
+    let trial = Trial::motion(
+        Subject::Within,
+        "(14) at the angle and time of the motion with its speed",
+    );
     trial.over(turns(), |turn| {
-        let turn = turn?;
+        let turn = &turn?;
         Ok::<_, Failure>(Pair::conditioned(turn.at(), eq14(turn), turn.v))
     })
 }
 
 /// (14) where cos θ = −λ, the angle at which it is 0/0.
 pub fn eq14_outside() -> Evidence {
-    let trial = Trial::motion(Subject::Outside, "(14) where cos θ = −λ with the speed of the motion");
+    let trial = Trial::motion(
+        Subject::Outside,
+        "(14) where cos θ = −λ with the speed of the motion",
+    );
     trial.over(super::runs::turns_to_the_gap(), |turn| {
-        let turn = turn?;
+        let turn = &turn?;
         Ok::<_, Failure>(Pair {
             at: turn.at(),
             stated: eq14(turn).value,
@@ -162,17 +199,58 @@ pub fn eq14_outside() -> Evidence {
     })
 }
 
-/// The regular form of the time, at all points, those included where (13) has no value.
-pub fn regular_motion() -> Evidence {
-    let trial = Trial::motion(Subject::Within, "the regular form of the time, where (13) has a value and where not, with the motion");
+/// The regular form of the time at all points, those included where (13) has no value.
+pub fn regular_time() -> Evidence {
+    let compared =
+        "the regular form of the time, where (13) has a value and where not, with the motion";
+    let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
-        let turn = turn?;
+        let turn = &turn?;
         let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
         Ok::<_, Failure>(Pair {
             at: turn.at(),
             stated: corrected::time(turn.lambda, turn.a, turn.v0, turn.theta0, r),
             found: turn.t,
-            scale: turn.t,
+            scale: turn.t * turn.condition(),
+        })
+    })
+}
+
+/// The regular forms along the line of the acceleration: the speed at the time that they give for r = 0.7.
+pub fn regular_straight() -> Evidence {
+    let compared = "the regular form of the speed along the line of the acceleration, at the regular time, with the motion";
+    let trial = Trial::motion(Subject::Corrected, compared);
+    trial.over(straight(), |turn| {
+        let Turn {
+            lambda,
+            a,
+            v0,
+            theta0,
+            ..
+        } = turn?;
+        let t = corrected::time(lambda, a, v0, theta0, 0.7);
+        let found = Turn::launch(lambda, a, v0, theta0).motion(t)?.end().speed();
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {t:.6}", Turn::launch(lambda, a, v0, theta0).at()),
+            stated: corrected::speed(lambda, v0, theta0, 0.7),
+            found,
+            scale: v0,
+        })
+    })
+}
+
+/// The regular form of the speed.
+pub fn regular_speed() -> Evidence {
+    let compared = "the regular form of the speed with the motion";
+    let trial = Trial::motion(Subject::Corrected, compared);
+    trial.over(turns(), |turn| {
+        let turn = &turn?;
+        let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: corrected::speed(turn.lambda, turn.v0, turn.theta0, r),
+            found: turn.v,
+            scale: turn.v * turn.condition(),
         })
     })
 }
