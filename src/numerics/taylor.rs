@@ -90,6 +90,17 @@ where
         }
     }
 
+    /// Goes on from a state and the carries with which an earlier integration [finished](Self::finish), for a
+    /// system that does not depend on the time itself.
+    pub fn resume(system: &'a S, state: [T; D], carry: [T; D], control: Control) -> Self {
+        Self { carry, ..Self::new(system, T::from_f64(0.0), state, control) }
+    }
+
+    /// The state reached, and what rounding has taken from each component.
+    pub fn finish(self) -> ([T; D], [T; D]) {
+        (self.state, self.carry)
+    }
+
     /// Time reached.
     pub fn t(&self) -> &T {
         &self.t
