@@ -3,5 +3,7 @@
 pub mod claims;
 pub mod corrections;
 pub mod ledger;
+pub mod motion;
+pub mod numerics;
 pub mod paper;
 pub mod scalar;

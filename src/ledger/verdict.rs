@@ -161,11 +161,19 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
             match change {
                 Some(Change::Sign | Change::Factor | Change::Symbol) => judgement(
                     Verdict::Misprint,
-                    format!("fails at {}; the corrected form holds by {}", e.at, corrected.routes()),
+                    format!(
+                        "fails at {}; the corrected form holds by {}",
+                        e.at,
+                        corrected.routes()
+                    ),
                 ),
                 Some(Change::Statement) => judgement(
                     Verdict::Refuted,
-                    format!("fails at {}; what replaces it holds by {}", e.at, corrected.routes()),
+                    format!(
+                        "fails at {}; what replaces it holds by {}",
+                        e.at,
+                        corrected.routes()
+                    ),
                 ),
                 None => undecided("a correction holds, but how much it changes is not said".into()),
             }

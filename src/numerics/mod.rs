@@ -1,0 +1,3 @@
+//! Numerical methods: thin adapters over libraries, and what no library has.
+
+pub mod piecewise;
