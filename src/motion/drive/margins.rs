@@ -27,7 +27,7 @@ struct Stretch {
     s1: f64,
     /// The phase at the left end of the piece, not reduced.
     phi: f64,
-    /// w at `s0`.
+    /// w at `s0`; of no meaning in a rest.
     w0: f64,
 }
 
@@ -36,6 +36,9 @@ impl Attractor<'_> {
     pub fn largest(&self) -> State {
         let mut best = State { phi: 0.0, w: 0.0 };
         self.walk(|interval, stretch| {
+            if interval.sign == Sign::Rest {
+                return;
+            }
             let level = self.level(interval.sign);
             let piece = &self.drive.shape().pieces()[stretch.piece];
             let top = piece.crossing(level, stretch.s0, stretch.s1);

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 #[test]
 fn a_sine_needs_few_pieces_and_is_exact() {
-    let sine = Piecewise::fit(|x| Scalar::sin(x), &[]).unwrap();
+    let sine = Piecewise::fit(<f64 as Scalar>::sin, &[]).unwrap();
     assert!(sine.pieces().len() <= 8, "{}", sine.pieces().len());
     assert!(sine.integral().abs() < 1e-15);
     for k in 0..1000 {
@@ -50,7 +50,7 @@ fn short_integrals_keep_their_relative_accuracy() {
 
 #[test]
 fn level_crossings_are_those_of_the_inverse_sine() {
-    let sine = Piecewise::fit(|x| Scalar::sin(x), &[]).unwrap();
+    let sine = Piecewise::fit(<f64 as Scalar>::sin, &[]).unwrap();
     let first = sine
         .pieces()
         .iter()
