@@ -1,3 +1,27 @@
-//! Numerical methods: thin adapters over libraries, and what no library has.
+//! The tools that both the motions and the trials work with; none of them knows any physics.
+//!
+//! Most motions here are integrated by their own Taylor series ([`taylor`]): the right-hand sides are
+//! made of few elementary functions, whose coefficients follow from each other by short recurrences
+//! ([`series`]). A step of order 26 is long, its error is known from its last coefficients, and the step
+//! itself is a polynomial, so that a value between two nodes ([`taylor::Step::at`]) and the time of an
+//! event ([`events`]) are as good as the nodes. The same code works over any [`number::Number`].
+//!
+//! Whoever integrates with one's own code alone proves little, so there is a second, foreign integrator
+//! ([`dop853`]). Integrals go through an adaptive Gauss–Kronrod rule ([`quadrature`]), equations in one
+//! unknown through a bracketing root-finder ([`roots`]), fits through a QR decomposition ([`fit`]). A periodic
+//! function that is integrated again and again is first represented by polynomials ([`piecewise`]).
+//!
+//! Every door returns a typed error instead of a number that is not one, and none of them can run forever.
 
+pub mod dop853;
+pub mod error;
+pub mod events;
+pub mod fit;
+pub mod number;
 pub mod piecewise;
+pub mod quadrature;
+pub mod roots;
+pub mod series;
+pub mod taylor;
+
+pub use error::NumericsError;

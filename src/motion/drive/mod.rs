@@ -23,11 +23,14 @@ mod arcs;
 mod attractor;
 mod intervals;
 mod margins;
+mod planar;
 
 pub use attractor::{Agreement, Attractor, Outcome, Periods};
 pub use intervals::{Interval, Sign, ZERO_LENGTH};
 pub use margins::Margins;
+pub use planar::PlanarState;
 
+use crate::numerics::NumericsError;
 use crate::numerics::piecewise::{Piecewise, PiecewiseError};
 use arcs::{Mark, Walker};
 use std::f64::consts::TAU;
@@ -48,6 +51,9 @@ pub enum DriveError {
         /// What was given.
         value: f64,
     },
+    /// The integration of the planar motion failed.
+    #[error("the planar motion: {0}")]
+    Numerics(#[from] NumericsError),
     /// The motion is not yet periodic within the allowed number of periods.
     #[error("not periodic after {periods} periods: the last one changed w by {change:e}")]
     NotSettled {

@@ -67,6 +67,11 @@ impl Piece {
         self.before
     }
 
+    /// The coefficients of the powers of the distance from the left end.
+    pub fn coefficients(&self) -> &[f64] {
+        &self.coefficients[..=self.degree]
+    }
+
     /// The value at the distance `s` from the left end.
     pub fn value(&self, s: f64) -> f64 {
         let mut value = 0.0;

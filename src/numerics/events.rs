@@ -1,0 +1,176 @@
+//! When a function that is known by its series over a step is zero.
+//!
+//! The extrema of the series, found by the crate `polycool`, cut the step into pieces on which the function
+//! rises or falls; on each the [bracketing root-finder](super::roots) finishes. An extremum that is zero within
+//! rounding is a root too: there the function only touches zero.
+
+use super::error::NumericsError;
+use super::roots::root;
+use super::series::value;
+use polycool::PolyDyn;
+
+/// How a function is zero.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Way {
+    /// From negative to positive.
+    Rising,
+    /// From positive to negative.
+    Falling,
+    /// Touching zero without going through, as far as rounding lets one see.
+    Touching,
+}
+
+/// A root of a series.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Root {
+    /// Distance from the beginning of the step.
+    pub at: f64,
+    /// Whether the function goes through zero.
+    pub way: Way,
+}
+
+/// The roots of a series in (0, `h`], in order. One at 0 (first coefficients exactly zero) does not count, nor
+/// does a series that is zero altogether have roots.
+///
+/// # Errors
+/// [`NumericsError::NotFinite`] when a coefficient times its power of `h` is not finite.
+pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
+    // In units of the step all coefficients are sizes of terms.
+    let mut power = 1.0;
+    let mut scaled = Vec::new();
+    let start = series
+        .iter()
+        .position(|c| *c != 0.0)
+        .unwrap_or(series.len());
+    for c in &series[start..] {
+        let term = if *c == 0.0 { 0.0 } else { c * power };
+        if !term.is_finite() {
+            return Err(NumericsError::NotFinite {
+                what: "a term of an event's series",
+                at: h,
+            });
+        }
+        scaled.push(term);
+        power *= h;
+    }
+    let size: f64 = scaled.iter().map(|c| c.abs()).sum();
+    if scaled.is_empty() || 2.0 * scaled[0].abs() > size {
+        return Ok(Vec::new());
+    }
+    while scaled.last().is_some_and(|c| c.abs() < NEGLIGIBLE * size) {
+        scaled.pop();
+    }
+    for c in &mut scaled {
+        *c /= size;
+    }
+    let slope = scaled.iter().enumerate().skip(1).map(|(k, c)| c * k as f64);
+    let mut nodes = PolyDyn::new(slope).roots_between(0.0, 1.0, f64::EPSILON);
+    nodes.retain(|u| *u > 0.0 && *u < 1.0);
+    nodes.push(1.0);
+    let at = |u: f64| value(&scaled, &u);
+    let mut found = Vec::new();
+    let (mut a, mut ya) = (0.0, scaled[0]);
+    for b in nodes {
+        let yb = at(b);
+        let touches = b < 1.0 && yb.abs() <= rounding(&scaled, b);
+        if (ya < 0.0 && yb > 0.0) || (ya > 0.0 && yb < 0.0) {
+            let way = if yb > 0.0 { Way::Rising } else { Way::Falling };
+            found.push(Root {
+                at: root(at, a, b)? * h,
+                way,
+            });
+        } else if b == 1.0 && yb == 0.0 && ya != 0.0 {
+            let way = if ya < 0.0 { Way::Rising } else { Way::Falling };
+            found.push(Root { at: h, way });
+        } else if touches {
+            found.push(Root {
+                at: b * h,
+                way: Way::Touching,
+            });
+        }
+        // An extremum that is exactly zero keeps the side from which it is touched.
+        (a, ya) = (b, if yb == 0.0 { ya } else { yb });
+    }
+    Ok(found)
+}
+
+/// Relative size of last terms that no value notices.
+const NEGLIGIBLE: f64 = 1e-20;
+
+/// Bound for the rounding errors of the value at `u`.
+fn rounding(scaled: &[f64], u: f64) -> f64 {
+    4.0 * f64::EPSILON * scaled.iter().rev().fold(0.0, |sum, c| sum * u + c.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coefficients of the product of (u − r) over the given roots.
+    fn with_roots(given: &[f64]) -> Vec<f64> {
+        given.iter().fold(vec![1.0], |p, r| {
+            let mut q = vec![0.0; p.len() + 1];
+            for (k, c) in p.iter().enumerate() {
+                q[k + 1] += c;
+                q[k] -= r * c;
+            }
+            q
+        })
+    }
+
+    #[test]
+    fn simple_roots_in_order_with_their_ways() {
+        let found = roots(&with_roots(&[0.25, 1.5, 3.0, -2.0]), 2.0).unwrap();
+        assert_eq!(found.len(), 2);
+        assert!(
+            (found[0].at - 0.25).abs() < 1e-15 && found[0].way == Way::Rising,
+            "{found:?}"
+        );
+        assert!((found[1].at - 1.5).abs() < 3e-15 && found[1].way == Way::Falling);
+    }
+
+    #[test]
+    fn double_roots_and_near_ones() {
+        let found = roots(&with_roots(&[0.5, 0.5, 4.0]), 2.0).unwrap();
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!((found[0].at - 0.5).abs() < 1e-7 && found[0].way == Way::Touching);
+        let found = roots(&with_roots(&[0.5, 0.500001, 4.0]), 2.0).unwrap();
+        assert_eq!(found.len(), 2);
+        assert!((found[0].at - 0.5).abs() < 1e-9 && (found[1].at - 0.500001).abs() < 1e-9);
+        // (u − ½)² + 10⁻⁸ comes near and does not touch.
+        assert!(roots(&[0.25 + 1e-8, -1.0, 1.0], 1.0).unwrap().is_empty());
+    }
+
+    #[test]
+    fn the_ends_of_the_step() {
+        // u (u − 1): the root at the beginning is not counted, that at the end is.
+        let found = roots(&[0.0, -1.0, 1.0], 1.0).unwrap();
+        assert_eq!(
+            found,
+            [Root {
+                at: 1.0,
+                way: Way::Rising
+            }]
+        );
+        assert!(roots(&[0.0, -1.0, 1.0], 0.9).unwrap().is_empty());
+        assert!(roots(&[0.0; 5], 1.0).unwrap().is_empty());
+        assert!(roots(&[-1.0, f64::INFINITY], 1.0).is_err());
+    }
+
+    #[test]
+    fn a_long_series() {
+        // sin over (0, 3.5]: one root, at π.
+        let mut sine = [0.0; 40];
+        let mut term = 1.0;
+        for k in 1..40 {
+            term /= k as f64;
+            sine[k] = [0.0, term, 0.0, -term][k % 4];
+        }
+        let found = roots(&sine, 3.5).unwrap();
+        assert_eq!(found.len(), 1);
+        assert!(
+            (found[0].at - std::f64::consts::PI).abs() < 2e-15,
+            "{found:?}"
+        );
+    }
+}

@@ -1,0 +1,70 @@
+//! What a number must be able to do to be integrated with: little enough for big floats and intervals.
+
+use std::fmt::Debug;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number of the Taylor integrator. Not [`Copy`], so that numbers of any length qualify.
+pub trait Number:
+    Clone
+    + Debug
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+{
+    /// The number `x`, exactly.
+    fn from_f64(x: f64) -> Self;
+    /// Absolute value, roughly and not too small: only step sizes hang on it. Not finite for a number that
+    /// is none.
+    fn magnitude(&self) -> f64;
+    /// Square root of a positive number.
+    fn sqrt(&self) -> Self;
+    /// Sine and cosine; the angle in radians.
+    fn sin_cos(&self) -> (Self, Self);
+    /// Exponential function.
+    fn exp(&self) -> Self;
+    /// Natural logarithm of a positive number.
+    fn ln(&self) -> Self;
+    /// A positive number to a real power.
+    fn pow(&self, exponent: f64) -> Self;
+
+    /// `sum + carry + delta` as a new sum and what rounding took from it. A type that has no use for the
+    /// carry (an interval) leaves it zero.
+    fn accumulate(sum: &Self, carry: &Self, delta: &Self) -> (Self, Self) {
+        let new = sum.clone() + (carry.clone() + delta.clone());
+        (new, Self::from_f64(0.0))
+    }
+}
+
+/// Elementary functions through libm: the same bits everywhere.
+impl Number for f64 {
+    fn from_f64(x: f64) -> Self {
+        x
+    }
+    fn magnitude(&self) -> f64 {
+        self.abs()
+    }
+    fn sqrt(&self) -> Self {
+        libm::sqrt(*self)
+    }
+    fn sin_cos(&self) -> (Self, Self) {
+        libm::sincos(*self)
+    }
+    fn exp(&self) -> Self {
+        libm::exp(*self)
+    }
+    fn ln(&self) -> Self {
+        libm::log(*self)
+    }
+    fn pow(&self, exponent: f64) -> Self {
+        libm::pow(*self, exponent)
+    }
+    fn accumulate(sum: &Self, carry: &Self, delta: &Self) -> (Self, Self) {
+        // Knuth's two-sum: exact whatever the order of sizes.
+        let delta = carry + delta;
+        let new = sum + delta;
+        let part = new - sum;
+        (new, (sum - (new - part)) + (delta - part))
+    }
+}

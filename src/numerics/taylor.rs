@@ -1,0 +1,277 @@
+//! An adaptive integrator by Taylor series of high order.
+//!
+//! A [`System`] gives, order by order, the coefficients of its derivative from those of its state, so that a
+//! step starts with the whole series of the motion about its beginning. The last two coefficients tell how far
+//! the series can be trusted (Jorba and Zou, "A software package for the numerical integration of ODEs by means
+//! of high-order Taylor methods", Exp. Math. 14, 2005, section 3.2): nothing is tried and rejected. Times and
+//! states are summed with a carry, so that long runs lose only what single steps lose.
+
+use super::error::NumericsError;
+use super::number::Number;
+use super::series::{Series, change, value};
+
+/// Number of coefficients that serves f64 well: order 26.
+pub const TERMS: usize = 27;
+
+/// Relative size that the last terms of a step may have: a quarter of the spacing of f64.
+const TOLERANCE_LOG2: f64 = -54.0;
+
+/// A system of `D` ordinary differential equations x′ = f(t, x), by its series of `N` terms.
+pub trait System<T: Number, const D: usize, const N: usize> {
+    /// Series that the system keeps for itself during a step.
+    type Work: Default;
+
+    /// Prepares for a step that begins at time `t` in `state`.
+    fn begin(&self, t: &T, state: &[T; D], work: &mut Self::Work);
+
+    /// Coefficient `k` of x′, from the coefficients of `x` up to `k`; called for k = 0, 1, 2, … in turn.
+    fn derivative(&self, k: usize, x: &[Series<T, N>; D], work: &mut Self::Work) -> [T; D];
+}
+
+/// In units of what the last terms of a step have to be small.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Control {
+    /// Of each component by itself (of its own change, where it passes through zero).
+    Each,
+    /// Of the largest component.
+    Largest,
+}
+
+/// One step: the series of the state about its beginning.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Step<T, const D: usize, const N: usize> {
+    /// Time at the beginning.
+    pub t: T,
+    /// Length over which the series is used; infinite where the series ends before its last two terms.
+    pub h: f64,
+    /// Coefficients of each component.
+    pub series: [Series<T, N>; D],
+}
+
+impl<T: Number, const D: usize, const N: usize> Step<T, D, N> {
+    /// State at a distance from the beginning of the step (dense output): as good as the nodes for distances
+    /// from 0 to `h`.
+    pub fn at(&self, distance: &T) -> [T; D] {
+        std::array::from_fn(|i| value(&self.series[i], distance))
+    }
+}
+
+/// The state of an integration under way.
+pub struct Integrator<'a, S, T, const D: usize, const N: usize>
+where
+    T: Number,
+    S: System<T, D, N>,
+{
+    system: &'a S,
+    control: Control,
+    work: S::Work,
+    t: T,
+    t_carry: T,
+    state: [T; D],
+    carry: [T; D],
+}
+
+impl<'a, S, T, const D: usize, const N: usize> Integrator<'a, S, T, D, N>
+where
+    T: Number,
+    S: System<T, D, N>,
+{
+    /// An integration of `system` that begins at time `t` in `state`.
+    pub fn new(system: &'a S, t: T, state: [T; D], control: Control) -> Self {
+        let zero = || T::from_f64(0.0);
+        Self {
+            system,
+            control,
+            work: S::Work::default(),
+            t,
+            t_carry: zero(),
+            state,
+            carry: std::array::from_fn(|_| zero()),
+        }
+    }
+
+    /// Time reached.
+    pub fn t(&self) -> &T {
+        &self.t
+    }
+
+    /// State reached.
+    pub fn state(&self) -> &[T; D] {
+        &self.state
+    }
+
+    /// Replaces one component of the state, exactly.
+    pub fn set(&mut self, component: usize, value: T) {
+        self.state[component] = value;
+        self.carry[component] = T::from_f64(0.0);
+    }
+
+    /// The series about the present state, and the length (positive) over which it holds.
+    ///
+    /// # Errors
+    /// [`NumericsError::NotFinite`] when the state or a coefficient is infinite or NaN.
+    pub fn expand(&mut self) -> Result<Step<T, D, N>, NumericsError> {
+        self.system.begin(&self.t, &self.state, &mut self.work);
+        let mut series: [Series<T, N>; D] =
+            std::array::from_fn(|_| std::array::from_fn(|_| T::from_f64(0.0)));
+        for (x, start) in series.iter_mut().zip(&self.state) {
+            x[0] = start.clone();
+        }
+        for k in 0..N - 1 {
+            let slope = self.system.derivative(k, &series, &mut self.work);
+            let inverse = T::from_f64((k + 1) as f64);
+            for (x, d) in series.iter_mut().zip(slope) {
+                x[k + 1] = d / inverse.clone();
+            }
+        }
+        if series.iter().flatten().any(|c| !c.magnitude().is_finite()) {
+            return Err(NumericsError::NotFinite {
+                what: "a Taylor coefficient of the state",
+                at: self.t.magnitude(),
+            });
+        }
+        let h = match self.control {
+            Control::Each => series
+                .iter()
+                .map(|x| reach(x))
+                .fold(f64::INFINITY, f64::min),
+            Control::Largest => {
+                let largest: [f64; N] = std::array::from_fn(|k| {
+                    series.iter().map(|x| x[k].magnitude()).fold(0.0, f64::max)
+                });
+                reach(&largest)
+            }
+        };
+        Ok(Step {
+            t: self.t.clone(),
+            h,
+            series,
+        })
+    }
+
+    /// Goes the distance `step.h` (finite, either sign) along a step that [`expand`](Self::expand) has just
+    /// given.
+    pub fn advance(&mut self, step: &Step<T, D, N>) {
+        let h = T::from_f64(step.h);
+        for i in 0..D {
+            let delta = change(&step.series[i], &h);
+            (self.state[i], self.carry[i]) = T::accumulate(&self.state[i], &self.carry[i], &delta);
+        }
+        (self.t, self.t_carry) = T::accumulate(&self.t, &self.t_carry, &h);
+    }
+}
+
+/// How far a series may be trusted: the largest h at which its last two terms are below the tolerance times
+/// one of its first four terms. Infinite for a series that ends before.
+pub fn reach<T: Number>(x: &[T]) -> f64 {
+    let first: [f64; 4] = std::array::from_fn(|k| x.get(k).map_or(f64::NEG_INFINITY, log2));
+    let mut least = f64::INFINITY;
+    for n in x.len().saturating_sub(2).max(4)..x.len() {
+        let last = log2(&x[n]);
+        if last == f64::NEG_INFINITY {
+            continue;
+        }
+        let best = first
+            .iter()
+            .enumerate()
+            .map(|(k, size)| (TOLERANCE_LOG2 + size - last) / (n - k) as f64)
+            .fold(f64::NEG_INFINITY, f64::max);
+        if best > f64::NEG_INFINITY {
+            least = least.min(best);
+        }
+    }
+    libm::exp2(least)
+}
+
+/// Binary logarithm of the magnitude to within 0.09, from the bits of the number; −∞ for zero.
+fn log2<T: Number>(x: &T) -> f64 {
+    let bits = x.magnitude().to_bits();
+    if bits == 0 {
+        return f64::NEG_INFINITY;
+    }
+    bits as f64 / (1u64 << 52) as f64 - 1023.0
+}
+
+/// A finished integration: its steps in order.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path<const D: usize, const N: usize> {
+    /// The steps; the last one ends at the end of the integration.
+    pub steps: Vec<Step<f64, D, N>>,
+    /// State at the end.
+    pub end: [f64; D],
+    /// Time at the end.
+    pub t: f64,
+}
+
+impl<const D: usize, const N: usize> Path<D, N> {
+    /// State at time `t`.
+    ///
+    /// # Errors
+    /// [`NumericsError::Outside`] for a time that was not integrated over.
+    pub fn at(&self, t: f64) -> Result<[f64; D], NumericsError> {
+        let from = self.steps.first().map_or(self.t, |step| step.t);
+        let outside = NumericsError::Outside {
+            at: t,
+            from,
+            to: self.t,
+        };
+        let way = self.t - from;
+        if t == self.t {
+            return Ok(self.end);
+        }
+        if !((t - from) * way >= 0.0 && (self.t - t) * way > 0.0) {
+            return Err(outside);
+        }
+        let index = self.steps.partition_point(|step| (t - step.t) * way >= 0.0);
+        let step = &self.steps[index.saturating_sub(1)];
+        Ok(step.at(&(t - step.t)))
+    }
+}
+
+/// Integrates `system` from time `from` to time `to`, forwards or backwards, and keeps all steps.
+///
+/// # Errors
+/// [`NumericsError::Argument`] for a time that is not finite, [`NumericsError::NotFinite`] when the state
+/// leaves the finite numbers, [`NumericsError::Limit`] after `max_steps` steps.
+pub fn integrate<S: System<f64, D, N>, const D: usize, const N: usize>(
+    system: &S,
+    from: f64,
+    state: [f64; D],
+    to: f64,
+    control: Control,
+    max_steps: usize,
+) -> Result<Path<D, N>, NumericsError> {
+    super::error::finite("from", from)?;
+    super::error::finite("to", to)?;
+    let mut integrator = Integrator::new(system, from, state, control);
+    let mut steps = Vec::new();
+    loop {
+        let left = (to - integrator.t) - integrator.t_carry;
+        if left == 0.0 || integrator.t == to {
+            return Ok(Path {
+                steps,
+                end: integrator.state,
+                t: to,
+            });
+        }
+        if steps.len() >= max_steps {
+            let at = integrator.t;
+            return Err(NumericsError::Limit {
+                what: "steps of the Taylor integrator",
+                limit: max_steps,
+                at,
+            });
+        }
+        let mut step = integrator.expand()?;
+        let last = step.h >= left.abs();
+        step.h = if last { left } else { step.h.copysign(left) };
+        integrator.advance(&step);
+        if last {
+            (integrator.t, integrator.t_carry) = (to, 0.0);
+        }
+        steps.push(step);
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,161 @@
+//! The integrator on motions whose ends are known without it.
+
+use super::*;
+use crate::numerics::dop853;
+use crate::numerics::events::{Way, roots};
+use crate::numerics::series::{power, product, square};
+use std::f64::consts::PI;
+
+/// Kepler's problem with unit gravity: x, y, ẋ, ẏ.
+struct Kepler;
+
+impl System<f64, 4, TERMS> for Kepler {
+    type Work = [[f64; TERMS]; 2];
+    fn begin(&self, _: &f64, _: &[f64; 4], _: &mut Self::Work) {}
+    fn derivative(&self, k: usize, x: &[[f64; TERMS]; 4], work: &mut Self::Work) -> [f64; 4] {
+        let [square_of_r, force] = work;
+        square_of_r[k] = square(&x[0], k) + square(&x[1], k);
+        force[k] = power(square_of_r, -1.5, force, k);
+        [
+            x[2][k],
+            x[3][k],
+            -product(&x[0], force, k),
+            -product(&x[1], force, k),
+        ]
+    }
+}
+
+/// Pericentre of the orbit with semi-major axis 1, eccentricity 0.6: period 2π.
+const PERICENTRE: [f64; 4] = [0.4, 0.0, 0.0, 2.0];
+
+/// Position and velocity at time `t`, from Kepler's equation.
+fn orbit(t: f64) -> [f64; 4] {
+    let mut anomaly = t;
+    for _ in 0..100 {
+        anomaly -= (anomaly - 0.6 * libm::sin(anomaly) - t) / (1.0 - 0.6 * libm::cos(anomaly));
+    }
+    let (s, c) = libm::sincos(anomaly);
+    let rate = 1.0 / (1.0 - 0.6 * c);
+    [c - 0.6, 0.8 * s, -s * rate, 0.8 * c * rate]
+}
+
+fn distance(a: [f64; 4], b: [f64; 4]) -> f64 {
+    (0..4).map(|i| (a[i] - b[i]).abs()).fold(0.0, f64::max)
+}
+
+#[test]
+fn kepler_over_ten_periods() {
+    let end = 20.0 * PI;
+    for control in [Control::Each, Control::Largest] {
+        let path = integrate(&Kepler, 0.0, PERICENTRE, end, control, 10_000).unwrap();
+        // The velocity turns by 6.25 per unit of time here: 10⁻¹² is a relative 2.5·10⁻¹⁵ of the ten periods.
+        assert!(
+            distance(path.end, PERICENTRE) < 1e-12,
+            "{:?} {}",
+            path.end,
+            path.steps.len()
+        );
+        let dense = (0..2000)
+            .map(|i| end * i as f64 / 2000.0)
+            .map(|t| {
+                distance(
+                    path.at(t).unwrap(),
+                    orbit(t - 2.0 * PI * libm::floor(t / (2.0 * PI))),
+                )
+            })
+            .fold(0.0, f64::max);
+        assert!(dense < 1e-12, "{dense:e}");
+        // y falls through zero at the apocentres, rises at the pericentres.
+        let mut crossings = Vec::new();
+        for step in &path.steps {
+            let found = roots(&step.series[1], step.h).unwrap();
+            crossings.extend(found.iter().map(|root| (step.t + root.at, root.way)));
+        }
+        for (i, (t, way)) in crossings.iter().enumerate().take(19) {
+            let expected = PI * (i + 1) as f64;
+            assert!((t - expected).abs() < 1e-13 * expected.max(5.0), "{i} {t}");
+            assert_eq!(
+                *way,
+                if i % 2 == 0 {
+                    Way::Falling
+                } else {
+                    Way::Rising
+                }
+            );
+        }
+    }
+}
+
+#[test]
+fn backwards_is_back() {
+    let there = integrate(&Kepler, 0.0, PERICENTRE, 5.0, Control::Each, 1000).unwrap();
+    let back = integrate(&Kepler, 5.0, there.end, 0.0, Control::Each, 1000).unwrap();
+    assert!(distance(back.end, PERICENTRE) < 1e-14);
+    assert!(distance(back.at(2.0).unwrap(), orbit(2.0)) < 1e-14);
+    assert!(matches!(back.at(5.1), Err(NumericsError::Outside { .. })));
+    assert!(there.at(f64::NAN).is_err());
+}
+
+#[test]
+fn the_foreign_integrator_agrees() {
+    let pull = |_: f64, x: &[f64; 4]| {
+        let r3 = libm::pow(x[0] * x[0] + x[1] * x[1], 1.5);
+        [x[2], x[3], -x[0] / r3, -x[1] / r3]
+    };
+    let foreign = dop853::end(pull, 0.0, PERICENTRE, 7.0, 1e-14, 1e-14).unwrap();
+    let path = integrate(&Kepler, 0.0, PERICENTRE, 7.0, Control::Each, 1000).unwrap();
+    assert!(
+        distance(path.end, foreign) < 1e-11,
+        "{foreign:?} {:?}",
+        path.end
+    );
+    assert!(distance(path.end, orbit(7.0)) < 1e-14);
+}
+
+/// x′ = −x and x′ = 2t: relative accuracy through many decades, and a series that ends.
+struct Decay;
+
+impl System<f64, 2, TERMS> for Decay {
+    type Work = [f64; 1];
+    fn begin(&self, t: &f64, _: &[f64; 2], work: &mut Self::Work) {
+        *work = [*t];
+    }
+    fn derivative(&self, k: usize, x: &[[f64; TERMS]; 2], work: &mut Self::Work) -> [f64; 2] {
+        let time = [2.0 * work[0], 2.0];
+        [-x[0][k], time.get(k).copied().unwrap_or(0.0)]
+    }
+}
+
+#[test]
+fn small_components_keep_their_digits() {
+    let path = integrate(&Decay, 0.0, [1.0, 0.0], 100.0, Control::Each, 1000).unwrap();
+    assert!((path.end[0] / libm::exp(-100.0) - 1.0).abs() < 1e-13);
+    assert!((path.end[1] - 1e4).abs() < 1e-11);
+}
+
+/// x′ = x², infinite at t = 1/x(0).
+struct BlowUp;
+
+impl System<f64, 1, TERMS> for BlowUp {
+    type Work = ();
+    fn begin(&self, _: &f64, _: &[f64; 1], (): &mut ()) {}
+    fn derivative(&self, k: usize, x: &[[f64; TERMS]; 1], (): &mut ()) -> [f64; 1] {
+        [square(&x[0], k)]
+    }
+}
+
+#[test]
+fn no_hang_and_no_nan() {
+    let run = |to| integrate(&BlowUp, 0.0, [1.0], to, Control::Each, 500);
+    assert!((run(0.999).unwrap().end[0] - 1000.0).abs() < 1e-9);
+    assert!(matches!(
+        run(2.0),
+        Err(NumericsError::Limit { .. } | NumericsError::NotFinite { .. })
+    ));
+    assert!(matches!(
+        run(f64::NAN),
+        Err(NumericsError::Argument { name: "to", .. })
+    ));
+    let bad = integrate(&BlowUp, 0.0, [f64::NAN], 1.0, Control::Each, 500);
+    assert!(matches!(bad, Err(NumericsError::NotFinite { .. })));
+}
