@@ -98,6 +98,7 @@ impl Drive {
         let mut counted = 0.0;
         let mut accelerated_at: Option<f64> = None;
         let mut change = f64::INFINITY;
+        let mut leap = 1.0;
         for followed in 1..=max_periods {
             walker.set(w);
             walker.period(section, &mut marks);
@@ -160,7 +161,9 @@ impl Drive {
             } else if low.is_finite() && high.is_finite() {
                 0.5 * (low + high)
             } else {
-                walker.w()
+                // Nothing shrinks here: go on the same way, ever faster, to a bracket or to where it drifts.
+                leap *= 2.0;
+                w + leap * change
             };
         }
         Err(DriveError::NotSettled {

@@ -120,15 +120,15 @@ pub(super) fn canonical(mut list: Vec<Interval>) -> Vec<Interval> {
     };
     for interval in &mut list[..best] {
         interval.start += TAU;
-        interval.end += TAU;
     }
     list.rotate_left(best);
     let shift = TAU * (list[0].start / TAU).floor();
-    if shift != 0.0 {
-        for interval in &mut list {
-            interval.start -= shift;
-            interval.end -= shift;
-        }
+    let first = list[0].start - shift;
+    for i in 0..n {
+        list[i].start -= shift;
+        list[i].end = list
+            .get(i + 1)
+            .map_or(first + TAU, |next| next.start - shift);
     }
     list
 }

@@ -312,6 +312,12 @@ fn a_mean_above_friction_drifts() {
             Outcome::Settles(_)
         ));
     }
+    // A small mean and no friction: thousands of periods until it keeps one sign, but not to be waited for.
+    let slow = Drive::new(|x| Scalar::cos(2.0 * x) - 2e-5, &[]).unwrap();
+    let outcome = slow.attractor(friction(0.0, 0.0), ORIGIN, 60).unwrap();
+    assert!(
+        matches!(outcome, Outcome::Drifts { per_period } if (per_period + 4e-5 * PI).abs() < 1e-14)
+    );
     let down = Drive::new(|x| -0.5 + Scalar::sin(x), &[]).unwrap();
     let outcome = down.attractor(friction(2.0, 0.3), ORIGIN, 100).unwrap();
     assert!(matches!(outcome, Outcome::Drifts { per_period } if per_period < 0.0));
