@@ -5,7 +5,7 @@
 
 use super::intervals::Sign;
 use super::{Drive, Friction};
-use crate::numerics::piecewise::{Piece, Piecewise, falling_root};
+use crate::numerics::piecewise::{Piece, Piecewise, Secant, falling_root};
 use std::f64::consts::TAU;
 
 /// On a monotone piece a motion can at most stop, turn, stop again and start again: no more events than this.
@@ -244,7 +244,7 @@ impl<'d> Walker<'d> {
             (end - s0) * (side * piece.secant(s0).mean(end) - friction)
         };
         let u1 = u0 + gain;
-        let arc = |s: f64, secant: &crate::numerics::piecewise::Secant| {
+        let arc = |s: f64, secant: &Secant| {
             let (mean, value) = secant.mean_value(s);
             (
                 u0 + (s - s0) * (side * mean - friction),

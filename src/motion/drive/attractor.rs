@@ -66,7 +66,7 @@ pub struct Attractor<'d> {
 /// Whether several starts lead to the same motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Agreement {
-    /// Largest difference of w between any two of the motions, over 64 phases.
+    /// Largest difference of w between the first start's motion and any other's, over 64 phases.
     pub largest_difference: f64,
     /// Whether it is within what the motions' own uncertainties allow (at least 1e-12).
     pub agree: bool,
@@ -189,17 +189,17 @@ impl Drive {
         // Whether a motion drifts depends on the mean of h alone, so it is all of them or none.
         let mut largest_difference = 0.0_f64;
         let mut uncertainty = AGREEMENT;
-        for pair in settled.windows(2) {
-            for k in 0..64 {
-                let phi = TAU * k as f64 / 64.0;
-                largest_difference =
-                    largest_difference.max((pair[0].w(phi) - settled[0].w(phi)).abs());
-                largest_difference =
-                    largest_difference.max((pair[1].w(phi) - settled[0].w(phi)).abs());
-            }
-            let sum = pair[0].uncertainty() + pair[1].uncertainty();
-            if sum.is_finite() {
-                uncertainty = uncertainty.max(sum);
+        if let Some((first, others)) = settled.split_first() {
+            for other in others {
+                for k in 0..64 {
+                    let phi = TAU * k as f64 / 64.0;
+                    largest_difference =
+                        largest_difference.max((other.w(phi) - first.w(phi)).abs());
+                }
+                let sum = first.uncertainty() + other.uncertainty();
+                if sum.is_finite() {
+                    uncertainty = uncertainty.max(sum);
+                }
             }
         }
         let counts: Option<Vec<u64>> = settled.iter().map(|a| a.periods().plain).collect();

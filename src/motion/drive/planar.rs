@@ -13,7 +13,7 @@
 //! passage is exact. If |h| ≤ λ there, both fall for ever while φ does not advance: the particle stops,
 //! within a finite phase, and w_y is 0 from then on.
 
-use super::{Drive, DriveError, Friction, LARGEST_W, State};
+use super::{Drive, DriveError, Friction, State};
 use crate::numerics::NumericsError;
 use crate::numerics::piecewise::{Piece, falling_root};
 use crate::numerics::series::{Series, exp, product};
@@ -62,7 +62,6 @@ impl Drive {
                 value: ln_w_y,
             });
         }
-        debug_assert!(LARGEST_W >= libm::exp(20.0));
         let mut last = phi;
         for &value in phases {
             if !(value >= last && value - phi <= 1e5) {
