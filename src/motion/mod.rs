@@ -17,6 +17,7 @@
 //! No solution in closed form is used here, not even as a first guess.
 
 pub mod acceleration;
+pub mod drive;
 pub mod error;
 pub mod particle;
 pub mod signal;

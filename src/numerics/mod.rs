@@ -8,7 +8,8 @@
 //!
 //! Whoever integrates with one's own code alone proves little, so there is a second, foreign integrator
 //! ([`dop853`]). Integrals go through an adaptive Gauss–Kronrod rule ([`quadrature`]), equations in one
-//! unknown through a bracketing root-finder ([`roots`]), fits through a QR decomposition ([`fit`]).
+//! unknown through a bracketing root-finder ([`roots`]), fits through a QR decomposition ([`fit`]). A periodic
+//! function that is integrated again and again is first represented by polynomials ([`piecewise`]).
 //!
 //! Every door returns a typed error instead of a number that is not one, and none of them can run forever.
 
@@ -17,6 +18,7 @@ pub mod error;
 pub mod events;
 pub mod fit;
 pub mod number;
+pub mod piecewise;
 pub mod quadrature;
 pub mod roots;
 pub mod series;

@@ -1,0 +1,347 @@
+//! The periodic motion that a start leads to.
+//!
+//! Two motions of one drive never part and never pass each other, so the return map F of w over a period is
+//! monotone with slope between 0 and 1, and F(w) − w never increases. Newton's method on it, kept inside
+//! the bracket that those signs give, goes to the motion that plain following would reach, only faster; the
+//! last period is always a plain one.
+
+use super::arcs::{Mark, Walker};
+use super::intervals::{Interval, Sign, between, canonical, drops_one};
+use super::{Drive, DriveError, Friction, State};
+use std::f64::consts::TAU;
+
+/// The state after one more period must agree with itself to this, in units of the largest |h|.
+const AGREEMENT: f64 = 1e-12;
+/// Aim of the acceleration for the distance to the periodic state, in the same units.
+const AIM: f64 = 1e-13;
+/// Rounding of a period, in the same units.
+const ROUNDING: f64 = 2e-15;
+
+/// What becomes of a start.
+#[derive(Debug, Clone)]
+pub enum Outcome<'d> {
+    /// The motion becomes periodic.
+    Settles(Attractor<'d>),
+    /// w grows (or falls) for ever by this much per period: the mean of h exceeds the friction.
+    Drifts {
+        /// Change of w per period, with its sign.
+        per_period: f64,
+    },
+}
+
+impl<'d> Outcome<'d> {
+    /// The periodic motion, if there is one.
+    pub fn settled(self) -> Option<Attractor<'d>> {
+        match self {
+            Outcome::Settles(attractor) => Some(attractor),
+            Outcome::Drifts { .. } => None,
+        }
+    }
+}
+
+/// How long it took.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Periods {
+    /// Periods integrated, the plain one at the end included.
+    pub followed: u32,
+    /// Periods that plain following takes until w changes by less than 1e-12 over one: counted where nothing
+    /// was accelerated, else from the final contraction rate. None for a neutral motion reached by acceleration.
+    pub plain: Option<u64>,
+}
+
+/// A periodic motion.
+#[derive(Debug, Clone)]
+pub struct Attractor<'d> {
+    pub(super) drive: &'d Drive,
+    pub(super) friction: Friction,
+    pub(super) intervals: Vec<Interval>,
+    /// w at the beginning of the list: 0 unless w never vanishes.
+    pub(super) w_start: f64,
+    residual: f64,
+    contraction: f64,
+    grazes: bool,
+    periods: Periods,
+}
+
+/// Whether several starts lead to the same motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Agreement {
+    /// Largest difference of w between the first start's motion and any other's, over 64 phases.
+    pub largest_difference: f64,
+    /// Whether it is within what the motions' own uncertainties allow (at least 1e-12).
+    pub agree: bool,
+    /// The most periods that one of the starts needed by plain following, where known.
+    pub most_periods: Option<u64>,
+}
+
+impl Drive {
+    /// Follows the motion from `start` until it is periodic: until w after one more period agrees with
+    /// itself to 1e-12 (in units of the largest |h|).
+    ///
+    /// # Errors
+    /// A bad start; a motion that is not periodic after integrating `max_periods` periods. Sliding that
+    /// goes on in one direction is skipped and slow contraction is accelerated, so a few dozen are enough.
+    pub fn attractor(
+        &self,
+        friction: Friction,
+        start: State,
+        max_periods: u32,
+    ) -> Result<Outcome<'_>, DriveError> {
+        let start = start.check()?;
+        let size = self.shape().size();
+        let phi = start.phi.rem_euclid(TAU);
+        let mut walker = Walker::new(self, friction, phi, start.w);
+        let section = walker.position();
+        let mut marks: Vec<Mark> = Vec::with_capacity(12);
+        let mut w = start.w;
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        let mut counted = 0.0;
+        let mut accelerated_at: Option<f64> = None;
+        let mut change = f64::INFINITY;
+        let mut leap = 1.0;
+        for followed in 1..=max_periods {
+            walker.set(w);
+            walker.period(section, &mut marks);
+            let rate = walker.contraction();
+            let settled;
+            if marks.len() == 1 && marks[0].sign != Sign::Rest {
+                // One sign all the way: the change is the same from every larger |w|.
+                let sign = marks[0].sign;
+                let friction = match sign {
+                    Sign::Positive => -friction.plus,
+                    _ => friction.minus,
+                };
+                change = self.shape().integral() + TAU * friction;
+                if change.abs() <= ROUNDING * size {
+                    let spare = sign.factor() * walker.lowest();
+                    if accelerated_at.is_some() && spare.abs() > self.resolution() {
+                        // Acceleration went past the first of the neutral motions: go back to it.
+                        w -= spare;
+                        continue;
+                    }
+                    settled = true;
+                } else if sign.factor() * change > 0.0 {
+                    return Ok(Outcome::Drifts { per_period: change });
+                } else {
+                    let periods = (walker.lowest() / change.abs()).floor().max(1.0);
+                    (low, high) = narrowed(low, high, w, change);
+                    counted += periods;
+                    w += periods * change;
+                    continue;
+                }
+            } else {
+                change = walker.w() - w;
+                let goal = (AIM * (1.0 - rate)).max(ROUNDING) * size;
+                let (new_low, new_high) = narrowed(low, high, w, change);
+                let spent = new_high - new_low <= 4.0 * f64::EPSILON * (size + w.abs());
+                settled = change.abs() <= goal || spent && change.abs() <= AGREEMENT * size;
+                (low, high) = (new_low, new_high);
+            }
+            if settled {
+                let plain = plain_periods(counted, accelerated_at.map(|at| at - w), rate, size);
+                return Ok(Outcome::Settles(Attractor::from_period(
+                    self,
+                    friction,
+                    (phi, w),
+                    &walker,
+                    &marks,
+                    Periods { followed, plain },
+                    change.abs(),
+                )));
+            }
+            if rate == 0.0 {
+                counted += 1.0;
+                w = walker.w();
+                continue;
+            }
+            let newton = w + change / (1.0 - rate);
+            accelerated_at.get_or_insert(w);
+            w = if newton > low && newton < high {
+                newton
+            } else if low.is_finite() && high.is_finite() {
+                0.5 * (low + high)
+            } else {
+                // Nothing shrinks here: go on the same way, ever faster, to a bracket or to where it drifts.
+                leap *= 2.0;
+                w + leap * change
+            };
+        }
+        Err(DriveError::NotSettled {
+            periods: max_periods,
+            change,
+        })
+    }
+
+    /// Whether all `starts` lead to the same periodic motion. Motions that drift agree if all do.
+    ///
+    /// # Errors
+    /// As [`Drive::attractor`].
+    pub fn attractors_agree(
+        &self,
+        friction: Friction,
+        starts: &[State],
+        max_periods: u32,
+    ) -> Result<Agreement, DriveError> {
+        let mut settled = Vec::new();
+        for start in starts {
+            settled.extend(self.attractor(friction, *start, max_periods)?.settled());
+        }
+        // Whether a motion drifts depends on the mean of h alone, so it is all of them or none.
+        let mut largest_difference = 0.0_f64;
+        let mut uncertainty = AGREEMENT;
+        if let Some((first, others)) = settled.split_first() {
+            for other in others {
+                for k in 0..64 {
+                    let phi = TAU * k as f64 / 64.0;
+                    largest_difference =
+                        largest_difference.max((other.w(phi) - first.w(phi)).abs());
+                }
+                let sum = first.uncertainty() + other.uncertainty();
+                if sum.is_finite() {
+                    uncertainty = uncertainty.max(sum);
+                }
+            }
+        }
+        let counts: Option<Vec<u64>> = settled.iter().map(|a| a.periods().plain).collect();
+        Ok(Agreement {
+            largest_difference,
+            agree: largest_difference <= uncertainty,
+            most_periods: counts.and_then(|c| c.into_iter().max()),
+        })
+    }
+}
+
+/// The bracket of the periodic state, once F(w) − w = `change` is known at `w`.
+fn narrowed(low: f64, high: f64, w: f64, change: f64) -> (f64, f64) {
+    if change >= 0.0 {
+        (low.max(w), high)
+    } else {
+        (low, high.min(w))
+    }
+}
+
+/// Periods of plain following: those counted, and those that a distance takes at a rate.
+fn plain_periods(counted: f64, distance: Option<f64>, rate: f64, size: f64) -> Option<u64> {
+    let more = match distance {
+        None => 1.0,
+        Some(_) if rate >= 1.0 => return None,
+        Some(distance) => {
+            let ratio = AGREEMENT * size / (distance.abs() * (1.0 - rate));
+            if ratio >= 1.0 || rate == 0.0 {
+                2.0
+            } else {
+                1.0 + (libm::log(ratio) / libm::log(rate)).ceil()
+            }
+        }
+    };
+    Some((counted + more) as u64)
+}
+
+impl<'d> Attractor<'d> {
+    fn from_period(
+        drive: &'d Drive,
+        friction: Friction,
+        (phi, w): (f64, f64),
+        walker: &Walker,
+        marks: &[Mark],
+        periods: Periods,
+        residual: f64,
+    ) -> Self {
+        let until = phi + TAU;
+        let listed = between(marks, until);
+        let whole = listed.len() == 1;
+        let mut w_start = 0.0;
+        let intervals = if whole && marks.len() == 1 && listed[0].sign != Sign::Rest {
+            w_start = w;
+            listed
+        } else if whole {
+            // At rest for ever: from 0. Of one sign but for zeros of length zero: from the last of them.
+            let sign = listed[0].sign;
+            let start = match sign {
+                Sign::Rest => 0.0,
+                _ => marks[marks.len() - 1].phi.rem_euclid(TAU),
+            };
+            vec![Interval {
+                sign,
+                start,
+                end: start + TAU,
+            }]
+        } else {
+            canonical(listed)
+        };
+        Attractor {
+            drive,
+            friction,
+            intervals,
+            w_start,
+            residual,
+            contraction: walker.contraction(),
+            grazes: walker.touches() || drops_one(marks, until),
+            periods,
+        }
+    }
+
+    /// One period, in order. It begins, at a phase in [0, 2π), at the end of a rest before a positive
+    /// interval; failing that, at the end of a rest; failing that, where w rises through zero; the first such
+    /// phase, if there are several. Ends are not reduced: they run on to the beginning plus 2π. At rest for
+    /// ever: one interval from 0. Never zero: one interval from the phase of the start.
+    pub fn intervals(&self) -> &[Interval] {
+        &self.intervals
+    }
+
+    /// The friction.
+    pub fn friction(&self) -> Friction {
+        self.friction
+    }
+
+    /// By how much w changed over the last, plainly followed, period.
+    pub fn residual(&self) -> f64 {
+        self.residual
+    }
+
+    /// By what factor a small distance to this motion shrinks per period: 0 with rest, 1 if neutral.
+    pub fn contraction(&self) -> f64 {
+        self.contraction
+    }
+
+    /// Largest error of w that the residual and rounding allow; infinite for a neutral motion.
+    pub fn uncertainty(&self) -> f64 {
+        (self.residual + ROUNDING * self.drive.shape().size()) / (1.0 - self.contraction)
+    }
+
+    /// Whether w touches zero without resting or changing sign, or an interval of length zero was dropped.
+    pub fn grazes(&self) -> bool {
+        self.grazes
+    }
+
+    /// How long it took to get here.
+    pub fn periods(&self) -> Periods {
+        self.periods
+    }
+
+    /// The interval of the list that holds `phi`, and `phi` moved by whole periods into it.
+    fn interval_at(&self, phi: f64) -> (&Interval, f64) {
+        let first = self.intervals[0].start;
+        let phi = first + (phi - first).rem_euclid(TAU);
+        let found = self.intervals.iter().find(|i| phi < i.end);
+        (found.unwrap_or(&self.intervals[0]), phi)
+    }
+
+    /// The velocity at any finite phase.
+    pub fn w(&self, phi: f64) -> f64 {
+        let (interval, phi) = self.interval_at(phi);
+        self.w_in(interval, phi)
+    }
+
+    /// The velocity at a phase within an interval.
+    pub(super) fn w_in(&self, interval: &Interval, phi: f64) -> f64 {
+        let shape = self.drive.shape();
+        let moved = phi - interval.start;
+        let gain = shape.antiderivative(phi) - shape.antiderivative(interval.start);
+        match interval.sign {
+            Sign::Rest => 0.0,
+            Sign::Positive => (self.w_start + gain - self.friction.plus * moved).max(0.0),
+            Sign::Negative => (self.w_start + gain + self.friction.minus * moved).min(0.0),
+        }
+    }
+}

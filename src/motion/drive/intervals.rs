@@ -1,0 +1,134 @@
+//! The list of intervals in which the motion is positive, negative or at rest.
+
+use super::arcs::Mark;
+use std::f64::consts::TAU;
+
+/// Intervals at most this long (radians) are not listed: the spacing of numbers near 2π is a tenth of it.
+pub const ZERO_LENGTH: f64 = 1e-14;
+
+/// Direction of motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Sign {
+    /// w < 0.
+    Negative,
+    /// w = 0.
+    Rest,
+    /// w > 0.
+    Positive,
+}
+
+impl Sign {
+    pub(super) fn of(w: f64) -> Self {
+        if w > 0.0 {
+            Sign::Positive
+        } else if w < 0.0 {
+            Sign::Negative
+        } else {
+            Sign::Rest
+        }
+    }
+
+    /// −1, 0 or 1.
+    pub fn factor(self) -> f64 {
+        match self {
+            Sign::Negative => -1.0,
+            Sign::Rest => 0.0,
+            Sign::Positive => 1.0,
+        }
+    }
+}
+
+/// An interval of the phase, with the direction of motion in it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// Direction of motion.
+    pub sign: Sign,
+    /// Where it begins (radians).
+    pub start: f64,
+    /// Where it ends; larger than `start`, so possibly beyond 2π.
+    pub end: f64,
+}
+
+impl Interval {
+    /// Length, radians.
+    pub fn length(&self) -> f64 {
+        self.end - self.start
+    }
+}
+
+/// The intervals between the marks, those of length zero left out.
+pub(super) fn between(marks: &[Mark], until: f64) -> Vec<Interval> {
+    let mut list: Vec<Interval> = Vec::with_capacity(marks.len());
+    let ends = marks.iter().skip(1).map(|m| m.phi).chain([until]);
+    for (mark, end) in marks.iter().zip(ends) {
+        if end - mark.phi <= ZERO_LENGTH {
+            continue;
+        }
+        match list.last_mut() {
+            Some(last) if last.sign == mark.sign => last.end = end,
+            last => {
+                let start = last.map_or(marks[0].phi, |last| last.end);
+                list.push(Interval {
+                    sign: mark.sign,
+                    start,
+                    end,
+                });
+            }
+        }
+    }
+    list
+}
+
+/// Whether the marks hold an interval of length zero away from the ends of the stretch.
+pub(super) fn drops_one(marks: &[Mark], until: f64) -> bool {
+    marks.windows(2).any(|pair| {
+        pair[1].phi - pair[0].phi <= ZERO_LENGTH
+            && pair[0].phi - marks[0].phi > ZERO_LENGTH
+            && until - pair[1].phi > ZERO_LENGTH
+    })
+}
+
+/// Lists one period so that it begins, in [0, 2π), at the end of a rest before a positive interval; failing
+/// that, at the end of a rest; failing that, where w rises through zero. Of several, the first in [0, 2π).
+/// Without any of these the list keeps its beginning.
+pub(super) fn canonical(mut list: Vec<Interval>) -> Vec<Interval> {
+    let n = list.len();
+    if n > 1 && list[0].sign == list[n - 1].sign {
+        let first = list.remove(0);
+        if let Some(last) = list.last_mut() {
+            last.end = first.end + TAU;
+        }
+    }
+    let n = list.len();
+    let rank = |i: usize| {
+        let (before, now) = (list[(i + n - 1) % n].sign, list[i].sign);
+        match (before, now) {
+            (Sign::Rest, Sign::Positive) => 0,
+            (Sign::Rest, Sign::Negative) => 1,
+            (Sign::Negative, Sign::Positive) => 2,
+            _ => 3,
+        }
+    };
+    let reduced = |i: usize| list[i].start.rem_euclid(TAU);
+    let best = (0..n).min_by(|&i, &j| {
+        rank(i)
+            .cmp(&rank(j))
+            .then(reduced(i).total_cmp(&reduced(j)))
+    });
+    let Some(best) = best.filter(|_| n > 1) else {
+        return list;
+    };
+    for interval in &mut list[..best] {
+        interval.start += TAU;
+    }
+    list.rotate_left(best);
+    let shift = TAU * (list[0].start / TAU).floor();
+    let first = list[0].start - shift;
+    for i in 0..n {
+        list[i].start -= shift;
+        list[i].end = list
+            .get(i + 1)
+            .map_or(first + TAU, |next| next.start - shift);
+    }
+    list
+}

@@ -1,0 +1,182 @@
+//! What is measured on a periodic motion: its extremes, its mean, and how near it is to another kind.
+
+use super::State;
+use super::attractor::Attractor;
+use super::intervals::{Interval, Sign};
+use std::f64::consts::TAU;
+
+/// How near a periodic motion is to one with another list of intervals. Infinite where nothing can change
+/// in that way.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margins {
+    /// Length of the shortest interval (radians): at 0 it disappears.
+    pub shortest: f64,
+    /// Smallest |w| of a minimum inside an interval of motion: at 0 the interval is cut in two.
+    pub dip: f64,
+    /// By how much |h| exceeds the friction, at the least, where w changes sign: at 0 a rest appears.
+    pub crossing: f64,
+    /// By how much an extremum of h inside a rest stays within [−λ₋, λ₊]: at 0 a motion appears.
+    pub hold: f64,
+}
+
+/// A stretch of one piece of h within one interval.
+struct Stretch {
+    piece: usize,
+    /// Ends, from the left end of the piece.
+    s0: f64,
+    s1: f64,
+    /// The phase at the left end of the piece, not reduced.
+    phi: f64,
+    /// w at `s0`; of no meaning in a rest.
+    w0: f64,
+}
+
+impl Attractor<'_> {
+    /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0.
+    pub fn largest(&self) -> State {
+        let mut best = State { phi: 0.0, w: 0.0 };
+        self.walk(|interval, stretch| {
+            if interval.sign == Sign::Rest {
+                return;
+            }
+            let level = self.level(interval.sign);
+            let piece = &self.drive.shape().pieces()[stretch.piece];
+            let top = piece.crossing(level, stretch.s0, stretch.s1);
+            for s in [top, stretch.s1] {
+                let w = stretch.w0 + (s - stretch.s0) * (piece.secant(stretch.s0).mean(s) - level);
+                if w.abs() > best.w.abs() {
+                    best = State {
+                        phi: (stretch.phi + s).rem_euclid(TAU),
+                        w,
+                    };
+                }
+            }
+        });
+        best
+    }
+
+    /// ∫ w dφ over one period: the displacement, dimensionless. Divided by 2π, the mean velocity.
+    pub fn displacement(&self) -> f64 {
+        let mut sum = 0.0;
+        self.walk(
+            |interval,
+             Stretch {
+                 piece, s0, s1, w0, ..
+             }| {
+                if interval.sign == Sign::Rest {
+                    return;
+                }
+                let level = self.level(interval.sign);
+                let piece = &self.drive.shape().pieces()[piece];
+                let length = s1 - s0;
+                // ∫ w = w₀ ℓ + ∫ (s₁ − s)(h − level) ds.
+                let zeroth = length * piece.secant(s0).mean(s1);
+                let first = piece.moment(s1) - piece.moment(s0);
+                sum += w0 * length + s1 * zeroth - first - 0.5 * level * length * length;
+            },
+        );
+        sum
+    }
+
+    /// How near this motion is to one of another kind.
+    pub fn margins(&self) -> Margins {
+        let mut margins = Margins {
+            shortest: f64::INFINITY,
+            dip: f64::INFINITY,
+            crossing: f64::INFINITY,
+            hold: f64::INFINITY,
+        };
+        let n = self.intervals.len();
+        for (i, interval) in self.intervals.iter().enumerate() {
+            if n > 1 {
+                margins.shortest = margins.shortest.min(interval.length());
+            }
+            let h = self.drive.h(interval.start);
+            let before = self.intervals[(i + n - 1) % n].sign;
+            let excess = match (before, interval.sign) {
+                (Sign::Negative, Sign::Positive) => h - self.friction.plus(),
+                (Sign::Positive, Sign::Negative) => -h - self.friction.minus(),
+                _ => continue,
+            };
+            margins.crossing = margins.crossing.min(excess);
+        }
+        let pieces = self.drive.shape().pieces();
+        self.walk(|interval, stretch| {
+            let piece = &pieces[stretch.piece];
+            let (h0, h1) = (piece.value(stretch.s0), piece.value(stretch.s1));
+            if interval.sign == Sign::Rest {
+                let next = &pieces[(stretch.piece + 1) % pieces.len()];
+                let inside = stretch.s1 == piece.length();
+                let ahead = next.right() - next.left();
+                let turns =
+                    (h1 - h0) * ahead <= 0.0 || (next.left() - h1).abs() > self.drive.resolution();
+                if inside && turns {
+                    let hold = (self.friction.plus() - h1).min(self.friction.minus() + h1);
+                    margins.hold = margins.hold.min(hold.max(0.0));
+                }
+                return;
+            }
+            let level = self.level(interval.sign);
+            let side = interval.sign.factor();
+            let w_at =
+                |s: f64| stretch.w0 + (s - stretch.s0) * (piece.secant(stretch.s0).mean(s) - level);
+            if side * (h0 - level) < -self.drive.resolution() && side * (h1 - level) > 0.0 {
+                let bottom = piece.crossing(level, stretch.s0, stretch.s1);
+                margins.dip = margins.dip.min((side * w_at(bottom)).max(0.0));
+            }
+            let jump = pieces[(stretch.piece + 1) % pieces.len()].left();
+            let ends = stretch.phi + stretch.s1 >= interval.end;
+            if !ends && side * (h1 - level) < 0.0 && side * (jump - level) > 0.0 {
+                margins.dip = margins.dip.min((side * w_at(stretch.s1)).max(0.0));
+            }
+        });
+        margins
+    }
+
+    /// The level of h at which w of this sign has its extrema.
+    fn level(&self, sign: Sign) -> f64 {
+        match sign {
+            Sign::Positive => self.friction.plus(),
+            Sign::Negative => -self.friction.minus(),
+            Sign::Rest => 0.0,
+        }
+    }
+
+    /// Visits every stretch of a piece in every interval, in order.
+    fn walk(&self, mut visit: impl FnMut(&Interval, Stretch)) {
+        let shape = self.drive.shape();
+        let pieces = shape.pieces();
+        for interval in &self.intervals {
+            let reduced = interval.start.rem_euclid(TAU);
+            let (mut piece, mut s0) = shape.locate(reduced);
+            let mut phi = interval.start - s0;
+            let mut w0 = self.w_start;
+            let level = self.level(interval.sign);
+            // An interval is at most a period long, so it meets each piece at most twice.
+            for _ in 0..2 * pieces.len() + 2 {
+                let here = &pieces[piece];
+                let left = interval.end - phi;
+                let s1 = here.length().min(left);
+                if s1 > s0 {
+                    visit(
+                        interval,
+                        Stretch {
+                            piece,
+                            s0,
+                            s1,
+                            phi,
+                            w0,
+                        },
+                    );
+                    w0 += (s1 - s0) * (here.secant(s0).mean(s1) - level);
+                }
+                if left <= here.length() {
+                    break;
+                }
+                phi += here.length();
+                piece = (piece + 1) % pieces.len();
+                s0 = 0.0;
+            }
+        }
+    }
+}

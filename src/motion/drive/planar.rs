@@ -1,0 +1,281 @@
+//! The motion with a velocity across the drive, which may become smaller than any number.
+//!
+//! With the velocity (w_x, w_y), w_y > 0, and w = |(w_x, w_y)|:
+//! w_x' = h − λ w_x/w, w_y' = −λ w_y/w. For tiny w_y, w_x passes through zero within a layer as thin as w_y. In
+//!
+//! - a = ln(w + w_x), b = ln(w − w_x), so that ln w_y = (a + b)/2, and
+//! - the measure dσ = dφ/w of the path,
+//!
+//! the layer has disappeared: da/dσ = h − λ, db/dσ = −h − λ, dφ/dσ = (eᵃ + eᵇ)/2. (For w' = h w_x/w − λ, so
+//! (w ± w_x)' = (±h − λ)(w ± w_x)/w.) In σ, ln w_y falls at the constant rate λ, whatever its size.
+//!
+//! Where both a and b are below [`DEEP`], the phase stands still to 1e-20, so a and b are linear in σ: the
+//! passage is exact. If |h| ≤ λ there, both fall for ever while φ does not advance: the particle stops,
+//! within a finite phase, and w_y is 0 from then on.
+
+use super::{Drive, DriveError, Friction, State};
+use crate::numerics::NumericsError;
+use crate::numerics::piecewise::{Piece, falling_root};
+use crate::numerics::series::{Series, exp, product};
+use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
+use std::f64::consts::TAU;
+
+/// Below this logarithm of the speed the phase does not advance any more.
+const DEEP: f64 = -50.0;
+/// Logarithms below this would soon leave the range of f64: w_y counts as 0 from there on.
+const LOWEST: f64 = -1e290;
+/// Largest change of a or b in a step, so that an exponential that underflows stays negligible over it.
+const LONGEST: f64 = 300.0;
+/// Steps allowed between two of the phases asked for, per period; a period takes about 200.
+const STEPS_PER_PERIOD: f64 = 20_000.0;
+
+/// A phase and a velocity in the plane, dimensionless.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PlanarState {
+    /// The phase φ, radians.
+    pub phi: f64,
+    /// The velocity along the drive.
+    pub w_x: f64,
+    /// The logarithm of the velocity across the drive; −∞ where that is exactly 0 (or below about e^−1e290).
+    pub ln_w_y: f64,
+}
+
+impl Drive {
+    /// Follows the motion in the plane, with isotropic friction λ, from `start` and returns its states at
+    /// `phases`, which must not decrease. `start.ln_w_y` may lie between −1e12 and 20.
+    ///
+    /// # Errors
+    /// A λ that is negative or no number, a bad start, phases that decrease or reach beyond 1e5 after the start.
+    pub fn planar(
+        &self,
+        lambda: f64,
+        start: PlanarState,
+        phases: &[f64],
+    ) -> Result<Vec<PlanarState>, DriveError> {
+        let friction = Friction::new(lambda, lambda)?;
+        let PlanarState { phi, w_x, ln_w_y } = start;
+        State { phi, w: w_x }.check()?;
+        if ln_w_y != f64::NEG_INFINITY && !(-1e12..=20.0).contains(&ln_w_y) {
+            return Err(DriveError::Parameter {
+                name: "ln_w_y",
+                allowed: "in [-1e12, 20] or -∞",
+                value: ln_w_y,
+            });
+        }
+        let mut last = phi;
+        for &value in phases {
+            if !(value >= last && value - phi <= 1e5) {
+                return Err(DriveError::Parameter {
+                    name: "phases",
+                    allowed: "in increasing order, in [phi, phi + 1e5]",
+                    value,
+                });
+            }
+            last = value;
+        }
+        let mut flight = Flight::new(self, lambda, start);
+        let mut states = Vec::with_capacity(phases.len());
+        let mut at = State { phi, w: w_x };
+        for &phi in phases {
+            if ln_w_y == f64::NEG_INFINITY {
+                at = self.advance(friction, at, phi)?.end;
+            } else if let Some(stop) = flight.run_to(phi)? {
+                // At rest at the phase `stop`, and w_y = 0 for ever: from here on it moves on a line.
+                let from = if at.phi < stop {
+                    State { phi: stop, w: 0.0 }
+                } else {
+                    at
+                };
+                at = self.advance(friction, from, phi)?.end;
+            } else {
+                let (w_x, ln_w_y) = flight.velocity();
+                states.push(PlanarState { phi, w_x, ln_w_y });
+                continue;
+            }
+            states.push(PlanarState {
+                phi,
+                w_x: at.w,
+                ln_w_y: f64::NEG_INFINITY,
+            });
+        }
+        Ok(states)
+    }
+}
+
+/// The equations on one piece of h; the state is (s, a, b) with s the distance from the piece's left end.
+struct Layer<'p> {
+    piece: &'p Piece,
+    lambda: f64,
+}
+
+/// The series of the exponentials and of the partial sums of Horner's scheme for h.
+#[derive(Default)]
+struct Work {
+    exponentials: [[f64; TERMS]; 2],
+    partial: Vec<[f64; TERMS]>,
+}
+
+impl System<f64, 3, TERMS> for Layer<'_> {
+    type Work = Work;
+
+    fn begin(&self, _: &f64, _: &[f64; 3], work: &mut Work) {
+        work.partial.clear();
+        work.partial
+            .resize(self.piece.coefficients().len(), [0.0; TERMS]);
+    }
+
+    fn derivative(&self, k: usize, x: &[Series<f64, TERMS>; 3], work: &mut Work) -> [f64; 3] {
+        let [s, a, b] = x;
+        for (e, u) in work.exponentials.iter_mut().zip([a, b]) {
+            e[k] = exp(u, e, k);
+        }
+        let coefficients = self.piece.coefficients();
+        for j in (0..coefficients.len()).rev() {
+            let constant = if k == 0 { coefficients[j] } else { 0.0 };
+            let rest = match work.partial.get(j + 1) {
+                Some(next) => product(s, next, k),
+                None => 0.0,
+            };
+            work.partial[j][k] = constant + rest;
+        }
+        let h = work.partial[0][k];
+        let friction = if k == 0 { self.lambda } else { 0.0 };
+        let speed = 0.5 * (work.exponentials[0][k] + work.exponentials[1][k]);
+        [speed, h - friction, -h - friction]
+    }
+}
+
+/// A motion under way.
+struct Flight<'d> {
+    drive: &'d Drive,
+    lambda: f64,
+    /// Phase at the left end of the present piece, not reduced.
+    origin: f64,
+    piece: usize,
+    state: [f64; 3],
+    stopped: Option<f64>,
+}
+
+impl<'d> Flight<'d> {
+    fn new(drive: &'d Drive, lambda: f64, start: PlanarState) -> Self {
+        let (piece, s) = drive.shape().locate(start.phi.rem_euclid(TAU));
+        let speed = libm::hypot(start.w_x, libm::exp(start.ln_w_y));
+        // The larger of w ± w_x has no cancellation; the other follows, as their product is w_y².
+        let (a, b) = if speed == 0.0 {
+            (start.ln_w_y, start.ln_w_y)
+        } else {
+            let larger = libm::log(speed + start.w_x.abs());
+            let smaller = 2.0 * start.ln_w_y - larger;
+            if start.w_x >= 0.0 {
+                (larger, smaller)
+            } else {
+                (smaller, larger)
+            }
+        };
+        Flight {
+            drive,
+            lambda,
+            origin: start.phi - s,
+            piece,
+            state: [s, a, b],
+            stopped: None,
+        }
+    }
+
+    /// (w_x, ln w_y).
+    fn velocity(&self) -> (f64, f64) {
+        let [_, a, b] = self.state;
+        // 2 w_x = eᵃ − eᵇ = ± e^max (1 − e^−|a−b|).
+        let size = -0.5 * libm::exp(a.max(b)) * libm::expm1(-(a - b).abs());
+        (size.copysign(a - b), 0.5 * (a + b))
+    }
+
+    /// To the phase `phi`, or to the phase before it at which the particle stops.
+    fn run_to(&mut self, phi: f64) -> Result<Option<f64>, DriveError> {
+        let allowed = STEPS_PER_PERIOD * (1.0 + (phi - self.origin) / TAU);
+        let mut steps = 0.0;
+        loop {
+            if self.stopped.is_some() {
+                return Ok(self.stopped);
+            }
+            let pieces = self.drive.shape().pieces();
+            let piece = &pieces[self.piece];
+            let here = (phi - self.origin).min(piece.length());
+            while self.state[0] < here && self.stopped.is_none() {
+                self.step(piece, here)?;
+                steps += 1.0;
+                if steps > allowed {
+                    return Err(NumericsError::Limit {
+                        what: "steps of the planar motion",
+                        limit: allowed as usize,
+                        at: self.origin + self.state[0],
+                    }
+                    .into());
+                }
+            }
+            if self.stopped.is_some() {
+                continue;
+            }
+            if phi - self.origin < piece.length() {
+                return Ok(None);
+            }
+            self.origin += piece.length();
+            self.piece = (self.piece + 1) % pieces.len();
+            self.state[0] = 0.0;
+        }
+    }
+
+    /// One step on `piece`, at most to `s = end`.
+    fn step(&mut self, piece: &Piece, end: f64) -> Result<(), DriveError> {
+        let [s, a, b] = self.state;
+        if a.max(b) < DEEP {
+            let h = piece.value(s);
+            let (up, down) = (h - self.lambda, -h - self.lambda);
+            // The growing one comes back to DEEP exactly, however far down it was.
+            self.state = if up > 0.0 && a > LOWEST {
+                [s, DEEP, b + down * ((DEEP - a) / up)]
+            } else if down > 0.0 && b > LOWEST {
+                [s, a + up * ((DEEP - b) / down), DEEP]
+            } else {
+                self.stopped = Some(self.origin + s);
+                return Ok(());
+            };
+            return Ok(());
+        }
+        let system = Layer {
+            piece,
+            lambda: self.lambda,
+        };
+        let mut integrator = Integrator::new(&system, 0.0, self.state, Control::Each);
+        let mut step = integrator.expand()?;
+        let steepest = step.series[1][1].abs().max(step.series[2][1].abs());
+        step.h = step.h.min(LONGEST / steepest.max(f64::MIN_POSITIVE));
+        let reaches = step.at(&step.h)[0] >= end;
+        if reaches {
+            step.h = arrival(&step, end);
+        }
+        integrator.advance(&step);
+        self.state = *integrator.state();
+        if reaches {
+            self.state[0] = end;
+        }
+        Ok(())
+    }
+}
+
+/// Where within the step s reaches `end`: s never falls.
+fn arrival(step: &Step<f64, 3, TERMS>, end: f64) -> f64 {
+    let s = &step.series[0];
+    falling_root(0.0, step.h, (end - s[0]) / s[1], |sigma| {
+        let (mut value, mut slope) = (0.0, 0.0);
+        for c in s[1..].iter().rev() {
+            slope = slope * sigma + value;
+            value = value * sigma + c;
+        }
+        // The constant term is taken off first, so that short distances keep their digits.
+        ((end - s[0]) - sigma * value, -(value + sigma * slope))
+    })
+}
+
+#[cfg(test)]
+mod tests;

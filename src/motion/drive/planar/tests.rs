@@ -1,0 +1,191 @@
+use super::super::{Outcome, Sign};
+use super::*;
+use crate::numerics::dop853;
+use crate::scalar::Scalar;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+fn sine() -> Drive {
+    Drive::new(<f64 as Scalar>::sin, &[]).unwrap()
+}
+
+#[test]
+fn agrees_with_the_equations_as_they_stand() {
+    let drive = sine();
+    let start = PlanarState {
+        phi: 0.3,
+        w_x: -0.4,
+        ln_w_y: Scalar::ln(1.7),
+    };
+    for lambda in [0.05, 0.2, 0.5] {
+        // The phase is a component of the state: the library loses its order where time enters explicitly.
+        let newton = |_: f64, &[phi, x, y]: &[f64; 3]| {
+            let speed = libm::hypot(x, y);
+            [
+                1.0,
+                Scalar::sin(phi) - lambda * x / speed,
+                -lambda * y / speed,
+            ]
+        };
+        let phases = [0.3, 1.0, 2.0, 4.0, 7.0, 9.0];
+        let states = drive.planar(lambda, start, &phases).unwrap();
+        for state in &states[1..] {
+            let [_, w_x, w_y] =
+                dop853::end(newton, 0.3, [0.3, -0.4, 1.7], state.phi, 1e-13, 1e-13).unwrap();
+            assert!((state.w_x - w_x).abs() < 1e-10, "{state:?} {w_x}");
+            let w_y_found = Scalar::exp(state.ln_w_y);
+            assert!((w_y_found - w_y).abs() < 1e-10, "{state:?} {w_y}");
+        }
+        assert!((states[0].w_x + 0.4).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn constant_drive_by_hand() {
+    // h = 1, λ = 1: w + … : w' = w_x/w − 1 and w_x' = 1 − w_x/w, so w + w_x keeps its value.
+    let drive = Drive::new(|_| 1.0, &[]).unwrap();
+    let start = PlanarState {
+        phi: 0.0,
+        w_x: 0.0,
+        ln_w_y: 0.0,
+    };
+    let states = drive.planar(1.0, start, &[0.5, 3.0, 20.0]).unwrap();
+    for state in states {
+        let w_y = Scalar::exp(state.ln_w_y);
+        assert!((libm::hypot(state.w_x, w_y) + state.w_x - 1.0).abs() < 1e-13);
+    }
+    // h = 0: straight to rest, after w/λ.
+    let drive = Drive::new(|_| 0.0, &[]).unwrap();
+    let start = PlanarState {
+        phi: 0.0,
+        w_x: 3.0,
+        ln_w_y: Scalar::ln(4.0),
+    };
+    let states = drive
+        .planar(2.0, start, &[1.0, 2.499_999, 2.500_001])
+        .unwrap();
+    assert!((states[0].w_x - 1.8).abs() < 1e-13);
+    assert!((states[0].ln_w_y - Scalar::ln(2.4)).abs() < 1e-13);
+    assert!((states[1].w_x / 1.2e-6 - 1.0).abs() < 1e-8);
+    assert_eq!((states[2].w_x, states[2].ln_w_y), (0.0, f64::NEG_INFINITY));
+}
+
+#[test]
+fn a_passage_through_zero_multiplies_the_logarithm() {
+    // Square wave ±1: w_x falls through zero where h = −1. Across the layer a falls and b rises at constant
+    // rates, so that ln w_y is multiplied by (1 + λ)/(1 − λ), up to terms that do not grow with it.
+    let drive = Drive::new(|x| if x < PI { 1.0 } else { -1.0 }, &[PI]).unwrap();
+    for lambda in [0.1, 0.4] {
+        let through = |ln_w_y: f64| {
+            let start = PlanarState {
+                phi: 3.5,
+                w_x: 0.3,
+                ln_w_y,
+            };
+            drive.planar(lambda, start, &[4.5]).unwrap()[0].ln_w_y
+        };
+        let slope = (through(-3000.0) - through(-2000.0)) / -1000.0;
+        let expected = (1.0 + lambda) / (1.0 - lambda);
+        assert!((slope / expected - 1.0).abs() < 1e-12, "{slope} {expected}");
+        // The same from the wide layer on: nothing happens at the depth where the linear law takes over.
+        let shallow = (through(-40.0) - through(-20.0)) / -20.0;
+        assert!(
+            (shallow / expected - 1.0).abs() < 1e-9,
+            "{shallow} {expected}"
+        );
+    }
+}
+
+#[test]
+fn without_rest_the_logarithm_grows_by_the_inverse_contraction_rate() {
+    let drive = sine();
+    for lambda in [0.1, 0.3, 0.45] {
+        let start = PlanarState {
+            phi: 0.0,
+            w_x: 0.2,
+            ln_w_y: 0.0,
+        };
+        let phases: Vec<f64> = (0..=40).map(|k| TAU * k as f64).collect();
+        let states = drive.planar(lambda, start, &phases).unwrap();
+        let friction = Friction::new(lambda, lambda).unwrap();
+        let origin = State { phi: 0.0, w: 0.0 };
+        let Outcome::Settles(line) = drive.attractor(friction, origin, 99).unwrap() else {
+            panic!("settles")
+        };
+        let last = states.iter().rposition(|s| s.ln_w_y > -1e9).unwrap();
+        let growth = states[last].ln_w_y / states[last - 1].ln_w_y;
+        assert!(
+            (growth * line.contraction() - 1.0).abs() < 1e-6,
+            "{lambda} {growth}"
+        );
+        assert!((states[last].w_x - line.w(0.0)).abs() < 1e-6);
+    }
+}
+
+#[test]
+fn with_rest_it_stops_within_a_finite_phase() {
+    let drive = sine();
+    for lambda in [0.6, 0.9, 1.3] {
+        let start = PlanarState {
+            phi: 0.0,
+            w_x: 0.2,
+            ln_w_y: 1.0,
+        };
+        let phases: Vec<f64> = (0..=2000).map(|k| 0.02 * k as f64).collect();
+        let states = drive.planar(lambda, start, &phases).unwrap();
+        let stop = states
+            .iter()
+            .position(|s| s.ln_w_y == f64::NEG_INFINITY)
+            .unwrap();
+        assert_eq!(Sign::of(states[stop].w_x), Sign::Rest);
+        assert!(Scalar::sin(states[stop].phi).abs() < lambda);
+        assert!(states[..stop].windows(2).all(|s| s[1].ln_w_y < s[0].ln_w_y));
+        let friction = Friction::new(lambda, lambda).unwrap();
+        let at = State {
+            phi: phases[stop],
+            w: 0.0,
+        };
+        let line = drive.advance(friction, at, 40.0).unwrap();
+        assert!((states[2000].w_x - line.end.w).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn bad_input_is_named() {
+    let drive = sine();
+    let start = PlanarState {
+        phi: 0.0,
+        w_x: 0.2,
+        ln_w_y: 1.0,
+    };
+    assert!(drive.planar(-1.0, start, &[1.0]).is_err());
+    assert!(drive.planar(0.5, start, &[1.0, 0.5]).is_err());
+    assert!(drive.planar(0.5, start, &[f64::NAN]).is_err());
+    let huge = PlanarState {
+        ln_w_y: 1e3,
+        ..start
+    };
+    assert!(drive.planar(0.5, huge, &[1.0]).is_err());
+}
+
+proptest! {
+    #[test]
+    fn never_panics_and_falls_for_ever(
+        lambda in prop_oneof![Just(0.0), 0.0..1.5f64],
+        phase in 0.0..TAU,
+        second in -1.0..1.0f64,
+        w_x in prop_oneof![Just(0.0), -2.0..2.0f64],
+        ln_w_y in prop_oneof![-5.0..3.0f64, -2000.0..-5.0f64],
+    ) {
+        let drive = Drive::new(|x| Scalar::sin(x) + second * Scalar::sin(2.0 * x), &[]).unwrap();
+        let start = PlanarState { phi: phase, w_x, ln_w_y };
+        let phases: Vec<f64> = (0..60).map(|k| phase + 0.3 * k as f64).collect();
+        let states = drive.planar(lambda, start, &phases).unwrap();
+        prop_assert!(states.iter().all(|s| s.w_x.is_finite()));
+        for pair in states.windows(2) {
+            let (before, after) = (pair[0].ln_w_y, pair[1].ln_w_y);
+            let rounding = 1e-13 * (1.0 + after.abs());
+            prop_assert!(after == f64::NEG_INFINITY || after <= before + rounding);
+        }
+    }
+}

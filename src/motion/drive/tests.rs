@@ -1,0 +1,542 @@
+use super::*;
+use crate::scalar::Scalar;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+const ORIGIN: State = State { phi: 0.0, w: 0.0 };
+
+fn sine() -> Drive {
+    Drive::new(<f64 as Scalar>::sin, &[]).unwrap()
+}
+
+fn square() -> Drive {
+    Drive::new(|x| if x < PI { 1.0 } else { -1.0 }, &[PI]).unwrap()
+}
+
+/// 1 and −1 on a share of the half periods, 0 in between.
+fn pulses(share: f64) -> Drive {
+    let h = move |x: f64| {
+        let (sign, x) = if x < PI { (1.0, x) } else { (-1.0, x - PI) };
+        if x < share * PI { sign } else { 0.0 }
+    };
+    Drive::new(h, &[share * PI, PI, PI + share * PI]).unwrap()
+}
+
+fn triangle() -> Drive {
+    let h = |x: f64| {
+        if x < 0.5 * PI {
+            x / (0.5 * PI)
+        } else if x < 1.5 * PI {
+            2.0 - x / (0.5 * PI)
+        } else {
+            x / (0.5 * PI) - 4.0
+        }
+    };
+    Drive::new(h, &[0.5 * PI, 1.5 * PI]).unwrap()
+}
+
+fn friction(plus: f64, minus: f64) -> Friction {
+    Friction::new(plus, minus).unwrap()
+}
+
+fn settle(drive: &Drive, plus: f64, minus: f64, start: State) -> Attractor<'_> {
+    let outcome = drive.attractor(friction(plus, minus), start, 200).unwrap();
+    outcome.settled().expect("settles")
+}
+
+#[track_caller]
+fn assert_list(attractor: &Attractor, expected: &[(Sign, f64, f64)], tolerance: f64) {
+    let found = attractor.intervals();
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (interval, (sign, start, end)) in found.iter().zip(expected) {
+        assert_eq!(interval.sign, *sign, "{found:?}");
+        assert!((interval.start - start).abs() < tolerance, "{found:?}");
+        assert!((interval.end - end).abs() < tolerance, "{found:?}");
+    }
+}
+
+use Sign::{Negative, Positive, Rest};
+
+#[test]
+fn square_wave_with_little_friction_by_hand() {
+    // Slopes 1 − λ and −1 − λ while positive; half a period up to down, so (1−λ)(π − a) = (1+λ) a.
+    for lambda in [0.05, 0.5, 0.9] {
+        let drive = square();
+        let found = settle(&drive, lambda, lambda, State { phi: 1.0, w: 3.0 });
+        let a = 0.5 * PI * (1.0 - lambda);
+        assert_list(
+            &found,
+            &[(Positive, a, a + PI), (Negative, a + PI, a + TAU)],
+            1e-13,
+        );
+        let top = found.largest();
+        assert!((top.w.abs() - (1.0 - lambda) * (PI - a)).abs() < 1e-13);
+        let shrink = (1.0 - lambda) / (1.0 + lambda);
+        assert!((found.contraction() - shrink * shrink).abs() < 1e-14);
+        assert!((found.margins().crossing - (1.0 - lambda)).abs() < 1e-14);
+        assert!(found.displacement().abs() < 1e-12);
+        assert!(found.residual() < 1e-13 && !found.grazes());
+    }
+}
+
+#[test]
+fn square_wave_with_unequal_friction_by_hand() {
+    // Up at a, down at b: (1−p)(π−a) = (1+p)(b−π) and (1−m)(2π−b) = (1+m) a.
+    let (p, m) = (0.3, 0.6);
+    let (k, l) = ((1.0 - p) / (1.0 + p), (1.0 - m) / (1.0 + m));
+    let a = l * PI * (1.0 - k) / (1.0 - k * l);
+    let b = PI + k * (PI - a);
+    let drive = square();
+    let found = settle(&drive, p, m, ORIGIN);
+    assert_list(&found, &[(Positive, a, b), (Negative, b, a + TAU)], 1e-13);
+    // Two triangles: displacement is half of base times height.
+    let area = 0.5 * (b - a) * (1.0 - p) * (PI - a) - 0.5 * (a + TAU - b) * (1.0 - m) * (TAU - b);
+    assert!((found.displacement() - area).abs() < 1e-12);
+}
+
+#[test]
+fn pulses_with_rest_by_hand() {
+    // Up with slope 0.2 to π/2, down with slope −0.8: zero after another π/8.
+    let drive = pulses(0.5);
+    let found = settle(&drive, 0.8, 0.8, State { phi: 4.0, w: -1.0 });
+    let stop = 0.625 * PI;
+    assert_list(
+        &found,
+        &[
+            (Positive, 0.0, stop),
+            (Rest, stop, PI),
+            (Negative, PI, PI + stop),
+            (Rest, PI + stop, TAU),
+        ],
+        1e-13,
+    );
+    assert!((found.largest().w.abs() - 0.1 * PI).abs() < 1e-13);
+    assert!((found.w(0.25 * PI) - 0.05 * PI).abs() < 1e-14);
+    assert!((found.w(0.25 * PI - TAU) - 0.05 * PI).abs() < 1e-13);
+    assert_eq!(found.w(0.8 * PI), 0.0);
+    assert!((found.w(1.55 * PI) + 0.06 * PI).abs() < 1e-13);
+    assert!((found.margins().shortest - 0.375 * PI).abs() < 1e-13);
+    assert_eq!(found.contraction(), 0.0);
+}
+
+#[test]
+fn triangle_with_rest_by_hand() {
+    // Starts at h = 0.8: φ = 0.4π; parabolas to the top 0.02π at 0.6π and to zero at π (0.6 + √0.02).
+    let drive = triangle();
+    let found = settle(&drive, 0.8, 0.8, ORIGIN);
+    let stop = PI * (0.6 + 0.02_f64.sqrt());
+    let expected = [
+        (Positive, 0.4 * PI, stop),
+        (Rest, stop, 1.4 * PI),
+        (Negative, 1.4 * PI, stop + PI),
+        (Rest, stop + PI, 2.4 * PI),
+    ];
+    assert_list(&found, &expected, 1e-13);
+    assert!(
+        (found.largest().w.abs() - 0.02 * PI).abs() < 1e-14,
+        "{:?}",
+        found.largest()
+    );
+    let top = found.largest().phi;
+    assert!((top - 0.6 * PI).abs() < 1e-12 || (top - 1.6 * PI).abs() < 1e-12);
+}
+
+/// Moreau's time-stepping: a different scheme, of first order, without events.
+fn time_stepping(h: impl Fn(f64) -> f64, p: f64, m: f64, periods: usize, steps: usize) -> Vec<f64> {
+    let mut w = 0.0;
+    let step = TAU / steps as f64;
+    let mut last = Vec::new();
+    for period in 0..periods {
+        for k in 0..steps {
+            let free = w + step * h((k as f64 + 0.5) * step);
+            w = if free > p * step {
+                free - p * step
+            } else if free < -m * step {
+                free + m * step
+            } else {
+                0.0
+            };
+            if period + 1 == periods && (k + 1) % (steps / 64) == 0 {
+                last.push(w);
+            }
+        }
+    }
+    last
+}
+
+#[test]
+fn agrees_with_time_stepping_without_events() {
+    let two = |x: f64| 0.1 + Scalar::sin(x) + 0.8 * Scalar::sin(3.0 * x + 0.5);
+    let drives: [(Drive, &dyn Fn(f64) -> f64); 2] = [
+        (sine(), &|x| Scalar::sin(x)),
+        (Drive::new(two, &[]).unwrap(), &two),
+    ];
+    for (drive, h) in &drives {
+        for (p, m) in [
+            (0.2, 0.2),
+            (0.5, 0.5),
+            (0.7, 0.7),
+            (0.15, 0.6),
+            (0.3, 1.2),
+            (1.3, 0.2),
+        ] {
+            let found = settle(drive, p, m, ORIGIN);
+            let steps = 64 * 4096;
+            for (k, w) in time_stepping(h, p, m, 40, steps).iter().enumerate() {
+                let phi = TAU * (k + 1) as f64 / 64.0;
+                assert!(
+                    (found.w(phi) - w).abs() < 5e-5,
+                    "{p} {m} {phi} {w} {}",
+                    found.w(phi)
+                );
+            }
+        }
+    }
+}
+
+/// Composite Gauss-Legendre quadrature of h itself, two points.
+fn quadrature(h: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
+    let n = 4000;
+    let half = 0.5 * (b - a) / n as f64;
+    let offset = half / 3.0_f64.sqrt();
+    (0..n)
+        .map(|k| {
+            let middle = a + (2 * k + 1) as f64 * half;
+            half * (h(middle - offset) + h(middle + offset))
+        })
+        .sum()
+}
+
+#[test]
+fn every_end_is_an_event_of_the_equation() {
+    let h = |x: f64| Scalar::sin(x) + 0.6 * Scalar::cos(2.0 * x + 1.0);
+    let drive = Drive::new(h, &[]).unwrap();
+    let mut kinds = std::collections::BTreeSet::new();
+    for i in 0..12 {
+        for j in 0..12 {
+            let (p, m) = (0.03 + 0.12 * i as f64, 0.05 + 0.11 * j as f64);
+            let found = settle(&drive, p, m, ORIGIN);
+            let list = found.intervals();
+            kinds.insert(list.iter().map(|i| i.sign).collect::<Vec<_>>());
+            for (k, now) in list.iter().enumerate() {
+                let next = list[(k + 1) % list.len()].sign;
+                let gained = quadrature(h, now.start, now.end);
+                match now.sign {
+                    Rest if list.len() == 1 => {
+                        assert!((0..99).all(|k| (-m..=p).contains(&h(0.0635 * k as f64))));
+                    }
+                    Rest => {
+                        let level = if next == Positive { p } else { -m };
+                        assert!((h(now.end) - level).abs() < 1e-14, "{p} {m} {list:?}");
+                    }
+                    Positive => assert!((gained - p * now.length()).abs() < 1e-12),
+                    Negative => assert!((gained + m * now.length()).abs() < 1e-12),
+                }
+                if now.sign != Rest && next == Rest {
+                    assert!((-m - 1e-14..=p + 1e-14).contains(&h(now.end)));
+                }
+                let middle = 0.5 * (now.start + now.end);
+                assert_eq!(Sign::of(found.w(middle)), now.sign);
+            }
+        }
+    }
+    assert!(kinds.len() >= 5, "{kinds:?}");
+}
+
+#[test]
+fn mirror_images() {
+    let odd = Drive::new(|x| Scalar::sin(x) + 0.5 * Scalar::sin(3.0 * x + 0.4), &[]).unwrap();
+    for drive in [sine(), odd] {
+        for (p, m) in [
+            (0.1, 0.1),
+            (0.4, 0.4),
+            (0.75, 0.75),
+            (0.2, 0.5),
+            (0.1, 0.9),
+            (0.6, 1.5),
+        ] {
+            let one = settle(&drive, p, m, ORIGIN);
+            let other = settle(&drive, m, p, ORIGIN);
+            for k in 0..100 {
+                let phi = 0.0628 * k as f64;
+                assert!((one.w(phi) + other.w(phi + PI)).abs() < 1e-12);
+            }
+            assert!((one.displacement() + other.displacement()).abs() < 1e-11);
+            assert!((one.contraction() - other.contraction()).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn the_approach_has_the_stated_rate_and_length() {
+    let drive = sine();
+    for lambda in [0.02, 0.1, 0.3, 0.5] {
+        let start = State { phi: 0.7, w: 2.5 };
+        let found = settle(&drive, lambda, lambda, start);
+        let values = drive.strobe(friction(lambda, lambda), start, 2000).unwrap();
+        let limit = found.w(0.7);
+        assert!((values[2000] - limit).abs() < 1e-11);
+        // Among the last distances that are well above rounding, the ratio is the contraction rate.
+        let k = values
+            .iter()
+            .rposition(|w| (w - limit).abs() > 1e-7)
+            .unwrap();
+        let ratio = (values[k + 1] - limit) / (values[k] - limit);
+        assert!((ratio - found.contraction()).abs() < 1e-5, "{ratio}");
+        let plain = values
+            .windows(2)
+            .position(|w| (w[1] - w[0]).abs() <= 1e-12)
+            .unwrap() as f64;
+        let stated = found.periods().plain.unwrap() as f64;
+        assert!(
+            (stated - plain).abs() <= 0.15 * plain + 2.0,
+            "{stated} {plain}"
+        );
+    }
+    let rest = settle(&drive, 0.8, 0.8, State { phi: 0.0, w: 0.7 }).periods();
+    assert_eq!((rest.followed, rest.plain), (2, Some(2)));
+}
+
+#[test]
+fn a_mean_above_friction_drifts() {
+    let drive = Drive::new(|x| 0.5 + Scalar::sin(x), &[]).unwrap();
+    for w in [0.0, -7.0, 1e6] {
+        let start = State { phi: 2.0, w };
+        let outcome = drive.attractor(friction(0.3, 2.0), start, 100).unwrap();
+        let Outcome::Drifts { per_period } = outcome else {
+            panic!("must drift")
+        };
+        assert!((per_period - 0.2 * TAU).abs() < 1e-14);
+        assert!(matches!(
+            drive.attractor(friction(0.51, 2.0), start, 100).unwrap(),
+            Outcome::Settles(_)
+        ));
+    }
+    // A small mean and no friction: thousands of periods until it keeps one sign, but not to be waited for.
+    let slow = Drive::new(|x| Scalar::cos(2.0 * x) - 2e-5, &[]).unwrap();
+    let outcome = slow.attractor(friction(0.0, 0.0), ORIGIN, 60).unwrap();
+    assert!(
+        matches!(outcome, Outcome::Drifts { per_period } if (per_period + 4e-5 * PI).abs() < 1e-14)
+    );
+    let down = Drive::new(|x| -0.5 + Scalar::sin(x), &[]).unwrap();
+    let outcome = down.attractor(friction(2.0, 0.3), ORIGIN, 100).unwrap();
+    assert!(matches!(outcome, Outcome::Drifts { per_period } if per_period < 0.0));
+}
+
+#[test]
+fn neutral_motions_are_said_to_be_neutral() {
+    let drive = sine();
+    for w in [0.0, 0.3, -4.0] {
+        let start = State { phi: 0.0, w };
+        let found = settle(&drive, 0.0, 0.0, start);
+        assert!((found.w(0.0) - w).abs() < 1e-13);
+        assert!((found.w(PI) - w - 2.0).abs() < 1e-13);
+        assert_eq!(found.contraction(), 1.0);
+    }
+    // The mean is exactly the friction: from below, the motion climbs to the one that touches zero.
+    let biased = Drive::new(|x| if x < PI { 1.5 } else { -0.5 }, &[PI]).unwrap();
+    let found = settle(&biased, 0.5, 3.0, State { phi: 0.0, w: -9.0 });
+    assert!((0..99).all(|k| found.w(0.0635 * k as f64) >= 0.0));
+    assert!((found.largest().w - PI).abs() < 1e-9, "{found:?}");
+    assert!(found.w(0.0).abs() < 1e-9);
+}
+
+#[test]
+fn thresholds_are_as_decided() {
+    let drive = sine();
+    for lambda in [1.0, 1.0 + 1e-9, 7.0] {
+        let found = settle(&drive, lambda, lambda, State { phi: 1.0, w: 20.0 });
+        assert_list(&found, &[(Rest, 0.0, TAU)], 1e-15);
+        assert!(
+            (found.margins().hold - (lambda - 1.0)).abs() < 1e-14,
+            "{:?}",
+            found.margins()
+        );
+    }
+    // Just below, h − λ = δ − x²/2 + x⁴/24 near the top: from −√(2δ) to 2√(2δ) and, in the next order,
+    // longer by the share 0.15 δ.
+    for delta in [1e-4, 1e-6, 1e-9, 1e-11] {
+        let found = settle(&drive, 1.0 - delta, 1.0 - delta, ORIGIN);
+        let list = found.intervals();
+        let signs: Vec<Sign> = list.iter().map(|i| i.sign).collect();
+        assert_eq!(signs, [Positive, Rest, Negative, Rest]);
+        let expected = 3.0 * (2.0 * delta).sqrt() * (1.0 + 0.15 * delta);
+        assert!((list[0].length() / expected - 1.0).abs() < delta * delta + 1e-15 / delta);
+        assert!((list[2].length() - list[0].length()).abs() < 1e-15 / delta);
+    }
+}
+
+#[test]
+fn a_minimum_of_the_speed_decides_between_one_and_two_intervals() {
+    // h = 1, a dip to −b on [1, 2], 1 again to 3, then −1: w at 2 is (1 − λ) − (b + λ).
+    let drive = |b: f64| {
+        let h = move |x: f64| {
+            if x < 1.0 {
+                1.0
+            } else if x < 2.0 {
+                -b
+            } else if x < 3.0 {
+                1.0
+            } else {
+                -1.0
+            }
+        };
+        Drive::new(h, &[1.0, 2.0, 3.0]).unwrap()
+    };
+    for gap in [1e-3, 1e-6, 1e-9, 1e-12] {
+        let above = drive(0.4 - gap);
+        let found = settle(&above, 0.3, 1.5, ORIGIN);
+        assert_eq!(found.intervals().len(), 2);
+        assert!((found.margins().dip - gap).abs() < 1e-15);
+        let below = drive(0.4 + gap);
+        let found = settle(&below, 0.3, 1.5, ORIGIN);
+        assert_eq!(found.intervals().len(), 4);
+        // It rests from the zero at slope −0.7 − gap until the jump.
+        assert!((found.margins().shortest - gap / (0.7 + gap)).abs() < 3e-15);
+    }
+    let touching = drive(0.4);
+    let found = settle(&touching, 0.3, 1.5, ORIGIN);
+    assert_eq!(found.intervals().len(), 2);
+}
+
+#[test]
+fn different_starts_end_alike() {
+    let drive = sine();
+    let starts: Vec<State> = (0..7)
+        .map(|k| State {
+            phi: 0.9 * k as f64,
+            w: -6.0 + 2.0 * k as f64,
+        })
+        .collect();
+    for lambda in [0.001, 0.3, 0.537, 0.9, 1.2] {
+        let report = drive
+            .attractors_agree(friction(lambda, 1.2 * lambda), &starts, 100)
+            .unwrap();
+        assert!(
+            report.agree && report.largest_difference < 1e-11,
+            "{lambda} {report:?}"
+        );
+        assert!(report.most_periods.is_some());
+    }
+    let report = drive
+        .attractors_agree(friction(0.0, 0.0), &starts, 100)
+        .unwrap();
+    assert!(!report.agree);
+}
+
+#[test]
+fn advancing_in_parts_is_advancing_at_once() {
+    let drive = Drive::new(|x| Scalar::sin(x) + 0.7 * Scalar::sin(2.0 * x), &[]).unwrap();
+    let friction = friction(0.4, 0.3);
+    let start = State { phi: -3.0, w: 0.2 };
+    let whole = drive.advance(friction, start, 20.0).unwrap();
+    let mut state = start;
+    for k in 1..=46 {
+        state = drive
+            .advance(friction, state, -3.0 + 0.5 * k as f64)
+            .unwrap()
+            .end;
+    }
+    assert!((whole.end.w - state.w).abs() < 1e-13);
+    assert_eq!(whole.intervals[0].start, -3.0);
+    assert_eq!(whole.intervals.last().unwrap().end, 20.0);
+    let still = drive.advance(friction, start, -3.0).unwrap();
+    assert_eq!((still.end, still.intervals.len()), (start, 0));
+}
+
+#[test]
+fn bad_input_is_named() {
+    for (p, m, name) in [
+        (-0.1, 0.5, "lambda_plus"),
+        (0.5, f64::NAN, "lambda_minus"),
+        (f64::INFINITY, 0.5, "lambda_plus"),
+    ] {
+        let error = Friction::new(p, m).unwrap_err();
+        assert!(matches!(error, DriveError::Parameter { name: n, .. } if n == name));
+        assert!(error.to_string().contains("[0, ∞)"));
+    }
+    let drive = sine();
+    let bad = State {
+        phi: f64::NAN,
+        w: 0.0,
+    };
+    assert!(drive.attractor(friction(0.5, 0.5), bad, 9).is_err());
+    let none = drive.attractor(friction(0.5, 0.5), ORIGIN, 1);
+    assert!(matches!(
+        none,
+        Err(DriveError::NotSettled { periods: 1, .. })
+    ));
+    assert!(
+        drive
+            .advance(friction(0.5, 0.5), ORIGIN, f64::INFINITY)
+            .is_err()
+    );
+    assert!(drive.advance(friction(0.5, 0.5), ORIGIN, -1.0).is_err());
+    assert!(matches!(
+        Drive::new(|x| 1.0 / x, &[]),
+        Err(DriveError::Shape(_))
+    ));
+}
+
+proptest! {
+    #[test]
+    fn any_drive_settles_or_drifts(
+        mean in -0.4..0.4f64,
+        a in prop::array::uniform3(-1.0..1.0f64),
+        b in prop::array::uniform3(-1.0..1.0f64),
+        jump in prop::option::of((0.0..TAU, -1.0..1.0f64)),
+        p in prop_oneof![Just(0.0), 0.0..2.0f64, 0.0..1e-3f64],
+        m in prop_oneof![Just(0.0), 0.0..2.0f64, 0.0..1e-3f64],
+        phi in -10.0..10.0f64,
+        w in prop_oneof![Just(0.0), -3.0..3.0f64, -1e6..1e6f64],
+    ) {
+        let h = |x: f64| {
+            let smooth: f64 = (0..3)
+                .map(|k| {
+                    let x = (k + 1) as f64 * x;
+                    a[k] * Scalar::sin(x) + b[k] * Scalar::cos(x)
+                })
+                .sum();
+            mean + smooth + jump.map_or(0.0, |(at, by)| if x < at { by } else { 0.0 })
+        };
+        let breaks: Vec<f64> = jump.iter().map(|j| j.0).collect();
+        let drive = Drive::new(h, &breaks).unwrap();
+        let friction = friction(p, m);
+        match drive.attractor(friction, State { phi, w }, 300).unwrap() {
+            Outcome::Drifts { per_period } => {
+                prop_assert!(drive.mean() > p && per_period > 0.0 || drive.mean() < -m && per_period < 0.0);
+            }
+            Outcome::Settles(found) => {
+                prop_assert!((-m - 1e-14..=p + 1e-14).contains(&drive.mean()));
+                let list = found.intervals();
+                prop_assert!((0.0..TAU).contains(&list[0].start));
+                let mut net = 0.0;
+                for (k, now) in list.iter().enumerate() {
+                    prop_assert!(now.length() > 0.0);
+                    let end = list.get(k + 1).map_or(list[0].start + TAU, |next| next.start);
+                    prop_assert!((now.end - end).abs() < 4e-15);
+                    net += match now.sign {
+                        Rest => 0.0,
+                        Positive => -p * now.length(),
+                        Negative => m * now.length(),
+                    };
+                    net += match now.sign {
+                        Rest => 0.0,
+                        _ => drive.shape().antiderivative(now.end) - drive.shape().antiderivative(now.start),
+                    };
+                }
+                // Over one period w returns.
+                prop_assert!(net.abs() < 1e-11, "{net}");
+                let after = drive.strobe(friction, State { phi, w: found.w(phi) }, 3).unwrap();
+                let allowed = 1e-11 + 10.0 * found.residual();
+                prop_assert!((after[3] - after[0]).abs() < allowed, "{after:?} {found:?}");
+                let margins = found.margins();
+                for value in [margins.shortest, margins.dip, margins.crossing, margins.hold] {
+                    prop_assert!(value >= -1e-12);
+                }
+                prop_assert!(found.displacement().is_finite() && found.largest().w.is_finite());
+                prop_assert!((0.0..=1.0).contains(&found.contraction()));
+            }
+        }
+    }
+}

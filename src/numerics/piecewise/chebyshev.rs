@@ -1,0 +1,111 @@
+//! Interpolation of one smooth part at Chebyshev's points, turned into powers from its left end.
+
+use super::PiecewiseError;
+use std::f64::consts::PI;
+
+/// Interpolation points per part.
+pub(super) const POINTS: usize = 16;
+/// Coefficients below this share of the largest value are rounding noise.
+const NOISE: f64 = 3e-16;
+/// A part is resolved when its last two coefficients are below this share of the largest value.
+const RESOLVED: f64 = 1e-15;
+/// Half the spacing of numbers near 2π: arguments are known no better.
+const ARGUMENT: f64 = 4.5e-16;
+/// Places between the interpolation points, as shares of the part, where the fit is checked.
+const CHECKS: [f64; 4] = [0.004, 0.171, 0.463, 0.921];
+
+/// One part and its polynomial.
+pub(super) struct Fit {
+    /// Left end.
+    pub start: f64,
+    /// Right end.
+    pub end: f64,
+    /// Coefficients of the powers of the distance from the left end.
+    pub coefficients: Vec<f64>,
+    /// Whether the polynomial meets the function to rounding.
+    pub resolved: bool,
+}
+
+/// Interpolates on [a, b]. The points are inside, so that a jump at an end does no harm.
+pub(super) fn interpolate(
+    function: &impl Fn(f64) -> Result<f64, PiecewiseError>,
+    a: f64,
+    b: f64,
+    size: f64,
+) -> Result<Fit, PiecewiseError> {
+    let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
+    let angle = |j: usize| PI * (j as f64 + 0.5) / POINTS as f64;
+    let mut values = [0.0; POINTS];
+    for (j, value) in values.iter_mut().enumerate() {
+        *value = function((middle + half * libm::cos(angle(j))).clamp(a, b))?;
+    }
+    let flat = values.iter().all(|v| *v == values[0]);
+    let mut series = [0.0; POINTS];
+    if flat {
+        series[0] = values[0];
+    } else {
+        for (k, coefficient) in series.iter_mut().enumerate() {
+            let sum: f64 = (0..POINTS)
+                .map(|j| {
+                    // cos(k·angle) with the angle brought into [0, 2π) while it is still a whole number.
+                    let turn = k * (2 * j + 1) % (4 * POINTS);
+                    values[j] * libm::cos(PI * turn as f64 / (2 * POINTS) as f64)
+                })
+                .sum();
+            *coefficient = sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64;
+        }
+    }
+    let steepest = (1..POINTS)
+        .map(|j| {
+            let width = half * (libm::cos(angle(j - 1)) - libm::cos(angle(j)));
+            (values[j] - values[j - 1]).abs() / width
+        })
+        .fold(0.0, f64::max);
+    let blur = ARGUMENT * steepest;
+    let tail = series[POINTS - 2].abs().max(series[POINTS - 1].abs());
+    let used = 1 + series
+        .iter()
+        .rposition(|c| c.abs() > NOISE * size + 0.5 * blur)
+        .unwrap_or(0);
+    let coefficients = powers(&series[..used], b - a);
+    let mut resolved = tail <= RESOLVED * size + blur;
+    for check in CHECKS {
+        let s = (b - a) * check;
+        let fitted = coefficients.iter().rev().fold(0.0, |sum, c| sum * s + c);
+        resolved &= (function(a + s)? - fitted).abs() <= 4.0 * (RESOLVED * size + blur);
+    }
+    Ok(Fit {
+        start: a,
+        end: b,
+        coefficients,
+        resolved,
+    })
+}
+
+/// Σ aₖ Tₖ(2s/length − 1) as a polynomial in s.
+fn powers(series: &[f64], length: f64) -> Vec<f64> {
+    // T₀ = 1, T₁ = 2t − 1, T₍ₖ₊₁₎ = 2 (2t − 1) Tₖ − T₍ₖ₋₁₎ in t = s/length.
+    let n = series.len();
+    let mut sum = vec![0.0; n];
+    let mut previous = vec![0.0; n];
+    let mut current = vec![0.0; n];
+    current[0] = 1.0;
+    for (k, a) in series.iter().enumerate() {
+        for (total, c) in sum.iter_mut().zip(&current) {
+            *total += a * c;
+        }
+        let factor = if k == 0 { 1.0 } else { 2.0 };
+        let mut next = vec![0.0; n];
+        for i in 0..n {
+            let shifted = if i > 0 { 2.0 * current[i - 1] } else { 0.0 };
+            next[i] = factor * (shifted - current[i]) - if k == 0 { 0.0 } else { previous[i] };
+        }
+        previous = std::mem::replace(&mut current, next);
+    }
+    let mut power = 1.0;
+    for c in &mut sum {
+        *c /= power;
+        power *= length;
+    }
+    sum
+}
