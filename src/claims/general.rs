@@ -1,5 +1,9 @@
 //! Sliding on an accelerating plane: the claims.
 
+mod law;
+mod planes;
+mod words;
+
 use super::{Claim, Condition, Topic};
 use crate::evidence::Kind;
 
@@ -33,6 +37,7 @@ const CLAIMS: &[Claim] = &[
                 stated: true,
             },
         ],
+        trials: &[law::eq1_laboratory, law::eq1_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -48,6 +53,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-1"],
+        trials: &[law::eq2_exact, law::eq2_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -59,6 +65,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"If the largest value of $\lvert\bm{A}\rvert$ is below $\mu g$, the speed falls and the particle is at rest after a finite time.",
         plain: "If max |𝐀| < μ g, the speed falls and the particle is at rest after a finite time.",
         depends_on: &["eq-2"],
+        trials: &[words::stops_census, words::stops_integration],
         ..Claim::BLANK
     },
     Claim {
@@ -70,6 +77,15 @@ const CLAIMS: &[Claim] = &[
         latex: r"If $\lvert\bm{A}\rvert$ exceeds $\mu g$ again after every time, however late, the particle cannot stay at rest for ever.",
         plain: "If |𝐀| exceeds μ g again after every time, however late, the particle cannot stay at rest for ever.",
         depends_on: &["eq-1"],
+        conditions: &[Condition {
+            text: r"$\lvert\bm A\rvert>\mu g$ for a stretch of time, as for a continuous $\bm A$, and not only at single instants",
+            stated: false,
+        }],
+        trials: &[
+            words::rest_census,
+            words::rest_integration,
+            words::rest_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -81,6 +97,15 @@ const CLAIMS: &[Claim] = &[
         latex: r"If $\bm{A}$ has a fixed direction and $\lvert\bm{A}\rvert>\mu g$ at all times, then $v$ increases from some time on.",
         plain: "If 𝐀 has a fixed direction and |𝐀| > μ g at all times, then v increases from some time on.",
         depends_on: &["eq-2"],
+        conditions: &[Condition {
+            text: r"$\lvert\bm A\rvert$ stays above $\mu g$ by a fixed margin",
+            stated: false,
+        }],
+        trials: &[
+            words::grows_census,
+            words::grows_integration,
+            words::grows_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -92,6 +117,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"If $\bm{A}$ has a fixed direction, the part $\bm{v}_\perp$ of the velocity across it shrinks; if $\lvert\bm{A}\rvert$ is bounded as well, $\bm{v}_\perp\to0$ at large times.",
         plain: "If 𝐀 has a fixed direction, the part 𝐯⊥ of the velocity across it shrinks; if |𝐀| is bounded as well, 𝐯⊥ → 0 at large times.",
         depends_on: &["eq-1"],
+        trials: &[
+            words::across_census,
+            words::across_quadrature,
+            words::across_limit,
+        ],
         ..Claim::BLANK
     },
 ];

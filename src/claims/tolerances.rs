@@ -38,6 +38,12 @@ pub const ROOT: Tolerance = Tolerance {
     reason: "the root is found to 1e-15; the formula's own rounding is divided by its slope",
 };
 
+/// What a short push may leave behind and still count as motion: nothing near the strength of the push.
+pub const SHORT_PUSH: Tolerance = Tolerance {
+    value: 1e-3,
+    reason: "a motion that a push started would have a speed of the push's strength times a time of order one",
+};
+
 /// A logarithmic slope against its limit.
 pub const SLOPE: Tolerance = Tolerance {
     value: 1e-6,
@@ -48,4 +54,10 @@ pub const SLOPE: Tolerance = Tolerance {
 pub const TERMINAL: Tolerance = Tolerance {
     value: 1e-12,
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
+};
+
+/// A velocity that vanishes as a power of the time.
+pub const VANISHES: Tolerance = Tolerance {
+    value: 1e-6,
+    reason: "under twice the friction, the slowest case, v⊥ falls as the inverse of the time, which is 1e8 at the end",
 };

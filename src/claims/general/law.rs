@@ -1,0 +1,158 @@
+//! Trials of (1) and (2): the law seen from the plane against the law seen from the laboratory.
+
+use super::planes::{Case, bounded};
+use crate::claims::compare::{Failure, Pair, Trial, proved};
+use crate::claims::tolerances::FOREIGN;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::exact::{Expr, Proof, Ring};
+use crate::motion::{Acceleration, State, run};
+use crate::numerics::dop853;
+use crate::numerics::quadrature::integral_within;
+use crate::paper::general as printed;
+use crate::scalar::Scalar;
+
+/// The cases, each up to a time before the particle can stop and before the acceleration can jump.
+fn cases() -> impl Iterator<Item = (Case, f64)> {
+    bounded(20, 3.0).map(|case| {
+        let before_rest = 0.9 * case.start.speed() / (3.0 + case.friction);
+        let before_jump = case
+            .plane
+            .next_break(0.0)
+            .map_or(f64::INFINITY, |b| 0.9 * b);
+        let until = before_rest.min(before_jump).min(3.0);
+        (case, until)
+    })
+}
+
+fn acceleration(case: &Case, t: f64) -> [f64; 2] {
+    case.plane.coefficients(t).map(|series| series[0])
+}
+
+/// (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
+/// points against V − U, where U is the plane's velocity.
+pub fn eq1_laboratory() -> Evidence {
+    let compared = "v of (1), integrated, with V − U of the laboratory, where friction alone acts";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
+    trial.over(cases(), |(case, until)| {
+        // State: V, then U, then the time, all in the laboratory.
+        let laboratory = |_: f64, y: &[f64; 5]| {
+            let relative = [y[0] - y[2], y[1] - y[3]];
+            let slip = libm::hypot(relative[0], relative[1]);
+            let friction = relative.map(|c| -case.friction * c / slip);
+            let [ux, uy] = acceleration(&case, y[4]);
+            [friction[0], friction[1], ux, uy, 1.0]
+        };
+        let plane = |_: f64, y: &[f64; 3]| {
+            let a = acceleration(&case, y[2]);
+            let rate = printed::eq1_velocity_rate(a, case.friction / 9.8, 9.8, [y[0], y[1]]);
+            [rate[0], rate[1], 1.0]
+        };
+        let [vx, vy] = case.start.v;
+        let from_plane = dop853::end(plane, 0.0, [vx, vy, 0.0], until, 1e-13, 1e-14)?;
+        let seen = dop853::end(
+            laboratory,
+            0.0,
+            [vx, vy, 0.0, 0.0, 0.0],
+            until,
+            1e-13,
+            1e-14,
+        )?;
+        let apart = libm::hypot(
+            from_plane[0] - (seen[0] - seen[2]),
+            from_plane[1] - (seen[1] - seen[3]),
+        );
+        let speed = libm::hypot(from_plane[0], from_plane[1]);
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {until:.6}", case.name),
+            stated: speed,
+            found: speed + apart,
+            scale: case.start.speed(),
+        })
+    })
+}
+
+/// (1): its right-hand side, summed over time along the motion, is the change of the velocity.
+pub fn eq1_quadrature() -> Evidence {
+    let compared = "∫ of the components of (1), the second one twice, with the change of v_x + 2 v_y of the motion";
+    let rate = |case: &Case, state: &State| {
+        let a = acceleration(case, state.t);
+        let [x, y] = printed::eq1_velocity_rate(a, case.friction / 9.8, 9.8, state.v);
+        x + 2.0 * y
+    };
+    summed(compared, rate, |state| state.v[0] + 2.0 * state.v[1])
+}
+
+/// (2): its right-hand side, summed over time along the motion, is the change of the speed.
+pub fn eq2_quadrature() -> Evidence {
+    let compared = "∫ (2) dt along the motion with its change of speed";
+    let rate = |case: &Case, state: &State| {
+        let a = acceleration(case, state.t);
+        printed::eq2_speed_rate(a, case.friction / 9.8, 9.8, state.v)
+    };
+    summed(compared, rate, State::speed)
+}
+
+fn summed(
+    compared: &'static str,
+    rate: impl Fn(&Case, &State) -> f64,
+    quantity: impl Fn(&State) -> f64,
+) -> Evidence {
+    Trial::quadrature(Subject::Printed, compared).over(cases(), |(case, until)| {
+        let motion = run(&case.plane, case.friction, case.start, until)?;
+        let along = |t: f64| motion.at(t).map_or(f64::NAN, |state| rate(&case, &state));
+        let scale = case.start.speed();
+        let stated = integral_within(along, 0.0, until, 1e-13 * scale)?.value;
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {until:.6}", case.name),
+            stated,
+            found: quantity(&motion.end()) - quantity(&case.start),
+            scale,
+        })
+    })
+}
+
+/// (2) from (1): the rate of √(v_x² + v_y²).
+pub fn eq2_exact() -> Evidence {
+    let compared = "(2) with the rate of |v| by (1), as algebraic functions of the components";
+    proved(&eq2_proof(eq2()), Subject::Printed, compared)
+}
+
+fn eq2() -> Expr {
+    let [ax, ay, mu, g, vx, vy] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"].map(Expr::symbol);
+    printed::eq2_speed_rate([ax, ay], mu, g, [vx, vy])
+}
+
+fn eq2_proof(formula: Expr) -> Proof {
+    let title = "(2): the rate of the speed";
+    let mut ring = Ring::new();
+    let [_, _, _, _, vx, vy] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"].map(|name| ring.symbol(name));
+    let square = vx.pow(2) + vy.pow(2);
+    if let Err(error) = ring.root(&square, 2) {
+        return Proof::impossible(title, error);
+    }
+    Proof::of(title, &ring, |p| {
+        let [ax, ay, mu, g, vx, vy] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"].map(Expr::symbol);
+        let [x, y] = printed::eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
+        let x = p.read("dv_x/dt by (1)", x)?;
+        let y = p.read("dv_y/dt by (1)", y)?;
+        let speed = p.read("The speed", (vx.squared() + vy.squared()).sqrt())?;
+        let along = p.ring().along(&[("v_x", x), ("v_y", y)])?;
+        let rate = p.derivative("Its rate", &speed, &along)?;
+        let formula = p.read("The printed rate", formula)?;
+        p.equal("Rate against printed rate", &rate, &formula)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::mutations;
+
+    #[test]
+    fn every_change_of_2_spoils_its_proof() {
+        assert!(eq2_proof(eq2()).holds());
+        for mutant in mutations(eq2()) {
+            assert!(!eq2_proof(mutant.formula).holds(), "{}", mutant.change);
+        }
+    }
+}

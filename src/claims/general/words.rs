@@ -1,0 +1,361 @@
+//! Trials of the four statements about every A(t).
+//!
+//! Each is tried on constant, rotating, growing, decaying, oscillating and sign-changing accelerations, and on
+//! the one that we found to break it.
+
+use super::planes::{SHAPES, along_a_line, any_start, bounded};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::{Acceleration, Motion, PhaseKind, Plane, Signal, State, run, run_to_stop};
+use crate::numerics::quadrature::integral_within;
+
+const fn census(subject: Subject, compared: &'static str) -> Trial {
+    Trial::by(Route::Census, subject, compared, NONE)
+}
+
+fn count(at: String, found: usize) -> Pair {
+    Pair {
+        at,
+        stated: 0.0,
+        found: found as f64,
+        scale: 1.0,
+    }
+}
+
+/// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
+fn breaks(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> bool) -> usize {
+    let nodes: Vec<_> = motion.nodes().filter(|s| s.t >= from).collect();
+    nodes.windows(2).filter(|w| broken(&w[0], &w[1])).count()
+}
+
+/// The speed falls on every step until the stop, and the stop comes.
+pub fn stops_census() -> Evidence {
+    let compared = "0 with the steps on which the speed does not fall, and the motions that do not stop by v₀/(μg − max |A|)";
+    census(Subject::Printed, compared).over(bounded(21, 0.95), |case| {
+        let latest = case.start.speed() / 0.05;
+        let motion = run_to_stop(
+            &case.plane,
+            case.friction,
+            case.start,
+            latest * (1.0 + 1e-9),
+        )?;
+        let rises = breaks(&motion, 0.0, |a, b| b.t > a.t && b.speed() >= a.speed());
+        let runs_on = usize::from(motion.first_stop().is_none());
+        Ok::<_, Failure>(count(case.name, rises + runs_on))
+    })
+}
+
+/// The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
+pub fn stops_integration() -> Evidence {
+    let compared =
+        "the time of stopping, cut to the bounds that (2) sets, with the time of stopping";
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(bounded(22, 0.9), |case| {
+        let v0 = case.start.speed();
+        let motion = run_to_stop(&case.plane, case.friction, case.start, 100.0 * v0)?;
+        let stop = motion.first_stop().unwrap_or(f64::INFINITY);
+        Ok::<_, Failure>(Pair {
+            at: case.name,
+            stated: stop.clamp(v0 / 1.9, v0 / 0.1),
+            found: stop,
+            scale: v0,
+        })
+    })
+}
+
+/// Motions, from rest, under accelerations that exceed μg again and again: every rest but the last ends.
+pub fn rest_census() -> Evidence {
+    let compared = "0 with the rests that outlast the next moment at which |A| > μg";
+    census(Subject::Within, compared).over(bounded_that_return(), |(name, plane, period)| {
+        let motion = run(
+            &plane,
+            1.0,
+            State {
+                t: 0.0,
+                v: [0.0; 2],
+                x: [0.0; 2],
+            },
+            12.0 * period,
+        )?;
+        let rests = motion
+            .phases()
+            .iter()
+            .filter(|p| p.kind == PhaseKind::Stick);
+        let long = rests
+            .filter(|p| p.to - p.from > period * (1.0 + 1e-9))
+            .count();
+        Ok::<_, Failure>(count(name, long))
+    })
+}
+
+/// The same motions move in every period.
+pub fn rest_integration() -> Evidence {
+    let compared = "1 with 1 for a motion that has slid in each of twelve periods";
+    let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
+    trial.over(bounded_that_return(), |(name, plane, period)| {
+        let motion = run(
+            &plane,
+            1.0,
+            State {
+                t: 0.0,
+                v: [0.0; 2],
+                x: [0.0; 2],
+            },
+            12.0 * period,
+        )?;
+        let slid = |n: i32| {
+            let (from, to) = (f64::from(n) * period, f64::from(n + 1) * period);
+            let phases = motion.phases().iter();
+            phases
+                .filter(|p| p.kind == PhaseKind::Slide)
+                .any(|p| p.from < to && p.to > from)
+        };
+        Ok::<_, Failure>(Pair {
+            at: name,
+            stated: 1.0,
+            found: f64::from(u8::from((0..12).all(slid))),
+            scale: 1.0,
+        })
+    })
+}
+
+/// A(t) = 1.1 to 3 times a sine or a train of pulses, with its period; friction 1.
+fn bounded_that_return() -> impl Iterator<Item = (String, Plane, f64)> {
+    let mut points = Points::stream(23);
+    (0..100).map(move |i| {
+        let (size, period) = (points.uniform(1.1, 3.0), points.log_uniform(0.5, 5.0));
+        let frequency = std::f64::consts::TAU / period;
+        let signal = match i % 3 {
+            0 => Signal::Sine {
+                frequency,
+                phase: 0.0,
+            },
+            1 => Signal::Square {
+                start: 0.0,
+                half: 0.5 * period,
+            },
+            _ => Signal::Product(vec![
+                Signal::Sine {
+                    frequency,
+                    phase: 0.0,
+                },
+                Signal::Sine {
+                    frequency,
+                    phase: 0.0,
+                },
+            ]),
+        };
+        let direction = points.uniform(-3.1, 3.1);
+        let along = [size * libm::cos(direction), size * libm::sin(direction)];
+        let name = format!(
+            "|A| up to {size:.6}, period {period:.6}, shape {}, μg = 1",
+            i % 3
+        );
+        (name, Plane::along(along, signal), period)
+    })
+}
+
+/// Pushes of 2 μg that last ever shorter: what they leave of speed is their length, and at single instants, nothing.
+pub fn rest_outside() -> Evidence {
+    let compared = "motion (1) with the largest speed, in units of a push's strength, from pushes of 2 μg that last 1e-9";
+    let trial = Trial::by(Route::Limit, Subject::Outside, compared, SHORT_PUSH);
+    trial.over(1..=40, |n| {
+        let at = 0.1 * f64::from(n);
+        let pulse = Signal::Pulse {
+            from: at,
+            to: at + 1e-9,
+        };
+        let plane = Plane::along([-2.0, 0.0], pulse);
+        let motion = run(
+            &plane,
+            1.0,
+            State {
+                t: 0.0,
+                v: [0.0; 2],
+                x: [0.0; 2],
+            },
+            at + 1.0,
+        )?;
+        let fastest = motion.nodes().map(|s| s.speed()).fold(0.0, f64::max);
+        Ok::<_, Failure>(Pair {
+            at: format!("A = 2 μg for 1e-9 at t = {at:.6}"),
+            stated: 1.0,
+            found: fastest,
+            scale: 1.0,
+        })
+    })
+}
+
+/// Strong accelerations of fixed direction, |A| ≥ 1.2 μg: from some time on, every step raises the speed.
+pub fn grows_census() -> Evidence {
+    let compared = "0 with the steps after t = 200 on which the speed does not grow";
+    census(Subject::Within, compared).over(strong(24), |(name, plane, start)| {
+        let motion = run(&plane, 1.0, start, 400.0)?;
+        let falls = breaks(&motion, 200.0, |a, b| b.t > a.t && b.speed() <= a.speed());
+        Ok::<_, Failure>(count(name, falls))
+    })
+}
+
+/// The same: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
+pub fn grows_integration() -> Evidence {
+    let compared =
+        "at least 0.19 · 200 with the speed gained from t = 200 to 400, where |A| ≥ 1.2 μg";
+    let trial = Trial::motion(Subject::Within, compared);
+    trial.over(strong(25), |(name, plane, start)| {
+        let motion = run(&plane, 1.0, start, 400.0)?;
+        let gained = motion.end().speed() - motion.at(200.0)?.speed();
+        Ok::<_, Failure>(Pair {
+            at: name,
+            stated: gained.max(0.19 * 200.0),
+            found: gained,
+            scale: gained.abs(),
+        })
+    })
+}
+
+/// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
+fn strong(stream: u64) -> impl Iterator<Item = (String, Plane, State)> {
+    let mut points = Points::stream(stream);
+    (0..100).map(move |i| {
+        let rate = points.log_uniform(0.1, 3.0);
+        let shape = [0, 2, 3, 4][i % 4];
+        let size = Signal::Sum(vec![
+            Signal::constant(points.uniform(2.2, 3.0)),
+            along_a_line(shape, rate),
+        ]);
+        let direction = points.uniform(-3.1, 3.1);
+        let speed = points.log_uniform(0.2, 3.0);
+        let start = any_start(&mut points, speed);
+        let name = format!(
+            "|A| ≥ 1.2, {} part of rate {rate:.6}, μg = 1, v = ({:.6}, {:.6})",
+            SHAPES[shape], start.v[0], start.v[1]
+        );
+        let along = [libm::cos(direction), libm::sin(direction)];
+        (name, Plane::along(along, size), start)
+    })
+}
+
+/// |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
+pub fn grows_outside() -> Evidence {
+    let compared = "the speed at t + 1, as it should exceed that at t, with the speed at t + 1";
+    let trial = Trial::motion(Subject::Outside, compared);
+    let mut points = Points::stream(26);
+    trial.over(0..100, |_| {
+        let (theta0, t) = (points.uniform(0.8, 2.4), points.uniform(3.0, 8.0));
+        let excess = Signal::Gaussian {
+            centre: 0.0,
+            width: 1.0,
+        };
+        let size = Signal::Sum(vec![Signal::constant(1.0), excess]);
+        let start = State {
+            t: 0.0,
+            v: [3.0 * libm::cos(theta0), 3.0 * libm::sin(theta0)],
+            x: [0.0; 2],
+        };
+        let motion = run(&Plane::along([-1.0, 0.0], size), 1.0, start, t + 1.0)?;
+        let (before, after) = (motion.at(t)?.speed(), motion.at(t + 1.0)?.speed());
+        Ok::<_, Failure>(Pair {
+            at: format!("|A| = μg (1 + exp(−t²)), v₀ = 3, θ₀ = {theta0:.6}, t = {t:.6}"),
+            stated: after.max(before),
+            found: after,
+            scale: before,
+        })
+    })
+}
+
+/// Across a fixed direction, every step lowers what velocity there is.
+pub fn across_census() -> Evidence {
+    let compared = "0 with the steps on which |v⊥| grows, or stays while it is not zero";
+    census(Subject::Printed, compared).over(fixed_direction(27), |case| {
+        let motion = run(&case.plane, 1.0, case.start, 30.0)?;
+        // Below, only the rounding of the components along the line is left.
+        let lost = 1e-12 * case.start.speed();
+        let grows = |a: &State, b: &State| {
+            b.t > a.t && case.across(a) > lost && case.across(b) >= case.across(a)
+        };
+        Ok::<_, Failure>(count(case.name.clone(), breaks(&motion, 0.0, grows)))
+    })
+}
+
+/// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
+pub fn across_quadrature() -> Evidence {
+    let compared = "∫ μg/v dt along the motion with the fall of ln |v⊥|";
+    Trial::quadrature(Subject::Printed, compared).over(fixed_direction(28), |case| {
+        let until = 0.5 * case.start.speed() / (1.0 + case.largest);
+        let until = case.plane.next_break(0.0).map_or(until, |b| until.min(b));
+        let motion = run(&case.plane, 1.0, case.start, until)?;
+        let rate = |t: f64| motion.at(t).map_or(f64::NAN, |s| 1.0 / s.speed());
+        let stated = integral_within(rate, 0.0, until, 1e-14)?.value;
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {until:.6}", case.name),
+            stated,
+            found: libm::log(case.across(&case.start) / case.across(&motion.end())),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Bounded A: what is left of v⊥ after a long time.
+pub fn across_limit() -> Evidence {
+    let compared = "0 with |v⊥|/v₀ after a long time, A bounded by twice μg";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, VANISHES);
+    let bounded = fixed_direction(29).filter(|case| case.largest.is_finite());
+    trial.over(bounded, |case| {
+        let end = run(&case.plane, 1.0, case.start, case.late)?.end();
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, t = {:.0}", case.name, case.late),
+            stated: 0.0,
+            found: case.across(&end),
+            scale: case.start.speed(),
+        })
+    })
+}
+
+/// An acceleration of fixed direction.
+struct Across {
+    name: String,
+    plane: Plane,
+    start: State,
+    /// Across the direction.
+    normal: [f64; 2],
+    /// The largest |A|, infinite for one that grows for ever.
+    largest: f64,
+    /// A late time: when v⊥ has had the time to fall to a millionth.
+    late: f64,
+}
+
+impl Across {
+    fn across(&self, s: &State) -> f64 {
+        (s.v[0] * self.normal[0] + s.v[1] * self.normal[1]).abs()
+    }
+}
+
+/// Fixed directions, all shapes that have one; friction 1.
+fn fixed_direction(stream: u64) -> impl Iterator<Item = Across> {
+    let mut points = Points::stream(stream);
+    let shapes = (0..SHAPES.len())
+        .filter(|&i| SHAPES[i] != "rotating")
+        .cycle();
+    shapes.take(150).map(move |shape| {
+        let rate = points.log_uniform(0.3, 3.0);
+        let size = points.uniform(0.3, 2.0);
+        let direction = points.uniform(-3.1, 3.1);
+        let (c, s) = (libm::cos(direction), libm::sin(direction));
+        let speed = points.log_uniform(0.2, 3.0);
+        let start = any_start(&mut points, speed);
+        let grows = SHAPES[shape] == "growing";
+        Across {
+            name: format!(
+                "{} A of size {size:.6}, rate {rate:.6}, μg = 1, v = ({:.6}, {:.6}), A at angle {direction:.6}",
+                SHAPES[shape], start.v[0], start.v[1]
+            ),
+            plane: Plane::along([size * c, size * s], along_a_line(shape, rate)),
+            start,
+            normal: [-s, c],
+            largest: if grows { f64::INFINITY } else { size },
+            late: if SHAPES[shape] == "constant" { 1e8 } else { 300.0 },
+        }
+    })
+}
