@@ -269,7 +269,7 @@ pub fn grows_outside() -> Evidence {
 pub fn across_census() -> Evidence {
     let compared = "0 with the steps on which |v⊥| grows, or stays while it is not zero";
     census(Subject::Printed, compared).over(fixed_direction(27), |case| {
-        let motion = run(&case.plane, 1.0, case.start, 30.0)?;
+        let motion = run(&case.plane, 1.0, case.start, 10.0)?;
         // Below, only the rounding of the components along the line is left.
         let lost = 1e-12 * case.start.speed();
         let grows = |a: &State, b: &State| {
@@ -305,7 +305,7 @@ pub fn across_limit() -> Evidence {
     trial.over(bounded, |case| {
         let end = run(&case.plane, 1.0, case.start, case.late)?.end();
         Ok::<_, Failure>(Pair {
-            at: format!("{}, t = {:.0}", case.name, case.late),
+            at: format!("{}, t = {:.6}", case.name, case.late),
             stated: 0.0,
             found: case.across(&end),
             scale: case.start.speed(),
@@ -355,7 +355,7 @@ fn fixed_direction(stream: u64) -> impl Iterator<Item = Across> {
             start,
             normal: [-s, c],
             largest: if grows { f64::INFINITY } else { size },
-            late: if SHAPES[shape] == "constant" { 1e8 } else { 300.0 },
+            late: if SHAPES[shape] == "constant" { 1e8 } else { 80.0 / rate },
         }
     })
 }
