@@ -37,18 +37,28 @@ pub struct Plane {
 impl Plane {
     /// The same acceleration at all times.
     pub fn constant(a: [f64; 2]) -> Self {
-        Self { x: Signal::constant(a[0]), y: Signal::constant(a[1]) }
+        Self {
+            x: Signal::constant(a[0]),
+            y: Signal::constant(a[1]),
+        }
     }
 
     /// A(t) = direction · signal(t).
     pub fn along(direction: [f64; 2], signal: Signal) -> Self {
-        Self { x: signal.clone().times(direction[0]), y: signal.times(direction[1]) }
+        Self {
+            x: signal.clone().times(direction[0]),
+            y: signal.times(direction[1]),
+        }
     }
 
     /// A(t) = amplitude(t) · (cos φ, sin φ), φ = frequency · t + phase.
     pub fn rotating(amplitude: Signal, frequency: f64, phase: f64) -> Self {
-        let turned = |phase| Signal::Product(vec![amplitude.clone(), Signal::Sine { frequency, phase }]);
-        Self { x: turned(phase + std::f64::consts::FRAC_PI_2), y: turned(phase) }
+        let turned =
+            |phase| Signal::Product(vec![amplitude.clone(), Signal::Sine { frequency, phase }]);
+        Self {
+            x: turned(phase + std::f64::consts::FRAC_PI_2),
+            y: turned(phase),
+        }
     }
 }
 

@@ -89,13 +89,25 @@ impl<'a> Run<'a> {
             ("v_x of the start", start.v[0]),
             ("v_y of the start", start.v[1]),
         ] {
-            check(name, value, value.abs() <= LARGEST, "finite, at most 1e50 in absolute value")?;
+            check(
+                name,
+                value,
+                value.abs() <= LARGEST,
+                "finite, at most 1e50 in absolute value",
+            )?;
         }
         size("speed of the start", start.speed())?;
         let fit = until >= start.t && until <= LARGEST;
         check("until", until, fit, "not before the start, at most 1e50")?;
         let motion = Motion::begin(start);
-        Ok(Self { plane, friction, until, steps: 0, state: start, motion })
+        Ok(Self {
+            plane,
+            friction,
+            until,
+            steps: 0,
+            state: start,
+            motion,
+        })
     }
 
     fn finish(mut self, to_stop: bool) -> Result<Motion, MotionError> {
@@ -105,9 +117,12 @@ impl<'a> Run<'a> {
                 let release = self.stick()?;
                 self.close(PhaseKind::Stick, from);
                 let Some(release) = release else { break };
-                self.motion.starts.push(self.state.t);
                 let from = self.state.t;
                 self.depart(release)?;
+                if self.state.v == [0.0; 2] {
+                    continue;
+                }
+                self.motion.starts.push(from);
                 self.close(PhaseKind::Slide, from);
             }
             let from = self.state.t;
@@ -129,7 +144,10 @@ impl<'a> Run<'a> {
         let t = self.state.t;
         self.steps += 1;
         if self.steps > MAX_STEPS {
-            return Err(MotionError::Steps { limit: MAX_STEPS, t });
+            return Err(MotionError::Steps {
+                limit: MAX_STEPS,
+                t,
+            });
         }
         let a = self.plane.coefficients(t);
         let size = libm::hypot(a[0][0], a[1][0]);
@@ -137,12 +155,23 @@ impl<'a> Run<'a> {
         for c in a.iter().flatten() {
             check("a Taylor coefficient of A", *c, c.is_finite(), "finite")?;
         }
-        let landing = self.plane.next_break(t).map_or(self.until, |b| b.min(self.until));
+        let landing = self
+            .plane
+            .next_break(t)
+            .map_or(self.until, |b| b.min(self.until));
         let trusted = reach(&a[0]).min(reach(&a[1]));
         Ok(if trusted < landing - t {
-            Local { a, left: trusted, landing: None }
+            Local {
+                a,
+                left: trusted,
+                landing: None,
+            }
         } else {
-            Local { a, left: landing - t, landing: Some(landing) }
+            Local {
+                a,
+                left: landing - t,
+                landing: Some(landing),
+            }
         })
     }
 
@@ -165,6 +194,15 @@ impl<'a> Run<'a> {
 }
 
 /// Requires that a parameter is fit.
-fn check(name: &'static str, value: f64, fit: bool, range: &'static str) -> Result<(), MotionError> {
-    if fit { Ok(()) } else { Err(MotionError::Argument { name, value, range }) }
+fn check(
+    name: &'static str,
+    value: f64,
+    fit: bool,
+    range: &'static str,
+) -> Result<(), MotionError> {
+    if fit {
+        Ok(())
+    } else {
+        Err(MotionError::Argument { name, value, range })
+    }
 }

@@ -56,7 +56,12 @@ pub(super) enum Piece {
     /// Sliding; components v_x, v_y, t, x, y as functions of s, dt = |v| ds.
     Slide(Box<Step<f64, 5, TERMS>>),
     /// Sliding close to rest; v and x as functions of t.
-    Arc { from: f64, to: f64, v: [Coefficients; 2], x: [Coefficients; 2] },
+    Arc {
+        from: f64,
+        to: f64,
+        v: [Coefficients; 2],
+        x: [Coefficients; 2],
+    },
     /// At rest.
     Rest { from: f64, x: [f64; 2] },
 }
@@ -76,9 +81,17 @@ impl Piece {
             Self::Arc { from, v, x, .. } => {
                 let tau = t - from;
                 let both = |c: &[Coefficients; 2]| [value(&c[0], &tau), value(&c[1], &tau)];
-                State { t, v: both(v), x: both(x) }
+                State {
+                    t,
+                    v: both(v),
+                    x: both(x),
+                }
             }
-            Self::Rest { x, .. } => State { t, v: [0.0; 2], x: *x },
+            Self::Rest { x, .. } => State {
+                t,
+                v: [0.0; 2],
+                x: *x,
+            },
         })
     }
 
@@ -138,7 +151,11 @@ impl Step<f64, 5, TERMS> {
     /// State at `s`, when the time is `t`.
     fn state(&self, s: f64, t: f64) -> State {
         let [vx, vy, _, x, y] = self.at(&s);
-        State { t, v: [vx, vy], x: [x, y] }
+        State {
+            t,
+            v: [vx, vy],
+            x: [x, y],
+        }
     }
 }
 
@@ -157,7 +174,14 @@ impl Motion {
     /// A motion that has not moved yet.
     pub(super) fn begin(start: State) -> Self {
         let (pieces, phases) = (Vec::new(), Vec::new());
-        Self { pieces, phases, stops: Vec::new(), starts: Vec::new(), start, end: start }
+        Self {
+            pieces,
+            phases,
+            stops: Vec::new(),
+            starts: Vec::new(),
+            start,
+            end: start,
+        }
     }
 
     /// The phases in order, without gaps; one of length zero is left out.
@@ -197,7 +221,11 @@ impl Motion {
     pub fn at(&self, t: f64) -> Result<State, MotionError> {
         if !(t >= self.start.t && t <= self.end.t) {
             let range = "between the start and the end of the motion";
-            return Err(MotionError::Argument { name: "t", value: t, range });
+            return Err(MotionError::Argument {
+                name: "t",
+                value: t,
+                range,
+            });
         }
         if t == self.end.t {
             return Ok(self.end);
@@ -213,10 +241,16 @@ impl Motion {
     pub fn nodes(&self) -> impl Iterator<Item = State> + '_ {
         let begins = self.pieces.iter().map(|piece| match piece {
             Piece::Slide(step) => step.state(0.0, step.t_start()),
-            Piece::Arc { from, v, x, .. } => {
-                State { t: *from, v: [v[0][0], v[1][0]], x: [x[0][0], x[1][0]] }
-            }
-            Piece::Rest { from, x, .. } => State { t: *from, v: [0.0; 2], x: *x },
+            Piece::Arc { from, v, x, .. } => State {
+                t: *from,
+                v: [v[0][0], v[1][0]],
+                x: [x[0][0], x[1][0]],
+            },
+            Piece::Rest { from, x, .. } => State {
+                t: *from,
+                v: [0.0; 2],
+                x: *x,
+            },
         });
         begins.chain(std::iter::once(self.end))
     }
@@ -230,7 +264,11 @@ impl Motion {
         let length = libm::hypot(direction[0], direction[1]);
         if !(length.is_finite() && length > 0.0) {
             let range = "finite and not zero";
-            return Err(MotionError::Argument { name: "length of direction", value: length, range });
+            return Err(MotionError::Argument {
+                name: "length of direction",
+                value: length,
+                range,
+            });
         }
         let n = [direction[0] / length, direction[1] / length];
         let mut nodes = self.nodes();

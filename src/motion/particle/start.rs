@@ -39,7 +39,11 @@ impl Run<'_> {
         };
         let (speed, cosine, sine) = first_moments(&along, &across, net);
         let order = speed.iter().position(|c| *c != 0.0).unwrap_or(TERMS - 1);
-        let mut h = local.left.min(reach(&speed[order..])).min(reach(&sine)).min(reach(&cosine));
+        let mut h = local
+            .left
+            .min(reach(&speed[order..]))
+            .min(reach(&sine))
+            .min(reach(&cosine));
         let mut landing = if h == local.left { local.landing } else { None };
         // Should it stop again, the slide proper has to lead there.
         if let Some(stop) = roots(&speed[order..], h)?.first() {
@@ -59,8 +63,20 @@ impl Run<'_> {
         }
         let to = landing.unwrap_or(t + h).min(self.until);
         let both = |c: &[Coefficients; 2]| [value(&c[0], &h), value(&c[1], &h)];
-        let end = State { t: to, v: both(&v), x: both(&path) };
-        self.push(Piece::Arc { from: t, to, v, x: path }, end);
+        let end = State {
+            t: to,
+            v: both(&v),
+            x: both(&path),
+        };
+        self.push(
+            Piece::Arc {
+                from: t,
+                to,
+                v,
+                x: path,
+            },
+            end,
+        );
         Ok(())
     }
 }

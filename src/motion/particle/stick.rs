@@ -27,11 +27,25 @@ impl Run<'_> {
             if crossed || excess[0].abs() <= rounding[0] {
                 excess[0] = 0.0;
             }
-            let first = (0..TERMS).find(|&k| if k == 0 { excess[0] != 0.0 } else { excess[k].abs() > rounding[k] });
+            let first = (0..TERMS).find(|&k| {
+                if k == 0 {
+                    excess[0] != 0.0
+                } else {
+                    excess[k].abs() > rounding[k]
+                }
+            });
             if first.is_some_and(|k| excess[k] > 0.0) {
-                return Ok(Some(if first == Some(0) { Release::Sudden } else { Release::Smooth }));
+                return Ok(Some(if first == Some(0) {
+                    Release::Sudden
+                } else {
+                    Release::Smooth
+                }));
             }
-            let found = if first.is_some() { roots(&excess, local.left)? } else { Vec::new() };
+            let found = if first.is_some() {
+                roots(&excess, local.left)?
+            } else {
+                Vec::new()
+            };
             let crossing = found.iter().find(|root| root.way == Way::Rising);
             crossed = crossing.is_some();
             let to = match (crossing, local.landing) {
@@ -40,7 +54,14 @@ impl Run<'_> {
                 (None, None) => t + local.left,
             };
             let to = to.min(self.until);
-            self.push(Piece::Rest { from: t, x }, State { t: to, v: [0.0; 2], x });
+            self.push(
+                Piece::Rest { from: t, x },
+                State {
+                    t: to,
+                    v: [0.0; 2],
+                    x,
+                },
+            );
         }
         Ok(None)
     }
