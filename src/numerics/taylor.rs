@@ -180,8 +180,8 @@ where
 pub fn reach<T: Number>(x: &[T]) -> f64 {
     let first: [f64; 4] = std::array::from_fn(|k| x.get(k).map_or(f64::NEG_INFINITY, log2));
     let mut least = f64::INFINITY;
-    for n in x.len().saturating_sub(2).max(4)..x.len() {
-        let last = log2(&x[n]);
+    for (n, c) in x.iter().enumerate().skip(x.len().saturating_sub(2).max(4)) {
+        let last = log2(c);
         if last == f64::NEG_INFINITY {
             continue;
         }

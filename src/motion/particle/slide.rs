@@ -6,7 +6,7 @@
 //! A stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
 
 use super::super::acceleration::Coefficients;
-use super::super::trajectory::{Piece, State};
+use super::super::trajectory::{Arc, Piece, State};
 use super::{MotionError, Run};
 use crate::numerics::series::{convolution, product, quotient, sqrt, square};
 use crate::numerics::taylor::{Control, Integrator, System, TERMS};
@@ -198,12 +198,12 @@ impl Run<'_> {
             position[i][..3].copy_from_slice(&[x[i], v[i], -0.5 * v[i] / left]);
             end[i] += 0.5 * v[i] * left;
         }
-        let piece = Piece::Arc {
+        let piece = Piece::Arc(Box::new(Arc {
             from: t,
             to,
             v: arc[0],
             x: arc[1],
-        };
+        }));
         self.push(
             piece,
             State {

@@ -13,7 +13,7 @@
 //! otherwise what lower orders know.
 
 use super::super::acceleration::Coefficients;
-use super::super::trajectory::{Piece, State};
+use super::super::trajectory::{Arc, Piece, State};
 use super::stick::Release;
 use super::{MotionError, Run};
 use crate::numerics::events::roots;
@@ -69,12 +69,12 @@ impl Run<'_> {
             x: both(&path),
         };
         self.push(
-            Piece::Arc {
+            Piece::Arc(Box::new(Arc {
                 from: t,
                 to,
                 v,
                 x: path,
-            },
+            })),
             end,
         );
         Ok(())

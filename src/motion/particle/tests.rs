@@ -342,11 +342,10 @@ fn a_turning_pull_from_rest() {
         for tau in [1e-3, 5e-3] {
             let (d, t) = (1e-6, release + tau);
             let [a, b, s] = [t - d, t + d, t].map(|t| motion.at(t).unwrap());
-            let pull = plane.coefficients(t).map(|c| c[0]);
-            for i in 0..2 {
+            for (i, a_i) in plane.coefficients(t).iter().enumerate() {
                 let slope = (b.v[i] - a.v[i]) / (2.0 * d);
                 assert!(
-                    (slope + pull[i] + friction * s.v[i] / s.speed()).abs() < 1e-8,
+                    (slope + a_i[0] + friction * s.v[i] / s.speed()).abs() < 1e-8,
                     "{tau} {i}"
                 );
             }
