@@ -2,6 +2,12 @@
 
 use crate::evidence::Tolerance;
 
+/// A rate against differences of the motion.
+pub const DIFFERENCES: Tolerance = Tolerance {
+    value: 1e-9,
+    reason: "differences of fourth order over a thousandth of the time scale, and the rounding that they enlarge",
+};
+
 /// What the inertial frame's foreign integrator and ours may differ by.
 pub const FOREIGN: Tolerance = Tolerance {
     value: 1e-10,

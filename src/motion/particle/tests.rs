@@ -481,3 +481,33 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_line_is_a_line_in_any_direction() {
+    // Stick and slip along a line: turned by any angle, the motion is the same, and none of it across.
+    let drive = |angle: f64| {
+        let size = 1.757235;
+        let direction = [size * libm::cos(angle), size * libm::sin(angle)];
+        let signal = Signal::Sine {
+            frequency: 0.985496,
+            phase: 0.3,
+        };
+        let start = State {
+            t: 0.0,
+            v: [0.0; 2],
+            x: [0.0; 2],
+        };
+        run(&Plane::along(direction, signal), 1.0, start, 200.0).unwrap()
+    };
+    let straight = drive(0.0);
+    for i in 1..20 {
+        let angle = 0.3 * f64::from(i);
+        let (c, s) = (libm::cos(angle), libm::sin(angle));
+        let turned = drive(angle);
+        for t in [40.0, 75.0, 110.0, 161.0, 200.0] {
+            let (v, w) = (turned.at(t).unwrap().v, straight.at(t).unwrap().v);
+            assert!((v[0] * c + v[1] * s - w[0]).abs() < 1e-12, "{angle} {t}");
+            assert!((v[1] * c - v[0] * s).abs() < 1e-13, "{angle} {t}");
+        }
+    }
+}
