@@ -175,7 +175,6 @@ const CLAIMS: &[Claim] = &[
             time::regular_straight,
         ],
         correction: Some(REGULAR_SPEED),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-12",
@@ -225,7 +224,6 @@ const CLAIMS: &[Claim] = &[
             time::regular_time,
         ],
         correction: Some(REGULAR_TIME),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-14",
