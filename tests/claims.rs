@@ -9,7 +9,11 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 
 fn main() {
-    let arguments = Arguments::from_args();
+    // One after another, or the differences of several claims are printed into each other.
+    let arguments = Arguments {
+        test_threads: Some(1),
+        ..Arguments::from_args()
+    };
     let ledger = Arc::new(Ledger::try_all(|_| {}));
     let mut trials: Vec<_> = (0..ledger.entries.len())
         .map(|i| {
