@@ -1,5 +1,7 @@
 //! A sphere that slips and rolls: the claims.
 
+pub mod exact;
+
 use super::{Claim, Condition, Topic};
 use crate::evidence::Kind;
 
