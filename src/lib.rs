@@ -30,7 +30,7 @@ pub mod evidence;
 pub mod exact;
 //pub mod figures;
 pub mod ledger;
-//pub mod motion;
+pub mod motion;
 pub mod numerics;
 pub mod paper;
 pub mod scalar;

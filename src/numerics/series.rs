@@ -22,7 +22,7 @@ pub fn constant<T: Number, const N: usize>(value: T) -> Series<T, N> {
 }
 
 /// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0.
-fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
+pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
     // Two chains of additions, since one alone waits for its own last sum.
     let mut even = T::from_f64(0.0);
     let mut odd = T::from_f64(0.0);

@@ -1,0 +1,29 @@
+//! Why there is no motion to show.
+
+use crate::numerics::NumericsError;
+
+/// Why a motion cannot be computed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum MotionError {
+    /// A parameter lies outside its range.
+    #[error("{name} = {value} must be {range}")]
+    Argument {
+        /// Name of the parameter.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed.
+        range: &'static str,
+    },
+    /// The motion takes more steps than are allowed.
+    #[error("the motion needs more than {limit} steps; it came to t = {t}")]
+    Steps {
+        /// How many are allowed.
+        limit: usize,
+        /// Time reached.
+        t: f64,
+    },
+    /// A numerical method failed on the way.
+    #[error(transparent)]
+    Numerics(#[from] NumericsError),
+}

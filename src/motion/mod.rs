@@ -1,0 +1,32 @@
+//! What bodies do on a rough moving plane, from Newton's law and Coulomb's friction alone.
+//!
+//! The plane is pulled with the acceleration A(t); in its frame a body feels −A per unit of mass. Dry friction
+//! adds μg against the velocity while the body slides. At rest, friction holds it as long as it can, up to the
+//! same μg: the body starts to slide when |A| exceeds μg, and not before. That is all the physics in this room:
+//!
+//! ```text
+//! sliding:   dv/dt = −A(t) − μg v/|v|
+//! sticking:  v = 0 while |A(t)| ≤ μg
+//! ```
+//!
+//! Two points need care, and both are where v = 0. On the way to a stop the direction of v can turn
+//! infinitely fast; so sliding is integrated in a time s that runs ever faster, dt = |v| ds, in which nothing is
+//! singular ([`particle`]). And a body at rest whose friction is just overcome has no direction yet; its
+//! first moments come from a power series in t about the start.
+//!
+//! No solution in closed form is used here, not even as a first guess.
+
+pub mod acceleration;
+pub mod clock;
+pub mod error;
+pub mod onset;
+pub mod particle;
+pub mod signal;
+pub mod trajectory;
+pub mod turntable;
+
+pub use acceleration::{Acceleration, Coefficients, Plane};
+pub use error::MotionError;
+pub use particle::{run, run_to_stop};
+pub use signal::Signal;
+pub use trajectory::{Motion, Phase, PhaseKind, State};

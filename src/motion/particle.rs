@@ -1,0 +1,208 @@
+//! A particle on the plane: it slides and sticks, one phase after the other.
+
+mod slide;
+mod start;
+mod stick;
+
+#[cfg(test)]
+mod tests;
+
+use super::acceleration::{Acceleration, Coefficients};
+use super::error::MotionError;
+use super::trajectory::{Motion, Phase, PhaseKind, Piece, State};
+use crate::numerics::taylor::reach;
+
+/// The motion of a particle from `start` until the time `until`, on a plane with the given acceleration and the
+/// given `friction` μg (length/time²). A start with v = 0 is allowed: it sticks or begins to slide.
+///
+/// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned. The
+/// time scales of the acceleration should lie between 10⁻¹⁰ and 10¹⁰ of the unit of time.
+///
+/// # Errors
+/// [`MotionError::Argument`] for a parameter that is not finite or out of range: friction, speed and |A| are 0 or
+/// between 10⁻⁵⁰ and 10⁵⁰, times and positions at most 10⁵⁰ in absolute value, `until` not before the start.
+/// [`MotionError::Steps`] for a motion of more than 50,000 steps.
+pub fn run(
+    plane: &dyn Acceleration,
+    friction: f64,
+    start: State,
+    until: f64,
+) -> Result<Motion, MotionError> {
+    Run::new(plane, friction, start, until)?.finish(false)
+}
+
+/// As [`run`], but ends with the first stop. If there is none before `until`, [`Motion::first_stop`] is empty.
+///
+/// # Errors
+/// As for [`run`].
+pub fn run_to_stop(
+    plane: &dyn Acceleration,
+    friction: f64,
+    start: State,
+    until: f64,
+) -> Result<Motion, MotionError> {
+    Run::new(plane, friction, start, until)?.finish(true)
+}
+
+/// Steps that one motion may take.
+const MAX_STEPS: usize = 50_000;
+/// Largest and smallest sizes whose squares and high powers are still numbers.
+const LARGEST: f64 = 1e50;
+const SMALLEST: f64 = 1e-50;
+
+/// A motion in the making.
+struct Run<'a> {
+    plane: &'a dyn Acceleration,
+    friction: f64,
+    until: f64,
+    steps: usize,
+    /// State reached.
+    state: State,
+    motion: Motion,
+}
+
+/// The acceleration about a time, and how long its series serves.
+struct Local {
+    a: [Coefficients; 2],
+    /// The least of: what its last coefficients allow, the next break, the end of the motion.
+    left: f64,
+    /// The time at which `left` is over, if a break or the end ends it.
+    landing: Option<f64>,
+}
+
+impl<'a> Run<'a> {
+    fn new(
+        plane: &'a dyn Acceleration,
+        friction: f64,
+        start: State,
+        until: f64,
+    ) -> Result<Self, MotionError> {
+        let size = |name, value: f64| {
+            let fit = value == 0.0 || (SMALLEST..=LARGEST).contains(&value);
+            check(name, value, fit, "0 or between 1e-50 and 1e50")
+        };
+        size("friction", friction)?;
+        for (name, value) in [
+            ("t of the start", start.t),
+            ("x of the start", start.x[0]),
+            ("y of the start", start.x[1]),
+            ("v_x of the start", start.v[0]),
+            ("v_y of the start", start.v[1]),
+        ] {
+            check(
+                name,
+                value,
+                value.abs() <= LARGEST,
+                "finite, at most 1e50 in absolute value",
+            )?;
+        }
+        size("speed of the start", start.speed())?;
+        let fit = until >= start.t && until <= LARGEST;
+        check("until", until, fit, "not before the start, at most 1e50")?;
+        let motion = Motion::begin(start);
+        Ok(Self {
+            plane,
+            friction,
+            until,
+            steps: 0,
+            state: start,
+            motion,
+        })
+    }
+
+    fn finish(mut self, to_stop: bool) -> Result<Motion, MotionError> {
+        while self.state.t < self.until {
+            if self.state.v == [0.0; 2] {
+                let from = self.state.t;
+                let release = self.stick()?;
+                self.close(PhaseKind::Stick, from);
+                let Some(release) = release else { break };
+                let from = self.state.t;
+                self.depart(release)?;
+                if self.state.v == [0.0; 2] {
+                    continue;
+                }
+                self.motion.starts.push(from);
+                self.close(PhaseKind::Slide, from);
+            }
+            let from = self.state.t;
+            let stopped = self.slide()?;
+            self.close(PhaseKind::Slide, from);
+            if stopped {
+                self.motion.stops.push(self.state.t);
+                if to_stop {
+                    break;
+                }
+            }
+        }
+        self.motion.end = self.state;
+        Ok(self.motion)
+    }
+
+    /// The acceleration about the present time.
+    fn local(&mut self) -> Result<Local, MotionError> {
+        let t = self.state.t;
+        self.steps += 1;
+        if self.steps > MAX_STEPS {
+            return Err(MotionError::Steps {
+                limit: MAX_STEPS,
+                t,
+            });
+        }
+        let a = self.plane.coefficients(t);
+        let size = libm::hypot(a[0][0], a[1][0]);
+        check("|A|", size, size <= LARGEST, "finite, at most 1e50")?;
+        for c in a.iter().flatten() {
+            check("a Taylor coefficient of A", *c, c.is_finite(), "finite")?;
+        }
+        let landing = self
+            .plane
+            .next_break(t)
+            .map_or(self.until, |b| b.min(self.until));
+        let trusted = reach(&a[0]).min(reach(&a[1]));
+        Ok(if trusted < landing - t {
+            Local {
+                a,
+                left: trusted,
+                landing: None,
+            }
+        } else {
+            Local {
+                a,
+                left: landing - t,
+                landing: Some(landing),
+            }
+        })
+    }
+
+    /// Ends a piece: the motion is now in `state`.
+    fn push(&mut self, piece: Piece, state: State) {
+        self.motion.pieces.push(piece);
+        self.state = state;
+    }
+
+    /// Ends a phase; two slides that follow each other without a stop are one.
+    fn close(&mut self, kind: PhaseKind, from: f64) {
+        let to = self.state.t;
+        let stopped_here = self.motion.stops.last() == Some(&from);
+        match self.motion.phases.last_mut() {
+            Some(last) if last.kind == kind && !stopped_here => last.to = to,
+            _ if to > from => self.motion.phases.push(Phase { kind, from, to }),
+            _ => {}
+        }
+    }
+}
+
+/// Requires that a parameter is fit.
+fn check(
+    name: &'static str,
+    value: f64,
+    fit: bool,
+    range: &'static str,
+) -> Result<(), MotionError> {
+    if fit {
+        Ok(())
+    } else {
+        Err(MotionError::Argument { name, value, range })
+    }
+}

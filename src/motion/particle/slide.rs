@@ -1,0 +1,245 @@
+//! Sliding, in a time s that runs as fast as the particle slows down: dt = |v| ds / g.
+//!
+//! With a unit of acceleration g, the motion is dv/ds = −(A/g)|v| − (μg/g) v, dt/ds = |v|/g, dx/ds = v|v|/g.
+//! The right-hand side is analytic for all v ≠ 0 and of the first degree in v: towards a stop v falls
+//! exponentially in s, each component with all its digits, and a sharp turn at low speed takes its time.
+//! A stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
+
+use super::super::acceleration::Coefficients;
+use super::super::trajectory::{Arc, Piece, State};
+use super::{MotionError, Run};
+use crate::numerics::series::{convolution, product, quotient, sqrt, square};
+use crate::numerics::taylor::{Control, Integrator, System, TERMS};
+
+/// The equations of motion, about a time at which the acceleration is known.
+struct Sliding {
+    /// A/g about the beginning of the step, as series in t.
+    a: [Coefficients; 2],
+    /// Number of coefficients of `a` up to the last that is not zero.
+    terms: usize,
+    /// μg/g.
+    friction: f64,
+    /// 1/g.
+    slowness: f64,
+}
+
+/// Series in s that a step needs besides the state.
+#[derive(Default)]
+struct Work {
+    squares: [Coefficients; 2],
+    speed_squared: Coefficients,
+    speed: Coefficients,
+    /// |v| plus the absolute value of its larger component, and |v| minus that.
+    sum: Coefficients,
+    excess: Coefficients,
+    /// A/g.
+    a: [Coefficients; 2],
+    /// Powers of t − t₀; `powers[j]` begins with order j.
+    powers: [Coefficients; TERMS],
+}
+
+impl System<f64, 5, TERMS> for Sliding {
+    type Work = Work;
+
+    fn begin(&self, _: &f64, _: &[f64; 5], _: &mut Work) {}
+
+    fn derivative(&self, k: usize, state: &[Coefficients; 5], work: &mut Work) -> [f64; 5] {
+        let [vx, vy, t, ..] = state;
+        work.squares[0][k] = square(vx, k);
+        work.squares[1][k] = square(vy, k);
+        work.speed_squared[k] = work.squares[0][k] + work.squares[1][k];
+        work.speed[k] = sqrt(&work.speed_squared, &work.speed, k);
+        let [ax, ay] = if self.terms > 1 {
+            self.compose(k, t, work);
+            [0, 1].map(|i| product(&work.a[i], &work.speed, k) + self.friction * state[i][k])
+        } else {
+            self.constant_pull(k, state, work)
+        };
+        let speed = &work.speed;
+        [
+            -ax,
+            -ay,
+            speed[k] * self.slowness,
+            product(vx, speed, k) * self.slowness,
+            product(vy, speed, k) * self.slowness,
+        ]
+    }
+}
+
+impl Sliding {
+    /// Coefficient `k` of A|v| + μg v for a constant A. When v points along −A this may cancel down to
+    /// (μg − |A|) v; so, with ± the sign of the larger component w of v and a that component of A, it is computed
+    /// as a (|v| − |w|) + (μg ± a) w, and |v| − |w| as u²/(|v| + |w|), u being the smaller component.
+    fn constant_pull(&self, k: usize, state: &[Coefficients; 5], work: &mut Work) -> [f64; 2] {
+        let larger = if state[1][0].abs() > state[0][0].abs() {
+            1
+        } else {
+            0
+        };
+        let way = 1f64.copysign(state[larger][0]);
+        let w = &state[larger];
+        work.sum[k] = work.speed[k] + way * w[k];
+        work.excess[k] = quotient(&work.squares[1 - larger], &work.sum, &work.excess, k);
+        let a = [self.a[0][0], self.a[1][0]];
+        let mut pull = [0, 1].map(|i| a[i] * work.speed[k] + self.friction * state[i][k]);
+        pull[larger] = a[larger] * work.excess[k] + (self.friction + way * a[larger]) * w[k];
+        pull
+    }
+
+    /// Coefficient `k` in s of A(t(s)), by the powers of t − t₀ up to `k`.
+    fn compose(&self, k: usize, t: &Coefficients, work: &mut Work) {
+        if k == 0 {
+            (work.a[0][0], work.a[1][0]) = (self.a[0][0], self.a[1][0]);
+            return;
+        }
+        work.powers[1][k] = t[k];
+        let mut sum = [self.a[0][1] * t[k], self.a[1][1] * t[k]];
+        for j in 2..=k.min(self.terms - 1) {
+            let power = convolution(&t[1..=k + 1 - j], &work.powers[j - 1][j - 1..k]);
+            work.powers[j][k] = power;
+            sum[0] += self.a[0][j] * power;
+            sum[1] += self.a[1][j] * power;
+        }
+        (work.a[0][k], work.a[1][k]) = (sum[0], sum[1]);
+    }
+}
+
+/// A velocity component below this fraction of the other is taken as zero: what is exactly one-dimensional in the
+/// limit becomes so before it underflows.
+const NEGLIGIBLE: f64 = 1e-90;
+/// A slide may end when the time left is this fraction of the time that stopping takes from full speed.
+const LAST: f64 = 1e-18;
+
+/// Largest unit of acceleration: it is for very short motions only.
+const FASTEST: f64 = 1e100;
+
+impl Run<'_> {
+    /// Slides until v = 0 (true) or until the end of the motion (false).
+    pub(super) fn slide(&mut self) -> Result<bool, MotionError> {
+        let mut sliding = Sliding {
+            a: [[0.0; TERMS]; 2],
+            terms: 0,
+            friction: 0.0,
+            slowness: 1.0,
+        };
+        let State { t, v, x } = self.state;
+        let mut fastest = self.state.speed();
+        // t, x and v go on with the integrator's carries through the whole slide.
+        let mut carried = [0.0; 5];
+        let mut start = [v[0], v[1], t, x[0], x[1]];
+        drop_negligible(&mut start, &mut carried);
+        while self.state.t < self.until {
+            let local = self.local()?;
+            let speed = libm::hypot(start[0], start[1]);
+            fastest = fastest.max(speed);
+            let size = libm::hypot(local.a[0][0], local.a[1][0]);
+            let unit = unit(size.max(self.friction).max(speed / local.left).min(FASTEST));
+            sliding.prepare(&local.a, self.friction, unit);
+            let mut integrator = Integrator::resume(&sliding, start, carried, Control::Each);
+            let mut step = integrator.expand()?;
+            // In no case further than a constant speed would take it four times.
+            step.h = step.h.min(4.0 * local.left * unit / speed);
+            let mut landing = None;
+            if step.elapsed() >= local.left {
+                step.h = step.s_at(local.left)?;
+                landing = local.landing;
+            }
+            integrator.advance(&step);
+            if let Some(t) = landing {
+                integrator.set(2, t);
+            }
+            let (mut state, mut carry) = integrator.finish();
+            drop_negligible(&mut state, &mut carry);
+            let [vx, vy, t, x, y] = state;
+            self.push(
+                Piece::Slide(Box::new(step)),
+                State {
+                    t,
+                    v: [vx, vy],
+                    x: [x, y],
+                },
+            );
+            (start, carried) = (state, carry);
+            if self.stops(fastest) {
+                return Ok(true);
+            }
+        }
+        Ok(false)
+    }
+
+    /// Whether the particle is as good as at rest; then it is brought to rest.
+    fn stops(&mut self, fastest: f64) -> bool {
+        let State { t, v, x } = self.state;
+        let speed = self.state.speed();
+        if speed > LAST * fastest || t >= self.until {
+            return false;
+        }
+        let a = self.plane.coefficients(t).map(|c| c[0]);
+        let size = libm::hypot(a[0], a[1]);
+        let against = (a[0] * v[0] + a[1] * v[1]) / speed;
+        let rate = self.friction + against;
+        // Friction wins whatever the direction: the worst that can come is a turn towards −A.
+        let held = speed * (self.friction + size) <= LAST * fastest * (self.friction - size);
+        // Straight on through zero: nothing turns the velocity.
+        let straight = a[0] * v[1] - a[1] * v[0] == 0.0 && against >= 0.0;
+        if !(rate > 0.0 && (held || straight || speed <= NEGLIGIBLE * fastest)) {
+            return false;
+        }
+        let left = speed / rate;
+        let to = t + left;
+        if to > self.until || self.plane.next_break(t).is_some_and(|b| to > b) {
+            return false;
+        }
+        let mut arc = [[[0.0; TERMS]; 2]; 2];
+        let [velocity, position] = &mut arc;
+        let mut end = x;
+        for i in 0..2 {
+            velocity[i][..2].copy_from_slice(&[v[i], -v[i] / left]);
+            position[i][..3].copy_from_slice(&[x[i], v[i], -0.5 * v[i] / left]);
+            end[i] += 0.5 * v[i] * left;
+        }
+        let piece = Piece::Arc(Box::new(Arc {
+            from: t,
+            to,
+            v: arc[0],
+            x: arc[1],
+        }));
+        self.push(
+            piece,
+            State {
+                t: to,
+                v: [0.0; 2],
+                x: end,
+            },
+        );
+        true
+    }
+}
+
+impl Sliding {
+    /// Takes the acceleration about the beginning of a step, in units of `unit`.
+    fn prepare(&mut self, a: &[Coefficients; 2], friction: f64, unit: f64) {
+        self.a = a.map(|series| series.map(|c| c / unit));
+        let last =
+            |series: &Coefficients| series.iter().rposition(|c| *c != 0.0).map_or(0, |k| k + 1);
+        self.terms = last(&a[0]).max(last(&a[1]));
+        self.friction = friction / unit;
+        self.slowness = 1.0 / unit;
+    }
+}
+
+/// The power of two next below `size`.
+fn unit(size: f64) -> f64 {
+    libm::exp2(libm::floor(libm::log2(size)))
+}
+
+/// Sets a velocity component to zero that is negligible beside the other.
+fn drop_negligible(state: &mut [f64; 5], carry: &mut [f64; 5]) {
+    let (x, y) = (state[0].abs(), state[1].abs());
+    if x < NEGLIGIBLE * y {
+        (state[0], carry[0]) = (0.0, 0.0);
+    }
+    if y < NEGLIGIBLE * x {
+        (state[1], carry[1]) = (0.0, 0.0);
+    }
+}

@@ -1,0 +1,89 @@
+//! Sticking: v = 0 while |A| ≤ μg.
+
+use super::super::acceleration::Coefficients;
+use super::super::trajectory::{Piece, State};
+use super::{MotionError, Run};
+use crate::numerics::events::{Way, roots};
+use crate::numerics::series::{product, square};
+use crate::numerics::taylor::TERMS;
+
+/// How a particle gets loose.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Release {
+    /// |A| grows through μg: the net force begins with zero.
+    Smooth,
+    /// |A| > μg from the first moment.
+    Sudden,
+}
+
+impl Run<'_> {
+    /// Sticks until it gets loose; nothing if that does not happen before the end.
+    pub(super) fn stick(&mut self) -> Result<Option<Release>, MotionError> {
+        let mut crossed = false;
+        while self.state.t < self.until {
+            let local = self.local()?;
+            let State { t, x, .. } = self.state;
+            let (mut excess, rounding) = excess(&local.a, self.friction);
+            if crossed || excess[0].abs() <= rounding[0] {
+                excess[0] = 0.0;
+            }
+            let first = (0..TERMS).find(|&k| {
+                if k == 0 {
+                    excess[0] != 0.0
+                } else {
+                    excess[k].abs() > rounding[k]
+                }
+            });
+            if first.is_some_and(|k| excess[k] > 0.0) {
+                return Ok(Some(if first == Some(0) {
+                    Release::Sudden
+                } else {
+                    Release::Smooth
+                }));
+            }
+            let found = if first.is_some() {
+                roots(&excess, local.left)?
+            } else {
+                Vec::new()
+            };
+            let crossing = found.iter().find(|root| root.way == Way::Rising);
+            crossed = crossing.is_some();
+            let to = match (crossing, local.landing) {
+                (Some(root), _) => t + root.at,
+                (None, Some(landing)) => landing,
+                (None, None) => t + local.left,
+            };
+            let to = to.min(self.until);
+            self.push(
+                Piece::Rest { from: t, x },
+                State {
+                    t: to,
+                    v: [0.0; 2],
+                    x,
+                },
+            );
+        }
+        Ok(None)
+    }
+}
+
+/// The series of |A|² − (μg)², and bounds for what rounding makes of its coefficients.
+fn excess(a: &[Coefficients; 2], friction: f64) -> (Coefficients, Coefficients) {
+    let sizes = a.map(|series| series.map(f64::abs));
+    let mut f = [0.0; TERMS];
+    let mut rounding = [0.0; TERMS];
+    for k in 0..TERMS {
+        f[k] = square(&a[0], k) + square(&a[1], k);
+        let terms = product(&sizes[0], &sizes[0], k) + product(&sizes[1], &sizes[1], k);
+        rounding[k] = 8.0 * f64::EPSILON * terms;
+    }
+    // (|A_x| − μg)(|A_x| + μg) is exact where A is along an axis.
+    f[0] = if a[1][0] == 0.0 {
+        (sizes[0][0] - friction) * (sizes[0][0] + friction)
+    } else if a[0][0] == 0.0 {
+        (sizes[1][0] - friction) * (sizes[1][0] + friction)
+    } else {
+        f[0] - friction * friction
+    };
+    (f, rounding)
+}

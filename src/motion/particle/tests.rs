@@ -1,0 +1,483 @@
+//! Motions whose course is known without this integrator.
+
+use super::*;
+use crate::motion::{Plane, Signal};
+use crate::numerics::dop853;
+use crate::numerics::taylor::TERMS;
+use proptest::prelude::*;
+use std::f64::consts::PI;
+
+fn moving(v: [f64; 2]) -> State {
+    State {
+        t: 0.0,
+        v,
+        x: [0.0; 2],
+    }
+}
+
+fn near(found: f64, expected: f64, relative: f64) {
+    assert!(
+        (found - expected).abs() <= relative * expected.abs(),
+        "{found:e} {expected:e}"
+    );
+}
+
+/// State (v, x) at time `to` by the foreign integrator, straight from Newton's law in t.
+fn foreign(plane: &Plane, friction: f64, start: State, to: f64) -> [f64; 4] {
+    let law = |t: f64, s: &[f64; 4]| {
+        let a = plane.coefficients(t).map(|c| c[0]);
+        let speed = libm::hypot(s[0], s[1]);
+        [
+            -a[0] - friction * s[0] / speed,
+            -a[1] - friction * s[1] / speed,
+            s[0],
+            s[1],
+        ]
+    };
+    let State { t, v, x } = start;
+
+    dop853::end(law, t, [v[0], v[1], x[0], x[1]], to, 1e-14, 1e-14).unwrap()
+}
+
+#[test]
+fn agrees_with_the_foreign_integrator() {
+    let growing = Signal::Sum(vec![
+        Signal::constant(0.6),
+        Signal::Polynomial(vec![0.0, 0.2]),
+    ]);
+    let planes = [
+        Plane::constant([-1.0, 0.0]),
+        Plane::constant([0.3, 0.8]),
+        Plane::rotating(Signal::constant(1.1), 2.0, 0.3),
+        Plane::rotating(growing, -1.0, 0.0),
+        Plane::along(
+            [1.0, 0.5],
+            Signal::Sine {
+                frequency: 3.0,
+                phase: 0.2,
+            },
+        ),
+        Plane::along(
+            [-2.0, 0.1],
+            Signal::Gaussian {
+                centre: 1.0,
+                width: 0.5,
+            },
+        ),
+        Plane {
+            x: Signal::Exponential { rate: -0.5 },
+            y: Signal::Power {
+                scale: 1.0,
+                exponent: -2.0,
+            },
+        },
+    ];
+    for plane in planes {
+        for friction in [0.0, 0.01, 0.4, 1.0] {
+            let start = State {
+                t: 0.25,
+                v: [-1.5, 2.5],
+                x: [3.0, -1.0],
+            };
+            let motion = run(&plane, friction, start, 2.0).unwrap();
+            assert!(motion.stops().is_empty());
+            for t in [0.25, 0.4, 1.0, 1.7, 2.0] {
+                let expected = if t > 0.25 {
+                    foreign(&plane, friction, start, t)
+                } else {
+                    [-1.5, 2.5, 3.0, -1.0]
+                };
+                let State { v, x, .. } = motion.at(t).unwrap();
+                for (found, expected) in [v[0], v[1], x[0], x[1]].iter().zip(expected) {
+                    assert!(
+                        (found - expected).abs() < 1e-11,
+                        "{plane:?} {friction} {t} {found} {expected}"
+                    );
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn one_dimension_by_hand() {
+    // −A = (1, 0). Against it with μg = 1/2: slows at 3/2, from 3 in time 2 over 3, then runs back at 1/2.
+    let plane = Plane::constant([-1.0, 0.0]);
+    let motion = run(&plane, 0.5, moving([-3.0, 0.0]), 6.0).unwrap();
+    assert_eq!(motion.stops().len(), 1);
+    near(motion.stops()[0], 2.0, 4e-15);
+    assert_eq!(motion.starts(), motion.stops());
+    near(motion.at(1.0).unwrap().v[0], -1.5, 4e-15);
+    near(motion.at(4.0).unwrap().v[0], 1.0, 4e-15);
+    near(motion.end().x[0], -3.0 + 0.25 * 16.0, 1e-13);
+    assert_eq!(motion.end().v[1], 0.0);
+    // μg = 2: it sticks there. With the pull: slows at 1.
+    for (vx, friction, stop, way) in [
+        (-3.0, 2.0, 1.0, -1.5),
+        (3.0, 2.0, 3.0, 4.5),
+        (-3.0, 1.0, 1.5, -2.25),
+    ] {
+        let motion = run(&plane, friction, moving([vx, 0.0]), 100.0).unwrap();
+        near(motion.first_stop().unwrap(), stop, 4e-15);
+        near(motion.end().x[0], way, 4e-15);
+        assert_eq!(
+            motion.phases().iter().map(|p| p.kind).collect::<Vec<_>>(),
+            [PhaseKind::Slide, PhaseKind::Stick]
+        );
+        assert_eq!(motion.end().v, [0.0; 2]);
+    }
+    // With the pull at λ = 1: goes on for ever at the same speed.
+    let motion = run(&plane, 1.0, moving([3.0, 0.0]), 1e9).unwrap();
+    assert_eq!((motion.first_stop(), motion.end().v), (None, [3.0, 0.0]));
+    // λ = 1 ± 10⁻⁹: T = v/(λ − 1), or faster and faster.
+    let slow = (1.0 + 1e-9) - 1.0;
+    let motion = run(&plane, 1.0 + 1e-9, moving([3.0, 0.0]), 1e10).unwrap();
+    near(motion.first_stop().unwrap(), 3.0 / slow, 1e-13);
+    let motion = run(&plane, 1.0 - 1e-9, moving([3.0, 0.0]), 1e10).unwrap();
+    near(motion.end().v[0], 3.0 + (1.0 - (1.0 - 1e-9)) * 1e10, 1e-13);
+}
+
+#[test]
+fn nearly_against_the_pull() {
+    // The speed dips far below the offset 10⁻¹²; from there it goes as from a stop at 2/3·…: same end.
+    let plane = Plane::constant([-1.0, 0.0]);
+    let exact = run(&plane, 0.5, moving([-3.0, 0.0]), 6.0).unwrap().end();
+    let near_by = run(&plane, 0.5, moving([-3.0, 3e-12]), 6.0).unwrap();
+    assert!(near_by.stops().is_empty());
+    assert!((near_by.end().v[0] - exact.v[0]).abs() < 1e-11 && near_by.end().v[1] > 0.0);
+    // With λ > 1 both stop, at times that differ by the order of the offset squared.
+    let exact = run(&plane, 1.5, moving([-3.0, 0.0]), 6.0)
+        .unwrap()
+        .first_stop()
+        .unwrap();
+    let near_by = run(&plane, 1.5, moving([-3.0, 3e-12]), 6.0)
+        .unwrap()
+        .first_stop()
+        .unwrap();
+    near(near_by, exact, 1e-14);
+}
+
+#[test]
+fn without_friction_a_parabola() {
+    let motion = run(
+        &Plane::constant([-2.0, 1.0]),
+        0.0,
+        moving([-1.0, 3.0]),
+        10.0,
+    )
+    .unwrap();
+    for i in 0..=100 {
+        let t = 0.1 * i as f64;
+        let State { v, x, .. } = motion.at(t).unwrap();
+        for (found, expected) in [
+            (v[0], -1.0 + 2.0 * t),
+            (v[1], 3.0 - t),
+            (x[0], -t + t * t),
+            (x[1], 3.0 * t - 0.5 * t * t),
+        ] {
+            assert!(
+                (found - expected).abs() < 3e-14 * (1.0 + t * t),
+                "{t} {found} {expected}"
+            );
+        }
+    }
+    // Upwards at t = 1/2.
+    near(
+        motion.first_along([0.0, 2.0]).unwrap().unwrap().t,
+        0.5,
+        1e-14,
+    );
+    assert_eq!(motion.first_along([-1.0, -0.001]).unwrap(), None);
+    assert_eq!(motion.first_along([-1.0, 3.0]).unwrap().unwrap().t, 0.0);
+}
+
+#[test]
+fn stop_times_over_six_decades_of_friction() {
+    // A stop from the foreign integrator: run close to it, then along the straight line that is left.
+    for friction in [1.05, 1.5, 2.0, 3.0, 10.0, 1000.0] {
+        let plane = Plane::constant([-1.0, 0.0]);
+        let motion = run_to_stop(&plane, friction, moving([0.3, 0.7]), 1e4).unwrap();
+        let stop = motion.first_stop().unwrap();
+        let t = stop * (1.0 - 1e-4);
+        let [vx, vy, ..] = foreign(&plane, friction, moving([0.3, 0.7]), t);
+        let State { v, .. } = motion.at(t).unwrap();
+        let speed = libm::hypot(vx, vy);
+        assert!(
+            (v[0] - vx).abs() < 1e-12 && (v[1] - vy).abs() < 1e-12,
+            "{friction}"
+        );
+        // From there, between the deceleration of now and the least possible one.
+        let left = stop - t;
+        assert!(
+            left <= speed / (friction - 1.0) * (1.0 + 1e-8) && left >= speed / (friction + 1.0),
+            "{friction}"
+        );
+    }
+}
+
+#[test]
+fn at_equal_strength_a_sum_is_kept() {
+    // With e the direction of −A: d(|v| + v·e)/dt = (|A| − μg)(1 + cos ϑ), zero where |A| = μg, and v then turns
+    // towards e, where |v| = v·e.
+    let plane = Plane::constant([-0.8, -0.6]);
+    let start = moving([1.0, 2.0]);
+    let sum = |s: State| s.speed() + 0.8 * s.v[0] + 0.6 * s.v[1];
+    let motion = run(&plane, 1.0, start, 1e4).unwrap();
+    assert_eq!(motion.first_stop(), None);
+    for state in motion.nodes() {
+        near(sum(state), sum(start), 1e-13);
+    }
+    near(motion.end().speed(), 0.5 * sum(start), 1e-13);
+}
+
+#[test]
+fn mirrored_bit_for_bit() {
+    let plane = Plane::rotating(Signal::constant(1.5), 1.0, 0.7);
+    let mirror = Plane::rotating(Signal::constant(1.5), 1.0, 0.7);
+    let mirror = Plane {
+        y: mirror.y.times(-1.0),
+        ..mirror
+    };
+    for v in [[0.0, 0.0], [-1.0, 0.4]] {
+        let one = run(&plane, 0.9, moving(v), 5.0).unwrap();
+        let two = run(&mirror, 0.9, moving([v[0], -v[1]]), 5.0).unwrap();
+        assert_eq!(one.nodes().count(), two.nodes().count());
+        for (a, b) in one.nodes().zip(two.nodes()) {
+            assert_eq!(
+                (a.t, a.v[0], a.x[0], a.v[1], a.x[1]),
+                (b.t, b.v[0], b.x[0], -b.v[1], -b.x[1])
+            );
+        }
+    }
+}
+
+#[test]
+fn scaled_by_powers_of_two_bit_for_bit() {
+    // Twice the time at the same accelerations: twice the speed, four times the way.
+    let one = run_to_stop(
+        &Plane::constant([0.3, -0.8]),
+        1.1,
+        moving([1.0, 0.3]),
+        100.0,
+    )
+    .unwrap();
+    let two = run_to_stop(
+        &Plane::constant([0.3, -0.8]),
+        1.1,
+        moving([2.0, 0.6]),
+        200.0,
+    )
+    .unwrap();
+    assert_eq!(2.0 * one.first_stop().unwrap(), two.first_stop().unwrap());
+    assert_eq!(4.0 * one.end().x[1], two.end().x[1]);
+    // Eight times the accelerations, twice the speed.
+    let two = run_to_stop(
+        &Plane::constant([8.0 * 0.3, 8.0 * -0.8]),
+        8.0 * 1.1,
+        moving([2.0, 0.6]),
+        100.0,
+    )
+    .unwrap();
+    assert_eq!(0.25 * one.first_stop().unwrap(), two.first_stop().unwrap());
+}
+
+#[test]
+fn a_growing_pull_ends_the_stick() {
+    // |A| = t/2 grows through μg = 1 at t = 2; from there v = (t − 2)²/4.
+    let ramp = Plane {
+        x: Signal::Polynomial(vec![0.0, -0.5]),
+        y: Signal::constant(0.0),
+    };
+    let motion = run(&ramp, 1.0, moving([0.0; 2]), 5.0).unwrap();
+    near(motion.starts()[0], 2.0, 4e-16);
+    near(motion.end().v[0], 2.25, 1e-14);
+    near(motion.end().x[0], 2.25, 1e-14);
+    assert_eq!(
+        motion.phases()[0],
+        Phase {
+            kind: PhaseKind::Stick,
+            from: 0.0,
+            to: motion.starts()[0]
+        }
+    );
+    // A sine: gets loose where sin t = 0.4 for the first time.
+    let sine = Plane::along(
+        [0.0, 1.0],
+        Signal::Sine {
+            frequency: 1.0,
+            phase: 0.0,
+        },
+    );
+    let motion = run(&sine, 0.4, moving([0.0; 2]), 2.0).unwrap();
+    near(motion.starts()[0], libm::asin(0.4), 1e-14);
+    let start = motion.starts()[0];
+    near(
+        motion.end().v[1],
+        -(libm::cos(start) - libm::cos(2.0) - 0.4 * (2.0 - start)),
+        1e-13,
+    );
+    // One that touches μg does not loosen it.
+    let motion = run(&sine, 1.0, moving([0.0; 2]), 20.0).unwrap();
+    assert!(motion.starts().is_empty() && motion.end().v == [0.0; 2]);
+}
+
+#[test]
+fn a_turning_pull_from_rest() {
+    // Started from rest by a rotating pull, in two ways: suddenly, and smoothly by an amplitude that grows.
+    let sudden = Plane::rotating(Signal::constant(1.5), 2.0, 0.4);
+    let smooth = Plane::rotating(Signal::Polynomial(vec![0.5, 0.5]), 2.0, 0.4);
+    for (plane, friction, release) in [(sudden, 1.0, 0.0), (smooth, 1.0, 1.0)] {
+        let motion = run(&plane, friction, moving([0.0; 2]), release + 2.0).unwrap();
+        assert!(
+            (motion.starts()[0] - release).abs() < 1e-14,
+            "{:?}",
+            motion.starts()
+        );
+        // The state a little later satisfies the law: the foreign integrator goes on from it.
+        let soon = motion.at(release + 0.01).unwrap();
+        let State { v, .. } = motion.end();
+        let expected = foreign(&plane, friction, soon, release + 2.0);
+        assert!((v[0] - expected[0]).abs() < 1e-11 && (v[1] - expected[1]).abs() < 1e-11);
+        // And the beginning does: the velocity is the integral of the force, by differences.
+        for tau in [1e-3, 5e-3] {
+            let (d, t) = (1e-6, release + tau);
+            let [a, b, s] = [t - d, t + d, t].map(|t| motion.at(t).unwrap());
+            for (i, a_i) in plane.coefficients(t).iter().enumerate() {
+                let slope = (b.v[i] - a.v[i]) / (2.0 * d);
+                assert!(
+                    (slope + a_i[0] + friction * s.v[i] / s.speed()).abs() < 1e-8,
+                    "{tau} {i}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn jumps_are_met_exactly() {
+    // ±1 for a time 1 each, μg = 1/4, from rest at the jump to +1: v = −3/4 t, then slows at 5/4 to rest at 1.6,
+    // then the other way at 3/4 until 2: +0.3; there slows at 5/4 until 2.24.
+    let square = Plane::along(
+        [1.0, 0.0],
+        Signal::Square {
+            start: 0.0,
+            half: 1.0,
+        },
+    );
+    let motion = run(&square, 0.25, moving([0.0; 2]), 2.5).unwrap();
+    near(motion.at(1.0).unwrap().v[0], -0.75, 1e-14);
+    near(motion.stops()[0], 1.6, 1e-14);
+    near(motion.at(2.0).unwrap().v[0], 0.3, 1e-14);
+    near(motion.stops()[1], 2.24, 1e-14);
+    assert_eq!(motion.starts().len(), 3);
+    // A pulse of length 10⁻³ in the middle of a rest, then friction only.
+    let pulse = Plane::along(
+        [0.0, -1e3],
+        Signal::Pulse {
+            from: 5.0,
+            to: 5.001,
+        },
+    );
+    let motion = run(&pulse, 1.0, moving([0.0; 2]), 100.0).unwrap();
+    assert_eq!(motion.starts(), [5.0]);
+    near(motion.stops()[0], 5.001 + 0.999, 1e-13);
+    // A far narrow Gaussian is not stepped over.
+    let bump = Plane::along(
+        [0.0, -1.0],
+        Signal::Gaussian {
+            centre: 500.0,
+            width: 0.01,
+        },
+    );
+    let motion = run(&bump, 0.0, moving([1.0, 0.0]), 1000.0).unwrap();
+    // Rounding of a time near 500 is 10⁻¹¹ of the width.
+    near(motion.end().v[1], 0.01 * libm::sqrt(PI), 1e-12);
+}
+
+#[test]
+fn a_user_function_is_an_acceleration() {
+    let given = |t: f64| {
+        let mut a = [[0.0; TERMS]; 2];
+        (a[0][0], a[0][1]) = (-t, -1.0);
+        a
+    };
+    let motion = run(&given, 0.0, moving([0.0, 1.0]), 3.0).unwrap();
+    near(motion.end().v[0], 4.5, 1e-14);
+}
+
+#[test]
+fn bad_input_is_named() {
+    let plane = Plane::constant([1.0, 0.0]);
+    let name = |result: Result<Motion, MotionError>| match result {
+        Err(MotionError::Argument { name, .. }) => name,
+        other => panic!("{other:?}"),
+    };
+    let start = moving([1.0, 0.0]);
+    assert_eq!(name(run(&plane, -0.1, start, 1.0)), "friction");
+    assert_eq!(name(run(&plane, f64::NAN, start, 1.0)), "friction");
+    assert_eq!(name(run(&plane, 1.0, start, -1.0)), "until");
+    assert_eq!(name(run(&plane, 1.0, start, f64::INFINITY)), "until");
+    assert_eq!(
+        name(run(&plane, 1.0, moving([1.0, f64::NAN]), 1.0)),
+        "v_y of the start"
+    );
+    assert_eq!(
+        name(run(&Plane::constant([f64::NAN, 0.0]), 1.0, start, 1.0)),
+        "|A|"
+    );
+    let motion = run(&plane, 1.0, start, 1.0).unwrap();
+    assert_eq!(name(motion.at(1.5).map(|_| motion.clone())), "t");
+    assert_eq!(
+        name(motion.first_along([0.0, 0.0]).map(|_| motion.clone())),
+        "length of direction"
+    );
+    // Too many steps are an error, not a hang.
+    let busy = Plane::along(
+        [1.0, 0.0],
+        Signal::Square {
+            start: 0.0,
+            half: 1e-6,
+        },
+    );
+    assert!(matches!(
+        run(&busy, 0.1, start, 1e3),
+        Err(MotionError::Steps { .. })
+    ));
+}
+
+fn finite(state: State) -> bool {
+    [state.t, state.v[0], state.v[1], state.x[0], state.x[1]]
+        .iter()
+        .all(|x| x.is_finite())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    #[test]
+    fn whatever_the_bits(a in any::<[f64; 2]>(), friction in any::<f64>(), v in any::<[f64; 2]>(), until in any::<f64>()) {
+        if let Ok(motion) = run(&Plane::constant(a), friction, moving(v), until) {
+            prop_assert!(finite(motion.end()) && motion.nodes().all(finite));
+        }
+    }
+
+    #[test]
+    fn any_reasonable_motion_exists(
+        a in prop::array::uniform2(-3.0..3.0),
+        frequency in -5.0..5.0,
+        friction in 0.0..4.0,
+        v in prop::array::uniform2(-3.0..3.0),
+    ) {
+        let sine = Signal::Sine { frequency, phase: 1.0 };
+        let plane = Plane { x: sine.times(a[0]), y: Signal::constant(a[1]) };
+        let motion = run(&plane, friction, moving(v), 10.0).unwrap();
+        let phases = motion.phases();
+        prop_assert_eq!(phases[0].from, 0.0);
+        prop_assert_eq!(phases[phases.len() - 1].to, 10.0);
+        prop_assert!(phases.windows(2).all(|pair| pair[0].to == pair[1].from));
+        for i in 0..=50 {
+            let state = motion.at(0.2 * i as f64).unwrap();
+            prop_assert!(finite(state));
+        }
+    }
+}
