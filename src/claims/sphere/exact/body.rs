@@ -31,20 +31,19 @@ impl Body {
 
     fn new(friction: Friction) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
-        let [m, inertia, radius, mu, q] = ["m", "I", "R", "μ", "q"].map(|name| ring.symbol(name));
+        let [m, inertia, radius, mu, k] = ["m", "I", "R", "μ", "k"].map(|name| ring.symbol(name));
         let [ax, ay] = ["A_x", "A_y"].map(|name| ring.symbol(name));
         let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
         let [wx, wy, _] = ["ω_x", "ω_y", "ω_z"].map(|name| ring.symbol(name));
         for name in ["ν_x", "ν_y", "c_x", "c_y"] {
             ring.symbol(name);
         }
-        // q stands for √(μg/R), so that g = q²R/μ and the roots of (69) to (71) are rational.
-        let g = ring.divide(&(q.pow(2) * &radius), &mu)?;
-        ring.define("g", g.clone())?;
+        // k stands for μg; the roots of k and R serve (69) to (71).
+        let g = ring.divide(&k, &mu)?;
+        ring.define("g", g)?;
+        ring.root(&k, 2)?;
+        ring.root(&radius, 2)?;
         let one = Rational::int(1);
-        for positive in [&q, &radius] {
-            ring.root_is(&positive.pow(2), 2, positive)?;
-        }
         let kappa = ring.divide(&inertia, &(&m * &radius.pow(2)))?;
         ring.define("b", &one + &ring.divide(&one, &kappa)?)?;
         ring.define("κ", kappa)?;
@@ -54,7 +53,7 @@ impl Body {
         let size = ring.root(&square, 2)?;
         let force = match friction {
             Friction::Sliding => {
-                let pressed = &(&mu * &m) * &g;
+                let pressed = &m * &k;
                 let along = |w: &Rational| ring.divide(&-(&pressed * w), &size);
                 [along(&slip[0])?, along(&slip[1])?]
             }
@@ -62,7 +61,9 @@ impl Body {
         };
         // Newton: m dv/dt = F − m A. Euler: I dω/dt = R × F = (R F_y, −R F_x, 0).
         let lever = ring.divide(&radius, &inertia)?;
-        let gamma = |a: &Rational| ring.divide(&(a * &q), &(&mu * &g));
+        // dν/dt = γ dτ/dt.
+        let clock = ring.read(tau_rate())?;
+        let gamma = |a: &Rational| ring.divide(&(a * &clock), &k);
         let rates = [
             ("v_x", ring.divide(&force[0], &m)? - &ax),
             ("v_y", ring.divide(&force[1], &m)? - &ay),
@@ -88,7 +89,7 @@ fn prove(
                 Friction::Sliding => p.note("Friction", "F = −μ m g w/|w| at the contact"),
                 Friction::Any => p.note("Friction", "any force F at the contact"),
             }
-            p.note("q", "stands for √(μ g/R)");
+            p.note("k", "stands for μ g");
             p.note("Newton", "m dv/dt = F − m A");
             p.note("Euler", "I dω/dt = (R F_y, −R F_x, 0)");
             steps(p, &body)
