@@ -63,7 +63,7 @@ pub fn write(ledger: &Ledger, figures: &[Figure], out: &Path) -> Result<PathBuf,
 /// missing parent folders, which it makes.
 ///
 /// # Errors
-/// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write`].
+/// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
 pub fn check(out: &Path) -> Result<(), BookError> {
     Staging::beside(out).map(drop)
 }
