@@ -154,10 +154,7 @@ pub fn eq74_slip_rate<S: Scalar>(b: S, gamma: Vector<S>, u: Vector<S>) -> Vector
 
 /// (75): ζ, from its vertical component, u and dρ/dτ.
 pub fn eq75_spin<S: Scalar>(zeta3: S, u: Vector<S>, rho_rate: Vector<S>) -> Vector<S> {
-    plus(
-        times(zeta3, unit_z()),
-        cross(unit_z(), minus(u, rho_rate)),
-    )
+    plus(times(zeta3, unit_z()), cross(unit_z(), minus(u, rho_rate)))
 }
 
 /// (76): dν/dτ.
@@ -176,12 +173,7 @@ pub fn eq78_rate<S: Scalar>(b: S, u: Vector<S>) -> Vector<S> {
 }
 
 /// (79): dρ/dτ, with the constant `c`.
-pub fn eq79_velocity<S: Scalar>(
-    b: S,
-    nu: Vector<S>,
-    u: Vector<S>,
-    c: Vector<S>,
-) -> Vector<S> {
+pub fn eq79_velocity<S: Scalar>(b: S, nu: Vector<S>, u: Vector<S>, c: Vector<S>) -> Vector<S> {
     let one = S::int(1);
     let from_nu = times(-(one - one / b), nu);
     plus(plus(from_nu, u.map(|x| x / b)), c)

@@ -63,7 +63,11 @@ pub const STATEMENTS: &[Statement] = &[
     statement("eq-83", angle::eq83, angle::prove_eq83),
     statement("corrected-83", angle::corrected83, angle::prove_eq83),
     statement("s3-reduction", body::reduction, body::prove_reduction),
-    statement("s3-spin-constant", body::spin_rate, body::prove_spin_constant),
+    statement(
+        "s3-spin-constant",
+        body::spin_rate,
+        body::prove_spin_constant,
+    ),
 ];
 
 /// The proof of the formula with this id.

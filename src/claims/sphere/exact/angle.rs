@@ -40,7 +40,10 @@ fn prove(
                 return Err(ExactError::UnknownSymbol { name }.into());
             };
             p.rests_on(&known)?;
-            p.note("(74) is (1) with", "u for v, γ for A, b for μg, τ for t; λ = b/γ");
+            p.note(
+                "(74) is (1) with",
+                "u for v, γ for A, b for μg, τ for t; λ = b/γ",
+            );
             steps(p)
         }),
     }
@@ -78,7 +81,11 @@ pub(super) fn corrected82() -> Components {
 pub(super) fn prove_eq82(formula: Components) -> Proof {
     let [lambda, gamma, u0, theta0, theta] = symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
     prove("(82): τ at the angle θ", "eq-13", |p| {
-        same(p, formula, particle::eq13_time(lambda, gamma, u0, theta0, theta))
+        same(
+            p,
+            formula,
+            particle::eq13_time(lambda, gamma, u0, theta0, theta),
+        )
     })
 }
 
@@ -88,11 +95,17 @@ pub(super) fn eq83() -> Components {
 }
 pub(super) fn corrected83() -> Components {
     let [lambda, gamma, u0, theta0, theta, tau] = symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
-    vec![corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)]
+    vec![corrected::slip_at_time(
+        lambda, gamma, u0, theta0, theta, tau,
+    )]
 }
 pub(super) fn prove_eq83(formula: Components) -> Proof {
     let [lambda, gamma, u0, theta0, theta, tau] = symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
     prove("(83): u at the angle θ and the time τ", "eq-14", |p| {
-        same(p, formula, particle::eq14_speed_at_time(lambda, gamma, u0, theta0, theta, tau))
+        same(
+            p,
+            formula,
+            particle::eq14_speed_at_time(lambda, gamma, u0, theta0, theta, tau),
+        )
     })
 }

@@ -24,6 +24,7 @@ pub(super) struct Body {
 }
 
 impl Body {
+    #[cfg(test)]
     /// Sliding, as most statements have it.
     pub(super) fn sliding() -> Result<Self, ExactError> {
         Self::new(Friction::Sliding)
@@ -185,7 +186,13 @@ pub(super) fn eq64() -> Components {
 }
 pub(super) fn prove_eq64(printed: Components) -> Proof {
     let factor = Expr::symbol("κ") * Expr::symbol("R").squared();
-    rates("(64): κ R² dω/dt", Friction::Sliding, omega(), factor, printed)
+    rates(
+        "(64): κ R² dω/dt",
+        Friction::Sliding,
+        omega(),
+        factor,
+        printed,
+    )
 }
 
 pub(super) fn eq65() -> Components {
@@ -196,7 +203,13 @@ pub(super) fn eq65() -> Components {
 pub(super) fn prove_eq65(printed: Components) -> Proof {
     let spin_share = paper::slip([zero(); 3], omega(), contact());
     let one = Expr::int(1);
-    rates("(65): d(ω × R)/dt", Friction::Sliding, spin_share, one, printed)
+    rates(
+        "(65): d(ω × R)/dt",
+        Friction::Sliding,
+        spin_share,
+        one,
+        printed,
+    )
 }
 
 pub(super) fn eq66() -> Components {
@@ -205,14 +218,26 @@ pub(super) fn eq66() -> Components {
 }
 pub(super) fn prove_eq66(printed: Components) -> Proof {
     let one = Expr::int(1);
-    rates("(66): d(dr/dt + ω × R)/dt", Friction::Sliding, slip(), one, printed)
+    rates(
+        "(66): d(dr/dt + ω × R)/dt",
+        Friction::Sliding,
+        slip(),
+        one,
+        printed,
+    )
 }
 
 pub(super) fn eq73() -> Components {
     paper::eq73_velocity_rate(gamma(), u()).into()
 }
 pub(super) fn prove_eq73(printed: Components) -> Proof {
-    rates("(73): d²ρ/dτ²", Friction::Sliding, rho_rate(), per_tau(), printed)
+    rates(
+        "(73): d²ρ/dτ²",
+        Friction::Sliding,
+        rho_rate(),
+        per_tau(),
+        printed,
+    )
 }
 
 pub(super) fn eq74() -> Components {
@@ -249,7 +274,13 @@ pub(super) fn eq77() -> Components {
 }
 pub(super) fn prove_eq77(printed: Components) -> Proof {
     let quantity = sum(rho_rate(), nu());
-    rates("(77): d(dρ/dτ + ν)/dτ", Friction::Sliding, quantity, per_tau(), printed)
+    rates(
+        "(77): d(dρ/dτ + ν)/dτ",
+        Friction::Sliding,
+        quantity,
+        per_tau(),
+        printed,
+    )
 }
 
 pub(super) fn eq78() -> Components {
@@ -257,7 +288,13 @@ pub(super) fn eq78() -> Components {
 }
 pub(super) fn prove_eq78(printed: Components) -> Proof {
     let quantity = sum(u(), nu());
-    rates("(78): d(u + ν)/dτ", Friction::Sliding, quantity, per_tau(), printed)
+    rates(
+        "(78): d(u + ν)/dτ",
+        Friction::Sliding,
+        quantity,
+        per_tau(),
+        printed,
+    )
 }
 
 pub(super) fn eq79() -> Components {
@@ -271,7 +308,8 @@ pub(super) fn prove_eq79(printed: Components) -> Proof {
             let own = p.read(&format!("dρ/dτ {axis}"), own)?;
             let own = p.derivative("Its rate", &own, &body.motion)?;
             let printed = p.read(&format!("Printed {axis}"), printed)?;
-            let rate = p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
+            let rate =
+                p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
             p.equal("The two", &own, &rate)?;
         }
         Ok(())
@@ -305,19 +343,27 @@ pub(super) fn spin_rate() -> Components {
     vec![zero()]
 }
 pub(super) fn prove_spin_constant(stated: Components) -> Proof {
-    prove("ζ₃ is constant and enters nothing else", Friction::Sliding, |p, body| {
-        let spin = p.read("The vertical spin", omega()[2])?;
-        let rate = p.derivative("Its rate", &spin, &body.motion)?;
-        for stated in stated {
-            let stated = p.read("Stated", stated)?;
-            p.equal("Rate against stated rate", &rate, &stated)?;
-        }
-        for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
-            let q = p.read("Of", q)?;
-            let rate = p.derivative("the rate", &q, &body.motion)?;
-            let slope = p.derivative("has with respect to ω_z the slope", &rate, &p.ring().by("ω_z")?)?;
-            p.zero("It", &slope)?;
-        }
-        Ok(())
-    })
+    prove(
+        "ζ₃ is constant and enters nothing else",
+        Friction::Sliding,
+        |p, body| {
+            let spin = p.read("The vertical spin", omega()[2])?;
+            let rate = p.derivative("Its rate", &spin, &body.motion)?;
+            for stated in stated {
+                let stated = p.read("Stated", stated)?;
+                p.equal("Rate against stated rate", &rate, &stated)?;
+            }
+            for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
+                let q = p.read("Of", q)?;
+                let rate = p.derivative("the rate", &q, &body.motion)?;
+                let slope = p.derivative(
+                    "has with respect to ω_z the slope",
+                    &rate,
+                    &p.ring().by("ω_z")?,
+                )?;
+                p.zero("It", &slope)?;
+            }
+            Ok(())
+        },
+    )
 }

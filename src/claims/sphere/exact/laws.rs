@@ -35,7 +35,11 @@ pub(super) fn prove_eq59(printed: Components) -> Proof {
         ] {
             let [_, velocity_now, inside_now, a_now] =
                 [place, velocity, inside, a].map(|name| ring.symbol(name));
-            let (x, u) = if place == "r_x" { ("X", "U_x") } else { ("Y", "U_y") };
+            let (x, u) = if place == "r_x" {
+                ("X", "U_x")
+            } else {
+                ("Y", "U_y")
+            };
             let [_, u_now] = [x, u].map(|name| ring.symbol(name));
             rates.push((place, velocity_now));
             rates.push((velocity, inside_now.clone()));
@@ -98,7 +102,11 @@ pub(super) fn prove_eq60(printed: Components) -> Proof {
             place[axis] = &arm * &Rational::int(way);
             let turning = cross(&omega, &cross(&omega, &place));
             let acceleration = sum(&cross(&alpha, &place), &turning);
-            let pull = [&each * &acceleration[0], &each * &acceleration[1], &each * &acceleration[2]];
+            let pull = [
+                &each * &acceleration[0],
+                &each * &acceleration[1],
+                &each * &acceleration[2],
+            ];
             spin_rate = sum(&spin_rate, &cross(&place, &pull));
             let push = [-(&each * &ax), -(&each * &ay), zero()];
             inertial = sum(&inertial, &cross(&place, &push));
@@ -107,15 +115,26 @@ pub(super) fn prove_eq60(printed: Components) -> Proof {
     let contact = [zero(), zero(), -radius];
     let torque = sum(&cross(&contact, &[fx, fy, normal]), &inertial);
     Proof::of(title, &ring, |p| {
-        p.note("Six masses m/6 at ±a on each axis", "angular velocity ω, its rate α");
+        p.note(
+            "Six masses m/6 at ±a on each axis",
+            "angular velocity ω, its rate α",
+        );
         // Their moment of inertia about any axis: four of them at the distance a.
         let inertia = Rational::int(4) * &each * arm.pow(2);
         p.note("Moment of inertia", p.ring().text(&inertia));
         for i in 0..3 {
             p.note("Σ r × (m/6) d²r/dt²", p.ring().text(&spin_rate[i]));
-            p.equal(&format!("is I α {}", AXES[i]), &spin_rate[i], &(&inertia * &alpha[i]))?;
+            p.equal(
+                &format!("is I α {}", AXES[i]),
+                &spin_rate[i],
+                &(&inertia * &alpha[i]),
+            )?;
             let printed = p.read(&format!("Printed {}", AXES[i]), printed[i])?;
-            p.equal("Torque of F, N and the inertial forces against it", &torque[i], &printed)?;
+            p.equal(
+                "Torque of F, N and the inertial forces against it",
+                &torque[i],
+                &printed,
+            )?;
         }
         Ok(())
     })

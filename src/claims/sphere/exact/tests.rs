@@ -43,7 +43,10 @@ fn every_mutant_fails_that_differs_in_value() {
                 let mut mutant = printed.clone();
                 mutant[i] = mutation.formula;
                 let proof = (statement.prove)(mutant);
-                let who = format!("{}, {}: {}", statement.id, mutation.change, mutation.formula);
+                let who = format!(
+                    "{}, {}: {}",
+                    statement.id, mutation.change, mutation.formula
+                );
                 let says_the_same = match statement.id {
                     // (79) leaves a constant free: another one says the same.
                     "eq-79" => differ_by_a_constant(&ring, *component, mutation.formula),
@@ -54,7 +57,11 @@ fn every_mutant_fails_that_differs_in_value() {
                     }
                 };
                 assert_eq!(proof.holds(), says_the_same, "{who}\n{proof}");
-                if says_the_same { same += 1 } else { refuted += 1 }
+                if says_the_same {
+                    same += 1
+                } else {
+                    refuted += 1
+                }
             }
         }
     }
