@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 use std::sync::LazyLock;
 
 /// Periods after which the motion counts as settled.
-const SETTLED: f64 = 40.0;
+const SETTLED: f64 = 10.0;
 
 /// A sphere on a plane that swings along x with the angular frequency ϖ: A = −A₀ h(ϖ t) x̂.
 #[derive(Debug, Clone, Copy)]
@@ -318,7 +318,7 @@ pub fn trichotomy_motion() -> Evidence {
     let compared = "the part of a late period in which the drive's motion rests with that in which a sphere, started in any direction, rolls";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, MOTION);
     let mut points = Points::stream(413);
-    trial.over(0..40, |i| {
+    trial.over(0..24, |i| {
         let lambda = points.uniform(0.25, 1.5);
         let swing = Swing::new(i, &mut points, lambda);
         let mut start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
@@ -407,7 +407,7 @@ pub fn pulse_census() -> Evidence {
     let compared = "2 zeros for λ₀ < η, 2 rests (20) for λ₀ > η, rest throughout (−1) above 1, with a sphere's late period under the pulses";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(416);
-    let all = pulse_points(&mut points, 60);
+    let all = pulse_points(&mut points, 32);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
@@ -430,7 +430,7 @@ pub fn pulse_motion() -> Evidence {
     let compared = "the part of a late period in which the drive's motion rests with that in which the sphere rolls, under the pulses";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(417);
-    let all = pulse_points(&mut points, 40);
+    let all = pulse_points(&mut points, 24);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
@@ -497,7 +497,7 @@ pub fn anisotropic_census() -> Evidence {
     let compared = "the order of forward, backward and no motion in a period of the drive with λ₀ of (85) (1) with that of the sphere's slip (1 if the same)";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(418);
-    let all = map_points(&mut points, 120);
+    let all = map_points(&mut points, 80);
     trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (ways, _) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
@@ -521,11 +521,12 @@ pub fn anisotropic_census() -> Evidence {
 
 /// How long each lasts.
 pub fn anisotropic_motion() -> Evidence {
-    let compared = "the parts of a period of backward motion and rest, the second one twice, of the drive with λ₀ of (85) with those of the sphere's slip";
+    let compared = "the parts of a period of backward motion and rest, the second one twice, of the drive with λ₀ of (85), where it rests at all, with those of the sphere's slip";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(419);
-    let all = map_points(&mut points, 60);
-    trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
+    let resting = |(q, lambda): &(f64, f64)| *lambda > 1.0 || q * lambda > 1.0;
+    let all = map_points(&mut points, 60).into_iter().filter(resting);
+    trial.over(all.enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (_, lengths) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
         let attractor = settled(sine_drive()?, Friction::new(lambda, q * lambda)?)?;

@@ -5,9 +5,10 @@ use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
 use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact};
-use crate::motion::{Plane, State, run};
 use crate::numerics::dop853;
+use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
 
 const fn consistency(compared: &'static str) -> Trial {
@@ -159,22 +160,18 @@ pub fn eq67() -> Evidence {
 pub fn eq76() -> Evidence {
     let trial =
         consistency("∫ (76) dτ with −v/√(μgR) of a particle from rest without friction; x + 2y");
-    trial.over(mixed(), |case| {
-        let case = case?;
-        let rest = State {
-            t: 0.0,
-            v: [0.0; 2],
-            x: [0.0; 2],
+    trial.over(mixed(), |run| {
+        let run = run?;
+        let (_, mu, g) = run.case.units();
+        let rate = |t: f64| {
+            let gamma = printed::eq72_acceleration(mu, g, run.case.acceleration(t));
+            run.tau_rate() * weighed(printed::eq76_nu_rate(gamma))
         };
-        let [x, y] = run(&case.case.plane, 0.0, rest, case.until)?.end().v;
-        let (radius, mu, g) = case.case.units();
-        let unit = libm::sqrt(mu * g * radius);
-        let stated = super::rates::nu(case, case.until)?;
-        let size = length(case.case.acceleration(0.0)).max(mu * g) * case.until / unit;
+        let size = run.tau_rate() * run.until * run.case.size / (mu * g);
         Ok::<_, Failure>(Pair {
-            at: case.at(case.until),
-            stated: weighed(stated),
-            found: -(x + 2.0 * y) / unit,
+            at: run.at(run.until),
+            stated: integral_within(rate, 0.0, run.until, 1e-13 * size)?.value,
+            found: weighed(super::rates::nu(run, run.until)?),
             scale: size,
         })
     })

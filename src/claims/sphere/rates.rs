@@ -4,6 +4,7 @@ use super::runs::{Run, length, mixed, sliding, times, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Subject};
+use crate::motion::State;
 use crate::motion::sphere::Ball;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
@@ -17,12 +18,9 @@ fn summed(
     Trial::quadrature(Subject::Printed, compared).over(sliding(), |run| {
         let run = run?;
         let along = |t: f64| {
-            let now = run
-                .motion
-                .at(t)
-                .and_then(|ball| Ok((ball, run.motion.slip(t)?)));
-            now.map_or(f64::NAN, |(ball, [x, y])| {
-                weighed(rate(run, &ball, [x, y, 0.0], t))
+            let ball = run.motion.at(t);
+            ball.map_or(f64::NAN, |ball| {
+                weighed(rate(run, &ball, slip(run, &ball), t))
             })
         };
         let (start, end) = (run.case.start, run.motion.end());
@@ -196,19 +194,17 @@ pub fn corrected75() -> Evidence {
     spin(Subject::Corrected, compared, corrected::spin)
 }
 
-/// ν at a time, zero at the start: (76) summed.
+/// ν at a time, zero at the start: what a body without friction loses to the plane, in units of √(μgR).
 pub(super) fn nu(run: &Run, t: f64) -> Result<[f64; 3], Failure> {
-    let (_, mu, g) = run.case.units();
-    let part = |i: usize| {
-        let rate = |t: f64| {
-            let gamma = printed::eq72_acceleration(mu, g, run.case.acceleration(t));
-            run.tau_rate() * printed::eq76_nu_rate(gamma)[i]
-        };
-        let a = length(run.case.acceleration(0.0)).max(mu * g);
-        let enough = 1e-13 * a / (mu * g) * run.tau_rate() * t;
-        integral_within(rate, 0.0, t, enough).map(|integral| integral.value)
+    let rest = State {
+        t: 0.0,
+        v: [0.0; 2],
+        x: [0.0; 2],
     };
-    Ok([part(0)?, part(1)?, 0.0])
+    let [x, y] = crate::motion::run(&run.case.plane, 0.0, rest, t)?.end().v;
+    let (radius, mu, g) = run.case.units();
+    let unit = libm::sqrt(mu * g * radius);
+    Ok([-x / unit, -y / unit, 0.0])
 }
 
 /// (79), with c from the start, through sliding and rolling.

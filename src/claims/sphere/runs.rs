@@ -14,6 +14,8 @@ pub struct Case {
     pub sphere: Sphere,
     /// The plane.
     pub plane: Plane,
+    /// The size of A.
+    pub size: f64,
     /// The state at t = 0.
     pub start: Ball,
     /// How the case is called: its parameters.
@@ -170,6 +172,7 @@ pub fn case(i: usize, points: &mut Points) -> Case {
     Case {
         sphere,
         plane,
+        size,
         start,
         name,
     }
@@ -202,7 +205,7 @@ pub fn sliding() -> impl Iterator<Item = Result<&'static Run, MotionError>> {
             let until = 0.7 * slip / (friction + a.fold(0.0, f64::max));
             case.run(until)
         };
-        (0..48).map(run).collect()
+        (0..32).map(run).collect()
     });
     shared(&RUNS)
 }
@@ -216,7 +219,7 @@ pub fn mixed() -> impl Iterator<Item = Result<&'static Run, MotionError>> {
             let until = points.uniform(3.0, 9.0);
             case.run(until)
         };
-        (0..48).map(run).collect()
+        (0..32).map(run).collect()
     });
     shared(&RUNS)
 }

@@ -14,6 +14,9 @@ use std::sync::LazyLock;
 #[derive(Debug)]
 struct Twins {
     at: String,
+    /// γτ, the size that velocities may reach, and τ.
+    speed: f64,
+    tau: f64,
     kappa: [f64; 2],
     states: [Dimensionless; 2],
     /// τ of the first change between sliding and rolling.
@@ -69,6 +72,7 @@ impl Plan {
         let case = Case {
             sphere,
             plane: Plane::along(direction, sine.times(self.gamma * pull)),
+            size: self.gamma * pull,
             start: Ball {
                 t: 0.0,
                 x: self.rho.map(|c| c * length),
@@ -102,6 +106,8 @@ fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
                     "κ = {:.6}, γ = {:.6}, ζ₃ = {:.6}, τ = {:.6}",
                     plan.kappa, plan.gamma, plan.zeta[2], plan.tau
                 ),
+                speed: plan.gamma * plan.tau,
+                tau: plan.tau,
                 kappa: [ours.0, theirs.0],
                 states: [ours.1, theirs.1],
                 change: [ours.2, theirs.2],
@@ -127,7 +133,11 @@ fn alike(compared: &'static str, of: impl Fn(&Twins, usize) -> [f64; 3]) -> Evid
             at: twins.at.clone(),
             stated: weighed(ours),
             found: weighed(theirs),
-            scale: 1.0 + length(state.rho) + length(state.rho_rate) + length(state.zeta),
+            scale: 1.0
+                + length(state.rho)
+                + length(state.rho_rate)
+                + length(state.zeta)
+                + twins.speed * twins.tau,
         })
     })
 }

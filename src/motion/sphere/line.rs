@@ -165,7 +165,8 @@ impl Directed {
         let mut slip: Coefficients = [0.0; TERMS];
         if way != 0 {
             slip = integral(state.slip, |k| give * force[k] - a[k]);
-            if state.slip == 0.0 && slip[1].abs() <= EQUAL * sphere.yielding(sphere.friction()) {
+            // Where rolling ends because A(t) has grown, the force begins with what holds the lowest point.
+            if released.is_some() {
                 slip[1] = 0.0;
             }
         }
