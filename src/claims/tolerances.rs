@@ -14,6 +14,12 @@ pub const LATE_ANGLE: Tolerance = Tolerance {
     reason: "the slowest case, without friction, has 2e-8 left at a hundred million times v₀/A",
 };
 
+/// The width of a narrow range of friction, over its expected width.
+pub const LIMIT_OF_WIDTH: Tolerance = Tolerance {
+    value: 1e-6,
+    reason: "the jumps of h are known to 4e-16, and the least width, 1e-3, divides that twice",
+};
+
 /// A formula against the integrated motion.
 pub const MOTION: Tolerance = Tolerance {
     value: 1e-12,

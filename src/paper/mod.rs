@@ -6,3 +6,4 @@
 //! under the same stem in [`crate::corrections`].
 
 pub mod constant;
+pub mod periodic;
