@@ -1,5 +1,6 @@
 //! Any periodic acceleration: the claims.
 
+pub mod drawn;
 pub mod drives;
 pub mod exact;
 mod pulses;
@@ -103,6 +104,7 @@ const CLAIMS: &[Claim] = &[
             pulses::eq46_root,
             pulses::eq46_census,
             pulses::below_motion,
+            drawn::shares_root,
         ],
         ..Claim::BLANK
     },

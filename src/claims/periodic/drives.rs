@@ -228,12 +228,12 @@ pub fn named() -> Result<Vec<Named>, DriveError> {
         ),
         one("pulses, η = 0.6", pulses(0.6)?, true),
         one(
-            "hard push, soft pull",
+            "one-sided push",
             steps(&[(half, 1.0), (TAU, -1.0 / 3.0)])?,
             true,
         ),
         one("square wave", pulses(1.0)?, false),
-        one("level at the median", level_at_median(half)?, false),
-        one("sine with a mean", biased(0.1)?, false),
+        one("level median", level_at_median(half)?, false),
+        one("sine and mean", biased(0.1)?, false),
     ])
 }

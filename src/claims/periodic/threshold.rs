@@ -46,6 +46,11 @@ pub fn bounds(drive: &Drive) -> Bounds {
     }
 }
 
+/// The mean of |h| over a period, from samples.
+pub fn mean_size(drive: &Drive) -> f64 {
+    bounds(drive).high - MARGIN
+}
+
 fn number(truth: bool) -> f64 {
     f64::from(u8::from(truth))
 }
