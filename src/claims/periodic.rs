@@ -104,7 +104,7 @@ const CLAIMS: &[Claim] = &[
             pulses::eq46_root,
             pulses::eq46_census,
             pulses::below_motion,
-            drawn::shares_root,
+            drawn::shares_motion,
         ],
         ..Claim::BLANK
     },

@@ -55,3 +55,9 @@ pub const TERMINAL: Tolerance = Tolerance {
     value: 1e-12,
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
 };
+
+/// A friction at which the list of intervals changes, by bisection.
+pub const THRESHOLD: Tolerance = Tolerance {
+    value: 1e-11,
+    reason: "halved to the last bit; there the motion itself is known to about 1e-15 over the friction",
+};

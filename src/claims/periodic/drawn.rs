@@ -2,8 +2,7 @@
 
 use super::drives::{Phase, motion, named, phase, phase_of, pulses, rest_share, third_harmonic};
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::tolerances::ROOT;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::{Evidence, Subject};
 use crate::motion::drive::{Drive, DriveError};
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
@@ -108,9 +107,9 @@ pub fn shares(side: usize) -> Result<Vec<f64>, DriveError> {
 }
 
 /// The drawn shares with those that follow from (44): 1 − η/λ₀ for λ₀ above (46), else 0.
-pub fn shares_root() -> Evidence {
+pub fn shares_motion() -> Evidence {
     let compared = "the share of the third case of (44), 0 for λ₀ below (46), with the share of the period at rest in the motion";
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    let trial = Trial::motion(Subject::Printed, compared);
     let side = 33;
     let shares = match shares(side) {
         Ok(shares) => shares,

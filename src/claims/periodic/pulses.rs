@@ -3,7 +3,7 @@
 use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
-use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, ROOT};
+use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, DriveError, Friction, State};
@@ -191,7 +191,7 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
 /// (46) with the place where rests appear.
 pub fn eq46_root() -> Evidence {
     let compared = "(46) with λ₀ at which rests appear in the motion, by bisection";
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, THRESHOLD);
     trial.over(widths(), |eta| {
         Ok::<_, Failure>(Pair {
             at: format!("η = {eta:.6}"),

@@ -5,7 +5,7 @@ use super::drives::{
 };
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
-use crate::claims::tolerances::{NONE, ROOT};
+use crate::claims::tolerances::{NONE, THRESHOLD};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, DriveError};
 use crate::numerics::quadrature::integral_within;
@@ -138,7 +138,7 @@ fn two_zero_threshold(shape: &Harmonics) -> Result<f64, Failure> {
 /// λ_c from that condition, with the place where rests appear in the simulation.
 pub fn two_zeros_root() -> Evidence {
     let compared = "λ₀ at which ∫ h = π λ₀ between zeros half a period apart and h is λ₀ at one, with λ₀ at which rests appear in the motion, by bisection";
-    let trial = Trial::by(Route::Root, Subject::Within, compared, ROOT);
+    let trial = Trial::by(Route::Root, Subject::Within, compared, THRESHOLD);
     let mut points = Points::stream(221);
     trial.over(0..40, |_| {
         let (a, p) = (points.uniform(0.0, 0.3), points.uniform(0.0, TAU));
