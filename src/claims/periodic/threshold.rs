@@ -75,7 +75,7 @@ fn rests(name: &str, drive: &Drive, lambda: f64, expected: bool) -> Result<Pair,
 fn admitted() -> Result<Vec<Named>, DriveError> {
     let mut points = Points::stream(220);
     let mut list: Vec<Named> = named()?.into_iter().filter(|d| d.generic).collect();
-    for _ in 0..150 {
+    for _ in 0..100 {
         list.push(Named {
             name: "three harmonics at random",
             drive: Harmonics::random(&mut points)?.drive()?,
@@ -140,7 +140,7 @@ pub fn two_zeros_root() -> Evidence {
     let compared = "λ₀ at which ∫ h = π λ₀ between zeros half a period apart and h is λ₀ at one, with λ₀ at which rests appear in the motion, by bisection";
     let trial = Trial::by(Route::Root, Subject::Within, compared, THRESHOLD);
     let mut points = Points::stream(221);
-    trial.over(0..40, |_| {
+    trial.over(0..24, |_| {
         let (a, p) = (points.uniform(0.0, 0.3), points.uniform(0.0, TAU));
         let (b, r) = (points.uniform(0.0, 0.08), points.uniform(0.0, TAU));
         let shape = Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, a, p), (3, b, r)])?;
