@@ -2,6 +2,18 @@
 
 use crate::evidence::Tolerance;
 
+/// An exponent or coefficient of a touch, taken at a small distance from it.
+pub const CONTACT: Tolerance = Tolerance {
+    value: 1e-3,
+    reason: "taken at distances of 1e-2 and less, on both sides, where the next term is below 1e-4",
+};
+
+/// An asymptotic form against what it is the limit of.
+pub const FAR: Tolerance = Tolerance {
+    value: 2e-6,
+    reason: "the first term left out is about 1700 q⁻⁴, or 1e-6 at the smallest q, 200",
+};
+
 /// What the inertial frame's foreign integrator and ours may differ by.
 pub const FOREIGN: Tolerance = Tolerance {
     value: 1e-10,
@@ -48,4 +60,10 @@ pub const SLOPE: Tolerance = Tolerance {
 pub const TERMINAL: Tolerance = Tolerance {
     value: 1e-12,
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
+};
+
+/// A number that is printed to three decimals.
+pub const THREE_DECIMALS: Tolerance = Tolerance {
+    value: 5e-4,
+    reason: "half a unit of the third decimal",
 };

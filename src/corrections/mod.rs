@@ -2,4 +2,5 @@
 //!
 //! Same stems as in [`crate::paper`]; every entry is tried in [`crate::claims`] like a printed formula.
 
+pub mod anisotropic;
 pub mod constant;
