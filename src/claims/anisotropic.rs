@@ -3,6 +3,7 @@
 pub mod census;
 mod corners;
 mod curves;
+pub mod drawn;
 pub mod exact;
 mod mirror;
 pub mod panels;
@@ -181,7 +182,6 @@ const CLAIMS: &[Claim] = &[
             curves::e_limit,
         ],
         correction: Some(CURVE_E),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-55",
@@ -299,7 +299,6 @@ const CLAIMS: &[Claim] = &[
             regions::between_e_and_c,
         ],
         correction: Some(SECOND_REGION),
-        ..Claim::BLANK
     },
     Claim {
         id: "s24-region-3",

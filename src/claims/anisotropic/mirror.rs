@@ -63,8 +63,10 @@ pub fn census() -> Evidence {
         let region = corrected::region(q * lambda0, &curves.corrected);
         let motion = attractor_from(START, Friction::new(lambda0, q * lambda0)?)?;
         let found = exchanged(&order(motion.intervals()));
-        let fits = |listed: &&str| listed.len() == found.len() && found.repeat(2).contains(*listed);
-        let found = printed::ORDERS.iter().position(|listed| fits(&listed));
+        let found = printed::ORDERS.iter().position(|listed| {
+            // Where in the period the list begins is left open.
+            listed.len() == found.len() && found.repeat(2).contains(listed)
+        });
         Ok::<_, Failure>(Pair {
             at: format!("q = {q:.6}, λ₀ = {lambda0:.6}"),
             stated: region.map_or(0.0, |k| k as f64),
@@ -74,7 +76,7 @@ pub fn census() -> Evidence {
     })
 }
 
-/// An order of intervals seen in the mirror. Where in the period it begins is left open.
+/// An order of intervals seen in the mirror.
 fn exchanged(order: &str) -> String {
     let other = |letter| match letter {
         '+' => '-',
