@@ -1,10 +1,15 @@
 //! All figures of the book, from the same data that the trials used.
 
+use super::anisotropic as anisotropic_figures;
 use super::constant::{
     Ending, History, Hodograph, Hodographs, StoppingTimes, fig1, speed_and_angle, stopping_time,
 };
 use super::periodic as periodic_figures;
 use super::{Figure, FigureError};
+use crate::claims::anisotropic::{
+    census, drawn as anisotropic_drawn, panels, runs as anisotropic_runs,
+};
+use crate::claims::compare::Failure;
 use crate::claims::constant::portrait::{self, Curve};
 use crate::claims::periodic::{drawn, drives::Phase};
 use crate::motion::MotionError;
@@ -20,9 +25,18 @@ pub enum AllFiguresError {
     /// A driven motion that cannot be followed.
     #[error("a figure's driven motion: {0}")]
     Drive(#[from] DriveError),
+    /// Data that a trial could not provide.
+    #[error("a figure's data: {0}")]
+    Data(String),
     /// Data that cannot be drawn.
     #[error("a figure: {0}")]
     Figure(#[from] FigureError),
+}
+
+impl From<Failure> for AllFiguresError {
+    fn from(failure: Failure) -> Self {
+        Self::Data(failure.to_string())
+    }
 }
 
 /// Every figure, in the order of the book.
@@ -38,6 +52,10 @@ pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
         pulse_waves()?,
         rest_shares()?,
         come_and_go()?,
+        region_diagram()?,
+        region_waves()?,
+        region_census()?,
+        region_boundaries()?,
     ])
 }
 
@@ -163,4 +181,73 @@ fn come_and_go() -> Result<Figure, AllFiguresError> {
     Ok(periodic_figures::come_and_go(
         &waves(drawn::come_and_go()?),
     )?)
+fn heights(curves: &anisotropic_runs::Curves) -> anisotropic_figures::Heights {
+    anisotropic_figures::Heights {
+        q: curves.q,
+        a: curves.printed.a,
+        b: curves.printed.b,
+        c: curves.printed.c,
+        d: curves.printed.d,
+        e: anisotropic_drawn::on_e(&curves.corrected),
+    }
+}
+
+fn region_map(
+    columns: std::ops::Range<usize>,
+    rows: usize,
+    largest_q: f64,
+) -> Result<anisotropic_figures::Map, AllFiguresError> {
+    let map = anisotropic_drawn::map(columns, rows)?;
+    let count = census::count(largest_q)?;
+    // A region is at most 5.
+    let cell = |&(found, printed): &anisotropic_drawn::Cell| anisotropic_figures::Cell {
+        found: found as u8,
+        printed: printed.unwrap_or(0) as u8,
+    };
+    Ok(anisotropic_figures::Map {
+        curves: map.curves.iter().map(heights).collect(),
+        shape: map.shape,
+        q: map.q,
+        lambda0: map.lambda0,
+        cells: map.cells.iter().map(cell).collect(),
+        corners: anisotropic_drawn::corners()?,
+        count: [count.points, count.printed_wrong, count.corrected_wrong],
+    })
+}
+
+/// fig-5.
+fn region_diagram() -> Result<Figure, AllFiguresError> {
+    Ok(anisotropic_figures::fig5(&region_map(0..360, 400, 7.0)?)?)
+}
+
+/// The census beyond Y.
+fn region_census() -> Result<Figure, AllFiguresError> {
+    let map = region_map(180..660, 80, f64::INFINITY)?;
+    Ok(anisotropic_figures::census(&map)?)
+}
+
+/// fig-6.
+fn region_waves() -> Result<Figure, AllFiguresError> {
+    let wave = |(points, (q, lambda0))| anisotropic_figures::Wave { q, lambda0, points };
+    let waves = anisotropic_drawn::waves()?;
+    let waves: Vec<_> = waves.into_iter().zip(panels::PANELS).map(wave).collect();
+    Ok(anisotropic_figures::fig6(&waves)?)
+}
+
+/// The boundaries for large q.
+fn region_boundaries() -> Result<Figure, AllFiguresError> {
+    let seen = |row: &anisotropic_runs::Row| anisotropic_figures::Seen {
+        curves: heights(&row.curves),
+        rest: row.changes.rest,
+        reversal: row.changes.reversal,
+        backward: row.changes.backward,
+        motion: row.changes.motion,
+    };
+    let seen: Vec<_> = anisotropic_drawn::boundaries()?.iter().map(seen).collect();
+    let law = |law: anisotropic_runs::Law| anisotropic_figures::Law {
+        exponent: law.exponent,
+        prefactor: law.prefactor,
+    };
+    let laws = anisotropic_runs::far_laws()?.map(law);
+    Ok(anisotropic_figures::far(&seen, laws)?)
 }

@@ -39,6 +39,7 @@
 //! ```
 
 mod all;
+pub mod anisotropic;
 mod axes;
 pub mod constant;
 mod csv;
