@@ -1,20 +1,13 @@
-//! All figures of the book, from the same data that the trials used.
+//! All figures of the book, from the same data that the trials used; one file per topic.
 
-use super::anisotropic as anisotropic_figures;
-use super::constant::{
-    Ending, History, Hodograph, Hodographs, StoppingTimes, fig1, speed_and_angle, stopping_time,
-};
-use super::periodic as periodic_figures;
+mod anisotropic;
+mod constant;
+mod periodic;
+
 use super::{Figure, FigureError};
-use crate::claims::anisotropic::{
-    census, drawn as anisotropic_drawn, panels, runs as anisotropic_runs,
-};
 use crate::claims::compare::Failure;
-use crate::claims::constant::portrait::{self, Curve};
-use crate::claims::periodic::{drawn, drives::Phase};
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
-use std::f64::consts::PI;
 
 /// Why a figure has no data or cannot be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -44,210 +37,10 @@ impl From<Failure> for AllFiguresError {
 /// # Errors
 /// [`AllFiguresError`] if a motion cannot be followed or its data not be drawn.
 pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
-    Ok(vec![
-        portraits()?,
-        histories()?,
-        stopping_times()?,
-        drive_census()?,
-        pulse_waves()?,
-        rest_shares()?,
-        come_and_go()?,
-        region_diagram()?,
-        region_waves()?,
-        region_census()?,
-        region_boundaries()?,
-    ])
-}
-
-/// fig-1.
-fn portraits() -> Result<Figure, AllFiguresError> {
-    let panel = |lambdas: &[f64]| -> Result<Vec<_>, MotionError> {
-        Ok(portrait::panel(lambdas)?.iter().map(hodograph).collect())
-    };
-    Ok(fig1(&Hodographs {
-        weak: panel(&portrait::WEAK)?,
-        strong: panel(&portrait::STRONG)?,
-    })?)
-}
-
-fn hodograph(curve: &Curve) -> Hodograph {
-    let end = curve.motion.end();
-    Hodograph {
-        lambda: curve.lambda,
-        theta0: curve.theta0,
-        points: sampled(curve).map(|s| [s.t, s.v[0], s.v[1]]).collect(),
-        ending: if end.speed() == 0.0 {
-            Ending::Rest
-        } else if curve.lambda == 1.0 {
-            Ending::Terminal(end.v)
-        } else {
-            Ending::Onward
-        },
+    let topics = [constant::figures, periodic::figures, anisotropic::figures];
+    let mut all = Vec::new();
+    for figures in topics {
+        all.extend(figures()?);
     }
-}
-
-/// Points of a motion dense enough to draw: equal steps in time, and the integrator's own nodes where it
-/// turns fast.
-fn sampled(curve: &Curve) -> impl Iterator<Item = crate::motion::State> {
-    let motion = &curve.motion;
-    let end = motion.end().t;
-    let mut states: Vec<_> = (0..=120)
-        .filter_map(|i| motion.at(end * f64::from(i) / 120.0).ok())
-        .collect();
-    states.extend(motion.nodes());
-    states.sort_by(|a, b| a.t.total_cmp(&b.t));
-    states.dedup_by(|a, b| a.t == b.t);
-    states.into_iter()
-}
-
-/// Speed and angle against time, from θ₀ = 2π/3.
-fn histories() -> Result<Figure, AllFiguresError> {
-    let history = |lambda: f64| -> Result<_, MotionError> {
-        let curve = portrait::curve(lambda, 2.0 * PI / 3.0)?;
-        Ok(History {
-            lambda,
-            points: sampled(&curve)
-                .filter(|s| s.t <= 4.0)
-                .map(|s| [s.t, s.speed(), s.direction()])
-                .collect(),
-            rests: curve.motion.end().speed() == 0.0,
-        })
-    };
-    let histories: Result<Vec<_>, _> = [0.0, 0.5, 1.0, 2.0].into_iter().map(history).collect();
-    Ok(speed_and_angle(&histories?)?)
-}
-
-/// Time of stopping against the launch angle.
-fn stopping_times() -> Result<Figure, AllFiguresError> {
-    let times = |lambda: f64| -> Result<_, MotionError> {
-        let time = |i: u32| {
-            let theta0 = PI * f64::from(i) / 60.0;
-            Ok([theta0, portrait::curve(lambda, theta0)?.motion.end().t])
-        };
-        Ok(StoppingTimes {
-            lambda,
-            points: (0..=60).map(time).collect::<Result<_, MotionError>>()?,
-        })
-    };
-    let all: Result<Vec<_>, _> = [1.2, 1.5, 2.0, 5.0].into_iter().map(times).collect();
-    Ok(stopping_time(&all?)?)
-}
-
-/// Rests per period of the named drives.
-fn drive_census() -> Result<Figure, AllFiguresError> {
-    let rows: Vec<_> = drawn::census(400)?
-        .into_iter()
-        .map(|row| periodic_figures::CensusRow {
-            name: row.name.into(),
-            mean_size: row.mean_size,
-            fates: row.phases.into_iter().map(fate).collect(),
-        })
-        .collect();
-    Ok(periodic_figures::census(&rows)?)
-}
-
-fn fate(phase: Phase) -> periodic_figures::Fate {
-    match phase {
-        Phase::Drifts => periodic_figures::Fate::Drifts,
-        Phase::Rests(rests) => periodic_figures::Fate::Rests(rests),
-        // At rest for ever is one rest.
-        Phase::Still => periodic_figures::Fate::Rests(1),
-    }
-}
-
-fn waves(list: Vec<drawn::Wave>) -> Vec<periodic_figures::Wave> {
-    let wave = |wave: drawn::Wave| periodic_figures::Wave {
-        lambda: wave.lambda,
-        rests: wave.rests,
-        points: wave.points,
-    };
-    list.into_iter().map(wave).collect()
-}
-
-/// The pulses' motion below and above λ_c.
-fn pulse_waves() -> Result<Figure, AllFiguresError> {
-    let list = waves(drawn::pulse_waves()?);
-    Ok(periodic_figures::pulse_waves(drawn::ETA, &list)?)
-}
-
-/// How long the pulses let rest.
-fn rest_shares() -> Result<Figure, AllFiguresError> {
-    let side = 100;
-    Ok(periodic_figures::rest_shares(side, &drawn::shares(side)?)?)
-}
-
-/// Rests that come and go with growing friction.
-fn come_and_go() -> Result<Figure, AllFiguresError> {
-    Ok(periodic_figures::come_and_go(
-        &waves(drawn::come_and_go()?),
-    )?)
-fn heights(curves: &anisotropic_runs::Curves) -> anisotropic_figures::Heights {
-    anisotropic_figures::Heights {
-        q: curves.q,
-        a: curves.printed.a,
-        b: curves.printed.b,
-        c: curves.printed.c,
-        d: curves.printed.d,
-        e: anisotropic_drawn::on_e(&curves.corrected),
-    }
-}
-
-fn region_map(
-    columns: std::ops::Range<usize>,
-    rows: usize,
-    largest_q: f64,
-) -> Result<anisotropic_figures::Map, AllFiguresError> {
-    let map = anisotropic_drawn::map(columns, rows)?;
-    let count = census::count(largest_q)?;
-    // A region is at most 5.
-    let cell = |&(found, printed): &anisotropic_drawn::Cell| anisotropic_figures::Cell {
-        found: found as u8,
-        printed: printed.unwrap_or(0) as u8,
-    };
-    Ok(anisotropic_figures::Map {
-        curves: map.curves.iter().map(heights).collect(),
-        shape: map.shape,
-        q: map.q,
-        lambda0: map.lambda0,
-        cells: map.cells.iter().map(cell).collect(),
-        corners: anisotropic_drawn::corners()?,
-        count: [count.points, count.printed_wrong, count.corrected_wrong],
-    })
-}
-
-/// fig-5.
-fn region_diagram() -> Result<Figure, AllFiguresError> {
-    Ok(anisotropic_figures::fig5(&region_map(0..360, 400, 7.0)?)?)
-}
-
-/// The census beyond Y.
-fn region_census() -> Result<Figure, AllFiguresError> {
-    let map = region_map(180..660, 80, f64::INFINITY)?;
-    Ok(anisotropic_figures::census(&map)?)
-}
-
-/// fig-6.
-fn region_waves() -> Result<Figure, AllFiguresError> {
-    let wave = |(points, (q, lambda0))| anisotropic_figures::Wave { q, lambda0, points };
-    let waves = anisotropic_drawn::waves()?;
-    let waves: Vec<_> = waves.into_iter().zip(panels::PANELS).map(wave).collect();
-    Ok(anisotropic_figures::fig6(&waves)?)
-}
-
-/// The boundaries for large q.
-fn region_boundaries() -> Result<Figure, AllFiguresError> {
-    let seen = |row: &anisotropic_runs::Row| anisotropic_figures::Seen {
-        curves: heights(&row.curves),
-        rest: row.changes.rest,
-        reversal: row.changes.reversal,
-        backward: row.changes.backward,
-        motion: row.changes.motion,
-    };
-    let seen: Vec<_> = anisotropic_drawn::boundaries()?.iter().map(seen).collect();
-    let law = |law: anisotropic_runs::Law| anisotropic_figures::Law {
-        exponent: law.exponent,
-        prefactor: law.prefactor,
-    };
-    let laws = anisotropic_runs::far_laws()?.map(law);
-    Ok(anisotropic_figures::far(&seen, laws)?)
+    Ok(all)
 }
