@@ -2,10 +2,22 @@
 
 use crate::evidence::Tolerance;
 
+/// An exponent or coefficient of a touch, taken at a small distance from it.
+pub const CONTACT: Tolerance = Tolerance {
+    value: 1e-3,
+    reason: "taken at distances of 1e-2 and less, on both sides, where the next term is below 1e-4",
+};
+
 /// A rate against differences of the motion.
 pub const DIFFERENCES: Tolerance = Tolerance {
     value: 1e-9,
     reason: "differences of fourth order over a thousandth of the time scale, and the rounding that they enlarge",
+};
+
+/// An asymptotic form against what it is the limit of.
+pub const FAR: Tolerance = Tolerance {
+    value: 2e-6,
+    reason: "the first term left out is about 1700 q⁻⁴, or 1e-6 at the smallest q, 200",
 };
 
 /// What the inertial frame's foreign integrator and ours may differ by.
@@ -18,6 +30,12 @@ pub const FOREIGN: Tolerance = Tolerance {
 pub const LATE_ANGLE: Tolerance = Tolerance {
     value: 1e-7,
     reason: "the slowest case, without friction, has 2e-8 left at a hundred million times v₀/A",
+};
+
+/// The width of a narrow range of friction, over its expected width.
+pub const LIMIT_OF_WIDTH: Tolerance = Tolerance {
+    value: 1e-6,
+    reason: "the jumps of h are known to 4e-16, and the least width, 1e-3, divides that twice",
 };
 
 /// A formula against the integrated motion.
@@ -60,6 +78,18 @@ pub const SLOPE: Tolerance = Tolerance {
 pub const TERMINAL: Tolerance = Tolerance {
     value: 1e-12,
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
+};
+
+/// A number that is printed to three decimals.
+pub const THREE_DECIMALS: Tolerance = Tolerance {
+    value: 5e-4,
+    reason: "half a unit of the third decimal",
+};
+
+/// A friction at which the list of intervals changes, by bisection.
+pub const THRESHOLD: Tolerance = Tolerance {
+    value: 1e-11,
+    reason: "halved to the last bit; there the motion itself is known to about 1e-15 over the friction",
 };
 
 /// A velocity that vanishes as a power of the time.

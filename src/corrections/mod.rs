@@ -2,5 +2,7 @@
 //!
 //! Same stems as in [`crate::paper`]; every entry is tried in [`crate::claims`] like a printed formula.
 
+pub mod anisotropic;
 pub mod constant;
 pub mod sphere;
+pub mod periodic;

@@ -5,6 +5,8 @@
 //! number and read as a syntax tree. Nothing is mended here; what replaces a formula that fails stands
 //! under the same stem in [`crate::corrections`].
 
+pub mod anisotropic;
 pub mod constant;
 pub mod general;
 pub mod sphere;
+pub mod periodic;
