@@ -5,7 +5,7 @@ use crate::evidence::Tolerance;
 /// An exponent or coefficient of a touch, taken at a small distance from it.
 pub const CONTACT: Tolerance = Tolerance {
     value: 1e-3,
-    reason: "taken at distances of 1e-2 and less, on both sides, where the next term is below 1e-4",
+    reason: "what is left is of the order of η, which is at most 1e-3, or of δ², which is at most 1e-4",
 };
 
 /// A rate against differences of the motion.
@@ -17,7 +17,7 @@ pub const DIFFERENCES: Tolerance = Tolerance {
 /// An asymptotic form against what it is the limit of.
 pub const FAR: Tolerance = Tolerance {
     value: 2e-6,
-    reason: "the first term left out is about 1700 q⁻⁴, or 1e-6 at the smallest q, 200",
+    reason: "the first term left out is about 1700 q⁻⁴ on E and less on A: 1e-6 at the smallest q, 200",
 };
 
 /// What the inertial frame's foreign integrator and ours may differ by.
