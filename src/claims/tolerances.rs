@@ -2,10 +2,40 @@
 
 use crate::evidence::Tolerance;
 
+/// A on the boundary between rest and escape.
+pub const BOUNDARY: Tolerance = Tolerance {
+    value: 1e-7,
+    reason: "the bisection is stopped at 1e-8",
+};
+
+/// The slope of the surfaces of constant σ close to where they end.
+pub const CLOSING_SURFACES: Tolerance = Tolerance {
+    value: 3e-2,
+    reason: "the saddle's surfaces are exact only at σ → 1; 1 − σ is up to 1e-2 here, and differences over a twentieth of it are taken",
+};
+
 /// A rate against differences of the motion.
 pub const DIFFERENCES: Tolerance = Tolerance {
     value: 1e-9,
     reason: "differences of fourth order over a thousandth of the time scale, and the rounding that they enlarge",
+};
+
+/// The coefficient of (ln τ)/τ of an escape.
+pub const ESCAPE_CORRECTION: Tolerance = Tolerance {
+    value: 1e-3,
+    reason: "it is a part 1e-4 to 1e-7 of what is fitted, and its neighbour 1/τ is hardly different from it; the fits scatter by 1e-5",
+};
+
+/// What a quantity tends to as a particle escapes.
+pub const ESCAPE_LIMIT: Tolerance = Tolerance {
+    value: 1e-9,
+    reason: "fits with the known form of the corrections over τ from 1e5 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-11",
+};
+
+/// A difference in units of the first order that is left out.
+pub const FIRST_OMITTED: Tolerance = Tolerance {
+    value: 3.0,
+    reason: "its coefficient is of order one",
 };
 
 /// What the inertial frame's foreign integrator and ours may differ by.
@@ -26,6 +56,24 @@ pub const MOTION: Tolerance = Tolerance {
     reason: "the motion is good to 1e-12 where the problem is well conditioned; the scale is what the formula can resolve",
 };
 
+/// A place on the boundary close to A = 1, α = 0.
+pub const NEAR_CORNER: Tolerance = Tolerance {
+    value: 2e-4,
+    reason: "the boundary is within α of 1, and α is about 1e-4",
+};
+
+/// A coefficient of an expansion about rest.
+pub const NEAR_REST: Tolerance = Tolerance {
+    value: 1e-6,
+    reason: "at the levels chosen the terms left out are below 1e-7, and rounding as well",
+};
+
+/// An exponent of an expansion about rest.
+pub const NEAR_REST_EXPONENT: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "at the levels chosen the terms left out are below 1e-5 of the one measured",
+};
+
 /// Nothing may differ.
 pub const NONE: Tolerance = Tolerance {
     value: 0.0,
@@ -36,6 +84,12 @@ pub const NONE: Tolerance = Tolerance {
 pub const QUADRATURE: Tolerance = Tolerance {
     value: 1e-12,
     reason: "the quadrature is asked for 1e-13",
+};
+
+/// What is left of an angle that has relaxed, or of its square.
+pub const RELAXED: Tolerance = Tolerance {
+    value: 1e-5,
+    reason: "α and ψ are below 1e-5 by then, or their squares are",
 };
 
 /// A root of a formula against the integrated motion.
@@ -60,6 +114,12 @@ pub const SLOPE: Tolerance = Tolerance {
 pub const TERMINAL: Tolerance = Tolerance {
     value: 1e-12,
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
+};
+
+/// The third-order term of the boundary, in units of α³.
+pub const THIRD_ORDER: Tolerance = Tolerance {
+    value: 6.0,
+    reason: "its coefficient depends on ψ and lies between −5.2 and 1.7 as α → 0",
 };
 
 /// A velocity that vanishes as a power of the time.

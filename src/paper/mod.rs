@@ -6,4 +6,6 @@
 //! under the same stem in [`crate::corrections`].
 
 pub mod constant;
+pub mod escape;
 pub mod general;
+pub mod rest;

@@ -1,0 +1,238 @@
+//! Trials of the boundary between rest and escape: bisection, and a census of starts.
+
+use super::runs::Approach;
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::escape::runs::Shared;
+use crate::claims::escape::runs::shared;
+use crate::claims::points::Points;
+use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, NONE, THIRD_ORDER};
+use crate::corrections::rest as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
+use crate::motion::turntable::boundary::between;
+use crate::motion::turntable::{Fate, Start, fate};
+use crate::numerics::roots::root;
+use crate::paper::rest as printed;
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// A point of the boundary.
+#[derive(Debug, Clone, Copy)]
+pub struct Border {
+    /// α.
+    pub alpha: f64,
+    /// ψ in radians.
+    pub psi: f64,
+    /// A on the boundary, to 10⁻⁸.
+    pub a: f64,
+}
+
+/// Bisects for the A at which the particle passes from rest to escape. Newton's law gives the bracket: it rests where
+/// p + ρ = A exp(α) < 1, and escapes where ρ² − p² = A² ≥ 1.
+///
+/// # Errors
+/// Those of the motion.
+pub fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
+    let least = (1.0 - 1e-9) * libm::exp(-alpha);
+    let start = |a| Start::hyperbolic(a, alpha, psi);
+    let a = between(start, least, 1.0 + 1e-9, 1e-8)?;
+    Ok(Border { alpha, psi, a })
+}
+
+/// Points of the boundary: α = 0.3, 0.1, 0.03, 0.01, and twelve ψ all round.
+pub fn borders() -> impl Iterator<Item = Result<&'static Border, MotionError>> {
+    static BORDERS: Shared<Border> = LazyLock::new(|| {
+        let angles = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
+        let points = angles.flat_map(|psi| [0.3, 0.1, 0.03, 0.01].map(|alpha| (alpha, psi)));
+        points.map(|(alpha, psi)| border(alpha, psi)).collect()
+    });
+    shared(&BORDERS)
+}
+
+fn at(alpha: f64, psi: f64) -> String {
+    format!("α = {alpha}, ψ = {psi:.6}")
+}
+
+/// (147) against the boundary.
+pub fn printed_root() -> Evidence {
+    let compared = "(147) with the A at which the motion passes from rest to escape";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
+    trial.over(borders(), |border| {
+        let Border { alpha, psi, a } = *border?;
+        Ok::<_, Failure>(Pair {
+            at: at(alpha, psi),
+            stated: printed::eq147_a(alpha),
+            found: a,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (147) on the slow motion, ψ = 2α, which its derivation is about.
+pub fn printed_slow() -> Evidence {
+    let compared = "(147) with the A at which the motion passes from rest to escape, ψ = 2α";
+    let trial = Trial::by(Route::Root, Subject::Outside, compared, BOUNDARY);
+    trial.over(0..20, |i| {
+        let alpha = 0.02 + 0.01 * f64::from(i);
+        let found = border(alpha, 2.0 * alpha)?.a;
+        Ok::<_, Failure>(Pair {
+            at: at(alpha, 2.0 * alpha),
+            stated: printed::eq147_a(alpha),
+            found,
+            scale: 1.0,
+        })
+    })
+}
+
+/// The second-order boundary against the boundary, in units of α³.
+pub fn corrected_root() -> Evidence {
+    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the A at which the motion passes from rest to escape, in units of α³";
+    let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
+    trial.over(borders(), |border| {
+        let Border { alpha, psi, a } = *border?;
+        Ok::<_, Failure>(Pair {
+            at: at(alpha, psi),
+            stated: corrected::boundary_a(alpha, psi),
+            found: a,
+            scale: alpha * alpha * alpha,
+        })
+    })
+}
+
+/// A start and whether it comes to rest.
+#[derive(Debug, Clone, Copy)]
+pub struct Case {
+    /// A, α and ψ.
+    pub start: [f64; 3],
+    /// True if it comes to rest.
+    pub rests: bool,
+}
+
+/// Whether a start comes to rest, and at which σ.
+///
+/// # Errors
+/// Those of the motion; [`MotionError::Steps`] when rounding decides.
+pub fn resting_place(a: f64, alpha: f64, psi: f64) -> Result<Option<f64>, MotionError> {
+    match fate(&Start::hyperbolic(a, alpha, psi)?)? {
+        Fate::Rest { sigma, .. } => Ok(Some(sigma)),
+        Fate::Escape { .. } => Ok(None),
+        Fate::Undecided { tau, .. } => Err(MotionError::Steps {
+            limit: crate::motion::turntable::fate::STEPS,
+            t: tau,
+        }),
+    }
+}
+
+/// How many starts the census in the ledger has near A = 1, α = 0, and away from it. The benchmark has a million.
+const STARTS: [usize; 2] = [4000, 1000];
+
+/// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
+pub fn census() -> impl Iterator<Item = Result<&'static Case, MotionError>> {
+    static CENSUS: Shared<Case> = LazyLock::new(|| {
+        let mut points = Points::stream(640);
+        let [near, away] = STARTS;
+        (0..near + away)
+            .map(|i| {
+                let (low, high, reach) = if i < near {
+                    (0.65, 1.02, 0.3)
+                } else {
+                    (0.05, 1.2, 1.5)
+                };
+                let a = points.uniform(low, high);
+                let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
+                Ok(Case {
+                    start: [a, alpha, psi],
+                    rests: resting_place(a, alpha, psi)?.is_some(),
+                })
+            })
+            .collect()
+    });
+    shared(&CENSUS)
+}
+
+fn counted(case: &Case, rests: bool) -> Pair {
+    let [a, alpha, psi] = case.start;
+    Pair {
+        at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
+        stated: f64::from(u8::from(rests)),
+        found: f64::from(u8::from(case.rests)),
+        scale: 1.0,
+    }
+}
+
+/// Who comes to rest by (147), and who does.
+pub fn printed_census() -> Evidence {
+    let compared = "rest (1) or not (0) by (147) with what the motion does";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(census(), |case| {
+        let case = case?;
+        let rests = case.start[0] < printed::eq147_a(case.start[1]);
+        Ok::<_, Failure>(counted(case, rests))
+    })
+}
+
+/// Who comes to rest by the second-order boundary, farther from it than the terms left out, and who does.
+pub fn corrected_census() -> Evidence {
+    let compared = "rest (1) or not (0) by 1 − α f₁(ψ) + α² f₂(ψ) with what the motion does, where A is farther from it than 6α³";
+    let trial = Trial::by(Route::Census, Subject::Corrected, compared, NONE);
+    let wanted = |case: &Result<&Case, MotionError>| {
+        case.as_ref().map_or(true, |case| {
+            let [a, alpha, psi] = case.start;
+            let margin = THIRD_ORDER.value * alpha * alpha * alpha;
+            alpha < 0.3 && (a - corrected::boundary_a(alpha, psi)).abs() > margin
+        })
+    };
+    trial.over(census().filter(wanted), |case| {
+        let case = case?;
+        let [a, alpha, psi] = case.start;
+        Ok::<_, Failure>(counted(case, a < corrected::boundary_a(alpha, psi)))
+    })
+}
+
+/// (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish, on the slow motion
+/// near σ = 1. There the real surfaces are 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3.
+pub fn real_surfaces() -> Evidence {
+    let compared =
+        "∂A/∂σ by (146) at α = √2 (1 − σ) with that of the surfaces that the motion makes, ψ = 2α";
+    let trial = Trial::by(Route::Root, Subject::Outside, compared, CLOSING_SURFACES);
+    trial.over(0..20, |i| {
+        surface_slope(i, |sigma, alpha| printed::eq146_right(sigma, alpha))
+    })
+}
+
+/// ∂A/∂σ there by the surfaces around the saddle.
+pub fn closing_surfaces() -> Evidence {
+    let compared = "(1 − σ)/√((1−σ)² + α²) at α = √2 (1 − σ) with ∂A/∂σ of the surfaces that the motion makes, ψ = 2α";
+    let trial = Trial::by(Route::Root, Subject::Corrected, compared, CLOSING_SURFACES);
+    trial.over(0..20, |i| {
+        surface_slope(i, |sigma, alpha| {
+            (1.0 - sigma) / libm::hypot(1.0 - sigma, alpha)
+        })
+    })
+}
+
+fn surface_slope(i: i32, stated: fn(f64, f64) -> f64) -> Result<Pair, Failure> {
+    let sigma = 0.99 + 4e-4 * f64::from(i);
+    let alpha = std::f64::consts::SQRT_2 * (1.0 - sigma);
+    let psi = 2.0 * alpha + 2.0 * alpha * alpha;
+    let resting = |a: f64| match resting_place(a, alpha, psi) {
+        Ok(Some(sigma)) => sigma,
+        // Beyond the boundary.
+        Ok(None) => 1.0,
+        Err(_) => f64::NAN,
+    };
+    let a_at = |sigma: f64| root(|a| resting(a) - sigma, 1.0 - 4.0 * alpha, 1.0);
+    let h = 0.05 * (1.0 - sigma);
+    let slope = (a_at(sigma + h)? - a_at(sigma - h)?) / (2.0 * h);
+    Ok(Pair {
+        at: format!("σ = {sigma:.6}, α = {alpha:.6}"),
+        stated: stated(sigma, alpha),
+        found: slope,
+        scale: 1.0,
+    })
+}
+
+/// The resting place of an approach, for figures: ρ at rest against ρ at the start.
+pub fn rest_against_start(p: f64, psi: f64, rho: f64) -> Result<Option<f64>, MotionError> {
+    Ok(Approach::new([rho, p, psi])?.map(|approach| approach.sigma))
+}
