@@ -187,8 +187,8 @@ pub struct Relaxed {
     pub alpha_rate: f64,
 }
 
-/// Launches with tiny α and any ψ but near π, with the state after many relaxation times: for A > 1 at sixty times
-/// the initial α, else when p has fallen a billionfold.
+/// Launches with tiny α and any ψ but near π, with the state when ψ has relaxed: for A > 1, where α grows meanwhile
+/// and ψ falls as α^(−A/(A−1)), at a hundred thousand times the initial α, else when p has fallen by the factor 10¹².
 pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, MotionError>> {
     static RELAXED: Shared<Relaxed> = LazyLock::new(|| {
         let mut points = Points::stream(602);
@@ -198,7 +198,7 @@ pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, MotionError>> 
             } else {
                 points.uniform(0.4, 0.95)
             },
-            alpha: points.log_uniform(1e-9, 1e-6),
+            alpha: points.log_uniform(1e-13, 1e-11),
             psi: points.uniform(-2.9, 2.9),
         };
         let launches: Vec<_> = (0..60).map(launch).collect();
@@ -208,11 +208,11 @@ pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, MotionError>> 
 }
 
 fn relax(launch: Launch) -> Result<Relaxed, MotionError> {
-    let run = Run::new(&launch.start()?, 60.0 * launch.alpha)?;
+    let run = Run::new(&launch.start()?, 1e5 * launch.alpha)?;
     let parts = if launch.a > 1.0 {
         run.end().parts
     } else {
-        let small = run.nodes().find(|s| s.p() < 1e-9 * launch.alpha);
+        let small = run.nodes().find(|s| s.p() < 1e-12 * launch.alpha);
         small.map_or(run.end().parts, |s| s.parts)
     };
     // From here on with a clock of its own, so that tiny times keep their digits.

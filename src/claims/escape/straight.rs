@@ -63,10 +63,10 @@ pub fn straight_in(rho: f64, p: f64) -> Result<StraightIn, MotionError> {
         let middle = 0.5 * (low + high);
         let run = run(rho, p, middle)?;
         let turned = run.nodes().find(|s| s.parts.xi > 0.0);
-        match turned.map(|s| s.psi() > 0.0) {
-            Some(true) => low = middle,
-            Some(false) => high = middle,
-            None => break,
+        if turned.unwrap_or_else(|| run.end()).psi() > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
         }
     }
     let psi = 0.5 * (low + high);

@@ -19,7 +19,7 @@ use std::f64::consts::PI;
 
 /// (126) with the rate of α after ψ has relaxed, at α below a millionth.
 pub fn eq126_relaxed() -> Evidence {
-    let compared = "(126) with dα/dτ of the motion, ψ having relaxed, α < 1e-6";
+    let compared = "(126) with dα/dτ of the motion, ψ having relaxed, α below a millionth";
     after_relaxing(Subject::Printed, compared)
 }
 
@@ -37,9 +37,9 @@ fn after_relaxing(subject: Subject, compared: &'static str) -> Evidence {
     })
 }
 
-/// (126) from starts with ψ = ψ₁: the difference over the order α² of what is left out.
+/// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
 pub fn eq126_order() -> Evidence {
-    let compared = "(126) with dα/dτ of the motion from ψ = ψ₁, in units of α²";
+    let compared = "(126) with dα/dτ of the motion from ψ = ψ₁, in units of α² + ψ²";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FIRST_OMITTED);
     let mut points = Points::stream(607);
     trial.over(0..60, |_| {
@@ -58,7 +58,7 @@ pub fn eq126_order() -> Evidence {
             at: launch.at(),
             stated: printed::eq126_alpha_rate(a(&now)),
             found: rate,
-            scale: small * small,
+            scale: small * small + now.psi() * now.psi(),
         })
     })
 }
@@ -162,7 +162,7 @@ pub fn never_decreases_census() -> Evidence {
 
 /// ψ after many relaxation times, against ψ₁.
 pub fn small_alpha_angle() -> Evidence {
-    let compared = "ψ₁ with ψ of the motion, many relaxation times after a start with α < 1e-6";
+    let compared = "ψ₁ with ψ of the motion, ψ having relaxed after a start with α < 1e-11";
     let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
     trial.over(relaxed(), |relaxed| {
         let relaxed = relaxed?;
@@ -177,8 +177,7 @@ pub fn small_alpha_angle() -> Evidence {
 
 /// (126) at the same states.
 pub fn small_alpha_rate() -> Evidence {
-    let compared =
-        "(126) with dα/dτ of the motion, many relaxation times after a start with α < 1e-6";
+    let compared = "(126) with dα/dτ of the motion, ψ having relaxed after a start with α < 1e-11";
     after_relaxing(Subject::Within, compared)
 }
 

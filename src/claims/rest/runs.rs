@@ -46,7 +46,7 @@ pub struct Close {
 impl Close {
     /// The order of what (140) to (145) leave out, relative to what they keep.
     pub fn omitted(&self, sigma: f64) -> f64 {
-        (self.alpha * self.alpha + self.psi * self.psi) / (sigma * (1.0 - sigma))
+        (self.alpha * self.alpha + self.psi * self.psi) / (sigma * (1.0 - sigma) * (1.0 - sigma))
     }
 
     /// What (143) has in brackets, times 1.
@@ -141,6 +141,14 @@ pub fn approaches_to(
         let inside = |s: f64| ranges.iter().any(|&(low, high)| low < s && s < high);
         approach.as_ref().map_or(true, |a| inside(a.sigma))
     })
+}
+
+/// Of those, the ones that do not start near ψ = π, where the constant c of (143) is large.
+pub fn gentle_approaches_to(
+    ranges: &'static [(f64, f64)],
+) -> impl Iterator<Item = Result<&'static Approach, MotionError>> {
+    let gentle = |a: &&Approach| a.start[2].abs() < 2.2;
+    approaches_to(ranges).filter(move |approach| approach.as_ref().map_or(true, gentle))
 }
 
 /// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.

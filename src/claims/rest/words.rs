@@ -48,7 +48,7 @@ pub fn eq139_stays() -> Evidence {
             x: [sigma * table.length(), 0.0],
             v: [0.0; 2],
         };
-        let until = 30.0 / table.omega.abs();
+        let until = 10.0 / table.omega.abs();
         let path = inertial::run(&table, &table.to_laboratory(&rides), until)?;
         let moved = (path.on_table(until)?.radius() / table.length() - sigma).abs();
         Ok::<_, Failure>(Pair {
