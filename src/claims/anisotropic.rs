@@ -1,13 +1,45 @@
 //! Anisotropic friction: the claims.
 
-use super::{Claim, Condition, Topic};
-use crate::evidence::Kind;
+pub mod census;
+mod corners;
+mod curves;
+pub mod drawn;
+pub mod exact;
+mod mirror;
+pub mod panels;
+mod regions;
+pub mod runs;
+mod setup;
+
+use super::{Claim, Condition, Correction, Topic};
+use crate::evidence::{Change, Kind};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
     stem: "anisotropic",
     title: "Anisotropic friction",
     claims: CLAIMS,
+};
+
+/// (54) beyond Y.
+const CURVE_E: Correction = Correction {
+    change: Change::Statement,
+    latex: r"\text{B for }q\leq q_Y\text{, and E for }q\geq q_Y\text{:}\quad\sqrt{1-\lambda_0^2}-\sqrt{1-(q\lambda_0)^2}=\lambda_0[2\pi-\sin^{-1}(q\lambda_0)-\sin^{-1}(\lambda_0)]",
+    plain: "B for q ≤ q_Y, and E for q ≥ q_Y: √(1 − λ₀²) − √(1 − (q λ₀)²) = λ₀ [2π − asin(q λ₀) − asin(λ₀)]",
+};
+
+/// Region II, with E.
+const SECOND_REGION: Correction = Correction {
+    change: Change::Statement,
+    latex: r"Above A, below B for $q\leq q_Y$ and below E for $q\geq q_Y$, each period has an interval with $\mathfrak{w}>0$, at once one with $\mathfrak{w}<0$, then a rest. Between E and C there is no backward motion: each period has an interval with $\mathfrak{w}>0$ and a rest, as in IV.",
+    plain: "Above A, below B for q ≤ q_Y and below E for q ≥ q_Y, each period has an interval with w > 0, at once one with w < 0, then a rest. Between E and C there is no backward motion: each period has an interval with w > 0 and a rest, as in IV.",
+};
+
+/// The diagram, with E.
+const DIAGRAM: Correction = Correction {
+    change: Change::Statement,
+    latex: r"The regions I to V with the curves A, B up to $Y$, E from $Y$ on, C up to $Y$, and D. Beyond $Y$, E separates II from IV, and C separates nothing.",
+    plain: "The regions I to V with the curves A, B up to Y, E from Y on, C up to Y, and D. Beyond Y, E separates II from IV, and C separates nothing.",
 };
 
 const CLAIMS: &[Claim] = &[
@@ -24,6 +56,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-21"],
+        trials: &[setup::eq47],
         ..Claim::BLANK
     },
     Claim {
@@ -39,6 +72,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-21"],
+        trials: &[setup::eq48],
         ..Claim::BLANK
     },
     Claim {
@@ -50,6 +84,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_+=\lambda_0",
         plain: "λ₊ = λ₀",
         depends_on: &["eq-47"],
+        trials: &[setup::eq49],
         ..Claim::BLANK
     },
     Claim {
@@ -61,6 +96,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_-=q \lambda_0",
         plain: "λ₋ = q λ₀",
         depends_on: &["eq-48", "eq-49"],
+        trials: &[setup::eq50],
         ..Claim::BLANK
     },
     Claim {
@@ -76,6 +112,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26", "eq-49"],
+        trials: &[exact::eq51, setup::eq51_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -91,6 +128,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26", "eq-50"],
+        trials: &[exact::eq52, setup::eq52_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -106,6 +144,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52"],
+        trials: &[
+            exact::eq53,
+            curves::eq53_root,
+            curves::eq53_census,
+            curves::eq53_limit,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -116,12 +160,28 @@ const CLAIMS: &[Claim] = &[
         title: "curve B",
         latex: r"\text{B:}\quad \sqrt{1-\lambda_0^2} +\sqrt{1-(q \lambda_0)^2}= \lambda_0 [\pi + \sin^{-1}(q \lambda_0) - \sin^{-1}(\lambda_0)]",
         plain: "B: √(1 − λ₀²) + √(1 − (q λ₀)²) = λ₀ [π + asin(q λ₀) − asin(λ₀)]",
-        conditions: &[Condition {
-            text: r"$q\geq1$",
-            stated: true,
-        }],
+        conditions: &[
+            Condition {
+                text: r"$q\geq1$",
+                stated: true,
+            },
+            Condition {
+                text: r"$q\leq q_Y$, the $q$ of $Y$: beyond, (54) has no solution, and E takes its place",
+                stated: false,
+            },
+        ],
         depends_on: &["eq-51", "eq-52"],
-        ..Claim::BLANK
+        trials: &[
+            exact::eq54,
+            curves::eq54_root,
+            curves::eq54_census,
+            curves::eq54_outside,
+            exact::e,
+            curves::e_root,
+            curves::e_census,
+            curves::e_limit,
+        ],
+        correction: Some(CURVE_E),
     },
     Claim {
         id: "eq-55",
@@ -131,11 +191,23 @@ const CLAIMS: &[Claim] = &[
         title: "curve C",
         latex: r"\text{C:}\quad \lambda_0=\frac{1}{q}",
         plain: "C: λ₀ = 1/q",
-        conditions: &[Condition {
-            text: r"$q\geq1$",
-            stated: true,
-        }],
+        conditions: &[
+            Condition {
+                text: r"$q\geq1$",
+                stated: true,
+            },
+            Condition {
+                text: r"$q\leq q_Y$, the $q$ of $Y$: beyond, the motion is the same on both sides of C",
+                stated: false,
+            },
+        ],
         depends_on: &["eq-52"],
+        trials: &[
+            curves::eq55_root,
+            curves::eq55_census,
+            curves::eq55_outside,
+            curves::eq55_census_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -151,6 +223,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51"],
+        trials: &[curves::eq56_root, curves::eq56_census],
         ..Claim::BLANK
     },
     Claim {
@@ -162,6 +235,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"X=(q=1,\lambda_0=\lambda_\mathrm{c})",
         plain: "X = (q = 1, λ₀ = λ_c)",
         depends_on: &["eq-37", "eq-53", "eq-54"],
+        trials: &[exact::x, corners::x_root],
         ..Claim::BLANK
     },
     Claim {
@@ -173,6 +247,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"Y=(q=4.603,\lambda_0=0.217)",
         plain: "Y = (q = 4.603, λ₀ = 0.217)",
         depends_on: &["eq-54", "eq-55"],
+        trials: &[corners::y_decimals, corners::y_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -184,6 +259,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"Taking $q\geq1$ is no loss of generality.",
         plain: "Taking q ≥ 1 is no loss of generality.",
         depends_on: &["eq-51", "eq-52"],
+        trials: &[exact::mirror, mirror::integration, mirror::census],
         ..Claim::BLANK
     },
     Claim {
@@ -199,6 +275,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-53"],
+        trials: &[regions::first_census, regions::first_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -214,7 +291,14 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-53", "eq-54", "eq-55"],
-        ..Claim::BLANK
+        trials: &[
+            regions::second_census,
+            regions::second_ends,
+            regions::second_corrected_census,
+            regions::second_corrected_ends,
+            regions::between_e_and_c,
+        ],
+        correction: Some(SECOND_REGION),
     },
     Claim {
         id: "s24-region-3",
@@ -229,6 +313,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-54", "eq-55"],
+        trials: &[regions::third_census, regions::third_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -244,6 +329,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-55", "eq-56"],
+        trials: &[regions::fourth_census, regions::fourth_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -259,6 +345,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-56"],
+        trials: &[regions::fifth_census, regions::fifth_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -270,6 +357,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"A and B meet at $X=(1,\lambda_\mathrm{c})$.",
         plain: "A and B meet at X = (1, λ_c).",
         depends_on: &["eq-57"],
+        trials: &[exact::x, corners::x_root, corners::x_both],
         ..Claim::BLANK
     },
     Claim {
@@ -281,6 +369,12 @@ const CLAIMS: &[Claim] = &[
         latex: "B and C meet at $Y=(4.603,0.217)$ and are tangent there.",
         plain: "B and C meet at Y = (4.603, 0.217) and are tangent there.",
         depends_on: &["eq-58"],
+        trials: &[
+            exact::y,
+            corners::y_digits,
+            corners::y_contact,
+            corners::y_curvature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -292,6 +386,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"The regions I to V with the curves A to D and the points $X$, $Y$; axes $q$ from $1$ to $7$, $\lambda_0$ from $0$ to $1.4$.",
         plain: "The regions I to V with the curves A to D and the points X, Y; axes q from 1 to 7, λ₀ from 0 to 1.4.",
         depends_on: &["eq-53", "eq-54", "eq-55", "eq-56", "eq-57", "eq-58"],
+        trials: &[
+            regions::diagram,
+            regions::corrected_diagram,
+            regions::corrected_curves,
+        ],
+        correction: Some(DIAGRAM),
         ..Claim::BLANK
     },
     Claim {
@@ -309,6 +409,7 @@ const CLAIMS: &[Claim] = &[
             "s24-region-4",
             "s24-region-5",
         ],
+        trials: &[panels::quadrature, panels::census],
         ..Claim::BLANK
     },
 ];

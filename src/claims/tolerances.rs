@@ -14,6 +14,12 @@ pub const CLOSING_SURFACES: Tolerance = Tolerance {
     reason: "the saddle's surfaces are exact only at σ → 1; 1 − σ is up to 1e-2 here, where they are 6e-3 off",
 };
 
+/// An exponent or coefficient of a touch, taken at a small distance from it.
+pub const CONTACT: Tolerance = Tolerance {
+    value: 1e-3,
+    reason: "taken at distances of 1e-2 and less, on both sides, where the next term is below 1e-4",
+};
+
 /// A rate against differences of the motion.
 pub const DIFFERENCES: Tolerance = Tolerance {
     value: 1e-9,
@@ -32,6 +38,12 @@ pub const ESCAPE_LIMIT: Tolerance = Tolerance {
     reason: "fits with the known form of the corrections over τ from 1e5 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12",
 };
 
+/// An asymptotic form against what it is the limit of.
+pub const FAR: Tolerance = Tolerance {
+    value: 2e-6,
+    reason: "the first term left out is about 1700 q⁻⁴, or 1e-6 at the smallest q, 200",
+};
+
 /// A difference in units of the first order that is left out.
 pub const FIRST_OMITTED: Tolerance = Tolerance {
     value: 1.0,
@@ -48,6 +60,12 @@ pub const FOREIGN: Tolerance = Tolerance {
 pub const LATE_ANGLE: Tolerance = Tolerance {
     value: 1e-7,
     reason: "the slowest case, without friction, has 2e-8 left at a hundred million times v₀/A",
+};
+
+/// The width of a narrow range of friction, over its expected width.
+pub const LIMIT_OF_WIDTH: Tolerance = Tolerance {
+    value: 1e-6,
+    reason: "the jumps of h are known to 4e-16, and the least width, 1e-3, divides that twice",
 };
 
 /// A formula against the integrated motion.
@@ -120,6 +138,18 @@ pub const TERMINAL: Tolerance = Tolerance {
 pub const THIRD_ORDER: Tolerance = Tolerance {
     value: 6.0,
     reason: "its coefficient depends on ψ and lies between −5.2 and 1.7 as α → 0",
+};
+
+/// A number that is printed to three decimals.
+pub const THREE_DECIMALS: Tolerance = Tolerance {
+    value: 5e-4,
+    reason: "half a unit of the third decimal",
+};
+
+/// A friction at which the list of intervals changes, by bisection.
+pub const THRESHOLD: Tolerance = Tolerance {
+    value: 1e-11,
+    reason: "halved to the last bit; there the motion itself is known to about 1e-15 over the friction",
 };
 
 /// A velocity that vanishes as a power of the time.

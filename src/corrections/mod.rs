@@ -2,6 +2,8 @@
 //!
 //! Same stems as in [`crate::paper`]; every entry is tried in [`crate::claims`] like a printed formula.
 
+pub mod anisotropic;
 pub mod constant;
 pub mod escape;
 pub mod rest;
+pub mod periodic;

@@ -39,6 +39,7 @@
 //! ```
 
 mod all;
+pub mod anisotropic;
 mod axes;
 pub mod constant;
 mod csv;
@@ -46,6 +47,7 @@ mod labels;
 mod marks;
 mod panel;
 mod path;
+pub mod periodic;
 mod plot;
 mod raster;
 mod sketch;

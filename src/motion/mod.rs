@@ -23,6 +23,7 @@ pub mod error;
 pub mod onset;
 pub mod particle;
 pub mod signal;
+pub mod sphere;
 pub mod trajectory;
 pub mod turntable;
 

@@ -5,7 +5,9 @@
 //! number and read as a syntax tree. Nothing is mended here; what replaces a formula that fails stands
 //! under the same stem in [`crate::corrections`].
 
+pub mod anisotropic;
 pub mod constant;
 pub mod escape;
 pub mod general;
 pub mod rest;
+pub mod periodic;

@@ -10,6 +10,7 @@
 
 use super::path::{Frame, Leg, Path};
 use super::{State, Table, check_start};
+use crate::motion::Coefficients;
 use crate::motion::clock::Clocked;
 use crate::motion::error::MotionError;
 use crate::motion::onset::onset;
@@ -159,7 +160,7 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
 fn first_moments(
     table: &Table,
     place: [f64; 2],
-) -> Result<(f64, Box<[[f64; TERMS]; 4]>), MotionError> {
+) -> Result<(f64, Box<[Coefficients; 4]>), MotionError> {
     let omega = table.omega;
     let mut x = [[0.0; TERMS]; 2];
     let mut v = [[0.0; TERMS]; 2];

@@ -1,6 +1,7 @@
 //! A finished motion on the table, in the frame in which it was integrated.
 
 use super::{State, Table};
+use crate::motion::Coefficients;
 use crate::motion::clock::Clocked;
 use crate::motion::error::MotionError;
 
@@ -12,7 +13,7 @@ pub(super) enum Leg {
     /// The first moments after a start from rest: coefficients of x, y, v_x, v_y in powers of t − from.
     Onset {
         from: f64,
-        series: Box<[crate::motion::Coefficients; 4]>,
+        series: Box<[Coefficients; 4]>,
     },
     /// The last moments before a stop, at a steady deceleration relative to the table; a state in its frame.
     Stopping { state: State, to: f64 },

@@ -1,0 +1,124 @@
+//! What the figures of section 2.4 show: the data of the trials.
+
+use super::census::{self, Column, LAMBDA0, Q};
+use super::panels::{PANELS, motion};
+use super::runs::{Changes, Curves, Row, START, far_rows, rows, touching};
+use crate::claims::compare::Failure;
+use crate::corrections::anisotropic as corrected;
+use crate::paper::anisotropic as printed;
+use std::f64::consts::PI;
+
+/// One point of the census in a map: found and printed region.
+pub type Cell = (usize, Option<usize>);
+
+/// A part of the plane.
+#[derive(Debug, Clone)]
+pub struct Map {
+    /// The curves, in order of q.
+    pub curves: Vec<Curves>,
+    /// Cells along q and along λ₀.
+    pub shape: (usize, usize),
+    /// The ends along q.
+    pub q: (f64, f64),
+    /// The ends along λ₀.
+    pub lambda0: (f64, f64),
+    /// The cells, row by row from the lowest λ₀.
+    pub cells: Vec<Cell>,
+}
+
+/// The census cells of these columns and of the lowest `rows` rows, with the curves over them, Y included.
+///
+/// # Errors
+/// As [`census::columns`].
+pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure> {
+    let all = census::columns()?;
+    let chosen: &[Column] = all.get(columns.clone()).ok_or("no such columns")?;
+    let cell = |column: &Column, j: usize| {
+        let (lambda0, found) = column.cells[j];
+        (found, printed::region(lambda0, &column.curves.printed))
+    };
+    let rows = rows.min(census::ROWS);
+    let end = |(from, to): (f64, f64), i: usize, n: usize| from + (to - from) * i as f64 / n as f64;
+    let along_q = |i: usize| end(Q, i, census::COLUMNS);
+    let q = (along_q(columns.start), along_q(columns.end));
+    let mut ratios: Vec<f64> = (columns.start..=columns.end).map(along_q).collect();
+    // B and C end, and E begins, at Y.
+    let y = touching()?;
+    ratios.extend(
+        [y * (1.0 - 1e-6), y * (1.0 + 1e-6)]
+            .iter()
+            .filter(|&&at| q.0 < at && at < q.1),
+    );
+    ratios.sort_by(f64::total_cmp);
+    Ok(Map {
+        curves: ratios
+            .into_iter()
+            .map(Curves::at)
+            .collect::<Result<_, _>>()?,
+        shape: (chosen.len(), rows),
+        q,
+        lambda0: (LAMBDA0.0, end(LAMBDA0, rows, census::ROWS)),
+        cells: (0..rows)
+            .flat_map(|j| chosen.iter().map(move |column| cell(column, j)))
+            .collect(),
+    })
+}
+
+/// The points X and Y as (q, λ₀), to all digits.
+///
+/// # Errors
+/// As [`touching`].
+pub fn corners() -> Result<[[f64; 2]; 2], Failure> {
+    let y = touching()?;
+    Ok([printed::eq57_x(), [y, printed::eq55_lambda0(y)]])
+}
+
+/// (φ, 𝔴) over two periods in each panel of fig-6: equal steps and the ends of the intervals.
+///
+/// # Errors
+/// A motion that does not become periodic.
+pub fn waves() -> Result<Vec<Vec<[f64; 2]>>, Failure> {
+    let wave = |panel| -> Result<Vec<[f64; 2]>, Failure> {
+        let motion = motion(panel, START)?;
+        let mut phases: Vec<f64> = (0..=160).map(|k| 4.0 * PI * f64::from(k) / 160.0).collect();
+        let ends = motion
+            .intervals()
+            .iter()
+            .map(|i| i.end.rem_euclid(2.0 * PI));
+        phases.extend(ends.flat_map(|end| [end, end + 2.0 * PI]));
+        phases.sort_by(f64::total_cmp);
+        Ok(phases.into_iter().map(|phi| [phi, motion.w(phi)]).collect())
+    };
+    (0..PANELS.len()).map(wave).collect()
+}
+
+/// λ₀ on E where the map's curves are beyond Y.
+pub fn on_e(curves: &corrected::Curves) -> Option<f64> {
+    curves.c.is_none().then_some(curves.b_or_e)
+}
+
+/// Rows from q = 1 to 20,000, about equally far apart on a logarithmic scale: some of those that were tried, and
+/// a few between them.
+///
+/// # Errors
+/// As [`rows`].
+pub fn boundaries() -> Result<Vec<Row>, Failure> {
+    let mut all: Vec<Row> = rows()?.iter().chain(far_rows()?).copied().collect();
+    for k in 0..14 {
+        let q = 14.0 * libm::exp10(f64::from(k) / 12.0);
+        all.push(Row {
+            curves: Curves::at(q)?,
+            changes: Changes::at(q, 1e-9, START)?,
+        });
+    }
+    all.sort_by(|a, b| a.curves.q.total_cmp(&b.curves.q));
+    let mut last = 0.0;
+    all.retain(|row| {
+        let keep = row.curves.q > 1.15 * last;
+        if keep {
+            last = row.curves.q;
+        }
+        keep
+    });
+    Ok(all)
+}

@@ -1,0 +1,422 @@
+//! Section 2.4, exactly: the rates, the curves A, B and E, their meeting points, the touch at Y, the mirror.
+//!
+//! The curves are written with the angles α = asin λ₀ and β = asin(qλ₀), so that both sides of a printed formula
+//! are rational in the tangents of half these angles. An arc from rest at φ₀ is ∫ (sin φ ∓ λ±) dφ =
+//! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
+
+use crate::claims::compare::proved;
+use crate::corrections::anisotropic as corrected;
+use crate::evidence::{Evidence, Subject};
+use crate::exact::{ExactError, Expr, Function, Proof, Rational, Ring};
+use crate::paper::anisotropic as printed;
+use crate::scalar::Scalar;
+
+/// A ring with the friction of forward motion as sin α and that of backward motion as sin β.
+fn frictions() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for (angle, friction) in [("α", "λ₀"), ("β", "qλ₀")] {
+        let value = ring.angle(angle);
+        let (sine, cosine) = (
+            ring.read(Expr::symbol(angle).sin())?,
+            ring.read(Expr::symbol(angle).cos())?,
+        );
+        ring.inverse(Function::Asin, &sine, &value)?;
+        // Both angles lie between 0 and π/2.
+        let radicand = Rational::int(1) - &sine * &sine;
+        ring.root_is(&radicand, 2, &cosine)?;
+        ring.define(friction, sine)?;
+    }
+    Ok(ring)
+}
+
+fn prove(
+    title: &str,
+    ring: Result<Ring, ExactError>,
+    steps: impl FnOnce(&mut crate::exact::Prover<'_>) -> Result<(), crate::exact::Obstacle>,
+) -> Proof {
+    match ring {
+        Ok(ring) => Proof::of(title, &ring, steps),
+        Err(error) => Proof::impossible(title, error),
+    }
+}
+
+fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
+    names.map(Expr::symbol)
+}
+
+/// 𝔴 after an arc from rest at `from` to `to`, with the deceleration `friction` (its sign included).
+fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
+    from.cos() - to.cos() - friction * (to - from)
+}
+
+/// Newton's law along x, d(v_x)/dt = A₀ sin ϖt ∓ μ±g, in the units of (23) and (24).
+fn laboratory() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["A₀", "ϖ", "g", "μ₊", "μ₋"] {
+        ring.symbol(name);
+    }
+    ring.angle("φ");
+    let [mu_plus, mu_minus, g, a0] = symbols(["μ₊", "μ₋", "g", "A₀"]);
+    let plus = ring.read(printed::eq47_lambda_plus(mu_plus, g, a0))?;
+    let minus = ring.read(printed::eq48_lambda_minus(mu_minus, g, a0))?;
+    // (49) and (50) name these two λ₀ and qλ₀.
+    let q = ring.divide(&minus, &plus)?;
+    ring.define("λ₀", plus)?;
+    ring.define("q", q)?;
+    Ok(ring)
+}
+
+fn rate(title: &str, formula: Expr, deceleration: Expr) -> Proof {
+    prove(title, laboratory(), |p| {
+        let [a0, frequency, phi] = symbols(["A₀", "ϖ", "φ"]);
+        p.note(
+            "While sliding",
+            "dv_x/dt = A₀ sin φ less the friction, φ = ϖt, 𝔴 = ϖv_x/A₀",
+        );
+        let by_newton = (a0 * phi.sin() - deceleration) * frequency / a0 / frequency;
+        let found = p.read("d𝔴/dφ by Newton's law", by_newton)?;
+        let stated = p.read("The printed rate", formula)?;
+        p.equal("The two", &found, &stated)
+    })
+}
+
+fn prove_eq51(formula: Expr) -> Proof {
+    let [mu, g] = symbols(["μ₊", "g"]);
+    rate("(51): forward motion", formula, mu * g)
+}
+
+fn prove_eq52(formula: Expr) -> Proof {
+    let [mu, g] = symbols(["μ₋", "g"]);
+    rate("(52): backward motion", formula, -(mu * g))
+}
+
+/// (53): forward motion from φ = α, where a rest would end, for 2K; backward motion for the rest of the period.
+fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
+    let balance = || {
+        let mut ring = Ring::new();
+        ring.symbol("q");
+        ring.symbol("λ₀");
+        Ok(ring)
+    };
+    let balanced = prove("(53): K", balance(), |p| {
+        let [q, lambda0] = symbols(["q", "λ₀"]);
+        p.note(
+            "Over a period",
+            "the drive gives nothing, so λ₀ 2K = qλ₀ (2π − 2K)",
+        );
+        let two = Expr::int(2);
+        let lost = lambda0 * two * k_formula;
+        let gained = q * lambda0 * (two * Expr::pi() - two * k_formula);
+        let [lost, gained] = [
+            p.read("Taken forwards, with the printed K", lost)?,
+            p.read("Taken backwards", gained)?,
+        ];
+        p.equal("The two", &lost, &gained)
+    });
+    let angles = || {
+        let mut ring = frictions()?;
+        ring.angle("K");
+        Ok(ring)
+    };
+    prove("(53): curve A", angles(), |p| {
+        p.rests_on(&balanced)?;
+        let [alpha, k, lambda0] = symbols(["α", "K", "λ₀"]);
+        let two = Expr::int(2);
+        let end = p.read("𝔴 at α + 2K", arc(alpha, alpha + two * k, lambda0))?;
+        let factor = two * k.sin().squared() * alpha.sin();
+        let stated = p.read("2 sin²K sin α (left − right side)", factor * (left - right))?;
+        p.equal("The two vanish together", &end, &stated)
+    })
+}
+
+/// (54): forward motion from α ends where backward motion could begin, at π + β.
+fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
+    prove("(54): curve B", frictions(), |p| {
+        let [alpha, beta, lambda0] = symbols(["α", "β", "λ₀"]);
+        let end = p.read("𝔴 at π + β", arc(alpha, Expr::pi() + beta, lambda0))?;
+        let stated = p.read("Left less right side", left - right)?;
+        p.equal("The two", &end, &stated)
+    })
+}
+
+/// E: forward motion from α ends where backward motion could begin for the last time, at 2π − β.
+fn prove_e([left, right]: [Expr; 2]) -> Proof {
+    prove("Curve E", frictions(), |p| {
+        let [alpha, beta, lambda0] = symbols(["α", "β", "λ₀"]);
+        let late = Expr::int(2) * Expr::pi() - beta;
+        let end = p.read("𝔴 at 2π − β", arc(alpha, late, lambda0))?;
+        let stated = p.read("Left less right side", left - right)?;
+        p.equal("The two", &end, &stated)
+    })
+}
+
+fn sides_of_b() -> [Expr; 2] {
+    let [lambda0, q_lambda0] = symbols(["λ₀", "qλ₀"]);
+    printed::eq54_sides(lambda0, q_lambda0)
+}
+
+fn sides_of_a() -> [Expr; 2] {
+    let [k, lambda0] = symbols(["K", "λ₀"]);
+    printed::eq53_sides(k, lambda0)
+}
+
+fn sides_of_e() -> [Expr; 2] {
+    let [lambda0, q_lambda0] = symbols(["λ₀", "qλ₀"]);
+    corrected::e_sides(lambda0, q_lambda0)
+}
+
+/// (57): at q = 1 the two curves are one condition, tan α = 2/π, and the printed λ₀ meets it.
+fn prove_x([q, lambda0]: [Expr; 2]) -> Proof {
+    let equal = || {
+        let mut ring = frictions()?;
+        let alpha = ring.named("α")?;
+        ring.define("K", ring.read(printed::eq53_k(q))?)?;
+        ring.define("alike", alpha)?;
+        Ok(ring)
+    };
+    let same = prove("A and B at q = 1", equal(), |p| {
+        let [alpha, lambda0] = symbols(["α", "λ₀"]);
+        let [left, right] = sides_of_a();
+        let a = p.read("A: left less right side", left - right)?;
+        let [left, right] = printed::eq54_sides(lambda0, lambda0);
+        let b = p.read("B: left less right side", left - right)?;
+        let factor = p.read("2 sin α", Expr::int(2) * alpha.sin())?;
+        p.equal("B is 2 sin α times A", &b, &(&factor * &a))?;
+        let condition = p.read(
+            "The condition 2 cos α = π sin α",
+            Expr::int(2) * alpha.cos() - Expr::pi() * alpha.sin(),
+        )?;
+        p.equal("B is that condition", &b, &condition)
+    });
+    let root = || {
+        let mut ring = Ring::new();
+        let square = ring.read(Expr::int(4) + Expr::pi() * Expr::pi())?;
+        ring.root(&square, 2)?;
+        Ok(ring)
+    };
+    prove("(57): X", root(), |p| {
+        p.rests_on(&same)?;
+        let sine = p.read("sin α, the printed λ₀", lambda0)?;
+        let cosine = p.read("cos α = π sin α/2", Expr::pi() * lambda0 / Expr::int(2))?;
+        let one = &sine * &sine + &cosine * &cosine;
+        p.equal("Their squares add up to 1", &one, &Rational::int(1))
+    })
+}
+
+/// The touch at Y: on (54), at β = π/2, qλ₀ = sin β stands still while λ₀ = sin α goes on; and tan x = x.
+fn prove_y([left, right]: [Expr; 2]) -> Proof {
+    prove("B and C touch at Y", frictions(), |p| {
+        let b = p.read("B: left less right side", left - right)?;
+        let by_alpha = p.derivative("Its slope along α", &b, &p.ring().by("α")?)?;
+        let by_beta = p.derivative("Its slope along β", &b, &p.ring().by("β")?)?;
+        let turn = p.quotient("dβ/dα along B", &-&by_alpha, &by_beta)?;
+        let on_c =
+            |p: &mut crate::exact::Prover<'_>, x: &Rational| -> Result<Rational, ExactError> {
+                // β = π/2, where the tangent of the half is 1 and its cosine 1/√2; only cos²(β/2) occurs.
+                let ring = p.ring();
+                let beta = ring.named("β")?;
+                let half = ring.read(Expr::pi() / Expr::int(2))?;
+                ring.put(
+                    x,
+                    &[
+                        (&beta, &half),
+                        (&ring.half_tangent("β")?, &Rational::int(1)),
+                    ],
+                )
+            };
+        let growth = p.read("cos β, by which d(qλ₀) = cos β dβ", Expr::symbol("β").cos())?;
+        let rate = on_c(p, &(&growth * &turn))?;
+        p.zero("d(qλ₀)/dα along B, at β = π/2", &rate)?;
+        let meeting = on_c(p, &b)?;
+        let [alpha] = symbols(["α"]);
+        let x = Expr::int(3) * Expr::pi() / Expr::int(2) - alpha;
+        let condition = p.read("x cos x − sin x with x = 3π/2 − α", x * x.cos() - x.sin())?;
+        p.equal("B at β = π/2 vanishes with it", &meeting, &condition)?;
+        let [q, _] = [alpha.cot(), Expr::int(0)];
+        let square = p.read("1 + x², with x = tan x = cot α", Expr::int(1) + q.squared())?;
+        let one = p.read("times λ₀²", Expr::symbol("λ₀").squared())?;
+        p.equal(
+            "makes q = 1/λ₀ = √(1 + x²)",
+            &(&square * &one),
+            &Rational::int(1),
+        )
+    })
+}
+
+/// The mirror takes each printed rate into the other.
+fn prove_mirror(forward: fn(Expr, Expr) -> Expr, backward: fn(Expr, Expr, Expr) -> Expr) -> Proof {
+    let plane = || {
+        let mut ring = Ring::new();
+        ring.angle("φ");
+        ring.symbol("q");
+        ring.symbol("λ₀");
+        Ok(ring)
+    };
+    prove("The mirror", plane(), |p| {
+        let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+        let (other_q, other_lambda0, other_phi) = (Expr::int(1) / q, q * lambda0, phi + Expr::pi());
+        for (says, here, there) in [
+            (
+                "Forward motion",
+                forward(lambda0, phi),
+                -backward(other_q, other_lambda0, other_phi),
+            ),
+            (
+                "Backward motion",
+                backward(q, lambda0, phi),
+                -forward(other_lambda0, other_phi),
+            ),
+        ] {
+            let here = p.read(says, here)?;
+            let there = p.read("The other's in the mirror", there)?;
+            p.equal("The two", &here, &there)?;
+        }
+        Ok(())
+    })
+}
+
+/// (51).
+pub fn eq51() -> Evidence {
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
+    let proof = prove_eq51(printed::eq51_rate(lambda0, phi));
+    proved(
+        &proof,
+        Subject::Printed,
+        "(51) with Newton's law along x, in the units of (23), (24), (47) to (50)",
+    )
+}
+
+/// (52).
+pub fn eq52() -> Evidence {
+    let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+    let proof = prove_eq52(printed::eq52_rate(q, lambda0, phi));
+    proved(
+        &proof,
+        Subject::Printed,
+        "(52) with Newton's law along x, in the units of (23), (24), (47) to (50)",
+    )
+}
+
+/// (53).
+pub fn eq53() -> Evidence {
+    let proof = prove_eq53(printed::eq53_k(Expr::symbol("q")), sides_of_a());
+    proved(
+        &proof,
+        Subject::Printed,
+        "(53) with the balance of friction over a period and a forward arc of length 2K from asin λ₀",
+    )
+}
+
+/// (54), as the condition that a forward arc ends at π + asin(qλ₀).
+pub fn eq54() -> Evidence {
+    proved(
+        &prove_eq54(sides_of_b()),
+        Subject::Within,
+        "(54) with the forward arc from asin λ₀ to π + asin(qλ₀)",
+    )
+}
+
+/// E, as the condition that a forward arc ends at 2π − asin(qλ₀).
+pub fn e() -> Evidence {
+    proved(
+        &prove_e(sides_of_e()),
+        Subject::Corrected,
+        "E with the forward arc from asin λ₀ to 2π − asin(qλ₀)",
+    )
+}
+
+/// (57).
+pub fn x() -> Evidence {
+    proved(
+        &prove_x(printed::eq57_x()),
+        Subject::Printed,
+        "X with (53) and (54) at q = 1",
+    )
+}
+
+/// The touch at Y.
+pub fn y() -> Evidence {
+    proved(
+        &prove_y(sides_of_b()),
+        Subject::Printed,
+        "the direction of (54) with that of (55) where they meet, which is where tan x = x with q = √(1 + x²)",
+    )
+}
+
+/// The mirror.
+pub fn mirror() -> Evidence {
+    proved(
+        &prove_mirror(printed::eq51_rate, printed::eq52_rate),
+        Subject::Printed,
+        "(51) and (52) with each other, under φ → φ + π, 𝔴 → −𝔴, λ₀ → qλ₀, q → 1/q",
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::mutations;
+
+    fn holds(proof: &Proof) {
+        assert!(proof.holds(), "{proof}");
+    }
+
+    #[test]
+    fn every_statement_is_proved() {
+        let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+        holds(&prove_eq51(printed::eq51_rate(lambda0, phi)));
+        holds(&prove_eq52(printed::eq52_rate(q, lambda0, phi)));
+        holds(&prove_eq53(printed::eq53_k(q), sides_of_a()));
+        holds(&prove_eq54(sides_of_b()));
+        holds(&prove_e(sides_of_e()));
+        holds(&prove_x(printed::eq57_x()));
+        holds(&prove_y(sides_of_b()));
+        holds(&prove_mirror(printed::eq51_rate, printed::eq52_rate));
+    }
+
+    fn number(name: &str) -> Option<f64> {
+        match name {
+            "q" => Some(1.7),
+            "λ₀" => Some(0.31),
+            "qλ₀" => Some(0.53),
+            "K" => Some(1.9),
+            "φ" => Some(0.7),
+            _ => None,
+        }
+    }
+
+    /// How many formulas that differ in one place from `ours` are not proved: all but those of the same value.
+    fn refuted(ours: Expr, prove: impl Fn(Expr) -> Proof) -> usize {
+        let differs = |formula: Expr| {
+            let same = formula.evaluate(&number).zip(ours.evaluate(&number));
+            let same = same.is_some_and(|(x, y)| (x - y).abs() < 1e-12);
+            assert_eq!(prove(formula).holds(), same, "{formula}");
+            !same
+        };
+        let mutants = mutations(ours).into_iter();
+        mutants.filter(|mutant| differs(mutant.formula)).count()
+    }
+
+    #[test]
+    fn mutants_fail() {
+        let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+        let (k, a, b, e) = (printed::eq53_k(q), sides_of_a(), sides_of_b(), sides_of_e());
+        let failed = refuted(printed::eq51_rate(lambda0, phi), prove_eq51)
+            + refuted(printed::eq52_rate(q, lambda0, phi), prove_eq52)
+            + refuted(k, |k| prove_eq53(k, a))
+            + refuted(a[0], |x| prove_eq53(k, [x, a[1]]))
+            + refuted(a[1], |x| prove_eq53(k, [a[0], x]))
+            + refuted(b[0], |x| prove_eq54([x, b[1]]))
+            + refuted(b[1], |x| prove_eq54([b[0], x]))
+            + refuted(e[0], |x| prove_e([x, e[1]]))
+            + refuted(e[1], |x| prove_e([e[0], x]));
+        assert!(failed > 100, "{failed} mutants fail");
+    }
+
+    #[test]
+    fn another_x_fails() {
+        let [q, lambda0] = printed::eq57_x::<Expr>();
+        assert!(!prove_x([q, lambda0 * Expr::int(2)]).holds());
+        assert!(!prove_x([Expr::int(2), lambda0]).holds());
+    }
+}

@@ -1,0 +1,177 @@
+//! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
+
+use super::runs::{START, attractor_from, fits};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{NONE, QUADRATURE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Attractor, Friction, State};
+use crate::numerics::quadrature::integral_within;
+use crate::numerics::roots::root;
+use crate::paper::anisotropic as printed;
+use std::f64::consts::{PI, TAU};
+
+/// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays on the axes.
+pub const PANELS: [(f64, f64); 5] = [
+    (1.2, 0.35),
+    (2.0, 0.38),
+    (1.3, 0.6),
+    (2.0, 0.55),
+    (2.0, 1.1),
+];
+
+/// The end of the panels' vertical axis.
+pub const TOP: f64 = 1.0;
+
+/// An interval of the motion as the printed words and rates have it.
+struct Stretch {
+    letter: char,
+    start: f64,
+    end: f64,
+}
+
+/// A printed rate and the friction in it.
+struct Rates {
+    q: f64,
+    lambda0: f64,
+}
+
+impl Rates {
+    fn of(&self, letter: char, phi: f64) -> f64 {
+        match letter {
+            '+' => printed::eq51_rate(self.lambda0, phi),
+            '-' => printed::eq52_rate(self.q, self.lambda0, phi),
+            _ => 0.0,
+        }
+    }
+
+    /// 𝔴 at `phi`, from rest at `start`.
+    fn w(&self, letter: char, start: f64, phi: f64) -> Result<f64, Failure> {
+        Ok(integral_within(|x| self.of(letter, x), start, phi, 1e-13)?.value)
+    }
+
+    /// Where a motion that begins at `start` ends: its first zero after its extremum at `turn`.
+    fn stop(&self, letter: char, start: f64, turn: f64) -> Result<f64, Failure> {
+        // A failure of the quadrature inside becomes NaN, which the root-finder reports.
+        let w = |phi| self.w(letter, start, phi).unwrap_or(f64::NAN);
+        Ok(root(w, turn.max(start), start + TAU)?)
+    }
+
+    /// The intervals of a period in the order `letters`.
+    fn period(&self, letters: &str) -> Result<Vec<Stretch>, Failure> {
+        let plus = libm::asin(self.lambda0.min(1.0));
+        let minus = libm::asin((self.q * self.lambda0).min(1.0));
+        let mut list: Vec<Stretch> = Vec::new();
+        let mut phi = match letters {
+            "+-" => self.begin_without_rest()?,
+            _ => plus,
+        };
+        let first = phi;
+        for (i, letter) in letters.char_indices() {
+            let end = match letter {
+                '+' => self.stop('+', phi, PI - plus)?,
+                '-' => self.stop('-', phi, TAU - minus)?,
+                _ if letters[i + 1..].starts_with('-') => PI + minus,
+                _ => first + TAU,
+            };
+            list.push(Stretch {
+                letter,
+                start: phi,
+                end,
+            });
+            phi = end;
+        }
+        Ok(list)
+    }
+
+    /// Without rest, forward motion must begin so that the backward motion ends a period later.
+    fn begin_without_rest(&self) -> Result<f64, Failure> {
+        let plus = libm::asin(self.lambda0);
+        let minus = libm::asin(self.q * self.lambda0);
+        let late = |start: f64| -> Result<f64, Failure> {
+            let turn = self.stop('+', start, PI - plus)?;
+            Ok(self.stop('-', turn, TAU - minus)? - start - TAU)
+        };
+        let late = |start| late(start).unwrap_or(f64::NAN);
+        Ok(root(late, plus, PI - plus - 0.1)?)
+    }
+}
+
+/// 𝔴(φ) over two periods, as the region's words and the printed rates have it, with the simulation.
+pub fn quadrature() -> Evidence {
+    let compared = "𝔴(φ) in each panel, made of ∫ (51) dφ, ∫ (52) dφ and rest in the order of the list, with the simulated motion over two periods";
+    let trial = Trial::by(Route::Quadrature, Subject::Printed, compared, QUADRATURE);
+    let periods: Result<Vec<_>, Failure> = PANELS
+        .iter()
+        .zip(printed::ORDERS)
+        .map(|(&(q, lambda0), order)| Rates { q, lambda0 }.period(order))
+        .collect();
+    let periods = match periods {
+        Ok(periods) => periods,
+        Err(error) => return trial.over([error], Err),
+    };
+    let phases = |panel| (0..=40).map(move |k| (panel, 4.0 * PI * f64::from(k) / 40.0));
+    trial.over((0..PANELS.len()).flat_map(phases), |(panel, phi)| {
+        let (q, lambda0) = PANELS[panel];
+        let period = &periods[panel];
+        let begin = period.first().map_or(0.0, |stretch| stretch.start);
+        let reduced = begin + (phi - begin).rem_euclid(TAU);
+        let here = period.iter().find(|stretch| reduced < stretch.end);
+        let rates = Rates { q, lambda0 };
+        let stated = match here {
+            Some(stretch) => rates.w(stretch.letter, stretch.start, reduced)?,
+            None => 0.0,
+        };
+        Ok::<_, Failure>(Pair {
+            at: format!("q = {q}, λ₀ = {lambda0}, φ = {phi:.6}"),
+            stated,
+            found: motion(panel, START)?.w(phi),
+            scale: 1.0,
+        })
+    })
+}
+
+/// The simulated motion of a panel.
+///
+/// # Errors
+/// A motion that does not become periodic.
+pub fn motion(panel: usize, start: State) -> Result<Attractor<'static>, Failure> {
+    let (q, lambda0) = PANELS[panel];
+    attractor_from(start, Friction::new(lambda0, q * lambda0)?)
+}
+
+/// The order of the intervals in each panel, and whether the motion stays on the axes, from several starts.
+pub fn census() -> Evidence {
+    let compared = "the panel's region (1 to 5) with the order of the simulated intervals, and 0 with the part of |𝔴| beyond 1, from eight starts";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(314);
+    let mut cases = Vec::new();
+    for panel in 0..PANELS.len() {
+        for _ in 0..8 {
+            let start = State {
+                phi: points.uniform(0.0, TAU),
+                w: points.uniform(-2.0, 2.0),
+            };
+            cases.extend([(panel, start, true), (panel, start, false)]);
+        }
+    }
+    trial.over(cases, |(panel, start, order)| {
+        let motion = motion(panel, start)?;
+        let (q, lambda0) = PANELS[panel];
+        let at = format!(
+            "q = {q}, λ₀ = {lambda0}, start φ = {:.6}, 𝔴 = {:.6}",
+            start.phi, start.w
+        );
+        let (stated, found) = if order {
+            ((panel + 1) as f64, fits(motion.intervals()) as f64)
+        } else {
+            (0.0, (motion.largest().w.abs() - TOP).max(0.0))
+        };
+        Ok::<_, Failure>(Pair {
+            at,
+            stated,
+            found,
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,155 @@
+//! Trials of (47) to (52): the two frictions, and the rates while sliding either way.
+
+use super::runs::{START, attractor, attractor_from};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::MOTION;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Drive, Friction, Sign};
+use crate::numerics::quadrature::integral_within;
+use crate::paper::anisotropic as printed;
+use std::f64::consts::TAU;
+
+const fn consistency(compared: &'static str) -> Trial {
+    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
+}
+
+/// μ₊, μ₋, g, A₀ and a phase. Half of the cases lie in the region without rest, half beyond it.
+fn laboratory(stream: u64) -> impl Iterator<Item = [f64; 5]> {
+    let mut points = Points::stream(stream);
+    (0..100).map(move |i| {
+        let (g, a0) = (points.uniform(1.0, 20.0), points.log_uniform(0.1, 10.0));
+        let lambda = if i % 2 == 0 {
+            points.uniform(0.05, 0.2)
+        } else {
+            points.uniform(0.3, 0.9)
+        };
+        let mu_plus = lambda * a0 / g;
+        [
+            mu_plus,
+            mu_plus * points.uniform(1.0, 3.0),
+            g,
+            a0,
+            points.uniform(0.0, TAU),
+        ]
+    })
+}
+
+/// ϖ v_x under A₀ sin φ with the decelerations μ₊g and μ₋g: nothing is made dimensionless.
+fn dimensional([mu_plus, mu_minus, g, a0, phi]: [f64; 5]) -> Result<f64, Failure> {
+    let drive = Drive::new(|phi| a0 * libm::sin(phi), &[])?;
+    let friction = Friction::new(mu_plus * g, mu_minus * g)?;
+    let settled = drive.attractor(friction, START, 200)?.settled();
+    Ok(settled.ok_or("a motion that drifts")?.w(phi))
+}
+
+fn against_dimensional(
+    compared: &'static str,
+    stream: u64,
+    friction: fn([f64; 5]) -> (f64, f64),
+) -> Evidence {
+    consistency(compared).over(laboratory(stream), |case| {
+        let [mu_plus, mu_minus, g, a0, phi] = case;
+        let (plus, minus) = friction(case);
+        let w = attractor_from(START, Friction::new(plus, minus)?)?.w(phi);
+        Ok::<_, Failure>(Pair {
+            at: format!(
+                "μ₊ = {mu_plus:.6}, μ₋ = {mu_minus:.6}, g = {g:.6}, A₀ = {a0:.6}, φ = {phi:.6}"
+            ),
+            stated: w * a0,
+            found: dimensional(case)?,
+            scale: a0,
+        })
+    })
+}
+
+/// (47), with λ₋ entered by hand.
+pub fn eq47() -> Evidence {
+    let compared = "A₀𝔴 of the motion with λ₊ of (47) with ϖv_x under A₀ sin φ and the decelerations μ₊g and μ₋g";
+    against_dimensional(compared, 302, |[mu_plus, mu_minus, g, a0, _]| {
+        let minus = mu_minus / a0 * g;
+        (printed::eq47_lambda_plus(mu_plus, g, a0), minus)
+    })
+}
+
+/// (48), with λ₊ entered by hand.
+pub fn eq48() -> Evidence {
+    let compared = "A₀𝔴 of the motion with λ₋ of (48) with ϖv_x under A₀ sin φ and the decelerations μ₊g and μ₋g";
+    against_dimensional(compared, 303, |[mu_plus, mu_minus, g, a0, _]| {
+        let plus = mu_plus / a0 * g;
+        (plus, printed::eq48_lambda_minus(mu_minus, g, a0))
+    })
+}
+
+/// (49), with λ₀ the ratio of the forward friction to the drive.
+pub fn eq49() -> Evidence {
+    let compared = "A₀𝔴 of the motion with λ₊ of (49), λ₀ = μ₊g/A₀, with ϖv_x under A₀ sin φ and the decelerations μ₊g and μ₋g";
+    against_dimensional(compared, 304, |[mu_plus, mu_minus, g, a0, _]| {
+        let plus = printed::eq49_lambda_plus(mu_plus * g / a0);
+        (plus, mu_minus / a0 * g)
+    })
+}
+
+/// (50), with q the ratio of the frictions.
+pub fn eq50() -> Evidence {
+    let compared = "A₀𝔴 of the motion with λ₋ of (50), q = μ₋/μ₊, with ϖv_x under A₀ sin φ and the decelerations μ₊g and μ₋g";
+    against_dimensional(compared, 305, |[mu_plus, mu_minus, g, a0, _]| {
+        let lambda0 = mu_plus * g / a0;
+        let minus = printed::eq50_lambda_minus(mu_minus / mu_plus, lambda0);
+        (lambda0, minus)
+    })
+}
+
+/// A printed rate, integrated within an interval of this sign, with the change of 𝔴 there.
+fn summed_rate(
+    compared: &'static str,
+    stream: u64,
+    sign: Sign,
+    rate: fn(f64, f64, f64) -> f64,
+) -> Evidence {
+    let mut points = Points::stream(stream);
+    // For q < 4 and λ₀ < 1/q there is motion both ways.
+    let cases = (0..300).map(move |i| {
+        let q = points.uniform(1.0, 4.0);
+        let lambda0 = if i % 3 == 0 {
+            points.log_uniform(1e-3, 0.1)
+        } else {
+            points.uniform(0.1, 0.95) / q
+        };
+        let [a, b] = [0.0; 2].map(|_| points.uniform(0.0, 1.0));
+        (q, lambda0, a.min(b), a.max(b))
+    });
+    Trial::quadrature(Subject::Printed, compared).over(cases, |(q, lambda0, a, b)| {
+        let motion = attractor(q, lambda0)?;
+        let found = motion.intervals().iter().find(|i| i.sign == sign);
+        let interval = found.ok_or_else(|| format!("no such motion at {q}, {lambda0}"))?;
+        let [from, to] = [a, b].map(|share| interval.start + share * interval.length());
+        let sum = integral_within(|phi| rate(q, lambda0, phi), from, to, 1e-13)?.value;
+        Ok::<_, Failure>(Pair {
+            at: format!("q = {q:.6}, λ₀ = {lambda0:.6}, φ from {from:.6} to {to:.6}"),
+            stated: sum,
+            found: motion.w(to) - motion.w(from),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (51) along the forward motion.
+pub fn eq51_quadrature() -> Evidence {
+    summed_rate(
+        "∫ (51) dφ along a stretch of forward motion with its change of 𝔴",
+        306,
+        Sign::Positive,
+        |_, lambda0, phi| printed::eq51_rate(lambda0, phi),
+    )
+}
+
+/// (52) along the backward motion.
+pub fn eq52_quadrature() -> Evidence {
+    summed_rate(
+        "∫ (52) dφ along a stretch of backward motion with its change of 𝔴",
+        307,
+        Sign::Negative,
+        printed::eq52_rate,
+    )
+}

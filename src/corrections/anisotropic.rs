@@ -1,0 +1,77 @@
+//! Section 2.4: the curve that the list of regions lacks, and the list with it.
+//!
+//! Where friction leaves a rest, forward motion begins at sin φ = λ₀, at φ₁ = asin λ₀, and ends at the phase p with
+//!
+//! cos φ₁ − cos p = λ₀ (p − φ₁).
+//!
+//! What comes next depends on the drive at p. Backward motion follows at once if sin p < −qλ₀. So forward and
+//! backward motion cease to touch where qλ₀ = −sin p: that is one smooth curve in the plane of q and λ₀, with p
+//! from below 3π/2 to 2π along it. It has two branches as a formula, for the arcsine knows half of the period:
+//!
+//! - p = π + asin(qλ₀), on the way down to the drive's minimum: the printed curve B, of (54);
+//! - p = 2π − asin(qλ₀), on the way up from it: the curve E below, which the paper does not have.
+//!
+//! They join at p = 3π/2, where qλ₀ = 1: the point Y. Past E the forward motion outlasts the whole stretch in which
+//! the drive could have pulled backwards, and rest follows until the next forward motion.
+
+use crate::scalar::Scalar;
+
+/// Curve E: the two sides, equal on the curve, from λ₀ and the product qλ₀. For q ≥ q_Y, 0 < λ₀ ≤ 1/q; λ₀ = 0
+/// solves it too and is no part of E.
+pub fn e_sides<S: Scalar>(lambda0: S, q_lambda0: S) -> [S; 2] {
+    let one = S::int(1);
+    [
+        (one - lambda0.squared()).sqrt() - (one - q_lambda0.squared()).sqrt(),
+        lambda0 * (S::int(2) * S::pi() - q_lambda0.asin() - lambda0.asin()),
+    ]
+}
+
+/// The point Y as (q, λ₀), from the root x of tan x = x between π and 3π/2: x = 3π/2 − asin λ₀.
+pub fn y_from_root<S: Scalar>(x: S) -> [S; 2] {
+    let q = (S::int(1) + x.squared()).sqrt();
+    [q, S::int(1) / q]
+}
+
+/// The touch at Y as a number: C lies above B and E by this times (q − q_Y)², to lowest order.
+pub fn contact<S: Scalar>(q_y: S) -> S {
+    let one = S::int(1);
+    (q_y - one) / (S::int(2) * q_y.squared() * q_y * (q_y + one))
+}
+
+/// Curve A far out: λ₀, up to a relative error of order q⁻⁴.
+pub fn a_far<S: Scalar>(q: S) -> S {
+    let pi = S::pi();
+    let correction = pi.squared() / (S::int(3) * (q + S::int(2)).squared());
+    pi / (q + S::int(1)).squared() * (S::int(1) - correction)
+}
+
+/// Curve E far out: λ₀, up to a relative error of order q⁻⁴.
+pub fn e_far<S: Scalar>(q: S) -> S {
+    let two_pi = S::int(2) * S::pi();
+    let correction = (two_pi / (q + S::int(7) / S::int(3))).squared();
+    S::int(2) * two_pi / (q + S::int(1)).squared() * (S::int(1) - correction)
+}
+
+/// Where the curves stand at one q.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Curves {
+    /// λ₀ on A.
+    pub a: f64,
+    /// λ₀ on B for q ≤ q_Y, on E for q ≥ q_Y.
+    pub b_or_e: f64,
+    /// λ₀ on C for q < q_Y, where it bounds something; none beyond.
+    pub c: Option<f64>,
+    /// λ₀ on D.
+    pub d: f64,
+}
+
+/// The region, 1 to 5, of λ₀ at that q: the printed list, but above E the motion is that of region IV.
+/// None on a curve.
+pub fn region(lambda0: f64, curves: &Curves) -> Option<usize> {
+    let Curves { a, b_or_e, c, d } = *curves;
+    let bounds = [a, b_or_e, c.unwrap_or(b_or_e), d];
+    if bounds.contains(&lambda0) {
+        return None;
+    }
+    Some(1 + bounds.iter().filter(|&&bound| bound < lambda0).count())
+}

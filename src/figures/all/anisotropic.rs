@@ -1,0 +1,87 @@
+//! Figures of section 2.4.
+
+use super::AllFiguresError;
+use crate::claims::anisotropic::{
+    census, drawn as anisotropic_drawn, panels, runs as anisotropic_runs,
+};
+use crate::figures::{Figure, anisotropic as anisotropic_figures};
+
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    Ok(vec![
+        region_diagram()?,
+        region_waves()?,
+        region_census()?,
+        region_boundaries()?,
+    ])
+}
+
+fn heights(curves: &anisotropic_runs::Curves) -> anisotropic_figures::Heights {
+    anisotropic_figures::Heights {
+        q: curves.q,
+        a: curves.printed.a,
+        b: curves.printed.b,
+        c: curves.printed.c,
+        d: curves.printed.d,
+        e: anisotropic_drawn::on_e(&curves.corrected),
+    }
+}
+
+fn region_map(
+    columns: std::ops::Range<usize>,
+    rows: usize,
+    largest_q: f64,
+) -> Result<anisotropic_figures::Map, AllFiguresError> {
+    let map = anisotropic_drawn::map(columns, rows)?;
+    let count = census::count(largest_q)?;
+    // A region is at most 5.
+    let cell = |&(found, printed): &anisotropic_drawn::Cell| anisotropic_figures::Cell {
+        found: found as u8,
+        printed: printed.unwrap_or(0) as u8,
+    };
+    Ok(anisotropic_figures::Map {
+        curves: map.curves.iter().map(heights).collect(),
+        shape: map.shape,
+        q: map.q,
+        lambda0: map.lambda0,
+        cells: map.cells.iter().map(cell).collect(),
+        corners: anisotropic_drawn::corners()?,
+        count: [count.points, count.printed_wrong, count.corrected_wrong],
+    })
+}
+
+/// fig-5.
+fn region_diagram() -> Result<Figure, AllFiguresError> {
+    Ok(anisotropic_figures::fig5(&region_map(0..360, 400, 7.0)?)?)
+}
+
+/// The census beyond Y.
+fn region_census() -> Result<Figure, AllFiguresError> {
+    let map = region_map(180..660, 80, f64::INFINITY)?;
+    Ok(anisotropic_figures::census(&map)?)
+}
+
+/// fig-6.
+fn region_waves() -> Result<Figure, AllFiguresError> {
+    let wave = |(points, (q, lambda0))| anisotropic_figures::Wave { q, lambda0, points };
+    let waves = anisotropic_drawn::waves()?;
+    let waves: Vec<_> = waves.into_iter().zip(panels::PANELS).map(wave).collect();
+    Ok(anisotropic_figures::fig6(&waves)?)
+}
+
+/// The boundaries for large q.
+fn region_boundaries() -> Result<Figure, AllFiguresError> {
+    let seen = |row: &anisotropic_runs::Row| anisotropic_figures::Seen {
+        curves: heights(&row.curves),
+        rest: row.changes.rest,
+        reversal: row.changes.reversal,
+        backward: row.changes.backward,
+        motion: row.changes.motion,
+    };
+    let seen: Vec<_> = anisotropic_drawn::boundaries()?.iter().map(seen).collect();
+    let law = |law: anisotropic_runs::Law| anisotropic_figures::Law {
+        exponent: law.exponent,
+        prefactor: law.prefactor,
+    };
+    let laws = anisotropic_runs::far_laws()?.map(law);
+    Ok(anisotropic_figures::far(&seen, laws)?)
+}

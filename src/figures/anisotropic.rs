@@ -1,0 +1,475 @@
+//! The figures of section 2.4: anisotropic friction.
+//!
+//! All quantities are dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the ratio
+//! of backward to forward friction, φ the phase and 𝔴 the velocity.
+
+use super::{
+    Axis, BLANK, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Raster, Stroke,
+    Table,
+};
+use std::f64::consts::PI;
+
+/// Where the curves stand at one q; none where a curve has no point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Heights {
+    /// The ratio q.
+    pub q: f64,
+    /// λ₀ on A.
+    pub a: f64,
+    /// λ₀ on B.
+    pub b: Option<f64>,
+    /// λ₀ on C.
+    pub c: f64,
+    /// λ₀ on D.
+    pub d: f64,
+    /// λ₀ on E.
+    pub e: Option<f64>,
+}
+
+/// One simulated point of the plane; regions as 1 to 5, 0 for none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Cell {
+    /// The region that the motion fits.
+    pub found: u8,
+    /// The region of the printed list.
+    pub printed: u8,
+}
+
+/// A part of the plane: the curves, and a census of equal cells.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Map {
+    /// The curves, in order of q.
+    pub curves: Vec<Heights>,
+    /// The cells' number along q and along λ₀.
+    pub shape: (usize, usize),
+    /// The ends along q.
+    pub q: (f64, f64),
+    /// The ends along λ₀.
+    pub lambda0: (f64, f64),
+    /// The cells, row by row from the lowest λ₀.
+    pub cells: Vec<Cell>,
+    /// The points X and Y, as (q, λ₀).
+    pub corners: [[f64; 2]; 2],
+    /// How many points were simulated, and at how many of them the printed and the corrected list are wrong.
+    pub count: [usize; 3],
+}
+
+impl Map {
+    fn height(&self, of: impl Fn(&Heights) -> Option<f64>) -> Vec<[f64; 2]> {
+        let point = |h: &Heights| Some([h.q, of(h)?]);
+        self.curves.iter().filter_map(point).collect()
+    }
+
+    /// The cells as a raster of the classes that `class` gives.
+    fn raster(&self, class: impl Fn(&Cell) -> u8) -> Result<Raster, FigureError> {
+        let (columns, rows) = self.shape;
+        Raster::new(
+            columns,
+            rows,
+            self.q,
+            self.lambda0,
+            self.cells.iter().map(class).collect(),
+        )
+    }
+
+    fn table(&self) -> Result<Table, FigureError> {
+        let mut table = Table::new(&["what", "q", "lambda_0"]);
+        type Of = fn(&Heights) -> Option<f64>;
+        let curves: [(&str, Of); 5] = [
+            ("curve A", |h| Some(h.a)),
+            ("curve B", |h| h.b),
+            ("curve C", |h| Some(h.c)),
+            ("curve D", |h| Some(h.d)),
+            ("curve E", |h| h.e),
+        ];
+        for (name, of) in curves {
+            for [q, lambda0] in self.height(of) {
+                table.row([name.into(), q.into(), lambda0.into()])?;
+            }
+        }
+        for (name, [q, lambda0]) in ["point X", "point Y"].into_iter().zip(self.corners) {
+            table.row([name.into(), q.into(), lambda0.into()])?;
+        }
+        let (columns, rows) = self.shape;
+        let centre = |(from, to): (f64, f64), i: usize, n: usize| {
+            from + (to - from) * (i as f64 + 0.5) / n as f64
+        };
+        for (k, cell) in self.cells.iter().enumerate() {
+            if cell.found != cell.printed {
+                let q = centre(self.q, k % columns, columns);
+                let lambda0 = centre(self.lambda0, k / columns, rows);
+                table.row([
+                    "cell where the printed list is wrong".into(),
+                    q.into(),
+                    lambda0.into(),
+                ])?;
+            }
+        }
+        Ok(table)
+    }
+}
+
+fn wrong(cell: &Cell) -> u8 {
+    if cell.found == cell.printed { BLANK } else { 0 }
+}
+
+/// fig-5: the regions as printed, with the census's verdict on them, and as corrected.
+///
+/// # Errors
+/// As [`Plot::figure`].
+pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
+    let [points, printed_wrong, corrected_wrong] = map.count;
+    let y = map.corners[1][0];
+    let before = |h: &Heights, at: f64| (h.q <= y).then_some(at);
+    let base = |title: &str| {
+        let regions = [
+            ([1.35, 0.17], "'I'"),
+            ([2.1, 0.335], "'II'"),
+            ([1.24, 0.6], "'III'"),
+            ([4.0, 0.6], "'IV'"),
+            ([4.0, 1.2], "'V'"),
+        ];
+        let panel = Panel::new(
+            Axis::linear("q").range(1.0, 7.0),
+            Axis::linear("λ_0").range(0.0, 1.4),
+        )
+        .title(title)
+        .height(340.0)
+        .curve(Curve::new(map.height(|h| Some(h.d))).label_at("'D'", 0.9))
+        .curve(Curve::new(map.height(|h| Some(h.a))).label_at("'A'", 0.55));
+        regions
+            .into_iter()
+            .fold(panel, |panel, (at, name)| panel.note(Note::new(at, name)))
+    };
+    let corners = |panel: Panel| {
+        let [x, y] = map.corners;
+        panel
+            .points(Points::new([x]).ink().label("X"))
+            .points(Points::new([y]).ink().label("Y"))
+    };
+    let b = || {
+        Curve::new(map.height(|h| h.b))
+            .series(1)
+            .stroke(Stroke::Dotted)
+            .label_at("'B'", 0.2)
+    };
+    let printed = base("as printed")
+        .raster(map.raster(wrong)?.ink_class("'IV' by simulation", 0.75))
+        .curve(
+            Curve::new(map.height(|h| Some(h.c)))
+                .series(2)
+                .stroke(Stroke::Solid)
+                .label_at("'C'", 0.33),
+        )
+        .curve(b());
+    let corrected = base("as corrected")
+        .curve(
+            Curve::new(map.height(|h| before(h, h.c)))
+                .series(2)
+                .stroke(Stroke::Solid)
+                .label_at("'C'", 0.4),
+        )
+        .curve(b())
+        .curve(
+            Curve::new(map.height(|h| h.e))
+                .series(4)
+                .stroke(Stroke::Solid)
+                .label_at("'E'", 0.8),
+        );
+    Plot::new("fig-5", "The regions of the anisotropic friction")
+        .caption(format!(
+            "Which motion the friction $\\lambda_0$ and the ratio $q$ lead to. Above as printed: at {printed_wrong} of \
+             {points} simulated points the list is wrong; they are marked, and all lie below C and beyond Y. \
+             In the middle as corrected, with E for the missing boundary and C ending at Y: {corrected_wrong} wrong. Below, the \
+             wedge between E and C enlarged."
+        ))
+        .alt(
+            "Three diagrams. The first two have q from 1 to 7 to the right and λ₀ from 0 to 1.4 upwards. The curves \
+             A, B and C fall from the left, D is the horizontal line λ₀ = 1. In the first, a thin wedge below C, right \
+             of the point Y, is marked as wrong. In the second, curve E runs along the lower edge of that wedge, and C \
+             ends at Y. The third shows the wedge alone, with C above it and E below.",
+        )
+        .panel(corners(printed))
+        .panel(corners(corrected))
+        .panel(wedge(map)?)
+        .figure(map.table()?)
+}
+
+/// The place where the two diagrams differ, enlarged.
+fn wedge(map: &Map) -> Result<Panel, FigureError> {
+    let plain = |of: fn(&Heights) -> Option<f64>| Curve::new(map.height(of));
+    Ok(Panel::new(
+        Axis::linear("q").range(4.0, 7.0),
+        Axis::linear("λ_0").range(0.12, 0.26),
+    )
+    .title("where they differ")
+    .height(260.0)
+    .raster(map.raster(wrong)?.ink_class("'IV' by simulation", 0.5))
+    .curve(
+        plain(|h| Some(h.c))
+            .series(2)
+            .stroke(Stroke::Solid)
+            .label_at("'C'", 0.75),
+    )
+    .curve(
+        plain(|h| h.b)
+            .series(1)
+            .stroke(Stroke::Dotted)
+            .label_at("'B'", 0.3),
+    )
+    .curve(
+        plain(|h| h.e)
+            .series(4)
+            .stroke(Stroke::Solid)
+            .label_at("'E'", 0.7),
+    )
+    .points(Points::new([map.corners[1]]).ink().label("Y"))
+    .note(Note::new([4.4, 0.16], "'II'"))
+    .note(Note::new([6.0, 0.22], "'IV'")))
+}
+
+/// The census where the printed list fails: the simulated motion, and the marked disagreement.
+///
+/// # Errors
+/// As [`Plot::figure`].
+pub fn census(map: &Map) -> Result<Figure, FigureError> {
+    let [points, printed_wrong, corrected_wrong] = map.count;
+    let class = |cell: &Cell| match cell {
+        cell if cell.found != cell.printed => 4,
+        cell => cell.found.checked_sub(1).unwrap_or(BLANK),
+    };
+    let raster = map
+        .raster(class)?
+        .class("'I'", 0, 0.3)
+        .class("'II'", 1, 0.3)
+        .class("'III'", 2, 0.4)
+        .class("'IV'", 3, 0.2)
+        .ink_class("'IV' where the list has 'II'", 0.55);
+    let panel = Panel::new(
+        Axis::linear("q").range(map.q.0, map.q.1).without_grid(),
+        Axis::linear("λ_0")
+            .range(map.lambda0.0, map.lambda0.1)
+            .without_grid(),
+    )
+    .height(380.0)
+    .raster(raster)
+    .curve(
+        Curve::new(map.height(|h| Some(h.a)))
+            .ink()
+            .width(1.2)
+            .label_at("'A'", 0.25),
+    )
+    .curve(
+        Curve::new(map.height(|h| h.b))
+            .ink()
+            .width(1.2)
+            .stroke(Stroke::Dotted)
+            .label_at("'B'", 0.1),
+    )
+    .curve(
+        Curve::new(map.height(|h| Some(h.c)))
+            .ink()
+            .width(1.2)
+            .label_at("'C'", 0.7),
+    )
+    .curve(
+        Curve::new(map.height(|h| h.e))
+            .ink()
+            .width(1.2)
+            .label_at("'E'", 0.6),
+    )
+    .points(Points::new([map.corners[1]]).ink().label("Y"));
+    Plot::new("anisotropic-census", "Where the printed list of regions fails")
+        .caption(format!(
+            "The motion at points of the plane, by simulation alone; the curves are drawn over it. Of {points} points \
+             with $1\\le q\\le12$ and $0<\\lambda_0\\le1.4$ the printed list is wrong at {printed_wrong}, all between \
+             E and C; with E it is wrong at {corrected_wrong}.",
+        ))
+        .alt(
+            "A map with q from 4 to 12 to the right and λ₀ from 0 to 0.28 upwards. From below: region I, region II, \
+             and above them region IV. A dark wedge that opens to the right of the point Y separates II from IV: \
+             there the motion is that of IV although the printed list has II.",
+        )
+        .panel(panel)
+        .figure(map.table()?)
+}
+
+/// Where the simulated motion changes at one q.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Seen {
+    /// The curves there.
+    pub curves: Heights,
+    /// The least λ₀ with a rest.
+    pub rest: f64,
+    /// The largest λ₀ at which forward motion turns straight into backward motion.
+    pub reversal: f64,
+    /// The largest λ₀ with backward motion.
+    pub backward: f64,
+    /// The largest λ₀ with motion.
+    pub motion: f64,
+}
+
+/// A measured power of q + 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Law {
+    /// The exponent and its error.
+    pub exponent: (f64, f64),
+    /// The prefactor and its error.
+    pub prefactor: (f64, f64),
+}
+
+/// The boundaries for large q, formulas and simulation.
+///
+/// # Errors
+/// As [`Plot::figure`].
+pub fn far(seen: &[Seen], laws: [Law; 2]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&[
+        "q",
+        "lambda_0 on A",
+        "lambda_0 on B or E",
+        "lambda_0 on C",
+        "rest appears",
+        "direct reversals end",
+        "backward motion ends",
+        "motion ends",
+    ]);
+    for one in seen {
+        let h = one.curves;
+        let b_or_e = h.b.or(h.e).unwrap_or(f64::NAN);
+        let numbers = [
+            h.q,
+            h.a,
+            b_or_e,
+            h.c,
+            one.rest,
+            one.reversal,
+            one.backward,
+            one.motion,
+        ];
+        table.row(numbers.map(Into::into))?;
+    }
+    let formula = |of: fn(&Heights) -> Option<f64>| {
+        Curve::new(
+            seen.iter()
+                .filter_map(move |s| Some([s.curves.q, of(&s.curves)?])),
+        )
+    };
+    let found = |of: fn(&Seen) -> f64| Points::new(seen.iter().map(move |s| [s.curves.q, of(s)]));
+    let panel = Panel::new(
+        Axis::log("q").range(1.0, 3e4),
+        Axis::log("λ_0").range(1e-9, 10.0),
+    )
+    .height(380.0)
+    .curve(formula(|h| Some(h.d)).ink().width(1.2).label_at("'D'", 0.9))
+    .curve(
+        formula(|h| Some(h.c))
+            .series(2)
+            .stroke(Stroke::Dotted)
+            .label_at("'C'", 0.75),
+    )
+    .curve(
+        formula(|h| h.b.or(h.e))
+            .series(1)
+            .stroke(Stroke::Solid)
+            .label_at("'B, E'", 0.8),
+    )
+    .curve(formula(|h| Some(h.a)).series(0).label_at("'A'", 0.6))
+    .points(found(|s| s.motion).ink().size(2.2).key("motion ends"))
+    .points(
+        found(|s| s.backward)
+            .series(3)
+            .marker(Marker::Circle)
+            .size(4.6)
+            .key("backward motion ends"),
+    )
+    .points(
+        found(|s| s.reversal)
+            .series(1)
+            .size(2.4)
+            .key("direct reversals end"),
+    )
+    .points(found(|s| s.rest).series(0).size(2.4).key("rest appears"));
+    let number = |(value, error): (f64, f64)| format!("{value:.7} \\pm {error:.0e}");
+    let law = |law: Law| {
+        format!(
+            "$\\lambda_0\\propto(q+1)^n$ with $n={}$ and the prefactor ${}$",
+            scientific(&number(law.exponent)),
+            scientific(&number(law.prefactor))
+        )
+    };
+    Plot::new("anisotropic-far", "The boundaries for large ratios of the frictions")
+        .caption(format!(
+            "Where the motion changes, by bisection on the simulation (marks), with the curves. Far out a rest appears \
+             at {}, which is $\\pi$; direct reversals, and with them all backward motion, end at {}, which is \
+             $4\\pi$. C is $1/q$ and bounds nothing there.",
+            law(laws[0]),
+            law(laws[1])
+        ))
+        .alt(
+            "Both axes are logarithmic. D is horizontal. C falls as 1/q; the marks for the end of backward motion \
+             leave it near q = 4.6 and follow E, which falls as the square of q, in parallel with A below it.",
+        )
+        .panel(panel)
+        .figure(table)
+}
+
+/// Turns the exponent of a number such as 3e-9 into LaTeX.
+fn scientific(number: &str) -> String {
+    match number.split_once('e') {
+        Some((mantissa, exponent)) => format!("{mantissa}\\cdot10^{{{exponent}}}"),
+        None => number.to_owned(),
+    }
+}
+
+/// One panel of fig-6.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Wave {
+    /// The ratio q.
+    pub q: f64,
+    /// The friction λ₀.
+    pub lambda0: f64,
+    /// (φ, 𝔴) over two periods.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// fig-6: the motion over two periods, one panel for each region.
+///
+/// # Errors
+/// As [`Plot::figure`].
+pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["region", "q", "lambda_0", "phi (rad)", "w"]);
+    let ticks = [
+        (0.0, "0"),
+        (PI, "π"),
+        (2.0 * PI, "2π"),
+        (3.0 * PI, "3π"),
+        (4.0 * PI, "4π"),
+    ];
+    let mut plot = Plot::new("fig-6", "The motion in each region")
+        .caption(
+            "The periodic velocity $\\mathfrak{w}$ against the phase $\\phi$ over two periods, at one point of each \
+             region. I: forwards and backwards in turn. II: forwards, at once backwards, rest. III: a rest after \
+             either. IV: forwards and rest. V: rest.",
+        )
+        .alt(
+            "Five panels with φ from 0 to 4π to the right and 𝔴 from −1 to 1 upwards. The wave of panel I never \
+             rests; in II it rests once a period, in III twice, in IV it is never negative, in V it is zero.",
+        );
+    for (name, wave) in ["I", "II", "III", "IV", "V"].into_iter().zip(waves) {
+        for [phi, w] in &wave.points {
+            let head = [name.into(), wave.q.into(), wave.lambda0.into()];
+            table.row(head.into_iter().chain([phi.into(), w.into()]))?;
+        }
+        let title = format!("'{name}'\u{2003}q = {}, λ_0 = {}", wave.q, wave.lambda0);
+        plot = plot.panel(
+            Panel::new(
+                Axis::linear("φ").range(0.0, 4.0 * PI).ticks(ticks),
+                Axis::linear("'𝔴'").range(-1.0, 1.0),
+            )
+            .title(title)
+            .height(120.0)
+            .curve(Curve::new(wave.points.iter().copied())),
+        );
+    }
+    plot.figure(table)
+}
