@@ -5,5 +5,5 @@
 pub mod anisotropic;
 pub mod constant;
 pub mod escape;
-pub mod rest;
 pub mod periodic;
+pub mod rest;

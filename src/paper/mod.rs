@@ -9,5 +9,5 @@ pub mod anisotropic;
 pub mod constant;
 pub mod escape;
 pub mod general;
-pub mod rest;
 pub mod periodic;
+pub mod rest;

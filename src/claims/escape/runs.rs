@@ -170,7 +170,7 @@ pub fn flights() -> impl Iterator<Item = Result<&'static Flight, MotionError>> {
             alpha: points.log_uniform(1e-3, 2.0),
             psi: points.uniform(-3.1, 3.1),
         };
-        let launches: Vec<_> = (0..300).map(launch).collect();
+        let launches: Vec<_> = (0..150).map(launch).collect();
         launches.into_iter().map(|l| Flight::new(l, 1e4)).collect()
     });
     shared(&FLIGHTS)

@@ -1,6 +1,5 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
-use super::runs::Approach;
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::escape::runs::Shared;
 use crate::claims::escape::runs::shared;
@@ -104,8 +103,8 @@ pub fn corrected_root() -> Evidence {
 pub struct Case {
     /// A, α and ψ.
     pub start: [f64; 3],
-    /// True if it comes to rest.
-    pub rests: bool,
+    /// Where it comes to rest, if it does.
+    pub sigma: Option<f64>,
 }
 
 /// Whether a start comes to rest, and at which σ.
@@ -142,7 +141,7 @@ pub fn census() -> impl Iterator<Item = Result<&'static Case, MotionError>> {
                 let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
                 Ok(Case {
                     start: [a, alpha, psi],
-                    rests: resting_place(a, alpha, psi)?.is_some(),
+                    sigma: resting_place(a, alpha, psi)?,
                 })
             })
             .collect()
@@ -155,7 +154,7 @@ fn counted(case: &Case, rests: bool) -> Pair {
     Pair {
         at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
         stated: f64::from(u8::from(rests)),
-        found: f64::from(u8::from(case.rests)),
+        found: f64::from(u8::from(case.sigma.is_some())),
         scale: 1.0,
     }
 }
@@ -189,30 +188,33 @@ pub fn corrected_census() -> Evidence {
     })
 }
 
-/// (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish, on the slow motion
-/// near σ = 1. There the real surfaces are 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3.
-pub fn real_surfaces() -> Evidence {
-    let compared =
-        "∂A/∂σ by (146) at α = √2 (1 − σ) with that of the surfaces that the motion makes, ψ = 2α";
-    let trial = Trial::by(Route::Root, Subject::Outside, compared, CLOSING_SURFACES);
-    trial.over(0..20, |i| {
-        surface_slope(i, |sigma, alpha| printed::eq146_right(sigma, alpha))
-    })
+/// A place on a surface of constant σ, on the slow motion near σ = 1, where (146) holds.
+#[derive(Debug)]
+pub struct Surface {
+    /// σ.
+    pub sigma: f64,
+    /// α = √2 (1 − σ).
+    pub alpha: f64,
+    /// ∂A/∂σ of the surface that the motion makes.
+    pub slope: f64,
 }
 
-/// ∂A/∂σ there by the surfaces around the saddle.
-pub fn closing_surfaces() -> Evidence {
-    let compared = "(1 − σ)/√((1−σ)² + α²) at α = √2 (1 − σ) with ∂A/∂σ of the surfaces that the motion makes, ψ = 2α";
-    let trial = Trial::by(Route::Root, Subject::Corrected, compared, CLOSING_SURFACES);
-    trial.over(0..20, |i| {
-        surface_slope(i, |sigma, alpha| {
-            (1.0 - sigma) / libm::hypot(1.0 - sigma, alpha)
-        })
-    })
+/// Twenty such places.
+pub fn surfaces() -> impl Iterator<Item = Result<&'static Surface, Failure>> {
+    static SURFACES: LazyLock<Result<Vec<Surface>, String>> = LazyLock::new(|| {
+        let all: Result<_, Failure> = (0..20)
+            .map(|i| surface(0.99 + 4e-4 * f64::from(i)))
+            .collect();
+        all.map_err(|e| e.to_string())
+    });
+    let (all, error) = match &*SURFACES {
+        Ok(all) => (&all[..], None),
+        Err(error) => (&[][..], Some(Err(Failure::from(error.as_str())))),
+    };
+    all.iter().map(Ok).chain(error)
 }
 
-fn surface_slope(i: i32, stated: fn(f64, f64) -> f64) -> Result<Pair, Failure> {
-    let sigma = 0.99 + 4e-4 * f64::from(i);
+fn surface(sigma: f64) -> Result<Surface, Failure> {
     let alpha = std::f64::consts::SQRT_2 * (1.0 - sigma);
     let psi = 2.0 * alpha + 2.0 * alpha * alpha;
     let resting = |a: f64| match resting_place(a, alpha, psi) {
@@ -223,16 +225,37 @@ fn surface_slope(i: i32, stated: fn(f64, f64) -> f64) -> Result<Pair, Failure> {
     };
     let a_at = |sigma: f64| root(|a| resting(a) - sigma, 1.0 - 4.0 * alpha, 1.0);
     let h = 0.05 * (1.0 - sigma);
-    let slope = (a_at(sigma + h)? - a_at(sigma - h)?) / (2.0 * h);
-    Ok(Pair {
-        at: format!("σ = {sigma:.6}, α = {alpha:.6}"),
-        stated: stated(sigma, alpha),
-        found: slope,
-        scale: 1.0,
+    Ok(Surface {
+        sigma,
+        alpha,
+        slope: (a_at(sigma + h)? - a_at(sigma - h)?) / (2.0 * h),
     })
 }
 
-/// The resting place of an approach, for figures: ρ at rest against ρ at the start.
-pub fn rest_against_start(p: f64, psi: f64, rho: f64) -> Result<Option<f64>, MotionError> {
-    Ok(Approach::new([rho, p, psi])?.map(|approach| approach.sigma))
+fn slopes(subject: Subject, compared: &'static str, stated: fn(f64, f64) -> f64) -> Evidence {
+    let trial = Trial::by(Route::Root, subject, compared, CLOSING_SURFACES);
+    trial.over(surfaces(), |surface| {
+        let surface = surface?;
+        Ok::<_, Failure>(Pair {
+            at: format!("σ = {:.6}, α = {:.6}", surface.sigma, surface.alpha),
+            stated: stated(surface.sigma, surface.alpha),
+            found: surface.slope,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
+pub fn real_surfaces() -> Evidence {
+    let compared =
+        "∂A/∂σ by (146) at α = √2 (1 − σ) with that of the surfaces that the motion makes, ψ = 2α";
+    slopes(Subject::Outside, compared, printed::eq146_right)
+}
+
+/// The real surfaces around the saddle: 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3 there.
+pub fn closing_surfaces() -> Evidence {
+    let compared = "(1 − σ)/√((1−σ)² + α²) at α = √2 (1 − σ) with ∂A/∂σ of the surfaces that the motion makes, ψ = 2α";
+    slopes(Subject::Corrected, compared, |sigma, alpha| {
+        (1.0 - sigma) / libm::hypot(1.0 - sigma, alpha)
+    })
 }
