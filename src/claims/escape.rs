@@ -1,7 +1,13 @@
 //! The turntable: escape: the claims.
 
-use super::{Claim, Condition, Topic};
-use crate::evidence::Kind;
+pub mod exact;
+pub mod laws;
+pub mod runs;
+pub mod straight;
+pub mod words;
+
+use super::{Claim, Condition, Correction, Topic};
+use crate::evidence::{Change, Kind};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -19,6 +25,18 @@ const SMALL_ALPHA: &[Condition] = &[
     Condition {
         text: r"$\alpha$ is near zero and $\psi$ near $\psi_1$",
         stated: true,
+    },
+];
+
+/// The first case, (110), away from the starts that come straight in.
+const INNER_NOT_STRAIGHT: &[Condition] = &[
+    Condition {
+        text: r"$p<\rho$",
+        stated: true,
+    },
+    Condition {
+        text: r"the particle does not come straight in: on a surface of starts it stops, with $\psi\to\pi$, before its velocity has turned",
+        stated: false,
     },
 ];
 
@@ -60,6 +78,26 @@ const ESCAPING_LARGE_A: &[Condition] = &[
     },
 ];
 
+/// The same, of a quantity that grows as a logarithm.
+const ESCAPING_LATE_DIFFERENCE: &[Condition] = &[
+    Condition {
+        text: r"$p<\rho$",
+        stated: true,
+    },
+    Condition {
+        text: "$A>1$ at the start",
+        stated: true,
+    },
+    Condition {
+        text: r"$\tau\to\infty$",
+        stated: true,
+    },
+    Condition {
+        text: r"read as: the difference of the two sides tends to zero (their ratio tends to 1 whatever stands before $\tau$)",
+        stated: true,
+    },
+];
+
 /// Stated after (127), at large times.
 const ESCAPING_LATE: &[Condition] = &[
     Condition {
@@ -87,6 +125,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dα/dτ ≈ 1 − 1/A",
         conditions: SMALL_ALPHA,
         depends_on: &["eq-114", "eq-124", "s4-quasi-fixed-stability"],
+        trials: &[words::eq126_relaxed, words::eq126_order],
         ..Claim::BLANK
     },
     Claim {
@@ -99,6 +138,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A > 1",
         conditions: INNER,
         depends_on: &["eq-111", "eq-112"],
+        trials: &[words::above_one_census, words::eq127_root],
         ..Claim::BLANK
     },
     Claim {
@@ -111,6 +151,16 @@ const CLAIMS: &[Claim] = &[
         plain: "dα/dτ ≈ 1/cosh(2α) − (cosh α)/A",
         conditions: ESCAPING,
         depends_on: &["eq-114", "eq-124", "eq-127", "s4-quasi-fixed-stability"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"\dot\alpha\simeq\frac{\sqrt2}{\cosh(2\alpha)}-\frac{\cosh\alpha}{A}",
+            plain: "dα/dτ ≃ √2/cosh(2α) − (cosh α)/A",
+        }),
+        trials: &[
+            laws::eq128_limit,
+            || exact::evidence("eq-128"),
+            laws::corrected128_limit,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -123,6 +173,16 @@ const CLAIMS: &[Claim] = &[
         plain: "cosh α cosh(2α) ≈ A",
         conditions: ESCAPING,
         depends_on: &["eq-128"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"(\cosh\alpha)\cosh(2\alpha)\simeq\frac{3\sqrt2}{4}A",
+            plain: "cosh α cosh(2α) ≃ (3√2/4) A",
+        }),
+        trials: &[
+            laws::eq129_limit,
+            || exact::evidence("eq-129"),
+            laws::corrected129_limit,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -135,6 +195,16 @@ const CLAIMS: &[Claim] = &[
         plain: "α ≈ (1/3) ln(4A)",
         conditions: ESCAPING_LARGE_A,
         depends_on: &["eq-129"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"\alpha\simeq\frac{1}{3}\ln(3\sqrt2 A)",
+            plain: "α ≃ (1/3) ln(3√2 A)",
+        }),
+        trials: &[
+            laws::eq130_limit,
+            || exact::evidence("eq-130"),
+            laws::corrected130_limit,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -147,6 +217,16 @@ const CLAIMS: &[Claim] = &[
         plain: "dA/dτ ≈ (4A)^(1/3)/2",
         conditions: ESCAPING_LARGE_A,
         depends_on: &["eq-113", "eq-130"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"\dot A\simeq\frac{(3\sqrt2 A)^{1/3}}{2}",
+            plain: "dA/dτ ≃ (3√2 A)^(1/3)/2",
+        }),
+        trials: &[
+            laws::eq131_limit,
+            || exact::evidence("eq-131"),
+            laws::corrected131_limit,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -159,6 +239,18 @@ const CLAIMS: &[Claim] = &[
         plain: "A ~ 2 τ^(3/2)/√27",
         conditions: ESCAPING_LATE,
         depends_on: &["eq-131"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"A\sim\frac{2^{1/4}}{3}\tau^{3/2}\left[1-\frac{9\sqrt2}{8}\frac{\ln\tau}{\tau}+\cdots\right]",
+            plain: "A ~ (2^(1/4)/3) τ^(3/2) [1 − (9√2/8) (ln τ)/τ + ⋯]",
+        }),
+        trials: &[
+            laws::eq132_limit,
+            laws::eq132_exponent,
+            || exact::evidence("eq-132"),
+            laws::corrected132_limit,
+            laws::corrected132_delay,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -169,8 +261,18 @@ const CLAIMS: &[Claim] = &[
         title: "growth of α",
         latex: r"\alpha\sim\frac{1}{2} \ln\frac{4 \tau}{3}",
         plain: "α ~ (1/2) ln(4τ/3)",
-        conditions: ESCAPING_LATE,
+        conditions: ESCAPING_LATE_DIFFERENCE,
         depends_on: &["eq-130", "eq-132"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"\alpha=\frac12\ln(\sqrt2\tau)+o(1)",
+            plain: "α = (1/2) ln(√2 τ) + o(1)",
+        }),
+        trials: &[
+            laws::eq133_limit,
+            || exact::evidence("eq-133"),
+            laws::corrected133_limit,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -183,6 +285,18 @@ const CLAIMS: &[Claim] = &[
         plain: "ψ ~ π/2 − (3/τ)^(1/2)",
         conditions: ESCAPING_LATE,
         depends_on: &["eq-124", "eq-133"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"\psi\sim\frac\pi2-\frac2\tau\left[1+\frac{3\sqrt2}{4}\frac{\ln\tau}{\tau}+\cdots\right]",
+            plain: "ψ ~ π/2 − (2/τ) [1 + (3√2/4) (ln τ)/τ + ⋯]",
+        }),
+        trials: &[
+            laws::eq134_exponent,
+            || exact::evidence("eq-134"),
+            laws::corrected134_exponent,
+            laws::corrected134_limit,
+            laws::corrected134_delay,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -195,6 +309,18 @@ const CLAIMS: &[Claim] = &[
         plain: "p ~ 2τ²/9",
         conditions: ESCAPING_LATE,
         depends_on: &["eq-111", "eq-132", "eq-133"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"p\sim\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}{2}\frac{\ln\tau}{\tau}+\cdots\right]",
+            plain: "p ~ (τ²/(3√2)) [1 − (3√2/2) (ln τ)/τ + ⋯]",
+        }),
+        trials: &[
+            laws::eq135_limit,
+            laws::eq135_exponent,
+            || exact::evidence("eq-135"),
+            laws::corrected135_limit,
+            laws::corrected135_delay,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -207,6 +333,18 @@ const CLAIMS: &[Claim] = &[
         plain: "ρ ~ 2τ²/9",
         conditions: ESCAPING_LATE,
         depends_on: &["eq-112", "eq-132", "eq-133"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"\rho\sim\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}{2}\frac{\ln\tau}{\tau}+\cdots\right]",
+            plain: "ρ ~ (τ²/(3√2)) [1 − (3√2/2) (ln τ)/τ + ⋯]",
+        }),
+        trials: &[
+            laws::eq136_limit,
+            laws::eq136_exponent,
+            || exact::evidence("eq-136"),
+            laws::corrected136_limit,
+            laws::corrected136_delay,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -219,6 +357,18 @@ const CLAIMS: &[Claim] = &[
         plain: "s ~ 2τ³/27",
         conditions: ESCAPING_LATE,
         depends_on: &["eq-105", "eq-135"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"s\sim\frac{\tau^3}{9\sqrt2}\left[1-\frac{9\sqrt2}{4}\frac{\ln\tau}{\tau}+\cdots\right]",
+            plain: "s ~ (τ³/(9√2)) [1 − (9√2/4) (ln τ)/τ + ⋯]",
+        }),
+        trials: &[
+            laws::eq137_limit,
+            laws::eq137_exponent,
+            || exact::evidence("eq-137"),
+            laws::corrected137_limit,
+            laws::corrected137_delay,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -231,6 +381,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A²/2 ~ s",
         conditions: ESCAPING_LATE,
         depends_on: &["eq-104", "eq-132", "eq-137"],
+        trials: &[exact::eq138_evidence, laws::eq138_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -243,6 +394,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A never decreases, and grows without end unless α → 0.",
         conditions: INNER,
         depends_on: &["eq-113"],
+        trials: &[words::never_decreases_way, words::never_decreases_census],
         ..Claim::BLANK
     },
     Claim {
@@ -253,8 +405,13 @@ const CLAIMS: &[Claim] = &[
         title: "ψ relaxes near α = 0",
         latex: r"Near $\alpha=0$ the angle $\psi$ goes rapidly to $\psi_1$, itself near zero, and then (126) holds.",
         plain: "Near α = 0 the angle ψ goes rapidly to ψ₁, itself near zero, and then (126) holds.",
-        conditions: INNER,
+        conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-115", "eq-124", "eq-126"],
+        trials: &[
+            words::small_alpha_angle,
+            words::small_alpha_rate,
+            words::small_alpha_straight,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -265,8 +422,14 @@ const CLAIMS: &[Claim] = &[
         title: "escape",
         latex: "If $A>1$ at the start, $A$ grows without end and the speed never vanishes.",
         plain: "If A > 1 at the start, A grows without end and the speed never vanishes.",
-        conditions: INNER,
+        conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-126", "eq-127", "s4-A-never-decreases", "s4-small-alpha"],
+        trials: &[
+            words::above_one_within,
+            words::a_grows,
+            words::straight_stops,
+            words::straight_rate,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -279,6 +442,7 @@ const CLAIMS: &[Claim] = &[
         plain: "If A > 1 at the start, α grows without end, like A.",
         conditions: INNER,
         depends_on: &["eq-128", "s4-escape-if-A-above-1"],
+        trials: &[words::alpha_grows, words::alpha_census],
         ..Claim::BLANK
     },
 ];

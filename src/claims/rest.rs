@@ -1,7 +1,13 @@
 //! The turntable: rest: the claims.
 
-use super::{Claim, Condition, Topic};
-use crate::evidence::Kind;
+pub mod boundary;
+pub mod exact;
+pub mod near;
+pub mod runs;
+pub mod words;
+
+use super::{Claim, Condition, Correction, Topic};
+use crate::evidence::{Change, Kind};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -22,6 +28,56 @@ const NEAR_REST: &[Condition] = &[Condition {
     stated: true,
 }];
 
+/// What the paper takes for granted before (140).
+const TO_ZERO: Condition = Condition {
+    text: r"$\psi\to0$: on a surface of starts the particle comes straight in and rests with $\psi\to\pi$",
+    stated: false,
+};
+
+/// Before (140), and where it holds.
+const NEAR_REST_TO_ZERO: &[Condition] = &[
+    NEAR_REST[0],
+    Condition {
+        text: r"$0<\sigma<1$: at $\sigma=1$ the particle takes for ever",
+        stated: false,
+    },
+    TO_ZERO,
+];
+
+/// Before (140), and where (141) holds.
+const NEAR_REST_CLOCK: &[Condition] = &[
+    NEAR_REST[0],
+    Condition {
+        text: r"$\tau$ is counted from the moment of rest",
+        stated: false,
+    },
+    Condition {
+        text: r"$0<\sigma<1$: at $\sigma=1$ the particle takes for ever",
+        stated: false,
+    },
+    TO_ZERO,
+];
+
+/// Before (140), and where both terms of (143) exceed what it leaves out.
+const NEAR_REST_TWO_TERMS: &[Condition] = &[
+    NEAR_REST[0],
+    Condition {
+        text: r"$\sigma\neq\frac12$, where both terms are infinite",
+        stated: false,
+    },
+    Condition {
+        text: r"$\frac14<\sigma<\frac34$: below, a term left out, of order $\alpha^{3\sigma/(1-\sigma)}$, exceeds the first term kept; above, one of order $\alpha^3$ exceeds the second",
+        stated: false,
+    },
+    TO_ZERO,
+];
+
+/// What (146) and (147) are about.
+const TRUNCATED: &[Condition] = &[Condition {
+    text: r"the surfaces are taken to be (145) without the terms left out; where the envelope lies, $1-\sigma\sim\alpha$, those are as large as the ones kept",
+    stated: false,
+}];
+
 /// The first case, (110).
 const INNER: &[Condition] = &[Condition {
     text: r"$p<\rho$",
@@ -39,6 +95,7 @@ const CLAIMS: &[Claim] = &[
         plain: "σ ≤ 1",
         conditions: AT_REST,
         depends_on: &["eq-89"],
+        trials: &[words::eq139_nudge, words::eq139_stays],
         ..Claim::BLANK
     },
     Claim {
@@ -49,8 +106,14 @@ const CLAIMS: &[Claim] = &[
         title: "rate of α near rest",
         latex: r"\dot\alpha=1-\frac{1}{\sigma}+\cdots",
         plain: "dα/dτ = 1 − 1/σ + ⋯",
-        conditions: NEAR_REST,
+        conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-114", "eq-115", "eq-139"],
+        trials: &[
+            near::eq140_motion,
+            near::eq140_order,
+            near::eq140_straight,
+            near::corrected140,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -61,8 +124,9 @@ const CLAIMS: &[Claim] = &[
         title: "α near rest",
         latex: r"\alpha=\frac{(\sigma-1) \tau}{\sigma}+\cdots",
         plain: "α = (σ − 1) τ/σ + ⋯",
-        conditions: NEAR_REST,
+        conditions: NEAR_REST_CLOCK,
         depends_on: &["eq-140"],
+        trials: &[near::eq141_motion, near::eq141_order, near::eq141_straight],
         ..Claim::BLANK
     },
     Claim {
@@ -73,8 +137,9 @@ const CLAIMS: &[Claim] = &[
         title: "equation for ψ over α near rest",
         latex: r"\frac{\sigma-1}{\sigma} \frac{\mathrm{d} \psi}{\mathrm{d} \alpha} \approx 2 \left(1-\frac{\psi}{2 \alpha}\right)",
         plain: "((σ − 1)/σ) dψ/dα ≈ 2 [1 − ψ/(2α)]",
-        conditions: NEAR_REST,
+        conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-115", "eq-140"],
+        trials: &[near::eq142_motion, near::eq142_order, near::eq142_straight],
         ..Claim::BLANK
     },
     Claim {
@@ -85,8 +150,18 @@ const CLAIMS: &[Claim] = &[
         title: "ψ over α near rest",
         latex: r"\psi=2 \alpha \left[\frac{\sigma}{2 \sigma-1}+ c \alpha^{(2 \sigma-1)/(1-\sigma)}\right]+\cdots",
         plain: "ψ = 2α [σ/(2σ − 1) + c α^((2σ − 1)/(1 − σ))] + ⋯, c constant",
-        conditions: NEAR_REST,
+        conditions: NEAR_REST_TWO_TERMS,
         depends_on: &["eq-142"],
+        trials: &[
+            || exact::evidence("eq-143"),
+            near::eq143_constant,
+            near::eq143_exponent,
+            near::eq143_small_sigma,
+            near::eq143_large_sigma,
+            near::eq143_one_half,
+            near::eq143_straight,
+            near::eq143_regular,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -97,8 +172,9 @@ const CLAIMS: &[Claim] = &[
         title: "equation for A over α near rest",
         latex: r"\frac{\sigma-1}{\sigma} \frac{\mathrm{d} A}{\mathrm{d} \alpha}\approx\alpha",
         plain: "((σ − 1)/σ) dA/dα ≈ α",
-        conditions: NEAR_REST,
+        conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-113", "eq-140"],
+        trials: &[near::eq144_motion, near::eq144_order, near::eq144_straight],
         ..Claim::BLANK
     },
     Claim {
@@ -109,8 +185,14 @@ const CLAIMS: &[Claim] = &[
         title: "A over α near rest",
         latex: r"A=\sigma+\frac{\sigma}{\sigma-1} \frac{\alpha^2}{2}+\cdots",
         plain: "A = σ + (σ/(σ − 1)) α²/2 + ⋯",
-        conditions: NEAR_REST,
+        conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-144"],
+        trials: &[
+            || exact::evidence("eq-145"),
+            near::eq145_motion,
+            near::eq145_order,
+            near::eq145_straight,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -122,6 +204,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"0=1-\frac{1}{(\sigma-1)^2} \frac{\alpha^2}{2}+\cdots",
         plain: "0 = 1 − (1/(σ − 1)²) α²/2 + ⋯",
         depends_on: &["eq-145"],
+        conditions: TRUNCATED,
+        trials: &[
+            || exact::evidence("eq-146"),
+            boundary::real_surfaces,
+            boundary::closing_surfaces,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -133,6 +221,8 @@ const CLAIMS: &[Claim] = &[
         latex: r"A=\left(1-\frac{\alpha}{\sqrt{2}}\right)^2+\cdots",
         plain: "A = (1 − α/√2)² + ⋯",
         depends_on: &["eq-145", "eq-146"],
+        conditions: TRUNCATED,
+        trials: &[|| exact::evidence("eq-147"), boundary::printed_slow],
         ..Claim::BLANK
     },
     Claim {
@@ -144,6 +234,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"A particle can stay at rest at $\rho=\sigma$ only if $\sigma\le1$: farther out the centrifugal force exceeds the greatest static friction.",
         plain: "A particle can stay at rest at ρ = σ only if σ ≤ 1: farther out the centrifugal force exceeds the greatest static friction.",
         depends_on: &["eq-139"],
+        trials: &[words::eq139_stays, words::resting_places],
         ..Claim::BLANK
     },
     Claim {
@@ -155,6 +246,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"As the particle comes to rest, $\alpha$ and $\psi$ tend to zero, as in (140) to (145).",
         plain: "As the particle comes to rest, α and ψ tend to zero, as in (140) to (145).",
         depends_on: &["eq-140", "eq-141", "eq-142", "eq-143", "eq-144", "eq-145"],
+        conditions: &[TO_ZERO],
+        trials: &[
+            near::near_rest_angle,
+            near::near_rest_census,
+            near::near_rest_straight,
+            near::corrected_near_rest,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -167,6 +265,18 @@ const CLAIMS: &[Claim] = &[
         plain: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if A starts below it, and goes off without bound otherwise.",
         conditions: INNER,
         depends_on: &["eq-143", "eq-145", "eq-147"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"A=1-\alpha C^2+\alpha^2\left[\tfrac76C^4+2SC^3-S^2C^2+\tfrac23S^3C-\tfrac14S^4\right]+O(\alpha^3),\quad C=\cos\tfrac\psi2,\ S=\sin\tfrac\psi2",
+            plain: "A = 1 − α C² + α² [(7/6) C⁴ + 2 S C³ − S² C² + (2/3) S³ C − (1/4) S⁴] + O(α³), C = cos(ψ/2), S = sin(ψ/2)",
+        }),
+        trials: &[
+            boundary::printed_census,
+            boundary::printed_root,
+            boundary::corrected_census,
+            boundary::corrected_root,
+            exact::boundary_evidence,
+        ],
         ..Claim::BLANK
     },
 ];

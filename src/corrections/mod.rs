@@ -5,4 +5,6 @@
 pub mod anisotropic;
 pub mod constant;
 pub mod sphere;
+pub mod escape;
 pub mod periodic;
+pub mod rest;

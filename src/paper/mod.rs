@@ -7,6 +7,8 @@
 
 pub mod anisotropic;
 pub mod constant;
+pub mod escape;
 pub mod general;
 pub mod sphere;
 pub mod periodic;
+pub mod rest;

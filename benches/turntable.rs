@@ -1,0 +1,131 @@
+//! The turntable: fates per second on one core and on all, a census of a million starts against the printed and the
+//! true boundary, and the boundary itself: `cargo bench --bench turntable`.
+
+use rayon::prelude::*;
+use slipbook::claims::points::Points;
+use slipbook::claims::tolerances::THIRD_ORDER;
+use slipbook::corrections::rest as corrected;
+use slipbook::motion::turntable::boundary::between;
+use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
+use slipbook::paper::rest as printed;
+use std::f64::consts::PI;
+use std::hint::black_box;
+use std::time::Instant;
+
+type Failure = Box<dyn std::error::Error>;
+
+/// A, α, ψ.
+type Launch = [f64; 3];
+
+fn launches(stream: u64, count: usize, a: (f64, f64), reach: f64) -> Vec<Launch> {
+    let mut points = Points::stream(stream);
+    let mut one = |_| {
+        [
+            points.uniform(a.0, a.1),
+            points.uniform(0.0, reach),
+            points.uniform(-PI, PI),
+        ]
+    };
+    (0..count).map(&mut one).collect()
+}
+
+/// 1 for rest, 0 for escape, nothing where rounding decides.
+fn rests(&[a, alpha, psi]: &Launch) -> Option<bool> {
+    match Start::hyperbolic(a, alpha, psi).and_then(|start| fate(&start)) {
+        Ok(Fate::Rest { .. }) => Some(true),
+        Ok(Fate::Escape { .. }) => Some(false),
+        _ => None,
+    }
+}
+
+fn main() -> Result<(), Failure> {
+    for count in [10_000, 100_000] {
+        let list = launches(650, count, (0.65, 1.02), 0.3);
+        let begin = Instant::now();
+        let alone = list
+            .iter()
+            .filter(|l| black_box(rests(l)) == Some(true))
+            .count();
+        report("one core ", count, begin);
+        let begin = Instant::now();
+        let together = list
+            .par_iter()
+            .filter(|l| black_box(rests(l)) == Some(true))
+            .count();
+        report("all cores", count, begin);
+        if alone != together {
+            return Err("the two runs differ".into());
+        }
+    }
+    census(
+        "near A = 1, α = 0",
+        &launches(651, 700_000, (0.65, 1.02), 0.3),
+    );
+    census("away from it", &launches(652, 300_000, (0.05, 1.2), 1.5));
+    boundary()?;
+    println!(
+        "critical radius, put down at rest in the laboratory: {:.10}",
+        critical_radius()?
+    );
+    println!(
+        "critical speed, launched from the axis:              {:.10}",
+        critical_speed()?
+    );
+    Ok(())
+}
+
+fn report(cores: &str, count: usize, begin: Instant) {
+    let rate = count as f64 / begin.elapsed().as_secs_f64();
+    println!(
+        "{count} fates, {cores}: {rate:.0} per second, {:.1} µs each",
+        1e6 / rate
+    );
+}
+
+/// Counts who comes to rest, and whom the printed and the true boundary get wrong.
+fn census(name: &str, list: &[Launch]) {
+    let begin = Instant::now();
+    let fates: Vec<_> = list.par_iter().map(rests).collect();
+    let seconds = begin.elapsed().as_secs_f64();
+    let all = || list.iter().zip(&fates);
+    let count = |wanted: &dyn Fn(&Launch, bool) -> bool| {
+        all()
+            .filter(|(l, rest)| rest.is_some_and(|rest| wanted(l, rest)))
+            .count()
+    };
+    let resting = count(&|_, rest| rest);
+    let undecided = fates.iter().filter(|f| f.is_none()).count();
+    let by_print = count(&|l, rest| rest != (l[0] < printed::eq147_a(l[1])));
+    let beyond = |l: &Launch| {
+        (l[0] - corrected::boundary_a(l[1], l[2])).abs() > THIRD_ORDER.value * l[1] * l[1] * l[1]
+    };
+    let by_ours = count(&|l, rest| beyond(l) && rest != (l[0] < corrected::boundary_a(l[1], l[2])));
+    let clear = count(&|l, _| beyond(l));
+    println!(
+        "census {name}: {} starts in {seconds:.1} s; {resting} rest, {undecided} undecided; (147) is wrong for {by_print}; \
+         the second-order boundary is wrong for {by_ours} of the {clear} that are farther from it than 6α³",
+        list.len()
+    );
+}
+
+/// A on the boundary to 10⁻¹⁰, with what (147) says and the second-order remainder.
+fn boundary() -> Result<(), Failure> {
+    println!("α      ψ       A           (147)       [A − second order]/α³");
+    for alpha in [0.3, 0.1, 0.03, 0.01, 0.003, 0.001] {
+        for psi in [0.0, PI / 2.0, 2.5, PI, -PI / 2.0] {
+            let least = (1.0 - 1e-9) * libm::exp(-alpha);
+            let a = between(
+                |a| Start::hyperbolic(a, alpha, psi),
+                least,
+                1.0 + 1e-9,
+                1e-10,
+            )?;
+            let remainder = (a - corrected::boundary_a(alpha, psi)) / (alpha * alpha * alpha);
+            println!(
+                "{alpha:<5} {psi:>7.4}  {a:.10} {:.10} {remainder:>8.4}",
+                printed::eq147_a(alpha)
+            );
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,377 @@
+//! Trials of the laws of growth: limits, exponents and first corrections, from motions followed to τ = 10⁸.
+//!
+//! A quantity over its power of τ tends to its limit as a series in 1/τ and ln τ, because the law holds in a time
+//! that lags behind τ by a multiple of ln τ (see [`crate::corrections::escape`]); a fit that knows only powers
+//! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
+
+use super::runs::{Escape, LATE, Late, a, alpha, escapes};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
+use crate::corrections::escape as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::numerics::fit::fit;
+use crate::paper::escape as printed;
+
+/// What is followed: a number at a late moment of a motion.
+pub type Quantity = fn(&Late) -> f64;
+
+/// The limit for τ → ∞ and the coefficient of (ln τ)/τ, with their standard errors.
+#[derive(Debug, Clone, Copy)]
+pub struct Limit {
+    /// The limit.
+    pub value: f64,
+    /// Its standard error.
+    pub error: f64,
+    /// The coefficient of (ln τ)/τ.
+    pub log: f64,
+    /// Its standard error.
+    pub log_error: f64,
+}
+
+const TERMS: [&dyn Fn(f64) -> f64; 6] = [
+    &|_| 1.0,
+    &|t| libm::log(t) / t,
+    &|t| 1.0 / t,
+    &|t| libm::log(t) * libm::log(t) / (t * t),
+    &|t| libm::log(t) / (t * t),
+    &|t| 1.0 / (t * t),
+];
+
+/// The limit of a quantity, fitted over the last three decades.
+///
+/// # Errors
+/// Those of the motion and of the fit.
+pub fn limit(escape: &Escape, quantity: Quantity) -> Result<Limit, Failure> {
+    let data: Vec<_> = escape.late.iter().map(|l| (l.tau, quantity(l))).collect();
+    let fit = fit(&data, &TERMS)?;
+    Ok(Limit {
+        value: fit.coefficients[0],
+        error: fit.errors[0],
+        log: fit.coefficients[1],
+        log_error: fit.errors[1],
+    })
+}
+
+/// The exponent n of a quantity that grows as τⁿ, and its standard error.
+///
+/// # Errors
+/// Those of the motion and of the fit.
+pub fn exponent(escape: &Escape, quantity: Quantity) -> Result<(f64, f64), Failure> {
+    let logarithms = escape.late.iter().map(|l| (l.tau, libm::log(quantity(l))));
+    let data: Vec<_> = logarithms.collect();
+    let logarithm = |t: f64| libm::log(t);
+    let mut basis: Vec<&dyn Fn(f64) -> f64> = vec![&logarithm];
+    basis.extend(TERMS);
+    let fit = fit(&data, &basis)?;
+    Ok((fit.coefficients[0], fit.errors[0]))
+}
+
+/// p/τ².
+pub fn speed(l: &Late) -> f64 {
+    l.state.p() / (l.tau * l.tau)
+}
+/// ρ/τ².
+pub fn distance(l: &Late) -> f64 {
+    l.state.rho() / (l.tau * l.tau)
+}
+/// s/τ³.
+pub fn way(l: &Late) -> f64 {
+    l.state.s / (l.tau * l.tau * l.tau)
+}
+/// A/τ^(3/2).
+pub fn size(l: &Late) -> f64 {
+    a(&l.state) / (l.tau * libm::sqrt(l.tau))
+}
+/// α − ½ ln τ.
+pub fn excess(l: &Late) -> f64 {
+    alpha(&l.state) - 0.5 * libm::log(l.tau)
+}
+/// (π/2 − ψ) τ.
+pub fn lag(l: &Late) -> f64 {
+    l.state.lag() * l.tau
+}
+/// α − ⅓ ln A.
+fn alpha_by_a(l: &Late) -> f64 {
+    alpha(&l.state) - libm::log(a(&l.state)) / 3.0
+}
+/// τ dα/dτ.
+fn alpha_rate(l: &Late) -> f64 {
+    l.tau * l.alpha_rate
+}
+/// dA/dτ over A^(1/3).
+fn a_rate(l: &Late) -> f64 {
+    l.a_rate / libm::cbrt(a(&l.state))
+}
+/// cosh α cosh 2α over A, where (129) has 1.
+fn product(l: &Late) -> f64 {
+    printed::eq129_a(alpha(&l.state)) / a(&l.state)
+}
+/// (128) times τ.
+fn eq128(l: &Late) -> f64 {
+    l.tau * printed::eq128_alpha_rate(alpha(&l.state), a(&l.state))
+}
+/// What replaces (128), times τ.
+fn corrected128(l: &Late) -> f64 {
+    l.tau * corrected::alpha_rate(alpha(&l.state), a(&l.state))
+}
+/// s over A²/2.
+fn way_by_a(l: &Late) -> f64 {
+    l.state.s / printed::eq138_s(a(&l.state))
+}
+
+/// A stated limit against the limit of what the motion does.
+fn against(
+    subject: Subject,
+    compared: &'static str,
+    quantity: Quantity,
+    stated: impl Fn(&Escape) -> Result<f64, Failure>,
+) -> Evidence {
+    let trial = Trial::by(Route::Limit, subject, compared, ESCAPE_LIMIT);
+    trial.over(escapes(), |flight| {
+        let flight = flight?;
+        let found = limit(flight, quantity)?;
+        Ok::<_, Failure>(Pair {
+            at: flight.launch.at(),
+            stated: stated(flight)?,
+            found: found.value,
+            scale: 1.0,
+        })
+    })
+}
+
+/// A stated exponent against the exponent of what the motion does.
+fn powers(
+    subject: Subject,
+    compared: &'static str,
+    quantity: Quantity,
+    taken_out: f64,
+    law: fn(f64) -> f64,
+) -> Evidence {
+    let trial = Trial::by(Route::Limit, subject, compared, ESCAPE_LIMIT);
+    trial.over(escapes(), |flight| {
+        let flight = flight?;
+        let (found, _) = exponent(flight, quantity)?;
+        Ok::<_, Failure>(Pair {
+            at: flight.launch.at(),
+            stated: libm::log(law(LATE) / law(1.0)) / libm::log(LATE),
+            found: found + taken_out,
+            scale: 1.0,
+        })
+    })
+}
+
+/// The coefficient of (ln τ)/τ, relative to the limit, against `power` times the delay of the law's own time.
+fn delays(compared: &'static str, quantity: Quantity, power: f64) -> Evidence {
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Corrected,
+        compared,
+        ESCAPE_CORRECTION,
+    );
+    trial.over(escapes(), |flight| {
+        let flight = flight?;
+        let found = limit(flight, quantity)?;
+        Ok::<_, Failure>(Pair {
+            at: flight.launch.at(),
+            stated: -power * corrected::delay::<f64>(),
+            found: found.log / found.value,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (128): τ dα/dτ.
+pub fn eq128_limit() -> Evidence {
+    let compared = "τ times (128), for τ → ∞, with τ dα/dτ of the motion";
+    against(Subject::Printed, compared, alpha_rate, |f| {
+        Ok(limit(f, eq128)?.value)
+    })
+}
+/// The same of what replaces it.
+pub fn corrected128_limit() -> Evidence {
+    let compared = "τ (√2/cosh 2α − cosh α/A), for τ → ∞, with τ dα/dτ of the motion";
+    against(Subject::Corrected, compared, alpha_rate, |f| {
+        Ok(limit(f, corrected128)?.value)
+    })
+}
+/// (129): the ratio of its two sides.
+pub fn eq129_limit() -> Evidence {
+    let compared = "1 with cosh α cosh 2α/A of the motion, for τ → ∞";
+    against(Subject::Printed, compared, product, |_| Ok(1.0))
+}
+/// The same of what replaces it.
+pub fn corrected129_limit() -> Evidence {
+    let compared = "3√2/4 with cosh α cosh 2α/A of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, product, |_| {
+        Ok(corrected::product_over_a())
+    })
+}
+/// (130): what is added to ⅓ ln A.
+pub fn eq130_limit() -> Evidence {
+    let compared = "(130) − ⅓ ln A with α − ⅓ ln A of the motion, for τ → ∞";
+    against(Subject::Printed, compared, alpha_by_a, |_| {
+        Ok(printed::eq130_alpha(1.0))
+    })
+}
+/// The same of what replaces it.
+pub fn corrected130_limit() -> Evidence {
+    let compared = "⅓ ln(3√2) with α − ⅓ ln A of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, alpha_by_a, |_| {
+        Ok(corrected::alpha_by_a(1.0))
+    })
+}
+/// (131): the factor of A^(1/3).
+pub fn eq131_limit() -> Evidence {
+    let compared = "(131)/A^(1/3) with (dA/dτ)/A^(1/3) of the motion, for τ → ∞";
+    against(Subject::Printed, compared, a_rate, |_| {
+        Ok(printed::eq131_a_rate(1.0))
+    })
+}
+/// The same of what replaces it.
+pub fn corrected131_limit() -> Evidence {
+    let compared = "(3√2)^(1/3)/2 with (dA/dτ)/A^(1/3) of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, a_rate, |_| {
+        Ok(corrected::a_rate(1.0))
+    })
+}
+/// (132): the prefactor.
+pub fn eq132_limit() -> Evidence {
+    let compared = "(132)/τ^(3/2) with A/τ^(3/2) of the motion, for τ → ∞";
+    against(Subject::Printed, compared, size, |_| {
+        Ok(printed::eq132_a(1.0))
+    })
+}
+/// (132): the exponent.
+pub fn eq132_exponent() -> Evidence {
+    let compared = "the exponent of τ in (132) with that of A of the motion";
+    powers(Subject::Printed, compared, size, 1.5, printed::eq132_a)
+}
+/// The prefactor of what replaces it.
+pub fn corrected132_limit() -> Evidence {
+    let compared = "2^(1/4)/3 with A/τ^(3/2) of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, size, |_| {
+        Ok(corrected::a(1.0))
+    })
+}
+/// Its first correction.
+pub fn corrected132_delay() -> Evidence {
+    let compared = "−9√2/8 with the coefficient of (ln τ)/τ in A/τ^(3/2), over the limit";
+    delays(compared, size, 1.5)
+}
+/// (133): what is added to ½ ln τ.
+pub fn eq133_limit() -> Evidence {
+    let compared = "(133) − ½ ln τ with α − ½ ln τ of the motion, for τ → ∞";
+    against(Subject::Printed, compared, excess, |_| {
+        Ok(printed::eq133_alpha(1.0))
+    })
+}
+/// The same of what replaces it.
+pub fn corrected133_limit() -> Evidence {
+    let compared = "½ ln √2 with α − ½ ln τ of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, excess, |_| {
+        Ok(corrected::alpha(1.0))
+    })
+}
+/// (134): the exponent of π/2 − ψ.
+pub fn eq134_exponent() -> Evidence {
+    let compared = "the exponent of τ in π/2 − ψ by (134) with that of the motion";
+    powers(Subject::Printed, compared, lag, -1.0, printed::eq134_lag)
+}
+/// The exponent of what replaces it.
+pub fn corrected134_exponent() -> Evidence {
+    let compared = "−1 with the exponent of τ in π/2 − ψ of the motion";
+    powers(Subject::Corrected, compared, lag, -1.0, corrected::lag)
+}
+/// Its prefactor.
+pub fn corrected134_limit() -> Evidence {
+    let compared = "2 with (π/2 − ψ) τ of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, lag, |_| {
+        Ok(corrected::lag(1.0))
+    })
+}
+/// Its first correction.
+pub fn corrected134_delay() -> Evidence {
+    let compared = "3√2/4 with the coefficient of (ln τ)/τ in (π/2 − ψ) τ, over the limit";
+    delays(compared, lag, -1.0)
+}
+/// (135): the prefactor.
+pub fn eq135_limit() -> Evidence {
+    let compared = "(135)/τ² with p/τ² of the motion, for τ → ∞";
+    against(Subject::Printed, compared, speed, |_| {
+        Ok(printed::eq135_p(1.0))
+    })
+}
+/// (135): the exponent.
+pub fn eq135_exponent() -> Evidence {
+    let compared = "the exponent of τ in (135) with that of p of the motion";
+    powers(Subject::Printed, compared, speed, 2.0, printed::eq135_p)
+}
+/// The prefactor of what replaces it.
+pub fn corrected135_limit() -> Evidence {
+    let compared = "1/(3√2) with p/τ² of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, speed, |_| {
+        Ok(corrected::rho(1.0))
+    })
+}
+/// Its first correction.
+pub fn corrected135_delay() -> Evidence {
+    let compared = "−3√2/2 with the coefficient of (ln τ)/τ in p/τ², over the limit";
+    delays(compared, speed, 2.0)
+}
+/// (136): the prefactor.
+pub fn eq136_limit() -> Evidence {
+    let compared = "(136)/τ² with ρ/τ² of the motion, for τ → ∞";
+    against(Subject::Printed, compared, distance, |_| {
+        Ok(printed::eq136_rho(1.0))
+    })
+}
+/// (136): the exponent.
+pub fn eq136_exponent() -> Evidence {
+    let compared = "the exponent of τ in (136) with that of ρ of the motion";
+    powers(
+        Subject::Printed,
+        compared,
+        distance,
+        2.0,
+        printed::eq136_rho,
+    )
+}
+/// The prefactor of what replaces it.
+pub fn corrected136_limit() -> Evidence {
+    let compared = "1/(3√2) with ρ/τ² of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, distance, |_| {
+        Ok(corrected::rho(1.0))
+    })
+}
+/// Its first correction.
+pub fn corrected136_delay() -> Evidence {
+    let compared = "−3√2/2 with the coefficient of (ln τ)/τ in ρ/τ², over the limit";
+    delays(compared, distance, 2.0)
+}
+/// (137): the prefactor.
+pub fn eq137_limit() -> Evidence {
+    let compared = "(137)/τ³ with s/τ³ of the motion, for τ → ∞";
+    against(Subject::Printed, compared, way, |_| {
+        Ok(printed::eq137_s(1.0))
+    })
+}
+/// (137): the exponent.
+pub fn eq137_exponent() -> Evidence {
+    let compared = "the exponent of τ in (137) with that of s of the motion";
+    powers(Subject::Printed, compared, way, 3.0, printed::eq137_s)
+}
+/// The prefactor of what replaces it.
+pub fn corrected137_limit() -> Evidence {
+    let compared = "1/(9√2) with s/τ³ of the motion, for τ → ∞";
+    against(Subject::Corrected, compared, way, |_| Ok(corrected::s(1.0)))
+}
+/// Its first correction.
+pub fn corrected137_delay() -> Evidence {
+    let compared = "−9√2/4 with the coefficient of (ln τ)/τ in s/τ³, over the limit";
+    delays(compared, way, 3.0)
+}
+/// (138): the ratio of its two sides.
+pub fn eq138_limit() -> Evidence {
+    let compared = "1 with s/(A²/2) of the motion, for τ → ∞";
+    against(Subject::Printed, compared, way_by_a, |_| Ok(1.0))
+}

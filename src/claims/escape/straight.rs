@@ -1,0 +1,101 @@
+//! The motions that come straight in: starts from which the particle stops before its velocity has turned, ψ → π.
+//!
+//! They are found by shooting. Near ψ = π the angle runs away to one side or to the other; between two starts that
+//! do the one and the other lies one that does neither.
+
+use super::runs::{Shared, alpha, shared};
+use crate::claims::points::Points;
+use crate::motion::MotionError;
+use crate::motion::turntable::Start;
+use crate::motion::turntable::intrinsic::{Intrinsic, Run};
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// A start that comes straight in.
+#[derive(Debug)]
+pub struct StraightIn {
+    /// ρ at the start.
+    pub rho: f64,
+    /// p at the start.
+    pub p: f64,
+    /// ψ at the start.
+    pub psi: f64,
+    /// The motion, past the stop.
+    pub run: Run,
+}
+
+impl StraightIn {
+    /// The state of least speed.
+    pub fn stop(&self) -> Intrinsic {
+        let slower = |a: Intrinsic, b: Intrinsic| if b.p() < a.p() { b } else { a };
+        self.run.nodes().fold(self.run.end(), slower)
+    }
+
+    /// The first state with α below the given number: on the way in.
+    pub fn with_alpha_below(&self, small: f64) -> Intrinsic {
+        let found = self.run.nodes().find(|s| alpha(s) < small);
+        found.unwrap_or_else(|| self.run.end())
+    }
+
+    /// The start in the paper's symbols.
+    pub fn at(&self) -> String {
+        let (a, alpha) = (
+            libm::sqrt((self.rho - self.p) * (self.rho + self.p)),
+            libm::atanh(self.p / self.rho),
+        );
+        let psi = self.psi;
+        format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6} at the start")
+    }
+}
+
+fn run(rho: f64, p: f64, psi: f64) -> Result<Run, MotionError> {
+    // At ψ = π the deceleration is 1 + ρ.
+    Run::new(&Start::polar(rho, p, psi)?, 1.3 * p / (1.0 + rho))
+}
+
+/// The ψ between π − 0.7 and π from which a particle comes straight in.
+///
+/// # Errors
+/// Those of the motion.
+pub fn straight_in(rho: f64, p: f64) -> Result<StraightIn, MotionError> {
+    let (mut low, mut high) = (PI - 0.7, PI);
+    for _ in 0..52 {
+        let middle = 0.5 * (low + high);
+        let run = run(rho, p, middle)?;
+        let turned = run.nodes().find(|s| s.parts.xi > 0.0);
+        if turned.unwrap_or_else(|| run.end()).psi() > 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    let psi = 0.5 * (low + high);
+    Ok(StraightIn {
+        rho,
+        p,
+        psi,
+        run: run(rho, p, psi)?,
+    })
+}
+
+/// Starts with A > 1 that come straight in, and stop beyond ρ = 1.
+pub fn beyond_one() -> impl Iterator<Item = Result<&'static StraightIn, MotionError>> {
+    static BEYOND: Shared<StraightIn> = LazyLock::new(|| from(605, 1.3, 2.5));
+    shared(&BEYOND)
+}
+
+/// Starts that come straight in and stay at rest.
+pub fn within_one() -> impl Iterator<Item = Result<&'static StraightIn, MotionError>> {
+    static WITHIN: Shared<StraightIn> = LazyLock::new(|| from(606, 0.3, 0.95));
+    shared(&WITHIN)
+}
+
+fn from(stream: u64, nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, MotionError> {
+    let mut points = Points::stream(stream);
+    (0..20)
+        .map(|_| {
+            let rho = points.uniform(nearest, farthest);
+            straight_in(rho, rho * points.uniform(0.05, 0.3))
+        })
+        .collect()
+}

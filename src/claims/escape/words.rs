@@ -1,0 +1,307 @@
+//! Trials of what section 4 says about escape in words, and of (126), (127).
+
+use super::laws::{Quantity, limit, size};
+use super::runs::{Launch, a, alpha, escapes, flights, rates, relaxed};
+use super::straight::{StraightIn, beyond_one};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{
+    DIFFERENCES, ESCAPE_LIMIT, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED,
+};
+use crate::corrections::escape as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
+use crate::motion::turntable::boundary::between;
+use crate::motion::turntable::intrinsic::Run;
+use crate::motion::turntable::{Start, State, Table, rotating};
+use crate::paper::escape as printed;
+use std::f64::consts::PI;
+
+/// (126) with the rate of α after ψ has relaxed, at α below a millionth.
+pub fn eq126_relaxed() -> Evidence {
+    let compared = "(126) with dα/dτ of the motion, ψ having relaxed, α below a millionth";
+    after_relaxing(Subject::Printed, compared)
+}
+
+fn after_relaxing(subject: Subject, compared: &'static str) -> Evidence {
+    let trial = Trial::by(Route::Integration, subject, compared, RELAXED);
+    trial.over(relaxed(), |relaxed| {
+        let relaxed = relaxed?;
+        let stated = printed::eq126_alpha_rate(a(&relaxed.state));
+        Ok::<_, Failure>(Pair {
+            at: relaxed.launch.at(),
+            stated,
+            found: relaxed.alpha_rate,
+            scale: stated.abs(),
+        })
+    })
+}
+
+/// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
+pub fn eq126_order() -> Evidence {
+    let compared = "(126) with dα/dτ of the motion from ψ = ψ₁, in units of α² + ψ²";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, FIRST_OMITTED);
+    let mut points = Points::stream(607);
+    trial.over(0..60, |_| {
+        let alpha0 = points.log_uniform(1e-3, 3e-2);
+        let launch = Launch {
+            a: points.uniform(0.7, 3.0),
+            alpha: alpha0,
+            psi: libm::asin(libm::tanh(2.0 * alpha0)),
+        };
+        let run = Run::new(&launch.start()?, 0.1 * alpha0)?;
+        let t = 0.05 * alpha0;
+        let [rate] = rates(t, 0.01 * alpha0, |t| Ok([alpha(&run.at(t)?)]))?;
+        let now = run.at(t)?;
+        let small = alpha(&now);
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: printed::eq126_alpha_rate(a(&now)),
+            found: rate,
+            scale: small * small + now.psi() * now.psi(),
+        })
+    })
+}
+
+/// (127) and the statement: launches with A > 1 that have stopped, or not gone far, when τ = 300.
+pub fn above_one_census() -> Evidence {
+    above_one(
+        Subject::Printed,
+        "0 with the launches from A > 1 that are within ρ = 30 at τ = 300",
+    )
+}
+
+/// The same under the condition that the start does not come straight in.
+pub fn above_one_within() -> Evidence {
+    above_one(
+        Subject::Within,
+        "0 with the launches from A > 1, random ones, that stop or are within ρ = 30 at τ = 300",
+    )
+}
+
+fn above_one(subject: Subject, compared: &'static str) -> Evidence {
+    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    let mut points = Points::stream(608);
+    trial.over(0..200, |i| {
+        let launch = Launch {
+            a: 1.0
+                + match i % 4 {
+                    0 => points.log_uniform(1e-2, 1e-1),
+                    _ => points.uniform(0.1, 4.0),
+                },
+            alpha: points.log_uniform(1e-2, 3.0),
+            psi: points.uniform(-3.0, 3.0),
+        };
+        let run = Run::new(&launch.start()?, 300.0)?;
+        let stops = run.nodes().filter(|s| s.p() < 1e-9).count();
+        let near = usize::from(run.end().rho() < 30.0);
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: 0.0,
+            found: (stops + near) as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (127) where it decides: close to α = 0, the A at which rest gives way to escape.
+pub fn eq127_root() -> Evidence {
+    let compared =
+        "the bound of (127) with the A at which the motion passes from rest to escape, α = 1e-4";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, NEAR_CORNER);
+    trial.over(0..20, |i| {
+        let psi = 2.8 * (f64::from(i) - 9.5) / 9.5;
+        let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
+        let found = between(launch, 0.99, 1.01, 1e-6)?;
+        Ok::<_, Failure>(Pair {
+            at: format!("α = 0.0001, ψ = {psi:.6}"),
+            stated: printed::eq127_least_a(),
+            found,
+            scale: 1.0,
+        })
+    })
+}
+
+/// A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
+pub fn never_decreases_way() -> Evidence {
+    let compared = "A² at the start + 2s with A² at the end, along the motion";
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(flights(), |flight| {
+        let flight = flight?;
+        let end = flight.run.end();
+        let gained = flight.launch.a * flight.launch.a + 2.0 * end.s;
+        Ok::<_, Failure>(Pair {
+            at: flight.launch.at(),
+            stated: gained,
+            found: end.parts.energy(),
+            scale: gained,
+        })
+    })
+}
+
+/// Steps on which A decreases, by more than its rounding.
+pub fn never_decreases_census() -> Evidence {
+    let compared =
+        "0 with the steps on which A decreases and the ends at which α is not small nor A large";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(flights(), |flight| {
+        let flight = flight?;
+        let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
+        let falls = |w: &&[f64]| w[1] < w[0] * (1.0 - 1e-14);
+        let end = flight.run.end();
+        let rests = end.p() < 1e-29 && alpha(&end) < 1e-25;
+        let odd = usize::from(!(rests || a(&end) > 1e4));
+        Ok::<_, Failure>(Pair {
+            at: flight.launch.at(),
+            stated: 0.0,
+            found: (energies.windows(2).filter(falls).count() + odd) as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// ψ after many relaxation times, against ψ₁.
+pub fn small_alpha_angle() -> Evidence {
+    let compared = "ψ₁ with ψ of the motion, ψ having relaxed after a start with α < 1e-11";
+    let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
+    trial.over(relaxed(), |relaxed| {
+        let relaxed = relaxed?;
+        Ok::<_, Failure>(Pair {
+            at: relaxed.launch.at(),
+            stated: libm::asin(libm::tanh(2.0 * alpha(&relaxed.state))),
+            found: relaxed.state.psi(),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (126) at the same states.
+pub fn small_alpha_rate() -> Evidence {
+    let compared = "(126) with dα/dτ of the motion, ψ having relaxed after a start with α < 1e-11";
+    after_relaxing(Subject::Within, compared)
+}
+
+/// ψ when a particle that comes straight in has almost stopped.
+pub fn small_alpha_straight() -> Evidence {
+    let compared =
+        "ψ₁ with ψ of a motion that comes straight in, when α has fallen below a ten-thousandth";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, RELAXED);
+    trial.over(beyond_one(), |straight| {
+        let straight = straight?;
+        let state = straight.with_alpha_below(1e-4);
+        Ok::<_, Failure>(Pair {
+            at: straight.at(),
+            stated: libm::asin(libm::tanh(2.0 * alpha(&state))),
+            found: state.psi(),
+            scale: 1.0,
+        })
+    })
+}
+
+/// The growth of A from A > 1: its limit over τ^(3/2).
+pub fn a_grows() -> Evidence {
+    grows(
+        "2^(1/4)/3 with the limit of A/τ^(3/2)",
+        size,
+        corrected::a(1.0),
+        Subject::Within,
+    )
+}
+
+/// The growth of α from A > 1: its limit over ln τ.
+pub fn alpha_grows() -> Evidence {
+    grows(
+        "1/2 with the limit of τ dα/dτ: α grows as half the logarithm of τ",
+        |l| l.tau * l.alpha_rate,
+        0.5,
+        Subject::Printed,
+    )
+}
+
+fn grows(compared: &'static str, quantity: Quantity, stated: f64, subject: Subject) -> Evidence {
+    let trial = Trial::by(Route::Limit, subject, compared, ESCAPE_LIMIT);
+    trial.over(escapes(), |escape| {
+        let escape = escape?;
+        Ok::<_, Failure>(Pair {
+            at: escape.launch.at(),
+            stated,
+            found: limit(escape, quantity)?.value,
+            scale: 1.0,
+        })
+    })
+}
+
+/// Decades of τ over which α does not grow.
+pub fn alpha_census() -> Evidence {
+    let compared = "0 with the decades of τ from 100 to 1e8 over which α grows by less than 1";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(escapes(), |escape| {
+        let escape = escape?;
+        let values = (2..=8)
+            .map(|n| Ok(alpha(&escape.run.at(libm::pow(10.0, f64::from(n)))?)))
+            .collect::<Result<Vec<_>, MotionError>>()?;
+        let idle = values.windows(2).filter(|w| !(w[1] - w[0] > 1.0)).count();
+        Ok::<_, Failure>(Pair {
+            at: escape.launch.at(),
+            stated: 0.0,
+            found: idle as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// Stops of particles that come straight in from A > 1, in the frame of the table.
+pub fn straight_stops() -> Evidence {
+    let compared = "0 with the stops of a particle that comes straight in from A > 1";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
+    trial.over(beyond_one(), |straight| {
+        let straight = straight?;
+        Ok::<_, Failure>(Pair {
+            at: straight.at(),
+            stated: 0.0,
+            found: table_stops(straight)? as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// How often a particle stops in Cartesian axes on the table, up to τ = 20.
+///
+/// # Errors
+/// Those of the motion.
+pub fn table_stops(straight: &StraightIn) -> Result<usize, MotionError> {
+    let (s, c) = libm::sincos(PI - straight.psi);
+    let start = State {
+        t: 0.0,
+        x: [-straight.rho * c, straight.rho * s],
+        v: [straight.p, 0.0],
+    };
+    Ok(rotating::run(&Table::default(), &start, 20.0)?
+        .stops()
+        .len())
+}
+
+/// A particle that comes straight in from A > 1: the way in which it slows down, against its own law.
+pub fn straight_rate() -> Evidence {
+    let compared = "−1 − 1/ρ with dα/dτ of a particle that has almost stopped, coming straight in";
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Corrected,
+        compared,
+        DIFFERENCES,
+    );
+    trial.over(beyond_one(), |straight| {
+        let straight = straight?;
+        let state = straight.with_alpha_below(1e-5);
+        let time = state.p() / (1.0 + state.rho());
+        let run = Run::new(&state.parts, 0.5 * time)?;
+        let [rate] = rates(0.25 * time, 1e-2 * time, |t| Ok([alpha(&run.at(t)?)]))?;
+        let stated = crate::corrections::rest::alpha_rate_straight_in(state.rho());
+        Ok::<_, Failure>(Pair {
+            at: straight.at(),
+            stated,
+            found: rate,
+            scale: stated.abs(),
+        })
+    })
+}

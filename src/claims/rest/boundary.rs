@@ -1,0 +1,261 @@
+//! Trials of the boundary between rest and escape: bisection, and a census of starts.
+
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::escape::runs::Shared;
+use crate::claims::escape::runs::shared;
+use crate::claims::points::Points;
+use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, NONE, THIRD_ORDER};
+use crate::corrections::rest as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
+use crate::motion::turntable::boundary::between;
+use crate::motion::turntable::{Fate, Start, fate};
+use crate::numerics::roots::root;
+use crate::paper::rest as printed;
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// A point of the boundary.
+#[derive(Debug, Clone, Copy)]
+pub struct Border {
+    /// α.
+    pub alpha: f64,
+    /// ψ in radians.
+    pub psi: f64,
+    /// A on the boundary, to 10⁻⁸.
+    pub a: f64,
+}
+
+/// Bisects for the A at which the particle passes from rest to escape. Newton's law gives the bracket: it rests where
+/// p + ρ = A exp(α) < 1, and escapes where ρ² − p² = A² ≥ 1.
+///
+/// # Errors
+/// Those of the motion.
+pub fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
+    let least = (1.0 - 1e-9) * libm::exp(-alpha);
+    let start = |a| Start::hyperbolic(a, alpha, psi);
+    let a = between(start, least, 1.0 + 1e-9, 1e-8)?;
+    Ok(Border { alpha, psi, a })
+}
+
+/// Points of the boundary: α = 0.3, 0.1, 0.03, 0.01, and twelve ψ all round.
+pub fn borders() -> impl Iterator<Item = Result<&'static Border, MotionError>> {
+    static BORDERS: Shared<Border> = LazyLock::new(|| {
+        let angles = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
+        let points = angles.flat_map(|psi| [0.3, 0.1, 0.03, 0.01].map(|alpha| (alpha, psi)));
+        points.map(|(alpha, psi)| border(alpha, psi)).collect()
+    });
+    shared(&BORDERS)
+}
+
+fn at(alpha: f64, psi: f64) -> String {
+    format!("α = {alpha}, ψ = {psi:.6}")
+}
+
+/// (147) against the boundary.
+pub fn printed_root() -> Evidence {
+    let compared = "(147) with the A at which the motion passes from rest to escape";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
+    trial.over(borders(), |border| {
+        let Border { alpha, psi, a } = *border?;
+        Ok::<_, Failure>(Pair {
+            at: at(alpha, psi),
+            stated: printed::eq147_a(alpha),
+            found: a,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (147) on the slow motion, ψ = 2α, which its derivation is about.
+pub fn printed_slow() -> Evidence {
+    let compared = "(147) with the A at which the motion passes from rest to escape, ψ = 2α";
+    let trial = Trial::by(Route::Root, Subject::Outside, compared, BOUNDARY);
+    trial.over(0..20, |i| {
+        let alpha = 0.02 + 0.01 * f64::from(i);
+        let found = border(alpha, 2.0 * alpha)?.a;
+        Ok::<_, Failure>(Pair {
+            at: at(alpha, 2.0 * alpha),
+            stated: printed::eq147_a(alpha),
+            found,
+            scale: 1.0,
+        })
+    })
+}
+
+/// The second-order boundary against the boundary, in units of α³.
+pub fn corrected_root() -> Evidence {
+    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the A at which the motion passes from rest to escape, in units of α³";
+    let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
+    trial.over(borders(), |border| {
+        let Border { alpha, psi, a } = *border?;
+        Ok::<_, Failure>(Pair {
+            at: at(alpha, psi),
+            stated: corrected::boundary_a(alpha, psi),
+            found: a,
+            scale: alpha * alpha * alpha,
+        })
+    })
+}
+
+/// A start and whether it comes to rest.
+#[derive(Debug, Clone, Copy)]
+pub struct Case {
+    /// A, α and ψ.
+    pub start: [f64; 3],
+    /// Where it comes to rest, if it does.
+    pub sigma: Option<f64>,
+}
+
+/// Whether a start comes to rest, and at which σ.
+///
+/// # Errors
+/// Those of the motion; [`MotionError::Steps`] when rounding decides.
+pub fn resting_place(a: f64, alpha: f64, psi: f64) -> Result<Option<f64>, MotionError> {
+    match fate(&Start::hyperbolic(a, alpha, psi)?)? {
+        Fate::Rest { sigma, .. } => Ok(Some(sigma)),
+        Fate::Escape { .. } => Ok(None),
+        Fate::Undecided { tau, .. } => Err(MotionError::Steps {
+            limit: crate::motion::turntable::fate::STEPS,
+            t: tau,
+        }),
+    }
+}
+
+/// How many starts the census in the ledger has near A = 1, α = 0, and away from it. The benchmark has a million.
+const STARTS: [usize; 2] = [4000, 1000];
+
+/// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
+pub fn census() -> impl Iterator<Item = Result<&'static Case, MotionError>> {
+    static CENSUS: Shared<Case> = LazyLock::new(|| {
+        let mut points = Points::stream(640);
+        let [near, away] = STARTS;
+        (0..near + away)
+            .map(|i| {
+                let (low, high, reach) = if i < near {
+                    (0.65, 1.02, 0.3)
+                } else {
+                    (0.05, 1.2, 1.5)
+                };
+                let a = points.uniform(low, high);
+                let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
+                Ok(Case {
+                    start: [a, alpha, psi],
+                    sigma: resting_place(a, alpha, psi)?,
+                })
+            })
+            .collect()
+    });
+    shared(&CENSUS)
+}
+
+fn counted(case: &Case, rests: bool) -> Pair {
+    let [a, alpha, psi] = case.start;
+    Pair {
+        at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
+        stated: f64::from(u8::from(rests)),
+        found: f64::from(u8::from(case.sigma.is_some())),
+        scale: 1.0,
+    }
+}
+
+/// Who comes to rest by (147), and who does.
+pub fn printed_census() -> Evidence {
+    let compared = "rest (1) or not (0) by (147) with what the motion does";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(census(), |case| {
+        let case = case?;
+        let rests = case.start[0] < printed::eq147_a(case.start[1]);
+        Ok::<_, Failure>(counted(case, rests))
+    })
+}
+
+/// Who comes to rest by the second-order boundary, farther from it than the terms left out, and who does.
+pub fn corrected_census() -> Evidence {
+    let compared = "rest (1) or not (0) by 1 − α f₁(ψ) + α² f₂(ψ) with what the motion does, where A is farther from it than 6α³";
+    let trial = Trial::by(Route::Census, Subject::Corrected, compared, NONE);
+    let wanted = |case: &Result<&Case, MotionError>| {
+        case.as_ref().map_or(true, |case| {
+            let [a, alpha, psi] = case.start;
+            let margin = THIRD_ORDER.value * alpha * alpha * alpha;
+            alpha < 0.3 && (a - corrected::boundary_a(alpha, psi)).abs() > margin
+        })
+    };
+    trial.over(census().filter(wanted), |case| {
+        let case = case?;
+        let [a, alpha, psi] = case.start;
+        Ok::<_, Failure>(counted(case, a < corrected::boundary_a(alpha, psi)))
+    })
+}
+
+/// A place on a surface of constant σ, on the slow motion near σ = 1, where (146) holds.
+#[derive(Debug)]
+pub struct Surface {
+    /// σ.
+    pub sigma: f64,
+    /// α = √2 (1 − σ).
+    pub alpha: f64,
+    /// ∂A/∂σ of the surface that the motion makes.
+    pub slope: f64,
+}
+
+/// Twenty such places.
+pub fn surfaces() -> impl Iterator<Item = Result<&'static Surface, Failure>> {
+    static SURFACES: LazyLock<Result<Vec<Surface>, String>> = LazyLock::new(|| {
+        let all: Result<_, Failure> = (0..20)
+            .map(|i| surface(0.99 + 4e-4 * f64::from(i)))
+            .collect();
+        all.map_err(|e| e.to_string())
+    });
+    let (all, error) = match &*SURFACES {
+        Ok(all) => (&all[..], None),
+        Err(error) => (&[][..], Some(Err(Failure::from(error.as_str())))),
+    };
+    all.iter().map(Ok).chain(error)
+}
+
+fn surface(sigma: f64) -> Result<Surface, Failure> {
+    let alpha = std::f64::consts::SQRT_2 * (1.0 - sigma);
+    let psi = 2.0 * alpha + 2.0 * alpha * alpha;
+    let resting = |a: f64| match resting_place(a, alpha, psi) {
+        Ok(Some(sigma)) => sigma,
+        // Beyond the boundary.
+        Ok(None) => 1.0,
+        Err(_) => f64::NAN,
+    };
+    let a_at = |sigma: f64| root(|a| resting(a) - sigma, 1.0 - 4.0 * alpha, 1.0);
+    let h = 0.05 * (1.0 - sigma);
+    Ok(Surface {
+        sigma,
+        alpha,
+        slope: (a_at(sigma + h)? - a_at(sigma - h)?) / (2.0 * h),
+    })
+}
+
+fn slopes(subject: Subject, compared: &'static str, stated: fn(f64, f64) -> f64) -> Evidence {
+    let trial = Trial::by(Route::Root, subject, compared, CLOSING_SURFACES);
+    trial.over(surfaces(), |surface| {
+        let surface = surface?;
+        Ok::<_, Failure>(Pair {
+            at: format!("σ = {:.6}, α = {:.6}", surface.sigma, surface.alpha),
+            stated: stated(surface.sigma, surface.alpha),
+            found: surface.slope,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
+pub fn real_surfaces() -> Evidence {
+    let compared =
+        "∂A/∂σ by (146) at α = √2 (1 − σ) with that of the surfaces that the motion makes, ψ = 2α";
+    slopes(Subject::Outside, compared, printed::eq146_right)
+}
+
+/// The real surfaces around the saddle: 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3 there.
+pub fn closing_surfaces() -> Evidence {
+    let compared = "(1 − σ)/√((1−σ)² + α²) at α = √2 (1 − σ) with ∂A/∂σ of the surfaces that the motion makes, ψ = 2α";
+    slopes(Subject::Corrected, compared, |sigma, alpha| {
+        (1.0 - sigma) / libm::hypot(1.0 - sigma, alpha)
+    })
+}

@@ -1,0 +1,428 @@
+//! Trials of (140) to (145): the last moments before rest.
+//!
+//! Each equation is tried in two ways: where what it leaves out is below the tolerance (p = 10⁻²⁰), and where it is
+//! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
+
+use super::runs::{
+    Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
+};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::escape::runs::{alpha, rates};
+use crate::claims::escape::straight::{StraightIn, within_one};
+use crate::claims::tolerances::{
+    DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
+};
+use crate::corrections::rest as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
+use crate::motion::turntable::intrinsic::Run;
+use crate::paper::rest as printed;
+use std::f64::consts::PI;
+
+/// What an equation says and what the motion does, and the size of its terms.
+type Sides = fn(sigma: f64, close: &Close) -> (f64, f64, f64);
+
+/// At p = 10⁻²⁰, for σ not so small that ψ has not relaxed even there.
+fn exactly(route: Route, compared: &'static str, sides: Sides) -> Evidence {
+    let trial = Trial::by(route, Subject::Within, compared, DIFFERENCES);
+    trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
+        pair(approach?, 1e-20, |_, _| 1.0, sides)
+    })
+}
+
+/// At p = `speed`, in units of the order of what is left out.
+fn by_order(compared: &'static str, speed: f64, sides: Sides) -> Evidence {
+    let trial = Trial::by(Route::Limit, Subject::Within, compared, FIRST_OMITTED);
+    trial.over(approaches(), |approach| {
+        pair(approach?, speed, |s, c| c.omitted(s), sides)
+    })
+}
+
+fn pair(
+    approach: &Approach,
+    speed: f64,
+    unit: fn(f64, &Close) -> f64,
+    sides: Sides,
+) -> Result<Pair, Failure> {
+    let close = approach.close(speed)?;
+    let (stated, found, size) = sides(approach.sigma, &close);
+    Ok(Pair {
+        at: format!("{}, α = {:.6e}", approach.at(), close.alpha),
+        stated,
+        found,
+        scale: size * unit(approach.sigma, &close),
+    })
+}
+
+/// The same equation on the way into a rest with ψ → π.
+fn straight(compared: &'static str, sides: Sides) -> Evidence {
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, RELAXED);
+    trial.over(within_one(), |straight| {
+        let straight = straight?;
+        let (sigma, close) = close(straight)?;
+        let (stated, found, scale) = sides(sigma, &close);
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, α = {:.6e}", straight.at(), close.alpha),
+            stated,
+            found,
+            scale,
+        })
+    })
+}
+
+/// A moment just before a stop with ψ → π, α being about 10⁻³; σ to the square of that.
+fn close(straight: &StraightIn) -> Result<(f64, Close), MotionError> {
+    let state = straight.with_alpha_below(1e-3);
+    let time = state.p() / (1.0 + state.rho());
+    let run = Run::new(&state.parts, 0.5 * time)?;
+    let (t, h) = (0.25 * time, 1e-2 * time);
+    let [alpha_rate, psi_rate, a_rate, way_rate] = rates(t, h, |t| {
+        let s = run.at(t)?;
+        Ok([alpha(&s), s.psi(), s.a().unwrap_or(f64::NAN), s.s])
+    })?;
+    let now = run.at(t)?;
+    let size = now.a().unwrap_or(f64::NAN);
+    let left = time - t;
+    let way_left = 0.5 * now.p() * left;
+    let sigma = libm::sqrt(size * size + 2.0 * way_left);
+    Ok((
+        sigma,
+        Close {
+            left,
+            alpha: alpha(&now),
+            psi: now.psi(),
+            a: size,
+            alpha_rate,
+            psi_slope: psi_rate / alpha_rate,
+            a_slope: a_rate / alpha_rate,
+            a_slope_by_way: way_rate / (size * alpha_rate),
+            way_left,
+        },
+    ))
+}
+
+fn eq140(sigma: f64, c: &Close) -> (f64, f64, f64) {
+    let stated = printed::eq140_alpha_rate(sigma);
+    (stated, c.alpha_rate, stated.abs())
+}
+fn eq141(sigma: f64, c: &Close) -> (f64, f64, f64) {
+    (printed::eq141_alpha(sigma, -c.left), c.alpha, c.alpha)
+}
+fn eq142(sigma: f64, c: &Close) -> (f64, f64, f64) {
+    let right = printed::eq142_right(c.alpha, c.psi);
+    let size = 2.0 + (c.psi / c.alpha).abs();
+    (printed::eq142_left(sigma, c.psi_slope), right, size)
+}
+fn eq144(sigma: f64, c: &Close) -> (f64, f64, f64) {
+    let right = printed::eq144_right(c.alpha);
+    (printed::eq144_left(sigma, c.a_slope), right, right)
+}
+fn eq144_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
+    let right = printed::eq144_right(c.alpha);
+    (printed::eq144_left(sigma, c.a_slope_by_way), right, right)
+}
+fn eq145(sigma: f64, c: &Close) -> (f64, f64, f64) {
+    let stated = printed::eq145_a(sigma, c.alpha);
+    (stated, c.a, (stated - sigma).abs())
+}
+/// The coefficient of α², where A − σ is too small to be taken as a difference: σ² − A² is twice the way still to go.
+fn eq145_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
+    let found = -c.way_left / (sigma * c.alpha * c.alpha);
+    (printed::eq145_a(sigma, 1.0) - sigma, found, found.abs())
+}
+
+/// (140) at p = 10⁻²⁰.
+pub fn eq140_motion() -> Evidence {
+    let compared = "(140) with dα/dτ of the motion at p = 1e-20";
+    exactly(Route::Integration, compared, eq140)
+}
+/// (140) by order.
+pub fn eq140_order() -> Evidence {
+    let compared =
+        "(140) with dα/dτ of the motion at p = 1e-3, relative, in units of (α² + ψ²)/[σ(1 − σ)²]";
+    by_order(compared, 1e-3, eq140)
+}
+/// (140), ψ → π.
+pub fn eq140_straight() -> Evidence {
+    straight(
+        "(140) with dα/dτ of a motion that comes to rest with ψ → π",
+        eq140,
+    )
+}
+/// What holds there.
+pub fn corrected140() -> Evidence {
+    let compared = "−1 − 1/σ with dα/dτ of a motion that comes to rest with ψ → π";
+    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, RELAXED);
+    trial.over(within_one(), |straight| {
+        let straight = straight?;
+        let (sigma, close) = close(straight)?;
+        let stated = corrected::alpha_rate_straight_in(sigma);
+        Ok::<_, Failure>(Pair {
+            at: straight.at(),
+            stated,
+            found: close.alpha_rate,
+            scale: stated.abs(),
+        })
+    })
+}
+/// (141) at p = 10⁻²⁰.
+pub fn eq141_motion() -> Evidence {
+    let compared = "(141) with α of the motion at p = 1e-20, τ counted from the stop";
+    exactly(Route::Integration, compared, eq141)
+}
+/// (141) by order.
+pub fn eq141_order() -> Evidence {
+    let compared =
+        "(141) with α of the motion at p = 1e-3, relative, in units of (α² + ψ²)/[σ(1 − σ)²]";
+    by_order(compared, 1e-3, eq141)
+}
+/// (141), ψ → π.
+pub fn eq141_straight() -> Evidence {
+    straight(
+        "(141) with α of a motion that comes to rest with ψ → π",
+        eq141,
+    )
+}
+/// (142) at p = 10⁻²⁰.
+pub fn eq142_motion() -> Evidence {
+    let compared = "the two sides of (142), dψ/dα being that of the motion at p = 1e-20";
+    exactly(Route::Integration, compared, eq142)
+}
+/// (142) by order.
+pub fn eq142_order() -> Evidence {
+    let compared =
+        "the two sides of (142) at p = 1e-3, over 2 + ψ/α, in units of (α² + ψ²)/[σ(1 − σ)²]";
+    by_order(compared, 1e-3, eq142)
+}
+/// (142), ψ → π.
+pub fn eq142_straight() -> Evidence {
+    straight(
+        "the two sides of (142) for a motion that comes to rest with ψ → π",
+        eq142,
+    )
+}
+/// (144) at p = 10⁻²⁰, by the way.
+pub fn eq144_motion() -> Evidence {
+    let compared = "the two sides of (144) at p = 1e-20, with A dA = ds from the way still to go";
+    exactly(Route::Integration, compared, eq144_way)
+}
+/// (144) by order.
+pub fn eq144_order() -> Evidence {
+    let compared = "the two sides of (144), dA/dα being that of the motion at p = 1e-3, relative, in units of (α² + ψ²)/[σ(1 − σ)²]";
+    by_order(compared, 1e-3, eq144)
+}
+/// (144), ψ → π.
+pub fn eq144_straight() -> Evidence {
+    straight(
+        "the two sides of (144) for a motion that comes to rest with ψ → π",
+        eq144,
+    )
+}
+/// (145) at p = 10⁻²⁰, by the way.
+pub fn eq145_motion() -> Evidence {
+    let compared = "the coefficient of α² in (145) with (A − σ)/α² at p = 1e-20, A² = σ² − 2 (way still to go)";
+    exactly(Route::Integration, compared, eq145_way)
+}
+/// (145) by order.
+pub fn eq145_order() -> Evidence {
+    let compared =
+        "(145) with A of the motion at p = 1e-3, over A − σ, in units of (α² + ψ²)/[σ(1 − σ)²]";
+    by_order(compared, 1e-3, eq145)
+}
+/// (145), ψ → π.
+pub fn eq145_straight() -> Evidence {
+    straight(
+        "the coefficient of α² in (145) with (A − σ)/α² of a motion that comes to rest with ψ → π",
+        eq145_way,
+    )
+}
+
+/// Two levels of p at which the terms of (143) are well apart from rounding and from what is left out.
+fn levels(sigma: f64) -> [f64; 2] {
+    if sigma < 0.5 {
+        [1e-12, 1e-14]
+    } else {
+        [1e-5, 1e-7]
+    }
+}
+
+/// The constant in the brackets of (143), from two moments.
+fn constant(approach: &Approach) -> Result<(f64, f64), Failure> {
+    let [far, near] = levels(approach.sigma);
+    let (far, near) = (approach.close(far)?, approach.close(near)?);
+    let e: f64 = printed::eq143_exponent(approach.sigma);
+    let q = libm::pow(far.alpha / near.alpha, e);
+    Ok(((far.ratio() - q * near.ratio()) / (1.0 - q), near.alpha))
+}
+
+fn constants(subject: Subject, compared: &'static str, ranges: &'static [(f64, f64)]) -> Evidence {
+    let trial = Trial::by(Route::Limit, subject, compared, NEAR_REST);
+    trial.over(gentle_approaches_to(ranges), |approach| {
+        let approach = approach?;
+        let (found, alpha) = constant(approach)?;
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, α = {alpha:.6e}", approach.at()),
+            stated: printed::eq143_constant(approach.sigma),
+            found,
+            scale: 1.0 + found.abs(),
+        })
+    })
+}
+
+/// The exponent of α beside c, from the slope of ψ/α at two moments.
+fn exponents(
+    subject: Subject,
+    compared: &'static str,
+    ranges: &'static [(f64, f64)],
+    levels: fn(f64) -> [f64; 2],
+) -> Evidence {
+    let trial = Trial::by(Route::Integration, subject, compared, NEAR_REST_EXPONENT);
+    trial.over(gentle_approaches_to(ranges), |approach| {
+        let approach = approach?;
+        let [far, near] = levels(approach.sigma);
+        let (far, near) = (approach.close(far)?, approach.close(near)?);
+        let ratio = far.ratio_slope() / near.ratio_slope();
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, α = {:.6e}", approach.at(), near.alpha),
+            stated: printed::eq143_exponent(approach.sigma),
+            found: libm::log(ratio.abs()) / libm::log(far.alpha / near.alpha),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (143): the constant.
+pub fn eq143_constant() -> Evidence {
+    let compared = "σ/(2σ − 1) with the limit of ψ/(2α) without its power of α";
+    constants(Subject::Within, compared, &[(0.36, 0.47), (0.53, 0.7)])
+}
+/// (143): the exponent.
+pub fn eq143_exponent() -> Evidence {
+    let compared = "(2σ − 1)/(1 − σ) with the exponent of α in ψ/α of the motion";
+    exponents(
+        Subject::Within,
+        compared,
+        &[(0.36, 0.47), (0.53, 0.62)],
+        |sigma| {
+            if sigma < 0.5 {
+                [1e-10, 1e-11]
+            } else {
+                [1e-6, 1e-7]
+            }
+        },
+    )
+}
+/// σ < 1/4: what is left out exceeds the first term.
+pub fn eq143_small_sigma() -> Evidence {
+    let compared = "σ/(2σ − 1) with the limit of ψ/(2α) without its power of α, σ < 1/4";
+    constants(Subject::Outside, compared, &[(0.05, 0.24)])
+}
+/// σ > 3/4: what is left out exceeds the second term.
+pub fn eq143_large_sigma() -> Evidence {
+    let compared = "(2σ − 1)/(1 − σ) with the exponent of α in ψ/α of the motion, σ > 3/4";
+    exponents(Subject::Outside, compared, &[(0.8, 0.98)], |_| [1e-3, 1e-4])
+}
+/// σ = 1/2: no value.
+pub fn eq143_one_half() -> Evidence {
+    let compared = "(143) with ψ of the motion at p = 1e-10, σ = 1/2";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, NEAR_REST);
+    trial.over(approaches_to_one_half(), |approach| {
+        let approach = approach?;
+        let close = approach.close(1e-10)?;
+        Ok::<_, Failure>(Pair {
+            at: approach.at(),
+            stated: printed::eq143_psi(0.5, 0.0, close.alpha),
+            found: close.psi,
+            scale: close.psi.abs(),
+        })
+    })
+}
+/// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
+pub fn eq143_regular() -> Evidence {
+    let compared =
+        "the regular form of (143), its constant taken at p = 1e-10, with ψ at p = 1e-12, σ = 1/2";
+    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NEAR_REST);
+    trial.over(approaches_to_one_half(), |approach| {
+        let approach = approach?;
+        let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
+        let c = far.ratio() - corrected::psi(0.5, 0.0, far.alpha) / (2.0 * far.alpha);
+        Ok::<_, Failure>(Pair {
+            at: approach.at(),
+            stated: corrected::psi(0.5, c, near.alpha),
+            found: near.psi,
+            scale: near.psi.abs(),
+        })
+    })
+}
+/// ψ → π: (143) has no such motion.
+pub fn eq143_straight() -> Evidence {
+    straight(
+        "(143) with ψ of a motion that comes to rest with ψ → π",
+        |sigma, c| (printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0),
+    )
+}
+
+/// ψ at the end of a motion to rest.
+pub fn near_rest_angle() -> Evidence {
+    let compared = "0 with ψ of the motion at p = 1e-30";
+    let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
+    trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
+        let approach = approach?;
+        Ok::<_, Failure>(Pair {
+            at: approach.at(),
+            stated: 0.0,
+            found: approach.run.end().psi(),
+            scale: 1.0,
+        })
+    })
+}
+/// Random motions to rest on which ψ does not fall towards zero at the end.
+pub fn near_rest_census() -> Evidence {
+    let compared =
+        "0 with the tenfold falls of p, from 1e-10 on, over which |ψ| or α does not fall";
+    let trial = Trial::by(
+        Route::Census,
+        Subject::Within,
+        compared,
+        crate::claims::tolerances::NONE,
+    );
+    trial.over(approaches(), |approach| {
+        let approach = approach?;
+        let levels = (10..29).filter_map(|n| {
+            let p = libm::pow(10.0, f64::from(-n));
+            approach.run.nodes().find(|s| s.p() < p)
+        });
+        let states: Vec<_> = levels.map(|s| [s.psi().abs(), alpha(&s)]).collect();
+        let idle = states
+            .windows(2)
+            .filter(|w| !(w[1][0] < w[0][0] && w[1][1] < w[0][1]));
+        Ok::<_, Failure>(Pair {
+            at: approach.at(),
+            stated: 0.0,
+            found: idle.count() as f64,
+            scale: 1.0,
+        })
+    })
+}
+/// ψ of motions that come straight in to rest.
+pub fn near_rest_straight() -> Evidence {
+    straight(
+        "0 with ψ of a motion that comes to rest with ψ → π",
+        |_, c| (0.0, c.psi, 1.0),
+    )
+}
+/// The angle of those motions by its own law.
+pub fn corrected_near_rest() -> Evidence {
+    let compared = "π − 2α/(2 + 1/σ) with ψ of a motion that comes to rest with ψ → π";
+    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, RELAXED);
+    trial.over(within_one(), |straight| {
+        let straight = straight?;
+        let (sigma, close) = close(straight)?;
+        Ok::<_, Failure>(Pair {
+            at: straight.at(),
+            stated: PI - corrected::angle_straight_in(sigma, close.alpha),
+            found: close.psi,
+            scale: close.alpha,
+        })
+    })
+}

@@ -1,0 +1,176 @@
+//! The motions that the statements about rest are held against: particles followed down to p = 10⁻³⁰.
+
+use crate::claims::compare::Failure;
+use crate::claims::escape::runs::{Shared, a, alpha, rates, shared};
+use crate::claims::points::Points;
+use crate::motion::MotionError;
+use crate::motion::turntable::intrinsic::Run;
+use crate::motion::turntable::{Fate, Start, fate};
+use crate::numerics::roots::root;
+use std::sync::LazyLock;
+
+/// A motion that ends at rest.
+#[derive(Debug)]
+pub struct Approach {
+    /// ρ, p and ψ at the start.
+    pub start: [f64; 3],
+    /// ρ at rest.
+    pub sigma: f64,
+    /// The motion.
+    pub run: Run,
+}
+
+/// A moment just before rest.
+#[derive(Debug, Clone, Copy)]
+pub struct Close {
+    /// Time left until the stop.
+    pub left: f64,
+    /// α.
+    pub alpha: f64,
+    /// ψ.
+    pub psi: f64,
+    /// A.
+    pub a: f64,
+    /// dα/dτ, by differences.
+    pub alpha_rate: f64,
+    /// dψ/dα, by differences.
+    pub psi_slope: f64,
+    /// dA/dα, by differences.
+    pub a_slope: f64,
+    /// dA/dα by the way that is still to go, dA² = 2 ds.
+    pub a_slope_by_way: f64,
+    /// The way still to go.
+    pub way_left: f64,
+}
+
+impl Close {
+    /// The order of what (140) to (145) leave out, relative to what they keep.
+    pub fn omitted(&self, sigma: f64) -> f64 {
+        (self.alpha * self.alpha + self.psi * self.psi) / (sigma * (1.0 - sigma) * (1.0 - sigma))
+    }
+
+    /// What (143) has in brackets, times 1.
+    pub fn ratio(&self) -> f64 {
+        self.psi / (2.0 * self.alpha)
+    }
+
+    /// α d/dα of [`ratio`](Self::ratio).
+    pub fn ratio_slope(&self) -> f64 {
+        0.5 * self.psi_slope - self.ratio()
+    }
+}
+
+impl Approach {
+    /// Follows a start to its rest; nothing if it does not come to rest.
+    ///
+    /// # Errors
+    /// Those of the motion.
+    pub fn new(start: [f64; 3]) -> Result<Option<Self>, MotionError> {
+        let [rho, p, psi] = start;
+        let run = Run::new(&Start::polar(rho, p, psi)?, 50.0)?;
+        let end = run.end();
+        Ok((end.p() < 1e-29).then_some(Approach {
+            start,
+            sigma: end.rho(),
+            run,
+        }))
+    }
+
+    /// The start and the end in the paper's symbols.
+    pub fn at(&self) -> String {
+        let ([rho, p, psi], sigma) = (self.start, self.sigma);
+        format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6} at the start, σ = {sigma:.6}")
+    }
+
+    /// The moment in the middle of what is left when p falls below `speed`.
+    ///
+    /// # Errors
+    /// Those of the motion.
+    pub fn close(&self, speed: f64) -> Result<Close, Failure> {
+        let node = self.run.nodes().find(|s| s.p() < speed);
+        let node = node.ok_or("the speed does not fall so low")?;
+        // A clock of its own, so that tiny times keep their digits.
+        let tail = Run::new(&node.parts, 50.0)?;
+        let end = tail.end();
+        let stop = end.tau + end.p() / end.deficit;
+        let (t, h) = (0.5 * stop, 2e-3 * stop);
+        let [alpha_rate, psi_rate, way_rate] = rates(t, h, |t| {
+            let s = tail.at(t)?;
+            Ok([alpha(&s), s.psi(), s.s])
+        })?;
+        let [wide_rate] = rates(t, 0.1 * stop, |t| Ok([a(&tail.at(t)?)]))?;
+        let now = tail.at(t)?;
+        let size = a(&now);
+        Ok(Close {
+            left: stop - t,
+            alpha: alpha(&now),
+            psi: now.psi(),
+            a: size,
+            alpha_rate,
+            psi_slope: psi_rate / alpha_rate,
+            a_slope: wide_rate / alpha_rate,
+            a_slope_by_way: way_rate / (size * alpha_rate),
+            way_left: end.s - now.s,
+        })
+    }
+}
+
+/// Motions to rest at σ from 0.05 to 0.98.
+pub fn approaches() -> impl Iterator<Item = Result<&'static Approach, MotionError>> {
+    static APPROACHES: Shared<Approach> = LazyLock::new(|| {
+        let mut points = Points::stream(620);
+        let mut found = Vec::new();
+        for _ in 0..160 {
+            let rho = points.uniform(0.05, 1.0);
+            let p = rho.min(1.0 - rho) * points.uniform(0.1, 0.9);
+            let start = [rho, p, points.uniform(-2.8, 2.8)];
+            found.extend(
+                Approach::new(start)?.filter(|approach| (0.05..0.98).contains(&approach.sigma)),
+            );
+        }
+        Ok(found)
+    });
+    shared(&APPROACHES)
+}
+
+/// Those that end at a σ in one of the ranges.
+pub fn approaches_to(
+    ranges: &'static [(f64, f64)],
+) -> impl Iterator<Item = Result<&'static Approach, MotionError>> {
+    approaches().filter(move |approach| {
+        let inside = |s: f64| ranges.iter().any(|&(low, high)| low < s && s < high);
+        approach.as_ref().map_or(true, |a| inside(a.sigma))
+    })
+}
+
+/// Of those, the ones that do not start near ψ = π, where the constant c of (143) is large.
+pub fn gentle_approaches_to(
+    ranges: &'static [(f64, f64)],
+) -> impl Iterator<Item = Result<&'static Approach, MotionError>> {
+    let gentle = |a: &&Approach| a.start[2].abs() < 2.2;
+    approaches_to(ranges).filter(move |approach| approach.as_ref().map_or(true, gentle))
+}
+
+/// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.
+pub fn approaches_to_one_half() -> impl Iterator<Item = Result<&'static Approach, Failure>> {
+    static HALF: LazyLock<Result<Vec<Approach>, String>> = LazyLock::new(|| {
+        let mut points = Points::stream(621);
+        let found =
+            (0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5)));
+        found.collect::<Result<_, _>>().map_err(|e| e.to_string())
+    });
+    let (runs, error) = match &*HALF {
+        Ok(runs) => (&runs[..], None),
+        Err(error) => (&[][..], Some(Err(Failure::from(error.as_str())))),
+    };
+    runs.iter().map(Ok).chain(error)
+}
+
+fn to_one_half(p: f64, psi: f64) -> Result<Approach, Failure> {
+    let resting = |rho: f64| match Start::polar(rho, p, psi).and_then(|s| fate(&s)) {
+        Ok(Fate::Rest { sigma, .. }) => sigma - 0.5,
+        _ => f64::NAN,
+    };
+    let rho = root(resting, 0.3, 0.7)?;
+    Ok(Approach::new([rho, p, psi])?.ok_or("it does not come to rest")?)
+}

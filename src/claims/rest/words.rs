@@ -1,0 +1,81 @@
+//! Trials of where rest is possible, (139) and its words.
+
+use super::boundary::census;
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{NEAR_CORNER, NONE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
+use crate::motion::turntable::boundary::between;
+use crate::motion::turntable::{Start, State, Table, inertial};
+use crate::paper::rest as printed;
+
+/// (139) with the largest distance from which a nudged particle comes back to rest.
+pub fn eq139_nudge() -> Evidence {
+    let compared = "(139) with the ρ up to which a particle nudged by p = 1e-4 comes to rest";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, NEAR_CORNER);
+    trial.over(0..20, |i| {
+        let psi = 2.8 * (f64::from(i) - 9.5) / 9.5;
+        let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
+        Ok::<_, Failure>(Pair {
+            at: format!("p = 0.0001, ψ = {psi:.6}"),
+            stated: printed::eq139_largest_sigma(),
+            found,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (139) with a particle that rides with a table of any Ω, μ, g: whether it stays, seen from the laboratory.
+pub fn eq139_stays() -> Evidence {
+    let compared = "stays (1) or not (0) by (139) with a particle that rides with the table, seen from the laboratory";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(641);
+    trial.over(0..30, |i| {
+        let table = Table {
+            omega: points.sign() * points.uniform(0.3, 3.0),
+            mu: points.uniform(0.1, 1.0),
+            g: points.uniform(1.0, 20.0),
+            mass: 1.0,
+        };
+        let sigma = match i % 3 {
+            0 => points.uniform(0.0, 1.0),
+            1 => points.uniform(1.0, 3.0),
+            _ => 1.0 + points.sign() * points.log_uniform(1e-6, 1e-2),
+        };
+        let rides = State {
+            t: 0.0,
+            x: [sigma * table.length(), 0.0],
+            v: [0.0; 2],
+        };
+        let until = 5.0 / table.omega.abs();
+        let path = inertial::run(&table, &table.to_laboratory(&rides), until)?;
+        let moved = (path.on_table(until)?.radius() / table.length() - sigma).abs();
+        Ok::<_, Failure>(Pair {
+            at: format!(
+                "σ = {sigma:.6}, Ω = {:.6}, μ = {:.6}, g = {:.6}",
+                table.omega, table.mu, table.g
+            ),
+            stated: f64::from(u8::from(sigma <= printed::eq139_largest_sigma())),
+            found: f64::from(u8::from(moved < 1e-9)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Where particles come to rest: never beyond σ = 1.
+pub fn resting_places() -> Evidence {
+    let compared = "0 with the random starts that come to rest beyond σ = 1";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let resting = census().filter(|case| case.as_ref().map_or(true, |case| case.sigma.is_some()));
+    trial.over(resting, |case| {
+        let case = case?;
+        let ([a, alpha, psi], sigma) = (case.start, case.sigma.unwrap_or(f64::NAN));
+        Ok::<_, MotionError>(Pair {
+            at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
+            stated: 0.0,
+            found: if sigma <= 1.0 { 0.0 } else { 1.0 },
+            scale: 1.0,
+        })
+    })
+}

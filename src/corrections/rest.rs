@@ -1,0 +1,74 @@
+//! Section 4, rest: ψ near rest for every σ, the motions that come straight in, and the boundary.
+//!
+//! *σ = 1/2.* (142) is linear in ψ; (143) splits its solution into two terms that both blow up there. With
+//! e = (2σ−1)/(1−σ) and C for c + σ/(2σ−1),
+//!
+//! ψ = 2α [σ/(1−σ) · (1 − α^e)/e + C α^e],
+//!
+//! where (1 − α^e)/e is −ln α at e = 0.
+//!
+//! *Straight in.* Near p = 0 the angle has two equilibria, ψ = 0 and ψ = π. The second one repels, but it does so at
+//! the rate σ/p, while ln p falls at the rate (1+σ)/p: on a surface of starts the particle stops before it has
+//! turned. With φ = π − ψ small, (114) and (115) are α̇ = −1 − 1/σ, φ̇ = −2(1 − φ/(2α)), and the solution that
+//! stays is φ = 2α/(2 + 1/σ).
+//!
+//! *The boundary.* (145) needs α ≪ 1 − σ; on the envelope of the surfaces (145) 1 − σ = α/√2. There is no envelope: a
+//! state comes to rest at one σ, so surfaces of different σ do not meet. As σ → 1 they close up against the states
+//! that tend to A = 1, α = 0, where in the slow motion (ψ ≈ 2α, a = A − 1) α̇ = a, ȧ = α: a saddle, whose incoming
+//! line is a = −α. Away from the slow motion let the boundary be A = 1 − α f₁(ψ) + α² f₂(ψ) + …. In the time with
+//! dτ = p ds, (113) to (115) read
+//!
+//! dA/ds = α² + …, dα/ds = α (A cos ψ − 1) + …, dψ/ds = −A sin ψ + 2α + …,
+//!
+//! and the boundary consists of motions, order by order in α:
+//!
+//! f₁′ sin ψ = −f₁ (1 − cos ψ),
+//! f₂′ sin ψ + 2 f₂ (1 − cos ψ) = −1 + f₁² cos ψ − f₁′ (2 + f₁ sin ψ) = −1 + sin ψ + f₁²,
+//!
+//! with f₁ = 1 and, from the next order along the incoming line (ψ = 2α + 2α², A = 1 − α + 7α²/6), f₂ = 7/6 at ψ = 0.
+//! With C = cos(ψ/2), S = sin(ψ/2),
+//!
+//! f₁ = C²,  f₂ = (7/6) C⁴ + 2SC³ − S²C² + (2/3) S³C − S⁴/4.
+
+use crate::scalar::Scalar;
+
+/// In place of (143): ψ near rest, without a singular point at σ = 1/2; `c` is the constant C.
+pub fn psi(sigma: f64, c: f64, alpha: f64) -> f64 {
+    let e = (2.0 * sigma - 1.0) / (1.0 - sigma);
+    let l = libm::log(alpha);
+    let fall = if e == 0.0 {
+        -l
+    } else {
+        -libm::expm1(e * l) / e
+    };
+    2.0 * alpha * (sigma / (1.0 - sigma) * fall + c * libm::exp(e * l))
+}
+
+/// dα/dτ on the way into a stop with ψ → π.
+pub fn alpha_rate_straight_in<S: Scalar>(sigma: S) -> S {
+    -(S::int(1) + S::int(1) / sigma)
+}
+
+/// π − ψ on the way into a stop with ψ → π.
+pub fn angle_straight_in<S: Scalar>(sigma: S, alpha: S) -> S {
+    S::int(2) * alpha / (S::int(2) + S::int(1) / sigma)
+}
+
+/// f₁: how fast A falls with α on the boundary at α = 0.
+pub fn boundary_slope<S: Scalar>(psi: S) -> S {
+    (psi / S::int(2)).cos().squared()
+}
+
+/// f₂: the coefficient of α² on the boundary.
+pub fn boundary_curvature<S: Scalar>(psi: S) -> S {
+    let (c, s) = ((psi / S::int(2)).cos(), (psi / S::int(2)).sin());
+    let (c2, s2) = (c.squared(), s.squared());
+    let ratio = |n: i64, m: i64| S::int(n) / S::int(m);
+    ratio(7, 6) * c2 * c2 + S::int(2) * s * c * c2 - s2 * c2 + ratio(2, 3) * s * s2 * c
+        - ratio(1, 4) * s2 * s2
+}
+
+/// In place of (147): A on the boundary between rest and escape, to second order in α, for every ψ.
+pub fn boundary_a<S: Scalar>(alpha: S, psi: S) -> S {
+    S::int(1) - alpha * boundary_slope(psi) + alpha.squared() * boundary_curvature(psi)
+}
