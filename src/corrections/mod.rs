@@ -4,7 +4,7 @@
 
 pub mod anisotropic;
 pub mod constant;
-pub mod sphere;
 pub mod escape;
 pub mod periodic;
 pub mod rest;
+pub mod sphere;

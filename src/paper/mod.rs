@@ -9,6 +9,6 @@ pub mod anisotropic;
 pub mod constant;
 pub mod escape;
 pub mod general;
-pub mod sphere;
 pub mod periodic;
 pub mod rest;
+pub mod sphere;
