@@ -20,10 +20,10 @@ pub const FRAMES: Tolerance = Tolerance {
     reason: "the integrators in the frame of the table and in the laboratory agree to 1e-11 through many turns",
 };
 
-/// An angle that is to follow another one, in units of what is left of it.
+/// An angle that is to follow another one, in units of what that one has left.
 pub const LAG: Tolerance = Tolerance {
-    value: 1e-2,
-    reason: "what follows would be nearer than a hundredth, with the time scales a hundred apart",
+    value: 1e-4,
+    reason: "the integration is good to 1e-12; an angle that does not follow is off by a part of order one",
 };
 
 /// An angle that tends to zero as a power of the time, or faster.

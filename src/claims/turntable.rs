@@ -1,11 +1,14 @@
 //! The turntable: equations: the claims.
 
+mod complex;
+mod continued;
 mod definitions;
 mod energy;
 pub mod exact;
-mod fixed;
+pub mod fixed;
 mod frames;
 mod rates;
+pub mod shown;
 mod standstill;
 pub mod stretches;
 
@@ -77,7 +80,7 @@ const OUTER_OFF_AXIS: &[Condition] = &[
 const FROZEN: &[Condition] = &[
     INNER[0],
     Condition {
-        text: r"$\alpha$ held fixed; where it moves, $\psi$ follows $\psi_1$ only while $\lvert\dot\alpha\rvert\sinh2\alpha\ll1$, which late in an escape it is not",
+        text: r"$\alpha$ held fixed; where it moves, $\psi$ follows $\psi_1$ only while $\lvert\dot\alpha\rvert\cosh2\alpha\ll1$, which late in an escape it is not",
         stated: false,
     },
 ];
@@ -444,6 +447,7 @@ const CLAIMS: &[Claim] = &[
                 )
             },
             energy::eq104,
+            shown::kept,
         ],
         ..Claim::BLANK
     },
@@ -470,8 +474,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-87", "eq-88", "eq-104"],
         correction: Some(ENERGY),
         trials: &[
-            exact::printed_106,
             energy::eq106,
+            exact::printed_106,
             || {
                 exact::evidence(
                     "corrected-106",
@@ -766,13 +770,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"A=-\mathrm{i} B",
         plain: "A = −i B",
         depends_on: &["eq-111", "eq-112", "eq-117", "eq-118"],
-        trials: &[|| {
-            exact::evidence(
-                "eq-122",
-                Subject::Printed,
-                "(111) to (115), with (122) and (123) put in, with (117) to (121)",
-            )
-        }],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-122",
+                    Subject::Printed,
+                    "(111) to (115), with (122) and (123) put in, with (117) to (121)",
+                )
+            },
+            continued::eq122,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -784,13 +791,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\alpha=\frac{\mathrm{i} \pi}{2}+\beta",
         plain: "α = iπ/2 + β",
         depends_on: &["eq-111", "eq-112", "eq-117", "eq-118"],
-        trials: &[|| {
-            exact::evidence(
-                "eq-123",
-                Subject::Printed,
-                "(111) to (115), with (122) and (123) put in, with (117) to (121)",
-            )
-        }],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-123",
+                    Subject::Printed,
+                    "(111) to (115), with (122) and (123) put in, with (117) to (121)",
+                )
+            },
+            continued::eq123,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -857,8 +867,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-86", "eq-106"],
         correction: Some(WORK),
         trials: &[
-            exact::printed_work,
             energy::friction,
+            exact::printed_work,
             energy::coriolis,
             || {
                 exact::evidence(

@@ -3,8 +3,10 @@
 use super::constant::{
     Ending, History, Hodograph, Hodographs, StoppingTimes, fig1, speed_and_angle, stopping_time,
 };
+use super::turntable;
 use super::{Figure, FigureError};
 use crate::claims::constant::portrait::{self, Curve};
+use crate::claims::turntable::{fixed, shown};
 use crate::motion::MotionError;
 use std::f64::consts::PI;
 
@@ -24,7 +26,16 @@ pub enum AllFiguresError {
 /// # Errors
 /// [`AllFiguresError`] if a motion cannot be followed or its data not be drawn.
 pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
-    Ok(vec![portraits()?, histories()?, stopping_times()?])
+    let [rests, escapes] = shown::SPEEDS.map(launch);
+    let (rests, escapes) = (rests?, escapes?);
+    Ok(vec![
+        portraits()?,
+        histories()?,
+        stopping_times()?,
+        turntable::energy(&rests)?,
+        turntable::paths(&[rests, escapes])?,
+        following()?,
+    ])
 }
 
 /// fig-1.
@@ -99,4 +110,32 @@ fn stopping_times() -> Result<Figure, AllFiguresError> {
     };
     let all: Result<Vec<_>, _> = [1.2, 1.5, 2.0, 5.0].into_iter().map(times).collect();
     Ok(stopping_time(&all?)?)
+}
+
+/// A launch from the axis of the turntable.
+fn launch(speed: f64) -> Result<turntable::Launch, MotionError> {
+    let launched = shown::launched(speed)?;
+    let point = |m: &shown::Moment| {
+        let ([x, y], [bx, by]) = (m.table, m.laboratory);
+        [m.tau, x, y, bx, by, m.p, m.rho, m.s]
+    };
+    Ok(turntable::Launch {
+        speed,
+        points: launched.moments.iter().map(point).collect(),
+        rest: launched.rest,
+    })
+}
+
+/// ψ against ψ₁ in escapes.
+fn following() -> Result<Figure, AllFiguresError> {
+    let escape = |start: [f64; 3]| -> Result<_, MotionError> {
+        let all = fixed::following(start)?;
+        let point = |m: &fixed::Following| [m.tau, m.psi, m.psi1, m.ratio];
+        Ok(turntable::Following {
+            a: start[0],
+            points: all.iter().map(point).collect(),
+        })
+    };
+    let escapes: Result<Vec<_>, _> = fixed::ESCAPES.into_iter().map(escape).collect();
+    Ok(turntable::following(&escapes?)?)
 }

@@ -5,6 +5,7 @@ use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, LAG, NONE, STANDS_STILL};
 use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
 use crate::numerics::{dop853, roots};
@@ -112,22 +113,64 @@ pub fn frozen() -> Evidence {
     })
 }
 
+/// Starts (A, α, ψ) of escapes.
+pub const ESCAPES: [[f64; 3]; 3] = [[1.2, 0.3, 0.5], [2.0, 0.5, 1.5], [3.0, 0.2, 2.0]];
+
+/// ψ and ψ₁ at one moment of an escape.
+#[derive(Debug, Clone, Copy)]
+pub struct Following {
+    /// Time τ.
+    pub tau: f64,
+    /// ψ, in radians.
+    pub psi: f64,
+    /// ψ₁ at the α of that moment, in radians.
+    pub psi1: f64,
+    /// (π/2 − ψ)/(π/2 − ψ₁).
+    pub ratio: f64,
+}
+
+/// How ψ follows ψ₁ along an escape, from τ = 0.1 to 1000.
+pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionError> {
+    let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 1000.0)?;
+    let moment = |i: u32| {
+        let tau = libm::exp10(f64::from(i) / 20.0 - 1.0);
+        let state = run.at(tau)?;
+        let psi1 = printed::eq124_psi1(state.alpha().unwrap_or(f64::NAN));
+        Ok(Following {
+            tau,
+            psi: state.psi(),
+            psi1,
+            ratio: state.lag() / (FRAC_PI_2 - psi1),
+        })
+    };
+    (0..=80).map(moment).collect()
+}
+
 /// Along an escape, where α grows: the angle that ψ lacks of π/2 is not the one that ψ₁ lacks.
 pub fn escape() -> Evidence {
-    let compared = "π/2 − ψ₁, at the α of an escape at the time τ, with π/2 − ψ";
+    let compared = "1 with (π/2 − ψ)/(π/2 − ψ₁) late in an escape";
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, LAG);
-    let mut points = Points::stream(534);
-    trial.over(0..24, |_| {
-        let (a, alpha) = (points.uniform(1.2, 3.0), points.log_uniform(0.2, 1.0));
-        let (psi, tau) = (points.uniform(0.0, 2.0), points.log_uniform(100.0, 1000.0));
-        let end = Run::new(&Start::hyperbolic(a, alpha, psi)?, tau)?.at(tau)?;
-        let later = end.alpha().unwrap_or(f64::NAN);
-        let found = end.lag();
+    let late = ESCAPES
+        .into_iter()
+        .flat_map(|start| match following(start) {
+            Ok(all) => all
+                .into_iter()
+                .filter(|m| m.tau > 99.0)
+                .map(|m| Ok((start, m)))
+                .collect(),
+            Err(error) => vec![Err(error)],
+        });
+    trial.over(late, |point| {
+        let ([a, alpha, psi], moment) = point?;
         Ok::<_, Failure>(Pair {
-            at: format!("{}, ψ = {psi:.6}, then for τ = {tau:.6}", at(a, alpha)),
-            stated: FRAC_PI_2 - printed::eq124_psi1(later),
-            found,
-            scale: found,
+            at: format!(
+                "{}, ψ = {psi:.6}, then for τ = {:.6}",
+                at(a, alpha),
+                moment.tau
+            ),
+            stated: 1.0,
+            found: moment.ratio,
+            scale: 1.0,
         })
     })
 }
