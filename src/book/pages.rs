@@ -30,6 +30,7 @@ written!(
     constant,
     periodic,
     anisotropic,
+    turntable,
     ledger,
     methods
 );

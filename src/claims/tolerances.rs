@@ -56,6 +56,18 @@ pub const FOREIGN: Tolerance = Tolerance {
     reason: "the second integrator, of order 8, is asked for 1e-13 a step",
 };
 
+/// A motion on the turntable found in one frame against the same found in another.
+pub const FRAMES: Tolerance = Tolerance {
+    value: 1e-11,
+    reason: "the integrators in the frame of the table and in the laboratory agree to 1e-11 through many turns",
+};
+
+/// An angle that is to follow another one, in units of what that one has left.
+pub const LAG: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "the integration is good to 1e-12; an angle that does not follow is off by a part of order one",
+};
+
 /// An angle that tends to zero as a power of the time, or faster.
 pub const LATE_ANGLE: Tolerance = Tolerance {
     value: 1e-7,
@@ -126,6 +138,12 @@ pub const SHORT_PUSH: Tolerance = Tolerance {
 pub const SLOPE: Tolerance = Tolerance {
     value: 1e-6,
     reason: "taken where the speed is below 1e-12 of the initial one; the angle's correction falls with it",
+};
+
+/// The angle at which a rate, found by differences of the motion, is zero.
+pub const STANDS_STILL: Tolerance = Tolerance {
+    value: 1e-8,
+    reason: "differences are good to 1e-9 and are divided by the slope of the rate, which is above 0.5",
 };
 
 /// A velocity that has settled.

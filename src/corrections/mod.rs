@@ -8,3 +8,4 @@ pub mod escape;
 pub mod periodic;
 pub mod rest;
 pub mod sphere;
+pub mod turntable;

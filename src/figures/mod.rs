@@ -56,6 +56,7 @@ mod svg;
 mod tests;
 mod text;
 mod ticks;
+pub mod turntable;
 
 pub use all::{AllFiguresError, all};
 pub use axes::Axis;

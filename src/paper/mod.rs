@@ -12,3 +12,4 @@ pub mod general;
 pub mod periodic;
 pub mod rest;
 pub mod sphere;
+pub mod turntable;
