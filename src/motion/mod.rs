@@ -19,12 +19,14 @@
 pub mod acceleration;
 pub mod drive;
 pub mod error;
+pub mod launch;
 pub mod particle;
 pub mod signal;
 pub mod trajectory;
 
 pub use acceleration::{Acceleration, Coefficients, Plane};
 pub use error::MotionError;
+pub use launch::Launch;
 pub use particle::{run, run_to_stop};
 pub use signal::Signal;
 pub use trajectory::{Motion, Phase, PhaseKind, State};
