@@ -121,6 +121,7 @@ const CLAIMS: &[Claim] = &[
             words::across_census,
             words::across_quadrature,
             words::across_limit,
+            words::across_integration,
         ],
         ..Claim::BLANK
     },

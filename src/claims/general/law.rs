@@ -10,6 +10,7 @@ use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
 use crate::scalar::Scalar;
+use std::sync::Arc;
 
 /// The cases, each up to a time before the particle can stop and before the acceleration can jump.
 fn cases() -> impl Iterator<Item = (Case, f64)> {
@@ -92,20 +93,32 @@ pub fn eq2_quadrature() -> Evidence {
     summed(compared, rate, State::speed)
 }
 
+/// Each motion is summed in so many parts.
+const PARTS: u32 = 17;
+
 fn summed(
     compared: &'static str,
     rate: impl Fn(&Case, &State) -> f64,
     quantity: impl Fn(&State) -> f64,
 ) -> Evidence {
-    Trial::quadrature(Subject::Printed, compared).over(cases(), |(case, until)| {
-        let motion = run(&case.plane, case.friction, case.start, until)?;
-        let along = |t: f64| motion.at(t).map_or(f64::NAN, |state| rate(&case, &state));
+    let parts = cases().flat_map(|(case, until)| {
+        let motion = run(&case.plane, case.friction, case.start, until);
+        let shared = Arc::new((case, motion));
+        (0..PARTS).map(move |n| {
+            let [from, to] = [n, n + 1].map(|n| until * (f64::from(n) / f64::from(PARTS)));
+            (Arc::clone(&shared), from, to)
+        })
+    });
+    Trial::quadrature(Subject::Printed, compared).over(parts, |(shared, from, to)| {
+        let (case, motion) = &*shared;
+        let motion = motion.as_ref().map_err(Clone::clone)?;
+        let along = |t: f64| motion.at(t).map_or(f64::NAN, |state| rate(case, &state));
         let scale = case.start.speed();
-        let stated = integral_within(along, 0.0, until, 1e-13 * scale)?.value;
+        let stated = integral_within(along, from, to, 1e-13 * scale)?.value;
         Ok::<_, Failure>(Pair {
-            at: format!("{}, t = {until:.6}", case.name),
+            at: format!("{}, from t = {from:.6} to {to:.6}", case.name),
             stated,
-            found: quantity(&motion.end()) - quantity(&case.start),
+            found: quantity(&motion.at(to)?) - quantity(&motion.at(from)?),
             scale,
         })
     })
