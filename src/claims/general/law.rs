@@ -2,15 +2,14 @@
 
 use super::planes::{Case, bounded};
 use crate::claims::compare::{Failure, Pair, Trial, proved};
-use crate::claims::tolerances::FOREIGN;
+use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{Expr, Proof, Ring};
-use crate::motion::{Acceleration, State, run};
+use crate::motion::{Acceleration, Motion, MotionError, State, run};
 use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
 use crate::scalar::Scalar;
-use std::sync::Arc;
 
 /// The cases, each up to a time before the particle can stop and before the acceleration can jump.
 fn cases() -> impl Iterator<Item = (Case, f64)> {
@@ -75,50 +74,103 @@ pub fn eq1_laboratory() -> Evidence {
 /// (1): its right-hand side, summed over time along the motion, is the change of the velocity.
 pub fn eq1_quadrature() -> Evidence {
     let compared = "∫ of the components of (1), the second one twice, with the change of v_x + 2 v_y of the motion";
-    let rate = |case: &Case, state: &State| {
-        let a = acceleration(case, state.t);
-        let [x, y] = printed::eq1_velocity_rate(a, case.friction / 9.8, 9.8, state.v);
-        x + 2.0 * y
-    };
-    summed(compared, rate, |state| state.v[0] + 2.0 * state.v[1])
+    summed(compared, eq1_rate, components)
+}
+
+/// (1): its right-hand side is the rate of the velocity of the motion.
+pub fn eq1_motion() -> Evidence {
+    let compared =
+        "the components of (1), the second one twice, with the rate of v_x + 2 v_y of the motion";
+    followed(compared, eq1_rate, components)
 }
 
 /// (2): its right-hand side, summed over time along the motion, is the change of the speed.
 pub fn eq2_quadrature() -> Evidence {
     let compared = "∫ (2) dt along the motion with its change of speed";
-    let rate = |case: &Case, state: &State| {
-        let a = acceleration(case, state.t);
-        printed::eq2_speed_rate(a, case.friction / 9.8, 9.8, state.v)
-    };
-    summed(compared, rate, State::speed)
+    summed(compared, eq2_rate, State::speed)
 }
 
-/// Each motion is summed in so many parts.
-const PARTS: u32 = 17;
+/// (2): its right-hand side is the rate of the speed of the motion.
+pub fn eq2_motion() -> Evidence {
+    followed(
+        "(2) with the rate of the speed of the motion",
+        eq2_rate,
+        State::speed,
+    )
+}
+
+fn eq1_rate(case: &Case, state: &State) -> f64 {
+    let a = acceleration(case, state.t);
+    let [x, y] = printed::eq1_velocity_rate(a, case.friction / 9.8, 9.8, state.v);
+    x + 2.0 * y
+}
+
+fn components(state: &State) -> f64 {
+    state.v[0] + 2.0 * state.v[1]
+}
+
+fn eq2_rate(case: &Case, state: &State) -> f64 {
+    let a = acceleration(case, state.t);
+    printed::eq2_speed_rate(a, case.friction / 9.8, 9.8, state.v)
+}
+
+/// Times at which each motion is looked at.
+const TIMES: u32 = 17;
+
+/// A printed rate with differences of fourth order along the motions.
+fn followed(
+    compared: &'static str,
+    rate: fn(&Case, &State) -> f64,
+    quantity: fn(&State) -> f64,
+) -> Evidence {
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, DIFFERENCES);
+    trial.over(
+        cases().flat_map(|(case, until)| looks(&case, until, rate, quantity)),
+        |look| look,
+    )
+}
+
+fn looks(
+    case: &Case,
+    until: f64,
+    rate: fn(&Case, &State) -> f64,
+    quantity: fn(&State) -> f64,
+) -> Vec<Result<Pair, MotionError>> {
+    let motion = run(&case.plane, case.friction, case.start, until);
+    let look = |motion: &Motion, n: u32| {
+        let state = motion.at(until * f64::from(n) / f64::from(TIMES + 1))?;
+        // |A| ≤ 3: a thousandth of the time in which the forces can change the velocity by itself.
+        let fastest = 3.0 + case.friction;
+        let h = 1e-3 * state.speed() / fastest;
+        let at = |k: f64| motion.at(state.t + k * h).map(|s| quantity(&s));
+        let found = (8.0 * (at(1.0)? - at(-1.0)?) - (at(2.0)? - at(-2.0)?)) / (12.0 * h);
+        Ok(Pair {
+            at: format!("{}, t = {:.6}", case.name, state.t),
+            stated: rate(case, &state),
+            found,
+            scale: fastest,
+        })
+    };
+    match motion {
+        Ok(motion) => (1..=TIMES).map(|n| look(&motion, n)).collect(),
+        Err(error) => vec![Err(error)],
+    }
+}
 
 fn summed(
     compared: &'static str,
-    rate: impl Fn(&Case, &State) -> f64,
-    quantity: impl Fn(&State) -> f64,
+    rate: fn(&Case, &State) -> f64,
+    quantity: fn(&State) -> f64,
 ) -> Evidence {
-    let parts = cases().flat_map(|(case, until)| {
-        let motion = run(&case.plane, case.friction, case.start, until);
-        let shared = Arc::new((case, motion));
-        (0..PARTS).map(move |n| {
-            let [from, to] = [n, n + 1].map(|n| until * (f64::from(n) / f64::from(PARTS)));
-            (Arc::clone(&shared), from, to)
-        })
-    });
-    Trial::quadrature(Subject::Printed, compared).over(parts, |(shared, from, to)| {
-        let (case, motion) = &*shared;
-        let motion = motion.as_ref().map_err(Clone::clone)?;
-        let along = |t: f64| motion.at(t).map_or(f64::NAN, |state| rate(case, &state));
+    Trial::quadrature(Subject::Printed, compared).over(cases(), |(case, until)| {
+        let motion = run(&case.plane, case.friction, case.start, until)?;
+        let along = |t: f64| motion.at(t).map_or(f64::NAN, |state| rate(&case, &state));
         let scale = case.start.speed();
-        let stated = integral_within(along, from, to, 1e-13 * scale)?.value;
+        let stated = integral_within(along, 0.0, until, 1e-13 * scale)?.value;
         Ok::<_, Failure>(Pair {
-            at: format!("{}, from t = {from:.6} to {to:.6}", case.name),
+            at: format!("{}, t = {until:.6}", case.name),
             stated,
-            found: quantity(&motion.at(to)?) - quantity(&motion.at(from)?),
+            found: quantity(&motion.end()) - quantity(&case.start),
             scale,
         })
     })
