@@ -71,7 +71,7 @@ pub const LAG: Tolerance = Tolerance {
 /// An angle that tends to zero as a power of the time, or faster.
 pub const LATE_ANGLE: Tolerance = Tolerance {
     value: 1e-7,
-    reason: "the slowest case, without friction, has 2e-8 left at a hundred million times v₀/A",
+    reason: "the slowest case, without friction, has 1e-8 left at a hundred million times v₀/A",
 };
 
 /// The width of a narrow range of friction, over its expected width.
