@@ -30,6 +30,8 @@ written!(
     constant,
     periodic,
     anisotropic,
+    escape,
+    rest,
     ledger,
     methods
 );

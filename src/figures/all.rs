@@ -2,7 +2,9 @@
 
 mod anisotropic;
 mod constant;
+mod escape;
 mod periodic;
+mod rest;
 
 use super::{Figure, FigureError};
 use crate::claims::compare::Failure;
@@ -37,7 +39,13 @@ impl From<Failure> for AllFiguresError {
 /// # Errors
 /// [`AllFiguresError`] if a motion cannot be followed or its data not be drawn.
 pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
-    let topics = [constant::figures, periodic::figures, anisotropic::figures];
+    let topics = [
+        constant::figures,
+        periodic::figures,
+        anisotropic::figures,
+        escape::figures,
+        rest::figures,
+    ];
     let mut all = Vec::new();
     for figures in topics {
         all.extend(figures()?);
