@@ -43,6 +43,7 @@ pub mod anisotropic;
 mod axes;
 pub mod constant;
 mod csv;
+pub mod escape;
 mod labels;
 mod marks;
 mod panel;
@@ -50,6 +51,7 @@ mod path;
 pub mod periodic;
 mod plot;
 mod raster;
+pub mod rest;
 mod sketch;
 mod svg;
 #[cfg(test)]

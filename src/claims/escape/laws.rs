@@ -119,6 +119,27 @@ fn way_by_a(l: &Late) -> f64 {
     l.state.s / printed::eq138_s(a(&l.state))
 }
 
+/// The limit of p/τ² as printed.
+pub fn printed_speed() -> f64 {
+    printed::eq135_p(1.0)
+}
+/// The limit of p/τ² as corrected.
+pub fn corrected_speed() -> f64 {
+    corrected::rho(1.0)
+}
+/// The limit of A/τ^(3/2) as printed.
+pub fn printed_size() -> f64 {
+    printed::eq132_a(1.0)
+}
+/// The limit of A/τ^(3/2) as corrected.
+pub fn corrected_size() -> f64 {
+    corrected::a(1.0)
+}
+/// The limit of (π/2 − ψ) τ as corrected.
+pub fn corrected_lag() -> f64 {
+    corrected::lag(1.0)
+}
+
 /// A stated limit against the limit of what the motion does.
 fn against(
     subject: Subject,
@@ -237,9 +258,7 @@ pub fn corrected131_limit() -> Evidence {
 /// (132): the prefactor.
 pub fn eq132_limit() -> Evidence {
     let compared = "(132)/τ^(3/2) with A/τ^(3/2) of the motion, for τ → ∞";
-    against(Subject::Printed, compared, size, |_| {
-        Ok(printed::eq132_a(1.0))
-    })
+    against(Subject::Printed, compared, size, |_| Ok(printed_size()))
 }
 /// (132): the exponent.
 pub fn eq132_exponent() -> Evidence {
@@ -249,9 +268,7 @@ pub fn eq132_exponent() -> Evidence {
 /// The prefactor of what replaces it.
 pub fn corrected132_limit() -> Evidence {
     let compared = "2^(1/4)/3 with A/τ^(3/2) of the motion, for τ → ∞";
-    against(Subject::Corrected, compared, size, |_| {
-        Ok(corrected::a(1.0))
-    })
+    against(Subject::Corrected, compared, size, |_| Ok(corrected_size()))
 }
 /// Its first correction.
 pub fn corrected132_delay() -> Evidence {
@@ -285,9 +302,7 @@ pub fn corrected134_exponent() -> Evidence {
 /// Its prefactor.
 pub fn corrected134_limit() -> Evidence {
     let compared = "2 with (π/2 − ψ) τ of the motion, for τ → ∞";
-    against(Subject::Corrected, compared, lag, |_| {
-        Ok(corrected::lag(1.0))
-    })
+    against(Subject::Corrected, compared, lag, |_| Ok(corrected_lag()))
 }
 /// Its first correction.
 pub fn corrected134_delay() -> Evidence {
@@ -297,9 +312,7 @@ pub fn corrected134_delay() -> Evidence {
 /// (135): the prefactor.
 pub fn eq135_limit() -> Evidence {
     let compared = "(135)/τ² with p/τ² of the motion, for τ → ∞";
-    against(Subject::Printed, compared, speed, |_| {
-        Ok(printed::eq135_p(1.0))
-    })
+    against(Subject::Printed, compared, speed, |_| Ok(printed_speed()))
 }
 /// (135): the exponent.
 pub fn eq135_exponent() -> Evidence {
@@ -310,7 +323,7 @@ pub fn eq135_exponent() -> Evidence {
 pub fn corrected135_limit() -> Evidence {
     let compared = "1/(3√2) with p/τ² of the motion, for τ → ∞";
     against(Subject::Corrected, compared, speed, |_| {
-        Ok(corrected::rho(1.0))
+        Ok(corrected_speed())
     })
 }
 /// Its first correction.
@@ -340,7 +353,7 @@ pub fn eq136_exponent() -> Evidence {
 pub fn corrected136_limit() -> Evidence {
     let compared = "1/(3√2) with ρ/τ² of the motion, for τ → ∞";
     against(Subject::Corrected, compared, distance, |_| {
-        Ok(corrected::rho(1.0))
+        Ok(corrected_speed())
     })
 }
 /// Its first correction.

@@ -48,6 +48,16 @@ pub fn borders() -> impl Iterator<Item = Result<&'static Border, MotionError>> {
     shared(&BORDERS)
 }
 
+/// A on the boundary by (147).
+pub fn printed_a(alpha: f64) -> f64 {
+    printed::eq147_a(alpha)
+}
+
+/// A on the boundary to second order in α.
+pub fn corrected_a(alpha: f64, psi: f64) -> f64 {
+    corrected::boundary_a(alpha, psi)
+}
+
 fn at(alpha: f64, psi: f64) -> String {
     format!("α = {alpha}, ψ = {psi:.6}")
 }
@@ -60,7 +70,7 @@ pub fn printed_root() -> Evidence {
         let Border { alpha, psi, a } = *border?;
         Ok::<_, Failure>(Pair {
             at: at(alpha, psi),
-            stated: printed::eq147_a(alpha),
+            stated: printed_a(alpha),
             found: a,
             scale: 1.0,
         })
@@ -76,7 +86,7 @@ pub fn printed_slow() -> Evidence {
         let found = border(alpha, 2.0 * alpha)?.a;
         Ok::<_, Failure>(Pair {
             at: at(alpha, 2.0 * alpha),
-            stated: printed::eq147_a(alpha),
+            stated: printed_a(alpha),
             found,
             scale: 1.0,
         })
@@ -91,7 +101,7 @@ pub fn corrected_root() -> Evidence {
         let Border { alpha, psi, a } = *border?;
         Ok::<_, Failure>(Pair {
             at: at(alpha, psi),
-            stated: corrected::boundary_a(alpha, psi),
+            stated: corrected_a(alpha, psi),
             found: a,
             scale: alpha * alpha * alpha,
         })
@@ -165,7 +175,7 @@ pub fn printed_census() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(census(), |case| {
         let case = case?;
-        let rests = case.start[0] < printed::eq147_a(case.start[1]);
+        let rests = case.start[0] < printed_a(case.start[1]);
         Ok::<_, Failure>(counted(case, rests))
     })
 }
@@ -178,13 +188,13 @@ pub fn corrected_census() -> Evidence {
         case.as_ref().map_or(true, |case| {
             let [a, alpha, psi] = case.start;
             let margin = THIRD_ORDER.value * alpha * alpha * alpha;
-            alpha < 0.3 && (a - corrected::boundary_a(alpha, psi)).abs() > margin
+            alpha < 0.3 && (a - corrected_a(alpha, psi)).abs() > margin
         })
     };
     trial.over(census().filter(wanted), |case| {
         let case = case?;
         let [a, alpha, psi] = case.start;
-        Ok::<_, Failure>(counted(case, a < corrected::boundary_a(alpha, psi)))
+        Ok::<_, Failure>(counted(case, a < corrected_a(alpha, psi)))
     })
 }
 

@@ -1,0 +1,93 @@
+//! Figures of section 4, escape.
+
+use super::AllFiguresError;
+use crate::claims::escape::laws::{self, Quantity, lag, size, speed};
+use crate::claims::escape::runs::{Flight, Late, Launch};
+use crate::figures::{Figure, escape as escape_figures};
+use crate::motion::MotionError;
+use crate::motion::turntable::{State, Table, inertial};
+
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    Ok(vec![compensated()?, paths()?])
+}
+
+/// Three escapes, over seven decades of the time.
+fn compensated() -> Result<Figure, AllFiguresError> {
+    let launches = [(1.2, 0.3, 1.0), (2.0, 0.5, -1.0), (3.0, 1.0, 2.0)];
+    let moments: Vec<Vec<Late>> = launches
+        .into_iter()
+        .map(|(a, alpha, psi)| {
+            let flight = Flight::new(Launch { a, alpha, psi }, 1e8)?;
+            let times = (0..=140).map(|i| libm::pow(10.0, 1.0 + f64::from(i) / 20.0));
+            times
+                .map(|tau| {
+                    Ok(Late {
+                        tau,
+                        state: flight.run.at(tau)?,
+                        alpha_rate: f64::NAN,
+                        a_rate: f64::NAN,
+                    })
+                })
+                .collect::<Result<_, MotionError>>()
+        })
+        .collect::<Result<_, _>>()?;
+    let followed = |quantity: Quantity| {
+        let one = |moments: &Vec<Late>| moments.iter().map(|l| [l.tau, quantity(l)]).collect();
+        moments.iter().map(one).collect()
+    };
+    Ok(escape_figures::compensated(&[
+        escape_figures::Compensated {
+            name: "p/tau^2",
+            axis: "p/τ^2",
+            range: (0.18, 0.26),
+            printed: Some(laws::printed_speed()),
+            corrected: laws::corrected_speed(),
+            escapes: followed(speed),
+        },
+        escape_figures::Compensated {
+            name: "A/tau^(3/2)",
+            axis: "A/τ^{3/2}",
+            range: (0.34, 0.42),
+            printed: Some(laws::printed_size()),
+            corrected: laws::corrected_size(),
+            escapes: followed(size),
+        },
+        escape_figures::Compensated {
+            name: "(pi/2 - psi) tau",
+            axis: "(π/2 − ψ) τ",
+            range: (1.5, 3.0),
+            printed: None,
+            corrected: laws::corrected_lag(),
+            escapes: followed(lag),
+        },
+    ])?)
+}
+
+/// Two particles put down at rest in the laboratory.
+fn paths() -> Result<Figure, AllFiguresError> {
+    let table = Table::default();
+    let path = |rho: f64, until: f64, label: &str| -> Result<_, MotionError> {
+        let start = State {
+            t: 0.0,
+            x: [rho, 0.0],
+            v: [0.0; 2],
+        };
+        let run = inertial::run(&table, &start, until)?;
+        let (mut on_table, mut in_laboratory) = (Vec::new(), Vec::new());
+        for i in 0..=400 {
+            let t = until * f64::from(i) / 400.0;
+            let (seen, here) = (run.on_table(t)?, run.at(t)?);
+            on_table.push([t, seen.x[0], seen.x[1]]);
+            in_laboratory.push([t, here.x[0], here.x[1]]);
+        }
+        Ok(escape_figures::Path {
+            label: label.into(),
+            table: on_table,
+            laboratory: in_laboratory,
+        })
+    };
+    Ok(escape_figures::paths(&[
+        path(0.86, 14.0, "ρ_0 = 0.86: rest")?,
+        path(0.89, 14.0, "ρ_0 = 0.89: escape")?,
+    ])?)
+}

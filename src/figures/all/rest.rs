@@ -1,0 +1,102 @@
+//! Figures of section 4, rest.
+
+use super::AllFiguresError;
+use crate::claims::rest::boundary::{self, resting_place};
+use crate::figures::{Figure, rest as rest_figures};
+use crate::motion::MotionError;
+use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
+use std::f64::consts::PI;
+
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    Ok(vec![resting()?, census()?, around()?])
+}
+
+/// Cells along each side of the census.
+const SIDE: usize = 60;
+
+fn census() -> Result<Figure, AllFiguresError> {
+    let (alphas, sizes) = ((0.0, 0.3), (0.6, 1.05));
+    let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / SIDE as f64;
+    let one = |(name, psi): (&'static str, f64)| -> Result<_, MotionError> {
+        let cell = |k: usize| {
+            let place = resting_place(at(sizes, k / SIDE), at(alphas, k % SIDE), psi)?;
+            Ok(place.is_some())
+        };
+        let line = |f: &dyn Fn(f64) -> f64| {
+            let alphas = (0..=60).map(|i| 0.005 * f64::from(i));
+            alphas.map(|alpha| [alpha, f(alpha)]).collect()
+        };
+        Ok(rest_figures::Census {
+            psi: name,
+            side: SIDE,
+            rests: (0..SIDE * SIDE)
+                .map(cell)
+                .collect::<Result<_, MotionError>>()?,
+            alpha: alphas,
+            a: sizes,
+            printed: line(&boundary::printed_a),
+            corrected: line(&|alpha| boundary::corrected_a(alpha, psi)),
+        })
+    };
+    let angles = [("0", 0.0), ("π/2", PI / 2.0), ("5π/6", 5.0 * PI / 6.0)];
+    let list: Result<Vec<_>, _> = angles.into_iter().map(one).collect();
+    Ok(rest_figures::census(&list?)?)
+}
+
+/// The boundary by bisection at the trials' points.
+fn around() -> Result<Figure, AllFiguresError> {
+    let mut list: Vec<rest_figures::Around> = Vec::new();
+    for border in boundary::borders() {
+        let border = border?;
+        let known = list.iter().position(|one| one.alpha == border.alpha);
+        let index = known.unwrap_or_else(|| {
+            let angles = (0..=120).map(|k| PI * (f64::from(k) - 60.0) / 60.0);
+            let corrected = |psi| [psi, boundary::corrected_a(border.alpha, psi)];
+            list.push(rest_figures::Around {
+                alpha: border.alpha,
+                found: Vec::new(),
+                corrected: angles.map(corrected).collect(),
+                printed: boundary::printed_a(border.alpha),
+            });
+            list.len() - 1
+        });
+        list[index].found.push([border.psi, border.a]);
+    }
+    // The smallest first: it is the nearest to the limit. The largest is beyond the reach of second order.
+    list.retain(|one| one.alpha < 0.2);
+    list.reverse();
+    Ok(rest_figures::around(&list)?)
+}
+
+fn resting() -> Result<Figure, AllFiguresError> {
+    let line =
+        |critical: f64, start: fn(f64) -> Result<Start, MotionError>| -> Result<_, MotionError> {
+            let mut points = Vec::new();
+            for i in 0..=80 {
+                // Closer and closer to the critical value, where the curve is steep.
+                let left = 1.0 - f64::from(i) / 80.0;
+                let x = critical * (1.0 - left * left);
+                let sigma = match fate(&start(x)?)? {
+                    Fate::Rest { sigma, .. } => sigma,
+                    _ => 1.0,
+                };
+                points.push([x, sigma]);
+            }
+            Ok(points)
+        };
+    let (radius, speed) = (critical_radius()?, critical_speed()?);
+    Ok(rest_figures::resting(&[
+        rest_figures::Resting {
+            axis: "ρ_0",
+            name: "put down at rho_0",
+            points: line(radius, Start::put_down)?,
+            critical: radius,
+        },
+        rest_figures::Resting {
+            axis: "u_0",
+            name: "launched from the axis with u_0",
+            points: line(speed, Start::launched)?,
+            critical: speed,
+        },
+    ])?)
+}

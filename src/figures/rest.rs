@@ -1,0 +1,190 @@
+//! The figures of section 4, rest. All dimensionless: lengths in μg/Ω², times in 1/Ω.
+
+use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table};
+
+/// A census of starts in the (α, A) plane at one ψ.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Census {
+    /// Name of the angle.
+    pub psi: &'static str,
+    /// Cells along each side; cells row by row from the lowest A, true for rest.
+    pub side: usize,
+    /// Rest or not.
+    pub rests: Vec<bool>,
+    /// Ends of the α axis.
+    pub alpha: (f64, f64),
+    /// Ends of the A axis.
+    pub a: (f64, f64),
+    /// (147): (α, A).
+    pub printed: Vec<[f64; 2]>,
+    /// The second-order boundary: (α, A).
+    pub corrected: Vec<[f64; 2]>,
+}
+
+/// Who comes to rest, at several ψ, with the printed and the corrected boundary.
+///
+/// Fails as [`Plot::figure`] and [`Raster::new`] do.
+pub fn census(list: &[Census]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["psi", "alpha", "A", "rests"]);
+    let mut plot = Plot::new("rest-census", "Who comes to rest")
+        .caption(
+            "What becomes of particles that start with the given $\\alpha$ and $A$, for three angles $\\psi$. Every \
+             cell is one motion, followed until its fate is certain. Shaded: it comes to rest. The true boundary \
+             depends on $\\psi$ (solid: to second order in $\\alpha$), the printed envelope (147) (dashed) does not.",
+        )
+        .alt(
+            "Three panels with α to the right and A upwards. The shaded region of rest lies below a line that falls \
+             from A = 1, steeply at ψ = 0, half as steeply at ψ = π/2, and hardly at all at ψ = 5π/6; the solid \
+             curve follows its edge, the dashed curve runs well below it.",
+        );
+    for census in list {
+        let side = census.side as f64;
+        for (k, rests) in census.rests.iter().enumerate() {
+            let at =
+                |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / side;
+            let (alpha, a) = (
+                at(census.alpha, k % census.side),
+                at(census.a, k / census.side),
+            );
+            table.row([
+                census.psi.into(),
+                alpha.into(),
+                a.into(),
+                f64::from(u8::from(*rests)).into(),
+            ])?;
+        }
+        let cells = census.rests.iter().map(|rests| u8::from(!rests)).collect();
+        let raster = Raster::new(census.side, census.side, census.alpha, census.a, cells)?
+            .class("rest", 0, 0.35)
+            .class("escape", 1, 0.08);
+        let panel = Panel::new(
+            Axis::linear("α").range(census.alpha.0, census.alpha.1),
+            Axis::linear("A").range(census.a.0, census.a.1),
+        )
+        .title(format!("ψ = {}", census.psi))
+        .height(240.0)
+        .raster(raster)
+        .curve(
+            Curve::new(census.corrected.iter().copied())
+                .ink()
+                .key("to second order"),
+        )
+        .curve(
+            Curve::new(census.printed.iter().copied())
+                .ink()
+                .stroke(Stroke::Dashed)
+                .key("(147)"),
+        );
+        plot = plot.panel(panel);
+    }
+    plot.figure(table)
+}
+
+/// The boundary at one α.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Around {
+    /// α.
+    pub alpha: f64,
+    /// (ψ, A) by bisection.
+    pub found: Vec<[f64; 2]>,
+    /// (ψ, A) to second order.
+    pub corrected: Vec<[f64; 2]>,
+    /// A by (147).
+    pub printed: f64,
+}
+
+/// How far the boundary lies below A = 1, in units of α, all round ψ.
+///
+/// Fails as [`Plot::figure`] does.
+pub fn around(list: &[Around]) -> Result<Figure, FigureError> {
+    use std::f64::consts::PI;
+    let mut table = Table::new(&["alpha", "psi (rad)", "A, by bisection"]);
+    let angles = [
+        (-PI, "−π"),
+        (-PI / 2.0, "−π/2"),
+        (0.0, "0"),
+        (PI / 2.0, "π/2"),
+        (PI, "π"),
+    ];
+    let mut panel = Panel::new(
+        Axis::linear("ψ").range(-PI, PI).ticks(angles),
+        Axis::linear("(1 − A)/α").range(0.0, 1.5),
+    );
+    for (n, one) in list.iter().enumerate() {
+        for [psi, a] in &one.found {
+            table.row([one.alpha.into(), (*psi).into(), (*a).into()])?;
+        }
+        let scaled = |&[psi, a]: &[f64; 2]| [psi, (1.0 - a) / one.alpha];
+        panel = panel
+            .curve(
+                Curve::new(one.corrected.iter().map(scaled))
+                    .series(n)
+                    .stroke(Stroke::Solid),
+            )
+            .points(
+                Points::new(one.found.iter().map(scaled))
+                    .series(n)
+                    .key(format!("α = {}", one.alpha)),
+            );
+    }
+    if let Some(first) = list.first() {
+        let printed = (1.0 - first.printed) / first.alpha;
+        panel = panel.rule(Rule::horizontal(printed).key(format!("(147), α = {}", first.alpha)));
+    }
+    Plot::new("rest-boundary", "The boundary all round")
+        .caption(
+            "How far below $A=1$ the boundary between rest and escape lies, in units of $\\alpha$, against $\\psi$: by \
+             bisection (marks) and to second order in $\\alpha$ (curves). For $\\alpha\\to0$ it is $\\cos^2(\\psi/2)$. The \
+             printed envelope is the dashed line, the same for all $\\psi$.",
+        )
+        .alt(
+            "Bell-shaped curves over ψ from −π to π, with marks on them: close to 1 at ψ = 0 and to 0 at ±π. The \
+             dashed line runs at 1.4, above all of them.",
+        )
+        .panel(panel)
+        .figure(table)
+}
+
+/// Resting places against a start.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Resting {
+    /// What is varied, for the axis.
+    pub axis: &'static str,
+    /// The same for the table.
+    pub name: &'static str,
+    /// (start, σ).
+    pub points: Vec<[f64; 2]>,
+    /// The start beyond which it escapes.
+    pub critical: f64,
+}
+
+/// Where a particle comes to rest against how it starts in the laboratory.
+///
+/// Fails as [`Plot::figure`] does.
+pub fn resting(list: &[Resting]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["start", "value", "sigma"]);
+    let mut plot = Plot::new("rest-radius", "Where a particle comes to rest")
+        .caption(
+            "Distance $\\sigma$ from the axis at which a particle comes to rest on the table: put down at rest in the \
+             laboratory at the distance $\\rho_0$, and launched from the axis with the speed $u_0$. At the dashed line \
+             $\\sigma$ reaches 1, with a vertical tangent; beyond it the particle goes away.",
+        )
+        .alt(
+            "Two panels. In each a curve rises from the origin, ever more steeply, and ends at σ = 1 on a dashed \
+             vertical line.",
+        );
+    for one in list {
+        for [start, sigma] in &one.points {
+            table.row([one.name.into(), (*start).into(), (*sigma).into()])?;
+        }
+        let panel = Panel::new(
+            Axis::linear(one.axis).range(0.0, 1.25),
+            Axis::linear("σ").range(0.0, 1.05),
+        )
+        .height(230.0)
+        .curve(Curve::new(one.points.iter().copied()))
+        .rule(Rule::vertical(one.critical).key(format!("critical: {:.6}", one.critical)));
+        plot = plot.panel(panel);
+    }
+    plot.figure(table)
+}
