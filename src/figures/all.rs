@@ -2,7 +2,9 @@
 
 mod anisotropic;
 mod constant;
+mod escape;
 mod periodic;
+mod rest;
 mod turntable;
 
 use super::{Figure, FigureError};
@@ -43,6 +45,8 @@ pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
         periodic::figures,
         anisotropic::figures,
         turntable::figures,
+        escape::figures,
+        rest::figures,
     ];
     let mut all = Vec::new();
     for figures in topics {
