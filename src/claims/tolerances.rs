@@ -2,16 +2,58 @@
 
 use crate::evidence::Tolerance;
 
+/// A factor per period against its limit near the periodic motion.
+pub const APPROACH: Tolerance = Tolerance {
+    value: 1e-5,
+    reason: "taken where the distance to the periodic motion is 1e-6, of which the next term of the factor is a small multiple",
+};
+
+/// A gap against its leading term at the edge of its range.
+pub const EDGE: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "the next term of the gap, √(λ₀/π) of it, is below 2e-5 for λ₀ up to 1e-9",
+};
+
+/// Equal falls of a logarithm.
+pub const EXPONENTIAL: Tolerance = Tolerance {
+    value: 0.1,
+    reason: "falls that are equal up to a tenth would still count as equal",
+};
+
+/// A slope to leading order in a small ratio.
+pub const FIRST_STAGE: Tolerance = Tolerance {
+    value: 1e-7,
+    reason: "the correction is half the square of the ratio of the velocities, below 3e-8",
+};
+
 /// What the inertial frame's foreign integrator and ours may differ by.
 pub const FOREIGN: Tolerance = Tolerance {
     value: 1e-10,
     reason: "the second integrator, of order 8, is asked for 1e-13 a step",
 };
 
+/// A motion that has forgotten its start.
+pub const FORGOTTEN: Tolerance = Tolerance {
+    value: 1e-9,
+    reason: "what is left of the start falls by the contraction factor in every period",
+};
+
+/// A time to leading order in a small velocity.
+pub const LAST_STAGE: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "the drive changes by about a millionth within the last stage, of which the friction is left with at least a hundredth",
+};
+
 /// An angle that tends to zero as a power of the time, or faster.
 pub const LATE_ANGLE: Tolerance = Tolerance {
     value: 1e-7,
     reason: "the slowest case, without friction, has 2e-8 left at a hundred million times v₀/A",
+};
+
+/// A factor of very large logarithms.
+pub const LOGARITHM: Tolerance = Tolerance {
+    value: 1e-7,
+    reason: "terms that stay bounded, beside a logarithm of 1e9",
 };
 
 /// A formula against the integrated motion.
@@ -24,6 +66,12 @@ pub const MOTION: Tolerance = Tolerance {
 pub const NONE: Tolerance = Tolerance {
     value: 0.0,
     reason: "a count or a normal form: nothing may differ",
+};
+
+/// A factor of logarithms across a passage through zero.
+pub const PASSAGE: Tolerance = Tolerance {
+    value: 1e-3,
+    reason: "todo",
 };
 
 /// A formula against a quadrature.
@@ -54,6 +102,12 @@ pub const SLOPE: Tolerance = Tolerance {
 pub const TERMINAL: Tolerance = Tolerance {
     value: 1e-12,
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
+};
+
+/// A threshold found by bisection on the motion.
+pub const THRESHOLD: Tolerance = Tolerance {
+    value: 1e-12,
+    reason: "todo",
 };
 
 /// A velocity that vanishes as a power of the time.

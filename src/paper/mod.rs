@@ -7,3 +7,4 @@
 
 pub mod constant;
 pub mod general;
+pub mod sinusoidal;
