@@ -441,6 +441,7 @@ const CLAIMS: &[Claim] = &[
         trials: &[
             across::first_stage,
             across::second_stage,
+            decay::first_stage_correction,
             decay::period_factor,
             decay::period_factor_reached,
             decay::passage_limit,

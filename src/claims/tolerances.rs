@@ -41,7 +41,7 @@ pub const FORGOTTEN: Tolerance = Tolerance {
 /// A time to leading order in a small velocity.
 pub const LAST_STAGE: Tolerance = Tolerance {
     value: 1e-4,
-    reason: "the drive changes by about a millionth within the last stage, of which the friction is left with at least a hundredth",
+    reason: "the drive changes by less than 1e-6 within the last stage, and friction exceeds it by at least a hundredth",
 };
 
 /// An angle that tends to zero as a power of the time, or faster.
@@ -70,8 +70,8 @@ pub const NONE: Tolerance = Tolerance {
 
 /// A factor of logarithms across a passage through zero.
 pub const PASSAGE: Tolerance = Tolerance {
-    value: 1e-3,
-    reason: "todo",
+    value: 1e-4,
+    reason: "what stays bounded stands beside a logarithm of at least 1e5; what is linear in the distance, beside 1e-5",
 };
 
 /// A formula against a quadrature.
@@ -84,6 +84,12 @@ pub const QUADRATURE: Tolerance = Tolerance {
 pub const ROOT: Tolerance = Tolerance {
     value: 1e-11,
     reason: "the root is found to 1e-15; the formula's own rounding is divided by its slope",
+};
+
+/// A correction of second order, from its effect.
+pub const SECOND_ORDER: Tolerance = Tolerance {
+    value: 2e-2,
+    reason: "the next order is the time of a period over the velocity, a hundredth; rounding of the slope is as large",
 };
 
 /// What a short push may leave behind and still count as motion: nothing near the strength of the push.
@@ -107,7 +113,7 @@ pub const TERMINAL: Tolerance = Tolerance {
 /// A threshold found by bisection on the motion.
 pub const THRESHOLD: Tolerance = Tolerance {
     value: 1e-12,
-    reason: "todo",
+    reason: "the bisection ends at neighbouring numbers; rests shorter than 1e-14 are not listed",
 };
 
 /// A velocity that vanishes as a power of the time.

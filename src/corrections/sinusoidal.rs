@@ -35,6 +35,14 @@ pub fn contraction<S: Scalar>(lambda0: S) -> S {
     (S::int(1) / passage_factor(lambda0, drive_at_zero(lambda0))).squared()
 }
 
+/// How much more slowly than λ₀ a large velocity `w_y` across the drive falls, relative to λ₀ and times `w_y`², on the
+/// mean over a period that begins at φ = 0 with the velocity `w` along the drive: friction leans towards the drive by
+/// the ratio of the velocities, along which the motion is nearly free, 𝔴 + 1 − cos φ. Dimensionless.
+pub fn first_stage_lean<S: Scalar>(w: S) -> S {
+    let half = S::int(1) / S::int(2);
+    -half * ((w + S::int(1)).squared() + half)
+}
+
 /// For how long (in φ) a small velocity `w_y` straight across a drive of the size `h` < λ₀ lasts until the particle
 /// stops, to leading order in `w_y`.
 pub fn last_stage<S: Scalar>(lambda0: S, h: S, w_y: S) -> S {

@@ -48,6 +48,7 @@ mod panel;
 mod path;
 mod plot;
 mod raster;
+pub mod sinusoidal;
 mod sketch;
 mod svg;
 #[cfg(test)]

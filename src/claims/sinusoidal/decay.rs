@@ -1,14 +1,14 @@
 //! Trials of what replaces the second stage: an exponential of an exponential, or an end after a finite time.
 
-use super::across::strobed;
+use super::across::{Flight, flights_where, strobed};
 use super::runs::{ORIGIN, Particle, drive, lambda_c, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
-use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE};
+use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, PlanarState, Sign};
-use crate::numerics::quadrature::integral;
+use crate::numerics::quadrature::integral_within;
 use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
 
@@ -55,28 +55,50 @@ pub fn period_factor() -> Evidence {
     })
 }
 
-/// The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e8.
+/// The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
 pub fn period_factor_reached() -> Evidence {
-    let compared = "((s + λ₀)/(s − λ₀))² with the last growth of ln 𝔴_y over a period on the way from 𝔴_y = 0.5 to exp(−1e8)";
+    let compared = "((s + λ₀)/(s − λ₀))² with the last growth of ln 𝔴_y over a period on the way from 𝔴_y of order one to exp(−1e15)";
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
-    let mut points = Points::stream(171);
-    trial.over(0..20, |_| {
-        let lambda = points.uniform(0.3, lambda_c() - 0.02);
-        let states = strobed(lambda, points.uniform(-1.0, 1.0), 0.5, 22)?;
-        let last = states
+    trial.over(flights_where(Flight::never_rests), |flight| {
+        let flight = flight?;
+        let strobe: Vec<_> = flight.strobe().collect();
+        let last = strobe
             .iter()
-            .rposition(|s| s.ln_w_y > -1e8)
+            .rposition(|s| s.ln_w_y > -1e15)
             .ok_or("no state")?;
         let factor = match last.checked_sub(1) {
-            Some(before) => states[last].ln_w_y / states[before].ln_w_y,
+            Some(before) => strobe[last].ln_w_y / strobe[before].ln_w_y,
             None => f64::NAN,
         };
-        let stated = 1.0 / corrected::contraction(lambda);
+        let stated = 1.0 / corrected::contraction(flight.lambda);
         Ok::<_, Failure>(Pair {
-            at: at(lambda),
+            at: flight.at(),
             stated,
             found: factor,
             scale: stated,
+        })
+    })
+}
+
+/// The correction of the first stage: friction leans towards the drive by half the square of the ratio of the velocities.
+pub fn first_stage_correction() -> Evidence {
+    let compared = "−((𝔴 + 1)² + 1/2)/2 with (the mean slope of 𝔴_y over a period)/(−λ₀) − 1, times 𝔴_y², from 𝔴 at φ = 0";
+    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, SECOND_ORDER);
+    let mut points = Points::stream(176);
+    trial.over(0..30, |_| {
+        let lambda = points.uniform(0.2, 1.4);
+        let w_x = points.uniform(-1.0, 1.0);
+        let w_y = points.log_uniform(500.0, 2000.0);
+        let states = strobed(lambda, w_x, w_y, 1)?;
+        let [first, last] = [0, 1].map(|k: usize| Scalar::exp(states[k].ln_w_y));
+        let slope = (last - first) / TAU;
+        let middle = 0.5 * (first + last);
+        let stated = corrected::first_stage_lean(w_x);
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}"),
+            stated,
+            found: (slope / -lambda - 1.0) * middle * middle,
+            scale: 2.0,
         })
     })
 }
@@ -113,14 +135,16 @@ pub fn passage_quadrature() -> Evidence {
             .iter()
             .find(|i| i.sign == Sign::Positive);
         let zero = slip.ok_or("no slip")?.end;
-        // In ln(distance) the integrand is smooth; the coefficient is its mean over two decades.
+        // In ln(distance) the integrand is smooth; the coefficient is its mean over a decade.
         let coefficient = |side: f64| {
             let integrand = |x: f64| {
                 let distance = Scalar::exp(x);
                 lambda * distance / attractor.w(zero + side * distance).abs()
             };
-            let (low, high) = (Scalar::ln(1e-8), Scalar::ln(1e-6));
-            Ok::<_, Failure>(integral_mean(integrand, low, high)?)
+            let (low, high) = (Scalar::ln(1e-6), Scalar::ln(1e-5));
+            // So near the zero, 𝔴 has nine digits.
+            let sum = integral_within(integrand, low, high, 1e-9)?.value;
+            Ok::<_, Failure>(sum / (high - low))
         };
         let (p, q) = (coefficient(-1.0)?, coefficient(1.0)?);
         let stated = corrected::passage_factor(lambda, corrected::drive_at_zero(lambda));
@@ -133,30 +157,25 @@ pub fn passage_quadrature() -> Evidence {
     })
 }
 
-/// The mean of a function.
-fn integral_mean(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Result<f64, Failure> {
-    Ok(integral(f, low, high)?.value / (high - low))
-}
-
-/// λ₀ > λ_c: v_y is exactly zero after a finite time, and the particle stops during a rest of the motion on the line.
+/// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
 pub fn finite_end() -> Evidence {
     let compared = "1 with 1 where 𝔴_y is exactly 0 after 12 periods, and 𝔴 is then that of the motion on the line";
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NONE);
-    let mut points = Points::stream(174);
-    trial.over(0..30, |_| {
-        let lambda = points.uniform(lambda_c() + 1e-3, 1.4);
-        let (w_x, w_y) = (points.uniform(-1.0, 1.0), points.uniform(0.1, 3.0));
-        let states = strobed(lambda, w_x, w_y, 12)?;
-        let last = states.last().ok_or("no state")?;
-        let line = settled(lambda, ORIGIN)?.w(last.phi);
-        let ended = last.ln_w_y == f64::NEG_INFINITY && (last.w_x - line).abs() < 1e-12;
-        Ok::<_, Failure>(Pair {
-            at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}"),
-            stated: 1.0,
-            found: f64::from(u8::from(ended)),
-            scale: 1.0,
-        })
-    })
+    trial.over(
+        flights_where(|flight| flight.lambda > lambda_c()),
+        |flight| {
+            let flight = flight?;
+            let last = flight.last()?;
+            let line = settled(flight.lambda, ORIGIN)?.w(last.phi);
+            let ended = last.ln_w_y == f64::NEG_INFINITY && (last.w_x - line).abs() < 1e-12;
+            Ok::<_, Failure>(Pair {
+                at: flight.at(),
+                stated: 1.0,
+                found: f64::from(u8::from(ended)),
+                scale: 1.0,
+            })
+        },
+    )
 }
 
 /// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
@@ -168,12 +187,12 @@ pub fn last_stage() -> Evidence {
         let lambda = points.uniform(lambda_c(), 1.4);
         let phi = points.uniform(0.0, 0.9) * Scalar::asin(lambda.min(1.0));
         let h = Scalar::sin(phi);
-        let v_y = 1e-6;
+        let v_y = 1e-7;
         let motion = Particle::plain(lambda).run(phi, [0.0, v_y], phi + 1.0)?;
         let stop = motion.first_stop().ok_or("no stop")?;
         let stated = corrected::last_stage(lambda, h, v_y);
         Ok::<_, Failure>(Pair {
-            at: format!("λ₀ = {lambda:.6}, φ = {phi:.6}, v_y = 1e-6"),
+            at: format!("λ₀ = {lambda:.6}, φ = {phi:.6}, v_y = 1e-7"),
             stated,
             found: stop - phi,
             scale: stated,

@@ -234,13 +234,11 @@ pub fn eq35() -> Evidence {
     )
 }
 
-/// Adds r = √(4 + π²), and √(1 − 4/r²) = π/r.
+/// Adds √(4 + π²), and √π² = π.
 fn with_lambda_c(mut ring: Ring) -> Result<Ring, ExactError> {
     let pi = ring.read(Expr::pi())?;
-    let r = ring.root(&(Rational::int(4) + &pi * &pi), 2)?;
-    let critical = ring.divide(&Rational::int(2), &r)?;
-    let other = ring.divide(&pi, &r)?;
-    ring.root_is(&(Rational::int(1) - &critical * &critical), 2, &other)?;
+    ring.root(&(Rational::int(4) + &pi * &pi), 2)?;
+    ring.root_is(&(&pi * &pi), 2, &pi)?;
     Ok(ring)
 }
 

@@ -8,6 +8,7 @@ use crate::motion::drive::PlanarState;
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, TAU};
+use std::sync::LazyLock;
 
 /// λ₀ of fig-3.
 pub const SMALL: f64 = FRAC_1_PI;
@@ -20,6 +21,8 @@ pub const W_X: f64 = 1.0;
 pub const W_Y: [f64; 5] = [0.0, 0.5, 1.0, 2.0, 4.0];
 /// Periods that fig-2 shows.
 pub const PERIODS: u32 = 4;
+/// Periods after which the curves of fig-2 are compared with the large-time motion.
+const FOLLOWED: u32 = 16;
 /// Points of a curve in a period.
 const POINTS: u32 = 60;
 
@@ -34,17 +37,36 @@ pub struct Transient {
     pub states: Vec<PlanarState>,
 }
 
-/// One curve of fig-2, on for as many periods.
+impl Transient {
+    fn at(&self, phi: f64) -> String {
+        let Transient { lambda, w_y, .. } = self;
+        format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}")
+    }
+}
+
+/// The curves of fig-2, on for longer than the figure shows.
 ///
 /// # Errors
 /// As [`crate::motion::drive::Drive::planar`].
-pub fn transient(lambda: f64, w_y: f64, periods: u32) -> Result<Transient, Failure> {
+pub fn transients() -> Result<&'static [Transient], Failure> {
+    static CURVES: LazyLock<Result<Vec<Transient>, String>> = LazyLock::new(|| {
+        let pairs = [SMALL, LARGE]
+            .into_iter()
+            .flat_map(|lambda| W_Y.into_iter().map(move |w_y| (lambda, w_y)));
+        pairs
+            .map(|(lambda, w_y)| transient(lambda, w_y).map_err(|error| error.to_string()))
+            .collect()
+    });
+    CURVES.as_deref().map_err(|error| error.clone().into())
+}
+
+fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
     let start = PlanarState {
         phi: 0.0,
         w_x: W_X,
         ln_w_y: Scalar::ln(w_y),
     };
-    let phases: Vec<_> = (0..=periods * POINTS)
+    let phases: Vec<_> = (0..=FOLLOWED * POINTS)
         .map(|k| TAU * f64::from(k) / f64::from(POINTS))
         .collect();
     let states = drive()?.planar(lambda, start, &phases)?;
@@ -55,10 +77,17 @@ pub fn transient(lambda: f64, w_y: f64, periods: u32) -> Result<Transient, Failu
     })
 }
 
-fn curves() -> impl Iterator<Item = (f64, f64)> {
-    [SMALL, LARGE]
-        .into_iter()
-        .flat_map(|lambda| W_Y.into_iter().map(move |w_y| (lambda, w_y)))
+/// One comparison after another, over all curves.
+fn over_curves(trial: &Trial, of: impl Fn(&Transient) -> Result<Vec<Pair>, Failure>) -> Evidence {
+    let pairs = transients().and_then(|curves| {
+        let lists: Result<Vec<_>, _> = curves.iter().map(of).collect();
+        Ok(lists?.into_iter().flatten().collect::<Vec<_>>())
+    });
+    let (pairs, error) = match pairs {
+        Ok(pairs) => (pairs, None),
+        Err(error) => (Vec::new(), Some(Err(error))),
+    };
+    trial.over(pairs.into_iter().map(Ok).chain(error), |pair| pair)
 }
 
 /// fig-2: every eighth drawn point with a particle on the plane.
@@ -66,62 +95,37 @@ pub fn fig2_motion() -> Evidence {
     let compared =
         "𝔴 of the drawn motion with v_x of a particle on the plane, at every eighth drawn point";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
-    let mut points = Vec::new();
-    for (lambda, w_y) in curves() {
-        match fig2_points(lambda, w_y) {
-            Ok(more) => points.extend(more.into_iter().map(Ok)),
-            Err(error) => points.push(Err(error)),
-        }
-    }
-    trial.over(points, |pair| pair)
-}
-
-fn fig2_points(lambda: f64, w_y: f64) -> Result<Vec<Pair>, Failure> {
-    let drawn = transient(lambda, w_y, PERIODS)?;
-    let until = TAU * f64::from(PERIODS);
-    let motion = Particle::plain(lambda).run(0.0, [W_X, w_y], until)?;
-    let every = drawn.states.iter().step_by(8);
-    every
-        .map(|state| {
-            let phi = state.phi.min(until);
+    over_curves(&trial, |curve| {
+        let until = TAU * f64::from(PERIODS);
+        let motion = Particle::plain(curve.lambda).run(0.0, [W_X, curve.w_y], until)?;
+        let drawn = curve.states.iter().take_while(|s| s.phi <= until);
+        let pair = |state: &PlanarState| {
             Ok(Pair {
-                at: format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}"),
+                at: curve.at(state.phi),
                 stated: state.w_x,
-                found: motion.at(phi)?.v[0],
-                scale: 1.0 + W_X + w_y,
+                found: motion.at(state.phi)?.v[0],
+                scale: 1.0 + W_X + curve.w_y,
             })
-        })
-        .collect()
+        };
+        drawn.step_by(8).map(pair).collect()
+    })
 }
 
 /// fig-2: where all its curves end.
 pub fn fig2_limit() -> Evidence {
-    let compared = "𝔴 of each drawn motion, 18 to 20 periods later, with that of the large-time motion on the line";
+    let compared = "𝔴 of each drawn motion, 15 to 16 periods later, with that of the large-time motion on the line";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FORGOTTEN);
-    let mut points = Vec::new();
-    for (lambda, w_y) in curves() {
-        match late(lambda, w_y) {
-            Ok(more) => points.extend(more.into_iter().map(Ok)),
-            Err(error) => points.push(Err(error)),
-        }
-    }
-    trial.over(points, |pair| pair)
-}
-
-fn late(lambda: f64, w_y: f64) -> Result<Vec<Pair>, Failure> {
-    let states = transient(lambda, w_y, 20)?.states;
-    let attractor = settled(lambda, ORIGIN)?;
-    let last = states.iter().filter(|s| s.phi > 18.0 * TAU).step_by(12);
-    let pair = |state: &PlanarState| Pair {
-        at: format!(
-            "λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {:.6}",
-            state.phi
-        ),
-        stated: attractor.w(state.phi),
-        found: state.w_x,
-        scale: 1.0,
-    };
-    Ok(last.map(pair).collect())
+    over_curves(&trial, |curve| {
+        let attractor = settled(curve.lambda, ORIGIN)?;
+        let late = curve.states.iter().rev().take(POINTS as usize).step_by(12);
+        let pair = |state: &PlanarState| Pair {
+            at: curve.at(state.phi),
+            stated: attractor.w(state.phi),
+            found: state.w_x,
+            scale: 1.0,
+        };
+        Ok(late.map(pair).collect())
+    })
 }
 
 /// Points (φ, 𝔴) of the large-time motion over two periods, as fig-3 and fig-4 show it.

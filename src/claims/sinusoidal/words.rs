@@ -20,7 +20,7 @@ fn at(lambda: f64) -> String {
 pub fn no_rest_census() -> Evidence {
     let compared = "0 with the simulated rests per period at large times, of seven starts together";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    let below = dense().into_iter().filter(|l| *l < lambda_c()).step_by(3);
+    let below = dense().into_iter().filter(|l| *l < lambda_c()).step_by(7);
     trial.over(below, |lambda| {
         let mut rests = 0;
         for start in starts() {
@@ -109,15 +109,15 @@ pub fn trichotomy_census() -> Evidence {
     )
 }
 
-/// The three kinds by the other integrator: stops and rests of a particle over its eighth period.
+/// The three kinds by the other integrator: stops and rests of a particle over its fourth period.
 pub fn trichotomy_motion() -> Evidence {
-    let compared = "the same numbers with those of a particle on the plane, over its eighth period";
+    let compared = "the same numbers with those of a particle on the plane, over its fourth period";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     let mut points = Points::stream(151);
-    trial.over(0..60, |_| {
+    trial.over(0..36, |_| {
         let lambda = points.uniform(0.1, 1.5);
         let start = points.uniform(0.0, TAU);
-        let (from, to) = (start + 7.0 * TAU, start + 8.0 * TAU);
+        let (from, to) = (start + 3.0 * TAU, start + 4.0 * TAU);
         let motion = Particle::plain(lambda).run(start, [0.0; 2], to)?;
         let within = |t: f64| t > from && t <= to;
         let stops = motion.stops().iter().filter(|t| within(**t)).count();
@@ -153,15 +153,15 @@ pub fn trichotomy_outside() -> Evidence {
 
 /// A₀ < μg: a particle with any velocity comes to rest and stays there.
 pub fn weak_drive_motion() -> Evidence {
-    let compared = "0 with the largest speed of a particle, launched in any direction, over the last period of ten";
+    let compared = "0 with the largest speed of a particle, launched in any direction, over the last period of six";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(153);
-    trial.over(0..60, |_| {
+    trial.over(0..30, |_| {
         let lambda = points.uniform(1.05, 4.0);
         let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
         let from = points.uniform(0.0, TAU);
-        let motion = Particle::plain(lambda).run(from, v, from + 10.0 * TAU)?;
-        let last = |k: i32| motion.at(from + TAU * (9.0 + f64::from(k) / 32.0));
+        let motion = Particle::plain(lambda).run(from, v, from + 6.0 * TAU)?;
+        let last = |k: i32| motion.at(from + TAU * (5.0 + f64::from(k) / 32.0));
         let mut largest = 0.0_f64;
         for k in 0..=32 {
             largest = largest.max(last(k)?.speed());
