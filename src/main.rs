@@ -37,6 +37,7 @@ fn main() -> ExitCode {
 fn main_job(arguments: &Arguments) -> Result<Vec<Difference>, Box<dyn std::error::Error>> {
     let start = Instant::now();
     let record = Record::committed()?;
+    book::check(&arguments.out)?;
     let ledger = verify();
     let differences = record.differences(&ledger);
     say(&ledger.table())?;

@@ -4,12 +4,19 @@
 
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
+use slipbook::claims::{Claim, TOPICS};
 use slipbook::ledger::{Ledger, Record};
+use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 use std::sync::Arc;
 
 fn main() {
-    let arguments = Arguments::from_args();
+    // One after another, or the differences of several claims are printed into each other.
+    let arguments = Arguments {
+        test_threads: Some(1),
+        ..Arguments::from_args()
+    };
     let ledger = Arc::new(Ledger::try_all(|_| {}));
     let mut trials: Vec<_> = (0..ledger.entries.len())
         .map(|i| {
@@ -26,6 +33,7 @@ fn main() {
     trials.push(Trial::test("verdicts", move || {
         same_as_snapshot("", "verdicts", &record)
     }));
+    trials.push(Trial::test("no_snapshot_without_a_claim", stale));
     let conclusion = libtest_mimic::run(&arguments, trials);
     let tried = ledger
         .entries
@@ -39,6 +47,21 @@ fn main() {
         ledger.summary()
     );
     conclusion.exit();
+}
+
+/// Every snapshot of a topic's folder belongs to a claim of that topic, or is the README's picture.
+fn stale() -> Result<(), Failed> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
+    for topic in &TOPICS {
+        for file in fs::read_dir(root.join(topic.stem))? {
+            let name = file?.file_name().to_string_lossy().into_owned();
+            let of_a_claim = |claim: &Claim| name == format!("{}.snap", claim.id);
+            if !topic.claims.iter().any(of_a_claim) && !name.starts_with("portrait.snap") {
+                return Err(format!("{}/{name} belongs to no claim", topic.stem).into());
+            }
+        }
+    }
+    Ok(())
 }
 
 fn same_as_snapshot(folder: &str, name: &str, text: &str) -> Result<(), Failed> {

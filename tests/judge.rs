@@ -1,7 +1,7 @@
 //! The judge, tried on evidence made by hand.
 
 use slipbook::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
-use slipbook::ledger::{Verdict, judge};
+use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     Evidence {
@@ -184,4 +184,22 @@ fn nan_infinity_too_few_points_and_nothing_never_confirm() {
     nan.at = "the integrator failed".into();
     let judged = judge(Kind::Equation, None, &[nan]);
     assert!(judged.ground.contains("the integrator failed"));
+}
+
+#[test]
+fn a_misprint_from_which_a_refuted_claim_follows_is_refuted() {
+    let own = |verdict| Judgement {
+        verdict,
+        ground: "fails".into(),
+    };
+    let seen = |own_verdict, dependents: &[(&str, Verdict)]| {
+        in_view_of(own(own_verdict), dependents).verdict
+    };
+    let fallen = [("a", Verdict::Confirmed), ("b", Verdict::Refuted)];
+    assert_eq!(seen(Verdict::Misprint, &fallen), Verdict::Refuted);
+    assert_eq!(seen(Verdict::Confirmed, &fallen), Verdict::Confirmed);
+    let unharmed = [("a", Verdict::Confirmed), ("b", Verdict::Misprint)];
+    assert_eq!(seen(Verdict::Misprint, &unharmed), Verdict::Misprint);
+    let ground = in_view_of(own(Verdict::Misprint), &fallen).ground;
+    assert!(ground.ends_with("falls too: b"), "{ground}");
 }

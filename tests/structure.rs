@@ -26,7 +26,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
         ],
     ),
     ("ledger", &["evidence", "claims"]),
-    ("figures", &["numerics"]),
+    ("figures", &["claims", "motion"]),
     ("book", &["evidence", "claims", "ledger", "figures"]),
 ];
 

@@ -59,6 +59,15 @@ pub fn write(ledger: &Ledger, figures: &[Figure], out: &Path) -> Result<PathBuf,
     write_pages(pages::pages(figures), ledger, figures, out)
 }
 
+/// Finds out whether a book can be written into `out`, before the work is done; changes nothing but for
+/// missing parent folders, which it makes.
+///
+/// # Errors
+/// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
+pub fn check(out: &Path) -> Result<(), BookError> {
+    Staging::beside(out).map(drop)
+}
+
 fn write_pages(
     pages: Vec<Page>,
     ledger: &Ledger,

@@ -148,7 +148,9 @@ pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Eviden
         compared,
         points: 1,
         worst: if proof.holds() { 0.0 } else { f64::INFINITY },
-        at: proof.obstacle().map_or(String::new(), ToString::to_string),
+        at: proof.obstacle().map_or(String::new(), |obstacle| {
+            format!("a step of the proof ({obstacle})")
+        }),
         tolerance: tolerances::NONE,
         samples: Vec::new(),
     }

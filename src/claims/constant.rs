@@ -84,7 +84,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
         trials: &[
             || exact::evidence("eq-6", Subject::Printed),
-            hodograph::eq6_quadrature,
+            hodograph::eq6_motion,
         ],
         ..Claim::BLANK
     },
@@ -99,7 +99,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
         trials: &[
             || exact::evidence("eq-7", Subject::Printed),
-            hodograph::eq7_quadrature,
+            hodograph::eq7_motion,
         ],
         ..Claim::BLANK
     },
@@ -114,7 +114,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-6", "eq-7"],
         trials: &[
             || exact::evidence("eq-8", Subject::Printed),
-            hodograph::eq8_quadrature,
+            hodograph::eq8_motion,
         ],
         ..Claim::BLANK
     },
@@ -175,7 +175,6 @@ const CLAIMS: &[Claim] = &[
             time::regular_straight,
         ],
         correction: Some(REGULAR_SPEED),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-12",
@@ -225,7 +224,6 @@ const CLAIMS: &[Claim] = &[
             time::regular_time,
         ],
         correction: Some(REGULAR_TIME),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-14",

@@ -8,6 +8,12 @@ pub const APPROACH: Tolerance = Tolerance {
     reason: "taken where the distance to the periodic motion is 1e-6, of which the next term of the factor is a small multiple",
 };
 
+/// A rate against differences of the motion.
+pub const DIFFERENCES: Tolerance = Tolerance {
+    value: 1e-9,
+    reason: "differences of fourth order over a thousandth of the time scale, and the rounding that they enlarge",
+};
+
 /// A gap against its leading term at the edge of its range.
 pub const EDGE: Tolerance = Tolerance {
     value: 1e-4,

@@ -6,7 +6,7 @@ mod table;
 mod verdict;
 
 pub use record::{Difference, Record, RecordError};
-pub use verdict::{Judgement, Verdict, judge};
+pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
 use crate::claims::{self, Claim, Topic};
 use crate::evidence::{Evidence, Subject};
@@ -51,6 +51,20 @@ impl Entry {
     }
 }
 
+/// Finds out whether an entry's judgement changes in view of the claims that depend on it.
+fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judgement)> {
+    move |(i, entry)| {
+        let follows = |e: &&Entry| e.claim.depends_on.contains(&entry.claim.id);
+        let dependents: Vec<_> = entries
+            .iter()
+            .filter(follows)
+            .map(|e| (e.claim.id, e.judgement.verdict))
+            .collect();
+        let judgement = in_view_of(entry.judgement.clone(), &dependents);
+        (judgement != entry.judgement).then_some((i, judgement))
+    }
+}
+
 /// Every claim, tried and judged, in the paper's order of topics.
 #[derive(Debug, Clone)]
 pub struct Ledger {
@@ -62,7 +76,7 @@ impl Ledger {
     /// Tries every claim on all cores; calls `done` after each one.
     pub fn try_all(done: impl Fn(&Claim) + Sync) -> Self {
         let claims: Vec<_> = claims::all().collect();
-        let entries = claims
+        let mut entries: Vec<_> = claims
             .into_par_iter()
             .map(|(topic, claim)| {
                 let entry = Entry::try_claim(topic, claim);
@@ -70,6 +84,10 @@ impl Ledger {
                 entry
             })
             .collect();
+        // A refutation may pass from claim to claim, against the order of derivation.
+        while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
+            entries[i].judgement = judgement;
+        }
         Ledger { entries }
     }
 

@@ -41,6 +41,8 @@ impl Entry {
 fn trial(text: &mut String, e: &Evidence) {
     let tolerance = e.tolerance.value;
     let said = match e.outcome() {
+        Outcome::Agrees if e.route.is_proof() => "proved".into(),
+        Outcome::Disagrees if e.route.is_proof() => "not proved".into(),
         Outcome::Agrees => format!("agrees to {tolerance:.0e}"),
         Outcome::Disagrees => format!("differs by more than {tolerance:.0e}"),
         Outcome::NotANumber => "gave no number".into(),
@@ -48,7 +50,11 @@ fn trial(text: &mut String, e: &Evidence) {
     };
     let (route, subject) = (e.route.name(), e.subject.words());
     let _ = writeln!(text, "\ntrial by {route}, {subject}: {}", e.compared);
-    let _ = writeln!(text, "    {} points, {said}", e.points);
+    if e.route.is_proof() {
+        let _ = writeln!(text, "    {said}");
+    } else {
+        let _ = writeln!(text, "    {} points, {said}", e.points);
+    }
     for s in &e.samples {
         let (stated, found) = (rounded(s.stated, tolerance), rounded(s.found, tolerance));
         let _ = writeln!(text, "    {}: stated {stated}, found {found}", s.at);

@@ -170,6 +170,25 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
     }
 }
 
+/// The judgement of a claim in view of the claims that depend on it: a misprint leaves what follows
+/// unharmed, so one from which something refuted follows is refuted itself.
+pub fn in_view_of(own: Judgement, dependents: &[(&str, Verdict)]) -> Judgement {
+    let fallen: Vec<_> = dependents
+        .iter()
+        .filter(|(_, verdict)| *verdict == Verdict::Refuted)
+        .map(|(id, _)| *id)
+        .collect();
+    if own.verdict != Verdict::Misprint || fallen.is_empty() {
+        return own;
+    }
+    let ground = format!(
+        "{}; what follows falls too: {}",
+        own.ground,
+        fallen.join(", ")
+    );
+    judgement(Verdict::Refuted, ground)
+}
+
 /// The evidence on one subject, by what it says.
 struct Weighed<'a> {
     agree: Vec<&'a Evidence>,

@@ -117,9 +117,12 @@ impl<'a> Run<'a> {
                 let release = self.stick()?;
                 self.close(PhaseKind::Stick, from);
                 let Some(release) = release else { break };
-                self.motion.starts.push(self.state.t);
                 let from = self.state.t;
                 self.depart(release)?;
+                if self.state.v == [0.0; 2] {
+                    continue;
+                }
+                self.motion.starts.push(from);
                 self.close(PhaseKind::Slide, from);
             }
             let from = self.state.t;

@@ -56,21 +56,53 @@ pub(super) enum Piece {
     /// Sliding; components v_x, v_y, t, x, y as functions of s, dt = |v| ds.
     Slide(Box<Step<f64, 5, TERMS>>),
     /// Sliding close to rest; v and x as functions of t.
-    Arc {
-        from: f64,
-        to: f64,
-        v: [Coefficients; 2],
-        x: [Coefficients; 2],
-    },
+    Arc(Box<Arc>),
     /// At rest.
     Rest { from: f64, x: [f64; 2] },
+}
+
+/// A stretch close to rest, as series in the time since it began.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Arc {
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// Series of the velocity and of the position.
+    pub(super) v: [Coefficients; 2],
+    pub(super) x: [Coefficients; 2],
+}
+
+impl Arc {
+    /// State at time `t`.
+    fn state(&self, t: f64) -> State {
+        let tau = t - self.from;
+        let both = |c: &[Coefficients; 2]| [value(&c[0], &tau), value(&c[1], &tau)];
+        State {
+            t,
+            v: both(&self.v),
+            x: both(&self.x),
+        }
+    }
 }
 
 impl Piece {
     fn from(&self) -> f64 {
         match self {
             Self::Slide(step) => step.t_start(),
-            Self::Arc { from, .. } | Self::Rest { from, .. } => *from,
+            Self::Arc(arc) => arc.from,
+            Self::Rest { from, .. } => *from,
+        }
+    }
+
+    /// State at the beginning.
+    fn begin(&self) -> State {
+        match self {
+            Self::Slide(step) => step.state(0.0, step.t_start()),
+            Self::Arc(arc) => arc.state(arc.from),
+            Self::Rest { from, x } => State {
+                t: *from,
+                v: [0.0; 2],
+                x: *x,
+            },
         }
     }
 
@@ -78,15 +110,7 @@ impl Piece {
     pub(super) fn at(&self, t: f64) -> Result<State, MotionError> {
         Ok(match self {
             Self::Slide(step) => step.state(step.s_at(t - step.t_start())?, t),
-            Self::Arc { from, v, x, .. } => {
-                let tau = t - from;
-                let both = |c: &[Coefficients; 2]| [value(&c[0], &tau), value(&c[1], &tau)];
-                State {
-                    t,
-                    v: both(v),
-                    x: both(x),
-                }
-            }
+            Self::Arc(arc) => arc.state(t),
             Self::Rest { x, .. } => State {
                 t,
                 v: [0.0; 2],
@@ -111,9 +135,9 @@ impl Piece {
                     }
                 }
             }
-            Self::Arc { from, to, v, .. } => {
-                for found in roots(&across([&v[0], &v[1]]), to - from)? {
-                    let state = self.at(from + found.at)?;
+            Self::Arc(arc) => {
+                for found in roots(&across([&arc.v[0], &arc.v[1]]), arc.to - arc.from)? {
+                    let state = arc.state(arc.from + found.at);
                     if points(&state) {
                         return Ok(Some(state));
                     }
@@ -239,19 +263,7 @@ impl Motion {
 
     /// The states at the ends of the integrator's steps, in order: natural points of a figure.
     pub fn nodes(&self) -> impl Iterator<Item = State> + '_ {
-        let begins = self.pieces.iter().map(|piece| match piece {
-            Piece::Slide(step) => step.state(0.0, step.t_start()),
-            Piece::Arc { from, v, x, .. } => State {
-                t: *from,
-                v: [v[0][0], v[1][0]],
-                x: [x[0][0], x[1][0]],
-            },
-            Piece::Rest { from, x, .. } => State {
-                t: *from,
-                v: [0.0; 2],
-                x: *x,
-            },
-        });
+        let begins = self.pieces.iter().map(Piece::begin);
         begins.chain(std::iter::once(self.end))
     }
 
@@ -271,13 +283,11 @@ impl Motion {
             });
         }
         let n = [direction[0] / length, direction[1] / length];
-        let mut nodes = self.nodes();
         for piece in &self.pieces {
-            if let Some(State { v, .. }) = nodes.next().as_ref()
-                && v[0] * n[1] - v[1] * n[0] == 0.0
-                && v[0] * n[0] + v[1] * n[1] > 0.0
-            {
-                return piece.at(piece.from()).map(Some);
+            let begin = piece.begin();
+            let [x, y] = begin.v;
+            if x * n[1] - y * n[0] == 0.0 && x * n[0] + y * n[1] > 0.0 {
+                return Ok(Some(begin));
             }
             if let Some(state) = piece.along(n)? {
                 return Ok(Some(state));

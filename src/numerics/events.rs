@@ -69,27 +69,43 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
     nodes.push(1.0);
     let at = |u: f64| value(&scaled, &u);
     let mut found = Vec::new();
-    let (mut a, mut ya) = (0.0, scaled[0]);
+    // The last node at which the function is surely not zero lies on the side `before` of zero; `zero` is a node
+    // since then at which it is zero within rounding.
+    let (mut a, mut before, mut zero) = (0.0, scaled[0], None);
     for b in nodes {
-        let yb = at(b);
-        let touches = b < 1.0 && yb.abs() <= rounding(&scaled, b);
-        if (ya < 0.0 && yb > 0.0) || (ya > 0.0 && yb < 0.0) {
-            let way = if yb > 0.0 { Way::Rising } else { Way::Falling };
-            found.push(Root {
+        let y = at(b);
+        let unsure = if b < 1.0 {
+            y.abs() <= rounding(&scaled, b)
+        } else {
+            y == 0.0
+        };
+        if unsure {
+            zero = zero.or(Some(b));
+            continue;
+        }
+        let through = (y > 0.0) != (before > 0.0);
+        let way = if y > 0.0 { Way::Rising } else { Way::Falling };
+        match zero.take() {
+            Some(u) => found.push(Root {
+                at: u * h,
+                way: if through { way } else { Way::Touching },
+            }),
+            None if through => found.push(Root {
                 at: root(at, a, b)? * h,
                 way,
-            });
-        } else if b == 1.0 && yb == 0.0 && ya != 0.0 {
-            let way = if ya < 0.0 { Way::Rising } else { Way::Falling };
-            found.push(Root { at: h, way });
-        } else if touches {
-            found.push(Root {
-                at: b * h,
-                way: Way::Touching,
-            });
+            }),
+            None => {}
         }
-        // An extremum that is exactly zero keeps the side from which it is touched.
-        (a, ya) = (b, if yb == 0.0 { ya } else { yb });
+        (a, before) = (b, y);
+    }
+    // What reaches zero at the very end has gone through as far as one can see.
+    if let Some(u) = zero {
+        let way = if before < 0.0 {
+            Way::Rising
+        } else {
+            Way::Falling
+        };
+        found.push(Root { at: u * h, way });
     }
     Ok(found)
 }
@@ -139,6 +155,13 @@ mod tests {
         assert!((found[0].at - 0.5).abs() < 1e-9 && (found[1].at - 0.500001).abs() < 1e-9);
         // (u − ½)² + 10⁻⁸ comes near and does not touch.
         assert!(roots(&[0.25 + 1e-8, -1.0, 1.0], 1.0).unwrap().is_empty());
+    }
+
+    #[test]
+    fn triple_roots_go_through() {
+        let found = roots(&with_roots(&[0.5, 0.5, 0.5]), 2.0).unwrap();
+        assert_eq!(found.len(), 1, "{found:?}");
+        assert!((found[0].at - 0.5).abs() < 1e-5 && found[0].way == Way::Rising);
     }
 
     #[test]

@@ -103,11 +103,14 @@ fn next(a: f64, b: f64, ya: f64, yb: f64, width: f64, tolerance: f64, step: usiz
 mod tests {
     use super::*;
 
+    /// Function, bracket, root.
+    type Case = (fn(f64) -> f64, f64, f64, f64);
+
     #[test]
     fn roots_of_many_shapes() {
-        let cases: [(fn(f64) -> f64, f64, f64, f64); 6] = [
+        let cases: [Case; 6] = [
             (|x| x * x - 2.0, 0.0, 2.0, std::f64::consts::SQRT_2),
-            (|x| libm::cos(x), 0.0, 3.0, std::f64::consts::FRAC_PI_2),
+            (libm::cos, 0.0, 3.0, std::f64::consts::FRAC_PI_2),
             (|x| libm::exp(x) - 1e-10, -100.0, 100.0, -23.025850929940457),
             (|x| (x - 0.3) * (x - 0.3) * (x - 0.3), -1.0, 5.0, 0.3),
             (|x| 1.0 / (x - 1.0), 0.0, 3.0, 1.0),
@@ -116,7 +119,6 @@ mod tests {
         for (f, low, high, expected) in cases {
             let found = root(f, low, high).unwrap();
             let turned = root(f, high, low).unwrap();
-            // The triple root is known to the cube root of the smallest number only in principle: here exactly.
             assert!(
                 (found - expected).abs() <= 4.0 * f64::EPSILON * expected.abs(),
                 "{found} {expected}"

@@ -4,63 +4,61 @@
 use super::runs::{Turn, straight, turns, turns_where};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
-use crate::evidence::{Evidence, Subject};
+use crate::claims::tolerances::DIFFERENCES;
+use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 
-/// A rate, integrated over time along the motion, with the change of a component of the velocity.
-fn summed_rate(compared: &'static str, component: usize, rate: fn(&Turn, f64) -> f64) -> Evidence {
-    Trial::quadrature(Subject::Printed, compared).over(turns(), |turn| {
-        let turn = &turn?;
-        let motion = turn.motion(turn.t)?;
-        let along = |t: f64| {
-            let [vx, vy] = motion.at(t).map_or([f64::NAN; 2], |state| state.v);
-            rate(turn, libm::atan2(vy, vx))
-        };
-        let change = integral_within(along, 0.0, turn.t, 1e-14 * turn.v0)?.value;
-        let (before, after) = (turn.velocity0()[component], turn.velocity()[component]);
+/// A printed rate with that of the motion.
+fn rates(compared: &'static str, pair: fn(&Turn) -> (f64, f64)) -> Evidence {
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, DIFFERENCES);
+    // Later, the time itself is too coarse for differences.
+    trial.over(turns_where(|turn| turn.v > 0.01 * turn.v0), |turn| {
+        let turn = turn?;
+        let (stated, found) = pair(turn);
         Ok::<_, Failure>(Pair {
             at: turn.at(),
-            stated: change,
-            found: after - before,
-            scale: turn.v0.max(turn.v),
+            stated,
+            found,
+            scale: turn.a * (1.0 + turn.lambda),
         })
     })
 }
 
-/// (6) along the motion.
-pub fn eq6_quadrature() -> Evidence {
-    summed_rate(
-        "∫ (6) dt along the motion with its change of v_x",
-        0,
-        |turn, theta| printed::eq6_vx_rate(turn.lambda, turn.a, theta),
-    )
-}
-
-/// (7) along the motion.
-pub fn eq7_quadrature() -> Evidence {
-    summed_rate(
-        "∫ (7) dt along the motion with its change of v_y",
-        1,
-        |turn, theta| printed::eq7_vy_rate(turn.lambda, turn.a, theta),
-    )
-}
-
-/// (8) along the motion.
-pub fn eq8_quadrature() -> Evidence {
-    let compared = "∫ (8) dv_x along the motion, dv_x = (6) dt, with its change of v_y";
-    summed_rate(compared, 1, |turn, theta| {
-        let slope = printed::eq8_hodograph_slope(turn.lambda, theta);
-        slope * printed::eq6_vx_rate(turn.lambda, turn.a, theta)
+/// (6) with the motion.
+pub fn eq6_motion() -> Evidence {
+    rates("(6) with dv_x/dt of the motion", |turn| {
+        let rate = printed::eq6_vx_rate(turn.lambda, turn.a, turn.theta);
+        (rate, turn.rate[0])
     })
+}
+
+/// (7) with the motion.
+pub fn eq7_motion() -> Evidence {
+    rates("(7) with dv_y/dt of the motion", |turn| {
+        let rate = printed::eq7_vy_rate(turn.lambda, turn.a, turn.theta);
+        (rate, turn.rate[1])
+    })
+}
+
+/// (8) with the motion, as a direction: its sine times dv_x is its cosine times dv_y.
+pub fn eq8_motion() -> Evidence {
+    rates(
+        "(8) as a direction, with that of (dv_x, dv_y) of the motion: the part of the one across the other with 0",
+        |turn| {
+            let slope = printed::eq8_hodograph_slope(turn.lambda, turn.theta);
+            let length = libm::hypot(1.0, slope);
+            ((slope * turn.rate[0] - turn.rate[1]) / length, 0.0)
+        },
+    )
 }
 
 /// (9), integrated over the angle.
 pub fn eq9_quadrature() -> Evidence {
     let compared = "exp ∫ (9) dθ with v/v₀ of the motion";
     Trial::quadrature(Subject::Printed, compared).over(turns_where(Turn::is_gentle), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         let rate = |theta| printed::eq9_log_speed_rate(turn.lambda, theta);
         let log_ratio =
             integral_within(rate, turn.theta0, turn.theta, 1e-13 * turn.condition())?.value;
@@ -78,7 +76,7 @@ pub fn eq9_quadrature() -> Evidence {
 fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
     let compared = "(10) at θ over (10) at θ₀, along the motion, with 1";
     Trial::motion(subject, compared).over(turns_where(wanted), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         let number = Conditioned::measured;
         let at = |v, theta| printed::eq10_invariant(number(turn.lambda), number(v), number(theta));
         let ratio = at(turn.v, turn.theta) / at(turn.v0, turn.theta0);
@@ -102,7 +100,7 @@ pub fn eq10_outside() -> Evidence {
 pub fn eq11_motion() -> Evidence {
     let compared = "(11) with the speed of the motion when it has turned to θ";
     Trial::motion(Subject::Within, compared).over(turns(), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         let speed = turn.formula(printed::eq11_speed);
         Ok::<_, Failure>(Pair::conditioned(turn.at(), speed, turn.v))
     })
@@ -112,7 +110,7 @@ pub fn eq11_motion() -> Evidence {
 pub fn eq11_quadrature() -> Evidence {
     let compared = "(11) with v₀ exp ∫ dv/v, dv/v from the two components of Newton's law";
     Trial::quadrature(Subject::Within, compared).over(turns_where(Turn::is_gentle), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         // Along and across the velocity, with A along x: dv/dt = A cos θ − λA, v dθ/dt = −A sin θ.
         let rate = |theta: f64| -(Scalar::cos(theta) - turn.lambda) / Scalar::sin(theta);
         let log_ratio =

@@ -157,7 +157,7 @@ pub fn eq20_motion() -> Evidence {
     );
     trial.over(stops(), |stop| {
         let stop = stop?;
-        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(&stop), stop.t))
+        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(stop), stop.t))
     })
 }
 
@@ -168,8 +168,7 @@ pub fn eq20_quadrature() -> Evidence {
         "(20) with ∫ dt = ∫ v dr/(A r) over 0 < r < 1",
     );
     // Below, r^(λ−1) would be lost to underflow.
-    let wanted =
-        |s: &Result<Stop, MotionError>| s.as_ref().map_or(true, |s: &Stop| s.start.lambda > 1.1);
+    let wanted = |s: &Result<&Stop, MotionError>| s.as_ref().map_or(true, |s| s.start.lambda > 1.1);
     trial.over(stops().filter(wanted), |stop| {
         let stop = stop?;
         let Turn {
@@ -186,7 +185,7 @@ pub fn eq20_quadrature() -> Evidence {
             corrected::speed(lambda, v0, theta0, r) * k / (a * x)
         };
         let found = integral_within(rate, 0.0, 1.0, 1e-13 * stop.t)?.value;
-        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(&stop), found))
+        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(stop), found))
     })
 }
 

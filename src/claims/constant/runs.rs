@@ -24,17 +24,14 @@ pub struct Turn {
     pub t: f64,
     /// The speed there.
     pub v: f64,
+    /// The rate of the velocity there, by differences.
+    pub rate: [f64; 2],
 }
 
 impl Turn {
     /// The velocity at the launch.
     pub fn velocity0(&self) -> [f64; 2] {
         velocity(self.v0, self.theta0)
-    }
-
-    /// The velocity at θ.
-    pub fn velocity(&self) -> [f64; 2] {
-        velocity(self.v, self.theta)
     }
 
     /// A printed formula for the speed, at this turn.
@@ -83,6 +80,7 @@ impl Turn {
             theta: theta0,
             t: 0.0,
             v: v0,
+            rate: [0.0; 2],
         }
     }
 
@@ -108,21 +106,27 @@ impl Turn {
     }
 }
 
-/// Every turn, or the reason why there is none.
-pub fn turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
-    static TURNS: LazyLock<Result<Vec<Turn>, MotionError>> =
-        LazyLock::new(|| launches().into_iter().map(turn).collect());
-    let (turns, error) = match &*TURNS {
-        Ok(turns) => (&turns[..], None),
+/// Runs made once and shared by trials: all of them, or the reason why there are none.
+type Shared<T> = LazyLock<Result<Vec<T>, MotionError>>;
+
+fn shared<T>(runs: &'static Shared<T>) -> impl Iterator<Item = Result<&'static T, MotionError>> {
+    let (runs, error) = match &**runs {
+        Ok(runs) => (&runs[..], None),
         Err(error) => (&[][..], Some(Err(error.clone()))),
     };
-    turns.iter().copied().map(Ok).chain(error)
+    runs.iter().map(Ok).chain(error)
+}
+
+/// Every turn.
+pub fn turns() -> impl Iterator<Item = Result<&'static Turn, MotionError>> {
+    static TURNS: Shared<Turn> = LazyLock::new(|| launches().into_iter().map(turn).collect());
+    shared(&TURNS)
 }
 
 /// Those turns of which `wanted` holds.
 pub fn turns_where(
     wanted: impl Fn(&Turn) -> bool,
-) -> impl Iterator<Item = Result<Turn, MotionError>> {
+) -> impl Iterator<Item = Result<&'static Turn, MotionError>> {
     turns().filter(move |turn| turn.as_ref().map_or(true, |t| wanted(t)))
 }
 
@@ -195,25 +199,40 @@ fn plane(a: f64) -> Plane {
 fn turn([lambda, a, v0, theta0, theta]: [f64; 5]) -> Result<Turn, MotionError> {
     let launch = Turn::launch(lambda, a, v0, theta0);
     let mut until = v0 / a;
-    loop {
+    while until < 1e9 * v0 / a {
         let motion = launch.motion(until)?;
-        if let Some(State { t, v, .. }) = motion.first_along(velocity(1.0, theta))? {
-            return Ok(Turn {
+        if let Some(state) = motion.first_along(velocity(1.0, theta))?
+            && state.t < 0.9 * until
+        {
+            let v = state.speed();
+            // A thousandth of the time in which the forces can change the velocity by itself.
+            let h = 1e-3 * state.t.min(v / (a * (1.0 + lambda)));
+            let turned = Turn {
                 theta,
-                t,
-                v: libm::hypot(v[0], v[1]),
+                t: state.t,
+                v,
                 ..launch
-            });
-        }
-        if until > 1e9 * v0 / a {
-            return Err(MotionError::Argument {
-                name: "θ",
-                value: theta,
-                range: "an angle that the motion reaches",
-            });
+            };
+            let rate = rate(&motion, state.t, h)?;
+            return Ok(Turn { rate, ..turned });
         }
         until *= 4.0;
     }
+    Err(MotionError::Argument {
+        name: "θ",
+        value: theta,
+        range: "an angle that the motion reaches",
+    })
+}
+
+/// dv/dt of a motion by central differences of fourth order.
+fn rate(motion: &Motion, t: f64, h: f64) -> Result<[f64; 2], MotionError> {
+    let difference = |h: f64| -> Result<[f64; 2], MotionError> {
+        let (after, before) = (motion.at(t + h)?.v, motion.at(t - h)?.v);
+        Ok([0, 1].map(|i| (after[i] - before[i]) / (2.0 * h)))
+    };
+    let (near, far) = (difference(h)?, difference(2.0 * h)?);
+    Ok([0, 1].map(|i| (4.0 * near[i] - far[i]) / 3.0))
 }
 
 /// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
@@ -291,7 +310,12 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), MotionError>
 }
 
 /// Motions at λ = 1 after so long a time that they have settled: v_y falls as exp(−A t/v_x(∞)).
-pub fn settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
+pub fn settled() -> impl Iterator<Item = Result<&'static (Turn, State), MotionError>> {
+    static SETTLED: Shared<(Turn, State)> = LazyLock::new(|| all_settled().collect());
+    shared(&SETTLED)
+}
+
+fn all_settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
     let mut points = Points::stream(6);
     (0..1000).map(move |i| {
         let theta0 = match i {
@@ -322,7 +346,12 @@ pub struct Stop {
 }
 
 /// Launches with λ > 1, from both ends of the angles and from friction just above the critical one, to rest.
-pub fn stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
+pub fn stops() -> impl Iterator<Item = Result<&'static Stop, MotionError>> {
+    static STOPS: Shared<Stop> = LazyLock::new(|| all_stops().collect());
+    shared(&STOPS)
+}
+
+fn all_stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
     let mut points = Points::stream(7);
     (0..1000).map(move |i| {
         let lambda = match i % 4 {
@@ -353,7 +382,7 @@ pub fn stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
 /// Launches with λ ≤ 1, but not those that friction stops for good.
 pub fn launches_below_critical() -> impl Iterator<Item = Result<Turn, MotionError>> {
     let mut points = Points::stream(10);
-    (0..1000).map(move |i| {
+    (0..400).map(move |i| {
         let lambda = match i % 4 {
             0 => 1.0,
             1 => 1.0 - points.log_uniform(1e-9, 1e-2),

@@ -39,7 +39,7 @@ pub fn eq3() -> Evidence {
 pub fn eq4() -> Evidence {
     let trial = consistency("|(4)| exp(angle of (4)) with v exp θ, along motions");
     trial.over(turns(), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         let [vx, vy] = printed::eq4_velocity(turn.v, turn.theta);
         let found = turn.v * libm::exp(turn.theta);
         Ok::<_, Failure>(Pair {

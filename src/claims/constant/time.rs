@@ -40,7 +40,7 @@ pub fn eq12_quadrature() -> Evidence {
     trial.over(
         turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
         |turn| {
-            let turn = &turn?;
+            let turn = turn?;
             let stated = {
                 let enough = 1e-14 * turn.condition() * turn.a * turn.t;
                 integral_within(
@@ -71,7 +71,7 @@ pub fn eq12_outside() -> Evidence {
     let wanted =
         |turn: &Turn| turn.lambda == 0.0 || turn.lambda.fract() != 0.0 && turn.theta0 < 0.0;
     trial.over(turns_where(wanted), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         let found = -turn.v / Scalar::sin(turn.theta);
         Ok::<_, Failure>(Pair {
             at: turn.at(),
@@ -89,7 +89,7 @@ pub fn eq13_motion() -> Evidence {
         "(13) with the time at which the motion has turned to θ",
     );
     trial.over(turns_where(eq13_has_a_value), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         Ok::<_, Failure>(Pair::conditioned(turn.at(), eq13(turn), turn.t))
     })
 }
@@ -100,7 +100,7 @@ pub fn eq13_quadrature() -> Evidence {
     trial.over(
         turns_where(|turn| eq13_has_a_value(turn) && turn.is_gentle()),
         |turn| {
-            let turn = &turn?;
+            let turn = turn?;
             let rate = |theta: f64| {
                 let v = printed::eq11_speed(turn.lambda, turn.v0, turn.theta0, theta);
                 -v / (turn.a * Scalar::sin(theta))
@@ -126,7 +126,7 @@ pub fn eq13_root() -> Evidence {
         eq13_has_a_value(turn) && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle()
     };
     trial.over(turns_where(wanted), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         let late =
             |theta| printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t;
         let (low, high) = (0.9 * turn.theta, turn.theta0);
@@ -145,7 +145,8 @@ pub fn eq13_root() -> Evidence {
 /// (13) where it is 0/0 or 0·∞: at λ = 1, where cos θ₀ = −λ, and along the line of the acceleration.
 pub fn eq13_outside() -> Evidence {
     let trial = Trial::motion(Subject::Outside, "(13) with the time of the motion");
-    let excluded = turns_where(|turn| !eq13_has_a_value(turn)).chain(straight());
+    let singular = turns_where(|turn| !eq13_has_a_value(turn)).map(|turn| turn.copied());
+    let excluded = singular.chain(straight());
     trial.over(excluded, |turn| {
         let turn = &turn?;
         let stated = printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, turn.theta);
@@ -177,7 +178,7 @@ pub fn eq14_motion() -> Evidence {
         "(14) at the angle and time of the motion with its speed",
     );
     trial.over(turns(), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         Ok::<_, Failure>(Pair::conditioned(turn.at(), eq14(turn), turn.v))
     })
 }
@@ -205,7 +206,7 @@ pub fn regular_time() -> Evidence {
         "the regular form of the time, where (13) has a value and where not, with the motion";
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
         Ok::<_, Failure>(Pair {
             at: turn.at(),
@@ -244,7 +245,7 @@ pub fn regular_speed() -> Evidence {
     let compared = "the regular form of the speed with the motion";
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
-        let turn = &turn?;
+        let turn = turn?;
         let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
         Ok::<_, Failure>(Pair {
             at: turn.at(),

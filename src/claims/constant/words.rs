@@ -68,7 +68,7 @@ pub fn large_friction_limit() -> Evidence {
     // Others have not turned yet when their speed is lost in rounding.
     let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
     let turning = stops().filter(|s| {
-        let wanted = |s: &Stop| turns(s) && !along_the_line(&s.start);
+        let wanted = |s: &&Stop| turns(s) && !along_the_line(&s.start);
         s.as_ref().map_or(true, wanted)
     });
     trial.over(turning, |stop| {
@@ -76,7 +76,7 @@ pub fn large_friction_limit() -> Evidence {
         Ok::<_, Failure>(Pair {
             at: stop.start.at(),
             stated: 1.0 / (stop.start.lambda - 1.0),
-            found: last_slope(&stop),
+            found: last_slope(stop),
             scale: 1.0 / (stop.start.lambda - 1.0),
         })
     })

@@ -6,9 +6,9 @@
 //! A stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
 
 use super::super::acceleration::Coefficients;
-use super::super::trajectory::{Piece, State};
+use super::super::trajectory::{Arc, Piece, State};
 use super::{MotionError, Run};
-use crate::numerics::series::{convolution, product, sqrt, square};
+use crate::numerics::series::{convolution, product, quotient, sqrt, square};
 use crate::numerics::taylor::{Control, Integrator, System, TERMS};
 
 /// The equations of motion, about a time at which the acceleration is known.
@@ -26,8 +26,12 @@ struct Sliding {
 /// Series in s that a step needs besides the state.
 #[derive(Default)]
 struct Work {
+    squares: [Coefficients; 2],
     speed_squared: Coefficients,
     speed: Coefficients,
+    /// |v| plus the absolute value of its larger component, and |v| minus that.
+    sum: Coefficients,
+    excess: Coefficients,
     /// A/g.
     a: [Coefficients; 2],
     /// Powers of t − t₀; `powers[j]` begins with order j.
@@ -41,28 +45,20 @@ impl System<f64, 5, TERMS> for Sliding {
 
     fn derivative(&self, k: usize, state: &[Coefficients; 5], work: &mut Work) -> [f64; 5] {
         let [vx, vy, t, ..] = state;
-        work.speed_squared[k] = square(vx, k) + square(vy, k);
+        work.squares[0][k] = square(vx, k);
+        work.squares[1][k] = square(vy, k);
+        work.speed_squared[k] = work.squares[0][k] + work.squares[1][k];
         work.speed[k] = sqrt(&work.speed_squared, &work.speed, k);
-        self.compose(k, t, work);
-        let speed = &work.speed;
-        let pull = |i: usize, v: &Coefficients| {
-            if self.terms > 1 {
-                return -product(&work.a[i], speed, k) - self.friction * v[k];
-            }
-            // Along a constant pull −A|v| − μg v may cancel down to (|A| − μg)|v|: so with that as one factor.
-            let (a, way) = (
-                self.a[i][0],
-                if v[0] == 0.0 {
-                    0.0
-                } else {
-                    1f64.copysign(v[0])
-                },
-            );
-            -a * (speed[k] - way * v[k]) - (way * a + self.friction) * v[k]
+        let [ax, ay] = if self.terms > 1 {
+            self.compose(k, t, work);
+            [0, 1].map(|i| product(&work.a[i], &work.speed, k) + self.friction * state[i][k])
+        } else {
+            self.constant_pull(k, state, work)
         };
+        let speed = &work.speed;
         [
-            pull(0, vx),
-            pull(1, vy),
+            -ax,
+            -ay,
             speed[k] * self.slowness,
             product(vx, speed, k) * self.slowness,
             product(vy, speed, k) * self.slowness,
@@ -71,14 +67,29 @@ impl System<f64, 5, TERMS> for Sliding {
 }
 
 impl Sliding {
+    /// Coefficient `k` of A|v| + μg v for a constant A. When v points along −A this may cancel down to
+    /// (μg − |A|) v; so, with ± the sign of the larger component w of v and a that component of A, it is computed
+    /// as a (|v| − |w|) + (μg ± a) w, and |v| − |w| as u²/(|v| + |w|), u being the smaller component.
+    fn constant_pull(&self, k: usize, state: &[Coefficients; 5], work: &mut Work) -> [f64; 2] {
+        let larger = if state[1][0].abs() > state[0][0].abs() {
+            1
+        } else {
+            0
+        };
+        let way = 1f64.copysign(state[larger][0]);
+        let w = &state[larger];
+        work.sum[k] = work.speed[k] + way * w[k];
+        work.excess[k] = quotient(&work.squares[1 - larger], &work.sum, &work.excess, k);
+        let a = [self.a[0][0], self.a[1][0]];
+        let mut pull = [0, 1].map(|i| a[i] * work.speed[k] + self.friction * state[i][k]);
+        pull[larger] = a[larger] * work.excess[k] + (self.friction + way * a[larger]) * w[k];
+        pull
+    }
+
     /// Coefficient `k` in s of A(t(s)), by the powers of t − t₀ up to `k`.
     fn compose(&self, k: usize, t: &Coefficients, work: &mut Work) {
-        if k == 0 || self.terms <= 1 {
-            (work.a[0][k], work.a[1][k]) = if k == 0 {
-                (self.a[0][0], self.a[1][0])
-            } else {
-                (0.0, 0.0)
-            };
+        if k == 0 {
+            (work.a[0][0], work.a[1][0]) = (self.a[0][0], self.a[1][0]);
             return;
         }
         work.powers[1][k] = t[k];
@@ -99,6 +110,9 @@ const NEGLIGIBLE: f64 = 1e-90;
 /// A slide may end when the time left is this fraction of the time that stopping takes from full speed.
 const LAST: f64 = 1e-18;
 
+/// Largest unit of acceleration: it is for very short motions only.
+const FASTEST: f64 = 1e100;
+
 impl Run<'_> {
     /// Slides until v = 0 (true) or until the end of the motion (false).
     pub(super) fn slide(&mut self) -> Result<bool, MotionError> {
@@ -118,7 +132,8 @@ impl Run<'_> {
             let local = self.local()?;
             let speed = libm::hypot(start[0], start[1]);
             fastest = fastest.max(speed);
-            let unit = unit(libm::hypot(local.a[0][0], local.a[1][0]).max(self.friction));
+            let size = libm::hypot(local.a[0][0], local.a[1][0]);
+            let unit = unit(size.max(self.friction).max(speed / local.left).min(FASTEST));
             sliding.prepare(&local.a, self.friction, unit);
             let mut integrator = Integrator::resume(&sliding, start, carried, Control::Each);
             let mut step = integrator.expand()?;
@@ -183,12 +198,12 @@ impl Run<'_> {
             position[i][..3].copy_from_slice(&[x[i], v[i], -0.5 * v[i] / left]);
             end[i] += 0.5 * v[i] * left;
         }
-        let piece = Piece::Arc {
+        let piece = Piece::Arc(Box::new(Arc {
             from: t,
             to,
             v: arc[0],
             x: arc[1],
-        };
+        }));
         self.push(
             piece,
             State {
@@ -213,13 +228,9 @@ impl Sliding {
     }
 }
 
-/// The power of two next below `size`; 1 for zero.
+/// The power of two next below `size`.
 fn unit(size: f64) -> f64 {
-    if size > 0.0 {
-        libm::exp2(libm::floor(libm::log2(size)))
-    } else {
-        1.0
-    }
+    libm::exp2(libm::floor(libm::log2(size)))
 }
 
 /// Sets a velocity component to zero that is negligible beside the other.

@@ -13,7 +13,7 @@
 //! otherwise what lower orders know.
 
 use super::super::acceleration::Coefficients;
-use super::super::trajectory::{Piece, State};
+use super::super::trajectory::{Arc, Piece, State};
 use super::stick::Release;
 use super::{MotionError, Run};
 use crate::numerics::events::roots;
@@ -33,6 +33,12 @@ impl Run<'_> {
         let mut across: Coefficients =
             std::array::from_fn(|k| -(local.a[1][k] * e[0] - local.a[0][k] * e[1]));
         (along[0], across[0]) = (size, 0.0);
+        // Of a fixed direction only rounding is left across it, which the recurrence below would amplify.
+        for (k, c) in across.iter_mut().enumerate() {
+            if c.abs() <= 4.0 * f64::EPSILON * libm::hypot(local.a[0][k], local.a[1][k]) {
+                *c = 0.0;
+            }
+        }
         let net = match release {
             Release::Smooth => 0.0,
             Release::Sudden => size - self.friction,
@@ -45,6 +51,14 @@ impl Run<'_> {
             .min(reach(&sine))
             .min(reach(&cosine));
         let mut landing = if h == local.left { local.landing } else { None };
+        // A direction is one only while its cosine and sine fit together.
+        let misfit = |h: f64| {
+            let (c, s) = (value(&cosine, &h), value(&sine, &h));
+            (c * c + s * s - 1.0).abs()
+        };
+        while misfit(h) > 1e-13 {
+            (h, landing) = (0.5 * h, None);
+        }
         // Should it stop again, the slide proper has to lead there.
         if let Some(stop) = roots(&speed[order..], h)?.first() {
             (h, landing) = (0.5 * stop.at, None);
@@ -69,12 +83,12 @@ impl Run<'_> {
             x: both(&path),
         };
         self.push(
-            Piece::Arc {
+            Piece::Arc(Box::new(Arc {
                 from: t,
                 to,
                 v,
                 x: path,
-            },
+            })),
             end,
         );
         Ok(())
