@@ -587,8 +587,8 @@ const CLAIMS: &[Claim] = &[
         equation: None,
         kind: Kind::Figure,
         title: "large-time motion at small friction",
-        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$; axes $0$ to $4\pi$ and $\pm0.8$.",
-        plain: "w(φ) over two periods for λ₀ = 1/π; axes 0 to 4π and ±0.8.",
+        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$, that is (38) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.8$.",
+        plain: "w(φ) over two periods for λ₀ = 1/π, that is (38) for φ from 0 to 4π; the axis of w bears the mark 0.8.",
         depends_on: &["eq-38", "eq-39"],
         trials: &[pictures::fig3_motion, pictures::fig3_frame],
         ..Claim::BLANK
@@ -599,8 +599,8 @@ const CLAIMS: &[Claim] = &[
         equation: None,
         kind: Kind::Figure,
         title: "large-time motion at large friction",
-        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$; axes $0$ to $4\pi$ and $\pm0.3$.",
-        plain: "w(φ) over two periods for λ₀ = 1/√2; axes 0 to 4π and ±0.3.",
+        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$, that is (33) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.3$.",
+        plain: "w(φ) over two periods for λ₀ = 1/√2, that is (33) for φ from 0 to 4π; the axis of w bears the mark 0.3.",
         depends_on: &["eq-33"],
         trials: &[pictures::fig4_motion, pictures::fig4_frame],
         ..Claim::BLANK

@@ -3,8 +3,9 @@
 use super::constant::{
     Ending, History, Hodograph, Hodographs, StoppingTimes, fig1, speed_and_angle, stopping_time,
 };
-use super::{Figure, FigureError};
+use super::{Figure, FigureError, sinusoidal};
 use crate::claims::constant::portrait::{self, Curve};
+use crate::claims::sinusoidal::pictures;
 use crate::motion::MotionError;
 use std::f64::consts::PI;
 
@@ -14,6 +15,9 @@ pub enum AllFiguresError {
     /// A motion that cannot be followed.
     #[error("a figure's motion: {0}")]
     Motion(#[from] MotionError),
+    /// A motion that cannot be followed, said in words.
+    #[error("a figure's data: {0}")]
+    Data(String),
     /// Data that cannot be drawn.
     #[error("a figure: {0}")]
     Figure(#[from] FigureError),
@@ -24,7 +28,9 @@ pub enum AllFiguresError {
 /// # Errors
 /// [`AllFiguresError`] if a motion cannot be followed or its data not be drawn.
 pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
-    Ok(vec![portraits()?, histories()?, stopping_times()?])
+    let mut all = vec![portraits()?, histories()?, stopping_times()?];
+    all.extend(sinusoidal_ones()?);
+    Ok(all)
 }
 
 /// fig-1.
@@ -99,4 +105,60 @@ fn stopping_times() -> Result<Figure, AllFiguresError> {
     };
     let all: Result<Vec<_>, _> = [1.2, 1.5, 2.0, 5.0].into_iter().map(times).collect();
     Ok(stopping_time(&all?)?)
+}
+
+/// The figures of section 2.2.
+fn sinusoidal_ones() -> Result<Vec<Figure>, AllFiguresError> {
+    let said = |error: crate::claims::compare::Failure| AllFiguresError::Data(error.to_string());
+    let curves = pictures::transients().map_err(said)?;
+    let panel = |lambda: f64, title: &str| {
+        let own = curves.iter().filter(|curve| curve.lambda == lambda);
+        let shown = |curve: &pictures::Transient| sinusoidal::Transient {
+            lambda,
+            w_y: curve.w_y,
+            points: curve.shown().map(|s| [s.phi, s.w_x]).collect(),
+        };
+        (title.to_owned(), own.map(shown).collect())
+    };
+    let two_periods = |lambda: f64| pictures::two_periods(lambda).map_err(said);
+    let (small, large) = (two_periods(pictures::SMALL)?, two_periods(pictures::LARGE)?);
+    let decay = |lambda: f64| -> Result<_, AllFiguresError> {
+        let points = pictures::depths(lambda).map_err(said)?;
+        Ok(sinusoidal::Decay { lambda, points })
+    };
+    let periodic = |lambda: f64| -> Result<_, AllFiguresError> {
+        let points = pictures::two_periods(lambda).map_err(said)?;
+        Ok(sinusoidal::Periodic { lambda, points })
+    };
+    let decays: Result<Vec<_>, _> = [0.1, 0.2, 0.3, 0.45].into_iter().map(decay).collect();
+    let family: Result<Vec<_>, _> = [0.1, 0.3, 0.5, 0.6, 0.8]
+        .into_iter()
+        .map(periodic)
+        .collect();
+    Ok(vec![
+        sinusoidal::fig2(&[
+            panel(pictures::SMALL, "λ_0 = 1/π"),
+            panel(pictures::LARGE, "λ_0 = 1/√2"),
+        ])?,
+        sinusoidal::two_periods(&sinusoidal::TwoPeriods {
+            id: "fig-3",
+            lambda: "1/π",
+            top: 1.0,
+            mark: 0.8,
+            points: &small,
+        })?,
+        sinusoidal::two_periods(&sinusoidal::TwoPeriods {
+            id: "fig-4",
+            lambda: "1/√2",
+            top: 0.35,
+            mark: 0.3,
+            points: &large,
+        })?,
+        sinusoidal::decay(&decays?)?,
+        sinusoidal::rest_share(
+            &pictures::rest_shares().map_err(said)?,
+            pictures::critical(),
+        )?,
+        sinusoidal::family(&family?)?,
+    ])
 }

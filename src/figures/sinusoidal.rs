@@ -43,7 +43,9 @@ pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> 
         );
     for (title, curves) in panels {
         let mut panel = Panel::new(
-            Axis::linear("φ").range(0.0, 8.0 * PI).ticks(multiples_of_pi(8)),
+            Axis::linear("φ")
+                .range(0.0, 8.0 * PI)
+                .ticks(multiples_of_pi(8)),
             Axis::linear("w"),
         )
         .title(title.clone())
@@ -83,18 +85,36 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
     for [phi, w] in shown.points {
         table.row([phi.into(), w.into()])?;
     }
-    let TwoPeriods { id, lambda, top, mark, points } = *shown;
-    let marks = [(-mark, format!("−{mark}")), (0.0, "0".into()), (mark, format!("{mark}"))];
+    let TwoPeriods {
+        id,
+        lambda,
+        top,
+        mark,
+        points,
+    } = *shown;
+    let marks = [
+        (-mark, format!("−{mark}")),
+        (0.0, "0".into()),
+        (mark, format!("{mark}")),
+    ];
     let panel = Panel::new(
-        Axis::linear("φ").range(0.0, 4.0 * PI).ticks(multiples_of_pi(4)),
+        Axis::linear("φ")
+            .range(0.0, 4.0 * PI)
+            .ticks(multiples_of_pi(4)),
         Axis::linear("w").range(-top, top).ticks(marks),
     )
     .curve(Curve::new(points.iter().copied()).series(0));
     let rests = points.windows(2).any(|p| p[0][1] == 0.0 && p[1][1] == 0.0);
     let (said, seen) = if rests {
-        ("it is at rest for a part of every half period", "stays at zero for a while after every hump")
+        (
+            "it is at rest for a part of every half period",
+            "stays at zero for a while after every hump",
+        )
     } else {
-        ("it turns at once where it vanishes", "crosses zero with a kink twice in a period")
+        (
+            "it turns at once where it vanishes",
+            "crosses zero with a kink twice in a period",
+        )
     };
     Plot::new(id, format!("Large-time motion, λ_0 = {lambda}"))
         .caption(format!(
@@ -131,9 +151,15 @@ pub fn decay(decays: &[Decay]) -> Result<Figure, FigureError> {
             table.row([decay.lambda.into(), period.into(), depth.into()])?;
         }
         let label = format!("λ_0 = {}", decay.lambda);
-        panel = panel.curve(Curve::new(decay.points.iter().copied()).series(n).label_at(label, 0.7));
+        panel = panel.curve(
+            Curve::new(decay.points.iter().copied())
+                .series(n)
+                .label_at(label, 0.7),
+        );
     }
-    let exponential = (0..=100).map(|k| 0.2 * f64::from(k)).map(|x| [x, 1.0 + 2.0 * x]);
+    let exponential = (0..=100)
+        .map(|k| 0.2 * f64::from(k))
+        .map(|x| [x, 1.0 + 2.0 * x]);
     Plot::new("sinusoidal-decay", "How the velocity across the drive dies")
         .caption(
             "The depth $-\\ln\\mathfrak w_y$ period by period, from $\\mathfrak w_y=0.3$, on a logarithmic axis, for several \
@@ -166,7 +192,11 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
         Axis::linear("'share of rest'").range(0.0, 1.05),
     )
     .curve(Curve::new(points.iter().copied()).series(0))
-    .rule(Rule::vertical(critical).stroke(super::Stroke::Dotted).label("λ_c"))
+    .rule(
+        Rule::vertical(critical)
+            .stroke(super::Stroke::Dotted)
+            .label("λ_c"),
+    )
     .height(220.0);
     Plot::new("sinusoidal-rest", "How long it rests")
         .caption(
@@ -193,7 +223,9 @@ pub struct Periodic {
 pub fn family(motions: &[Periodic]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "phi (rad)", "w"]);
     let mut panel = Panel::new(
-        Axis::linear("φ").range(0.0, 2.0 * PI).ticks(multiples_of_pi(2)),
+        Axis::linear("φ")
+            .range(0.0, 2.0 * PI)
+            .ticks(multiples_of_pi(2)),
         Axis::linear("w").range(-1.1, 1.1),
     );
     for (n, motion) in motions.iter().enumerate() {

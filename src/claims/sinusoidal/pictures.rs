@@ -4,10 +4,10 @@ use super::runs::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::PlanarState;
+use crate::motion::drive::{PlanarState, Sign};
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
-use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, TAU};
+use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
 use std::sync::LazyLock;
 
 /// λ₀ of fig-3.
@@ -38,6 +38,12 @@ pub struct Transient {
 }
 
 impl Transient {
+    /// The states that fig-2 shows.
+    pub fn shown(&self) -> impl Iterator<Item = &PlanarState> {
+        let until = TAU * f64::from(PERIODS);
+        self.states.iter().take_while(move |s| s.phi <= until)
+    }
+
     fn at(&self, phi: f64) -> String {
         let Transient { lambda, w_y, .. } = self;
         format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}")
@@ -98,7 +104,6 @@ pub fn fig2_motion() -> Evidence {
     over_curves(&trial, |curve| {
         let until = TAU * f64::from(PERIODS);
         let motion = Particle::plain(curve.lambda).run(0.0, [W_X, curve.w_y], until)?;
-        let drawn = curve.states.iter().take_while(|s| s.phi <= until);
         let pair = |state: &PlanarState| {
             Ok(Pair {
                 at: curve.at(state.phi),
@@ -107,7 +112,7 @@ pub fn fig2_motion() -> Evidence {
                 scale: 1.0 + W_X + curve.w_y,
             })
         };
-        drawn.step_by(8).map(pair).collect()
+        curve.shown().step_by(8).map(pair).collect()
     })
 }
 
@@ -188,14 +193,52 @@ pub fn fig4_motion() -> Evidence {
     )
 }
 
+/// Points (periods, −ln 𝔴_y) of a motion in the plane from 𝔴_y = 0.3 at φ = π/2, as long as 𝔴_y is not zero.
+///
+/// # Errors
+/// As [`crate::motion::drive::Drive::planar`].
+pub fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
+    let start = PlanarState {
+        phi: FRAC_PI_2,
+        w_x: 0.5,
+        ln_w_y: Scalar::ln(0.3),
+    };
+    let phases: Vec<_> = (0..=20).map(|k| FRAC_PI_2 + TAU * f64::from(k)).collect();
+    let states = drive()?.planar(lambda, start, &phases)?;
+    let depth = |(k, state): (usize, PlanarState)| [k as f64, -state.ln_w_y];
+    let points = states.into_iter().enumerate().map(depth);
+    Ok(points.filter(|[_, depth]| depth.is_finite()).collect())
+}
+
+/// The printed λ_c, to mark in a figure.
+pub fn critical() -> f64 {
+    printed::eq37_lambda_c()
+}
+
+/// Points (λ₀, share of a period at rest) of the large-time motion.
+///
+/// # Errors
+/// As [`settled`].
+pub fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
+    let share = |k: u32| {
+        let lambda = f64::from(k) / 200.0;
+        let attractor = settled(lambda, ORIGIN)?;
+        let rests = attractor
+            .intervals()
+            .iter()
+            .filter(|i| i.sign == Sign::Rest);
+        Ok([lambda, rests.map(|i| i.length()).sum::<f64>() / TAU])
+    };
+    (1..=240).map(share).collect()
+}
+
 /// Where a label of the printed frame stands, from the zero line to the upper edge: the frame reaches from 2 to 170, its
 /// middle is the zero line, and a label's baseline stands 3.5 below the middle of its figures (paper's source, in points).
 fn frame_top(label: f64, baseline: f64) -> f64 {
     label * (170.0 - 86.0) / (baseline + 3.5 - 86.0)
 }
 
-/// The printed frame holds the motion, and the motion fills it: 1 where the largest |𝔴| of the eighth of the period
-/// is within the frame.
+/// The printed frame, with its mark a mark on the axis and not the axis' end, holds the motion.
 fn framed(lambda: f64, top: f64, compared: &'static str) -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let points: Vec<Result<[f64; 2], Failure>> = match two_periods(lambda) {
