@@ -21,7 +21,7 @@ pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<Plan
     Ok(drive()?.planar(lambda, start, &phases)?)
 }
 
-/// A motion in the plane that began with a velocity across the drive, over twelve periods.
+/// A motion in the plane that began with a velocity across the drive, over ten periods.
 #[derive(Clone)]
 pub struct Flight {
     /// Friction λ₀.
@@ -35,7 +35,7 @@ pub struct Flight {
 /// States of a flight in a period.
 const A_PERIOD: u32 = 8;
 /// Periods of a flight.
-const PERIODS: u32 = 12;
+const PERIODS: u32 = 10;
 
 impl Flight {
     fn from(lambda: f64, [w_x, w_y]: [f64; 2]) -> Result<Self, Failure> {
@@ -80,7 +80,7 @@ impl Flight {
     }
 }
 
-/// The flights of which `wanted` holds: 30 below λ_c, 15 between λ_c and 1, 15 above 1.
+/// The flights of which `wanted` holds: 22 below λ_c, 11 between λ_c and 1, 11 above 1.
 pub fn flights_where(wanted: fn(&Flight) -> bool) -> impl Iterator<Item = Result<Flight, Failure>> {
     static FLIGHTS: LazyLock<Vec<Result<Flight, String>>> = LazyLock::new(|| {
         let mut points = Points::stream(160);
@@ -93,7 +93,7 @@ pub fn flights_where(wanted: fn(&Flight) -> bool) -> impl Iterator<Item = Result
             let start = [points.uniform(0.2, 1.0), points.log_uniform(0.05, 1.0)];
             Flight::from(lambda, start).map_err(|error| error.to_string())
         };
-        (0..60).map(flight).collect()
+        (0..44).map(flight).collect()
     });
     let all = FLIGHTS
         .iter()
@@ -105,9 +105,9 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
     format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}")
 }
 
-/// v_y → 0: what is left after twelve periods.
+/// v_y → 0: what is left after ten periods.
 pub fn vanishes_limit() -> Evidence {
-    let compared = "0 with 𝔴_y after twelve periods, from ln 𝔴_y";
+    let compared = "0 with 𝔴_y after ten periods, from ln 𝔴_y";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, VANISHES);
     trial.over(flights_where(|_| true), |flight| {
         let flight = flight?;
@@ -122,13 +122,13 @@ pub fn vanishes_limit() -> Evidence {
 
 /// The same by the other integrator, with little friction too.
 pub fn vanishes_motion() -> Evidence {
-    let compared = "0 with v_y of a particle on the plane after six periods";
+    let compared = "0 with v_y of a particle on the plane after five periods";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, VANISHES);
     let mut points = Points::stream(161);
-    trial.over(0..24, |_| {
-        let lambda = points.uniform(0.2, 1.4);
+    trial.over(0..20, |_| {
+        let lambda = points.uniform(0.25, 1.4);
         let v = [points.uniform(-1.0, 1.0), points.uniform(0.05, 1.0)];
-        let end = Particle::plain(lambda).run(0.0, v, 6.0 * TAU)?.end();
+        let end = Particle::plain(lambda).run(0.0, v, 5.0 * TAU)?.end();
         Ok::<_, Failure>(Pair {
             at: at([lambda, v[0], v[1]]),
             stated: 0.0,
@@ -141,7 +141,7 @@ pub fn vanishes_motion() -> Evidence {
 /// On the way v_y never grows.
 pub fn vanishes_census() -> Evidence {
     let compared =
-        "0 with the steps of an eighth of a period on which ln 𝔴_y grows, over twelve periods";
+        "0 with the steps of an eighth of a period on which ln 𝔴_y grows, over ten periods";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(flights_where(|_| true), |flight| {
         let flight = flight?;
@@ -202,7 +202,7 @@ pub fn second_stage() -> Evidence {
 
 /// The large-time v_x, from several v_y, is that of a motion on the line.
 pub fn ignores_motion() -> Evidence {
-    let compared = "𝔴 of the large-time motion on the line with 𝔴 of a motion in the plane at the worst of eight phases of its twelfth period";
+    let compared = "𝔴 of the large-time motion on the line with 𝔴 of a motion in the plane at the worst of eight phases of its tenth period";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FORGOTTEN);
     trial.over(flights_where(|_| true), |flight| {
         let flight = flight?;
@@ -222,7 +222,7 @@ pub fn ignores_census() -> Evidence {
     let compared = "1 with 1 where the first period's 𝔴 differs by more than 0.01 between 𝔴_y = 0.1, 1 and 5 at the start";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(166);
-    trial.over(0..24, |_| {
+    trial.over(0..20, |_| {
         let (lambda, w_x) = (points.uniform(0.15, 1.4), points.uniform(-1.0, 1.0));
         let phases: Vec<_> = (1..=16).map(|k| TAU * f64::from(k) / 16.0).collect();
         let mut curves = Vec::new();

@@ -15,7 +15,7 @@ use std::f64::consts::{PI, TAU};
 /// Frictions below λ_c, where the passages are not too steep to be followed.
 fn below(stream: u64, high: f64) -> impl Iterator<Item = f64> {
     let mut points = Points::stream(stream);
-    (0..24).map(move |_| points.uniform(0.05, high))
+    (0..20).map(move |_| points.uniform(0.05, high))
 }
 
 fn at(lambda: f64) -> String {
@@ -159,7 +159,7 @@ pub fn passage_quadrature() -> Evidence {
 
 /// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
 pub fn finite_end() -> Evidence {
-    let compared = "1 with 1 where 𝔴_y is exactly 0 after 12 periods, and 𝔴 is then that of the motion on the line";
+    let compared = "1 with 1 where 𝔴_y is exactly 0 after ten periods, and 𝔴 is then that of the motion on the line";
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NONE);
     trial.over(
         flights_where(|flight| flight.lambda > lambda_c()),
@@ -183,7 +183,7 @@ pub fn last_stage() -> Evidence {
     let compared = "λ₀ v_y/(λ₀² − h²) with the time that a particle with v_x = 0 and a small v_y takes to stop where |h| < λ₀";
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, LAST_STAGE);
     let mut points = Points::stream(175);
-    trial.over(0..30, |_| {
+    trial.over(0..20, |_| {
         let lambda = points.uniform(lambda_c(), 1.4);
         let phi = points.uniform(0.0, 0.9) * Scalar::asin(lambda.min(1.0));
         let h = Scalar::sin(phi);

@@ -276,7 +276,7 @@ pub fn rest_ends_census() -> Evidence {
     let compared = "0 with the rests that end elsewhere, of a particle that began with v_y ≠ 0 and rests at least once";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(122);
-    trial.over(0..24, |_| {
+    trial.over(0..20, |_| {
         let lambda = points.uniform(lambda_c() + 0.02, 0.97);
         let v = [points.uniform(-0.5, 0.5), points.uniform(0.1, 0.5)];
         let until = 3.0 * TAU;

@@ -24,7 +24,7 @@ pub const PERIODS: u32 = 4;
 /// Periods after which the curves of fig-2 are compared with the large-time motion.
 const FOLLOWED: u32 = 16;
 /// Points of a curve in a period.
-const POINTS: u32 = 60;
+const POINTS: u32 = 48;
 
 /// A motion in the plane, point by point.
 #[derive(Debug, Clone)]

@@ -53,10 +53,10 @@ pub fn eq32_root() -> Evidence {
 pub fn eq32_motion() -> Evidence {
     let compared = "(32) at the end of a slip of a particle from rest, with 0";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
-    // Every fifth of the random frictions, and all that lie at the ends and at λ_c.
+    // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
     let frictions = all().into_iter().enumerate();
     let some = frictions
-        .filter(|(i, _)| i % 5 == 0 || *i >= 200)
+        .filter(|(i, _)| i % 8 == 0 || *i >= 200)
         .map(|(_, lambda)| lambda);
     trial.over(some, |lambda| {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], 2.0 * PI)?;

@@ -109,15 +109,15 @@ pub fn trichotomy_census() -> Evidence {
     )
 }
 
-/// The three kinds by the other integrator: stops and rests of a particle over its fourth period.
+/// The three kinds by the other integrator: stops and rests of a particle over its third period.
 pub fn trichotomy_motion() -> Evidence {
-    let compared = "the same numbers with those of a particle on the plane, over its fourth period";
+    let compared = "the same numbers with those of a particle on the plane, over its third period";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     let mut points = Points::stream(151);
-    trial.over(0..36, |_| {
+    trial.over(0..24, |_| {
         let lambda = points.uniform(0.1, 1.5);
         let start = points.uniform(0.0, TAU);
-        let (from, to) = (start + 3.0 * TAU, start + 4.0 * TAU);
+        let (from, to) = (start + 2.0 * TAU, start + 3.0 * TAU);
         let motion = Particle::plain(lambda).run(start, [0.0; 2], to)?;
         let within = |t: f64| t > from && t <= to;
         let stops = motion.stops().iter().filter(|t| within(**t)).count();
@@ -153,15 +153,15 @@ pub fn trichotomy_outside() -> Evidence {
 
 /// A₀ < μg: a particle with any velocity comes to rest and stays there.
 pub fn weak_drive_motion() -> Evidence {
-    let compared = "0 with the largest speed of a particle, launched in any direction, over the last period of six";
+    let compared = "0 with the largest speed of a particle, launched in any direction, over the last period of four";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(153);
-    trial.over(0..30, |_| {
+    trial.over(0..20, |_| {
         let lambda = points.uniform(1.05, 4.0);
         let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
         let from = points.uniform(0.0, TAU);
-        let motion = Particle::plain(lambda).run(from, v, from + 6.0 * TAU)?;
-        let last = |k: i32| motion.at(from + TAU * (5.0 + f64::from(k) / 32.0));
+        let motion = Particle::plain(lambda).run(from, v, from + 4.0 * TAU)?;
+        let last = |k: i32| motion.at(from + TAU * (3.0 + f64::from(k) / 32.0));
         let mut largest = 0.0_f64;
         for k in 0..=32 {
             largest = largest.max(last(k)?.speed());
