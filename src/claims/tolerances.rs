@@ -44,6 +44,12 @@ pub const FORGOTTEN: Tolerance = Tolerance {
     reason: "what is left of the start falls by the contraction factor in every period",
 };
 
+/// A velocity that dies faster than any exponential.
+pub const GONE: Tolerance = Tolerance {
+    value: 1e-12,
+    reason: "it falls as the exponential of an exponential, or is zero after a finite time",
+};
+
 /// A time to leading order in a small velocity.
 pub const LAST_STAGE: Tolerance = Tolerance {
     value: 1e-4,

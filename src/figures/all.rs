@@ -127,7 +127,8 @@ fn sinusoidal_ones() -> Result<Vec<Figure>, AllFiguresError> {
         Ok(sinusoidal::Decay { lambda, points })
     };
     let periodic = |lambda: f64| -> Result<_, AllFiguresError> {
-        let points = pictures::two_periods(lambda).map_err(said)?;
+        let mut points = pictures::two_periods(lambda).map_err(said)?;
+        points.truncate(points.len() / 2 + 1);
         Ok(sinusoidal::Periodic { lambda, points })
     };
     let decays: Result<Vec<_>, _> = [0.1, 0.2, 0.3, 0.45].into_iter().map(decay).collect();

@@ -119,7 +119,7 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
     Plot::new(id, format!("Large-time motion, λ_0 = {lambda}"))
         .caption(format!(
             "The large-time motion over two periods for $\\lambda_0={}$: {said}.",
-            lambda.replace('√', "\\sqrt ")
+            lambda.replace("1/√2", "2^{-1/2}")
         ))
         .alt(format!(
             "Velocity against phase from 0 to 4π: a positive and a negative hump in each period; the curve {seen}."
@@ -237,12 +237,12 @@ pub fn family(motions: &[Periodic]) -> Result<Figure, FigureError> {
     }
     Plot::new("sinusoidal-family", "Large-time motions")
         .caption(
-            "The large-time motion over one period for several $\\lambda_0$. With growing friction the humps shrink and come \
+            "The large-time motion over one period for several $\\lambda_0$. With growing friction the humps shrink and peak \
              earlier; beyond $\\lambda_\\mathrm c$ rests appear between them.",
         )
         .alt(
             "Curves of velocity against phase. For small friction nearly a cosine upside down; for larger friction lower \
-             humps that begin earlier, then flat stretches at zero between them.",
+             humps that peak earlier, then flat stretches at zero between them.",
         )
         .panel(panel)
         .figure(table)

@@ -3,7 +3,7 @@
 use super::runs::{ORIGIN, Particle, drive, lambda_c, settled, worst};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
-use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, NONE, VANISHES};
+use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::PlanarState;
 use crate::scalar::Scalar;
@@ -108,7 +108,7 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
 /// v_y → 0: what is left after ten periods.
 pub fn vanishes_limit() -> Evidence {
     let compared = "0 with 𝔴_y after ten periods, from ln 𝔴_y";
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, VANISHES);
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
     trial.over(flights_where(|_| true), |flight| {
         let flight = flight?;
         Ok::<_, Failure>(Pair {
@@ -123,7 +123,7 @@ pub fn vanishes_limit() -> Evidence {
 /// The same by the other integrator, with little friction too.
 pub fn vanishes_motion() -> Evidence {
     let compared = "0 with v_y of a particle on the plane after five periods";
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, VANISHES);
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, GONE);
     let mut points = Points::stream(161);
     trial.over(0..20, |_| {
         let lambda = points.uniform(0.25, 1.4);

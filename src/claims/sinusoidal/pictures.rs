@@ -220,8 +220,14 @@ pub fn critical() -> f64 {
 /// # Errors
 /// As [`settled`].
 pub fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
-    let share = |k: u32| {
-        let lambda = f64::from(k) / 200.0;
+    // Closer to 1, where the curve is steep.
+    let close = (8..20).map(|k| 1.0 - libm::exp2(-f64::from(k)));
+    let mut lambdas: Vec<_> = (1..=240)
+        .map(|k| f64::from(k) / 200.0)
+        .chain(close)
+        .collect();
+    lambdas.sort_by(f64::total_cmp);
+    let share = |lambda: f64| {
         let attractor = settled(lambda, ORIGIN)?;
         let rests = attractor
             .intervals()
@@ -229,7 +235,7 @@ pub fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
             .filter(|i| i.sign == Sign::Rest);
         Ok([lambda, rests.map(|i| i.length()).sum::<f64>() / TAU])
     };
-    (1..=240).map(share).collect()
+    lambdas.into_iter().map(share).collect()
 }
 
 /// Where a label of the printed frame stands, from the zero line to the upper edge: the frame reaches from 2 to 170, its
