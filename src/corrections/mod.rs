@@ -3,3 +3,4 @@
 //! Same stems as in [`crate::paper`]; every entry is tried in [`crate::claims`] like a printed formula.
 
 pub mod constant;
+pub mod periodic;

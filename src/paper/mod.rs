@@ -6,4 +6,8 @@
 //! under the same stem in [`crate::corrections`].
 
 pub mod constant;
+<<<<<<< HEAD
 pub mod general;
+=======
+pub mod periodic;
+>>>>>>> periodic
