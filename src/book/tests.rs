@@ -98,6 +98,10 @@ fn figures() -> Vec<Figure> {
         figure("constant-stopping-time"),
         figure("fig-1"),
         figure("fig-3"),
+        figure("periodic-census"),
+        figure("periodic-come-and-go"),
+        figure("periodic-pulses"),
+        figure("periodic-rest-shares"),
     ]
 }
 

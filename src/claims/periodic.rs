@@ -1,5 +1,12 @@
 //! Any periodic acceleration: the claims.
 
+pub mod drawn;
+pub mod drives;
+pub mod exact;
+mod pulses;
+mod rest;
+pub mod threshold;
+
 use super::{Claim, Condition, Topic};
 use crate::evidence::Kind;
 
@@ -24,6 +31,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26"],
+        trials: &[pulses::eq42],
         ..Claim::BLANK
     },
     Claim {
@@ -35,6 +43,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"h(\pi+\phi)=-h(\phi)",
         plain: "h(π + φ) = −h(φ)",
         depends_on: &["eq-42"],
+        trials: &[pulses::eq43],
         ..Claim::BLANK
     },
     Claim {
@@ -56,6 +65,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26", "eq-42"],
+        trials: &[exact::eq44, pulses::eq44_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -77,6 +87,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-43", "eq-44"],
+        trials: &[exact::eq45, pulses::eq45_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -88,6 +99,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_\mathrm{c}=\eta",
         plain: "λ_c = η",
         depends_on: &["eq-44"],
+        trials: &[
+            exact::eq46,
+            pulses::eq46_root,
+            pulses::eq46_census,
+            pulses::below_motion,
+            drawn::shares_motion,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -103,6 +121,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26"],
+        trials: &[rest::within_time, rest::stopping_time, rest::sharp],
         ..Claim::BLANK
     },
     Claim {
@@ -122,8 +141,28 @@ const CLAIMS: &[Claim] = &[
                 text: r"the largest value of $\lvert h\rvert$ is $1$",
                 stated: true,
             },
+            Condition {
+                text: r"the mean of $h$ is $0$: below $\lambda_0=\lvert m\rvert$ a mean $m$ drives the particle away for ever",
+                stated: false,
+            },
+            Condition {
+                text: r"$\lvert h\rvert<1$ for some time in each period: else no $\lambda_0<1$ lets it rest",
+                stated: false,
+            },
+            Condition {
+                text: r"$h\neq0$ wherever the antiderivative of $h$ is at its median: else it may rest at every $\lambda_0$",
+                stated: false,
+            },
         ],
         depends_on: &["eq-26"],
+        trials: &[
+            threshold::both_ends,
+            threshold::two_zeros_root,
+            threshold::again_and_again,
+            threshold::with_mean,
+            threshold::two_valued,
+            threshold::level,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -135,6 +174,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For the pulses of (42), (43): $\eta=1$ has no large-friction phase, $\eta=0$ has no small-friction phase.",
         plain: "For the pulses of (42), (43): η = 1 has no large-friction phase, η = 0 has no small-friction phase.",
         depends_on: &["eq-43", "eq-46"],
+        trials: &[pulses::extremes_census, pulses::extremes_limit],
         ..Claim::BLANK
     },
 ];

@@ -62,6 +62,12 @@ pub const LATE_ANGLE: Tolerance = Tolerance {
     reason: "the slowest case, without friction, has 2e-8 left at a hundred million times v₀/A",
 };
 
+/// The width of a narrow range of friction, over its expected width.
+pub const LIMIT_OF_WIDTH: Tolerance = Tolerance {
+    value: 1e-6,
+    reason: "the jumps of h are known to 4e-16, and the least width, 1e-3, divides that twice",
+};
+
 /// A factor of very large logarithms.
 pub const LOGARITHM: Tolerance = Tolerance {
     value: 1e-7,
@@ -120,6 +126,19 @@ pub const SLOPE: Tolerance = Tolerance {
 pub const TERMINAL: Tolerance = Tolerance {
     value: 1e-12,
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
+};
+
+<<<<<<< HEAD
+/// A velocity that vanishes as a power of the time.
+pub const VANISHES: Tolerance = Tolerance {
+    value: 1e-6,
+    reason: "under twice the friction, the slowest case, v⊥ falls as the inverse of the time, which is 1e8 at the end",
+=======
+/// A friction at which the list of intervals changes, by bisection.
+pub const THRESHOLD: Tolerance = Tolerance {
+    value: 1e-11,
+    reason: "halved to the last bit; there the motion itself is known to about 1e-15 over the friction",
+>>>>>>> periodic
 };
 
 /// A threshold found by bisection on the motion.

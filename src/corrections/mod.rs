@@ -4,3 +4,4 @@
 
 pub mod constant;
 pub mod sinusoidal;
+pub mod periodic;

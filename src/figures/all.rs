@@ -6,7 +6,12 @@ use super::constant::{
 use super::{Figure, FigureError, sinusoidal};
 use crate::claims::constant::portrait::{self, Curve};
 use crate::claims::sinusoidal::pictures;
+use super::periodic as periodic_figures;
+use super::{Figure, FigureError};
+use crate::claims::constant::portrait::{self, Curve};
+use crate::claims::periodic::{drawn, drives::Phase};
 use crate::motion::MotionError;
+use crate::motion::drive::DriveError;
 use std::f64::consts::PI;
 
 /// Why a figure has no data or cannot be drawn.
@@ -18,6 +23,9 @@ pub enum AllFiguresError {
     /// A motion that cannot be followed, said in words.
     #[error("a figure's data: {0}")]
     Data(String),
+    /// A driven motion that cannot be followed.
+    #[error("a figure's driven motion: {0}")]
+    Drive(#[from] DriveError),
     /// Data that cannot be drawn.
     #[error("a figure: {0}")]
     Figure(#[from] FigureError),
@@ -31,6 +39,15 @@ pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
     let mut all = vec![portraits()?, histories()?, stopping_times()?];
     all.extend(sinusoidal_ones()?);
     Ok(all)
+    Ok(vec![
+        portraits()?,
+        histories()?,
+        stopping_times()?,
+        drive_census()?,
+        pulse_waves()?,
+        rest_shares()?,
+        come_and_go()?,
+    ])
 }
 
 /// fig-1.
@@ -162,4 +179,52 @@ fn sinusoidal_ones() -> Result<Vec<Figure>, AllFiguresError> {
         )?,
         sinusoidal::family(&family?)?,
     ])
+/// Rests per period of the named drives.
+fn drive_census() -> Result<Figure, AllFiguresError> {
+    let rows: Vec<_> = drawn::census(400)?
+        .into_iter()
+        .map(|row| periodic_figures::CensusRow {
+            name: row.name.into(),
+            mean_size: row.mean_size,
+            fates: row.phases.into_iter().map(fate).collect(),
+        })
+        .collect();
+    Ok(periodic_figures::census(&rows)?)
+}
+
+fn fate(phase: Phase) -> periodic_figures::Fate {
+    match phase {
+        Phase::Drifts => periodic_figures::Fate::Drifts,
+        Phase::Rests(rests) => periodic_figures::Fate::Rests(rests),
+        // At rest for ever is one rest.
+        Phase::Still => periodic_figures::Fate::Rests(1),
+    }
+}
+
+fn waves(list: Vec<drawn::Wave>) -> Vec<periodic_figures::Wave> {
+    let wave = |wave: drawn::Wave| periodic_figures::Wave {
+        lambda: wave.lambda,
+        rests: wave.rests,
+        points: wave.points,
+    };
+    list.into_iter().map(wave).collect()
+}
+
+/// The pulses' motion below and above λ_c.
+fn pulse_waves() -> Result<Figure, AllFiguresError> {
+    let list = waves(drawn::pulse_waves()?);
+    Ok(periodic_figures::pulse_waves(drawn::ETA, &list)?)
+}
+
+/// How long the pulses let rest.
+fn rest_shares() -> Result<Figure, AllFiguresError> {
+    let side = 100;
+    Ok(periodic_figures::rest_shares(side, &drawn::shares(side)?)?)
+}
+
+/// Rests that come and go with growing friction.
+fn come_and_go() -> Result<Figure, AllFiguresError> {
+    Ok(periodic_figures::come_and_go(
+        &waves(drawn::come_and_go()?),
+    )?)
 }

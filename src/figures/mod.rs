@@ -46,6 +46,7 @@ mod labels;
 mod marks;
 mod panel;
 mod path;
+pub mod periodic;
 mod plot;
 mod raster;
 pub mod sinusoidal;

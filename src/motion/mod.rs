@@ -17,11 +17,15 @@
 //! No solution in closed form is used here, not even as a first guess.
 
 pub mod acceleration;
+pub mod clock;
 pub mod drive;
 pub mod error;
+pub mod onset;
 pub mod particle;
 pub mod signal;
+pub mod sphere;
 pub mod trajectory;
+pub mod turntable;
 
 pub use acceleration::{Acceleration, Coefficients, Plane};
 pub use error::MotionError;

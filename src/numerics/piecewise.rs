@@ -42,6 +42,8 @@ pub enum PiecewiseError {
 
 /// Shortest part, as a share of the period, that is still halved.
 const SHORTEST: f64 = 1e-12;
+/// Most parts that a function may need; one that needs more oscillates too fast, or is noise.
+const MOST_PARTS: usize = 1 << 14;
 /// Breaks closer than this (radians) count as one.
 const SAME_BREAK: f64 = 1e-13;
 /// Points per part at which the size of the function is first estimated.
@@ -180,7 +182,7 @@ fn refine(
     while let Some((a, b)) = pending.pop() {
         let fit = interpolate(function, a, b, size)?;
         if !fit.resolved {
-            if b - a < SHORTEST * TAU {
+            if b - a < SHORTEST * TAU || fits.len() + pending.len() > MOST_PARTS {
                 return Err(PiecewiseError::Unresolved { at: a });
             }
             let middle = 0.5 * (a + b);

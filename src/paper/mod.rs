@@ -6,5 +6,9 @@
 //! under the same stem in [`crate::corrections`].
 
 pub mod constant;
+<<<<<<< HEAD
 pub mod general;
 pub mod sinusoidal;
+=======
+pub mod periodic;
+>>>>>>> periodic

@@ -99,6 +99,7 @@ impl Drive {
         let mut accelerated_at: Option<f64> = None;
         let mut change = f64::INFINITY;
         let mut leap = 1.0;
+        let mut last = f64::INFINITY;
         for followed in 1..=max_periods {
             walker.set(w);
             walker.period(section, &mut marks);
@@ -156,7 +157,11 @@ impl Drive {
             }
             let newton = w + change / (1.0 - rate);
             accelerated_at.get_or_insert(w);
-            w = if newton > low && newton < high {
+            // Newton's method may go to and fro for ever between the two sides of a kink of the return map: where
+            // the change has not halved since last time, halve the bracket.
+            let stalls = change.abs() > 0.5 * last;
+            last = change.abs();
+            w = if newton > low && newton < high && !stalls {
                 newton
             } else if low.is_finite() && high.is_finite() {
                 0.5 * (low + high)

@@ -298,6 +298,23 @@ fn the_approach_has_the_stated_rate_and_length() {
 }
 
 #[test]
+fn a_kink_of_the_return_map_does_not_catch_the_acceleration() {
+    let sum = |x: f64| Scalar::sin(x) + Scalar::sin(2.0 * x + 1.57);
+    let drive = Drive::new(|x| 0.5 * sum(x), &[]).unwrap();
+    for k in 0..40 {
+        let lambda = 0.03 + 1e-4 * k as f64;
+        for w in [0.5, 0.0, -0.1, -0.5] {
+            let found = settle(&drive, lambda, lambda, State { phi: 0.0, w });
+            assert!(
+                found.periods().followed < 40,
+                "{lambda} {w} {:?}",
+                found.periods()
+            );
+        }
+    }
+}
+
+#[test]
 fn a_mean_above_friction_drifts() {
     let drive = Drive::new(|x| 0.5 + Scalar::sin(x), &[]).unwrap();
     for w in [0.0, -7.0, 1e6] {

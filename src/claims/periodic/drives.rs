@@ -1,0 +1,239 @@
+//! The drives on which section 2.3 is tried, each with max |h| = 1, and the kinds of motion under them.
+
+use crate::claims::points::Points;
+use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Sign, State};
+use crate::paper::periodic as printed;
+use std::f64::consts::{PI, TAU};
+
+/// From here a motion starts whose kind is asked for.
+const REST: State = State { phi: 0.0, w: 0.0 };
+/// From here a motion starts that is compared in full: far from any periodic one.
+const OFF: State = State { phi: 2.5, w: 3.0 };
+/// Periods that a motion is given to settle.
+const PERIODS: u32 = 400;
+
+/// What becomes of the motion, as a count.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Phase {
+    /// w grows for ever.
+    Drifts,
+    /// It moves, with this many intervals of rest per period.
+    Rests(usize),
+    /// It is at rest for ever.
+    Still,
+}
+
+impl Phase {
+    /// Whether it moves for ever, and rests in between.
+    pub fn rests(self) -> bool {
+        matches!(self, Phase::Rests(1..))
+    }
+
+    /// Whether it is periodic and never at rest.
+    pub fn never_rests(self) -> bool {
+        self == Phase::Rests(0)
+    }
+}
+
+fn settled(drive: &Drive, lambda: f64, from: State) -> Result<Option<Attractor<'_>>, DriveError> {
+    let friction = Friction::new(lambda, lambda)?;
+    Ok(drive.attractor(friction, from, PERIODS)?.settled())
+}
+
+/// The periodic motion under isotropic friction, from a start far from it; `None` if it drifts.
+pub fn motion(drive: &Drive, lambda: f64) -> Result<Option<Attractor<'_>>, DriveError> {
+    settled(drive, lambda, OFF)
+}
+
+/// What becomes of the motion from rest under isotropic friction, from the simulation alone.
+pub fn phase(drive: &Drive, lambda: f64) -> Result<Phase, DriveError> {
+    Ok(settled(drive, lambda, REST)?.map_or(Phase::Drifts, |motion| phase_of(&motion)))
+}
+
+/// The kind of a periodic motion.
+pub fn phase_of(motion: &Attractor<'_>) -> Phase {
+    let list = motion.intervals();
+    match list.iter().filter(|i| i.sign == Sign::Rest).count() {
+        1 if list.len() == 1 => Phase::Still,
+        rests => Phase::Rests(rests),
+    }
+}
+
+/// The share of the period in which a periodic motion is at rest.
+pub fn rest_share(motion: &Attractor<'_>) -> f64 {
+    let rests = motion.intervals().iter().filter(|i| i.sign == Sign::Rest);
+    rests.map(|i| i.length()).sum::<f64>() / TAU
+}
+
+/// The place between `low` and `high` where `holds` changes, by halving to the last bits.
+pub fn boundary<E>(
+    mut low: f64,
+    mut high: f64,
+    holds: impl Fn(f64) -> Result<bool, E>,
+) -> Result<f64, E> {
+    let at_low = holds(low)?;
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
+        if holds(middle)? == at_low {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(0.5 * (low + high))
+}
+
+/// The pulses as printed in (42) and (43).
+pub fn pulses(eta: f64) -> Result<Drive, DriveError> {
+    let h = move |phi: f64| {
+        if phi < PI {
+            printed::eq42_h(eta, phi)
+        } else {
+            printed::eq43_h(printed::eq42_h(eta, phi - PI))
+        }
+    };
+    Drive::new(h, &[eta * PI, PI, PI + eta * PI])
+}
+
+/// A sum of harmonics, a constant included: m + Σ aₖ sin(kφ + pₖ), then divided by its largest size.
+#[derive(Debug, Clone)]
+pub struct Harmonics {
+    mean: f64,
+    terms: Vec<(f64, f64, f64)>,
+    size: f64,
+}
+
+impl Harmonics {
+    /// From m and the terms (k, aₖ, pₖ).
+    pub fn new(mean: f64, terms: &[(u32, f64, f64)]) -> Result<Self, DriveError> {
+        let terms = terms.iter().map(|&(k, a, p)| (f64::from(k), a, p));
+        let mut sum = Harmonics {
+            mean,
+            terms: terms.collect(),
+            size: 1.0,
+        };
+        sum.size = Drive::new(|phi| sum.h(phi), &[])?.shape().size();
+        Ok(sum)
+    }
+
+    /// Three harmonics without a mean, at random.
+    pub fn random(points: &mut Points) -> Result<Self, DriveError> {
+        let terms = [1, 2, 3].map(|k| {
+            let amplitude = points.uniform(-1.0, 1.0);
+            (k, amplitude, points.uniform(0.0, TAU))
+        });
+        Self::new(0.0, &terms)
+    }
+
+    /// h(φ).
+    pub fn h(&self, phi: f64) -> f64 {
+        let wave = |&(k, a, p): &(f64, f64, f64)| a * libm::sin(k * phi + p);
+        (self.mean + self.terms.iter().map(wave).sum::<f64>()) / self.size
+    }
+
+    /// The drive.
+    pub fn drive(&self) -> Result<Drive, DriveError> {
+        Drive::new(|phi| self.h(phi), &[])
+    }
+}
+
+/// A drive with a name.
+#[derive(Debug, Clone)]
+pub struct Named {
+    /// The name, in a few words.
+    pub name: &'static str,
+    /// The drive.
+    pub drive: Drive,
+    /// Whether the claim's added conditions hold: no mean, not two-valued, not level at the median.
+    pub generic: bool,
+}
+
+/// Linear from knot to knot (φ, h), the last joined to the first one period on.
+fn polygon(knots: &[(f64, f64)]) -> Result<Drive, DriveError> {
+    let h = |phi: f64| {
+        let after = knots.partition_point(|(x, _)| *x <= phi);
+        let (left, right) = match (after, knots.len()) {
+            (0, n) => ((knots[n - 1].0 - TAU, knots[n - 1].1), knots[0]),
+            (i, n) if i == n => (knots[n - 1], (knots[0].0 + TAU, knots[0].1)),
+            (i, _) => (knots[i - 1], knots[i]),
+        };
+        left.1 + (right.1 - left.1) * ((phi - left.0) / (right.0 - left.0))
+    };
+    let breaks: Vec<f64> = knots.iter().map(|(phi, _)| *phi).collect();
+    Drive::new(h, &breaks)
+}
+
+/// Steps: (until, h) from φ = 0 on.
+pub fn steps(steps: &[(f64, f64)]) -> Result<Drive, DriveError> {
+    let h = |phi: f64| {
+        let after = steps.partition_point(|(end, _)| *end <= phi);
+        steps[after.min(steps.len() - 1)].1
+    };
+    let breaks: Vec<f64> = steps.iter().map(|(end, _)| *end).collect();
+    Drive::new(h, &breaks)
+}
+
+/// sin φ + a sin 3φ, the drive whose rests come, go and come again for a near 1.5.
+pub fn third_harmonic(a: f64) -> Result<Drive, DriveError> {
+    Harmonics::new(0.0, &[(1, 1.0, 0.0), (3, a, 0.0)])?.drive()
+}
+
+/// sin φ + sin(2φ + p): the antiderivative is level at its median, whatever p.
+pub fn level_at_median(p: f64) -> Result<Drive, DriveError> {
+    Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, 1.0, p)])?.drive()
+}
+
+/// sin φ + b, of mean b/(1 + b) after scaling.
+pub fn biased(b: f64) -> Result<Drive, DriveError> {
+    Harmonics::new(b, &[(1, 1.0, 0.0)])?.drive()
+}
+
+/// The drives of the census, in the order in which it lists them.
+pub fn named() -> Result<Vec<Named>, DriveError> {
+    let one = |name, drive, generic| Named {
+        name,
+        drive,
+        generic,
+    };
+    let (half, third) = (PI / 2.0, PI / 3.0);
+    Ok(vec![
+        one(
+            "sine",
+            Harmonics::new(0.0, &[(1, 1.0, 0.0)])?.drive()?,
+            true,
+        ),
+        one(
+            "two harmonics",
+            Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, 0.5, 1.0)])?.drive()?,
+            true,
+        ),
+        one("third harmonic", third_harmonic(1.5)?, true),
+        one(
+            "triangle",
+            polygon(&[(half, 1.0), (PI + half, -1.0)])?,
+            true,
+        ),
+        one(
+            "plateaus",
+            polygon(&[
+                (third, 1.0),
+                (2.0 * third, 1.0),
+                (4.0 * third, -1.0),
+                (5.0 * third, -1.0),
+            ])?,
+            true,
+        ),
+        one("pulses, η = 0.6", pulses(0.6)?, true),
+        one(
+            "one-sided push",
+            steps(&[(half, 1.0), (TAU, -1.0 / 3.0)])?,
+            true,
+        ),
+        one("square wave", pulses(1.0)?, false),
+        one("level median", level_at_median(half)?, false),
+        one("sine and mean", biased(0.1)?, false),
+    ])
+}

@@ -1,0 +1,222 @@
+//! The pulse train, exactly: (44) to (46), and the motion that the paper leaves out.
+//!
+//! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
+//! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
+
+use crate::claims::compare::proved;
+use crate::corrections::periodic as supplied;
+use crate::evidence::{Evidence, Subject};
+use crate::exact::{Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::periodic as printed;
+use crate::scalar::Scalar;
+
+fn symbols() -> [Expr; 3] {
+    ["λ₀", "η", "φ"].map(Expr::symbol)
+}
+
+fn ring() -> Ring {
+    let mut ring = Ring::new();
+    for name in ["λ₀", "η", "φ", "h", "w"] {
+        ring.symbol(name);
+    }
+    ring
+}
+
+/// A motion in cases: each solves the equation, they join, and it begins and ends at 0.
+struct Chain {
+    title: &'static str,
+    /// w(φ), case by case.
+    cases: Vec<Expr>,
+    /// Where the motion begins, where each case ends.
+    ends: Vec<Expr>,
+    /// h in each case.
+    drive: &'static [i64],
+}
+
+impl Chain {
+    fn prove(&self) -> Proof {
+        let ring = ring();
+        Proof::of(self.title, &ring, |p| self.steps(p))
+    }
+
+    fn steps(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
+        let by = p.ring().by("φ")?;
+        let friction = p.ring().named("λ₀")?;
+        for (w, h) in self.cases.iter().zip(self.drive) {
+            let w = p.read("While w > 0 the velocity is", *w)?;
+            let slope = p.derivative("Its rate", &w, &by)?;
+            let force = Rational::int(*h) - friction.clone();
+            p.equal("Against h − λ₀", &slope, &force)?;
+        }
+        for (i, end) in self.ends.iter().enumerate() {
+            let before = i.checked_sub(1).map(|i| self.cases[i]);
+            let after = self.cases.get(i).copied();
+            let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
+            let before = p.read("Where two cases meet, the first", at(before))?;
+            let after = p.read("and the second", at(after))?;
+            p.equal("The two", &before, &after)?;
+        }
+        Ok(())
+    }
+}
+
+/// (44): the formula for the chain, with the printed cases put in.
+pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
+    let [lambda, eta, _] = symbols();
+    let [peak, stop] = printed::eq44_ends(lambda, eta);
+    let moving = Chain {
+        title: "(44): large friction, from the start of a pulse to rest",
+        cases: cases[..2].to_vec(),
+        ends: vec![Expr::int(0), peak, stop],
+        drive: &[1, 0],
+    };
+    let ring = ring();
+    Proof::of("(44): motion and rest", &ring, |p| {
+        p.rests_on(&moving.prove())?;
+        p.note(
+            "In the gap h = 0",
+            "|h| ≤ λ₀: what is at rest stays at rest",
+        );
+        let rest = p.read("The printed rest", cases[2])?;
+        p.zero("It", &rest)
+    })
+}
+
+/// (45): with w(φ) a solution while h is h(φ), the printed w(π + φ) is one while h is that of (43).
+pub fn eq45_mirror(mirrored: Expr) -> Proof {
+    let ring = ring();
+    Proof::of("(45): the second half period", &ring, |p| {
+        let [h, friction] = ["h", "λ₀"].map(Expr::symbol);
+        let force = p.ring().read(h - friction)?;
+        let motion = p.ring().along(&[("w", force)])?;
+        let w = p.read("The printed velocity there", mirrored)?;
+        let rate = p.derivative("Its rate, with w' = h − λ₀", &w, &motion)?;
+        let other = p.read(
+            "The force there, for negative velocity and h of (43)",
+            printed::eq43_h(h) + friction,
+        )?;
+        p.equal("The two", &rate, &other)?;
+        let zero = p.read("At w = 0", mirrored.with("w", Expr::int(0)))?;
+        p.zero("It", &zero)
+    })
+}
+
+/// (46): the stop of (44) and the start of the small-friction motion both meet the beginning of a pulse there.
+pub fn eq46_meeting(critical: Expr) -> Proof {
+    let ring = ring();
+    Proof::of("(46): where the stop meets the next pulse", &ring, |p| {
+        p.rests_on(&small_friction())?;
+        let [lambda, eta, _] = symbols();
+        let [_, stop] = printed::eq44_ends(lambda, eta);
+        let stop = p.read("At λ_c the stop of (44) is at", stop.with("λ₀", critical))?;
+        let pulse = p.ring().read(Expr::pi())?;
+        p.equal("The next pulse begins at π", &stop, &pulse)?;
+        let start = supplied::small_friction_start(lambda, eta);
+        let start = p.read(
+            "At λ_c the motion of small friction starts at",
+            start.with("λ₀", critical),
+        )?;
+        p.zero("The pulse begins at 0", &start)
+    })
+}
+
+/// The small-friction motion, from its start through the gap to the zero under the next pulse.
+pub fn small_friction() -> Proof {
+    let [lambda, eta, phi] = symbols();
+    small_friction_chain(supplied::small_friction_cases(lambda, eta, phi))
+}
+
+fn small_friction_chain(cases: [Expr; 3]) -> Proof {
+    let [lambda, eta, _] = symbols();
+    let start = supplied::small_friction_start(lambda, eta);
+    let [peak, pulse] = supplied::small_friction_ends(eta);
+    Chain {
+        title: "Small friction: from zero to zero in half a period",
+        cases: cases.to_vec(),
+        ends: vec![start, peak, pulse, start + Expr::pi()],
+        drive: &[1, 0, -1],
+    }
+    .prove()
+}
+
+const COMPARED: &str = "the printed formula with w' = h − λ₀ case by case, and the cases with each other where they meet";
+
+/// Evidence on (44).
+pub fn eq44() -> Evidence {
+    let [lambda, eta, phi] = symbols();
+    let proof = eq44_chain(printed::eq44_cases(lambda, eta, phi));
+    proved(&proof, Subject::Printed, COMPARED)
+}
+
+/// Evidence on (45).
+pub fn eq45() -> Evidence {
+    let proof = eq45_mirror(printed::eq45_w(Expr::symbol("w")));
+    let compared = "the rate of the mirrored motion with the mirrored force, of opposite friction";
+    proved(&proof, Subject::Printed, compared)
+}
+
+/// Evidence on (46).
+pub fn eq46() -> Evidence {
+    let proof = eq46_meeting(printed::eq46_lambda_c(Expr::symbol("η")));
+    let compared =
+        "the stop of (44), and the start of the motion without rest, with the beginning of a pulse";
+    proved(&proof, Subject::Printed, compared)
+}
+
+/// The proof of a claim, for readers; `None` for an id without one.
+pub fn proof(id: &str) -> Option<Proof> {
+    let [lambda, eta, phi] = symbols();
+    match id {
+        "eq-44" => Some(eq44_chain(printed::eq44_cases(lambda, eta, phi))),
+        "eq-45" => Some(eq45_mirror(printed::eq45_w(Expr::symbol("w")))),
+        "eq-46" => Some(eq46_meeting(printed::eq46_lambda_c(eta))),
+        "small-friction" => Some(small_friction()),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::{ExactError, mutations};
+
+    /// Whether the mutant is another formula, decided in the ring; one that cannot be read is another.
+    fn differs(ours: Expr, theirs: Expr) -> bool {
+        let read = || -> Result<bool, ExactError> {
+            let ring = ring();
+            ring.is_zero(&(ring.read(ours)? - ring.read(theirs)?))
+        };
+        !read().unwrap_or(false)
+    }
+
+    fn every_mutant_fails(formula: Expr, prove: impl Fn(Expr) -> Proof) -> usize {
+        assert!(prove(formula).holds(), "{}", prove(formula));
+        let all = mutations(formula);
+        for mutation in &all {
+            let fails = !prove(mutation.formula).holds();
+            let what = format!("{} in {formula}", mutation.change);
+            assert_eq!(fails, differs(formula, mutation.formula), "{what}");
+        }
+        all.len()
+    }
+
+    #[test]
+    fn every_mutant_of_every_formula_fails() {
+        let [lambda, eta, phi] = symbols();
+        let mut tried = 0;
+        for i in 0..3 {
+            let with = |cases: [Expr; 3], mutant| {
+                let mut cases = cases;
+                cases[i] = mutant;
+                cases
+            };
+            let cases = printed::eq44_cases(lambda, eta, phi);
+            tried += every_mutant_fails(cases[i], |m| eq44_chain(with(cases, m)));
+            let cases = supplied::small_friction_cases(lambda, eta, phi);
+            tried += every_mutant_fails(cases[i], |m| small_friction_chain(with(cases, m)));
+        }
+        tried += every_mutant_fails(printed::eq45_w(Expr::symbol("w")), eq45_mirror);
+        tried += every_mutant_fails(printed::eq46_lambda_c(eta), eq46_meeting);
+        assert!(tried > 60, "{tried}");
+    }
+}

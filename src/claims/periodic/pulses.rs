@@ -1,0 +1,305 @@
+//! Trials of (42) to (46): the train of pulses.
+
+use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
+use crate::corrections::periodic as supplied;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Attractor, DriveError, Friction, State};
+use crate::paper::periodic as printed;
+use crate::scalar::Scalar;
+use std::f64::consts::PI;
+
+/// Phases per half period at which a whole motion is compared; the joints are added.
+const PHASES: u32 = 48;
+
+/// Shares of the gap in which pulses with large friction, or of the pulse in which those with small, are tried.
+const NEAR_ENDS: [f64; 4] = [1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6];
+
+/// (η, λ₀) with η < λ₀ < 1 over the whole triangle, and along its edges.
+fn above() -> Vec<(f64, f64)> {
+    let mut points = Points::stream(200);
+    square(&mut points, |eta, share| eta + (1.0 - eta) * share)
+}
+
+/// (η, λ₀) with 0 < λ₀ < η, and along the edges; λ₀ from a hundredth of η, below which rounding, divided by
+/// the small loss per period, shows.
+fn below() -> Vec<(f64, f64)> {
+    let mut points = Points::stream(201);
+    square(&mut points, |eta, share| eta * (0.01 + 0.99 * share))
+        .into_iter()
+        .filter(|(eta, _)| *eta > 0.05)
+        .collect()
+}
+
+fn square(points: &mut Points, lambda: impl Fn(f64, f64) -> f64) -> Vec<(f64, f64)> {
+    let mut list: Vec<_> = (0..1100)
+        .map(|_| {
+            let eta = points.uniform(0.0, 1.0);
+            (eta, lambda(eta, points.uniform(0.0, 1.0)))
+        })
+        .collect();
+    for edge in NEAR_ENDS {
+        for _ in 0..10 {
+            let eta = points.uniform(0.0, 1.0);
+            list.push((eta, lambda(eta, edge)));
+            list.push((edge, lambda(edge, points.uniform(0.0, 1.0))));
+        }
+    }
+    list
+}
+
+fn at((eta, lambda): (f64, f64)) -> String {
+    format!("η = {eta:.6}, λ₀ = {lambda:.6}")
+}
+
+/// Phases of half a period from `start` on, with the ends of the cases.
+fn phases(start: f64, ends: [f64; 2]) -> impl Iterator<Item = f64> {
+    let grid = (0..=PHASES).map(move |k| start + PI * f64::from(k) / f64::from(PHASES));
+    let inside = move |phi: &f64| (start..=start + PI).contains(phi);
+    grid.chain(ends.into_iter().filter(inside))
+}
+
+/// The pair at the phase where the two differ most.
+fn worst(pairs: impl Iterator<Item = Pair>) -> Result<Pair, Failure> {
+    let worse = |a: Pair, b: Pair| {
+        if a.disagreement() >= b.disagreement() {
+            a
+        } else {
+            b
+        }
+    };
+    pairs
+        .reduce(worse)
+        .ok_or_else(|| "no phase to compare at".into())
+}
+
+/// (44) at φ in [0, π].
+fn eq44((eta, lambda): (f64, f64), phi: f64) -> f64 {
+    let case = printed::eq44_case(lambda, eta, phi);
+    printed::eq44_cases(lambda, eta, phi)[case]
+}
+
+/// The periodic motion under the pulses; an error if it drifts, which no motion without a mean force does.
+fn with_motion<T>(
+    (eta, lambda): (f64, f64),
+    then: impl FnOnce(&Attractor<'_>) -> Result<T, Failure>,
+) -> Result<T, Failure> {
+    let drive = pulses(eta)?;
+    match motion(&drive, lambda)? {
+        Some(motion) => then(&motion),
+        None => Err("the motion drifts".into()),
+    }
+}
+
+/// (42): a smooth particle gains what the printed pulse gives until φ.
+pub fn eq42() -> Evidence {
+    let trial = consistency(
+        "min(φ, η π), the area of the pulse, with w of a smooth particle that starts at rest under (42)",
+    );
+    gains(&trial, |eta, phi| (phi, phi.min(eta * PI)))
+}
+
+/// (43): the second half takes back what the first has given.
+pub fn eq43() -> Evidence {
+    let trial =
+        consistency("η π − min(φ, η π) with w of a smooth particle at π + φ under (42) and (43)");
+    gains(&trial, |eta, phi| (PI + phi, eta * PI - phi.min(eta * PI)))
+}
+
+const fn consistency(compared: &'static str) -> Trial {
+    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
+}
+
+/// Gains of a smooth particle from rest at φ = 0: `expected` says until when, and how much.
+fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
+    let mut points = Points::stream(202);
+    trial.over(0..200, |i| {
+        let eta = match i {
+            198 => 0.0,
+            199 => 1.0,
+            _ => points.uniform(0.0, 1.0),
+        };
+        let (until, stated) = expected(eta, points.uniform(0.0, PI));
+        let rest = State { phi: 0.0, w: 0.0 };
+        let path = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, rest, until)?;
+        Ok::<_, Failure>(Pair {
+            at: format!("η = {eta:.6}, φ = {until:.6}"),
+            stated,
+            found: path.end.w,
+            scale: PI,
+        })
+    })
+}
+
+/// (44) with the simulated motion, over half a period.
+pub fn eq44_motion() -> Evidence {
+    let compared =
+        "(44) with w of the motion, at the phase of the first half period where they differ most";
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(above(), |point| {
+        with_motion(point, |motion| {
+            let ends = printed::eq44_ends(point.1, point.0);
+            worst(phases(0.0, ends).map(|phi| Pair {
+                at: format!("{}, φ = {phi:.6}", at(point)),
+                stated: eq44(point, phi),
+                found: motion.w(phi),
+                // No term of (44) is larger.
+                scale: point.0 * PI,
+            }))
+        })
+    })
+}
+
+/// (45), with (44) in it, with the simulated motion over the other half.
+pub fn eq45_motion() -> Evidence {
+    let compared = "(45) of (44) with w of the motion, at the phase of the second half period where they differ most";
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(above(), |point| {
+        with_motion(point, |motion| {
+            let ends = printed::eq44_ends(point.1, point.0);
+            worst(phases(0.0, ends).map(|phi| Pair {
+                at: format!("{}, φ = {phi:.6}", at(point)),
+                stated: printed::eq45_w(eq44(point, phi)),
+                found: motion.w(PI + phi),
+                // π + φ is known to the spacing of numbers near 2π.
+                scale: PI,
+            }))
+        })
+    })
+}
+
+/// Widths of pulses at which λ_c is bracketed.
+fn widths() -> Vec<f64> {
+    let mut points = Points::stream(203);
+    let edges = [1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6];
+    (0..44)
+        .map(|_| points.uniform(0.0, 1.0))
+        .chain(edges)
+        .collect()
+}
+
+/// Where rests appear in the simulation, by bisection in λ₀ between 0 and 1.
+fn bracketed(eta: f64) -> Result<f64, DriveError> {
+    let drive = pulses(eta)?;
+    boundary(0.0, 1.0, |lambda| {
+        Ok(phase(&drive, lambda)? != Phase::Rests(0))
+    })
+}
+
+/// (46) with the place where rests appear.
+pub fn eq46_root() -> Evidence {
+    let compared = "(46) with λ₀ at which rests appear in the motion, by bisection";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, THRESHOLD);
+    trial.over(widths(), |eta| {
+        Ok::<_, Failure>(Pair {
+            at: format!("η = {eta:.6}"),
+            stated: printed::eq46_lambda_c(eta),
+            found: bracketed(eta)?,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (46) over the whole square: two rests per period above λ_c, none below.
+pub fn eq46_census() -> Evidence {
+    let compared =
+        "2 for λ₀ above (46) and 0 below with the number of rests per period in the motion";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let points = above().into_iter().zip(below()).flat_map(|(a, b)| [a, b]);
+    trial.over(points, |(eta, lambda)| {
+        let found = match phase(&pulses(eta)?, lambda)? {
+            Phase::Rests(rests) => rests as f64,
+            Phase::Still | Phase::Drifts => return Err(Failure::from("no periodic slip")),
+        };
+        Ok::<_, Failure>(Pair {
+            at: at((eta, lambda)),
+            stated: if lambda > printed::eq46_lambda_c(eta) {
+                2.0
+            } else {
+                0.0
+            },
+            found,
+            scale: 1.0,
+        })
+    })
+}
+
+/// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
+pub fn below_motion() -> Evidence {
+    let compared = "the motion without rest for λ₀ below (46), from our own derivation, with w of the motion, where they differ most";
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(below(), |(eta, lambda)| {
+        with_motion((eta, lambda), |motion| {
+            let start = supplied::small_friction_start(lambda, eta);
+            let ends = supplied::small_friction_ends(eta);
+            worst(phases(start, ends).flat_map(|phi| {
+                let case = supplied::small_friction_case(eta, phi);
+                let w = supplied::small_friction_cases(lambda, eta, phi)[case];
+                [(phi, w), (PI + phi, -w)].map(|(phi, w)| Pair {
+                    at: format!("{}, φ = {phi:.6}", at((eta, lambda))),
+                    stated: w,
+                    found: motion.w(phi),
+                    scale: PI,
+                })
+            }))
+        })
+    })
+}
+
+/// η = 1 and η = 0 themselves.
+pub fn extremes_census() -> Evidence {
+    let compared = "η = 1: 0 with the number of rests per period; η = 0: 1, for a particle at rest for ever, with what the motion does";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(204);
+    let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
+    let frictions = (0..200).map(|_| points.uniform(0.0, 1.0)).chain(edges);
+    trial.over(
+        frictions.flat_map(|lambda| [(1.0, lambda), (0.0, lambda)]),
+        |(eta, lambda)| {
+            let drive = pulses(eta)?;
+            // Off rest at first: without pulses a particle at rest would prove nothing.
+            let start = State { phi: 0.0, w: 0.5 };
+            let friction = Friction::new(lambda, lambda)?;
+            let motion = drive.attractor(friction, start, 100)?.settled();
+            let found = match motion.map(|m| phase_of(&m)) {
+                Some(Phase::Rests(rests)) => rests as f64,
+                Some(Phase::Still) => 1.0,
+                Some(Phase::Drifts) | None => return Err(Failure::from("the motion drifts")),
+            };
+            let moves = eta > 0.0;
+            Ok::<_, Failure>(Pair {
+                at: at((eta, lambda)),
+                stated: if moves { 0.0 } else { 1.0 },
+                found,
+                scale: 1.0,
+            })
+        },
+    )
+}
+
+/// η → 1 and η → 0: the phase that is to vanish is as narrow as 1 − η, or as η.
+pub fn extremes_limit() -> Evidence {
+    let compared = "1 with the width of the vanishing phase over δ, for η = 1 − δ (large friction) and η = δ (small friction)";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, LIMIT_OF_WIDTH);
+    let distances = (1..13).map(|k| Scalar::pow(10.0, -0.25 * f64::from(k)));
+    trial.over(
+        distances.flat_map(|delta| [(delta, true), (delta, false)]),
+        |(delta, nearly_one)| {
+            let eta = if nearly_one { 1.0 - delta } else { delta };
+            let threshold = bracketed(eta)?;
+            let width = if nearly_one {
+                1.0 - threshold
+            } else {
+                threshold
+            };
+            Ok::<_, Failure>(Pair {
+                at: format!("η = {eta:.6}"),
+                stated: 1.0,
+                found: width / delta,
+                scale: 1.0,
+            })
+        },
+    )
+}

@@ -1,0 +1,107 @@
+//! Trials of what is said of very large friction: λ₀ > max |h| = 1.
+//!
+//! While w > 0, w' = h − λ₀ ≤ 1 − λ₀, and likewise for w < 0: |w| is used up within |w₀|/(λ₀ − 1).
+
+use super::drives::{Harmonics, Phase, named, phase};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{NONE, ROOT};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Friction, Sign, State};
+use crate::numerics::quadrature::integral_within;
+use crate::numerics::roots::root;
+use std::f64::consts::TAU;
+
+/// λ₀ > 1, near 1 and far from it.
+fn friction(points: &mut Points) -> f64 {
+    1.0 + points.log_uniform(1e-3, 1e2)
+}
+
+fn at(name: &str, lambda: f64, start: State) -> String {
+    let State { phi, w } = start;
+    format!("{name}: λ₀ = {lambda:.6}, φ₀ = {phi:.6}, w₀ = {w:.6}")
+}
+
+/// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
+pub fn within_time() -> Evidence {
+    let compared = "0 with |w| of the motion a millionth later than |w₀|/(λ₀ − 1) after any start, and with how long it moves after that";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(210);
+    let drives = named();
+    trial.over(0..1000, |i| {
+        let drives = drives.as_ref().map_err(Clone::clone)?;
+        let one = &drives[i % drives.len()];
+        let lambda = friction(&mut points);
+        let w = points.sign() * points.log_uniform(1e-6, 90.0);
+        let phi = points.uniform(0.0, TAU);
+        let start = State { phi, w };
+        let both = Friction::new(lambda, lambda)?;
+        let until = phi + w.abs() / (lambda - 1.0) * (1.0 + 1e-6);
+        let end = one.drive.advance(both, start, until)?.end;
+        let later = one.drive.advance(both, end, until + 2.0 * TAU)?;
+        let moving = later.intervals.iter().filter(|i| i.sign != Sign::Rest);
+        Ok::<_, Failure>(Pair {
+            at: at(one.name, lambda, start),
+            stated: 0.0,
+            found: end.w.abs() + moving.map(|i| i.length()).sum::<f64>(),
+            scale: 1.0,
+        })
+    })
+}
+
+/// When it comes to rest: the motion's first rest with the root of the equation's integral.
+pub fn stopping_time() -> Evidence {
+    let compared =
+        "the root of |w₀| + ∫(±h − λ₀) dφ with the phase at which the motion comes to rest";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    let mut points = Points::stream(211);
+    trial.over(0..60, |_| {
+        let shape = Harmonics::random(&mut points)?;
+        let lambda = 1.0 + points.log_uniform(0.05, 10.0);
+        let (phi, w) = (
+            points.uniform(0.0, TAU),
+            points.sign() * points.log_uniform(1e-2, 3.0),
+        );
+        let start = State { phi, w };
+        let longest = w.abs() / (lambda - 1.0);
+        let path =
+            shape
+                .drive()?
+                .advance(Friction::new(lambda, lambda)?, start, phi + longest + 1.0)?;
+        let stop = path.intervals.iter().find(|i| i.sign == Sign::Rest);
+        let force = |x: f64| w.signum() * shape.h(x) - lambda;
+        let size = |x: f64| match integral_within(force, phi, x, 1e-14) {
+            Ok(gain) => w.abs() + gain.value,
+            Err(_) => f64::NAN,
+        };
+        Ok::<_, Failure>(Pair {
+            at: at("three harmonics", lambda, start),
+            stated: root(size, phi, phi + longest)?,
+            found: stop.map_or(f64::NAN, |i| i.start),
+            scale: 1.0,
+        })
+    })
+}
+
+/// 1 is the exact bound: from 1 on all is still, below it something moves.
+pub fn sharp() -> Evidence {
+    let compared = "1 for λ₀ ≥ 1 and 0 below with whether the motion is at rest for ever";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let drives = named();
+    let excess = [1e-3, -1e-3, 0.0, 1e-9, -1e-6, 1e-6, -0.1, 0.1, 9.0, -1e-5];
+    trial.over(
+        (0..10).flat_map(|k| excess.map(|e| (k, e))),
+        |(k, excess)| {
+            let drives = drives.as_ref().map_err(Clone::clone)?;
+            let one = &drives[k % drives.len()];
+            let still = phase(&one.drive, 1.0 + excess)? == Phase::Still;
+            let number = |truth: bool| f64::from(u8::from(truth));
+            Ok::<_, Failure>(Pair {
+                at: format!("{}: λ₀ − 1 = {excess:e}", one.name),
+                stated: number(excess >= 0.0),
+                found: number(still),
+                scale: 1.0,
+            })
+        },
+    )
+}

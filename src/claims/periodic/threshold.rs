@@ -1,0 +1,223 @@
+//! Trials of what is said of a threshold λ_c for any h: that there is one, and that there may be more.
+
+use super::drives::{
+    Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps, third_harmonic,
+};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{NONE, THRESHOLD};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Drive, DriveError};
+use crate::numerics::quadrature::integral_within;
+use crate::numerics::roots::root;
+use std::f64::consts::{PI, TAU};
+
+/// Samples of a drive over its period.
+const SAMPLES: usize = 4096;
+/// Half the distance of two samples, times the steepest slope of three harmonics of size 1, and some more.
+const MARGIN: f64 = 3e-3;
+
+/// Friction below which a drive without a mean never lets rest, and above which it must.
+#[derive(Debug, Clone, Copy)]
+pub struct Bounds {
+    /// No rest for 0 < λ₀ < low: |h| > λ₀ wherever |H − c| ≤ πλ₀.
+    pub low: f64,
+    /// Rest for high < λ₀ < 1: the mean of |h|.
+    pub high: f64,
+}
+
+/// The bounds of [`crate::corrections::periodic`], from samples; each is moved to the safe side by more
+/// than h or H/π changes between two samples.
+pub fn bounds(drive: &Drive) -> Bounds {
+    let places = (0..SAMPLES).map(|k| TAU * (k as f64 + 0.5) / SAMPLES as f64);
+    let samples: Vec<[f64; 2]> = places
+        .map(|phi| [drive.h(phi).abs(), drive.shape().antiderivative(phi)])
+        .collect();
+    let mean = samples.iter().map(|[size, _]| size).sum::<f64>() / SAMPLES as f64;
+    let mut levels: Vec<f64> = samples.iter().map(|[_, level]| *level).collect();
+    levels.sort_by(f64::total_cmp);
+    let median = 0.5 * (levels[SAMPLES / 2 - 1] + levels[SAMPLES / 2]);
+    // The criterion fails at λ₀ if some sample has |h| ≤ λ₀ and |H − c| ≤ πλ₀.
+    let fails_from = |[size, level]: &[f64; 2]| size.max((level - median).abs() / PI);
+    let low = samples.iter().map(fails_from).fold(f64::INFINITY, f64::min);
+    Bounds {
+        low: (low - MARGIN).max(0.0),
+        high: mean + MARGIN,
+    }
+}
+
+/// The mean of |h| over a period, from samples.
+pub fn mean_size(drive: &Drive) -> f64 {
+    bounds(drive).high - MARGIN
+}
+
+fn number(truth: bool) -> f64 {
+    f64::from(u8::from(truth))
+}
+
+/// A drive at a friction: whether rests are expected, and whether they are there.
+fn rests(name: &str, drive: &Drive, lambda: f64, expected: bool) -> Result<Pair, Failure> {
+    let found = phase(drive, lambda)?;
+    Ok(Pair {
+        at: format!("{name}: λ₀ = {lambda:.6}"),
+        stated: number(expected),
+        // Neither rests nor none: at rest for ever, or never periodic.
+        found: match found {
+            Phase::Rests(rests) => number(rests > 0),
+            Phase::Still => 2.0,
+            Phase::Drifts => -1.0,
+        },
+        scale: 1.0,
+    })
+}
+
+/// The named drives that the conditions admit, and random ones.
+fn admitted() -> Result<Vec<Named>, DriveError> {
+    let mut points = Points::stream(220);
+    let mut list: Vec<Named> = named()?.into_iter().filter(|d| d.generic).collect();
+    for _ in 0..100 {
+        list.push(Named {
+            name: "three harmonics at random",
+            drive: Harmonics::random(&mut points)?.drive()?,
+            generic: true,
+        });
+    }
+    Ok(list)
+}
+
+/// Every admitted drive: no rest below the one bound, motion with rest above the other.
+pub fn both_ends() -> Evidence {
+    let compared = "0 where |h| > λ₀ wherever |H − c| ≤ π λ₀, 1 where ⟨|h|⟩ < λ₀ < 1, with whether the motion has rests";
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let drives = match admitted() {
+        Ok(drives) => drives,
+        Err(error) => return trial.over([error], Err),
+    };
+    let cases = drives.iter().flat_map(|one| {
+        let Bounds { low, high } = bounds(&one.drive);
+        let below = [0.5, 0.99, 0.1].map(|share| (one, low * share, false));
+        let above = [0.5, 0.01, 0.999].map(|share| (one, high + (1.0 - high) * share, true));
+        let pairs = below.into_iter().zip(above);
+        pairs.flat_map(|(a, b)| [a, b]).collect::<Vec<_>>()
+    });
+    // A random drive may come so near to a level median that the lower bound is lost in the sampling.
+    let cases = cases.filter(|(_, lambda, _)| *lambda > 0.0);
+    trial.over(cases, |(one, lambda, expected)| {
+        rests(one.name, &one.drive, lambda, expected)
+    })
+}
+
+/// λ_c of a drive whose motion without rest has two zeros: they are half a period apart, at a and a + π with
+/// ∫ h = πλ₀ between them, and the rest appears where the weaker of h(a) and −h(a + π) has sunk to λ₀.
+fn two_zero_threshold(shape: &Harmonics) -> Result<f64, Failure> {
+    let mean = |a: f64| -> Result<f64, Failure> {
+        Ok(integral_within(|x| shape.h(x), a, a + PI, 1e-13)?.value / PI)
+    };
+    let excess =
+        |a: f64| -> Result<f64, Failure> { Ok(mean(a)? - shape.h(a).min(-shape.h(a + PI))) };
+    // From λ₀ = 0, where the half-period mean vanishes with h(a) > 0 > h(a + π), back to where they meet.
+    let step = TAU / 64.0;
+    let mut start = None;
+    for k in 0..64 {
+        let a = step * f64::from(k);
+        if mean(a)? > 0.0 && mean(a + step)? <= 0.0 {
+            start = Some(a + step);
+        }
+    }
+    let mut a = start.ok_or("no zero of the half-period mean")?;
+    for _ in 0..64 {
+        if excess(a - step)? > 0.0 {
+            let at = root(|a| excess(a).unwrap_or(f64::NAN), a - step, a)?;
+            return mean(at);
+        }
+        a -= step;
+    }
+    Err("the two levels do not meet".into())
+}
+
+/// λ_c from that condition, with the place where rests appear in the simulation.
+pub fn two_zeros_root() -> Evidence {
+    let compared = "λ₀ at which ∫ h = π λ₀ between zeros half a period apart and h is λ₀ at one, with λ₀ at which rests appear in the motion, by bisection";
+    let trial = Trial::by(Route::Root, Subject::Within, compared, THRESHOLD);
+    let mut points = Points::stream(221);
+    trial.over(0..24, |_| {
+        let (a, p) = (points.uniform(0.0, 0.3), points.uniform(0.0, TAU));
+        let (b, r) = (points.uniform(0.0, 0.08), points.uniform(0.0, TAU));
+        let shape = Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, a, p), (3, b, r)])?;
+        let drive = shape.drive()?;
+        let Bounds { low, high } = bounds(&drive);
+        Ok::<_, Failure>(Pair {
+            at: format!("sin φ + {a:.6} sin(2φ + {p:.6}) + {b:.6} sin(3φ + {r:.6}), scaled"),
+            stated: two_zero_threshold(&shape)?,
+            found: boundary(low, high, |lambda| {
+                Ok::<_, DriveError>(phase(&drive, lambda)?.rests())
+            })?,
+            scale: 1.0,
+        })
+    })
+}
+
+/// More than one change: rests come, go, and come again as the friction grows.
+pub fn again_and_again() -> Evidence {
+    let compared =
+        "3 with how often rests appear or disappear for sin φ + a sin 3φ as λ₀ grows from 0 to 1";
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    trial.over(0..24, |k| {
+        let a = 1.4 + 0.15 * (f64::from(k) + 0.5) / 24.0;
+        let drive = third_harmonic(a)?;
+        let seen: Result<Vec<bool>, _> = (1..200)
+            .map(|k| Ok::<_, DriveError>(phase(&drive, 0.005 * f64::from(k))?.rests()))
+            .collect();
+        let changes = seen?.windows(2).filter(|w| w[0] != w[1]).count();
+        Ok::<_, Failure>(Pair {
+            at: format!("a = {a:.6}"),
+            stated: 3.0,
+            found: changes as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// With a mean m: below |m| there is no periodic motion, without rest or with it.
+pub fn with_mean() -> Evidence {
+    let compared = "0, for a periodic motion without rest, with −1, for one that drifts, at λ₀ below the mean of h";
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let mut points = Points::stream(222);
+    trial.over(0..100, |_| {
+        let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
+        let lambda = drive.mean().abs() * points.uniform(0.001, 0.999);
+        rests("sine with a mean", &drive, lambda, false)
+    })
+}
+
+/// |h| = 1 throughout: no rest at any λ₀ < 1.
+pub fn two_valued() -> Evidence {
+    let compared =
+        "1 with whether the motion has rests, for steps between 1 and −1 and λ₀ just below 1";
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let mut points = Points::stream(223);
+    trial.over(0..100, |_| {
+        // Up for x, down for y, up for π − x, down for the rest: half of the time each.
+        let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
+        let drive = steps(&[(x, 1.0), (x + y, -1.0), (PI + y, 1.0), (TAU, -1.0)])?;
+        let lambda = 1.0 - points.log_uniform(1e-6, 1e-1);
+        rests("steps between 1 and −1", &drive, lambda, true)
+    })
+}
+
+/// H level at its median: rests however small the friction.
+///
+/// The antiderivative of sin φ + sin(2φ + p) has the same value at π/2, at 3π/2 and, for 0 < p < π/2, at its
+/// minimum π − p between them. With little friction w rises through 0 at π/2 − πλ₀/2; at π − p it would then be
+/// λ₀ (p − (π/2) sin p) < 0, all before scaling.
+pub fn level() -> Evidence {
+    let compared = "0 with whether the motion has rests, for sin φ + sin(2φ + p), scaled, 0 < p < π/2, and small λ₀";
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let mut points = Points::stream(224);
+    trial.over(0..100, |_| {
+        let p = points.uniform(0.1, 1.5);
+        let lambda = points.log_uniform(1e-5, 1e-2);
+        let name = format!("p = {p:.6}");
+        rests(&name, &level_at_median(p)?, lambda, false)
+    })
+}

@@ -1,0 +1,100 @@
+//! Motions integrated in a time of their own.
+//!
+//! Friction turns a body that slides slowly infinitely fast: in the time t its law of motion is singular where the
+//! sliding speed is zero. In a time s that runs ever faster, dt = (sliding speed) ds, it is not. The time t then is
+//! one more component of the state, by convention the first.
+
+use super::error::MotionError;
+use crate::numerics::roots::root;
+use crate::numerics::series::change;
+use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
+
+/// A stretch of motion of `D` components, the first of which is the time t.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Clocked<const D: usize> {
+    steps: Vec<Step<f64, D, TERMS>>,
+    end: [f64; D],
+}
+
+impl<const D: usize> Clocked<D> {
+    /// Integrates `system` from `start` until its clock shows `until`, or until the first node at which
+    /// `finished` holds.
+    ///
+    /// # Errors
+    /// [`MotionError::Steps`] after `limit` steps, [`MotionError::Numerics`] when the state leaves the finite
+    /// numbers.
+    pub fn run<S: System<f64, D, TERMS>>(
+        system: &S,
+        start: [f64; D],
+        until: f64,
+        limit: usize,
+        mut finished: impl FnMut(&[f64; D]) -> bool,
+    ) -> Result<Self, MotionError> {
+        let mut integrator = Integrator::new(system, 0.0, start, Control::Each);
+        let mut steps = Vec::new();
+        loop {
+            let state = *integrator.state();
+            let left = until - state[0];
+            if left <= 0.0 || finished(&state) {
+                return Ok(Self { steps, end: state });
+            }
+            if steps.len() >= limit {
+                return Err(MotionError::Steps { limit, t: state[0] });
+            }
+            let mut step = integrator.expand()?;
+            if step.h == f64::INFINITY {
+                // All series end: the clock is a polynomial whose first term alone brings it there.
+                step.h = 2.0 * left / step.series[0][1];
+            }
+            if change(&step.series[0], &step.h) >= left {
+                step.h = elapsed(&step, left)?;
+                let mut end = step.at(&step.h);
+                end[0] = until;
+                steps.push(step);
+                return Ok(Self { steps, end });
+            }
+            integrator.advance(&step);
+            steps.push(step);
+        }
+    }
+
+    /// State at the end.
+    pub fn end(&self) -> &[f64; D] {
+        &self.end
+    }
+
+    /// The states at the ends of the steps, in order.
+    pub fn nodes(&self) -> impl Iterator<Item = [f64; D]> + '_ {
+        let begins = self.steps.iter().map(|step| step.at(&0.0));
+        begins.chain(std::iter::once(self.end))
+    }
+
+    /// State when the clock shows `t`: that at the nearer end for a time outside.
+    ///
+    /// # Errors
+    /// [`MotionError::Numerics`] for a time that is not a number.
+    pub fn at(&self, t: f64) -> Result<[f64; D], MotionError> {
+        if t >= self.end[0] {
+            return Ok(self.end);
+        }
+        let index = self.steps.partition_point(|step| step.series[0][0] <= t);
+        let Some(step) = self.steps.get(index.saturating_sub(1)) else {
+            return Ok(self.end);
+        };
+        let mut state = step.at(&elapsed(step, t - step.series[0][0])?);
+        state[0] = state[0].max(t);
+        Ok(state)
+    }
+}
+
+/// The s in a step by which its clock has gone on by `time`.
+fn elapsed<const D: usize>(step: &Step<f64, D, TERMS>, time: f64) -> Result<f64, MotionError> {
+    let late = |s: f64| change(&step.series[0], &s) - time;
+    if time <= 0.0 {
+        return Ok(0.0);
+    }
+    if late(step.h) <= 0.0 {
+        return Ok(step.h);
+    }
+    Ok(root(late, 0.0, step.h)?)
+}

@@ -1,0 +1,98 @@
+//! The first moments of sliding, from sliding speed zero.
+//!
+//! A contact that begins to slide has the velocity c = q(cos θ, sin θ) with
+//!
+//! ```text
+//! dc/dt = f − L c/|c|:    dq/dt = f·û − L,    q dθ/dt = f·n̂,    û = (cos θ, sin θ), n̂ ⊥ û,
+//! ```
+//!
+//! f being what drives it and L what friction can take away, per unit of mass. At the start q = 0, so that the
+//! second law demands f·n̂ = 0: sliding starts along f. Both laws together give the power series of q and θ in t,
+//! order by order: the term of order m of f·n̂ contains θₘ only in −|f₀| θₘ, that of q dθ/dt only in m q₁ θₘ.
+
+use super::acceleration::Coefficients;
+use crate::numerics::series::{product, sin_cos, value};
+use crate::numerics::taylor::{TERMS, reach};
+use crate::numerics::{NumericsError, events};
+
+/// A start from sliding speed zero.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Onset {
+    /// Coefficients of c about the start, in powers of the time since.
+    pub velocity: [Coefficients; 2],
+    /// Time for which they serve; infinite for a series that ends.
+    pub h: f64,
+}
+
+/// |f₀| − L below this part of L counts as zero: then the start is at the very moment when f outgrows friction.
+const THRESHOLD: f64 = 1e-12;
+
+/// The start under a drive f whose coefficient m is `drive(m, c)`, from the coefficients of c up to m; `limit` is L.
+/// The drive at m = 0 must not be zero.
+///
+/// # Errors
+/// [`NumericsError::NotFinite`] when a coefficient is.
+pub fn onset(
+    limit: f64,
+    mut drive: impl FnMut(usize, &[Coefficients; 2]) -> [f64; 2],
+) -> Result<Onset, NumericsError> {
+    let zero = [0.0; TERMS];
+    let mut velocity = [zero; 2];
+    // f in axes along and across its first direction.
+    let first = drive(0, &velocity);
+    let size = libm::hypot(first[0], first[1]);
+    let axis = [first[0] / size, first[1] / size];
+    let [
+        mut along,
+        mut across,
+        mut q,
+        mut theta,
+        mut sine,
+        mut cosine,
+    ] = [zero; 6];
+    (along[0], cosine[0]) = (size, 1.0);
+    for m in 1..TERMS {
+        let pull = product(&along, &cosine, m - 1) + product(&across, &sine, m - 1);
+        q[m] = (pull - if m == 1 { limit } else { 0.0 }) / m as f64;
+        if m == 1 && q[1].abs() < THRESHOLD * limit {
+            q[1] = 0.0;
+        }
+        let turned = [product(&q, &cosine, m), product(&q, &sine, m)];
+        velocity[0][m] = axis[0] * turned[0] - axis[1] * turned[1];
+        velocity[1][m] = axis[1] * turned[0] + axis[0] * turned[1];
+        let f = drive(m, &velocity);
+        along[m] = axis[0] * f[0] + axis[1] * f[1];
+        across[m] = axis[0] * f[1] - axis[1] * f[0];
+        // All but the terms with θₘ, which is still zero here.
+        (sine[m], cosine[m]) = sin_cos(&theta, &sine, &cosine, m);
+        let known = product(&across, &cosine, m) - product(&along, &sine, m);
+        let turning: f64 = (2..=m)
+            .map(|i| q[i] * (m - i + 1) as f64 * theta[m - i + 1])
+            .sum();
+        theta[m] = (known - turning) / (size + m as f64 * q[1]);
+        (sine[m], cosine[m]) = sin_cos(&theta, &sine, &cosine, m);
+    }
+    let mut h = [&q, &theta, &along, &across]
+        .map(|series| reach(series))
+        .into_iter()
+        .fold(f64::INFINITY, f64::min);
+    if velocity.iter().flatten().any(|c| !c.is_finite()) || h.is_nan() {
+        return Err(NumericsError::NotFinite {
+            what: "a coefficient of the first moments of sliding",
+            at: 0.0,
+        });
+    }
+    if h.is_finite()
+        && let Some(stop) = events::roots(&q, h)?.first()
+    {
+        h = 0.5 * stop.at;
+    }
+    Ok(Onset { velocity, h })
+}
+
+impl Onset {
+    /// The velocity c at the time `elapsed` after the start.
+    pub fn at(&self, elapsed: f64) -> [f64; 2] {
+        [0, 1].map(|i| value(&self.velocity[i], &elapsed))
+    }
+}

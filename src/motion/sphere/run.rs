@@ -1,0 +1,304 @@
+//! A motion of the sphere, one piece after the other.
+
+use super::super::acceleration::{Acceleration, Coefficients};
+use super::super::onset::onset;
+use super::slide::Sliding;
+use super::{Ball, Contact, Motion, MotionError, PARTS, Piece, Sphere, Transition, check, elapsed};
+use crate::numerics::events::{Way, roots};
+use crate::numerics::series::{change, square, value};
+use crate::numerics::taylor::{Control, Integrator, TERMS, reach};
+
+/// Steps that a motion may take.
+const STEPS: usize = 50_000;
+/// A contact velocity below this part of the largest one ends sliding.
+const STOP: f64 = 1e-18;
+/// At the start, below this part of the velocities of which it is the sum, it is zero.
+const NONE: f64 = 1e-14;
+/// A component of it below this part of the other is zero, before it underflows.
+const NEGLIGIBLE: f64 = 1e-90;
+/// The force needed for rolling and μmg count as equal to this relative precision of their squares.
+const EQUAL: f64 = 1e-13;
+
+/// A motion in the making.
+struct Run<'a> {
+    sphere: &'a Sphere,
+    plane: &'a dyn Acceleration,
+    until: f64,
+    t: f64,
+    parts: [f64; PARTS],
+    steps: usize,
+    pieces: Vec<Piece>,
+    transitions: Vec<Transition>,
+    begin: Option<Contact>,
+}
+
+/// The acceleration about the present time, how long its series serves, and the time at which that is over if a
+/// break or the end of the motion ends it.
+struct Local {
+    a: [Coefficients; 2],
+    left: f64,
+    landing: Option<f64>,
+}
+
+pub(super) fn run(
+    sphere: &Sphere,
+    plane: &dyn Acceleration,
+    start: &Ball,
+    until: f64,
+) -> Result<Motion, MotionError> {
+    sphere.check()?;
+    let Ball { t, x, v, omega } = *start;
+    for (name, given) in [("t", t), ("until", until)] {
+        check(
+            name,
+            given,
+            given.abs() <= 1e50,
+            "finite, at most 1e50 in absolute value",
+        )?;
+    }
+    for (name, given) in [("x", x[0]), ("y", x[1]), ("v_x", v[0]), ("v_y", v[1])]
+        .into_iter()
+        .chain([
+            ("omega_x", omega[0]),
+            ("omega_y", omega[1]),
+            ("omega_z", omega[2]),
+        ])
+    {
+        check(
+            name,
+            given,
+            given.abs() <= 1e50,
+            "finite, at most 1e50 in absolute value",
+        )?;
+    }
+    check("until", until, until >= t, "not before the start")?;
+    let mut c = sphere.contact(start);
+    let size = libm::hypot(v[0], v[1]) + sphere.radius * libm::hypot(omega[0], omega[1]);
+    if libm::hypot(c[0], c[1]) <= NONE * size {
+        c = [0.0; 2];
+    }
+    let parts = [
+        x[0], x[1], v[0], v[1], omega[0], omega[1], omega[2], c[0], c[1],
+    ];
+    let mut run = Run {
+        sphere,
+        plane,
+        until,
+        t,
+        parts,
+        steps: 0,
+        pieces: Vec::new(),
+        transitions: Vec::new(),
+        begin: None,
+    };
+    while run.t < until {
+        if run.slip() > 0.0 {
+            run.enter(Contact::Sliding);
+            run.slide()?;
+        } else {
+            run.leave_rest()?;
+        }
+    }
+    let [x, y, u, v, p, q, r, _, _] = run.parts;
+    let begin = run.begin.unwrap_or(if run.slip() > 0.0 {
+        Contact::Sliding
+    } else {
+        Contact::Rolling
+    });
+    Ok(Motion {
+        pieces: run.pieces,
+        transitions: run.transitions,
+        begin,
+        start: *start,
+        end: Ball {
+            t: until,
+            x: [x, y],
+            v: [u, v],
+            omega: [p, q, r],
+        },
+    })
+}
+
+impl Run<'_> {
+    /// |c|.
+    fn slip(&self) -> f64 {
+        libm::hypot(self.parts[7], self.parts[8])
+    }
+
+    /// Notes what the motion is from now on. Sliding that goes on after its first moments is noted once.
+    fn enter(&mut self, contact: Contact) {
+        match (self.begin, self.transitions.last()) {
+            (None, _) => self.begin = Some(contact),
+            (Some(_), Some(last)) if last.to == contact && self.slip() > 0.0 => {}
+            (Some(begin), None) if begin == contact && self.slip() > 0.0 => {}
+            (Some(begin), last) => {
+                let rolling = last.map_or(begin, |last| last.to) == Contact::Rolling;
+                if !(rolling && contact == Contact::Rolling) {
+                    self.transitions.push(Transition {
+                        t: self.t,
+                        to: contact,
+                    });
+                }
+            }
+        }
+    }
+
+    fn local(&mut self) -> Result<Local, MotionError> {
+        let t = self.t;
+        self.steps += 1;
+        if self.steps > STEPS {
+            return Err(MotionError::Steps { limit: STEPS, t });
+        }
+        let a = self.plane.coefficients(t);
+        for c in a.iter().flatten() {
+            check("a Taylor coefficient of A", *c, c.is_finite(), "finite")?;
+        }
+        let landing = self
+            .plane
+            .next_break(t)
+            .map_or(self.until, |b| b.min(self.until));
+        let trusted = reach(&a[0]).min(reach(&a[1]));
+        let ends = trusted >= landing - t;
+        Ok(Local {
+            a,
+            left: if ends { landing - t } else { trusted },
+            landing: ends.then_some(landing),
+        })
+    }
+
+    /// Slides until the contact velocity is zero or the motion ends.
+    fn slide(&mut self) -> Result<(), MotionError> {
+        let mut fastest = 0f64;
+        let mut carry = [0.0; 10];
+        while self.t < self.until {
+            let local = self.local()?;
+            fastest = fastest.max(self.slip());
+            let sliding = Sliding::new(self.sphere, local.a);
+            let mut state = [self.t; 10];
+            state[1..].copy_from_slice(&self.parts);
+            let mut integrator = Integrator::resume(&sliding, state, carry, Control::Each);
+            let mut step = integrator.expand()?;
+            step.h = step.h.min(4.0 * local.left / self.slip());
+            let mut landing = None;
+            if change(&step.series[0], &step.h) >= local.left {
+                step.h = elapsed(&step, local.left)?;
+                landing = local.landing;
+            }
+            integrator.advance(&step);
+            if let Some(t) = landing {
+                integrator.set(0, t);
+            }
+            (state, carry) = integrator.finish();
+            self.t = state[0];
+            self.parts.copy_from_slice(&state[1..]);
+            self.pieces.push(Piece::Slide {
+                step: Box::new(step),
+                to: self.t,
+            });
+            for (i, j) in [(7, 8), (8, 7)] {
+                if self.parts[i].abs() < NEGLIGIBLE * self.parts[j].abs() {
+                    (self.parts[i], carry[i + 1]) = (0.0, 0.0);
+                }
+            }
+            if self.slip() <= STOP * fastest {
+                // What is left of the time is below the rounding of the time that sliding took.
+                (self.parts[7], self.parts[8]) = (0.0, 0.0);
+                return Ok(());
+            }
+        }
+        Ok(())
+    }
+
+    /// From zero contact velocity: rolls for a while, or begins to slide.
+    fn leave_rest(&mut self) -> Result<(), MotionError> {
+        let local = self.local()?;
+        let give = self.sphere.yielding(1.0);
+        let force = local.a.map(|a| a.map(|a| a / give));
+        let limit = self.sphere.friction() * self.sphere.friction();
+        let mut excess: Coefficients =
+            std::array::from_fn(|k| square(&force[0], k) + square(&force[1], k));
+        excess[0] -= limit;
+        let mut power = 1.0;
+        let mut first = 0.0;
+        for c in &excess {
+            if (c * power).abs() > EQUAL * limit {
+                first = *c;
+                break;
+            }
+            power *= local.left;
+        }
+        if first > 0.0 && (excess[0] > 0.0 || excess[0].abs() <= EQUAL * limit) {
+            self.enter(Contact::Sliding);
+            return self.begin_sliding(&local, give);
+        }
+        self.enter(Contact::Rolling);
+        if excess[0].abs() <= EQUAL * limit {
+            excess[0] = 0.0;
+        }
+        let release = roots(&excess, local.left)?
+            .into_iter()
+            .find(|root| root.way == Way::Rising);
+        let (h, landing) = match release {
+            Some(root) => (root.at, None),
+            None => (local.left, local.landing),
+        };
+        self.follow(&local.a, &force, &[[0.0; TERMS]; 2], h, landing);
+        Ok(())
+    }
+
+    /// The first moments of sliding.
+    fn begin_sliding(&mut self, local: &Local, give: f64) -> Result<(), MotionError> {
+        let limit = self.sphere.yielding(self.sphere.friction());
+        let start = onset(limit, |m, _| local.a.map(|a| -a[m]))?;
+        let c = start.velocity;
+        // The force that the plane must exert for c to change as it does.
+        let force = [0, 1].map(|i| {
+            std::array::from_fn(|k| {
+                let rate = c[i].get(k + 1).map_or(0.0, |next| (k + 1) as f64 * next);
+                (rate + local.a[i][k]) / give
+            })
+        });
+        let (h, landing) = if start.h < local.left {
+            (start.h, None)
+        } else {
+            (local.left, local.landing)
+        };
+        self.follow(&local.a, &force, &c, h, landing);
+        Ok(())
+    }
+
+    /// A piece over the time `h` under a known force.
+    fn follow(
+        &mut self,
+        a: &[Coefficients; 2],
+        force: &[Coefficients; 2],
+        c: &[Coefficients; 2],
+        h: f64,
+        landing: Option<f64>,
+    ) {
+        let mut series = Box::new([[0.0; TERMS]; PARTS]);
+        for (series, now) in series.iter_mut().zip(&self.parts) {
+            series[0] = *now;
+        }
+        for k in 0..TERMS - 1 {
+            let (by_force, spin) = self.sphere.response([force[0][k], force[1][k]]);
+            let next = (k + 1) as f64;
+            for i in 0..2 {
+                series[i][k + 1] = series[2 + i][k] / next;
+                series[2 + i][k + 1] = (by_force[i] - a[i][k]) / next;
+            }
+            for i in 0..3 {
+                series[4 + i][k + 1] = spin[i] / next;
+            }
+        }
+        (series[7], series[8]) = (c[0], c[1]);
+        let from = self.t;
+        self.t = landing.unwrap_or(from + h);
+        self.parts = std::array::from_fn(|i| value(&series[i], &h));
+        self.pieces.push(Piece::Series {
+            from,
+            to: self.t,
+            series,
+        });
+    }
+}

@@ -1,0 +1,341 @@
+//! The sphere by hand, against a foreign integrator, and in what it conserves.
+
+use super::*;
+use crate::motion::{Plane, Signal};
+use crate::numerics::dop853;
+use proptest::prelude::*;
+
+fn ball(v: [f64; 2], omega: [f64; 3]) -> Ball {
+    Ball {
+        t: 0.0,
+        x: [0.0; 2],
+        v,
+        omega,
+    }
+}
+
+fn odd() -> Sphere {
+    Sphere {
+        mass: 2.3,
+        radius: 0.7,
+        inertia: 0.4 * 2.3 * 0.49,
+        mu: 0.35,
+        g: 9.81,
+    }
+}
+
+fn still() -> Plane {
+    Plane::constant([0.0; 2])
+}
+
+#[test]
+fn a_ball_set_down_sliding_ends_rolling() {
+    // Angular momentum about the line of contact: m v R stays, (m + I/R²) v_end = m v₀. v₀ − v_end = μg t.
+    for (kappa, part) in [
+        (0.4, 5.0 / 7.0),
+        (2.0 / 3.0, 0.6),
+        (1.0, 0.5),
+        (1e-3, 1000.0 / 1001.0),
+    ] {
+        let sphere = Sphere {
+            inertia: kappa * 2.3 * 0.49,
+            ..odd()
+        };
+        let motion = sphere
+            .run(&still(), &ball([3.0, -4.0], [0.0, 0.0, 2.0]), 5.0)
+            .unwrap();
+        let end = motion.end();
+        assert!((end.v[0] - 3.0 * part).abs() < 1e-13 && (end.v[1] + 4.0 * part).abs() < 1e-13);
+        let time = 5.0 * (1.0 - part) / (0.35 * 9.81);
+        let [first] = motion.transitions() else {
+            unreachable!("{:?}", motion.transitions())
+        };
+        assert!(
+            (first.t - time).abs() < 1e-13 && first.to == Contact::Rolling,
+            "{first:?}"
+        );
+        // Sliding: uniformly decelerated; rolling: steady.
+        let way = 5.0 * time - 0.5 * 0.35 * 9.81 * time * time + 5.0 * part * (5.0 - time);
+        assert!((libm::hypot(end.x[0], end.x[1]) - way).abs() < 1e-12);
+        let expected = sphere.rolling(end.v, 2.0);
+        assert!(
+            (0..3).all(|i| (end.omega[i] - expected[i]).abs() < 1e-12),
+            "{end:?}"
+        );
+        assert_eq!(motion.contact(0.5 * time).unwrap(), Contact::Sliding);
+        assert_eq!(motion.contact(1.01 * time).unwrap(), Contact::Rolling);
+    }
+}
+
+#[test]
+fn back_spin_brings_it_back() {
+    // A solid ball with v₀ = 1 and ω_y = −4 (R = 1): by the same angular momentum v_end = (1 − 0.4·4)/1.4 < 0.
+    let motion = Sphere::with_kappa(0.4)
+        .run(&still(), &ball([1.0, 0.0], [0.0, -4.0, 0.0]), 9.0)
+        .unwrap();
+    assert!(
+        (motion.end().v[0] + 0.6 / 1.4).abs() < 1e-14,
+        "{:?}",
+        motion.end()
+    );
+}
+
+#[test]
+fn rolling_needs_the_plane_to_be_gentle() {
+    // Rolling takes F = mA/(1 + 1/κ): for κ = 0.4 the limit |A| = 3.5 μg. Then v = −A t (1 − 1/3.5).
+    let sphere = Sphere::with_kappa(0.4);
+    let gentle = sphere
+        .run(&Plane::constant([3.4, 0.0]), &ball([0.0; 2], [0.0; 3]), 2.0)
+        .unwrap();
+    assert!(gentle.transitions().is_empty());
+    assert_eq!(gentle.contact(1.0).unwrap(), Contact::Rolling);
+    assert!((gentle.end().v[0] + 2.0 * 3.4 * 2.5 / 3.5).abs() < 1e-14);
+    // Above, friction is μmg whatever A: v = −(A − μg) t, ω_y = −(5/2)(…)t by its torque.
+    let rough = sphere
+        .run(&Plane::constant([3.6, 0.0]), &ball([0.0; 2], [0.0; 3]), 2.0)
+        .unwrap();
+    assert_eq!(rough.contact(1.0).unwrap(), Contact::Sliding);
+    assert!(
+        (rough.end().v[0] + 2.0 * 2.6).abs() < 1e-13,
+        "{:?}",
+        rough.end()
+    );
+    assert!(
+        (rough.end().omega[1] + 2.0 * 2.5).abs() < 1e-13,
+        "{:?}",
+        rough.end()
+    );
+    // A growing as t: released at A = 3.5.
+    let ramp = Plane {
+        x: Signal::Polynomial(vec![0.0, 1.0]),
+        y: Signal::constant(0.0),
+    };
+    let motion = sphere.run(&ramp, &ball([0.0; 2], [0.0; 3]), 6.0).unwrap();
+    let [release] = motion.transitions() else {
+        unreachable!("{:?}", motion.transitions())
+    };
+    assert!((release.t - 3.5).abs() < 1e-13 && release.to == Contact::Sliding);
+    let before = -0.5 * 3.5 * 3.5 * 2.5 / 3.5;
+    let after = -(0.5 * (36.0 - 3.5 * 3.5) - 2.5);
+    assert!(
+        (motion.end().v[0] - before - after).abs() < 1e-12,
+        "{:?}",
+        motion.end()
+    );
+}
+
+#[test]
+fn a_swinging_plane_makes_it_slide_and_roll_by_turns() {
+    let plane = Plane::along(
+        [1.0, 0.0],
+        Signal::Sine {
+            frequency: 1.0,
+            phase: 0.0,
+        },
+    );
+    // A₀ = 4.5 > 3.5 μg: in every half period there is a release, and with it a return or a passage through zero.
+    let sphere = Sphere {
+        mu: 1.0 / 4.5,
+        ..Sphere::with_kappa(0.4)
+    };
+    let motion = sphere.run(&plane, &ball([0.0; 2], [0.0; 3]), 40.0).unwrap();
+    assert!(
+        motion.transitions().len() >= 20,
+        "{:?}",
+        motion.transitions()
+    );
+    for pair in motion.transitions().windows(2) {
+        let middle = 0.5 * (pair[0].t + pair[1].t);
+        let slip = motion.slip(middle).unwrap();
+        assert_eq!(
+            slip == [0.0; 2],
+            pair[0].to == Contact::Rolling,
+            "{pair:?} {slip:?}"
+        );
+        assert_ne!(pair[0].to, pair[1].to);
+        // Friction needed in rolling is what it can be, where rolling ends.
+        if pair[1].to == Contact::Sliding {
+            assert!((libm::sin(pair[1].t).abs() - 3.5 / 4.5).abs() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn a_foreign_integrator_agrees() {
+    let sphere = odd();
+    let plane = Plane::rotating(Signal::constant(4.0), 1.3, 0.4);
+    let start = Ball {
+        t: 0.0,
+        x: [0.3, 0.1],
+        v: [6.0, -9.0],
+        omega: [3.0, 8.0, -5.0],
+    };
+    let law = |t: f64, s: &[f64; 7]| {
+        let (r, f) = (sphere.radius, sphere.mu * sphere.mass * sphere.g);
+        let c = [s[2] - r * s[5], s[3] + r * s[4]];
+        let size = libm::hypot(c[0], c[1]);
+        let force = [-f * c[0] / size, -f * c[1] / size];
+        let (sine, cosine) = libm::sincos(1.3 * t + 0.4);
+        [
+            s[2],
+            s[3],
+            force[0] / sphere.mass - 4.0 * cosine,
+            force[1] / sphere.mass - 4.0 * sine,
+            r * force[1] / sphere.inertia,
+            -r * force[0] / sphere.inertia,
+            0.0,
+        ]
+    };
+    let motion = sphere.run(&plane, &start, 6.0).unwrap();
+    let until = motion
+        .transitions()
+        .first()
+        .map_or(6.0, |first| 0.9 * first.t);
+    assert!(until > 0.3);
+    let foreign = dop853::end(
+        law,
+        0.0,
+        [0.3, 0.1, 6.0, -9.0, 3.0, 8.0, -5.0],
+        until,
+        1e-14,
+        1e-14,
+    )
+    .unwrap();
+    let own = motion.at(until).unwrap();
+    let own = [
+        own.x[0],
+        own.x[1],
+        own.v[0],
+        own.v[1],
+        own.omega[0],
+        own.omega[1],
+        own.omega[2],
+    ];
+    for (a, b) in own.iter().zip(foreign) {
+        assert!((a - b).abs() < 1e-11, "{own:?} {foreign:?}");
+    }
+    assert_eq!(motion.end().omega[2], -5.0);
+}
+
+#[test]
+fn a_release_that_turns_agrees_with_the_foreign_integrator() {
+    // |A| grows through the limit of rolling while its direction turns.
+    let sphere = Sphere::with_kappa(0.4);
+    let plane = Plane::rotating(Signal::Polynomial(vec![3.0, 0.5]), 0.8, 0.0);
+    let motion = sphere.run(&plane, &ball([0.0; 2], [0.0; 3]), 4.0).unwrap();
+    let [release] = motion.transitions() else {
+        unreachable!("{:?}", motion.transitions())
+    };
+    assert!((release.t - 1.0).abs() < 1e-13);
+    let law = |t: f64, s: &[f64; 4]| {
+        let c = [s[0] - s[3], s[1] + s[2]];
+        let size = libm::hypot(c[0], c[1]);
+        let (sine, cosine) = libm::sincos(0.8 * t);
+        let a = 3.0 + 0.5 * t;
+        [
+            -c[0] / size - a * cosine,
+            -c[1] / size - a * sine,
+            -2.5 * c[1] / size,
+            2.5 * c[0] / size,
+        ]
+    };
+    let from = motion.at(1.4).unwrap();
+    let state = [from.v[0], from.v[1], from.omega[0], from.omega[1]];
+    let foreign = dop853::end(law, 1.4, state, 4.0, 1e-14, 1e-14).unwrap();
+    let end = motion.end();
+    for (a, b) in [end.v[0], end.v[1], end.omega[0], end.omega[1]]
+        .iter()
+        .zip(foreign)
+    {
+        assert!((a - b).abs() < 1e-11, "{end:?} {foreign:?}");
+    }
+    // The first moments, by the law itself: central differences of v and ω against the forces.
+    for t in [1.0001, 1.01, 1.1, 1.3] {
+        let h = 1e-5 * (t - 1.0);
+        let (early, late, here) = (
+            motion.at(t - h).unwrap(),
+            motion.at(t + h).unwrap(),
+            motion.at(t).unwrap(),
+        );
+        let slip = motion.slip(t).unwrap();
+        let size = libm::hypot(slip[0], slip[1]);
+        let contact = sphere.contact(&here);
+        assert!(
+            (0..2).all(|i| (contact[i] - slip[i]).abs() < 1e-14),
+            "{slip:?} {contact:?}"
+        );
+        let spin = [-2.5 * slip[1] / size, 2.5 * slip[0] / size];
+        for i in 0..2 {
+            let change = (late.omega[i] - early.omega[i]) / (2.0 * h);
+            assert!((change - spin[i]).abs() < 1e-5, "{t} {change} {spin:?}");
+        }
+    }
+}
+
+#[test]
+fn bad_input_is_named() {
+    let name = |sphere: Sphere, start: Ball, until: f64| match sphere.run(&still(), &start, until) {
+        Err(MotionError::Argument { name, .. }) => name,
+        other => unreachable!("{other:?}"),
+    };
+    let rest = ball([0.0; 2], [0.0; 3]);
+    assert_eq!(
+        name(
+            Sphere {
+                mass: -1.0,
+                ..odd()
+            },
+            rest,
+            1.0
+        ),
+        "mass"
+    );
+    assert_eq!(
+        name(
+            Sphere {
+                mu: f64::NAN,
+                ..odd()
+            },
+            rest,
+            1.0
+        ),
+        "mu"
+    );
+    assert_eq!(name(Sphere::with_kappa(0.0), rest, 1.0), "inertia");
+    assert_eq!(name(Sphere::with_kappa(1.1), rest, 1.0), "kappa");
+    assert_eq!(name(odd(), rest, -1.0), "until");
+    assert_eq!(name(odd(), ball([f64::NAN, 0.0], [0.0; 3]), 1.0), "v_x");
+    assert_eq!(
+        name(odd(), ball([0.0; 2], [0.0, 0.0, f64::INFINITY]), 1.0),
+        "omega_z"
+    );
+    assert!(odd().run(&still(), &rest, 1.0).unwrap().at(2.0).is_err());
+    let motion = odd().run(&still(), &rest, 0.0).unwrap();
+    assert_eq!(motion.at(0.0).unwrap(), rest);
+}
+
+proptest! {
+    #[test]
+    fn what_friction_cannot_change_stays(
+        kappa in 0.05..1.0f64, v in prop::array::uniform2(-3.0..3.0f64),
+        omega in prop::array::uniform3(-3.0..3.0f64), a in 0.0..6.0f64, frequency in 0.1..3.0f64,
+    ) {
+        let sphere = Sphere::with_kappa(kappa);
+        let plane = Plane::rotating(Signal::constant(a), frequency, 0.0);
+        let motion = sphere.run(&plane, &ball(v, omega), 8.0).unwrap();
+        let end = motion.end();
+        prop_assert_eq!(end.omega[2], omega[2]);
+        // About the contact friction has no torque: m R×v − Iω changes by −A alone, here by an integral known.
+        let (s, c) = libm::sincos(8.0 * frequency);
+        let gained = [-a * s / frequency, -a * (1.0 - c) / frequency];
+        for i in 0..2 {
+            let along = |v: [f64; 2], o: [f64; 3]| v[i] + kappa * [o[1], -o[0]][i];
+            let difference = along(end.v, end.omega) - along(v, omega) - gained[i];
+            prop_assert!(difference.abs() < 1e-11, "{}", difference);
+        }
+        let (slip, contact) = (motion.slip(8.0).unwrap(), sphere.contact(&end));
+        for i in 0..2 {
+            prop_assert!((slip[i] - contact[i]).abs() < 1e-11, "{:?} {:?}", slip, contact);
+        }
+    }
+}

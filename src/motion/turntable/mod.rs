@@ -1,0 +1,174 @@
+//! A particle on a rough turntable that turns at a steady rate about a vertical axis (section 4 of the paper).
+//!
+//! Newton's law with Coulomb friction, three times over: in axes that turn with the table ([`rotating`]), in axes
+//! at rest in the laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]). The
+//! last are regular where the particle comes to rest, so that they tell quickly and reliably whether it does
+//! ([`fate`]), where the boundary lies ([`boundary`]), and what an escape is like much later.
+//!
+//! Before all three stands the law of static friction: a particle at rest on the table at the distance r from the
+//! axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once, straight away from the axis.
+
+pub mod boundary;
+pub mod fate;
+pub mod inertial;
+pub mod intrinsic;
+pub mod path;
+pub mod rotating;
+
+use super::error::MotionError;
+
+pub use boundary::{boundary, critical_radius, critical_speed};
+pub use fate::{Escaping, Fate, fate};
+pub use intrinsic::{Intrinsic, Start};
+pub use path::Path;
+
+#[cfg(test)]
+mod tests;
+
+/// The table and the particle. Both the friction and the turning may be absent, and Ω may have either sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Table {
+    /// Angular velocity Ω of the table, counterclockwise, in 1/time.
+    pub omega: f64,
+    /// Coefficient of friction μ ≥ 0, dimensionless.
+    pub mu: f64,
+    /// Gravity g > 0, in length/time².
+    pub g: f64,
+    /// Mass m > 0 of the particle.
+    pub mass: f64,
+}
+
+/// Ω = μ = g = m = 1: lengths in units of μg/Ω², times in units of 1/Ω.
+impl Default for Table {
+    fn default() -> Self {
+        Self {
+            omega: 1.0,
+            mu: 1.0,
+            g: 1.0,
+            mass: 1.0,
+        }
+    }
+}
+
+/// Where a particle is and how it moves, in one of the two frames. Both frames have their origin on the axis and
+/// coincide at t = 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct State {
+    /// Time.
+    pub t: f64,
+    /// Position, in length.
+    pub x: [f64; 2],
+    /// Velocity, in length/time.
+    pub v: [f64; 2],
+}
+
+impl State {
+    /// |v|.
+    pub fn speed(&self) -> f64 {
+        libm::hypot(self.v[0], self.v[1])
+    }
+
+    /// Distance from the axis.
+    pub fn radius(&self) -> f64 {
+        libm::hypot(self.x[0], self.x[1])
+    }
+}
+
+/// `vector` turned counterclockwise by the given angle.
+fn turned(vector: [f64; 2], angle: f64) -> [f64; 2] {
+    let (s, c) = libm::sincos(angle);
+    [c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
+}
+
+impl Table {
+    /// Checks the parameters.
+    ///
+    /// # Errors
+    /// [`MotionError::Argument`] for Ω not finite, μ negative, g or m not positive.
+    pub fn check(&self) -> Result<(), MotionError> {
+        argument("omega", self.omega, self.omega.is_finite(), "finite")?;
+        let allowed = self.mu.is_finite() && self.mu >= 0.0;
+        argument("mu", self.mu, allowed, "finite and not negative")?;
+        for (name, value) in [("g", self.g), ("mass", self.mass)] {
+            let allowed = value.is_finite() && value > 0.0;
+            argument(name, value, allowed, "finite and positive")?;
+        }
+        Ok(())
+    }
+
+    /// Largest deceleration by friction, μg, in length/time².
+    pub fn friction(&self) -> f64 {
+        self.mu * self.g
+    }
+
+    /// The unit of length μg/Ω² in which the dimensionless table has its own, infinite for Ω = 0.
+    pub fn length(&self) -> f64 {
+        self.friction() / (self.omega * self.omega)
+    }
+
+    /// Whether static friction holds a particle that is at rest on the table at distance `radius` from the axis.
+    pub fn holds(&self, radius: f64) -> bool {
+        self.omega * self.omega * radius <= self.friction()
+    }
+
+    /// Kinetic energy relative to the table and potential energy of the centrifugal force, ½m(v² − Ω²r²), for a
+    /// state in the table's frame.
+    pub fn energy(&self, state: &State) -> f64 {
+        let (p, r) = (state.speed(), self.omega * state.radius());
+        0.5 * self.mass * (p - r) * (p + r)
+    }
+
+    /// A state relative to the table as seen from the laboratory.
+    pub fn to_laboratory(&self, state: &State) -> State {
+        let [x, y] = state.x;
+        let [u, v] = state.v;
+        let angle = self.omega * state.t;
+        State {
+            t: state.t,
+            x: turned([x, y], angle),
+            v: turned([u - self.omega * y, v + self.omega * x], angle),
+        }
+    }
+
+    /// A state in the laboratory as seen from the table.
+    pub fn to_table(&self, state: &State) -> State {
+        let [x, y] = state.x;
+        let [u, v] = state.v;
+        let angle = -self.omega * state.t;
+        State {
+            t: state.t,
+            x: turned([x, y], angle),
+            v: turned([u + self.omega * y, v - self.omega * x], angle),
+        }
+    }
+}
+
+/// A typed error unless `allowed`.
+fn argument(
+    name: &'static str,
+    value: f64,
+    allowed: bool,
+    range: &'static str,
+) -> Result<(), MotionError> {
+    if allowed {
+        Ok(())
+    } else {
+        Err(MotionError::Argument { name, value, range })
+    }
+}
+
+/// Checks a start and the time up to which it is to be followed.
+fn check_start(start: &State, until: f64) -> Result<(), MotionError> {
+    let parts = [
+        ("t", start.t),
+        ("x", start.x[0]),
+        ("y", start.x[1]),
+        ("vx", start.v[0]),
+        ("vy", start.v[1]),
+    ];
+    for (name, value) in parts {
+        argument(name, value, value.is_finite(), "finite")?;
+    }
+    let allowed = until.is_finite() && until >= start.t;
+    argument("until", until, allowed, "finite and not before the start")
+}

@@ -1,0 +1,52 @@
+//! Section 2.3, any periodic acceleration: w' = h(φ) − λ₀ w/|w|, and the train of pulses as an example.
+//!
+//! Symbols, all dimensionless: `phi` φ, the phase (radians); `lambda` λ₀ ≥ 0, the friction; `eta` η in
+//! [0, 1], the share of a half period that a pulse fills.
+
+use crate::scalar::Scalar;
+
+/// (42): h in the first half period, 0 ≤ φ < π; at a jump, which the paper leaves open, the value after it.
+pub fn eq42_h(eta: f64, phi: f64) -> f64 {
+    if phi < eta * std::f64::consts::PI {
+        1.0
+    } else {
+        0.0
+    }
+}
+
+/// (43): h(π + φ), from h(φ).
+pub fn eq43_h<S: Scalar>(h: S) -> S {
+    -h
+}
+
+/// (44), for η < λ₀ < 1: w(φ) in the three cases of the first half period, 0 < φ < π.
+pub fn eq44_cases<S: Scalar>(lambda: S, eta: S, phi: S) -> [S; 3] {
+    let end = eta * S::pi();
+    let slope = S::int(1) - lambda;
+    [
+        slope * phi,
+        slope * eta * S::pi() - lambda * (phi - end),
+        S::int(0),
+    ]
+}
+
+/// (44): the phases where the first and the second case end, in radians; the third ends at π.
+pub fn eq44_ends<S: Scalar>(lambda: S, eta: S) -> [S; 2] {
+    [eta * S::pi(), eta * S::pi() / lambda]
+}
+
+/// (44): which case holds at φ, counted from 0; between two cases, the later one.
+pub fn eq44_case(lambda: f64, eta: f64, phi: f64) -> usize {
+    let ends = eq44_ends(lambda, eta);
+    ends.iter().filter(|end| phi >= **end).count()
+}
+
+/// (45): w(π + φ), from w(φ).
+pub fn eq45_w<S: Scalar>(w: S) -> S {
+    -w
+}
+
+/// (46): λ_c.
+pub fn eq46_lambda_c<S: Scalar>(eta: S) -> S {
+    eta
+}
