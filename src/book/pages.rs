@@ -24,7 +24,9 @@ macro_rules! written {
 }
 
 // A topic that is not named here gets a page made from its claims alone.
-written!(index, general, constant, sinusoidal, periodic, ledger, methods);
+written!(
+    index, general, constant, sinusoidal, periodic, ledger, methods
+);
 
 /// A page before its placeholders are filled.
 pub(super) struct Page {

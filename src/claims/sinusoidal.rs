@@ -450,7 +450,6 @@ const CLAIMS: &[Claim] = &[
             decay::last_stage,
         ],
         correction: Some(DECAY),
-        ..Claim::BLANK
     },
     Claim {
         id: "s22-attractor-ignores-vy",

@@ -86,6 +86,12 @@ pub const NONE: Tolerance = Tolerance {
     reason: "a count or a normal form: nothing may differ",
 };
 
+/// The friction at which rests appear, found by bisection on the motion.
+pub const ONSET: Tolerance = Tolerance {
+    value: 1e-12,
+    reason: "the bisection ends at neighbouring numbers; rests shorter than 1e-14 are not listed",
+};
+
 /// A factor of logarithms across a passage through zero.
 pub const PASSAGE: Tolerance = Tolerance {
     value: 1e-4,
@@ -128,23 +134,10 @@ pub const TERMINAL: Tolerance = Tolerance {
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
 };
 
-<<<<<<< HEAD
-/// A velocity that vanishes as a power of the time.
-pub const VANISHES: Tolerance = Tolerance {
-    value: 1e-6,
-    reason: "under twice the friction, the slowest case, v⊥ falls as the inverse of the time, which is 1e8 at the end",
-=======
 /// A friction at which the list of intervals changes, by bisection.
 pub const THRESHOLD: Tolerance = Tolerance {
     value: 1e-11,
     reason: "halved to the last bit; there the motion itself is known to about 1e-15 over the friction",
->>>>>>> periodic
-};
-
-/// A threshold found by bisection on the motion.
-pub const THRESHOLD: Tolerance = Tolerance {
-    value: 1e-12,
-    reason: "the bisection ends at neighbouring numbers; rests shorter than 1e-14 are not listed",
 };
 
 /// A velocity that vanishes as a power of the time.

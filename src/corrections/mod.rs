@@ -3,5 +3,5 @@
 //! Same stems as in [`crate::paper`]; every entry is tried in [`crate::claims`] like a printed formula.
 
 pub mod constant;
-pub mod sinusoidal;
 pub mod periodic;
+pub mod sinusoidal;

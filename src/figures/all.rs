@@ -1,11 +1,10 @@
 //! All figures of the book, from the same data that the trials used.
 
+mod sinusoidal;
+
 use super::constant::{
     Ending, History, Hodograph, Hodographs, StoppingTimes, fig1, speed_and_angle, stopping_time,
 };
-use super::{Figure, FigureError, sinusoidal};
-use crate::claims::constant::portrait::{self, Curve};
-use crate::claims::sinusoidal::pictures;
 use super::periodic as periodic_figures;
 use super::{Figure, FigureError};
 use crate::claims::constant::portrait::{self, Curve};
@@ -37,17 +36,14 @@ pub enum AllFiguresError {
 /// [`AllFiguresError`] if a motion cannot be followed or its data not be drawn.
 pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
     let mut all = vec![portraits()?, histories()?, stopping_times()?];
-    all.extend(sinusoidal_ones()?);
-    Ok(all)
-    Ok(vec![
-        portraits()?,
-        histories()?,
-        stopping_times()?,
+    all.extend(sinusoidal::figures()?);
+    all.extend([
         drive_census()?,
         pulse_waves()?,
         rest_shares()?,
         come_and_go()?,
-    ])
+    ]);
+    Ok(all)
 }
 
 /// fig-1.
@@ -124,61 +120,6 @@ fn stopping_times() -> Result<Figure, AllFiguresError> {
     Ok(stopping_time(&all?)?)
 }
 
-/// The figures of section 2.2.
-fn sinusoidal_ones() -> Result<Vec<Figure>, AllFiguresError> {
-    let said = |error: crate::claims::compare::Failure| AllFiguresError::Data(error.to_string());
-    let curves = pictures::transients().map_err(said)?;
-    let panel = |lambda: f64, title: &str| {
-        let own = curves.iter().filter(|curve| curve.lambda == lambda);
-        let shown = |curve: &pictures::Transient| sinusoidal::Transient {
-            lambda,
-            w_y: curve.w_y,
-            points: curve.shown().map(|s| [s.phi, s.w_x]).collect(),
-        };
-        (title.to_owned(), own.map(shown).collect())
-    };
-    let two_periods = |lambda: f64| pictures::two_periods(lambda).map_err(said);
-    let (small, large) = (two_periods(pictures::SMALL)?, two_periods(pictures::LARGE)?);
-    let decay = |lambda: f64| -> Result<_, AllFiguresError> {
-        let points = pictures::depths(lambda).map_err(said)?;
-        Ok(sinusoidal::Decay { lambda, points })
-    };
-    let periodic = |lambda: f64| -> Result<_, AllFiguresError> {
-        let mut points = pictures::two_periods(lambda).map_err(said)?;
-        points.truncate(points.len() / 2 + 1);
-        Ok(sinusoidal::Periodic { lambda, points })
-    };
-    let decays: Result<Vec<_>, _> = [0.1, 0.2, 0.3, 0.45].into_iter().map(decay).collect();
-    let family: Result<Vec<_>, _> = [0.1, 0.3, 0.5, 0.6, 0.8]
-        .into_iter()
-        .map(periodic)
-        .collect();
-    Ok(vec![
-        sinusoidal::fig2(&[
-            panel(pictures::SMALL, "λ_0 = 1/π"),
-            panel(pictures::LARGE, "λ_0 = 1/√2"),
-        ])?,
-        sinusoidal::two_periods(&sinusoidal::TwoPeriods {
-            id: "fig-3",
-            lambda: "1/π",
-            top: 1.0,
-            mark: 0.8,
-            points: &small,
-        })?,
-        sinusoidal::two_periods(&sinusoidal::TwoPeriods {
-            id: "fig-4",
-            lambda: "1/√2",
-            top: 0.35,
-            mark: 0.3,
-            points: &large,
-        })?,
-        sinusoidal::decay(&decays?)?,
-        sinusoidal::rest_share(
-            &pictures::rest_shares().map_err(said)?,
-            pictures::critical(),
-        )?,
-        sinusoidal::family(&family?)?,
-    ])
 /// Rests per period of the named drives.
 fn drive_census() -> Result<Figure, AllFiguresError> {
     let rows: Vec<_> = drawn::census(400)?

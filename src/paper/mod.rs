@@ -6,9 +6,6 @@
 //! under the same stem in [`crate::corrections`].
 
 pub mod constant;
-<<<<<<< HEAD
 pub mod general;
-pub mod sinusoidal;
-=======
 pub mod periodic;
->>>>>>> periodic
+pub mod sinusoidal;

@@ -180,7 +180,7 @@ pub fn finite_end() -> Evidence {
 
 /// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
 pub fn last_stage() -> Evidence {
-    let compared = "λ₀ v_y/(λ₀² − h²) with the time that a particle with v_x = 0 and a small v_y takes to stop where |h| < λ₀";
+    let compared = "λ₀/(λ₀² − h²) with the time, over v_y, that a particle with v_x = 0 and a small v_y takes to stop where |h| < λ₀";
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, LAST_STAGE);
     let mut points = Points::stream(175);
     trial.over(0..20, |_| {
@@ -190,11 +190,11 @@ pub fn last_stage() -> Evidence {
         let v_y = 1e-7;
         let motion = Particle::plain(lambda).run(phi, [0.0, v_y], phi + 1.0)?;
         let stop = motion.first_stop().ok_or("no stop")?;
-        let stated = corrected::last_stage(lambda, h, v_y);
+        let stated = corrected::last_stage(lambda, h, v_y) / v_y;
         Ok::<_, Failure>(Pair {
             at: format!("λ₀ = {lambda:.6}, φ = {phi:.6}, v_y = 1e-7"),
             stated,
-            found: stop - phi,
+            found: (stop - phi) / v_y,
             scale: stated,
         })
     })

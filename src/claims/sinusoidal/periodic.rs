@@ -1,7 +1,7 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
 use super::runs::{
-    ORIGIN, drive, eq33, eq38, large, phi_t2, phi_t2_spread, settled, small, starts, worst,
+    ORIGIN, drive, each, eq33, eq38, large, phi_t2, phi_t2_spread, settled, small, starts,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
@@ -20,71 +20,81 @@ fn at(lambda: f64, phi: f64) -> String {
     format!("λ₀ = {lambda:.6}, φ = {phi:.6}")
 }
 
-/// A form with the simulated motion at the worst of all phases of the period that begins at `from`.
+/// The phases of the period that begins at `from`, in no order.
+fn phases(from: f64) -> impl Iterator<Item = f64> {
+    let place = |k: u32| f64::from(101 * k % PHASES) + 0.5;
+    (1..=PHASES).map(move |k| from + TAU * place(k) / f64::from(PHASES))
+}
+
+/// A form with the simulated motion at all phases of the period that begins at `from`.
 fn over_a_period(
     lambda: f64,
     attractor: &Attractor,
     from: f64,
     form: impl Fn(f64) -> Conditioned,
-) -> Result<Pair, Failure> {
-    worst((0..PHASES).map(|k| {
-        let phi = from + TAU * (f64::from(k) + 0.5) / f64::from(PHASES);
+) -> Vec<Pair> {
+    let pair = |phi: f64| {
         let mut pair = Pair::conditioned(at(lambda, phi), form(phi), attractor.w(phi));
         // Where the contraction is weak, the end of a period says little about its periodic state.
         pair.scale += 1.0 / (1.0 - attractor.contraction()).max(f64::MIN_POSITIVE);
         pair
-    }))
+    };
+    phases(from).map(pair).collect()
 }
 
 /// (33) over a whole period.
 pub fn eq33_motion() -> Evidence {
     let compared =
-        "(33), φ̃₂ by (32), with the simulated large-time motion at the worst of 256 phases";
+        "(33), φ̃₂ by (32), with the simulated large-time motion at 256 phases of the period";
     let trial = Trial::motion(Subject::Printed, compared);
-    trial.over(
+    each(
+        &trial,
         large().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
             let end = phi_t2(lambda)?;
-            over_a_period(lambda, &attractor, printed::eq27_phi1(lambda), |phi| {
-                eq33(lambda, end, phi)
-            })
+            let from = printed::eq27_phi1(lambda);
+            let form = |phi| eq33(lambda, end, phi);
+            Ok(over_a_period(lambda, &attractor, from, form))
         },
     )
 }
 
 /// (38) over a whole period.
 pub fn eq38_motion() -> Evidence {
-    let compared = "(38) with (39) with the simulated large-time motion at the worst of 256 phases";
+    let compared =
+        "(38) with (39) with the simulated large-time motion at 256 phases of the period";
     let trial = Trial::motion(Subject::Within, compared);
-    trial.over(
+    each(
+        &trial,
         small().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
-            over_a_period(lambda, &attractor, printed::eq39_phi_t1(lambda), |phi| {
+            let from = printed::eq39_phi_t1(lambda);
+            Ok(over_a_period(lambda, &attractor, from, |phi| {
                 eq38(lambda, phi)
-            })
+            }))
         },
     )
 }
 
 /// λ₀ = 0: every start keeps its own motion.
 pub fn eq38_outside() -> Evidence {
-    let compared = "(38) with (39) with the motion without friction, from any start, at the worst of 256 phases";
+    let compared = "(38) with (39) with the motion without friction, from any start, at 256 phases of the period";
     let trial = Trial::motion(Subject::Outside, compared);
     let mut points = Points::stream(140);
-    trial.over(0..24, |_| {
+    each(&trial, 0..24, |_| {
         let start = State {
             phi: 0.0,
             w: points.uniform(0.5, 3.0),
         };
         let attractor = settled(0.0, start)?;
         let from = printed::eq39_phi_t1(0.0);
-        worst((0..PHASES).map(|k| {
-            let phi = from + TAU * f64::from(k) / f64::from(PHASES);
+        let pair = |phi: f64| {
             let at = format!("λ₀ = 0, 𝔴 = {:.6} at φ = 0, φ = {phi:.6}", start.w);
             Pair::conditioned(at, eq38(0.0, phi), attractor.w(phi))
-        }))
+        };
+        Ok(phases(from).map(pair).collect())
     })
 }
 
@@ -162,9 +172,9 @@ pub fn eq39_motion() -> Evidence {
 
 /// Where the rests lie: [φ̃₂, φ₃], and half a period later.
 pub fn rest_interval_root() -> Evidence {
-    let compared = "the end farthest off of [φ̃₂, φ₃] and [φ̃₂ + π, φ₁ + 2π], φ̃₂ the root of (32), with the ends of the simulated rests";
+    let compared = "the ends of [φ̃₂, φ₃] and [φ̃₂ + π, φ₁ + 2π], φ̃₂ the root of (32), with the ends of the simulated rests";
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
-    trial.over(large(), |lambda| {
+    each(&trial, large(), |lambda| {
         let end = phi_t2(lambda)?;
         let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
         let [_, stated @ ..] = printed::eq33_ends(phi1, end, phi3);
@@ -172,21 +182,22 @@ pub fn rest_interval_root() -> Evidence {
         let rests = list.intervals().iter().filter(|i| i.sign == Sign::Rest);
         let found: Vec<_> = rests.flat_map(|i| [i.start, i.end]).collect();
         let spread = phi_t2_spread(lambda, end) + 10.0 / libm::cos(phi1);
-        worst(stated.into_iter().enumerate().map(|(i, stated)| Pair {
+        let pair = |(i, stated): (usize, f64)| Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated,
             found: found.get(i).copied().unwrap_or(f64::NAN),
             scale: spread,
-        }))
+        };
+        Ok(stated.into_iter().enumerate().map(pair).collect())
     })
 }
 
 /// After its first rest a motion is the periodic one, from whatever start.
 pub fn rest_interval_reached() -> Evidence {
-    let compared = "(33) with 𝔴 at the worst of 40 phases of the period that follows the first rest on the way from any start";
+    let compared = "(33) with 𝔴 at 40 phases of the period that follows the first rest on the way from any start";
     let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(141);
-    trial.over(large(), |lambda| {
+    each(&trial, large(), |lambda| {
         let start = State {
             phi: points.uniform(0.0, TAU),
             w: points.uniform(-6.0, 6.0),
@@ -205,6 +216,6 @@ pub fn rest_interval_reached() -> Evidence {
             pair.scale += start.w.abs() + phi;
             pairs.push(pair);
         }
-        worst(pairs.into_iter())
+        Ok(pairs)
     })
 }

@@ -1,6 +1,6 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::runs::{ORIGIN, Particle, all, drive, lambda_c};
+use super::runs::{ORIGIN, Particle, all, drive, each, lambda_c};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
@@ -190,9 +190,9 @@ pub fn four_points_census() -> Evidence {
 
 /// The four points, each in its place.
 pub fn four_points_root() -> Evidence {
-    let compared = "the farthest off of (27) to (30) with the crossings of h with ±λ₀, in order";
+    let compared = "(27) to (30) with the crossings of h with ±λ₀, in order";
     let trial = Trial::by(Route::Root, Subject::Within, compared, ROOT);
-    trial.over(all(), |lambda| {
+    each(&trial, all(), |lambda| {
         let stated: [Formula; 4] = [
             printed::eq27_phi1,
             printed::eq28_phi2,
@@ -204,7 +204,7 @@ pub fn four_points_root() -> Evidence {
             let found = found.get(i).copied().unwrap_or(f64::NAN);
             beside_a_motion(lambda, stated, found)
         });
-        super::runs::worst(pairs)
+        Ok(pairs.collect())
     })
 }
 

@@ -1,8 +1,9 @@
 //! The motions that the printed formulas of section 2.2 are held against, and the frictions at which they are tried.
 
-use crate::claims::compare::{Failure, Pair};
+use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
+use crate::evidence::Evidence;
 use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Sign, State};
 use crate::motion::{Motion, MotionError, Plane, Signal, particle, trajectory};
 use crate::numerics::NumericsError;
@@ -184,9 +185,15 @@ pub fn eq38(lambda: f64, phi: f64) -> Conditioned {
     cases[case_of(&ends, phi)]
 }
 
-/// Of many pairs the one with the largest difference.
-pub fn worst(pairs: impl Iterator<Item = Pair>) -> Result<Pair, Failure> {
-    pairs
-        .max_by(|a, b| a.disagreement().total_cmp(&b.disagreement()))
-        .ok_or_else(|| "nothing to compare".to_owned().into())
+/// Compares many pairs at each point.
+pub fn each<P>(
+    trial: &Trial,
+    points: impl IntoIterator<Item = P>,
+    mut pairs: impl FnMut(P) -> Result<Vec<Pair>, Failure>,
+) -> Evidence {
+    let all = points.into_iter().flat_map(|point| match pairs(point) {
+        Ok(pairs) => pairs.into_iter().map(Ok).collect(),
+        Err(error) => vec![Err(error)],
+    });
+    trial.over(all, |pair| pair)
 }

@@ -4,7 +4,7 @@ use super::runs::{ORIGIN, Slip, dense, lambda_c, settled, small};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
-use crate::claims::tolerances::{NONE, ROOT, THRESHOLD};
+use crate::claims::tolerances::{NONE, ONSET, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Sign, State};
 use crate::numerics::roots::root;
@@ -57,7 +57,7 @@ fn at(onset: &Onset) -> String {
 /// (37) with the onset of rest.
 pub fn eq37_motion() -> Evidence {
     let compared = "(37) with the friction at which simulated rests appear, by bisection";
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, THRESHOLD);
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ONSET);
     trial.over(onsets(), |onset| {
         let onset = onset?;
         Ok::<_, Failure>(Pair {
@@ -98,7 +98,7 @@ pub fn eq37_root() -> Evidence {
 pub fn eq34_root() -> Evidence {
     let compared =
         "the root of the left side of (34) with the friction at which simulated rests appear";
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, THRESHOLD);
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, ONSET);
     trial.over(onsets(), |onset| {
         let onset = onset?;
         Ok::<_, Failure>(Pair {
