@@ -97,11 +97,16 @@ fn figures() -> Vec<Figure> {
         figure("constant-speed-angle"),
         figure("constant-stopping-time"),
         figure("fig-1"),
+        figure("fig-2"),
         figure("fig-3"),
+        figure("fig-4"),
         figure("periodic-census"),
         figure("periodic-come-and-go"),
         figure("periodic-pulses"),
         figure("periodic-rest-shares"),
+        figure("sinusoidal-decay"),
+        figure("sinusoidal-family"),
+        figure("sinusoidal-rest"),
     ]
 }
 

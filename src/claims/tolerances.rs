@@ -2,6 +2,12 @@
 
 use crate::evidence::Tolerance;
 
+/// A factor per period against its limit near the periodic motion.
+pub const APPROACH: Tolerance = Tolerance {
+    value: 1e-5,
+    reason: "taken where the distance to the periodic motion is 1e-6, of which the next term of the factor is a small multiple",
+};
+
 /// A on the boundary between rest and escape.
 pub const BOUNDARY: Tolerance = Tolerance {
     value: 1e-7,
@@ -26,6 +32,12 @@ pub const DIFFERENCES: Tolerance = Tolerance {
     reason: "differences of fourth order over a thousandth of the time scale, and the rounding that they enlarge",
 };
 
+/// A gap against its leading term at the edge of its range.
+pub const EDGE: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "the next term of the gap, √(λ₀/π) of it, is below 2e-5 for λ₀ up to 1e-9",
+};
+
 /// The coefficient of (ln τ)/τ of an escape.
 pub const ESCAPE_CORRECTION: Tolerance = Tolerance {
     value: 1e-5,
@@ -36,6 +48,12 @@ pub const ESCAPE_CORRECTION: Tolerance = Tolerance {
 pub const ESCAPE_LIMIT: Tolerance = Tolerance {
     value: 1e-11,
     reason: "fits with the known form of the corrections over τ from 1e5 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12",
+};
+
+/// Equal falls of a logarithm.
+pub const EXPONENTIAL: Tolerance = Tolerance {
+    value: 0.1,
+    reason: "falls that are equal up to a tenth would still count as equal",
 };
 
 /// An asymptotic form against what it is the limit of.
@@ -50,10 +68,22 @@ pub const FIRST_OMITTED: Tolerance = Tolerance {
     reason: "its coefficient is of order one",
 };
 
+/// A slope to leading order in a small ratio.
+pub const FIRST_STAGE: Tolerance = Tolerance {
+    value: 1e-7,
+    reason: "the correction is half the square of the ratio of the velocities, below 3e-8",
+};
+
 /// What the inertial frame's foreign integrator and ours may differ by.
 pub const FOREIGN: Tolerance = Tolerance {
     value: 1e-10,
     reason: "the second integrator, of order 8, is asked for 1e-13 a step",
+};
+
+/// A motion that has forgotten its start.
+pub const FORGOTTEN: Tolerance = Tolerance {
+    value: 1e-9,
+    reason: "what is left of the start falls by the contraction factor in every period",
 };
 
 /// A motion on the turntable found in one frame against the same found in another.
@@ -62,10 +92,22 @@ pub const FRAMES: Tolerance = Tolerance {
     reason: "the integrators in the frame of the table and in the laboratory agree to 1e-11 through many turns",
 };
 
+/// A velocity that dies faster than any exponential.
+pub const GONE: Tolerance = Tolerance {
+    value: 1e-12,
+    reason: "it falls as the exponential of an exponential, or is zero after a finite time",
+};
+
 /// An angle that is to follow another one, in units of what that one has left.
 pub const LAG: Tolerance = Tolerance {
     value: 1e-4,
     reason: "the integration is good to 1e-12; an angle that does not follow is off by a part of order one",
+};
+
+/// A time to leading order in a small velocity.
+pub const LAST_STAGE: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "the drive changes by less than 1e-6 within the last stage, and friction exceeds it by at least a hundredth",
 };
 
 /// An angle that tends to zero as a power of the time, or faster.
@@ -78,6 +120,12 @@ pub const LATE_ANGLE: Tolerance = Tolerance {
 pub const LIMIT_OF_WIDTH: Tolerance = Tolerance {
     value: 1e-6,
     reason: "the jumps of h are known to 4e-16, and the least width, 1e-3, divides that twice",
+};
+
+/// A factor of very large logarithms.
+pub const LOGARITHM: Tolerance = Tolerance {
+    value: 1e-7,
+    reason: "terms that stay bounded, beside a logarithm of 1e9",
 };
 
 /// A formula against the integrated motion.
@@ -110,6 +158,18 @@ pub const NONE: Tolerance = Tolerance {
     reason: "a count or a normal form: nothing may differ",
 };
 
+/// The friction at which rests appear, found by bisection on the motion.
+pub const ONSET: Tolerance = Tolerance {
+    value: 1e-12,
+    reason: "the bisection ends at neighbouring numbers; rests shorter than 1e-14 are not listed",
+};
+
+/// A factor of logarithms across a passage through zero.
+pub const PASSAGE: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "what stays bounded stands beside a logarithm of at least 1e5; what is linear in the distance, beside 1e-5",
+};
+
 /// A formula against a quadrature.
 pub const QUADRATURE: Tolerance = Tolerance {
     value: 1e-12,
@@ -126,6 +186,12 @@ pub const RELAXED: Tolerance = Tolerance {
 pub const ROOT: Tolerance = Tolerance {
     value: 1e-11,
     reason: "the root is found to 1e-15; the formula's own rounding is divided by its slope",
+};
+
+/// A correction of second order, from its effect.
+pub const SECOND_ORDER: Tolerance = Tolerance {
+    value: 2e-2,
+    reason: "the next order is the time of a period over the velocity, a hundredth; rounding of the slope is as large",
 };
 
 /// What a short push may leave behind and still count as motion: nothing near the strength of the push.

@@ -9,3 +9,4 @@ pub mod periodic;
 pub mod rest;
 pub mod sphere;
 pub mod turntable;
+pub mod sinusoidal;

@@ -52,6 +52,7 @@ pub mod periodic;
 mod plot;
 mod raster;
 pub mod rest;
+pub mod sinusoidal;
 mod sketch;
 mod svg;
 #[cfg(test)]
