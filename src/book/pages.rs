@@ -30,6 +30,7 @@ written!(
     constant,
     periodic,
     anisotropic,
+    sphere,
     ledger,
     methods
 );

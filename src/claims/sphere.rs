@@ -1,6 +1,7 @@
 //! A sphere that slips and rolls: the claims.
 
 mod angle;
+pub mod drawn;
 mod driven;
 pub mod exact;
 mod laws;

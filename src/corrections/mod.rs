@@ -4,5 +4,5 @@
 
 pub mod anisotropic;
 pub mod constant;
-pub mod sphere;
 pub mod periodic;
+pub mod sphere;

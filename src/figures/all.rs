@@ -3,6 +3,7 @@
 mod anisotropic;
 mod constant;
 mod periodic;
+mod sphere;
 
 use super::{Figure, FigureError};
 use crate::claims::compare::Failure;
@@ -37,7 +38,12 @@ impl From<Failure> for AllFiguresError {
 /// # Errors
 /// [`AllFiguresError`] if a motion cannot be followed or its data not be drawn.
 pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
-    let topics = [constant::figures, periodic::figures, anisotropic::figures];
+    let topics = [
+        constant::figures,
+        periodic::figures,
+        anisotropic::figures,
+        sphere::figures,
+    ];
     let mut all = Vec::new();
     for figures in topics {
         all.extend(figures()?);

@@ -51,6 +51,7 @@ pub mod periodic;
 mod plot;
 mod raster;
 mod sketch;
+pub mod sphere;
 mod svg;
 #[cfg(test)]
 mod tests;

@@ -8,5 +8,5 @@
 pub mod anisotropic;
 pub mod constant;
 pub mod general;
-pub mod sphere;
 pub mod periodic;
+pub mod sphere;

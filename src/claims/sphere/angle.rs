@@ -380,3 +380,15 @@ pub fn corrected83() -> Evidence {
         corrected::slip_at_time(n[0], n[5], n[1], n[2], n[3], n[4])
     })
 }
+
+/// (γ, τ of the motion over τ of (82)) at the points of the trial.
+pub(super) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
+    let known = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
+    known
+        .map(|turn| {
+            let turn = turn?;
+            let stated = printed::eq82_time(turn.lambda, turn.u0, turn.theta0, turn.theta);
+            Ok([turn.gamma, turn.tau / stated])
+        })
+        .collect()
+}

@@ -1,5 +1,6 @@
 //! Trials of (84), (85) and of the statements about a plane that swings: 3.2 to 3.4.
 
+use super::drawn::Swinging;
 use super::runs::sphere;
 use super::words::rolling_time;
 use crate::claims::compare::{Failure, Pair, Trial};
@@ -540,5 +541,58 @@ pub fn anisotropic_motion() -> Evidence {
             found: lengths[0] + 2.0 * lengths[1],
             scale: 1.0,
         })
+    })
+}
+
+/// Two late periods of a solid sphere.
+pub(super) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
+    let sphere = Sphere::with_kappa(0.4);
+    let b = printed::eq67_factor(printed::eq62_kappa(
+        sphere.inertia,
+        sphere.mass,
+        sphere.radius,
+    ));
+    let swing = Swing {
+        sphere,
+        a0: printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda,
+        frequency: 1.0,
+        lambda,
+    };
+    let (from, to) = (SETTLED * TAU, (SETTLED + 2.0) * TAU);
+    let motion = swing
+        .sphere
+        .run(&swing.sine(), &swing.start(0.0, 0.0), to)?;
+    let samples = 480;
+    let mut points = Vec::new();
+    let mut mean = 0.0;
+    for k in 0..=samples {
+        let t = from + (to - from) * f64::from(k) / f64::from(samples);
+        let v = motion.at(t)?.v[0];
+        if k < samples {
+            mean += v / f64::from(samples);
+        }
+        points.push([t - from, motion.slip(t)?[0] / swing.a0, v / swing.a0]);
+    }
+    // The centre's mean velocity depends on the start: it is left out.
+    for point in &mut points {
+        point[2] -= mean / swing.a0;
+    }
+    let mut rolls = Vec::new();
+    let mut since = (motion.contact(from)? == Contact::Rolling).then_some(0.0);
+    for change in motion.transitions().iter().filter(|c| c.t > from) {
+        match (change.to, since) {
+            (Contact::Rolling, None) => since = Some(change.t - from),
+            (Contact::Sliding, Some(begin)) => {
+                rolls.push([begin, change.t - from]);
+                since = None;
+            }
+            _ => {}
+        }
+    }
+    rolls.extend(since.map(|begin| [begin, to - from]));
+    Ok(Swinging {
+        lambda,
+        points,
+        rolls,
     })
 }
