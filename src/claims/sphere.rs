@@ -378,7 +378,6 @@ const CLAIMS: &[Claim] = &[
             angle::regular_straight,
         ],
         correction: Some(REGULAR_SLIP),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-82",
@@ -399,7 +398,6 @@ const CLAIMS: &[Claim] = &[
             angle::regular_time,
         ],
         correction: Some(TIME),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-83",
@@ -418,7 +416,6 @@ const CLAIMS: &[Claim] = &[
             || exact::evidence("corrected-83", Subject::Corrected),
         ],
         correction: Some(SLIP_AT_TIME),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-84",

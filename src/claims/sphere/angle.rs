@@ -151,7 +151,7 @@ fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
         let turn = |i: usize| {
             let lambda = match i {
                 160..180 => 1.0,
-                _ if i % 2 == 0 => points.uniform(0.05, 1.0),
+                _ if i.is_multiple_of(2) => points.uniform(0.05, 1.0),
                 _ => points.uniform(1.0, 6.0),
             };
             let theta0 = points.sign() * points.uniform(0.2, 3.0);

@@ -33,10 +33,7 @@ impl Swing {
         let sphere = sphere(i, points);
         let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
         let b = printed::eq67_factor(kappa);
-        let a0 = match lambda {
-            0.0 => 1.0,
-            _ => printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda,
-        };
+        let a0 = printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda;
         Swing {
             sphere,
             a0,
@@ -340,27 +337,21 @@ pub fn trichotomy_motion() -> Evidence {
     })
 }
 
-/// Without friction a fast sphere's slip never changes its sign: the friction is so small that a late period knows none.
+/// λ₀ = 0: the slip of a fast sphere never changes its sign.
 pub fn trichotomy_outside() -> Evidence {
     let compared =
-        "2 with the zeros in a late period of a sphere with λ₀ = 10⁻¹² and w = 2.5 at φ = 0";
+        "2 with the zeros in a period of a slip without friction, of starts with w > 0 at φ = 0";
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(414);
-    trial.over(0..24, |i| {
-        let mut swing = Swing::new(i, &mut points, 1.0);
-        // Smooth as ice: the least friction that a sphere may have.
-        swing.sphere.mu *= 1e-12;
-        swing.lambda = 1e-12;
-        let start = swing.start(points.uniform(0.5, 2.5), points.uniform(-1.0, 2.0));
-        let (from, to) = (
-            swing.t(SETTLED * TAU + 0.1),
-            swing.t((SETTLED + 1.0) * TAU + 0.1),
-        );
-        let motion = swing.sphere.run(&swing.sine(), &start, to)?;
+    trial.over(0..24, |_| {
+        let w = points.uniform(0.1, 2.5);
+        let outcome =
+            sine_drive()?.attractor(Friction::new(0.0, 0.0)?, State { phi: 0.0, w }, 100)?;
+        let attractor = outcome.settled().ok_or("the drive does not settle")?;
         Ok::<_, Failure>(Pair {
-            at: swing.at(),
+            at: format!("λ₀ = 0, w = {w:.6} at φ = 0"),
             stated: 2.0,
-            found: rolled(&motion, from, to)?,
+            found: listed(attractor.intervals()),
             scale: 1.0,
         })
     })
