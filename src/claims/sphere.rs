@@ -1,6 +1,7 @@
 //! A sphere that slips and rolls: the claims.
 
 mod angle;
+pub mod drawn;
 mod driven;
 pub mod exact;
 mod laws;
@@ -377,7 +378,6 @@ const CLAIMS: &[Claim] = &[
             angle::regular_straight,
         ],
         correction: Some(REGULAR_SLIP),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-82",
@@ -398,7 +398,6 @@ const CLAIMS: &[Claim] = &[
             angle::regular_time,
         ],
         correction: Some(TIME),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-83",
@@ -417,7 +416,6 @@ const CLAIMS: &[Claim] = &[
             || exact::evidence("corrected-83", Subject::Corrected),
         ],
         correction: Some(SLIP_AT_TIME),
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-84",

@@ -10,3 +10,5 @@ pub mod rest;
 pub mod sphere;
 pub mod turntable;
 pub mod sinusoidal;
+pub mod periodic;
+pub mod sphere;

@@ -14,3 +14,4 @@ pub mod rest;
 pub mod sphere;
 pub mod turntable;
 pub mod sinusoidal;
+pub mod sphere;

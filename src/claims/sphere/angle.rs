@@ -151,7 +151,7 @@ fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
         let turn = |i: usize| {
             let lambda = match i {
                 160..180 => 1.0,
-                _ if i % 2 == 0 => points.uniform(0.05, 1.0),
+                _ if i.is_multiple_of(2) => points.uniform(0.05, 1.0),
                 _ => points.uniform(1.0, 6.0),
             };
             let theta0 = points.sign() * points.uniform(0.2, 3.0);
@@ -379,4 +379,16 @@ pub fn corrected83() -> Evidence {
     slip_at_time(Subject::Corrected, compared, |_, n| {
         corrected::slip_at_time(n[0], n[5], n[1], n[2], n[3], n[4])
     })
+}
+
+/// (γ, τ of the motion over τ of (82)) at the points of the trial.
+pub(super) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
+    let known = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
+    known
+        .map(|turn| {
+            let turn = turn?;
+            let stated = printed::eq82_time(turn.lambda, turn.u0, turn.theta0, turn.theta);
+            Ok([turn.gamma, turn.tau / stated])
+        })
+        .collect()
 }

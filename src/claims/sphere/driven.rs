@@ -1,5 +1,6 @@
 //! Trials of (84), (85) and of the statements about a plane that swings: 3.2 to 3.4.
 
+use super::drawn::Swinging;
 use super::runs::sphere;
 use super::words::rolling_time;
 use crate::claims::compare::{Failure, Pair, Trial};
@@ -32,10 +33,7 @@ impl Swing {
         let sphere = sphere(i, points);
         let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
         let b = printed::eq67_factor(kappa);
-        let a0 = match lambda {
-            0.0 => 1.0,
-            _ => printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda,
-        };
+        let a0 = printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda;
         Swing {
             sphere,
             a0,
@@ -339,27 +337,21 @@ pub fn trichotomy_motion() -> Evidence {
     })
 }
 
-/// Without friction a fast sphere's slip never changes its sign: the friction is so small that a late period knows none.
+/// λ₀ = 0: the slip of a fast sphere never changes its sign.
 pub fn trichotomy_outside() -> Evidence {
     let compared =
-        "2 with the zeros in a late period of a sphere with λ₀ = 10⁻¹² and w = 2.5 at φ = 0";
+        "2 with the zeros in a period of a slip without friction, of starts with w > 0 at φ = 0";
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(414);
-    trial.over(0..24, |i| {
-        let mut swing = Swing::new(i, &mut points, 1.0);
-        // Smooth as ice: the least friction that a sphere may have.
-        swing.sphere.mu *= 1e-12;
-        swing.lambda = 1e-12;
-        let start = swing.start(points.uniform(0.5, 2.5), points.uniform(-1.0, 2.0));
-        let (from, to) = (
-            swing.t(SETTLED * TAU + 0.1),
-            swing.t((SETTLED + 1.0) * TAU + 0.1),
-        );
-        let motion = swing.sphere.run(&swing.sine(), &start, to)?;
+    trial.over(0..24, |_| {
+        let w = points.uniform(0.1, 2.5);
+        let outcome =
+            sine_drive()?.attractor(Friction::new(0.0, 0.0)?, State { phi: 0.0, w }, 100)?;
+        let attractor = outcome.settled().ok_or("the drive does not settle")?;
         Ok::<_, Failure>(Pair {
-            at: swing.at(),
+            at: format!("λ₀ = 0, w = {w:.6} at φ = 0"),
             stated: 2.0,
-            found: rolled(&motion, from, to)?,
+            found: listed(attractor.intervals()),
             scale: 1.0,
         })
     })
@@ -540,5 +532,58 @@ pub fn anisotropic_motion() -> Evidence {
             found: lengths[0] + 2.0 * lengths[1],
             scale: 1.0,
         })
+    })
+}
+
+/// Two late periods of a solid sphere.
+pub(super) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
+    let sphere = Sphere::with_kappa(0.4);
+    let b = printed::eq67_factor(printed::eq62_kappa(
+        sphere.inertia,
+        sphere.mass,
+        sphere.radius,
+    ));
+    let swing = Swing {
+        sphere,
+        a0: printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda,
+        frequency: 1.0,
+        lambda,
+    };
+    let (from, to) = (SETTLED * TAU, (SETTLED + 2.0) * TAU);
+    let motion = swing
+        .sphere
+        .run(&swing.sine(), &swing.start(0.0, 0.0), to)?;
+    let samples = 480;
+    let mut points = Vec::new();
+    let mut mean = 0.0;
+    for k in 0..=samples {
+        let t = from + (to - from) * f64::from(k) / f64::from(samples);
+        let v = motion.at(t)?.v[0];
+        if k < samples {
+            mean += v / f64::from(samples);
+        }
+        points.push([t - from, motion.slip(t)?[0] / swing.a0, v / swing.a0]);
+    }
+    // The centre's mean velocity depends on the start: it is left out.
+    for point in &mut points {
+        point[2] -= mean / swing.a0;
+    }
+    let mut rolls = Vec::new();
+    let mut since = (motion.contact(from)? == Contact::Rolling).then_some(0.0);
+    for change in motion.transitions().iter().filter(|c| c.t > from) {
+        match (change.to, since) {
+            (Contact::Rolling, None) => since = Some(change.t - from),
+            (Contact::Sliding, Some(begin)) => {
+                rolls.push([begin, change.t - from]);
+                since = None;
+            }
+            _ => {}
+        }
+    }
+    rolls.extend(since.map(|begin| [begin, to - from]));
+    Ok(Swinging {
+        lambda,
+        points,
+        rolls,
     })
 }

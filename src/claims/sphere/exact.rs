@@ -77,8 +77,14 @@ pub fn proof(id: &str) -> Option<Proof> {
 
 /// Evidence of the proof of the formula with this id.
 pub fn evidence(id: &str, subject: Subject) -> Evidence {
-    let compared =
-        "the formula with the laws of Newton and Euler for the sphere, component by component";
+    let compared = match id {
+        "eq-59" => "the formula with Newton's law in the laboratory, where friction alone acts",
+        "eq-60" => "the formula with Newton's law for six point masses that move as one body",
+        "eq-81" | "eq-82" | "eq-83" | "corrected-82" | "corrected-83" => {
+            "the formula with (11), (13), (14), proved from (1), with γ for A, b for μg and τ for t, as (74) has them"
+        }
+        _ => "the formula with the laws of Newton and Euler for the sphere, component by component",
+    };
     let proof = proof(id).unwrap_or_else(|| {
         let name = id.to_owned();
         Proof::impossible(id, ExactError::UnknownSymbol { name })
