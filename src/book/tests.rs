@@ -98,6 +98,9 @@ fn figures() -> Vec<Figure> {
         figure("constant-stopping-time"),
         figure("fig-1"),
         figure("fig-3"),
+        figure("turntable-energy"),
+        figure("turntable-following"),
+        figure("turntable-paths"),
     ]
 }
 
