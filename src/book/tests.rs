@@ -107,6 +107,9 @@ fn figures() -> Vec<Figure> {
         figure("sinusoidal-decay"),
         figure("sinusoidal-family"),
         figure("sinusoidal-rest"),
+        figure("turntable-energy"),
+        figure("turntable-following"),
+        figure("turntable-paths"),
     ]
 }
 

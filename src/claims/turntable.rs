@@ -30,7 +30,7 @@ const POSITIVE: &[Condition] = &[Condition {
 
 /// Where the friction term divides by the speed.
 const SLIDES: Condition = Condition {
-    text: "$p>0$: at rest, friction is only as large as it has to be, and the term has no value",
+    text: "the particle slides: at rest, friction is only as large as it has to be, and the term has no value",
     stated: false,
 };
 

@@ -16,6 +16,9 @@ pub struct Launch {
     pub rest: Option<f64>,
 }
 
+/// How far from the axis the paths are shown.
+const SHOWN: f64 = 2.5;
+
 /// Paths of the launches, on the table above and in the laboratory below.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
@@ -34,8 +37,9 @@ pub fn paths(launches: &[Launch]) -> Result<Figure, FigureError> {
             table.row([launch.speed.into()].into_iter().chain(row))?;
         }
     }
-    let panel = |title: &str, at: usize| {
-        let mut panel = Panel::new(Axis::linear("Ω^2x/(μg)"), Axis::linear("Ω^2y/(μg)"))
+    let panel = |title: &str, at: usize, labels: [&str; 2]| {
+        let axis = |label: &str| Axis::linear(label).range(-SHOWN, SHOWN);
+        let mut panel = Panel::new(axis(labels[0]), axis(labels[1]))
             .title(title)
             .equal();
         for (n, launch) in launches.iter().enumerate() {
@@ -60,7 +64,7 @@ pub fn paths(launches: &[Launch]) -> Result<Figure, FigureError> {
     };
     Plot::new("turntable-paths", "Two launches from the axis of a turntable")
         .caption(
-            "Two particles, launched from the axis with nearly the same speed (in units of $\\mu g/\\Omega$). \
+            "Two particles, launched from the axis with different speeds (in units of $\\mu g/\\Omega$). \
              (a) On the table both curve to the right; the slower one comes to rest, the faster one spirals \
              outwards for ever. (b) The same in the laboratory, where friction is the only force: once at rest \
              on the table, the slower one is carried round in a circle.",
@@ -68,11 +72,11 @@ pub fn paths(launches: &[Launch]) -> Result<Figure, FigureError> {
         .alt(
             "Two panels with equal axes. Above, on the table, both curves leave the axis to the right and bend \
              clockwise; the short one ends in a disc, the long one winds outwards. Below, in the laboratory, \
-             the short one runs into a circle about the axis, the long one goes outwards on a nearly \
-             straight curve.",
+             the short one runs into a circle about the axis, the long one winds outwards \
+             counterclockwise.",
         )
-        .panel(panel("'(a)'\u{2003}on the table", 1))
-        .panel(panel("'(b)'\u{2003}in the laboratory", 3))
+        .panel(panel("'(a)'\u{2003}on the table", 1, ["Ω^2x/(μg)", "Ω^2y/(μg)"]))
+        .panel(panel("'(b)'\u{2003}in the laboratory", 3, ["Ω^2X/(μg)", "Ω^2Y/(μg)"]))
         .figure(table)
 }
 

@@ -8,9 +8,9 @@ use crate::motion::turntable::{Start, State, Table, inertial, rotating};
 use crate::paper::turntable as printed;
 
 /// The speeds of the launches.
-pub const SPEEDS: [f64; 2] = [1.0, 1.2];
+pub const SPEEDS: [f64; 2] = [1.0, 1.5];
 /// The time up to which they are followed.
-pub const UNTIL: f64 = 5.0;
+pub const UNTIL: f64 = 7.0;
 
 /// One moment of a launch, dimensionless.
 #[derive(Debug, Clone, Copy)]

@@ -65,13 +65,13 @@ fn first_moment(
         let start = state(begin, &mut points);
         let (rho, p) = (start.radius(), start.speed());
         let name = match begin {
-            Begin::Held => "held at rest",
-            Begin::Released => "released from rest",
-            Begin::Launched => "launched from the axis",
+            Begin::Held => "held",
+            Begin::Released => "released",
+            Begin::Launched => "launched",
         };
         let found = first_rate(&Table::default(), &start, |s| quantity(&View::of(s)))?;
         Ok::<_, Failure>(Pair {
-            at: format!("{name}, ρ = {rho:.6}, p = {p:.6}"),
+            at: format!("ρ = {rho:.6}, p = {p:.6} ({name})"),
             stated: formula(&View::of(&start)),
             found,
             scale: 1f64.max(found.abs()),
@@ -101,7 +101,7 @@ pub fn eq86() -> Evidence {
         let [ax, ay] = printed::eq86_acceleration(table.omega, table.mu, table.g, start.x, start.v);
         Ok::<_, Failure>(Pair {
             at: format!(
-                "at rest, Ω = {:.6}, μ = {:.6}, g = {:.6}, r = {:.6}",
+                "Ω = {:.6}, μ = {:.6}, g = {:.6}, r = {:.6}, v = 0",
                 table.omega,
                 table.mu,
                 table.g,
