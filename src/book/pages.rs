@@ -24,7 +24,20 @@ macro_rules! written {
 }
 
 // A topic that is not named here gets a page made from its claims alone.
-written!(index, general, constant, sinusoidal, periodic, anisotropic, sphere, turntable, escape, rest, ledger, methods);
+written!(
+    index,
+    general,
+    constant,
+    sinusoidal,
+    periodic,
+    anisotropic,
+    sphere,
+    turntable,
+    escape,
+    rest,
+    ledger,
+    methods
+);
 
 /// A page before its placeholders are filled.
 pub(super) struct Page {

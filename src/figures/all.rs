@@ -5,6 +5,8 @@ mod constant;
 mod escape;
 mod periodic;
 mod rest;
+mod sinusoidal;
+mod sphere;
 mod turntable;
 
 use super::{Figure, FigureError};
@@ -42,8 +44,10 @@ impl From<Failure> for AllFiguresError {
 pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
     let topics = [
         constant::figures,
+        sinusoidal::figures,
         periodic::figures,
         anisotropic::figures,
+        sphere::figures,
         turntable::figures,
         escape::figures,
         rest::figures,

@@ -11,7 +11,6 @@ pub mod escape;
 pub mod general;
 pub mod periodic;
 pub mod rest;
-pub mod sphere;
-pub mod turntable;
 pub mod sinusoidal;
 pub mod sphere;
+pub mod turntable;
