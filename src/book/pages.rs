@@ -7,7 +7,7 @@ use crate::figures::Figure;
 macro_rules! written {
     ($($stem:ident),+ $(,)?) => {
         /// The written pages: stem and text.
-        const WRITTEN: &[(&str, &str)] = &[$((
+        pub(super) const WRITTEN: &[(&str, &str)] = &[$((
             stringify!($stem),
             include_str!(concat!("../../book/src/", stringify!($stem), ".md")),
         )),+];
