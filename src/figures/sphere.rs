@@ -46,7 +46,7 @@ pub fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
         });
         let mut panel = Panel::new(
             Axis::linear("φ").range(0.0, 4.0 * PI).ticks(phases),
-            Axis::linear("ϖ v_x/A_0").range(-1.0, 1.0),
+            Axis::linear("'velocity' (A_0/ϖ)").range(-1.0, 1.0),
         )
         .title(format!("λ_0 = {}", motion.lambda))
         .height(210.0);
@@ -81,7 +81,7 @@ pub fn times(points: &[[f64; 2]]) -> Result<Figure, FigureError> {
         .fold((1.0_f64, 1.0_f64), |(low, high), [g, _]| {
             (low.min(*g), high.max(*g))
         });
-    let panel = Panel::new(Axis::log("γ"), Axis::log("τ/τ_{'(82)'}"))
+    let panel = Panel::new(Axis::log("γ"), Axis::log("τ/'(82)'"))
         .curve(
             Curve::new([[low, 1.0], [high, 1.0]])
                 .series(1)

@@ -90,7 +90,7 @@ pub(super) fn rolling_time(
 
 /// The rest follows from u: dρ/dτ by (79), then ζ by the corrected (75), both from the particle's velocity.
 pub fn reduction_rest() -> Evidence {
-    let compared = "dρ/dτ by (79) and ζ by the corrected (75), with u of the particle, with the motion; all components, weighed";
+    let compared = "velocity dρ/dτ by (79) and spin ζ by the corrected (75), with u of the particle, with the motion; all components, weighed";
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
         let (b, t, zero) = (run.case.b(), run.until, [0.0; 3]);
