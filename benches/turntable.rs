@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 use slipbook::claims::points::Points;
-use slipbook::claims::tolerances::THIRD_ORDER;
+use slipbook::claims::rest::boundary::is_clear;
 use slipbook::corrections::rest as corrected;
 use slipbook::motion::turntable::boundary::between;
 use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
@@ -96,9 +96,7 @@ fn census(name: &str, list: &[Launch]) {
     let resting = count(&|_, rest| rest);
     let undecided = fates.iter().filter(|f| f.is_none()).count();
     let by_print = count(&|l, rest| rest != (l[0] < printed::eq147_a(l[1])));
-    let beyond = |l: &Launch| {
-        (l[0] - corrected::boundary_a(l[1], l[2])).abs() > THIRD_ORDER.value * l[1] * l[1] * l[1]
-    };
+    let beyond = |&[a, alpha, psi]: &Launch| is_clear(a, alpha, psi);
     let by_ours = count(&|l, rest| beyond(l) && rest != (l[0] < corrected::boundary_a(l[1], l[2])));
     let clear = count(&|l, _| beyond(l));
     println!(

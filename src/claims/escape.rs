@@ -94,7 +94,7 @@ const ESCAPING_LATE_DIFFERENCE: &[Condition] = &[
     },
     Condition {
         text: r"read as: the difference of the two sides tends to zero (their ratio tends to 1 whatever stands before $\tau$)",
-        stated: true,
+        stated: false,
     },
 ];
 
@@ -161,7 +161,6 @@ const CLAIMS: &[Claim] = &[
             || exact::evidence("eq-128"),
             laws::corrected128_limit,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-129",
@@ -183,7 +182,6 @@ const CLAIMS: &[Claim] = &[
             || exact::evidence("eq-129"),
             laws::corrected129_limit,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-130",
@@ -205,7 +203,6 @@ const CLAIMS: &[Claim] = &[
             || exact::evidence("eq-130"),
             laws::corrected130_limit,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-131",
@@ -227,7 +224,6 @@ const CLAIMS: &[Claim] = &[
             || exact::evidence("eq-131"),
             laws::corrected131_limit,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-132",
@@ -251,7 +247,6 @@ const CLAIMS: &[Claim] = &[
             laws::corrected132_limit,
             laws::corrected132_delay,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-133",
@@ -273,7 +268,6 @@ const CLAIMS: &[Claim] = &[
             || exact::evidence("eq-133"),
             laws::corrected133_limit,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-134",
@@ -297,7 +291,6 @@ const CLAIMS: &[Claim] = &[
             laws::corrected134_limit,
             laws::corrected134_delay,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-135",
@@ -321,7 +314,6 @@ const CLAIMS: &[Claim] = &[
             laws::corrected135_limit,
             laws::corrected135_delay,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-136",
@@ -345,7 +337,6 @@ const CLAIMS: &[Claim] = &[
             laws::corrected136_limit,
             laws::corrected136_delay,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-137",
@@ -369,7 +360,6 @@ const CLAIMS: &[Claim] = &[
             laws::corrected137_limit,
             laws::corrected137_delay,
         ],
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-138",

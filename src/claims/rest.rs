@@ -277,6 +277,5 @@ const CLAIMS: &[Claim] = &[
             boundary::corrected_root,
             exact::boundary_evidence,
         ],
-        ..Claim::BLANK
     },
 ];

@@ -62,10 +62,10 @@ pub const FAR: Tolerance = Tolerance {
     reason: "the first term left out is about 1700 q⁻⁴ on E and less on A: 1e-6 at the smallest q, 200",
 };
 
-/// A difference in units of the first order that is left out.
+/// A difference in units of a hundred times the first order that is left out.
 pub const FIRST_OMITTED: Tolerance = Tolerance {
-    value: 1.0,
-    reason: "its coefficient is of order one",
+    value: 1e-2,
+    reason: "the unit is a hundred times that order, and its coefficient is of order one",
 };
 
 /// A slope to leading order in a small ratio.
@@ -218,10 +218,10 @@ pub const TERMINAL: Tolerance = Tolerance {
     reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
 };
 
-/// The third-order term of the boundary, in units of α³.
+/// The third-order term of the boundary, in units of 1000 α³.
 pub const THIRD_ORDER: Tolerance = Tolerance {
-    value: 6.0,
-    reason: "its coefficient depends on ψ and lies between −5.2 and 1.7 as α → 0",
+    value: 6e-3,
+    reason: "the coefficient of α³ depends on ψ and lies between −5.2 and 1.7 as α → 0",
 };
 
 /// A number that is printed to three decimals.

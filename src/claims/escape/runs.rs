@@ -29,7 +29,11 @@ impl Launch {
     /// The start in the paper's symbols.
     pub fn at(&self) -> String {
         let Launch { a, alpha, psi } = self;
-        format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6} at the start")
+        if *alpha < 1e-3 {
+            format!("A = {a:.6}, α = {alpha:.5e}, ψ = {psi:.6} at the start")
+        } else {
+            format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6} at the start")
+        }
     }
 }
 

@@ -39,7 +39,7 @@ fn after_relaxing(subject: Subject, compared: &'static str) -> Evidence {
 
 /// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
 pub fn eq126_order() -> Evidence {
-    let compared = "(126) with dα/dτ of the motion from ψ = ψ₁, in units of α² + ψ²";
+    let compared = "(126) with dα/dτ of the motion from ψ = ψ₁, in units of 100 (α² + ψ²)";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FIRST_OMITTED);
     let mut points = Points::stream(607);
     trial.over(0..60, |_| {
@@ -58,7 +58,7 @@ pub fn eq126_order() -> Evidence {
             at: launch.at(),
             stated: printed::eq126_alpha_rate(a(&now)),
             found: rate,
-            scale: small * small + now.psi() * now.psi(),
+            scale: 100.0 * (small * small + now.psi() * now.psi()),
         })
     })
 }
@@ -240,11 +240,11 @@ pub fn alpha_census() -> Evidence {
         let values = (2..=8)
             .map(|n| Ok(alpha(&escape.run.at(libm::pow(10.0, f64::from(n)))?)))
             .collect::<Result<Vec<_>, MotionError>>()?;
-        let idle = values.windows(2).filter(|w| !(w[1] - w[0] > 1.0)).count();
+        let grown = values.windows(2).filter(|w| w[1] - w[0] > 1.0).count();
         Ok::<_, Failure>(Pair {
             at: escape.launch.at(),
             stated: 0.0,
-            found: idle as f64,
+            found: (values.len() - 1 - grown) as f64,
             scale: 1.0,
         })
     })

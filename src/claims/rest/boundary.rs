@@ -58,6 +58,16 @@ pub fn corrected_a(alpha: f64, psi: f64) -> f64 {
     corrected::boundary_a(alpha, psi)
 }
 
+/// The unit in which the error of the second order is counted.
+fn unit(alpha: f64) -> f64 {
+    1e3 * alpha * alpha * alpha
+}
+
+/// Whether a start is farther from the second-order boundary than the terms left out can be.
+pub fn is_clear(a: f64, alpha: f64, psi: f64) -> bool {
+    (a - corrected_a(alpha, psi)).abs() > THIRD_ORDER.value * unit(alpha)
+}
+
 fn at(alpha: f64, psi: f64) -> String {
     format!("α = {alpha}, ψ = {psi:.6}")
 }
@@ -93,9 +103,9 @@ pub fn printed_slow() -> Evidence {
     })
 }
 
-/// The second-order boundary against the boundary, in units of α³.
+/// The second-order boundary against the boundary.
 pub fn corrected_root() -> Evidence {
-    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the A at which the motion passes from rest to escape, in units of α³";
+    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the A at which the motion passes from rest to escape, in units of 1000 α³";
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
     trial.over(borders(), |border| {
         let Border { alpha, psi, a } = *border?;
@@ -103,7 +113,7 @@ pub fn corrected_root() -> Evidence {
             at: at(alpha, psi),
             stated: corrected_a(alpha, psi),
             found: a,
-            scale: alpha * alpha * alpha,
+            scale: unit(alpha),
         })
     })
 }
@@ -187,8 +197,7 @@ pub fn corrected_census() -> Evidence {
     let wanted = |case: &Result<&Case, MotionError>| {
         case.as_ref().map_or(true, |case| {
             let [a, alpha, psi] = case.start;
-            let margin = THIRD_ORDER.value * alpha * alpha * alpha;
-            alpha < 0.3 && (a - corrected_a(alpha, psi)).abs() > margin
+            alpha < 0.3 && is_clear(a, alpha, psi)
         })
     };
     trial.over(census().filter(wanted), |case| {

@@ -173,7 +173,8 @@ mod tests {
     #[test]
     fn all_are_proved_and_no_changed_formula_is() {
         let [sigma, alpha, c, _] = symbols();
-        let statements: [(Expr, fn(Expr) -> Proof); 4] = [
+        type Statement = (Expr, fn(Expr) -> Proof);
+        let statements: [Statement; 4] = [
             (printed::eq143_psi(sigma, c, alpha), eq143),
             (printed::eq145_a(sigma, alpha), eq145),
             (printed::eq146_right(sigma, alpha), eq146),

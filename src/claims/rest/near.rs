@@ -34,7 +34,7 @@ fn exactly(route: Route, compared: &'static str, sides: Sides) -> Evidence {
 fn by_order(compared: &'static str, speed: f64, sides: Sides) -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Within, compared, FIRST_OMITTED);
     trial.over(approaches(), |approach| {
-        pair(approach?, speed, |s, c| c.omitted(s), sides)
+        pair(approach?, speed, |s, c| 100.0 * c.omitted(s), sides)
     })
 }
 
@@ -138,8 +138,7 @@ pub fn eq140_motion() -> Evidence {
 }
 /// (140) by order.
 pub fn eq140_order() -> Evidence {
-    let compared =
-        "(140) with dα/dτ of the motion at p = 1e-3, relative, in units of (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = "(140) with dα/dτ of the motion at p = 1e-3, relative, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
     by_order(compared, 1e-3, eq140)
 }
 /// (140), ψ → π.
@@ -173,7 +172,7 @@ pub fn eq141_motion() -> Evidence {
 /// (141) by order.
 pub fn eq141_order() -> Evidence {
     let compared =
-        "(141) with α of the motion at p = 1e-3, relative, in units of (α² + ψ²)/[σ(1 − σ)²]";
+        "(141) with α of the motion at p = 1e-3, relative, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
     by_order(compared, 1e-3, eq141)
 }
 /// (141), ψ → π.
@@ -191,7 +190,7 @@ pub fn eq142_motion() -> Evidence {
 /// (142) by order.
 pub fn eq142_order() -> Evidence {
     let compared =
-        "the two sides of (142) at p = 1e-3, over 2 + ψ/α, in units of (α² + ψ²)/[σ(1 − σ)²]";
+        "the two sides of (142) at p = 1e-3, over 2 + ψ/α, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
     by_order(compared, 1e-3, eq142)
 }
 /// (142), ψ → π.
@@ -208,7 +207,7 @@ pub fn eq144_motion() -> Evidence {
 }
 /// (144) by order.
 pub fn eq144_order() -> Evidence {
-    let compared = "the two sides of (144), dA/dα being that of the motion at p = 1e-3, relative, in units of (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = "the two sides of (144), dA/dα being that of the motion at p = 1e-3, relative, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
     by_order(compared, 1e-3, eq144)
 }
 /// (144), ψ → π.
@@ -226,7 +225,7 @@ pub fn eq145_motion() -> Evidence {
 /// (145) by order.
 pub fn eq145_order() -> Evidence {
     let compared =
-        "(145) with A of the motion at p = 1e-3, over A − σ, in units of (α² + ψ²)/[σ(1 − σ)²]";
+        "(145) with A of the motion at p = 1e-3, over A − σ, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
     by_order(compared, 1e-3, eq145)
 }
 /// (145), ψ → π.
@@ -324,23 +323,22 @@ pub fn eq143_large_sigma() -> Evidence {
 }
 /// σ = 1/2: no value.
 pub fn eq143_one_half() -> Evidence {
-    let compared = "(143) with ψ of the motion at p = 1e-10, σ = 1/2";
+    let compared = "(143) over 2α with ψ/(2α) of the motion at p = 1e-10, σ = 1/2";
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NEAR_REST);
     trial.over(approaches_to_one_half(), |approach| {
         let approach = approach?;
         let close = approach.close(1e-10)?;
         Ok::<_, Failure>(Pair {
             at: approach.at(),
-            stated: printed::eq143_psi(0.5, 0.0, close.alpha),
-            found: close.psi,
-            scale: close.psi.abs(),
+            stated: printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
+            found: close.ratio(),
+            scale: close.ratio().abs(),
         })
     })
 }
 /// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
 pub fn eq143_regular() -> Evidence {
-    let compared =
-        "the regular form of (143), its constant taken at p = 1e-10, with ψ at p = 1e-12, σ = 1/2";
+    let compared = "the regular form of (143) over 2α, its constant taken at p = 1e-10, with ψ/(2α) at p = 1e-12, σ = 1/2";
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NEAR_REST);
     trial.over(approaches_to_one_half(), |approach| {
         let approach = approach?;
@@ -348,9 +346,9 @@ pub fn eq143_regular() -> Evidence {
         let c = far.ratio() - corrected::psi(0.5, 0.0, far.alpha) / (2.0 * far.alpha);
         Ok::<_, Failure>(Pair {
             at: approach.at(),
-            stated: corrected::psi(0.5, c, near.alpha),
-            found: near.psi,
-            scale: near.psi.abs(),
+            stated: corrected::psi(0.5, c, near.alpha) / (2.0 * near.alpha),
+            found: near.ratio(),
+            scale: near.ratio().abs(),
         })
     })
 }
