@@ -6,7 +6,7 @@ use super::maths::Maths;
 use super::text::{counted, escape, sentence, size, value};
 use crate::claims::Claim;
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
-use crate::ledger::Entry;
+use crate::ledger::{Entry, Verdict};
 
 /// The box of one claim, as a block of HTML.
 pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
@@ -25,7 +25,7 @@ pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fa
         verdict = verdict(judgement.verdict),
         ground = filler.maths().words(&judgement.ground)?,
     );
-    html.push_str(&statements(filler, claim)?);
+    html.push_str(&statements(filler, entry)?);
     html.push_str(&conditions(filler, claim)?);
     html.push_str(&trials(filler.maths(), &entry.evidence)?);
     html.push_str(&neighbours(filler, claim)?);
@@ -62,7 +62,8 @@ pub(super) fn is_formula(claim: &Claim, latex: &str) -> bool {
     claim.equation.is_some() && !latex.contains('$')
 }
 
-fn statements(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
+fn statements(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
+    let claim = entry.claim;
     let printed = statement(filler, claim, claim.latex)?;
     let Some(correction) = claim.correction else {
         return Ok(printed);
@@ -73,11 +74,16 @@ fn statements(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
         Change::Symbol => "a symbol",
         Change::Statement => "the statement",
     };
+    let heading = match entry.judgement.verdict {
+        // The printed form is right where it has a value; nothing is corrected.
+        Verdict::Conditional => "A form that needs no condition".to_owned(),
+        _ => format!("As corrected (changed: {changed})"),
+    };
     let corrected = statement(filler, claim, correction.latex)?;
     Ok(format!(
         "<div class=\"claim-forms\">\
          <div class=\"printed\"><p class=\"claim-label\">As printed</p>{printed}</div>\
-         <div class=\"corrected\"><p class=\"claim-label\">As corrected (changed: {changed})</p>{corrected}</div>\
+         <div class=\"corrected\"><p class=\"claim-label\">{heading}</p>{corrected}</div>\
          </div>"
     ))
 }

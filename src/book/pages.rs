@@ -7,7 +7,7 @@ use crate::figures::Figure;
 macro_rules! written {
     ($($stem:ident),+ $(,)?) => {
         /// The written pages: stem and text.
-        const WRITTEN: &[(&str, &str)] = &[$((
+        pub(super) const WRITTEN: &[(&str, &str)] = &[$((
             stringify!($stem),
             include_str!(concat!("../../book/src/", stringify!($stem), ".md")),
         )),+];
@@ -28,8 +28,11 @@ written!(
     index,
     general,
     constant,
+    sinusoidal,
     periodic,
     anisotropic,
+    sphere,
+    turntable,
     escape,
     rest,
     ledger,

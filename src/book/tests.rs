@@ -93,16 +93,11 @@ fn figures() -> Vec<Figure> {
         csv: "x,y\n0,0\n4,2\n".into(),
     }
     };
-    vec![
-        figure("constant-speed-angle"),
-        figure("constant-stopping-time"),
-        figure("fig-1"),
-        figure("fig-3"),
-        figure("periodic-census"),
-        figure("periodic-come-and-go"),
-        figure("periodic-pulses"),
-        figure("periodic-rest-shares"),
-    ]
+    let named = |text: &'static str| text.split("{{figure ").skip(1);
+    let ids = pages::WRITTEN.iter().flat_map(|(_, text)| named(text));
+    ids.filter_map(|rest| rest.split("}}").next())
+        .map(figure)
+        .collect()
 }
 
 /// Every file below a folder, by its path from there.

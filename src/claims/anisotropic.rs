@@ -8,6 +8,7 @@ pub mod exact;
 mod mirror;
 pub mod panels;
 mod regions;
+pub mod rows;
 pub mod runs;
 mod setup;
 

@@ -127,9 +127,14 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} v}{v}=\frac{\lambda-\cos\theta}{\sin\theta} \mathrm{d} \theta",
         plain: "dv/v = ((λ − cos θ) / sin θ) dθ",
         depends_on: &["eq-8"],
+        conditions: &[Condition {
+            text: r"$\theta\neq0,\pi$: along the line of the acceleration the speed changes while $\mathrm d\theta=0$",
+            stated: false,
+        }],
         trials: &[
-            || exact::evidence("eq-9", Subject::Printed),
+            || exact::evidence("eq-9", Subject::Within),
             hodograph::eq9_quadrature,
+            hodograph::eq9_outside,
         ],
         ..Claim::BLANK
     },
@@ -438,6 +443,7 @@ const CLAIMS: &[Claim] = &[
             limits::eq20_motion,
             limits::eq20_quadrature,
             words::large_friction_limit,
+            words::large_friction_turns,
             words::large_friction_outside,
         ],
         ..Claim::BLANK
@@ -451,7 +457,7 @@ const CLAIMS: &[Claim] = &[
         latex: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         plain: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         depends_on: &["eq-11", "eq-13", "eq-20"],
-        trials: &[incline::speed, incline::forces],
+        trials: &[incline::speed, incline::time, incline::forces],
         ..Claim::BLANK
     },
     Claim {

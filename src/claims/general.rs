@@ -37,7 +37,7 @@ const CLAIMS: &[Claim] = &[
                 stated: true,
             },
         ],
-        trials: &[law::eq1_laboratory, law::eq1_quadrature],
+        trials: &[law::eq1_laboratory, law::eq1_quadrature, law::eq1_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -53,7 +53,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-1"],
-        trials: &[law::eq2_exact, law::eq2_quadrature],
+        trials: &[law::eq2_exact, law::eq2_quadrature, law::eq2_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -121,6 +121,7 @@ const CLAIMS: &[Claim] = &[
             words::across_census,
             words::across_quadrature,
             words::across_limit,
+            words::across_integration,
         ],
         ..Claim::BLANK
     },

@@ -1,13 +1,38 @@
 //! Sinusoidal acceleration: stick and slip: the claims.
 
-use super::{Claim, Condition, Topic};
-use crate::evidence::Kind;
+mod across;
+mod decay;
+mod exact;
+mod periodic;
+mod phases;
+pub mod pictures;
+mod runs;
+mod setup;
+mod slip;
+mod threshold;
+mod words;
+
+use super::{Claim, Condition, Correction, Topic};
+use crate::evidence::{Change, Kind};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
     stem: "sinusoidal",
     title: "Sinusoidal acceleration: stick and slip",
     claims: CLAIMS,
+};
+
+/// How v_y really dies, in place of a slow exponential.
+const DECAY: Correction = Correction {
+    change: Change::Statement,
+    latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time. Once $v_y\ll v_x$: for $\lambda_0<\lambda_\mathrm{c}$, $\ln v_y$ is multiplied by $(s+\lambda_0)/(s-\lambda_0)$, $s=\sin\tilde\phi_1$, wherever $v_x$ passes through zero in its large-time motion, up to terms that stay bounded, so that $v_y$ falls as the exponential of an exponential; for $\lambda_0>\lambda_\mathrm{c}$, $v_y$ is exactly zero after a finite time, and a velocity $\mathfrak{w}_y$ across the drive that is left when $v_x$ comes to rest dies within $\lambda_0\mathfrak{w}_y/(\lambda_0^2-h^2)$, $h=\sin\phi$.",
+    plain: "While v_y ≫ v_x, v_y falls linearly in time. Once v_y ≪ v_x: for λ₀ < λ_c, ln v_y is multiplied by (s + λ₀)/(s − λ₀), s = sin φ̃₁, wherever v_x passes through zero in its large-time motion, up to terms that stay bounded, so that v_y falls as the exponential of an exponential; for λ₀ > λ_c, v_y is exactly zero after a finite time, and a velocity w_y across the drive that is left when v_x comes to rest dies within λ₀ w_y/(λ₀² − h²), h = sin φ.",
+};
+
+/// Without friction every start keeps its own motion.
+const SOME_FRICTION: Condition = Condition {
+    text: r"$\lambda_0>0$: without friction no start is forgotten",
+    stated: false,
 };
 
 const CLAIMS: &[Claim] = &[
@@ -23,6 +48,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A_0>0$",
             stated: true,
         }],
+        trials: &[setup::eq21],
         ..Claim::BLANK
     },
     Claim {
@@ -34,6 +60,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{\mu g}{A_0}",
         plain: "λ₀ = μ g / A₀",
         depends_on: &["eq-21"],
+        trials: &[setup::eq22],
         ..Claim::BLANK
     },
     Claim {
@@ -45,6 +72,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\phi=\varpi t",
         plain: "φ = ϖ t",
         depends_on: &["eq-21"],
+        trials: &[setup::eq23],
         ..Claim::BLANK
     },
     Claim {
@@ -56,6 +84,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\mathfrak{w}=\frac{\varpi v_x}{A_0}",
         plain: "w = ϖ v_x / A₀",
         depends_on: &["eq-21"],
+        trials: &[setup::eq24],
         ..Claim::BLANK
     },
     Claim {
@@ -71,6 +100,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-22"],
+        trials: &[setup::eq25_motion, setup::eq25_census],
         ..Claim::BLANK
     },
     Claim {
@@ -99,6 +129,7 @@ const CLAIMS: &[Claim] = &[
             "eq-24",
             "s22-vy-vanishes",
         ],
+        trials: &[exact::eq26, setup::eq26_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -114,6 +145,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-25", "eq-26"],
+        trials: &[exact::eq27, phases::eq27_root, phases::eq27_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -129,6 +161,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-25", "eq-26"],
+        trials: &[exact::eq28, phases::eq28_root, phases::eq28_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -144,6 +177,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-25", "eq-26"],
+        trials: &[exact::eq29, phases::eq29_root, phases::eq29_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -159,6 +193,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-25", "eq-26"],
+        trials: &[exact::eq30, phases::eq30_root, phases::eq30_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -184,6 +219,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26", "eq-27"],
+        trials: &[exact::eq31, slip::eq31_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -199,6 +235,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-31"],
+        trials: &[slip::eq32_root, slip::eq32_motion, slip::eq32_census],
         ..Claim::BLANK
     },
     Claim {
@@ -220,6 +257,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-29", "eq-31", "eq-32", "s22-rest-ends"],
+        trials: &[exact::eq33, periodic::eq33_motion, periodic::eq33_unique],
         ..Claim::BLANK
     },
     Claim {
@@ -235,6 +273,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-29", "eq-32"],
+        trials: &[slip::eq34_motion, slip::eq34_census, threshold::eq34_root],
         ..Claim::BLANK
     },
     Claim {
@@ -250,6 +289,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-29", "eq-34"],
+        trials: &[exact::eq35, slip::eq35_motion, slip::eq35_census],
         ..Claim::BLANK
     },
     Claim {
@@ -265,6 +305,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-35", "eq-37"],
+        trials: &[exact::eq36, slip::eq36_census],
         ..Claim::BLANK
     },
     Claim {
@@ -276,6 +317,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}",
         plain: "λ_c = 2 / √(4 + π²)",
         depends_on: &["eq-35"],
+        trials: &[exact::eq37, threshold::eq37_root, threshold::eq37_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -286,11 +328,21 @@ const CLAIMS: &[Claim] = &[
         title: "large-time motion without rests",
         latex: r"\mathfrak{w}=\begin{cases}-\lambda_0 (\phi-\tilde\phi_1)+\cos\tilde\phi_1-\cos\phi,& \tilde\phi_1<\phi<\tilde\phi_1+\pi\\ \lambda_0 (\phi-\tilde\phi_1-\pi)-\cos\tilde\phi_1-\cos\phi,& \tilde\phi_1+\pi<\phi<\tilde\phi_1+2 \pi \end{cases}",
         plain: "w = −λ₀ (φ − φ̃₁) + cos φ̃₁ − cos φ for φ̃₁ < φ < φ̃₁ + π; λ₀ (φ − φ̃₁ − π) − cos φ̃₁ − cos φ for φ̃₁ + π < φ < φ̃₁ + 2π",
-        conditions: &[Condition {
-            text: "(36) does not hold",
-            stated: true,
-        }],
+        conditions: &[
+            SOME_FRICTION,
+            Condition {
+                text: "(36) does not hold",
+                stated: true,
+            },
+        ],
         depends_on: &["eq-26", "eq-36", "s22-no-rest-below"],
+        trials: &[
+            exact::eq38,
+            periodic::eq38_motion,
+            periodic::eq38_unique,
+            periodic::eq38_approach,
+            periodic::eq38_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -306,6 +358,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-38"],
+        trials: &[exact::eq39, periodic::eq39_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -321,6 +374,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-37", "eq-38"],
+        trials: &[exact::eq40, threshold::eq40_census],
         ..Claim::BLANK
     },
     Claim {
@@ -336,6 +390,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-39", "eq-40"],
+        trials: &[exact::eq40, threshold::eq41_motion, threshold::eq41_census],
         ..Claim::BLANK
     },
     Claim {
@@ -347,6 +402,15 @@ const CLAIMS: &[Claim] = &[
         latex: r"$v_y\to0$ at large times.",
         plain: "v_y → 0 at large times.",
         depends_on: &["s2-perpendicular-decays", "eq-21"],
+        conditions: &[Condition {
+            text: r"$\mu>0$: there is friction",
+            stated: true,
+        }],
+        trials: &[
+            across::vanishes_limit,
+            across::vanishes_motion,
+            across::vanishes_census,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -358,6 +422,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $A_0<\mu g$, $v_x$ too vanishes at large times.",
         plain: "For A₀ < μ g, v_x too vanishes at large times.",
         depends_on: &["s2-stops-if-weak", "eq-21"],
+        trials: &[words::weak_drive_motion, words::weak_drive_census],
         ..Claim::BLANK
     },
     Claim {
@@ -369,7 +434,22 @@ const CLAIMS: &[Claim] = &[
         latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time; once $v_y\ll v_x$, it falls more slowly, exponentially.",
         plain: "While v_y ≫ v_x, v_y falls linearly in time; once v_y ≪ v_x, it falls more slowly, exponentially.",
         depends_on: &["eq-1", "eq-21"],
-        ..Claim::BLANK
+        conditions: &[Condition {
+            text: r"$\mu>0$: there is friction",
+            stated: true,
+        }],
+        trials: &[
+            across::first_stage,
+            across::second_stage,
+            decay::first_stage_correction,
+            decay::period_factor,
+            decay::period_factor_reached,
+            decay::passage_limit,
+            decay::passage_quadrature,
+            decay::finite_end,
+            decay::last_stage,
+        ],
+        correction: Some(DECAY),
     },
     Claim {
         id: "s22-attractor-ignores-vy",
@@ -380,6 +460,11 @@ const CLAIMS: &[Claim] = &[
         latex: "At large times $v_x$ does not depend on the initial $v_y$; on the way there it does.",
         plain: "At large times v_x does not depend on the initial v_y; on the way there it does.",
         depends_on: &["eq-26", "s22-vy-vanishes"],
+        conditions: &[Condition {
+            text: r"$\mu>0$: there is friction",
+            stated: true,
+        }],
+        trials: &[across::ignores_motion, across::ignores_census],
         ..Claim::BLANK
     },
     Claim {
@@ -391,6 +476,7 @@ const CLAIMS: &[Claim] = &[
         latex: "$v_x$ against time for one initial $v_x$ and several initial $v_y$.",
         plain: "v_x against time for one initial v_x and several initial v_y.",
         depends_on: &["eq-1", "eq-21", "s22-attractor-ignores-vy"],
+        trials: &[pictures::fig2_motion, pictures::fig2_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -402,6 +488,21 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\lvert\sin\phi\rvert=\lambda_0$ at exactly four points of a period, those of (27) to (30).",
         plain: "|sin φ| = λ₀ at exactly four points of a period, those of (27) to (30).",
         depends_on: &["eq-27", "eq-28", "eq-29", "eq-30"],
+        conditions: &[
+            Condition {
+                text: r"$\lambda_0<1$",
+                stated: true,
+            },
+            Condition {
+                text: r"$0<\lambda_0$: at $\lambda_0=0$ the four formulas give only the two points $0$ and $\pi$ of a period",
+                stated: false,
+            },
+        ],
+        trials: &[
+            phases::four_points_census,
+            phases::four_points_root,
+            phases::four_points_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -413,6 +514,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"Within $[0,2\pi]$ an interval of rest can end only at $\phi_1$ or $\phi_3$.",
         plain: "Within [0, 2π] an interval of rest can end only at φ₁ or φ₃.",
         depends_on: &["eq-26", "eq-27", "eq-29"],
+        trials: &[phases::rest_ends_motion, phases::rest_ends_census],
         ..Claim::BLANK
     },
     Claim {
@@ -424,6 +526,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\phi_2<\tilde\phi_2<\phi_4$.",
         plain: "φ₂ < φ̃₂ < φ₄.",
         depends_on: &["eq-28", "eq-30", "eq-32"],
+        trials: &[slip::bracket_census, slip::bracket_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -435,6 +538,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"If $\tilde\phi_2<\phi_3$, the large-time motion is (33), at rest on $[\tilde\phi_2,\phi_3]$ and again half a period later.",
         plain: "If φ̃₂ < φ₃, the large-time motion is (33), at rest on [φ̃₂, φ₃] and again half a period later.",
         depends_on: &["eq-33"],
+        trials: &[
+            periodic::rest_interval_root,
+            periodic::rest_interval_reached,
+            periodic::eq33_unique,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -446,6 +554,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda_0<\lambda_\mathrm{c}$ no periodic motion vanishes on an interval.",
         plain: "For λ₀ < λ_c no periodic motion vanishes on an interval.",
         depends_on: &["eq-26", "eq-32", "eq-36", "s22-rest-ends"],
+        trials: &[words::no_rest_census, words::no_rest_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -463,6 +572,12 @@ const CLAIMS: &[Claim] = &[
             "s22-rest-interval",
             "s22-no-rest-below",
         ],
+        conditions: &[SOME_FRICTION],
+        trials: &[
+            words::trichotomy_census,
+            words::trichotomy_motion,
+            words::trichotomy_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -471,9 +586,10 @@ const CLAIMS: &[Claim] = &[
         equation: None,
         kind: Kind::Figure,
         title: "large-time motion at small friction",
-        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$; axes $0$ to $4\pi$ and $\pm0.8$.",
-        plain: "w(φ) over two periods for λ₀ = 1/π; axes 0 to 4π and ±0.8.",
+        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$, that is (38) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.8$.",
+        plain: "w(φ) over two periods for λ₀ = 1/π, that is (38) for φ from 0 to 4π; the axis of w bears the mark 0.8.",
         depends_on: &["eq-38", "eq-39"],
+        trials: &[pictures::fig3_motion, pictures::fig3_frame],
         ..Claim::BLANK
     },
     Claim {
@@ -482,9 +598,10 @@ const CLAIMS: &[Claim] = &[
         equation: None,
         kind: Kind::Figure,
         title: "large-time motion at large friction",
-        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$; axes $0$ to $4\pi$ and $\pm0.3$.",
-        plain: "w(φ) over two periods for λ₀ = 1/√2; axes 0 to 4π and ±0.3.",
+        latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$, that is (33) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.3$.",
+        plain: "w(φ) over two periods for λ₀ = 1/√2, that is (33) for φ from 0 to 4π; the axis of w bears the mark 0.3.",
         depends_on: &["eq-33"],
+        trials: &[pictures::fig4_motion, pictures::fig4_frame],
         ..Claim::BLANK
     },
 ];

@@ -1,7 +1,17 @@
 //! A sphere that slips and rolls: the claims.
 
-use super::{Claim, Condition, Topic};
-use crate::evidence::Kind;
+mod angle;
+pub mod drawn;
+mod driven;
+pub mod exact;
+mod laws;
+mod rates;
+mod runs;
+mod scaling;
+mod words;
+
+use super::{Claim, Condition, Correction, Topic};
+use crate::evidence::{Change, Kind, Subject};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -22,6 +32,63 @@ const CONSTANT: &[Condition] = &[Condition {
     stated: true,
 }];
 
+const STATED_CONSTANT: Condition = CONSTANT[0];
+
+/// As for (11).
+const NOT_STRAIGHT: &[Condition] = &[
+    STATED_CONSTANT,
+    Condition {
+        text: r"$\theta_0\neq0,\pi$: along the line of the acceleration it is $0/0$",
+        stated: false,
+    },
+];
+
+/// As for (13).
+const TIME_HAS_A_VALUE: &[Condition] = &[
+    STATED_CONSTANT,
+    Condition {
+        text: r"$\theta_0\neq0,\pi$, $\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, corrected or not: elsewhere it is $0/0$",
+        stated: false,
+    },
+];
+
+/// As for (14).
+const SLIP_HAS_A_VALUE: &[Condition] = &[
+    STATED_CONSTANT,
+    Condition {
+        text: r"$\cos\theta\neq-\lambda$, corrected or not: there it is $0/0$",
+        stated: false,
+    },
+];
+
+/// (75) with its sign.
+const SPIN: Correction = Correction {
+    change: Change::Sign,
+    latex: r"\bm{\zeta}=\hat{\bm{z}} \zeta_3-\hat{\bm{z}}\times(\bm{u}-\dot{\bm{\rho}})",
+    plain: "𝛇 = ẑ ζ₃ − ẑ × (𝐮 − d𝛒/dτ)",
+};
+
+/// (81) where it has no value too.
+const REGULAR_SLIP: Correction = Correction {
+    change: Change::Statement,
+    latex: r"u=u_0\left[\cos^2\tfrac{\theta_0}{2}\,r^{\lambda-1}+\sin^2\tfrac{\theta_0}{2}\,r^{\lambda+1}\right],\quad r=\frac{\tan\frac{\theta}{2}}{\tan\frac{\theta_0}{2}}",
+    plain: "u = u₀ [cos²(θ₀/2) r^(λ−1) + sin²(θ₀/2) r^(λ+1)], r = tan(θ/2)/tan(θ₀/2)",
+};
+
+/// (82) with its factor.
+const TIME: Correction = Correction {
+    change: Change::Factor,
+    latex: r"\tau=\frac{u_0 (\lambda+\cos\theta_0)}{\gamma (1-\lambda^2)} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right],\quad\gamma=\frac{A}{\mu g}",
+    plain: "τ = u₀ (λ + cos θ₀)/[γ (1 − λ²)] · {[(λ + cos θ) sin θ₀]/[(λ + cos θ₀) sin θ] · [tan(θ/2)/tan(θ₀/2)]^λ − 1}, γ = A/(μ g)",
+};
+
+/// (83) with its factor.
+const SLIP_AT_TIME: Correction = Correction {
+    change: Change::Factor,
+    latex: r"u=\frac{(1-\lambda^2) \gamma \tau+u_0 (\lambda+\cos\theta_0)}{\lambda+\cos\theta},\quad\gamma=\frac{A}{\mu g}",
+    plain: "u = [(1 − λ²) γ τ + u₀ (λ + cos θ₀)]/(λ + cos θ), γ = A/(μ g)",
+};
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-59",
@@ -31,6 +98,7 @@ const CLAIMS: &[Claim] = &[
         title: "Newton's law for the centre",
         latex: r"m \frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-m \bm{A}+\bm{F}",
         plain: "m d²𝐫/dt² = −m 𝐀 + 𝐅",
+        trials: &[|| exact::evidence("eq-59", Subject::Printed), laws::eq59],
         ..Claim::BLANK
     },
     Claim {
@@ -41,6 +109,7 @@ const CLAIMS: &[Claim] = &[
         title: "Newton's law for the spin",
         latex: r"I \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=\bm{R}\times\bm{F}",
         plain: "I d𝛚/dt = 𝐑 × 𝐅",
+        trials: &[|| exact::evidence("eq-60", Subject::Printed), laws::eq60],
         ..Claim::BLANK
     },
     Claim {
@@ -51,6 +120,7 @@ const CLAIMS: &[Claim] = &[
         title: "from the centre to the contact",
         latex: r"\bm{R}=-R \hat{\bm{z}}",
         plain: "𝐑 = −R ẑ",
+        trials: &[laws::eq61],
         ..Claim::BLANK
     },
     Claim {
@@ -61,6 +131,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless moment of inertia",
         latex: r"\kappa=\frac{I}{m R^2}",
         plain: "κ = I/(m R²)",
+        trials: &[scaling::eq62],
         ..Claim::BLANK
     },
     Claim {
@@ -73,6 +144,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d²𝐫/dt² = −𝐀 − μ g 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
         conditions: SLIDES,
         depends_on: &["eq-59", "eq-61"],
+        trials: &[|| exact::evidence("eq-63", Subject::Printed), rates::eq63],
         ..Claim::BLANK
     },
     Claim {
@@ -85,6 +157,7 @@ const CLAIMS: &[Claim] = &[
         plain: "κ R² d𝛚/dt = −μ g 𝐑 × 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
         conditions: SLIDES,
         depends_on: &["eq-60", "eq-61", "eq-62"],
+        trials: &[|| exact::evidence("eq-64", Subject::Printed), rates::eq64],
         ..Claim::BLANK
     },
     Claim {
@@ -97,6 +170,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d(𝛚 × 𝐑)/dt = −(μ g/κ) 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
         conditions: SLIDES,
         depends_on: &["eq-61", "eq-64"],
+        trials: &[|| exact::evidence("eq-65", Subject::Printed), rates::eq65],
         ..Claim::BLANK
     },
     Claim {
@@ -109,6 +183,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d𝐰/dt = −𝐀 − b μ g 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
         conditions: SLIDES,
         depends_on: &["eq-63", "eq-65", "eq-67"],
+        trials: &[|| exact::evidence("eq-66", Subject::Printed), rates::eq66],
         ..Claim::BLANK
     },
     Claim {
@@ -120,6 +195,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"b=1+\frac{1}{\kappa}",
         plain: "b = 1 + 1/κ",
         depends_on: &["eq-62"],
+        trials: &[laws::eq67],
         ..Claim::BLANK
     },
     Claim {
@@ -130,6 +206,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless position",
         latex: r"\bm{\rho}=\frac{\bm{r}}{R}",
         plain: "𝛒 = 𝐫/R",
+        trials: &[scaling::eq68],
         ..Claim::BLANK
     },
     Claim {
@@ -140,6 +217,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless time",
         latex: r"\tau=\sqrt{\frac{\mu g}{R}} t",
         plain: "τ = √(μ g/R) t",
+        trials: &[scaling::eq69],
         ..Claim::BLANK
     },
     Claim {
@@ -150,6 +228,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless angular velocity",
         latex: r"\bm{\zeta}=\sqrt{\frac{R}{\mu g}} \bm{\omega}",
         plain: "𝛇 = √(R/(μ g)) 𝛚",
+        trials: &[scaling::eq70],
         ..Claim::BLANK
     },
     Claim {
@@ -161,6 +240,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{u}=\frac{1}{\sqrt{\mu g R}} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)",
         plain: "𝐮 = (d𝐫/dt + 𝛚 × 𝐑)/√(μ g R)",
         depends_on: &["eq-61"],
+        trials: &[scaling::eq71],
         ..Claim::BLANK
     },
     Claim {
@@ -171,6 +251,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless acceleration",
         latex: r"\bm{\gamma}=\frac{\bm{A}}{\mu g}",
         plain: "𝛄 = 𝐀/(μ g)",
+        trials: &[scaling::eq72],
         ..Claim::BLANK
     },
     Claim {
@@ -183,6 +264,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d²𝛒/dτ² = −𝛄 − 𝐮/u",
         conditions: SLIDES,
         depends_on: &["eq-63", "eq-68", "eq-69", "eq-71", "eq-72"],
+        trials: &[|| exact::evidence("eq-73", Subject::Printed), rates::eq73],
         ..Claim::BLANK
     },
     Claim {
@@ -195,6 +277,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d𝐮/dτ = −𝛄 − b 𝐮/u",
         conditions: SLIDES,
         depends_on: &["eq-66", "eq-69", "eq-71", "eq-72"],
+        trials: &[|| exact::evidence("eq-74", Subject::Printed), rates::eq74],
         ..Claim::BLANK
     },
     Claim {
@@ -206,6 +289,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{\zeta}=\hat{\bm{z}} \zeta_3+\hat{\bm{z}}\times(\bm{u}-\dot{\bm{\rho}})",
         plain: "𝛇 = ẑ ζ₃ + ẑ × (𝐮 − d𝛒/dτ)",
         depends_on: &["eq-61", "eq-68", "eq-69", "eq-70", "eq-71"],
+        trials: &[
+            rates::eq75,
+            || exact::evidence("eq-75", Subject::Printed),
+            rates::corrected75,
+            || exact::evidence("corrected-75", Subject::Corrected),
+        ],
+        correction: Some(SPIN),
         ..Claim::BLANK
     },
     Claim {
@@ -217,6 +307,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot{\bm{\nu}}=\bm{\gamma}",
         plain: "d𝛎/dτ = 𝛄",
         depends_on: &["eq-69", "eq-72"],
+        trials: &[laws::eq76],
         ..Claim::BLANK
     },
     Claim {
@@ -229,6 +320,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d(d𝛒/dτ + 𝛎)/dτ = −𝐮/u",
         conditions: SLIDES,
         depends_on: &["eq-73", "eq-76"],
+        trials: &[|| exact::evidence("eq-77", Subject::Printed), rates::eq77],
         ..Claim::BLANK
     },
     Claim {
@@ -241,6 +333,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d(𝐮 + 𝛎)/dτ = −b 𝐮/u",
         conditions: SLIDES,
         depends_on: &["eq-74", "eq-76"],
+        trials: &[|| exact::evidence("eq-78", Subject::Printed), rates::eq78],
         ..Claim::BLANK
     },
     Claim {
@@ -252,6 +345,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot{\bm{\rho}}=-\left(1-\frac{1}{b}\right) \bm{\nu}+\frac{\bm{u}}{b}+\bm{c}",
         plain: "d𝛒/dτ = −(1 − 1/b) 𝛎 + 𝐮/b + 𝐜, 𝐜 constant",
         depends_on: &["eq-77", "eq-78"],
+        trials: &[|| exact::evidence("eq-79", Subject::Printed), rates::eq79],
         ..Claim::BLANK
     },
     Claim {
@@ -263,6 +357,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda=\frac{b \mu g}{A}",
         plain: "λ = b μ g/A",
         depends_on: &["eq-3", "eq-67"],
+        trials: &[angle::eq80],
         ..Claim::BLANK
     },
     Claim {
@@ -273,9 +368,16 @@ const CLAIMS: &[Claim] = &[
         title: "slip speed over the angle",
         latex: r"u=u_0 \frac{\sin\theta_0}{\sin\theta} \left(\frac{{\tan\frac{\theta}{2}}} {{\tan\frac{\theta_0}{2}}}\right)^\lambda",
         plain: "u = u₀ (sin θ₀/sin θ) [tan(θ/2)/tan(θ₀/2)]^λ",
-        conditions: CONSTANT,
+        conditions: NOT_STRAIGHT,
         depends_on: &["eq-11", "eq-74", "eq-80"],
-        ..Claim::BLANK
+        trials: &[
+            || exact::evidence("eq-81", Subject::Within),
+            angle::eq81,
+            angle::eq81_outside,
+            angle::regular_slip,
+            angle::regular_straight,
+        ],
+        correction: Some(REGULAR_SLIP),
     },
     Claim {
         id: "eq-82",
@@ -285,9 +387,17 @@ const CLAIMS: &[Claim] = &[
         title: "time over the angle of slip",
         latex: r"\tau=\frac{u_0 (\lambda+\cos\theta_0)}{1-\lambda^2} \left[\frac{(\lambda +\cos\theta) \sin\theta_0}{(\lambda +\cos\theta_0) \sin\theta} \left(\frac{{\tan\frac{\theta}{2}}}{{\tan\frac{\theta_0}{2}}}\right)^\lambda -1\right]",
         plain: "τ = u₀ (λ + cos θ₀)/(1 − λ²) · {[(λ + cos θ) sin θ₀]/[(λ + cos θ₀) sin θ] · [tan(θ/2)/tan(θ₀/2)]^λ − 1}",
-        conditions: CONSTANT,
+        conditions: TIME_HAS_A_VALUE,
         depends_on: &["eq-13", "eq-69", "eq-71", "eq-74", "eq-80"],
-        ..Claim::BLANK
+        trials: &[
+            angle::eq82,
+            || exact::evidence("eq-82", Subject::Printed),
+            angle::corrected82,
+            angle::corrected82_quadrature,
+            || exact::evidence("corrected-82", Subject::Corrected),
+            angle::regular_time,
+        ],
+        correction: Some(TIME),
     },
     Claim {
         id: "eq-83",
@@ -297,9 +407,15 @@ const CLAIMS: &[Claim] = &[
         title: "slip speed over time and angle",
         latex: r"u=\frac{(1-\lambda^2) \tau+u_0 (\lambda+\cos\theta_0)}{(\lambda+\cos\theta)}",
         plain: "u = [(1 − λ²) τ + u₀ (λ + cos θ₀)]/(λ + cos θ)",
-        conditions: CONSTANT,
+        conditions: SLIP_HAS_A_VALUE,
         depends_on: &["eq-14", "eq-81", "eq-82"],
-        ..Claim::BLANK
+        trials: &[
+            angle::eq83,
+            || exact::evidence("eq-83", Subject::Printed),
+            angle::corrected83,
+            || exact::evidence("corrected-83", Subject::Corrected),
+        ],
+        correction: Some(SLIP_AT_TIME),
     },
     Claim {
         id: "eq-84",
@@ -310,6 +426,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{b \mu g}{A_0}",
         plain: "λ₀ = b μ g/A₀",
         depends_on: &["eq-22", "eq-67"],
+        trials: &[driven::eq84],
         ..Claim::BLANK
     },
     Claim {
@@ -321,6 +438,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{b \mu_+ g}{A_0}",
         plain: "λ₀ = b μ₊ g/A₀",
         depends_on: &["eq-47", "eq-49", "eq-67"],
+        trials: &[driven::eq85],
         ..Claim::BLANK
     },
     Claim {
@@ -332,6 +450,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"The slip velocity $\bm{u}$ moves like a particle's velocity under the same $\bm{A}$ with $b\mu$ in place of $\mu$; the velocity of the centre and the spin then follow from $\bm{u}$.",
         plain: "The slip velocity 𝐮 moves like a particle's velocity under the same 𝐀 with bμ in place of μ; the velocity of the centre and the spin then follow from 𝐮.",
         depends_on: &["eq-1", "eq-74", "eq-75", "eq-79"],
+        trials: &[
+            || exact::evidence("s3-reduction", Subject::Printed),
+            words::reduction_motion,
+            words::reduction_rolling,
+            words::reduction_rest,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -343,6 +467,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\zeta_3$ keeps its value and enters no other equation.",
         plain: "ζ₃ keeps its value and enters no other equation.",
         depends_on: &["eq-64", "eq-73", "eq-74", "eq-75"],
+        trials: &[
+            || exact::evidence("s3-spin-constant", Subject::Printed),
+            words::spin_constant,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -354,6 +482,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"At large times $u_x$ vanishes at exactly two instants per period if $\lambda_0<\lambda_\mathrm{c}$, on two intervals per period if $\lambda_\mathrm{c}<\lambda_0<1$, always if $\lambda_0>1$; where $\bm{u}=0$ the sphere rolls without slipping.",
         plain: "At large times u_x vanishes at exactly two instants per period if λ₀ < λ_c, on two intervals per period if λ_c < λ₀ < 1, always if λ₀ > 1; where 𝐮 = 0 the sphere rolls without slipping.",
         depends_on: &["s22-trichotomy", "eq-71", "eq-84", "s3-reduction"],
+        conditions: &[Condition {
+            text: r"$\lambda_0>0$: without friction no start is forgotten",
+            stated: false,
+        }],
+        trials: &[
+            driven::trichotomy_census,
+            driven::trichotomy_motion,
+            driven::rolling_ends,
+            driven::trichotomy_outside,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -365,6 +503,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"With $\lambda_0$ of (84), the pulse train of (42), (43) has the same boundary $\lambda_\mathrm{c}=\eta$ for the sphere.",
         plain: "With λ₀ of (84), the pulse train of (42), (43) has the same boundary λ_c = η for the sphere.",
         depends_on: &["eq-42", "eq-43", "eq-46", "eq-84", "s3-reduction"],
+        trials: &[driven::pulse_census, driven::pulse_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -376,6 +515,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"With $\lambda_0$ of (85), the slip velocity has the regions I to V of the particle.",
         plain: "With λ₀ of (85), the slip velocity has the regions I to V of the particle.",
         depends_on: &["fig-5", "eq-85", "s3-reduction"],
+        trials: &[driven::anisotropic_census, driven::anisotropic_motion],
         ..Claim::BLANK
     },
 ];

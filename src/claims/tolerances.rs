@@ -2,6 +2,12 @@
 
 use crate::evidence::Tolerance;
 
+/// A factor per period against its limit near the periodic motion.
+pub const APPROACH: Tolerance = Tolerance {
+    value: 1e-5,
+    reason: "taken where the distance to the periodic motion is 1e-6, of which the next term of the factor is a small multiple",
+};
+
 /// A on the boundary between rest and escape.
 pub const BOUNDARY: Tolerance = Tolerance {
     value: 1e-7,
@@ -17,13 +23,19 @@ pub const CLOSING_SURFACES: Tolerance = Tolerance {
 /// An exponent or coefficient of a touch, taken at a small distance from it.
 pub const CONTACT: Tolerance = Tolerance {
     value: 1e-3,
-    reason: "taken at distances of 1e-2 and less, on both sides, where the next term is below 1e-4",
+    reason: "what is left is of the order of η, which is at most 1e-3, or of δ², which is at most 1e-4",
 };
 
 /// A rate against differences of the motion.
 pub const DIFFERENCES: Tolerance = Tolerance {
     value: 1e-9,
     reason: "differences of fourth order over a thousandth of the time scale, and the rounding that they enlarge",
+};
+
+/// A gap against its leading term at the edge of its range.
+pub const EDGE: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "the next term of the gap, √(λ₀/π) of it, is below 2e-5 for λ₀ up to 1e-9",
 };
 
 /// The coefficient of (ln τ)/τ of an escape.
@@ -38,10 +50,16 @@ pub const ESCAPE_LIMIT: Tolerance = Tolerance {
     reason: "fits with the known form of the corrections over τ from 1e5 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12",
 };
 
+/// Equal falls of a logarithm.
+pub const EXPONENTIAL: Tolerance = Tolerance {
+    value: 0.1,
+    reason: "falls that are equal up to a tenth would still count as equal",
+};
+
 /// An asymptotic form against what it is the limit of.
 pub const FAR: Tolerance = Tolerance {
     value: 2e-6,
-    reason: "the first term left out is about 1700 q⁻⁴, or 1e-6 at the smallest q, 200",
+    reason: "the first term left out is about 1700 q⁻⁴ on E and less on A: 1e-6 at the smallest q, 200",
 };
 
 /// A difference in units of a hundred times the first order that is left out.
@@ -50,22 +68,64 @@ pub const FIRST_OMITTED: Tolerance = Tolerance {
     reason: "the unit is a hundred times that order, and its coefficient is of order one",
 };
 
+/// A slope to leading order in a small ratio.
+pub const FIRST_STAGE: Tolerance = Tolerance {
+    value: 1e-7,
+    reason: "the correction is half the square of the ratio of the velocities, below 3e-8",
+};
+
 /// What the inertial frame's foreign integrator and ours may differ by.
 pub const FOREIGN: Tolerance = Tolerance {
     value: 1e-10,
     reason: "the second integrator, of order 8, is asked for 1e-13 a step",
 };
 
+/// A motion that has forgotten its start.
+pub const FORGOTTEN: Tolerance = Tolerance {
+    value: 1e-9,
+    reason: "what is left of the start falls by the contraction factor in every period",
+};
+
+/// A motion on the turntable found in one frame against the same found in another.
+pub const FRAMES: Tolerance = Tolerance {
+    value: 1e-11,
+    reason: "the integrators in the frame of the table and in the laboratory agree to 1e-11 through many turns",
+};
+
+/// A velocity that dies faster than any exponential.
+pub const GONE: Tolerance = Tolerance {
+    value: 1e-12,
+    reason: "it falls as the exponential of an exponential, or is zero after a finite time",
+};
+
+/// An angle that is to follow another one, in units of what that one has left.
+pub const LAG: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "the integration is good to 1e-12; an angle that does not follow is off by a part of order one",
+};
+
+/// A time to leading order in a small velocity.
+pub const LAST_STAGE: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "the drive changes by less than 1e-6 within the last stage, and friction exceeds it by at least a hundredth",
+};
+
 /// An angle that tends to zero as a power of the time, or faster.
 pub const LATE_ANGLE: Tolerance = Tolerance {
     value: 1e-7,
-    reason: "the slowest case, without friction, has 2e-8 left at a hundred million times v₀/A",
+    reason: "the slowest case, without friction, has 1e-8 left at a hundred million times v₀/A",
 };
 
 /// The width of a narrow range of friction, over its expected width.
 pub const LIMIT_OF_WIDTH: Tolerance = Tolerance {
     value: 1e-6,
     reason: "the jumps of h are known to 4e-16, and the least width, 1e-3, divides that twice",
+};
+
+/// A factor of very large logarithms.
+pub const LOGARITHM: Tolerance = Tolerance {
+    value: 1e-7,
+    reason: "terms that stay bounded, beside a logarithm of 1e9",
 };
 
 /// A formula against the integrated motion.
@@ -98,6 +158,18 @@ pub const NONE: Tolerance = Tolerance {
     reason: "a count or a normal form: nothing may differ",
 };
 
+/// The friction at which rests appear, found by bisection on the motion.
+pub const ONSET: Tolerance = Tolerance {
+    value: 1e-12,
+    reason: "the bisection ends at neighbouring numbers; rests shorter than 1e-14 are not listed",
+};
+
+/// A factor of logarithms across a passage through zero.
+pub const PASSAGE: Tolerance = Tolerance {
+    value: 1e-4,
+    reason: "what stays bounded stands beside a logarithm of at least 1e5; what is linear in the distance, beside 1e-5",
+};
+
 /// A formula against a quadrature.
 pub const QUADRATURE: Tolerance = Tolerance {
     value: 1e-12,
@@ -116,6 +188,12 @@ pub const ROOT: Tolerance = Tolerance {
     reason: "the root is found to 1e-15; the formula's own rounding is divided by its slope",
 };
 
+/// A correction of second order, from its effect.
+pub const SECOND_ORDER: Tolerance = Tolerance {
+    value: 2e-2,
+    reason: "the next order is the time of a period over the velocity, a hundredth; rounding of the slope is as large",
+};
+
 /// What a short push may leave behind and still count as motion: nothing near the strength of the push.
 pub const SHORT_PUSH: Tolerance = Tolerance {
     value: 1e-3,
@@ -126,6 +204,12 @@ pub const SHORT_PUSH: Tolerance = Tolerance {
 pub const SLOPE: Tolerance = Tolerance {
     value: 1e-6,
     reason: "taken where the speed is below 1e-12 of the initial one; the angle's correction falls with it",
+};
+
+/// The angle at which a rate, found by differences of the motion, is zero.
+pub const STANDS_STILL: Tolerance = Tolerance {
+    value: 1e-8,
+    reason: "differences are good to 1e-9 and are divided by the slope of the rate, which is above 0.5",
 };
 
 /// A velocity that has settled.

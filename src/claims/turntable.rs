@@ -1,7 +1,19 @@
 //! The turntable: equations: the claims.
 
-use super::{Claim, Condition, Topic};
-use crate::evidence::Kind;
+mod complex;
+mod continued;
+mod definitions;
+mod energy;
+pub mod exact;
+pub mod fixed;
+mod frames;
+mod rates;
+pub mod shown;
+mod standstill;
+pub mod stretches;
+
+use super::{Claim, Condition, Correction, Topic};
+use crate::evidence::{Change, Kind, Subject};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -15,6 +27,77 @@ const POSITIVE: &[Condition] = &[Condition {
     text: r"$\Omega>0$",
     stated: true,
 }];
+
+/// Where the friction term divides by the speed.
+const SLIDES: Condition = Condition {
+    text: "the particle slides: at rest, friction is only as large as it has to be, and the term has no value",
+    stated: false,
+};
+
+/// Where a rate is that of a sliding particle.
+const MOVES: Condition = Condition {
+    text: r"$p>0$: at rest $\xi$ and $\psi$ have no value, and a particle that friction holds stays at rest",
+    stated: false,
+};
+
+/// Where a formula divides by the speed.
+const NOT_AT_REST: Condition = Condition {
+    text: "$p>0$: at rest it is $0/0$",
+    stated: false,
+};
+
+/// Where a formula divides by the distance.
+const OFF_AXIS: Condition = Condition {
+    text: r"$\rho>0$: on the axis it is $\infty\cdot0$",
+    stated: false,
+};
+
+/// Stated after (86), with the first condition.
+const POSITIVE_SLIDES: &[Condition] = &[POSITIVE[0], SLIDES];
+
+/// The first case of a particle that moves.
+const INNER_MOVES: &[Condition] = &[INNER[0], MOVES];
+
+/// The first case, off rest.
+const INNER_NOT_AT_REST: &[Condition] = &[
+    INNER[0],
+    Condition {
+        text: r"$\alpha>0$: at rest it is $\infty\cdot0$",
+        stated: false,
+    },
+];
+
+/// The second case, off the axis.
+const OUTER_OFF_AXIS: &[Condition] = &[
+    OUTER[0],
+    Condition {
+        text: r"$\beta>0$: on the axis it is $\infty\cdot0$",
+        stated: false,
+    },
+];
+
+/// In which sense one quasi-fixed point attracts and the other repels.
+const FROZEN: &[Condition] = &[
+    INNER[0],
+    Condition {
+        text: r"$\alpha$ held fixed; where it moves, $\psi$ follows $\psi_1$ only while $\lvert\dot\alpha\rvert\cosh2\alpha\ll1$, which late in an escape it is not",
+        stated: false,
+    },
+];
+
+/// (106) with the friction coefficient.
+const ENERGY: Correction = Correction {
+    change: Change::Factor,
+    latex: r"\frac{m}{2} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right)\cdot\left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right) -\frac{m \Omega^2 r^2}{2}+m \mu g s=\text{constant}",
+    plain: "(m/2) (d𝐫/dt)·(d𝐫/dt) − m Ω² r²/2 + m μ g s = constant",
+};
+
+/// The work of friction with the friction coefficient.
+const WORK: Correction = Correction {
+    change: Change::Factor,
+    latex: r"-m\mu gs\text{ is the work of the friction; the Coriolis force does no work}",
+    plain: "−m μ g s is the work of the friction; the Coriolis force does no work",
+};
 
 /// The first case, (110).
 const INNER: &[Condition] = &[Condition {
@@ -37,6 +120,19 @@ const CLAIMS: &[Claim] = &[
         title: "Newton's law on the turntable",
         latex: r"\frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=\Omega^2 \bm{r}+2 \Omega \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\times\hat{\bm{z}} -\mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right\vert ^{-1} \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}",
         plain: "d²𝐫/dt² = Ω² 𝐫 + 2Ω d𝐫/dt × ẑ − μ g (d𝐫/dt)/|d𝐫/dt|",
+        conditions: &[SLIDES],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-86",
+                    Subject::Within,
+                    "the acceleration in the laboratory that (86) leads to, with friction alone",
+                )
+            },
+            frames::eq86,
+            frames::eq86_turns,
+            standstill::eq86,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -48,6 +144,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{\rho}=\frac{\Omega^2}{\mu g} \bm{r}",
         plain: "𝛒 = (Ω²/(μ g)) 𝐫",
         conditions: POSITIVE,
+        trials: &[frames::eq87],
         ..Claim::BLANK
     },
     Claim {
@@ -59,6 +156,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\tau=\Omega t",
         plain: "τ = Ω t",
         conditions: POSITIVE,
+        trials: &[frames::eq88],
         ..Claim::BLANK
     },
     Claim {
@@ -69,8 +167,19 @@ const CLAIMS: &[Claim] = &[
         title: "Newton's law, dimensionless",
         latex: r"\ddot{\bm{\rho}}=\bm{\rho}+2 \dot{\bm{\rho}}\times\hat{\bm{z}} -\frac{\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }",
         plain: "d²𝛒/dτ² = 𝛒 + 2 d𝛒/dτ × ẑ − (d𝛒/dτ)/|d𝛒/dτ|",
-        conditions: POSITIVE,
         depends_on: &["eq-86", "eq-87", "eq-88"],
+        conditions: POSITIVE_SLIDES,
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-89",
+                    Subject::Within,
+                    "(89) with (86) in the units of (87) and (88)",
+                )
+            },
+            frames::eq89,
+            standstill::eq89,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -82,6 +191,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot{\bm{\rho}}\cdot\ddot{\bm{\rho}}=\bm{\rho}\cdot\dot{\bm{\rho}}-\vert \dot{\bm{\rho}}\vert",
         plain: "(d𝛒/dτ)·(d²𝛒/dτ²) = 𝛒·(d𝛒/dτ) − |d𝛒/dτ|",
         depends_on: &["eq-89"],
+        trials: &[
+            || exact::evidence("eq-90", Subject::Printed, "the two sides, with (89)"),
+            rates::eq90,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -93,6 +206,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"\hat{\bm{z}}\cdot\bm{\rho}\times\ddot{\bm{\rho}}=-2 \bm{\rho}\cdot\dot{\bm{\rho}} -\frac{\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }",
         plain: "ẑ·(𝛒 × d²𝛒/dτ²) = −2 𝛒·(d𝛒/dτ) − ẑ·(𝛒 × d𝛒/dτ)/|d𝛒/dτ|",
         depends_on: &["eq-89"],
+        conditions: &[NOT_AT_REST],
+        trials: &[
+            || exact::evidence("eq-91", Subject::Within, "the two sides, with (89)"),
+            rates::eq91,
+            standstill::eq91,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -104,6 +223,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{\rho}\cdot\ddot{\bm{\rho}}+\dot{\bm{\rho}}\cdot\dot{\bm{\rho}}=\bm{\rho}\cdot\bm{\rho} +2 \hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}} -\frac{\bm{\rho}\cdot\dot{\bm{\rho}}}{\vert \dot{\bm{\rho}}\vert }+\dot{\bm{\rho}}\cdot\dot{\bm{\rho}}",
         plain: "𝛒·(d²𝛒/dτ²) + |d𝛒/dτ|² = 𝛒·𝛒 + 2 ẑ·(𝛒 × d𝛒/dτ) − 𝛒·(d𝛒/dτ)/|d𝛒/dτ| + |d𝛒/dτ|²",
         depends_on: &["eq-89"],
+        conditions: &[NOT_AT_REST],
+        trials: &[
+            || exact::evidence("eq-92", Subject::Within, "the two sides, with (89)"),
+            rates::eq92,
+            standstill::eq92,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -115,6 +240,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=\vert \dot{\bm{\rho}}\vert",
         plain: "p = |d𝛒/dτ|",
         depends_on: &["eq-87", "eq-88"],
+        trials: &[definitions::eq93],
         ..Claim::BLANK
     },
     Claim {
@@ -126,6 +252,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\xi=\rho \cos\psi",
         plain: "ξ = ρ cos ψ",
         depends_on: &["eq-87"],
+        trials: &[definitions::eq94],
         ..Claim::BLANK
     },
     Claim {
@@ -137,6 +264,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\ell=-\rho \sin\psi",
         plain: "ℓ = −ρ sin ψ",
         depends_on: &["eq-87"],
+        trials: &[definitions::eq95],
         ..Claim::BLANK
     },
     Claim {
@@ -148,6 +276,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"p \ell=\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}}",
         plain: "p ℓ = ẑ·(𝛒 × d𝛒/dτ)",
         depends_on: &["eq-93", "eq-95"],
+        trials: &[
+            || exact::evidence("eq-96", Subject::Printed, "the two sides, with (95)"),
+            definitions::eq96,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -159,6 +291,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"p \xi=\bm{\rho}\cdot\dot{\bm{\rho}}",
         plain: "p ξ = 𝛒·(d𝛒/dτ)",
         depends_on: &["eq-93", "eq-94"],
+        trials: &[
+            || exact::evidence("eq-97", Subject::Printed, "the two sides, with (94)"),
+            definitions::eq97,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -170,6 +306,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{\rho}\cdot\bm{\rho}=\ell^2+\xi^2",
         plain: "𝛒·𝛒 = ℓ² + ξ²",
         depends_on: &["eq-94", "eq-95"],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-98",
+                    Subject::Printed,
+                    "the two sides, with (94) and (95)",
+                )
+            },
+            definitions::eq98,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -181,6 +327,18 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot p=\xi-1",
         plain: "dp/dτ = ξ − 1",
         depends_on: &["eq-90", "eq-93", "eq-97"],
+        conditions: &[MOVES],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-99",
+                    Subject::Within,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq99,
+            standstill::eq99,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -192,6 +350,18 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\ell=-\frac{\xi (2 p+\ell)}{p}",
         plain: "dℓ/dτ = −ξ (2p + ℓ)/p",
         depends_on: &["eq-91", "eq-96", "eq-97", "eq-99"],
+        conditions: &[NOT_AT_REST],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-100",
+                    Subject::Within,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq100,
+            standstill::eq100,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -203,6 +373,18 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\xi=\frac{(p+\ell)^2}{p}",
         plain: "dξ/dτ = (p + ℓ)²/p",
         depends_on: &["eq-92", "eq-96", "eq-97", "eq-98", "eq-99"],
+        conditions: &[NOT_AT_REST],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-101",
+                    Subject::Within,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq101,
+            standstill::eq101,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -214,6 +396,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"=p (\dot p+1)",
         plain: "ρ dρ/dτ = ℓ dℓ/dτ + ξ dξ/dτ = ξ p = p (dp/dτ + 1)",
         depends_on: &["eq-98", "eq-99", "eq-100", "eq-101"],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-102",
+                    Subject::Printed,
+                    "each printed expression with ρ dρ/dτ by (89)",
+                )
+            },
+            rates::eq102,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -225,6 +417,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\left(\frac{p^2-\rho^2}{2}\right)^{\cdot}=-p",
         plain: "d[(p² − ρ²)/2]/dτ = −p",
         depends_on: &["eq-102"],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-103",
+                    Subject::Printed,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq103,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -236,6 +438,17 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{p^2-\rho^2}{2}+s=\text{constant}",
         plain: "(p² − ρ²)/2 + s = constant",
         depends_on: &["eq-103", "eq-105"],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-104",
+                    Subject::Printed,
+                    "the rate of (104) along (89) with 0",
+                )
+            },
+            energy::eq104,
+            shown::kept,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -247,6 +460,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot s=p",
         plain: "ds/dτ = p",
         depends_on: &["eq-93"],
+        trials: &[energy::eq105],
         ..Claim::BLANK
     },
     Claim {
@@ -258,6 +472,19 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{m}{2} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right)\cdot\left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right) -\frac{m \Omega^2 r^2}{2}+m g s=\text{constant}",
         plain: "(m/2) (d𝐫/dt)·(d𝐫/dt) − m Ω² r²/2 + m g s = constant",
         depends_on: &["eq-87", "eq-88", "eq-104"],
+        correction: Some(ENERGY),
+        trials: &[
+            energy::eq106,
+            exact::printed_106,
+            || {
+                exact::evidence(
+                    "corrected-106",
+                    Subject::Corrected,
+                    "the rate of (106) with mμgs, along (86), with 0",
+                )
+            },
+            energy::eq106_corrected,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -269,6 +496,18 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot p=\rho \cos\psi-1",
         plain: "dp/dτ = ρ cos ψ − 1",
         depends_on: &["eq-94", "eq-99"],
+        conditions: &[MOVES],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-107",
+                    Subject::Within,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq107,
+            standstill::eq107,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -280,6 +519,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\rho=p \cos\psi",
         plain: "dρ/dτ = p cos ψ",
         depends_on: &["eq-94", "eq-102"],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-108",
+                    Subject::Printed,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq108,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -291,6 +540,18 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\psi=2-\left(\frac{p}{\rho}+\frac{\rho}{p}\right) \sin\psi",
         plain: "dψ/dτ = 2 − (p/ρ + ρ/p) sin ψ",
         depends_on: &["eq-94", "eq-95", "eq-100", "eq-108"],
+        conditions: &[NOT_AT_REST, OFF_AXIS],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-109",
+                    Subject::Within,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq109,
+            standstill::eq109,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -302,6 +563,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p^2-\rho^2<0",
         plain: "p² − ρ² < 0",
         depends_on: &["eq-93"],
+        trials: &[definitions::eq110],
         ..Claim::BLANK
     },
     Claim {
@@ -313,6 +575,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=A \sinh\alpha",
         plain: "p = A sinh α",
         depends_on: &["eq-110"],
+        trials: &[definitions::eq111],
         ..Claim::BLANK
     },
     Claim {
@@ -324,6 +587,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\rho=A \cosh\alpha",
         plain: "ρ = A cosh α",
         depends_on: &["eq-110"],
+        trials: &[definitions::eq112],
         ..Claim::BLANK
     },
     Claim {
@@ -334,8 +598,18 @@ const CLAIMS: &[Claim] = &[
         title: "rate of A",
         latex: r"\dot A=\sinh\alpha",
         plain: "dA/dτ = sinh α",
-        conditions: INNER,
         depends_on: &["eq-107", "eq-108", "eq-111", "eq-112"],
+        conditions: INNER,
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-113",
+                    Subject::Printed,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq113,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -346,8 +620,19 @@ const CLAIMS: &[Claim] = &[
         title: "rate of α",
         latex: r"\dot\alpha=\cos\psi-\frac{\cosh\alpha}{A}",
         plain: "dα/dτ = cos ψ − (cosh α)/A",
-        conditions: INNER,
         depends_on: &["eq-107", "eq-108", "eq-111", "eq-112"],
+        conditions: INNER_MOVES,
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-114",
+                    Subject::Within,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq114,
+            standstill::eq114,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -358,8 +643,19 @@ const CLAIMS: &[Claim] = &[
         title: "rate of the angle ψ, by α",
         latex: r"\dot\psi=2 [1-(\sin\psi) \coth(2 \alpha)]",
         plain: "dψ/dτ = 2 [1 − sin ψ coth(2α)]",
-        conditions: INNER,
         depends_on: &["eq-109", "eq-111", "eq-112"],
+        conditions: INNER_NOT_AT_REST,
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-115",
+                    Subject::Within,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq115,
+            standstill::eq115,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -371,6 +667,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p^2-\rho^2>0",
         plain: "p² − ρ² > 0",
         depends_on: &["eq-93"],
+        trials: &[definitions::eq116],
         ..Claim::BLANK
     },
     Claim {
@@ -382,6 +679,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=B \cosh\beta",
         plain: "p = B cosh β",
         depends_on: &["eq-116"],
+        trials: &[definitions::eq117],
         ..Claim::BLANK
     },
     Claim {
@@ -393,6 +691,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\rho=B \sinh\beta",
         plain: "ρ = B sinh β",
         depends_on: &["eq-116"],
+        trials: &[definitions::eq118],
         ..Claim::BLANK
     },
     Claim {
@@ -403,8 +702,18 @@ const CLAIMS: &[Claim] = &[
         title: "rate of B",
         latex: r"\dot B=-\cosh\beta",
         plain: "dB/dτ = −cosh β",
-        conditions: OUTER,
         depends_on: &["eq-107", "eq-108", "eq-117", "eq-118"],
+        conditions: OUTER,
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-119",
+                    Subject::Printed,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq119,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -415,8 +724,18 @@ const CLAIMS: &[Claim] = &[
         title: "rate of β",
         latex: r"\dot\beta=\cos\psi+\frac{\sinh\beta}{B}",
         plain: "dβ/dτ = cos ψ + (sinh β)/B",
-        conditions: OUTER,
         depends_on: &["eq-107", "eq-108", "eq-117", "eq-118"],
+        conditions: OUTER,
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-120",
+                    Subject::Printed,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq120,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -427,8 +746,19 @@ const CLAIMS: &[Claim] = &[
         title: "rate of the angle ψ, by β",
         latex: r"\dot\psi=2 [1-(\sin\psi) \coth(2 \beta)]",
         plain: "dψ/dτ = 2 [1 − sin ψ coth(2β)]",
-        conditions: OUTER,
         depends_on: &["eq-109", "eq-117", "eq-118"],
+        conditions: OUTER_OFF_AXIS,
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-121",
+                    Subject::Within,
+                    "the printed rate with the rate by (89), exactly",
+                )
+            },
+            rates::eq121,
+            standstill::eq121,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -440,6 +770,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"A=-\mathrm{i} B",
         plain: "A = −i B",
         depends_on: &["eq-111", "eq-112", "eq-117", "eq-118"],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-122",
+                    Subject::Printed,
+                    "(111) to (115), with (122) and (123) put in, with (117) to (121)",
+                )
+            },
+            continued::eq122,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -451,6 +791,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\alpha=\frac{\mathrm{i} \pi}{2}+\beta",
         plain: "α = iπ/2 + β",
         depends_on: &["eq-111", "eq-112", "eq-117", "eq-118"],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-123",
+                    Subject::Printed,
+                    "(111) to (115), with (122) and (123) put in, with (117) to (121)",
+                )
+            },
+            continued::eq123,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -461,8 +811,12 @@ const CLAIMS: &[Claim] = &[
         title: "first quasi-fixed point of ψ",
         latex: r"\psi_1=\sin^{-1}[\tanh(2 \alpha)]",
         plain: "ψ₁ = asin[tanh(2α)]",
-        conditions: INNER,
         depends_on: &["eq-115"],
+        conditions: INNER,
+        trials: &[
+            || exact::evidence("eq-124", Subject::Printed, "(115) at this angle with 0"),
+            fixed::psi1,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -473,8 +827,12 @@ const CLAIMS: &[Claim] = &[
         title: "second quasi-fixed point of ψ",
         latex: r"\psi_2=\pi-\sin^{-1}[\tanh(2 \alpha)]",
         plain: "ψ₂ = π − asin[tanh(2α)]",
-        conditions: INNER,
         depends_on: &["eq-115"],
+        conditions: INNER,
+        trials: &[
+            || exact::evidence("eq-125", Subject::Printed, "(115) at this angle with 0"),
+            fixed::psi2,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -486,6 +844,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"A solution for $\Omega$, mirrored, is a solution for $-\Omega$; so $\Omega>0$ loses nothing.",
         plain: "A solution for Ω, mirrored, is a solution for −Ω; so Ω > 0 loses nothing.",
         depends_on: &["eq-86"],
+        trials: &[
+            || {
+                exact::evidence(
+                    "s4-mirror",
+                    Subject::Printed,
+                    "the mirrored accelerations of (86) with those of (86) for −Ω at the mirrored state",
+                )
+            },
+            frames::mirror,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -497,6 +865,20 @@ const CLAIMS: &[Claim] = &[
         latex: "(106) is the work-energy theorem in the rotating frame, $-mgs$ the work of the friction; the Coriolis force does no work.",
         plain: "(106) is the work-energy theorem in the rotating frame, −m g s the work of the friction; the Coriolis force does no work.",
         depends_on: &["eq-86", "eq-106"],
+        correction: Some(WORK),
+        trials: &[
+            energy::friction,
+            exact::printed_work,
+            energy::coriolis,
+            || {
+                exact::evidence(
+                    "corrected-work",
+                    Subject::Corrected,
+                    "the power of the Coriolis force with 0, and the rate of −mμgs with the power of friction, in (86)",
+                )
+            },
+            energy::friction_corrected,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -507,8 +889,20 @@ const CLAIMS: &[Claim] = &[
         title: "stability of the quasi-fixed points",
         latex: r"$\psi_1$ of (124) attracts, $\psi_2$ of (125) repels.",
         plain: "ψ₁ of (124) attracts, ψ₂ of (125) repels.",
-        conditions: INNER,
         depends_on: &["eq-115", "eq-124", "eq-125"],
+        conditions: FROZEN,
+        trials: &[
+            || {
+                exact::evidence(
+                    "s4-quasi-fixed-stability",
+                    Subject::Within,
+                    "the slope of (115) at ψ₁ and ψ₂ with −2/sinh 2α and 2/sinh 2α",
+                )
+            },
+            fixed::separation,
+            fixed::frozen,
+            fixed::escape,
+        ],
         ..Claim::BLANK
     },
 ];

@@ -7,3 +7,6 @@ pub mod constant;
 pub mod escape;
 pub mod periodic;
 pub mod rest;
+pub mod sinusoidal;
+pub mod sphere;
+pub mod turntable;

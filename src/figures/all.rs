@@ -5,6 +5,9 @@ mod constant;
 mod escape;
 mod periodic;
 mod rest;
+mod sinusoidal;
+mod sphere;
+mod turntable;
 
 use super::{Figure, FigureError};
 use crate::claims::compare::Failure;
@@ -41,8 +44,11 @@ impl From<Failure> for AllFiguresError {
 pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
     let topics = [
         constant::figures,
+        sinusoidal::figures,
         periodic::figures,
         anisotropic::figures,
+        sphere::figures,
+        turntable::figures,
         escape::figures,
         rest::figures,
     ];

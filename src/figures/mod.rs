@@ -52,12 +52,15 @@ pub mod periodic;
 mod plot;
 mod raster;
 pub mod rest;
+pub mod sinusoidal;
 mod sketch;
+pub mod sphere;
 mod svg;
 #[cfg(test)]
 mod tests;
 mod text;
 mod ticks;
+pub mod turntable;
 
 pub use all::{AllFiguresError, all};
 pub use axes::Axis;

@@ -20,6 +20,7 @@ pub mod acceleration;
 pub mod clock;
 pub mod drive;
 pub mod error;
+pub mod launch;
 pub mod onset;
 pub mod particle;
 pub mod signal;
@@ -29,6 +30,7 @@ pub mod turntable;
 
 pub use acceleration::{Acceleration, Coefficients, Plane};
 pub use error::MotionError;
+pub use launch::Launch;
 pub use particle::{run, run_to_stop};
 pub use signal::Signal;
 pub use trajectory::{Motion, Phase, PhaseKind, State};

@@ -63,6 +63,10 @@ pub fn onset(
         let f = drive(m, &velocity);
         along[m] = axis[0] * f[0] + axis[1] * f[1];
         across[m] = axis[0] * f[1] - axis[1] * f[0];
+        // Of a fixed direction only rounding is left across it, which the recurrence would amplify.
+        if across[m].abs() <= 4.0 * f64::EPSILON * libm::hypot(f[0], f[1]) {
+            across[m] = 0.0;
+        }
         // All but the terms with θₘ, which is still zero here.
         (sine[m], cosine[m]) = sin_cos(&theta, &sine, &cosine, m);
         let known = product(&across, &cosine, m) - product(&along, &sine, m);
@@ -81,6 +85,14 @@ pub fn onset(
             what: "a coefficient of the first moments of sliding",
             at: 0.0,
         });
+    }
+    // A direction is one only while its cosine and sine fit together.
+    let misfit = |h: f64| {
+        let (c, s) = (value(&cosine, &h), value(&sine, &h));
+        (c * c + s * s - 1.0).abs()
+    };
+    while h.is_finite() && misfit(h) > 1e-13 {
+        h *= 0.5;
     }
     if h.is_finite()
         && let Some(stop) = events::roots(&q, h)?.first()

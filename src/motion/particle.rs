@@ -194,7 +194,7 @@ impl<'a> Run<'a> {
 }
 
 /// Requires that a parameter is fit.
-fn check(
+pub(super) fn check(
     name: &'static str,
     value: f64,
     fit: bool,

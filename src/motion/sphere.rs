@@ -15,11 +15,14 @@
 //! the state (of its own, as the difference of v and −ω×R loses its digits there); its first moments come from the
 //! power series of [`onset`](super::onset).
 
+mod line;
 mod run;
 mod slide;
 
 #[cfg(test)]
 mod tests;
+
+pub use line::{Directed, LineMotion, LineState, Stretch};
 
 use super::acceleration::{Acceleration, Coefficients};
 use super::error::MotionError;

@@ -11,3 +11,6 @@ pub mod escape;
 pub mod general;
 pub mod periodic;
 pub mod rest;
+pub mod sinusoidal;
+pub mod sphere;
+pub mod turntable;

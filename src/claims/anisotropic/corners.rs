@@ -1,12 +1,12 @@
 //! Trials of the points X and Y: where the curves meet, and how.
 
-use super::runs::{Changes, attractor_from, bisect, simulated, touching};
+use super::runs::{START, attractor_from, bisect, change, restless, reverses, simulated, touching};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Friction, Sign, State};
+use crate::motion::drive::{Friction, Interval, Sign, State};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 
@@ -14,7 +14,7 @@ use std::f64::consts::PI;
 fn starts(stream: u64) -> impl Iterator<Item = State> {
     let mut points = Points::stream(stream);
     (0..24).map(move |i| match i {
-        0 => State { phi: 0.0, w: 0.0 },
+        0 => START,
         _ => State {
             phi: points.uniform(0.0, 2.0 * PI),
             w: points.uniform(-2.0, 2.0),
@@ -30,25 +30,24 @@ fn at(start: State) -> String {
 pub fn x_root() -> Evidence {
     let compared =
         "λ₀ of X with the λ₀ at which, with q = 1, a rest appears in the simulated motion";
-    x(compared, 308, |changes| changes.rest)
+    x(compared, 308, restless)
 }
 
 /// At X both A and B end.
 pub fn x_both() -> Evidence {
     let compared =
         "λ₀ of X with the λ₀ at which, with q = 1, direct reversals end in the simulated motion";
-    x(compared, 309, |changes| changes.reversal)
+    x(compared, 309, reverses)
 }
 
-fn x(compared: &'static str, stream: u64, found: fn(&Changes) -> f64) -> Evidence {
+fn x(compared: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Evidence {
     let [q, lambda0] = printed::eq57_x();
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(starts(stream), |start| {
-        let changes = Changes::at(q, 1e-9, start)?;
         Ok::<_, Failure>(Pair {
             at: at(start),
             stated: lambda0,
-            found: found(&changes),
+            found: change(q, 1e-9, start, holds)?,
             scale: lambda0,
         })
     })
@@ -141,8 +140,8 @@ pub fn y_curvature() -> Evidence {
         let y = touching()?;
         let delta = 1e-2 * libm::exp10(-f64::from(k) / 24.0);
         let gap = |q: f64| -> Result<f64, Failure> {
-            let changes = Changes::at(q, 1e-9, State { phi: 0.0, w: 0.0 })?;
-            Ok((printed::eq55_lambda0(q) - changes.reversal) / (delta * delta))
+            let end = change(q, 1e-9, START, reverses)?;
+            Ok((printed::eq55_lambda0(q) - end) / (delta * delta))
         };
         let found = 0.5 * (gap(y - delta)? + gap(y + delta)?);
         Ok::<_, Failure>(Pair {

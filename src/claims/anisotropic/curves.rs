@@ -1,6 +1,7 @@
 //! Trials of the curves: (53) to (56), and E, which continues B.
 
-use super::runs::{Curves, Row, far_rows, rows, simulated};
+use super::rows::{Row, far_rows, rows};
+use super::runs::{Curves, simulated};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::{FAR, NONE, ROOT};
 use crate::corrections::anisotropic as corrected;

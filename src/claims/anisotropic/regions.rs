@@ -1,7 +1,7 @@
 //! Trials of the list of regions and of the diagram.
 
 use super::census::{self, Point};
-use super::runs::{Row, rows};
+use super::rows::{Row, rows};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};

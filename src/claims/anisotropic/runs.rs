@@ -1,11 +1,10 @@
-//! The simulated motions of section 2.4 and the curves that they are held against.
+//! The simulated motions of section 2.4, one by one, and the curves that they are held against.
 
 use crate::claims::compare::Failure;
 use crate::corrections::anisotropic as corrected;
 use crate::motion::drive::{
     Attractor, Drive, DriveError, Friction, Interval, Outcome, Sign, State,
 };
-use crate::numerics::fit::fit;
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::sync::LazyLock;
@@ -179,27 +178,46 @@ pub struct Changes {
 }
 
 impl Changes {
-    /// Finds them between `low` and 1.4 by bisection on the list of intervals, to neighbouring numbers.
+    /// Finds them between `low` and 1.4.
     ///
     /// # Errors
     /// As [`attractor_from`].
     pub fn at(q: f64, low: f64, start: State) -> Result<Self, Failure> {
-        let change = |holds: fn(&[Interval]) -> bool| {
-            bisect(low, 1.4, |lambda0| {
-                let friction = Friction::new(lambda0, q * lambda0)?;
-                Ok(holds(attractor_from(start, friction)?.intervals()))
-            })
-        };
+        let backward = |list: &[Interval]| list.iter().any(|i| i.sign == Sign::Negative);
+        let moves = |list: &[Interval]| list.iter().any(|i| i.sign != Sign::Rest);
         Ok(Changes {
-            rest: change(|list| !list.iter().any(|i| i.sign == Sign::Rest))?,
-            reversal: change(reverses)?,
-            backward: change(|list| list.iter().any(|i| i.sign == Sign::Negative))?,
-            motion: change(|list| list.iter().any(|i| i.sign != Sign::Rest))?,
+            rest: change(q, low, start, restless)?,
+            reversal: change(q, low, start, reverses)?,
+            backward: change(q, low, start, backward)?,
+            motion: change(q, low, start, moves)?,
         })
     }
 }
 
-fn reverses(list: &[Interval]) -> bool {
+/// The λ₀ between `low` and 1.4 at which `holds` changes, by bisection on the list of intervals, to neighbouring
+/// numbers.
+///
+/// # Errors
+/// As [`attractor_from`].
+pub fn change(
+    q: f64,
+    low: f64,
+    start: State,
+    holds: impl Fn(&[Interval]) -> bool,
+) -> Result<f64, Failure> {
+    bisect(low, 1.4, |lambda0| {
+        let friction = Friction::new(lambda0, q * lambda0)?;
+        Ok(holds(attractor_from(start, friction)?.intervals()))
+    })
+}
+
+/// Whether there is no interval of rest.
+pub fn restless(list: &[Interval]) -> bool {
+    !list.iter().any(|i| i.sign == Sign::Rest)
+}
+
+/// Whether forward motion turns into backward motion without a rest.
+pub fn reverses(list: &[Interval]) -> bool {
     let next = list.iter().cycle().skip(1);
     list.iter()
         .zip(next)
@@ -233,85 +251,6 @@ pub fn bisect(
     }
 }
 
-/// One q with everything that is known there.
-#[derive(Debug, Clone, Copy)]
-pub struct Row {
-    /// The curves by formula.
-    pub curves: Curves,
-    /// The changes by simulation.
-    pub changes: Changes,
-}
-
-/// The values of q at which the curves are tried: generic ones first, then the edges, close to the end of B
-/// on both sides, and the whole range, the part with B more densely.
-fn ratios() -> Vec<f64> {
-    let mut list = vec![
-        2.0,
-        3.0,
-        1.5,
-        6.0,
-        1.0,
-        12.0,
-        1.000_000_42,
-        1.0003,
-        1.02,
-        4.4,
-        4.55,
-        4.59,
-        4.603,
-        4.6033,
-        4.603_33,
-        4.603_35,
-        4.6034,
-        4.604,
-        4.61,
-        4.65,
-        4.8,
-    ];
-    list.extend((0..48).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 48.0));
-    list.extend((0..24).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 24.0));
-    list
-}
-
-/// Rows for all values of q at which the curves are tried.
-///
-/// # Errors
-/// Why there is none.
-pub fn rows() -> Result<&'static [Row], Failure> {
-    static ROWS: LazyLock<Result<Vec<Row>, String>> = LazyLock::new(|| all_rows(&ratios(), 1e-9));
-    ROWS.as_deref()
-        .map_err(|error| Failure::from(error.clone()))
-}
-
-/// Rows far out, q from 200 to 20,000.
-///
-/// # Errors
-/// Why there is none.
-pub fn far_rows() -> Result<&'static [Row], Failure> {
-    static ROWS: LazyLock<Result<Vec<Row>, String>> = LazyLock::new(|| {
-        let q: Vec<f64> = (0..=24)
-            .map(|k| 200.0 * libm::exp10(f64::from(k) / 12.0))
-            .collect();
-        all_rows(&q, 1e-12)
-    });
-    ROWS.as_deref()
-        .map_err(|error| Failure::from(error.clone()))
-}
-
-fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, String> {
-    use rayon::prelude::*;
-    let row = |&q: &f64| {
-        let made = || -> Result<Row, Failure> {
-            Ok(Row {
-                curves: Curves::at(q)?,
-                changes: Changes::at(q, low, START)?,
-            })
-        };
-        made().map_err(|error| format!("q = {q}: {error}"))
-    };
-    ratios.par_iter().map(row).collect()
-}
-
 /// The point Y from the printed formulas: the q at which λ₀ = 1/q solves (54).
 ///
 /// # Errors
@@ -321,68 +260,9 @@ pub fn touching() -> Result<f64, Failure> {
     Ok(root(sides, 2.0, 12.0)?)
 }
 
-/// A power law λ₀ = prefactor · (q + 1)^exponent, with standard errors.
-#[derive(Debug, Clone, Copy)]
-pub struct Law {
-    /// The exponent and its error.
-    pub exponent: (f64, f64),
-    /// The prefactor and its error.
-    pub prefactor: (f64, f64),
-}
-
-/// The laws by which, far out, the onset of rest and the end of direct reversals fall with q, measured on the
-/// simulation. The next terms of the logarithm, of order q⁻² to q⁻⁴, are fitted along; to the fit's standard error
-/// is added what leaving out the last of them changes.
-///
-/// # Errors
-/// As [`far_rows`].
-pub fn far_laws() -> Result<[Law; 2], Failure> {
-    let rows = far_rows()?;
-    let basis: [&dyn Fn(f64) -> f64; 5] = [
-        &|_| 1.0,
-        &|x| libm::log(x),
-        &|x| 1.0 / (x * x),
-        &|x| 1.0 / (x * x * x),
-        &|x| 1.0 / (x * x * x * x),
-    ];
-    let law = |height: fn(&Changes) -> f64| -> Result<Law, Failure> {
-        let data: Vec<_> = rows
-            .iter()
-            .map(|row| (row.curves.q + 1.0, libm::log(height(&row.changes))))
-            .collect();
-        let (best, shorter) = (fit(&data, &basis)?, fit(&data, &basis[..4])?);
-        let measured = |i: usize| {
-            let changed = (best.coefficients[i] - shorter.coefficients[i]).abs();
-            (best.coefficients[i], best.errors[i] + changed)
-        };
-        let (logarithm, error) = measured(0);
-        let prefactor = libm::exp(logarithm);
-        Ok(Law {
-            exponent: measured(1),
-            prefactor: (prefactor, prefactor * error),
-        })
-    };
-    Ok([law(|c| c.rest)?, law(|c| c.reversal)?])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::f64::consts::PI;
-
-    #[test]
-    fn far_out_both_curves_fall_as_the_square() {
-        let laws = far_laws().unwrap();
-        for (law, prefactor) in laws.iter().zip([PI, 4.0 * PI]) {
-            println!("{law:?}");
-            let off = |(value, error): (f64, f64), expected: f64| {
-                assert!(error < 1e-6, "{law:?}");
-                assert!((value - expected).abs() < 3.0 * error, "{law:?}");
-            };
-            off(law.exponent, -2.0);
-            off(law.prefactor, prefactor);
-        }
-    }
 
     #[test]
     fn the_curve_is_one_valued() {

@@ -10,18 +10,22 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 
+/// What is read from a turn: stated, found, and the scale in units of A (1 + λ).
+type Reading = fn(&Turn) -> [f64; 3];
+
 /// A printed rate with that of the motion.
-fn rates(compared: &'static str, pair: fn(&Turn) -> (f64, f64)) -> Evidence {
+fn rates(compared: &'static str, reading: Reading) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, DIFFERENCES);
     // Later, the time itself is too coarse for differences.
-    trial.over(turns_where(|turn| turn.v > 0.01 * turn.v0), |turn| {
+    let turning = turns_where(|turn| turn.v > 0.01 * turn.v0).map(|turn| turn.copied());
+    trial.over(turning.chain(straight()), |turn| {
         let turn = turn?;
-        let (stated, found) = pair(turn);
+        let [stated, found, scale] = reading(&turn);
         Ok::<_, Failure>(Pair {
             at: turn.at(),
             stated,
             found,
-            scale: turn.a * (1.0 + turn.lambda),
+            scale: scale * turn.a * (1.0 + turn.lambda),
         })
     })
 }
@@ -30,7 +34,7 @@ fn rates(compared: &'static str, pair: fn(&Turn) -> (f64, f64)) -> Evidence {
 pub fn eq6_motion() -> Evidence {
     rates("(6) with dv_x/dt of the motion", |turn| {
         let rate = printed::eq6_vx_rate(turn.lambda, turn.a, turn.theta);
-        (rate, turn.rate[0])
+        [rate, turn.rate[0], 1.0]
     })
 }
 
@@ -38,26 +42,26 @@ pub fn eq6_motion() -> Evidence {
 pub fn eq7_motion() -> Evidence {
     rates("(7) with dv_y/dt of the motion", |turn| {
         let rate = printed::eq7_vy_rate(turn.lambda, turn.a, turn.theta);
-        (rate, turn.rate[1])
+        [rate, turn.rate[1], 1.0]
     })
 }
 
-/// (8) with the motion, as a direction: its sine times dv_x is its cosine times dv_y.
+/// (8) with the motion, as an angle, so that an infinite slope is one like any other.
 pub fn eq8_motion() -> Evidence {
-    rates(
-        "(8) as a direction, with that of (dv_x, dv_y) of the motion: the part of the one across the other with 0",
-        |turn| {
-            let slope = printed::eq8_hodograph_slope(turn.lambda, turn.theta);
-            let length = libm::hypot(1.0, slope);
-            ((slope * turn.rate[0] - turn.rate[1]) / length, 0.0)
-        },
-    )
+    let compared =
+        "the angle whose tangent is (8) with that of (dv_x, dv_y) of the motion, up to half turns";
+    rates(compared, |turn| {
+        let stated = libm::atan(printed::eq8_hodograph_slope(turn.lambda, turn.theta));
+        let [x, y] = turn.rate;
+        let off = libm::remainder(libm::atan2(y, x) - stated, std::f64::consts::PI);
+        [stated, stated + off, 1.0 / libm::hypot(x, y)]
+    })
 }
 
 /// (9), integrated over the angle.
 pub fn eq9_quadrature() -> Evidence {
     let compared = "exp ∫ (9) dθ with v/v₀ of the motion";
-    Trial::quadrature(Subject::Printed, compared).over(turns_where(Turn::is_gentle), |turn| {
+    Trial::quadrature(Subject::Within, compared).over(turns_where(Turn::is_gentle), |turn| {
         let turn = turn?;
         let rate = |theta| printed::eq9_log_speed_rate(turn.lambda, theta);
         let log_ratio =
@@ -68,6 +72,24 @@ pub fn eq9_quadrature() -> Evidence {
             stated: libm::exp(log_ratio),
             found,
             scale: found * turn.condition(),
+        })
+    })
+}
+
+/// (9) where dθ = 0 all the way, although the speed changes.
+pub fn eq9_outside() -> Evidence {
+    let compared =
+        "exp of (9) with dθ = 0 with v/v₀ of the motion half a unit of time after the launch";
+    Trial::motion(Subject::Outside, compared).over(straight(), |turn| {
+        let turn = turn?;
+        let found = turn.v / turn.v0;
+        let exponent =
+            printed::eq9_log_speed_rate(turn.lambda, turn.theta) * (turn.theta - turn.theta0);
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: libm::exp(exponent),
+            found,
+            scale: found,
         })
     })
 }

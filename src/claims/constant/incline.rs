@@ -80,6 +80,24 @@ impl Incline {
 pub fn speed() -> Evidence {
     let compared =
         "(11) with the speed on an inclined plane in three dimensions, at its angle to the slope";
+    slides(compared, |[lambda, _, v0, theta0, theta], v, _| {
+        (printed::eq11_speed(lambda, v0, theta0, theta), v)
+    })
+}
+
+/// (13) with the motion on the incline.
+pub fn time() -> Evidence {
+    let compared = "(13) at the angle to the slope that is reached on an inclined plane in three dimensions, with the time";
+    slides(compared, |[lambda, a, v0, theta0, theta], _, t| {
+        (printed::eq13_time(lambda, a, v0, theta0, theta), t)
+    })
+}
+
+/// A printed formula of (λ, A, v₀, θ₀, θ) with what is found of it from the speed and the time on the incline.
+fn slides(
+    compared: &'static str,
+    pair: fn([Conditioned; 5], f64, f64) -> (Conditioned, f64),
+) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(12);
     trial.over(0..300, |_| {
@@ -97,14 +115,10 @@ pub fn speed() -> Evidence {
             1e-15,
         )?);
         let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
-        let number = Conditioned::measured;
-        let stated = printed::eq11_speed(
-            number(incline.lambda()),
-            number(incline.v0),
-            number(incline.theta0),
-            number(theta),
-        );
-        Ok::<_, Failure>(Pair::conditioned(incline.at(), stated, end.norm()))
+        let Incline { v0, theta0, .. } = incline;
+        let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Conditioned::measured);
+        let (stated, found) = pair(at, end.norm(), duration);
+        Ok::<_, Failure>(Pair::conditioned(incline.at(), stated, found))
     })
 }
 

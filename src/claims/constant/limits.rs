@@ -19,7 +19,7 @@ pub fn eq15_motion() -> Evidence {
     );
     trial.over(frictionless(), |flight| {
         let (start, state) = flight?;
-        let stated = printed::eq15_vx(start.a, start.velocity0()[0], state.t);
+        let stated = printed::eq15_vx(start.a, start.velocity0()?[0], state.t);
         Ok::<_, Failure>(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
             stated,
@@ -39,7 +39,7 @@ pub fn eq16_motion() -> Evidence {
         let (start, state) = flight?;
         Ok::<_, Failure>(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
-            stated: printed::eq16_vy(start.velocity0()[1]),
+            stated: printed::eq16_vy(start.velocity0()?[1]),
             found: state.v[1],
             scale: start.v0,
         })
@@ -56,7 +56,7 @@ pub fn parabola_motion() -> Evidence {
     });
     trial.over(flights, |flight| {
         let (start, state) = flight?;
-        let [vx, vy] = start.velocity0();
+        let [vx, vy] = start.velocity0()?;
         let t = state.x[1] / vy;
         Ok::<_, Failure>(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
@@ -77,7 +77,7 @@ pub fn parabola_quadrature() -> Evidence {
     });
     trial.over(flights, |flight| {
         let (start, state) = flight?;
-        let [vx, vy] = start.velocity0();
+        let [vx, vy] = start.velocity0()?;
         let scale = (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs();
         let slope = |y: f64| printed::eq15_vx(start.a, vx, y / vy) / printed::eq16_vy(vy);
         Ok::<_, Failure>(Pair {
@@ -104,7 +104,7 @@ pub fn eq17_motion() -> Evidence {
 
 /// (18) with v_x after a long time.
 pub fn eq18_limit() -> Evidence {
-    let compared = "(18) with v_x of the motion when v_y has fallen below 1e-15 v₀";
+    let compared = "(18) with v_x of the motion at 60 times v₀/A";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
         let (start, state) = late?;
@@ -121,7 +121,9 @@ pub fn eq18_limit() -> Evidence {
 pub fn eq18_quadrature() -> Evidence {
     let compared = "(18) with v₀ exp ∫ dv/v over the whole turn";
     let trial = Trial::quadrature(Subject::Printed, compared);
-    trial.over(settled(), |late| {
+    // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
+    let gentle = settled().filter(|s| s.as_ref().map_or(true, |(start, _)| start.is_gentle()));
+    trial.over(gentle, |late| {
         let (start, _) = late?;
         let rate = |theta: f64| Scalar::tan(theta / 2.0);
         let log_ratio = integral(rate, start.theta0, 0.0)?.value;
@@ -136,7 +138,7 @@ pub fn eq18_quadrature() -> Evidence {
 
 /// (19) with v_y after a long time.
 pub fn eq19_limit() -> Evidence {
-    let compared = "(19) with v_y of the motion after 40 times the time v₀/A, and longer where it turns slowly";
+    let compared = "(19) with v_y of the motion at 60 times v₀/A";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
         let (start, state) = late?;

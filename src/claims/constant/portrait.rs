@@ -27,14 +27,20 @@ pub const STRONG: [f64; 3] = [1.2, 2.0, 5.0];
 
 /// How long a motion that does not stop is followed, in units of v₀/A.
 const WHILE: f64 = 8.0;
+/// The velocity in units of v₀ that the inertial force less friction gives in the time shown in fig-1, λ < 1.
+const GAIN: f64 = 2.0;
 
 /// One motion with v₀ = A = 1.
 pub fn curve(lambda: f64, theta0: f64) -> Result<Curve, MotionError> {
+    curve_until(lambda, theta0, WHILE)
+}
+
+fn curve_until(lambda: f64, theta0: f64, until: f64) -> Result<Curve, MotionError> {
     let launch = Turn::launch(lambda, 1.0, 1.0, theta0);
     let motion = if lambda > 1.0 {
         launch.motion_to_rest()?
     } else {
-        launch.motion(WHILE)?
+        launch.motion(until)?
     };
     Ok(Curve {
         lambda,
@@ -48,7 +54,14 @@ pub fn panel(lambdas: &[f64]) -> Result<Vec<Curve>, MotionError> {
     let angles = (0..8).map(|i| (f64::from(i) - 3.5) * PI / 4.0);
     let pairs = angles.flat_map(|theta0| lambdas.iter().map(move |&lambda| (lambda, theta0)));
     let mut curves: Vec<_> = pairs
-        .map(|(lambda, theta0)| curve(lambda, theta0))
+        .map(|(lambda, theta0)| {
+            let until = if lambda < 1.0 {
+                GAIN / (1.0 - lambda)
+            } else {
+                WHILE
+            };
+            curve_until(lambda, theta0, until)
+        })
         .collect::<Result<_, _>>()?;
     curves.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
     Ok(curves)

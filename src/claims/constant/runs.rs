@@ -3,7 +3,7 @@
 
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
-use crate::motion::{Motion, MotionError, Plane, State, run, run_to_stop};
+use crate::motion::{Launch, Motion, MotionError, State};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -30,8 +30,13 @@ pub struct Turn {
 
 impl Turn {
     /// The velocity at the launch.
-    pub fn velocity0(&self) -> [f64; 2] {
-        velocity(self.v0, self.theta0)
+    pub fn velocity0(&self) -> Result<[f64; 2], MotionError> {
+        Ok(self.checked()?.velocity())
+    }
+
+    /// True if the launch is exactly with or against the inertial force.
+    pub fn is_straight(&self) -> bool {
+        self.theta0 == 0.0 || self.theta0 == PI
     }
 
     /// A printed formula for the speed, at this turn.
@@ -57,17 +62,12 @@ impl Turn {
 
     /// The motion from the launch until a time.
     pub fn motion(&self, until: f64) -> Result<Motion, MotionError> {
-        run(&plane(self.a), self.lambda * self.a, self.start(), until)
+        self.checked()?.motion(until)
     }
 
     /// The motion from the launch until it stops; for λ > 1.
     pub fn motion_to_rest(&self) -> Result<Motion, MotionError> {
-        run_to_stop(
-            &plane(self.a),
-            self.lambda * self.a,
-            self.start(),
-            1e6 * self.v0 / self.a,
-        )
+        self.checked()?.motion_to_rest()
     }
 
     /// A launch that has not turned yet.
@@ -84,12 +84,8 @@ impl Turn {
         }
     }
 
-    fn start(&self) -> State {
-        State {
-            t: 0.0,
-            v: self.velocity0(),
-            x: [0.0; 2],
-        }
+    fn checked(&self) -> Result<Launch, MotionError> {
+        Launch::new(self.lambda, self.a, self.v0, self.theta0)
     }
 
     /// The point in the claim's own symbols.
@@ -147,7 +143,8 @@ const LAMBDAS: [f64; 10] = [
 /// Initial angles: near both ends and in between.
 const ANGLES: [f64; 7] = [1e-6, 0.4, 1.3, PI / 2.0, 2.2, 3.0, PI - 1e-6];
 
-/// (λ, A, v₀, θ₀, θ): the edges of the domain, launches with cos θ₀ = −λ, and random points.
+/// (λ, A, v₀, θ₀, θ): the edges of the domain, launches with cos θ₀ = −λ and nearly so, turns to where the
+/// hodograph is upright, λ cos θ = 1, and almost into the line of the acceleration, and random points.
 fn launches() -> Vec<[f64; 5]> {
     let mut points = Points::stream(1);
     let mut launches = Vec::new();
@@ -160,7 +157,17 @@ fn launches() -> Vec<[f64; 5]> {
         launches.push([lambda, a, v0, theta0, theta]);
     };
     for theta0 in [2.0, 1.8, 2.9] {
-        add(-libm::cos(theta0), theta0, &mut launches, &mut points);
+        for off in [0.0, 1e-9, -1e-9] {
+            add(off - libm::cos(theta0), theta0, &mut launches, &mut points);
+        }
+    }
+    for upright in [0.3, 0.8, 1.2] {
+        launches.push([1.0 / libm::cos(upright), 1.0, 2.0, 2.0, upright]);
+    }
+    for lambda in [0.0, 0.5, 1.0 - 1e-9, 1.0, 1.0 + 1e-9, 1.2] {
+        for theta0 in ANGLES {
+            launches.push([lambda, 1.0, 2.0, theta0, 1e-5 * theta0]);
+        }
     }
     for lambda in LAMBDAS {
         for theta0 in ANGLES {
@@ -181,27 +188,13 @@ fn launches() -> Vec<[f64; 5]> {
     launches
 }
 
-fn velocity(v: f64, theta: f64) -> [f64; 2] {
-    // Exactly along the axis at π, where the rounded sine is not zero.
-    let sine = if theta.abs() == PI {
-        0.0
-    } else {
-        libm::sin(theta)
-    };
-    [v * libm::cos(theta), v * sine]
-}
-
-fn plane(a: f64) -> Plane {
-    Plane::constant([-a, 0.0])
-}
-
 /// Follows a launch until its velocity points along θ.
 fn turn([lambda, a, v0, theta0, theta]: [f64; 5]) -> Result<Turn, MotionError> {
     let launch = Turn::launch(lambda, a, v0, theta0);
     let mut until = v0 / a;
     while until < 1e9 * v0 / a {
         let motion = launch.motion(until)?;
-        if let Some(state) = motion.first_along(velocity(1.0, theta))?
+        if let Some(state) = motion.first_along([libm::cos(theta), libm::sin(theta)])?
             && state.t < 0.9 * until
         {
             let v = state.speed();
@@ -243,14 +236,15 @@ pub fn straight() -> impl Iterator<Item = Result<Turn, MotionError>> {
         let launch = Turn::launch(
             points.uniform(0.0, 0.9),
             points.uniform(0.5, 2.0),
-            points.uniform(2.0, 4.0),
+            points.uniform(4.0, 8.0),
             theta0,
         );
         let t = 0.5;
-        let state = launch.motion(t)?.at(t)?;
+        let motion = launch.motion(2.0 * t)?;
         Ok(Turn {
             t,
-            v: state.speed(),
+            v: motion.at(t)?.speed(),
+            rate: rate(&motion, t, 1e-3)?,
             ..launch
         })
     })
@@ -320,8 +314,10 @@ fn all_settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
     (0..1000).map(move |i| {
         let theta0 = match i {
             0 => 0.0,
-            1 => PI - 0.3,
-            _ => points.sign() * points.uniform(0.0, PI - 0.3),
+            1 => PI,
+            2 => PI - 1e-6,
+            3 => 1e-6,
+            _ => points.sign() * points.uniform(0.0, PI),
         };
         let launch = Turn::launch(
             1.0,
@@ -355,7 +351,7 @@ fn all_stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
     let mut points = Points::stream(7);
     (0..1000).map(move |i| {
         let lambda = match i % 4 {
-            0 => 1.0 + points.log_uniform(1e-3, 1e-1),
+            0 => 1.0 + points.log_uniform(1e-9, 1e-1),
             1 => points.uniform(1.1, 3.0),
             2 => points.uniform(3.0, 30.0),
             _ => points.log_uniform(30.0, 1e3),

@@ -16,7 +16,7 @@ const fn consistency(compared: &'static str) -> Trial {
 pub fn eq3() -> Evidence {
     let trial = consistency("A t with v_x of a particle from rest without friction, under (3)");
     let mut points = Points::stream(8);
-    trial.over(0..100, |_| {
+    trial.over(0..1000, |_| {
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 5.0));
         let rest = State {
             t: 0.0,
@@ -57,7 +57,7 @@ pub fn eq5() -> Evidence {
         "v_x/v₀ at the same A t/v₀ of two motions with the same λ of (5) and different μ, g, A, v₀",
     );
     let mut points = Points::stream(9);
-    trial.over(0..200, |_| {
+    trial.over(0..1000, |_| {
         let (theta0, mu, g) = (
             points.uniform(0.1, 3.0),
             points.uniform(0.1, 1.0),

@@ -41,17 +41,10 @@ pub fn eq12_quadrature() -> Evidence {
         turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
         |turn| {
             let turn = turn?;
-            let stated = {
-                let enough = 1e-14 * turn.condition() * turn.a * turn.t;
-                integral_within(
-                    |theta| eq12_rate(turn, theta),
-                    turn.theta0,
-                    turn.theta,
-                    enough,
-                )?
-                .value
-            };
             let found = turn.a * turn.t;
+            let rate = |theta: f64| eq12_rate(turn, theta);
+            let enough = 1e-14 * turn.condition() * found;
+            let stated = integral_within(rate, turn.theta0, turn.theta, enough)?.value;
             Ok::<_, Failure>(Pair {
                 at: turn.at(),
                 stated,
@@ -177,8 +170,9 @@ pub fn eq14_motion() -> Evidence {
         Subject::Within,
         "(14) at the angle and time of the motion with its speed",
     );
-    trial.over(turns(), |turn| {
-        let turn = turn?;
+    let all = turns().map(|turn| turn.copied()).chain(straight());
+    trial.over(all, |turn| {
+        let turn = &turn?;
         Ok::<_, Failure>(Pair::conditioned(turn.at(), eq14(turn), turn.v))
     })
 }

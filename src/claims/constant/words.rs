@@ -2,7 +2,7 @@
 
 use super::runs::{Stop, Turn, held, launches_below_critical, stops};
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::tolerances::{LATE_ANGLE, NONE, SLOPE};
+use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{PhaseKind, State};
 
@@ -68,7 +68,7 @@ pub fn large_friction_limit() -> Evidence {
     // Others have not turned yet when their speed is lost in rounding.
     let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
     let turning = stops().filter(|s| {
-        let wanted = |s: &&Stop| turns(s) && !along_the_line(&s.start);
+        let wanted = |s: &&Stop| turns(s) && !s.start.is_straight();
         s.as_ref().map_or(true, wanted)
     });
     trial.over(turning, |stop| {
@@ -82,8 +82,38 @@ pub fn large_friction_limit() -> Evidence {
     })
 }
 
-fn along_the_line(launch: &Turn) -> bool {
-    launch.velocity0()[1] == 0.0
+/// λ > 1, however large: all the way down, tan(θ/2) falls at least as fast as v^(1/(λ+1)), and so θ → 0.
+///
+/// Newton's law along and across v gives d ln tan(θ/2)/d ln v = 1/(λ − cos θ) for every small step.
+pub fn large_friction_turns() -> Evidence {
+    let compared = "ln tan(θ/2) over ln v from the launch to the last step, cut to [1/(λ+1), 1/(λ−1)], with itself";
+    let trial = Trial::by(Route::Integration, Subject::Within, compared, ROOT);
+    let turning = stops().filter(|s| s.as_ref().map_or(true, |s| !s.start.is_straight()));
+    trial.over(turning, |stop| {
+        let stop = stop?;
+        let Turn {
+            lambda, v0, theta0, ..
+        } = stop.start;
+        let tangent = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
+        let fall = |s: State| {
+            (
+                tangent(s.direction()) - tangent(theta0),
+                libm::log(s.speed() / v0),
+            )
+        };
+        let falls = stop
+            .motion
+            .nodes()
+            .map(fall)
+            .filter(|(turn, slow)| turn.is_finite() && slow.is_finite());
+        let found = falls.last().map_or(f64::NAN, |(turn, slow)| turn / slow);
+        Ok::<_, Failure>(Pair {
+            at: stop.start.at(),
+            stated: found.clamp(1.0 / (lambda + 1.0), 1.0 / (lambda - 1.0)),
+            found,
+            scale: found.abs() * stop.start.condition(),
+        })
+    })
 }
 
 /// d ln θ/d ln v between the last two nodes at which both are normal numbers.
@@ -105,9 +135,8 @@ pub fn large_friction_outside() -> Evidence {
     let compared = "0 with the angle of the velocity at 99 % of the time of stopping";
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, LATE_ANGLE);
     let backwards = stops().filter(|s| {
-        s.as_ref().map_or(true, |s| {
-            along_the_line(&s.start) && s.start.velocity0()[0] < 0.0
-        })
+        s.as_ref()
+            .map_or(true, |s| s.start.is_straight() && s.start.theta0 != 0.0)
     });
     trial.over(backwards, |stop| {
         let stop = stop?;

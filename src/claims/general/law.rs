@@ -2,10 +2,10 @@
 
 use super::planes::{Case, bounded};
 use crate::claims::compare::{Failure, Pair, Trial, proved};
-use crate::claims::tolerances::FOREIGN;
+use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{Expr, Proof, Ring};
-use crate::motion::{Acceleration, State, run};
+use crate::motion::{Acceleration, Motion, MotionError, State, run};
 use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
@@ -74,28 +74,93 @@ pub fn eq1_laboratory() -> Evidence {
 /// (1): its right-hand side, summed over time along the motion, is the change of the velocity.
 pub fn eq1_quadrature() -> Evidence {
     let compared = "∫ of the components of (1), the second one twice, with the change of v_x + 2 v_y of the motion";
-    let rate = |case: &Case, state: &State| {
-        let a = acceleration(case, state.t);
-        let [x, y] = printed::eq1_velocity_rate(a, case.friction / 9.8, 9.8, state.v);
-        x + 2.0 * y
-    };
-    summed(compared, rate, |state| state.v[0] + 2.0 * state.v[1])
+    summed(compared, eq1_rate, components)
+}
+
+/// (1): its right-hand side is the rate of the velocity of the motion.
+pub fn eq1_motion() -> Evidence {
+    let compared =
+        "the components of (1), the second one twice, with the rate of v_x + 2 v_y of the motion";
+    followed(compared, eq1_rate, components)
 }
 
 /// (2): its right-hand side, summed over time along the motion, is the change of the speed.
 pub fn eq2_quadrature() -> Evidence {
     let compared = "∫ (2) dt along the motion with its change of speed";
-    let rate = |case: &Case, state: &State| {
-        let a = acceleration(case, state.t);
-        printed::eq2_speed_rate(a, case.friction / 9.8, 9.8, state.v)
+    summed(compared, eq2_rate, State::speed)
+}
+
+/// (2): its right-hand side is the rate of the speed of the motion.
+pub fn eq2_motion() -> Evidence {
+    followed(
+        "(2) with the rate of the speed of the motion",
+        eq2_rate,
+        State::speed,
+    )
+}
+
+fn eq1_rate(case: &Case, state: &State) -> f64 {
+    let a = acceleration(case, state.t);
+    let [x, y] = printed::eq1_velocity_rate(a, case.friction / 9.8, 9.8, state.v);
+    x + 2.0 * y
+}
+
+fn components(state: &State) -> f64 {
+    state.v[0] + 2.0 * state.v[1]
+}
+
+fn eq2_rate(case: &Case, state: &State) -> f64 {
+    let a = acceleration(case, state.t);
+    printed::eq2_speed_rate(a, case.friction / 9.8, 9.8, state.v)
+}
+
+/// Times at which each motion is looked at.
+const TIMES: u32 = 17;
+
+/// A printed rate with differences of fourth order along the motions.
+fn followed(
+    compared: &'static str,
+    rate: fn(&Case, &State) -> f64,
+    quantity: fn(&State) -> f64,
+) -> Evidence {
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, DIFFERENCES);
+    trial.over(
+        cases().flat_map(|(case, until)| looks(&case, until, rate, quantity)),
+        |look| look,
+    )
+}
+
+fn looks(
+    case: &Case,
+    until: f64,
+    rate: fn(&Case, &State) -> f64,
+    quantity: fn(&State) -> f64,
+) -> Vec<Result<Pair, MotionError>> {
+    let motion = run(&case.plane, case.friction, case.start, until);
+    let look = |motion: &Motion, n: u32| {
+        let state = motion.at(until * f64::from(n) / f64::from(TIMES + 1))?;
+        // |A| ≤ 3: a thousandth of the time in which the forces can change the velocity by itself.
+        let fastest = 3.0 + case.friction;
+        let h = 1e-3 * state.speed() / fastest;
+        let at = |k: f64| motion.at(state.t + k * h).map(|s| quantity(&s));
+        let found = (8.0 * (at(1.0)? - at(-1.0)?) - (at(2.0)? - at(-2.0)?)) / (12.0 * h);
+        Ok(Pair {
+            at: format!("{}, t = {:.6}", case.name, state.t),
+            stated: rate(case, &state),
+            found,
+            scale: fastest,
+        })
     };
-    summed(compared, rate, State::speed)
+    match motion {
+        Ok(motion) => (1..=TIMES).map(|n| look(&motion, n)).collect(),
+        Err(error) => vec![Err(error)],
+    }
 }
 
 fn summed(
     compared: &'static str,
-    rate: impl Fn(&Case, &State) -> f64,
-    quantity: impl Fn(&State) -> f64,
+    rate: fn(&Case, &State) -> f64,
+    quantity: fn(&State) -> f64,
 ) -> Evidence {
     Trial::quadrature(Subject::Printed, compared).over(cases(), |(case, until)| {
         let motion = run(&case.plane, case.friction, case.start, until)?;

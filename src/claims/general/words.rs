@@ -24,6 +24,12 @@ fn count(at: String, found: usize) -> Pair {
     }
 }
 
+const AT_REST: State = State {
+    t: 0.0,
+    v: [0.0; 2],
+    x: [0.0; 2],
+};
+
 /// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
 fn breaks(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> bool) -> usize {
     let nodes: Vec<_> = motion.nodes().filter(|s| s.t >= from).collect();
@@ -69,16 +75,7 @@ pub fn stops_integration() -> Evidence {
 pub fn rest_census() -> Evidence {
     let compared = "0 with the rests that outlast the next moment at which |A| > μg";
     census(Subject::Within, compared).over(bounded_that_return(), |(name, plane, period)| {
-        let motion = run(
-            &plane,
-            1.0,
-            State {
-                t: 0.0,
-                v: [0.0; 2],
-                x: [0.0; 2],
-            },
-            5.0 * period,
-        )?;
+        let motion = run(&plane, 1.0, AT_REST, 5.0 * period)?;
         let rests = motion
             .phases()
             .iter()
@@ -95,16 +92,7 @@ pub fn rest_integration() -> Evidence {
     let compared = "1 with 1 for a motion that has slid in each of five periods";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     trial.over(bounded_that_return(), |(name, plane, period)| {
-        let motion = run(
-            &plane,
-            1.0,
-            State {
-                t: 0.0,
-                v: [0.0; 2],
-                x: [0.0; 2],
-            },
-            5.0 * period,
-        )?;
+        let motion = run(&plane, 1.0, AT_REST, 5.0 * period)?;
         let slid = |n: i32| {
             let (from, to) = (f64::from(n) * period, f64::from(n + 1) * period);
             let phases = motion.phases().iter();
@@ -121,69 +109,75 @@ pub fn rest_integration() -> Evidence {
     })
 }
 
-/// A(t) = 1.1 to 3 times a sine or a train of pulses, with its period; friction 1.
+/// Accelerations that are larger than μg once a period at least, from 1.1 to 3 times, of all shapes; friction 1.
 fn bounded_that_return() -> impl Iterator<Item = (String, Plane, f64)> {
+    const KINDS: [&str; 7] = [
+        "oscillating",
+        "sign-changing",
+        "pulsed",
+        "constant",
+        "growing",
+        "decaying",
+        "rotating",
+    ];
     let mut points = Points::stream(23);
-    (0..30).map(move |i| {
+    KINDS.iter().cycle().take(42).map(move |kind| {
         let (size, period) = (points.uniform(1.1, 3.0), points.log_uniform(0.5, 5.0));
         let frequency = std::f64::consts::TAU / period;
-        let signal = match i % 3 {
-            0 => Signal::Sine {
-                frequency,
-                phase: 0.0,
-            },
-            1 => Signal::Square {
+        let sine = Signal::Sine {
+            frequency,
+            phase: 0.0,
+        };
+        let signal = match *kind {
+            "oscillating" => sine,
+            "sign-changing" => Signal::Square {
                 start: 0.0,
                 half: 0.5 * period,
             },
-            _ => Signal::Product(vec![
-                Signal::Sine {
-                    frequency,
-                    phase: 0.0,
-                },
-                Signal::Sine {
-                    frequency,
-                    phase: 0.0,
+            "pulsed" => Signal::Product(vec![sine.clone(), sine]),
+            "growing" => Signal::Polynomial(vec![0.0, 1.0 / period]),
+            "decaying" => Signal::Sum(vec![
+                Signal::constant(1.0),
+                Signal::Exponential {
+                    rate: -0.2 / period,
                 },
             ]),
+            _ => Signal::constant(1.0),
         };
         let direction = points.uniform(-3.1, 3.1);
         let along = [size * libm::cos(direction), size * libm::sin(direction)];
-        let name = format!(
-            "|A| up to {size:.6}, period {period:.6}, shape {}, μg = 1",
-            i % 3
-        );
-        (name, Plane::along(along, signal), period)
+        let plane = match *kind {
+            "rotating" => Plane::rotating(Signal::constant(size), frequency, direction),
+            _ => Plane::along(along, signal),
+        };
+        let name = format!("{kind} A of size {size:.6}, period {period:.6}, μg = 1");
+        (name, plane, period)
     })
 }
 
-/// Pushes of 2 μg that last ever shorter: what they leave of speed is their length, and at single instants, nothing.
+/// A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
 pub fn rest_outside() -> Evidence {
-    let compared = "motion (1) with the largest speed, in units of a push's strength, from pushes of 2 μg that last 1e-9";
+    let compared = "motion (1) with the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0";
     let trial = Trial::by(Route::Limit, Subject::Outside, compared, SHORT_PUSH);
-    trial.over(1..=40, |n| {
-        let at = 0.1 * f64::from(n);
-        let pulse = Signal::Pulse {
-            from: at,
-            to: at + 1e-9,
+    let mut points = Points::stream(30);
+    trial.over(0..40, |_| {
+        let (strength, length) = (points.uniform(1.1, 5.0), points.log_uniform(1e-6, 1.0));
+        let fastest = |length: f64| {
+            let pulse = Signal::Pulse {
+                from: 0.5,
+                to: 0.5 + length,
+            };
+            let plane = Plane::along([-strength, 0.0], pulse);
+            let motion = run(&plane, 1.0, AT_REST, 10.0)?;
+            Ok::<_, Failure>(motion.nodes().map(|s| s.speed()).fold(0.0, f64::max))
         };
-        let plane = Plane::along([-2.0, 0.0], pulse);
-        let motion = run(
-            &plane,
-            1.0,
-            State {
-                t: 0.0,
-                v: [0.0; 2],
-                x: [0.0; 2],
-            },
-            at + 1.0,
-        )?;
-        let fastest = motion.nodes().map(|s| s.speed()).fold(0.0, f64::max);
         Ok::<_, Failure>(Pair {
-            at: format!("A = 2 μg for 1e-9 at t = {at:.6}"),
-            stated: 1.0,
-            found: fastest,
-            scale: 1.0,
+            at: format!(
+                "A = {strength:.6} μg at one instant, from pushes of {length:.6} and half of it"
+            ),
+            stated: strength,
+            found: 2.0 * fastest(length / 2.0)? - fastest(length)?,
+            scale: strength,
         })
     })
 }
@@ -309,6 +303,33 @@ pub fn across_limit() -> Evidence {
             stated: 0.0,
             found: case.across(&end),
             scale: case.start.speed(),
+        })
+    })
+}
+
+/// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
+pub fn across_integration() -> Evidence {
+    let compared =
+        "|v⊥| cut to the bound v⊥₀ (1 + A t/v₀)^(−μg/A), A up to 30 μg, with |v⊥| at a late time";
+    let trial = Trial::motion(Subject::Printed, compared);
+    let mut points = Points::stream(31);
+    let bounded = fixed_direction(32).filter(|case| case.largest.is_finite());
+    trial.over(bounded, |case| {
+        let more = points.log_uniform(1.0, 15.0);
+        let (largest, late) = (more * case.largest, points.log_uniform(1.0, 100.0));
+        let plane = Plane {
+            x: case.plane.x.clone().times(more),
+            y: case.plane.y.clone().times(more),
+        };
+        let end = run(&plane, 1.0, case.start, late)?.end();
+        let (v0, across0) = (case.start.speed(), case.across(&case.start));
+        let bound = across0 * libm::pow(1.0 + largest * late / v0, -1.0 / largest);
+        let across = case.across(&end);
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, {more:.6} times that, t = {late:.6}", case.name),
+            stated: across.min(bound),
+            found: across,
+            scale: across0,
         })
     })
 }

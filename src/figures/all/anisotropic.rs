@@ -2,7 +2,7 @@
 
 use super::AllFiguresError;
 use crate::claims::anisotropic::{
-    census, drawn as anisotropic_drawn, panels, runs as anisotropic_runs,
+    census, drawn as anisotropic_drawn, panels, rows as anisotropic_rows, runs as anisotropic_runs,
 };
 use crate::figures::{Figure, anisotropic as anisotropic_figures};
 
@@ -70,7 +70,7 @@ fn region_waves() -> Result<Figure, AllFiguresError> {
 
 /// The boundaries for large q.
 fn region_boundaries() -> Result<Figure, AllFiguresError> {
-    let seen = |row: &anisotropic_runs::Row| anisotropic_figures::Seen {
+    let seen = |row: &anisotropic_rows::Row| anisotropic_figures::Seen {
         curves: heights(&row.curves),
         rest: row.changes.rest,
         reversal: row.changes.reversal,
@@ -78,10 +78,10 @@ fn region_boundaries() -> Result<Figure, AllFiguresError> {
         motion: row.changes.motion,
     };
     let seen: Vec<_> = anisotropic_drawn::boundaries()?.iter().map(seen).collect();
-    let law = |law: anisotropic_runs::Law| anisotropic_figures::Law {
+    let law = |law: anisotropic_rows::Law| anisotropic_figures::Law {
         exponent: law.exponent,
         prefactor: law.prefactor,
     };
-    let laws = anisotropic_runs::far_laws()?.map(law);
+    let laws = anisotropic_rows::far_laws()?.map(law);
     Ok(anisotropic_figures::far(&seen, laws)?)
 }

@@ -339,3 +339,27 @@ proptest! {
         }
     }
 }
+
+/// A plane that swings along a slanting line does to the sphere what it does along x, but for a rotation.
+#[test]
+fn a_release_along_a_slanting_line_is_one_along_x() {
+    let sphere = Sphere::with_kappa(0.88);
+    let swing = |direction: [f64; 2]| {
+        let (frequency, phase) = (1.3, 0.0);
+        Plane::along(direction, Signal::Sine { frequency, phase }.times(4.0))
+    };
+    let start = ball([0.0; 2], [0.0; 3]);
+    let straight = sphere.run(&swing([1.0, 0.0]), &start, 9.0).unwrap();
+    for k in 1..40 {
+        let angle = 0.157 * f64::from(k);
+        let [c, s] = [libm::cos(angle), libm::sin(angle)];
+        let slanting = sphere.run(&swing([c, s]), &start, 9.0).unwrap();
+        for t in [1.0, 2.0, 4.0, 6.0, 9.0] {
+            let (own, other) = (straight.at(t).unwrap(), slanting.at(t).unwrap());
+            for (along, turned) in [(own.x[0], other.x), (own.v[0], other.v)] {
+                let apart = libm::hypot(turned[0] - c * along, turned[1] - s * along);
+                assert!(apart < 1e-11, "angle {angle}, t = {t}: {apart:e}");
+            }
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! The curves beside the changes of the simulated motion, at many values of q, and the laws far out.
+
+use super::runs::{Changes, Curves, START};
+use crate::claims::compare::Failure;
+use crate::numerics::fit::fit;
+use std::sync::LazyLock;
+
+/// One q with everything that is known there.
+#[derive(Debug, Clone, Copy)]
+pub struct Row {
+    /// The curves by formula.
+    pub curves: Curves,
+    /// The changes by simulation.
+    pub changes: Changes,
+}
+
+/// The values of q at which the curves are tried: generic ones first, then the edges, close to the end of B
+/// on both sides, and the whole range, the part with B more densely.
+fn ratios() -> Vec<f64> {
+    let mut list = vec![
+        2.0,
+        3.0,
+        1.5,
+        6.0,
+        1.0,
+        12.0,
+        1.000_000_42,
+        1.0003,
+        1.02,
+        4.4,
+        4.55,
+        4.59,
+        4.603,
+        4.6033,
+        4.603_33,
+        4.603_35,
+        4.6034,
+        4.604,
+        4.61,
+        4.65,
+        4.8,
+    ];
+    list.extend((0..48).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 48.0));
+    list.extend((0..24).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 24.0));
+    list
+}
+
+/// Rows for all values of q at which the curves are tried.
+///
+/// # Errors
+/// Why there is none.
+pub fn rows() -> Result<&'static [Row], Failure> {
+    static ROWS: LazyLock<Result<Vec<Row>, String>> = LazyLock::new(|| all_rows(&ratios(), 1e-9));
+    ROWS.as_deref()
+        .map_err(|error| Failure::from(error.clone()))
+}
+
+/// Rows far out, q from 200 to 20,000.
+///
+/// # Errors
+/// Why there is none.
+pub fn far_rows() -> Result<&'static [Row], Failure> {
+    static ROWS: LazyLock<Result<Vec<Row>, String>> = LazyLock::new(|| {
+        let q: Vec<f64> = (0..=24)
+            .map(|k| 200.0 * libm::exp10(f64::from(k) / 12.0))
+            .collect();
+        all_rows(&q, 1e-12)
+    });
+    ROWS.as_deref()
+        .map_err(|error| Failure::from(error.clone()))
+}
+
+fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, String> {
+    use rayon::prelude::*;
+    let row = |&q: &f64| {
+        let made = || -> Result<Row, Failure> {
+            Ok(Row {
+                curves: Curves::at(q)?,
+                changes: Changes::at(q, low, START)?,
+            })
+        };
+        made().map_err(|error| format!("q = {q}: {error}"))
+    };
+    ratios.par_iter().map(row).collect()
+}
+
+/// A power law λ₀ = prefactor · (q + 1)^exponent, with standard errors.
+#[derive(Debug, Clone, Copy)]
+pub struct Law {
+    /// The exponent and its error.
+    pub exponent: (f64, f64),
+    /// The prefactor and its error.
+    pub prefactor: (f64, f64),
+}
+
+/// The laws by which, far out, the onset of rest and the end of direct reversals fall with q, measured on the
+/// simulation. The next terms of the logarithm, of order q⁻² to q⁻⁴, are fitted along; to the fit's standard error
+/// is added what leaving out the last of them changes.
+///
+/// # Errors
+/// As [`far_rows`].
+pub fn far_laws() -> Result<[Law; 2], Failure> {
+    let rows = far_rows()?;
+    let basis: [&dyn Fn(f64) -> f64; 5] = [
+        &|_| 1.0,
+        &|x| libm::log(x),
+        &|x| 1.0 / (x * x),
+        &|x| 1.0 / (x * x * x),
+        &|x| 1.0 / (x * x * x * x),
+    ];
+    let law = |height: fn(&Changes) -> f64| -> Result<Law, Failure> {
+        let data: Vec<_> = rows
+            .iter()
+            .map(|row| (row.curves.q + 1.0, libm::log(height(&row.changes))))
+            .collect();
+        let (best, shorter) = (fit(&data, &basis)?, fit(&data, &basis[..4])?);
+        let measured = |i: usize| {
+            let changed = (best.coefficients[i] - shorter.coefficients[i]).abs();
+            (best.coefficients[i], best.errors[i] + changed)
+        };
+        let (logarithm, error) = measured(0);
+        let prefactor = libm::exp(logarithm);
+        Ok(Law {
+            exponent: measured(1),
+            prefactor: (prefactor, prefactor * error),
+        })
+    };
+    Ok([law(|c| c.rest)?, law(|c| c.reversal)?])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn far_out_both_curves_fall_as_the_square() {
+        let laws = far_laws().unwrap();
+        for (law, prefactor) in laws.iter().zip([PI, 4.0 * PI]) {
+            println!("{law:?}");
+            let off = |(value, error): (f64, f64), expected: f64| {
+                assert!(error < 1e-6, "{law:?}");
+                assert!((value - expected).abs() < 3.0 * error, "{law:?}");
+            };
+            off(law.exponent, -2.0);
+            off(law.prefactor, prefactor);
+        }
+    }
+}

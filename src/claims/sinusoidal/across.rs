@@ -1,0 +1,248 @@
+//! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
+
+use super::runs::{ORIGIN, Particle, drive, each, lambda_c, settled};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE, NONE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::PlanarState;
+use crate::scalar::Scalar;
+use std::f64::consts::{FRAC_PI_2, TAU};
+use std::sync::LazyLock;
+
+/// A motion in the plane, once a period from φ = 0 on.
+pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<PlanarState>, Failure> {
+    let start = PlanarState {
+        phi: 0.0,
+        w_x,
+        ln_w_y: Scalar::ln(w_y),
+    };
+    let phases: Vec<_> = (0..=periods).map(|k| TAU * f64::from(k)).collect();
+    Ok(drive()?.planar(lambda, start, &phases)?)
+}
+
+/// A motion in the plane that began with a velocity across the drive, over ten periods.
+#[derive(Clone)]
+pub struct Flight {
+    /// Friction λ₀.
+    pub lambda: f64,
+    /// 𝔴 and 𝔴_y at φ = π/2.
+    start: [f64; 2],
+    /// Eight states a period.
+    states: Vec<PlanarState>,
+}
+
+/// States of a flight in a period.
+const A_PERIOD: u32 = 8;
+/// Periods of a flight.
+const PERIODS: u32 = 10;
+
+impl Flight {
+    fn from(lambda: f64, [w_x, w_y]: [f64; 2]) -> Result<Self, Failure> {
+        let start = PlanarState {
+            phi: FRAC_PI_2,
+            w_x,
+            ln_w_y: Scalar::ln(w_y),
+        };
+        let phase = |k: u32| FRAC_PI_2 + TAU * f64::from(k) / f64::from(A_PERIOD);
+        let phases: Vec<_> = (0..=PERIODS * A_PERIOD).map(phase).collect();
+        Ok(Flight {
+            lambda,
+            start: [w_x, w_y],
+            states: drive()?.planar(lambda, start, &phases)?,
+        })
+    }
+
+    /// The states at whole periods.
+    pub fn strobe(&self) -> impl Iterator<Item = &PlanarState> {
+        self.states.iter().step_by(A_PERIOD as usize)
+    }
+
+    /// The last state.
+    pub fn last(&self) -> Result<PlanarState, Failure> {
+        Ok(*self.states.last().ok_or("no state")?)
+    }
+
+    /// True below λ_c, unless the particle came to rest on the way to its periodic motion: then its v_y is 0.
+    pub fn never_rests(&self) -> bool {
+        let rested = |s: &&PlanarState| s.ln_w_y == f64::NEG_INFINITY;
+        self.lambda < lambda_c() && !self.states.iter().any(|s| rested(&s))
+    }
+
+    /// The flight in the claims' symbols.
+    pub fn at(&self) -> String {
+        let Flight {
+            lambda,
+            start: [w_x, w_y],
+            ..
+        } = self;
+        format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6} at φ = π/2")
+    }
+}
+
+/// The flights of which `wanted` holds: 22 below λ_c, 11 between λ_c and 1, 11 above 1.
+pub fn flights_where(wanted: fn(&Flight) -> bool) -> impl Iterator<Item = Result<Flight, Failure>> {
+    static FLIGHTS: LazyLock<Vec<Result<Flight, String>>> = LazyLock::new(|| {
+        let mut points = Points::stream(160);
+        let flight = |i: u32| {
+            let lambda = match i % 4 {
+                0 | 1 => points.uniform(0.4, lambda_c() - 0.02),
+                2 => points.uniform(lambda_c() + 1e-3, 1.0),
+                _ => points.uniform(1.0, 1.4),
+            };
+            let start = [points.uniform(0.2, 1.0), points.log_uniform(0.05, 1.0)];
+            Flight::from(lambda, start).map_err(|error| error.to_string())
+        };
+        (0..44).map(flight).collect()
+    });
+    let all = FLIGHTS
+        .iter()
+        .map(|flight| flight.clone().map_err(Into::into));
+    all.filter(move |flight: &Result<Flight, Failure>| flight.as_ref().map_or(true, wanted))
+}
+
+fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
+    format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}")
+}
+
+/// v_y → 0: what is left after ten periods.
+pub fn vanishes_limit() -> Evidence {
+    let compared = "0 with 𝔴_y after ten periods, from ln 𝔴_y";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
+    trial.over(flights_where(|_| true), |flight| {
+        let flight = flight?;
+        Ok::<_, Failure>(Pair {
+            at: flight.at(),
+            stated: 0.0,
+            found: Scalar::exp(flight.last()?.ln_w_y),
+            scale: flight.start[1],
+        })
+    })
+}
+
+/// The same by the other integrator, with little friction too.
+pub fn vanishes_motion() -> Evidence {
+    let compared = "0 with v_y of a particle on the plane after five periods";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, GONE);
+    let mut points = Points::stream(161);
+    trial.over(0..20, |_| {
+        let lambda = points.uniform(0.25, 1.4);
+        let v = [points.uniform(-1.0, 1.0), points.uniform(0.05, 1.0)];
+        let end = Particle::plain(lambda).run(0.0, v, 5.0 * TAU)?.end();
+        Ok::<_, Failure>(Pair {
+            at: at([lambda, v[0], v[1]]),
+            stated: 0.0,
+            found: end.v[1],
+            scale: v[1],
+        })
+    })
+}
+
+/// On the way v_y never grows.
+pub fn vanishes_census() -> Evidence {
+    let compared =
+        "0 with the steps of an eighth of a period on which ln 𝔴_y grows, over ten periods";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(flights_where(|_| true), |flight| {
+        let flight = flight?;
+        let steps = flight.states.windows(2);
+        // Beside a huge logarithm a change of order one is lost in rounding.
+        let rounding = |s: &PlanarState| 1e-13 * s.ln_w_y.abs().min(f64::MAX);
+        let grows = steps.filter(|s| s[1].ln_w_y > s[0].ln_w_y + rounding(&s[0]));
+        Ok::<_, Failure>(Pair {
+            at: flight.at(),
+            stated: 0.0,
+            found: grows.count() as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// First stage: the mean slope of 𝔴_y over a period, while 𝔴_y is ten thousand times 𝔴_x or more.
+pub fn first_stage() -> Evidence {
+    let compared = "−λ₀ with the mean slope of 𝔴_y over a period in which it stays above 10⁴ |𝔴|";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, FIRST_STAGE);
+    let mut points = Points::stream(163);
+    trial.over(0..30, |_| {
+        let lambda = points.uniform(0.05, 1.5);
+        let w_x = points.uniform(-1.0, 1.0);
+        let w_y = points.log_uniform(3e4, 3e5);
+        let states = strobed(lambda, w_x, w_y, 1)?;
+        let [first, last] = [0, 1].map(|k: usize| Scalar::exp(states[k].ln_w_y));
+        Ok::<_, Failure>(Pair {
+            at: at([lambda, w_x, w_y]),
+            stated: -lambda,
+            found: (last - first) / TAU,
+            scale: lambda,
+        })
+    })
+}
+
+/// Second stage, as printed: an exponential falls by the same factor in every period.
+pub fn second_stage() -> Evidence {
+    let compared = "1 with the fall of ln 𝔴_y in the third period after 𝔴_y has fallen below 1e-3, over that in the second, λ₀ < λ_c";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, EXPONENTIAL);
+    trial.over(flights_where(Flight::never_rests), |flight| {
+        let flight = flight?;
+        let strobe: Vec<_> = flight.strobe().collect();
+        let small = strobe.iter().position(|s| s.ln_w_y < -6.9);
+        let small = small.ok_or("v_y stays large")?;
+        let fall = |k: usize| match strobe.get(small + k..small + k + 2) {
+            Some([before, after]) => before.ln_w_y - after.ln_w_y,
+            _ => f64::NAN,
+        };
+        Ok::<_, Failure>(Pair {
+            at: flight.at(),
+            stated: 1.0,
+            found: fall(2) / fall(1),
+            scale: 1.0,
+        })
+    })
+}
+
+/// The large-time v_x, from several v_y, is that of a motion on the line.
+pub fn ignores_motion() -> Evidence {
+    let compared = "𝔴 of the large-time motion on the line with 𝔴 of a motion in the plane at eight phases of its tenth period";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FORGOTTEN);
+    each(&trial, flights_where(|_| true), |flight| {
+        let flight = flight?;
+        let line = settled(flight.lambda, ORIGIN)?;
+        let last = flight.states.iter().rev().take(A_PERIOD as usize);
+        let pair = |state: &PlanarState| Pair {
+            at: format!("{}, φ = {:.6}", flight.at(), state.phi),
+            stated: line.w(state.phi),
+            found: state.w_x,
+            scale: 1.0,
+        };
+        Ok(last.map(pair).collect())
+    })
+}
+
+/// On the way v_x does depend on v_y.
+pub fn ignores_census() -> Evidence {
+    let compared = "1 with 1 where the first period's 𝔴 differs by more than 0.01 between 𝔴_y = 0.1, 1 and 5 at the start";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(166);
+    trial.over(0..20, |_| {
+        let (lambda, w_x) = (points.uniform(0.15, 1.4), points.uniform(-1.0, 1.0));
+        let phases: Vec<_> = (1..=16).map(|k| TAU * f64::from(k) / 16.0).collect();
+        let mut curves = Vec::new();
+        for w_y in [0.1, 1.0, 5.0] {
+            let start = PlanarState {
+                phi: 0.0,
+                w_x,
+                ln_w_y: Scalar::ln(w_y),
+            };
+            let states = drive()?.planar(lambda, start, &phases)?;
+            curves.push(states.iter().map(|s| s.w_x).collect::<Vec<_>>());
+        }
+        let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 0.01);
+        let differ = apart(&curves[0], &curves[1]) && apart(&curves[1], &curves[2]);
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6} at φ = 0"),
+            stated: 1.0,
+            found: f64::from(u8::from(differ)),
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,201 @@
+//! Trials of what replaces the second stage: an exponential of an exponential, or an end after a finite time.
+
+use super::across::{Flight, flights_where, strobed};
+use super::runs::{ORIGIN, Particle, drive, lambda_c, settled};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
+use crate::corrections::sinusoidal as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Attractor, PlanarState, Sign};
+use crate::numerics::quadrature::integral_within;
+use crate::scalar::Scalar;
+use std::f64::consts::{PI, TAU};
+
+/// Frictions below λ_c, where the passages are not too steep to be followed.
+fn below(stream: u64, high: f64) -> impl Iterator<Item = f64> {
+    let mut points = Points::stream(stream);
+    (0..20).map(move |_| points.uniform(0.05, high))
+}
+
+fn at(lambda: f64) -> String {
+    format!("λ₀ = {lambda:.6}")
+}
+
+/// Half way along the forward slip of the periodic motion: phase and velocity.
+fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
+    let slip = attractor
+        .intervals()
+        .iter()
+        .find(|i| i.sign == Sign::Positive);
+    let slip = slip.ok_or("no slip")?;
+    let phi = 0.5 * (slip.start + slip.end);
+    Ok([phi, attractor.w(phi)])
+}
+
+/// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
+pub fn period_factor() -> Evidence {
+    let compared = "((s + λ₀)/(s − λ₀))² with the factor by which ln 𝔴_y grows in a period, from ln 𝔴_y = −1e9 on";
+    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, LOGARITHM);
+    trial.over(below(170, lambda_c() - 1e-3), |lambda| {
+        let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
+        let start = PlanarState {
+            phi,
+            w_x,
+            ln_w_y: -1e9,
+        };
+        let states = drive()?.planar(lambda, start, &[phi + TAU])?;
+        let stated = 1.0 / corrected::contraction(lambda);
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated,
+            found: states[0].ln_w_y / start.ln_w_y,
+            scale: stated,
+        })
+    })
+}
+
+/// The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
+pub fn period_factor_reached() -> Evidence {
+    let compared = "((s + λ₀)/(s − λ₀))² with the last growth of ln 𝔴_y over a period on the way from 𝔴_y of order one to exp(−1e15)";
+    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
+    trial.over(flights_where(Flight::never_rests), |flight| {
+        let flight = flight?;
+        let strobe: Vec<_> = flight.strobe().collect();
+        let last = strobe
+            .iter()
+            .rposition(|s| s.ln_w_y > -1e15)
+            .ok_or("no state")?;
+        let factor = match last.checked_sub(1) {
+            Some(before) => strobe[last].ln_w_y / strobe[before].ln_w_y,
+            None => f64::NAN,
+        };
+        let stated = 1.0 / corrected::contraction(flight.lambda);
+        Ok::<_, Failure>(Pair {
+            at: flight.at(),
+            stated,
+            found: factor,
+            scale: stated,
+        })
+    })
+}
+
+/// The correction of the first stage: friction leans towards the drive by half the square of the ratio of the velocities.
+pub fn first_stage_correction() -> Evidence {
+    let compared = "−((𝔴 + 1)² + 1/2)/2 with (the mean slope of 𝔴_y over a period)/(−λ₀) − 1, times 𝔴_y², from 𝔴 at φ = 0";
+    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, SECOND_ORDER);
+    let mut points = Points::stream(176);
+    trial.over(0..30, |_| {
+        let lambda = points.uniform(0.2, 1.4);
+        let w_x = points.uniform(-1.0, 1.0);
+        let w_y = points.log_uniform(500.0, 2000.0);
+        let states = strobed(lambda, w_x, w_y, 1)?;
+        let [first, last] = [0, 1].map(|k: usize| Scalar::exp(states[k].ln_w_y));
+        let slope = (last - first) / TAU;
+        let middle = 0.5 * (first + last);
+        let stated = corrected::first_stage_lean(w_x);
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}"),
+            stated,
+            found: (slope / -lambda - 1.0) * middle * middle,
+            scale: 2.0,
+        })
+    })
+}
+
+/// λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
+pub fn passage_limit() -> Evidence {
+    let compared = "(s + λ₀)/(s − λ₀) with Δ ln v_y after over Δ ln v_y before a passage of a particle, v_y = 1e-6 and 1e-8";
+    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
+    trial.over(below(172, 0.42), |lambda| {
+        let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
+        let through = |v_y: f64| {
+            let motion = Particle::plain(lambda).run(phi, [w_x, v_y], phi + PI)?;
+            Ok::<_, Failure>(Scalar::ln(motion.end().v[1]))
+        };
+        let after = through(1e-6)? - through(1e-8)?;
+        let stated = corrected::passage_factor(lambda, corrected::drive_at_zero(lambda));
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated,
+            found: after / Scalar::ln(100.0),
+            scale: stated,
+        })
+    })
+}
+
+/// λ₀ < λ_c, by quadrature of d ln 𝔴_y = −λ₀ dφ/|𝔴| towards and from a zero of the simulated motion on the line.
+pub fn passage_quadrature() -> Evidence {
+    let compared = "(s + λ₀)/(s − λ₀) with (1 + q)/(1 − p), p and q the coefficients of the logarithm in λ₀ ∫ dφ/|𝔴| before and after a zero of 𝔴";
+    let trial = Trial::by(Route::Quadrature, Subject::Corrected, compared, PASSAGE);
+    trial.over(below(173, lambda_c() - 1e-2), |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let slip = attractor
+            .intervals()
+            .iter()
+            .find(|i| i.sign == Sign::Positive);
+        let zero = slip.ok_or("no slip")?.end;
+        // In ln(distance) the integrand is smooth; the coefficient is its mean over a decade.
+        let coefficient = |side: f64| {
+            let integrand = |x: f64| {
+                let distance = Scalar::exp(x);
+                lambda * distance / attractor.w(zero + side * distance).abs()
+            };
+            let (low, high) = (Scalar::ln(1e-6), Scalar::ln(1e-5));
+            // So near the zero, 𝔴 has nine digits.
+            let sum = integral_within(integrand, low, high, 1e-9)?.value;
+            Ok::<_, Failure>(sum / (high - low))
+        };
+        let (p, q) = (coefficient(-1.0)?, coefficient(1.0)?);
+        let stated = corrected::passage_factor(lambda, corrected::drive_at_zero(lambda));
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated,
+            found: (1.0 + q) / (1.0 - p),
+            scale: stated / (1.0 - lambda / corrected::drive_at_zero(lambda)),
+        })
+    })
+}
+
+/// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
+pub fn finite_end() -> Evidence {
+    let compared = "1 with 1 where 𝔴_y is exactly 0 after ten periods, and 𝔴 is then that of the motion on the line";
+    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NONE);
+    trial.over(
+        flights_where(|flight| flight.lambda > lambda_c()),
+        |flight| {
+            let flight = flight?;
+            let last = flight.last()?;
+            let line = settled(flight.lambda, ORIGIN)?.w(last.phi);
+            let ended = last.ln_w_y == f64::NEG_INFINITY && (last.w_x - line).abs() < 1e-12;
+            Ok::<_, Failure>(Pair {
+                at: flight.at(),
+                stated: 1.0,
+                found: f64::from(u8::from(ended)),
+                scale: 1.0,
+            })
+        },
+    )
+}
+
+/// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
+pub fn last_stage() -> Evidence {
+    let compared = "λ₀/(λ₀² − h²) with the time, over v_y, that a particle with v_x = 0 and a small v_y takes to stop where |h| < λ₀";
+    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, LAST_STAGE);
+    let mut points = Points::stream(175);
+    trial.over(0..20, |_| {
+        let lambda = points.uniform(lambda_c(), 1.4);
+        let phi = points.uniform(0.0, 0.9) * Scalar::asin(lambda.min(1.0));
+        let h = Scalar::sin(phi);
+        let v_y = 1e-7;
+        let motion = Particle::plain(lambda).run(phi, [0.0, v_y], phi + 1.0)?;
+        let stop = motion.first_stop().ok_or("no stop")?;
+        let stated = corrected::last_stage(lambda, h, v_y) / v_y;
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}, φ = {phi:.6}, v_y = 1e-7"),
+            stated,
+            found: (stop - phi) / v_y,
+            scale: stated,
+        })
+    })
+}

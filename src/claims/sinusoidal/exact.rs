@@ -1,0 +1,359 @@
+//! Sinusoidal acceleration, exactly: what of section 2.2 is an identity.
+//!
+//! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
+//! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
+
+use crate::claims::compare::proved;
+use crate::evidence::{Evidence, Subject};
+use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::sinusoidal as paper;
+use crate::scalar::Scalar;
+
+fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
+    names.map(Expr::symbol)
+}
+
+/// Carries out a proof in a ring, if the ring can be set up.
+fn prove(
+    title: &str,
+    ring: Result<Ring, ExactError>,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+) -> Proof {
+    match ring {
+        Ok(ring) => Proof::of(title, &ring, steps),
+        Err(error) => Proof::impossible(title, error),
+    }
+}
+
+fn printed(proof: &Proof, compared: &'static str) -> Evidence {
+    proved(proof, Subject::Printed, compared)
+}
+
+/// The ring in which λ₀ = sin φ₁, so that arcsin λ₀ = φ₁ and √(1 − λ₀²) = cos φ₁.
+fn ring_of_phi1() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    let angle = ring.angle("β");
+    ring.angle("φ");
+    let beta = Expr::symbol("β");
+    let (sine, cosine) = (ring.read(beta.sin())?, ring.read(beta.cos())?);
+    ring.inverse(Function::Asin, &sine, &angle)?;
+    ring.root_is(&(Rational::int(1) - &sine * &sine), 2, &cosine)?;
+    ring.define("λ₀", sine)?;
+    Ok(ring)
+}
+
+/// The ring in which φ̃₁ is an angle and λ₀ = 2 cos φ̃₁/π, so that arccos(π λ₀/2) = φ̃₁.
+fn ring_of_phi_t1() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    let angle = ring.angle("φ̃₁");
+    ring.angle("φ");
+    let cosine = ring.read(Expr::symbol("φ̃₁").cos())?;
+    ring.inverse(Function::Acos, &cosine, &angle)?;
+    let pi = ring.read(Expr::pi())?;
+    let lambda = ring.divide(&(Rational::int(2) * cosine), &pi)?;
+    ring.define("λ₀", lambda)?;
+    Ok(ring)
+}
+
+/// (26) from (1), (21) to (24), for the sign ±1 of the velocity.
+fn prove_eq26(rate: Expr, sign: i64) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        for name in ["A₀", "ϖ", "λ₀", "w"] {
+            ring.symbol(name);
+        }
+        ring.angle("φ");
+        let w = ring.named("w")?;
+        ring.root_is(&(&w * &w), 2, &(&w * &Rational::int(sign)))?;
+        Ok(ring)
+    };
+    prove("(26): d𝔴/dφ", ring(), |p| {
+        let [a0, varpi, lambda0, phi] = symbols(["A₀", "ϖ", "λ₀", "φ"]);
+        p.note("The velocity's sign", sign.to_string());
+        let [ax, _] = paper::eq21_acceleration(a0, Expr::int(1), phi);
+        // (1) on the line, with μg = λ₀ A₀ by (22).
+        let newton = p.read("dv_x/dt by (1)", -ax - lambda0 * a0 * Expr::int(sign))?;
+        // By (24), d𝔴/dt = ϖ/A₀ dv_x/dt; by (23), dφ/dt = ϖ.
+        let scaled = p.read("d𝔴/dv_x by (24)", paper::eq24_w(varpi, Expr::int(1), a0))?;
+        let clock = p.read("dφ/dt by (23)", paper::eq23_phase(varpi, Expr::int(1)))?;
+        let expected = p.quotient("d𝔴/dφ by (1)", &(newton * scaled), &clock)?;
+        let rate = p.read("The printed rate", rate)?;
+        p.equal("The two", &rate, &expected)
+    })
+}
+
+fn eq26_rate() -> Expr {
+    let [lambda0, phi, w] = symbols(["λ₀", "φ", "w"]);
+    paper::eq26_rate(lambda0, phi, w)
+}
+
+/// (26), for velocities of both signs.
+pub fn eq26() -> Evidence {
+    let forward = prove_eq26(eq26_rate(), 1);
+    let both = if forward.holds() {
+        prove_eq26(eq26_rate(), -1)
+    } else {
+        forward
+    };
+    printed(
+        &both,
+        "(26) with Newton's law (1) on the line, in the symbols (21) to (24), for both signs of 𝔴",
+    )
+}
+
+/// sin of a printed phase is ±λ₀.
+fn prove_phase(phase: Expr, sign: i64) -> Proof {
+    prove("The drive at the printed phase", ring_of_phi1(), |p| {
+        let sine = p.read("The drive at the printed phase", phase.sin())?;
+        let signed = Expr::int(sign) * Expr::symbol("λ₀");
+        let expected = p.read("Friction, with its sign", signed)?;
+        p.equal("The two", &sine, &expected)
+    })
+}
+
+fn phase(formula: fn(Expr) -> Expr, sign: i64, compared: &'static str) -> Evidence {
+    printed(&prove_phase(formula(Expr::symbol("λ₀")), sign), compared)
+}
+
+/// (27): sin φ₁ = λ₀.
+pub fn eq27() -> Evidence {
+    phase(paper::eq27_phi1, 1, "sin of (27) with λ₀")
+}
+
+/// (28): sin φ₂ = λ₀.
+pub fn eq28() -> Evidence {
+    phase(paper::eq28_phi2, 1, "sin of (28) with λ₀")
+}
+
+/// (29): sin φ₃ = −λ₀.
+pub fn eq29() -> Evidence {
+    phase(paper::eq29_phi3, -1, "sin of (29) with −λ₀")
+}
+
+/// (30): sin φ₄ = −λ₀.
+pub fn eq30() -> Evidence {
+    phase(paper::eq30_phi4, -1, "sin of (30) with −λ₀")
+}
+
+/// A slip: its slope is sin φ ∓ λ₀, and it is zero at `start`.
+fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obstacle> {
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
+    let value = p.read("The printed 𝔴", w)?;
+    let slope = p.derivative("Its slope", &value, &p.ring().by("φ")?)?;
+    let expected = p.read("The slope by (26)", phi.sin() - Expr::int(sign) * lambda0)?;
+    p.equal("The two", &slope, &expected)?;
+    let at_start = p.read("Where the slip begins", w.with("φ", start))?;
+    p.zero("It is zero there", &at_start)
+}
+
+fn prove_eq31(w: Expr) -> Proof {
+    prove("(31): the slip after a rest", ring_of_phi1(), |p| {
+        slip(p, w, 1, paper::eq27_phi1(Expr::symbol("λ₀")))
+    })
+}
+
+/// (31) solves (26) from 𝔴 = 0 at φ₁.
+pub fn eq31() -> Evidence {
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
+    let w = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
+    printed(
+        &prove_eq31(w),
+        "the slope of (31) with (26) for 𝔴 > 0, and (31) at φ₁ with 0",
+    )
+}
+
+fn prove_eq33(cases: [Expr; 4]) -> Proof {
+    let ring = || {
+        let mut ring = ring_of_phi1()?;
+        ring.angle("φ̃₂");
+        Ok(ring)
+    };
+    prove("(33): slips and rests", ring(), |p| {
+        let [lambda0, end] = symbols(["λ₀", "φ̃₂"]);
+        let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
+        let [forward, first_rest, backward, second_rest] = cases;
+        slip(p, forward, 1, phi1)?;
+        slip(p, backward, -1, phi3)?;
+        for rest in [first_rest, second_rest] {
+            let rest = p.read("A rest", rest)?;
+            p.zero("It is zero", &rest)?;
+        }
+        // (32) makes both slips end in zero.
+        let left = p.read(
+            "The left side of (32)",
+            paper::eq32_left(lambda0, phi1, end),
+        )?;
+        let ends = paper::eq33_ends(phi1, end, phi3);
+        let first = p.read("(33) at φ̃₂", forward.with("φ", ends[1]))?;
+        p.equal("It vanishes with (32)", &first, &left)?;
+        let second = p.read("(33) at φ̃₂ + π", backward.with("φ", ends[3]))?;
+        p.equal("It vanishes with (32) too", &second, &-left)?;
+        let period = p.read("The period of the cases", ends[4] - ends[0])?;
+        p.equal(
+            "It is 2π",
+            &period,
+            &p.ring().read(Expr::int(2) * Expr::pi())?,
+        )
+    })
+}
+
+/// (33) solves (26) on both slips, and is continuous and periodic by (32).
+pub fn eq33() -> Evidence {
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
+    let cases = paper::eq33_w(
+        lambda0,
+        paper::eq27_phi1(lambda0),
+        paper::eq29_phi3(lambda0),
+        phi,
+    );
+    printed(
+        &prove_eq33(cases),
+        "the slopes of (33) with (26), and its ends with 0, by (32)",
+    )
+}
+
+fn prove_eq35(left: Expr) -> Proof {
+    prove("(35): (34) in the friction alone", ring_of_phi1(), |p| {
+        let lambda0 = Expr::symbol("λ₀");
+        let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
+        let first = p.read(
+            "The left side of (34)",
+            paper::eq34_left(lambda0, phi1, phi3),
+        )?;
+        let second = p.read("The left side of (35)", left)?;
+        p.equal("The two", &first, &second)
+    })
+}
+
+/// (34) with (27) and (29) is (35).
+pub fn eq35() -> Evidence {
+    let proof = prove_eq35(paper::eq35_left(Expr::symbol("λ₀")));
+    printed(
+        &proof,
+        "the left side of (35) with that of (34), by (27) and (29)",
+    )
+}
+
+/// Adds √(4 + π²), and √π² = π.
+fn with_lambda_c(mut ring: Ring) -> Result<Ring, ExactError> {
+    let pi = ring.read(Expr::pi())?;
+    ring.root(&(Rational::int(4) + &pi * &pi), 2)?;
+    ring.root_is(&(&pi * &pi), 2, &pi)?;
+    Ok(ring)
+}
+
+fn prove_eq37(critical: Expr) -> Proof {
+    prove(
+        "(37): the critical friction",
+        with_lambda_c(Ring::new()),
+        |p| {
+            let left = p.read("The left side of (35) at λ_c", paper::eq35_left(critical))?;
+            p.zero("It", &left)
+        },
+    )
+}
+
+/// The left side of (35) vanishes at λ_c.
+pub fn eq37() -> Evidence {
+    printed(
+        &prove_eq37(paper::eq37_lambda_c()),
+        "the left side of (35) at (37) with 0",
+    )
+}
+
+/// `found` = (1 + π²/4) (right² − left²): its sign is that of right − left, both being positive.
+fn beside_lambda_c(
+    p: &mut Prover<'_>,
+    found: Expr,
+    [left, right]: [Expr; 2],
+) -> Result<(), Obstacle> {
+    let found = p.read("The difference of squares", found)?;
+    let factor = Expr::int(1) + Expr::pi().squared() / Expr::int(4);
+    let expected = factor * (right.squared() - left.squared());
+    let expected = p.read("By the printed sides", expected)?;
+    p.equal("The two", &found, &expected)
+}
+
+fn prove_eq36(sides: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        let lambda0 = ring.symbol("λ₀");
+        ring.root(&(Rational::int(1) - &lambda0 * &lambda0), 2)?;
+        with_lambda_c(ring)
+    };
+    prove("(36): (35) squared", ring(), |p| {
+        let lambda0 = Expr::symbol("λ₀");
+        let left = paper::eq35_left(lambda0);
+        // (a − b)(a + b) with a − b the left side of (35) and b = π λ₀.
+        let other = left + Expr::int(2) * Expr::pi() * lambda0;
+        beside_lambda_c(p, left * other / Expr::int(4), sides)
+    })
+}
+
+/// (36): (35) squared. The factor that turns the left side of (35) into a difference of squares is positive.
+pub fn eq36() -> Evidence {
+    let proof = prove_eq36(paper::eq36_sides(Expr::symbol("λ₀")));
+    printed(
+        &proof,
+        "the left side of (35), times the sum of its terms, with (4 + π²) (λ_c² − λ₀²)",
+    )
+}
+
+fn prove_eq40(sides: [Expr; 2]) -> Proof {
+    let ring = || with_lambda_c(ring_of_phi_t1()?);
+    prove("(40): the drive where (38) vanishes", ring(), |p| {
+        let lambda0 = Expr::symbol("λ₀");
+        let drive = paper::eq39_phi_t1(lambda0).sin();
+        beside_lambda_c(p, drive.squared() - lambda0.squared(), sides)
+    })
+}
+
+/// (40): (38) passes through zero without rest where the drive exceeds friction there, sin φ̃₁ > λ₀ = sin φ₁; as both
+/// phases are below π/2, that is (41) too.
+pub fn eq40() -> Evidence {
+    let proof = prove_eq40(paper::eq40_sides(Expr::symbol("λ₀")));
+    printed(&proof, "sin²φ̃₁ − λ₀² by (39) with (1 + π²/4) (λ_c² − λ₀²)")
+}
+
+fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
+    prove("(38): no rest", ring_of_phi_t1(), |p| {
+        let [forward, backward] = cases;
+        slip(p, forward, 1, ends[0])?;
+        slip(p, backward, -1, ends[1])?;
+        for (w, end) in [(forward, ends[1]), (backward, ends[2])] {
+            let value = p.read("Where the slip ends", w.with("φ", end))?;
+            p.zero("It is zero there", &value)?;
+        }
+        Ok(())
+    })
+}
+
+/// (38) with (39) solves (26) and closes after a period.
+pub fn eq38() -> Evidence {
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
+    let turn = paper::eq39_phi_t1(lambda0);
+    let proof = prove_eq38(paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn));
+    proved(
+        &proof,
+        Subject::Within,
+        "the slopes of (38) with (26), and both its ends with 0, by (39)",
+    )
+}
+
+fn prove_eq39(turn: Expr) -> Proof {
+    prove("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
+        let lambda0 = Expr::symbol("λ₀");
+        let [forward, _] = paper::eq38_w(lambda0, turn, turn + Expr::pi());
+        let end = p.read("(38) half a period after φ̃₁", forward)?;
+        p.zero("It", &end)
+    })
+}
+
+/// (39): with it the forward slip of (38) ends in zero.
+pub fn eq39() -> Evidence {
+    let proof = prove_eq39(paper::eq39_phi_t1(Expr::symbol("λ₀")));
+    printed(&proof, "(38) with (39), half a period after φ̃₁, with 0")
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,221 @@
+//! Trials of (33), (38), (39): the two periodic motions, over whole periods.
+
+use super::runs::{
+    ORIGIN, drive, each, eq33, eq38, large, phi_t2, phi_t2_spread, settled, small, starts,
+};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::points::Points;
+use crate::claims::tolerances::{APPROACH, NONE, ROOT};
+use crate::corrections::sinusoidal as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Attractor, Friction, Interval, Sign, State};
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::TAU;
+
+/// Phases over a period at which a periodic form is compared.
+const PHASES: u32 = 256;
+
+fn at(lambda: f64, phi: f64) -> String {
+    format!("λ₀ = {lambda:.6}, φ = {phi:.6}")
+}
+
+/// The phases of the period that begins at `from`, in no order.
+fn phases(from: f64) -> impl Iterator<Item = f64> {
+    let place = |k: u32| f64::from(101 * k % PHASES) + 0.5;
+    (1..=PHASES).map(move |k| from + TAU * place(k) / f64::from(PHASES))
+}
+
+/// A form with the simulated motion at all phases of the period that begins at `from`.
+fn over_a_period(
+    lambda: f64,
+    attractor: &Attractor,
+    from: f64,
+    form: impl Fn(f64) -> Conditioned,
+) -> Vec<Pair> {
+    let pair = |phi: f64| {
+        let mut pair = Pair::conditioned(at(lambda, phi), form(phi), attractor.w(phi));
+        // Where the contraction is weak, the end of a period says little about its periodic state.
+        pair.scale += 1.0 / (1.0 - attractor.contraction()).max(f64::MIN_POSITIVE);
+        pair
+    };
+    phases(from).map(pair).collect()
+}
+
+/// (33) over a whole period.
+pub fn eq33_motion() -> Evidence {
+    let compared =
+        "(33), φ̃₂ by (32), with the simulated large-time motion at 256 phases of the period";
+    let trial = Trial::motion(Subject::Printed, compared);
+    each(
+        &trial,
+        large().into_iter().zip(starts().into_iter().cycle()),
+        |(lambda, start)| {
+            let attractor = settled(lambda, start)?;
+            let end = phi_t2(lambda)?;
+            let from = printed::eq27_phi1(lambda);
+            let form = |phi| eq33(lambda, end, phi);
+            Ok(over_a_period(lambda, &attractor, from, form))
+        },
+    )
+}
+
+/// (38) over a whole period.
+pub fn eq38_motion() -> Evidence {
+    let compared =
+        "(38) with (39) with the simulated large-time motion at 256 phases of the period";
+    let trial = Trial::motion(Subject::Within, compared);
+    each(
+        &trial,
+        small().into_iter().zip(starts().into_iter().cycle()),
+        |(lambda, start)| {
+            let attractor = settled(lambda, start)?;
+            let from = printed::eq39_phi_t1(lambda);
+            Ok(over_a_period(lambda, &attractor, from, |phi| {
+                eq38(lambda, phi)
+            }))
+        },
+    )
+}
+
+/// λ₀ = 0: every start keeps its own motion.
+pub fn eq38_outside() -> Evidence {
+    let compared = "(38) with (39) with the motion without friction, from any start, at 256 phases of the period";
+    let trial = Trial::motion(Subject::Outside, compared);
+    let mut points = Points::stream(140);
+    each(&trial, 0..24, |_| {
+        let start = State {
+            phi: 0.0,
+            w: points.uniform(0.5, 3.0),
+        };
+        let attractor = settled(0.0, start)?;
+        let from = printed::eq39_phi_t1(0.0);
+        let pair = |phi: f64| {
+            let at = format!("λ₀ = 0, 𝔴 = {:.6} at φ = 0, φ = {phi:.6}", start.w);
+            Pair::conditioned(at, eq38(0.0, phi), attractor.w(phi))
+        };
+        Ok(phases(from).map(pair).collect())
+    })
+}
+
+/// Seven starts end in one motion.
+fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
+    let compared = "1 with 1 where seven starts, near and far, end in the same motion";
+    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    trial.over(frictions, |lambda| {
+        let friction = Friction::new(lambda, lambda)?;
+        let agreement = drive()?.attractors_agree(friction, &starts(), 200)?;
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}"),
+            stated: 1.0,
+            found: f64::from(u8::from(agreement.agree)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (33) is where every start ends.
+pub fn eq33_unique() -> Evidence {
+    one_motion(large(), Subject::Printed)
+}
+
+/// (38) is where every start ends.
+pub fn eq38_unique() -> Evidence {
+    one_motion(small(), Subject::Within)
+}
+
+/// How fast (38) is approached: the distance to it, period by period.
+pub fn eq38_approach() -> Evidence {
+    let compared = "((s − λ₀)/(s + λ₀))², s = sin φ̃₁, with the factor by which the simulated motion's distance to (38) shrinks in a period";
+    let trial = Trial::by(Route::Limit, Subject::Within, compared, APPROACH);
+    let frictions = small().into_iter().filter(|l| (0.02..0.5).contains(l));
+    trial.over(frictions, |lambda| {
+        let phi = printed::eq39_phi_t1(lambda) + 1.0;
+        let limit = eq38(lambda, phi).value;
+        let mut w = limit + 0.3;
+        let friction = Friction::new(lambda, lambda)?;
+        let mut ratio = f64::NAN;
+        // Until the distance is small, but far above rounding.
+        while w - limit > 1e-6 {
+            let values = drive()?.strobe(friction, State { phi, w }, 1)?;
+            ratio = (values[1] - limit) / (w - limit);
+            w = values[1];
+        }
+        Ok::<_, Failure>(Pair {
+            at: at(lambda, phi),
+            stated: corrected::contraction(lambda),
+            found: ratio,
+            scale: 1.0,
+        })
+    })
+}
+
+/// The interval of this sign, in a motion from rest.
+fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
+    let found = attractor.intervals().iter().find(|i| i.sign == sign);
+    Ok(*found.ok_or("no such interval")?)
+}
+
+/// (39) with the phase at which the simulated motion turns positive.
+pub fn eq39_motion() -> Evidence {
+    let compared = "(39) with the phase at which the simulated large-time motion turns positive";
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(small(), |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let found = interval(&attractor, Sign::Positive)?.start;
+        let stated = printed::eq39_phi_t1(Conditioned::measured(lambda));
+        let mut pair = Pair::conditioned(format!("λ₀ = {lambda:.6}"), stated, found);
+        pair.scale += 1.0 / (1.0 - attractor.contraction());
+        Ok::<_, Failure>(pair)
+    })
+}
+
+/// Where the rests lie: [φ̃₂, φ₃], and half a period later.
+pub fn rest_interval_root() -> Evidence {
+    let compared = "the ends of [φ̃₂, φ₃] and [φ̃₂ + π, φ₁ + 2π], φ̃₂ the root of (32), with the ends of the simulated rests";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    each(&trial, large(), |lambda| {
+        let end = phi_t2(lambda)?;
+        let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
+        let [_, stated @ ..] = printed::eq33_ends(phi1, end, phi3);
+        let list = settled(lambda, ORIGIN)?;
+        let rests = list.intervals().iter().filter(|i| i.sign == Sign::Rest);
+        let found: Vec<_> = rests.flat_map(|i| [i.start, i.end]).collect();
+        let spread = phi_t2_spread(lambda, end) + 10.0 / libm::cos(phi1);
+        let pair = |(i, stated): (usize, f64)| Pair {
+            at: format!("λ₀ = {lambda:.6}"),
+            stated,
+            found: found.get(i).copied().unwrap_or(f64::NAN),
+            scale: spread,
+        };
+        Ok(stated.into_iter().enumerate().map(pair).collect())
+    })
+}
+
+/// After its first rest a motion is the periodic one, from whatever start.
+pub fn rest_interval_reached() -> Evidence {
+    let compared = "(33) with 𝔴 at 40 phases of the period that follows the first rest on the way from any start";
+    let trial = Trial::motion(Subject::Printed, compared);
+    let mut points = Points::stream(141);
+    each(&trial, large(), |lambda| {
+        let start = State {
+            phi: points.uniform(0.0, TAU),
+            w: points.uniform(-6.0, 6.0),
+        };
+        let friction = Friction::new(lambda, lambda)?;
+        let path = drive()?.advance(friction, start, start.phi + 40.0)?;
+        let first = path.intervals.iter().find(|i| i.sign == Sign::Rest);
+        let from = first.ok_or("no rest")?.end;
+        let (end, phi1) = (phi_t2(lambda)?, printed::eq27_phi1(lambda));
+        let mut pairs = Vec::new();
+        for k in 1..=40 {
+            let phi = from + TAU * f64::from(k) / 40.5;
+            let w = drive()?.advance(friction, start, phi)?.end.w;
+            let stated = eq33(lambda, end, phi1 + (phi - phi1).rem_euclid(TAU));
+            let mut pair = Pair::conditioned(at(lambda, phi), stated, w);
+            pair.scale += start.w.abs() + phi;
+            pairs.push(pair);
+        }
+        Ok(pairs)
+    })
+}

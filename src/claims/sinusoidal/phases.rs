@@ -1,0 +1,306 @@
+//! Trials of (27) to (30) and of what happens at these phases.
+
+use super::runs::{ORIGIN, Particle, all, drive, each, lambda_c};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::points::Points;
+use crate::claims::tolerances::{MOTION, NONE, ROOT};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::PhaseKind;
+use crate::motion::drive::{Drive, Friction, Sign, State};
+use crate::numerics::roots::root;
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+type Formula = fn(Conditioned) -> Conditioned;
+
+/// A printed phase with the zero of |sin φ| − λ₀ in its quarter of the period.
+fn by_root(formula: Formula, quarter: u8, compared: &'static str) -> Evidence {
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    trial.over(all(), |lambda| {
+        let from = FRAC_PI_2 * f64::from(quarter);
+        let excess = |phi: f64| libm::sin(phi).abs() - lambda;
+        let found = root(excess, from, from + FRAC_PI_2)?;
+        let stated = formula(Conditioned::measured(lambda));
+        Ok::<_, Failure>(Pair::conditioned(at(lambda), stated, found))
+    })
+}
+
+fn at(lambda: f64) -> String {
+    format!("λ₀ = {lambda:.6}")
+}
+
+/// (27) by root-finding.
+pub fn eq27_root() -> Evidence {
+    by_root(
+        printed::eq27_phi1,
+        0,
+        "(27) with the zero of |sin φ| − λ₀ in [0, π/2]",
+    )
+}
+
+/// (28) by root-finding.
+pub fn eq28_root() -> Evidence {
+    by_root(
+        printed::eq28_phi2,
+        1,
+        "(28) with the zero of |sin φ| − λ₀ in [π/2, π]",
+    )
+}
+
+/// (29) by root-finding.
+pub fn eq29_root() -> Evidence {
+    by_root(
+        printed::eq29_phi3,
+        2,
+        "(29) with the zero of |sin φ| − λ₀ in [π, 3π/2]",
+    )
+}
+
+/// (30) by root-finding.
+pub fn eq30_root() -> Evidence {
+    by_root(
+        printed::eq30_phi4,
+        3,
+        "(30) with the zero of |sin φ| − λ₀ in [3π/2, 2π]",
+    )
+}
+
+/// A printed phase with the end of a simulated rest that began at `from`.
+fn by_release(formula: Formula, from: f64, compared: &'static str) -> Evidence {
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(all(), |lambda| {
+        let rest = State {
+            phi: from,
+            ..ORIGIN
+        };
+        let path = drive()?.advance(Friction::new(lambda, lambda)?, rest, from + 2.0)?;
+        let first = path.intervals.first().filter(|i| i.sign == Sign::Rest);
+        let found = first.ok_or("no rest")?.end;
+        Ok::<_, Failure>(beside_a_motion(lambda, formula, found))
+    })
+}
+
+/// A printed phase with one of a motion, which knows the drive to a unit of rounding of its amplitude.
+fn beside_a_motion(lambda: f64, formula: Formula, found: f64) -> Pair {
+    let stated = formula(Conditioned::measured(lambda));
+    let mut pair = Pair::conditioned(at(lambda), stated, found);
+    pair.scale += 1.0;
+    pair
+}
+
+/// (27): a rest that began at phase 0 ends there.
+pub fn eq27_motion() -> Evidence {
+    by_release(
+        printed::eq27_phi1,
+        0.0,
+        "(27) with the end of a simulated rest that holds at φ = 0",
+    )
+}
+
+/// (29): a rest that began at phase π ends there.
+pub fn eq29_motion() -> Evidence {
+    by_release(
+        printed::eq29_phi3,
+        PI,
+        "(29) with the end of a simulated rest that holds at φ = π",
+    )
+}
+
+/// A printed phase with the place of the largest |𝔴| where friction forbids the other direction.
+fn by_extremum(formula: Formula, side: Sign, compared: &'static str) -> Evidence {
+    let trial = Trial::motion(Subject::Printed, compared);
+    // Nearer to a zero of the drive, rounding hides which of two values of 𝔴 is the larger.
+    let frictions = all().into_iter().filter(|lambda| *lambda > 1e-5);
+    trial.over(frictions, |lambda| {
+        let friction = match side {
+            Sign::Positive => Friction::new(lambda, 2.0)?,
+            _ => Friction::new(2.0, lambda)?,
+        };
+        let outcome = drive()?.attractor(friction, ORIGIN, 200)?;
+        let top = outcome.settled().ok_or("it drifts")?.largest();
+        let side_found = if top.w > 0.0 {
+            Sign::Positive
+        } else {
+            Sign::Negative
+        };
+        let found = if side_found == side {
+            top.phi
+        } else {
+            f64::NAN
+        };
+        Ok::<_, Failure>(beside_a_motion(lambda, formula, found))
+    })
+}
+
+/// (28): a forward slip is fastest there.
+pub fn eq28_motion() -> Evidence {
+    by_extremum(
+        printed::eq28_phi2,
+        Sign::Positive,
+        "(28) with the phase of the largest 𝔴 of a particle that can only slip forwards",
+    )
+}
+
+/// (30): a backward slip is fastest there.
+pub fn eq30_motion() -> Evidence {
+    by_extremum(
+        printed::eq30_phi4,
+        Sign::Negative,
+        "(30) with the phase of the smallest 𝔴 of a particle that can only slip backwards",
+    )
+}
+
+/// The distinct phases in [0, 2π) at which |h| equals the friction, from the monotone pieces of h.
+fn balanced(drive: &Drive, lambda: f64) -> Vec<f64> {
+    let mut found = Vec::new();
+    for piece in drive.shape().pieces() {
+        for level in [lambda, -lambda] {
+            if (piece.left() - level) * (piece.right() - level) <= 0.0 {
+                let s = piece.crossing(level, 0.0, piece.length());
+                found.push((piece.start() + s).rem_euclid(TAU));
+            }
+        }
+    }
+    found.sort_by(f64::total_cmp);
+    let same = |a: f64, b: f64| (a - b).abs() < 1e-12;
+    found.dedup_by(|a, b| same(*a, *b));
+    // The first may be the last, a period on.
+    if let [first, .., last] = found[..]
+        && same(first + TAU, last)
+    {
+        found.pop();
+    }
+    found
+}
+
+/// Four points, by counting.
+pub fn four_points_census() -> Evidence {
+    let compared = "4 with the number of phases in a period at which |h| equals the friction";
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    trial.over(all(), |lambda| {
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated: 4.0,
+            found: balanced(drive()?, lambda).len() as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// The four points, each in its place.
+pub fn four_points_root() -> Evidence {
+    let compared = "(27) to (30) with the crossings of h with ±λ₀, in order";
+    let trial = Trial::by(Route::Root, Subject::Within, compared, ROOT);
+    each(&trial, all(), |lambda| {
+        let stated: [Formula; 4] = [
+            printed::eq27_phi1,
+            printed::eq28_phi2,
+            printed::eq29_phi3,
+            printed::eq30_phi4,
+        ];
+        let found = balanced(drive()?, lambda);
+        let pairs = stated.into_iter().enumerate().map(|(i, stated)| {
+            let found = found.get(i).copied().unwrap_or(f64::NAN);
+            beside_a_motion(lambda, stated, found)
+        });
+        Ok(pairs.collect())
+    })
+}
+
+/// λ₀ = 0: the points meet in pairs.
+pub fn four_points_outside() -> Evidence {
+    let compared =
+        "4 with the number of phases in [a, a + 2π) at which h vanishes, without friction";
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let mut points = Points::stream(120);
+    trial.over(0..24, |_| {
+        let a = points.uniform(0.0, TAU);
+        let zeros = balanced(drive()?, 0.0);
+        let all = zeros.iter().flat_map(|phi| [*phi, phi + TAU]);
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = 0, a = {a:.6}"),
+            stated: 4.0,
+            found: all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// Every rest of a motion on the line ends at φ₁ or φ₃.
+pub fn rest_ends_motion() -> Evidence {
+    let compared = "the nearer of (27) and (29) with the end of a simulated rest";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(121);
+    let mut ends = Vec::new();
+    for _ in 0..150 {
+        let lambda = points.uniform(0.03, 0.999);
+        let start = State {
+            phi: points.uniform(0.0, TAU),
+            w: points.uniform(-1.0, 1.0) * points.uniform(0.0, 1.0).round(),
+        };
+        ends.extend(rests_from(lambda, start));
+    }
+    trial.over(ends, |end| {
+        let (lambda, end) = end?;
+        let l = Conditioned::measured(lambda);
+        let phase = end.rem_euclid(TAU);
+        let [phi1, phi3] = [printed::eq27_phi1(l), printed::eq29_phi3(l)];
+        let off = |phi: Conditioned| (phi.value - phase).abs();
+        let nearer = if off(phi1) < off(phi3) { phi1 } else { phi3 };
+        let mut pair = Pair::conditioned(format!("λ₀ = {lambda:.6}, φ = {end:.6}"), nearer, phase);
+        pair.scale += end;
+        Ok::<_, Failure>(pair)
+    })
+}
+
+/// The ends of all rests on the way from a start, with the friction.
+fn rests_from(lambda: f64, start: State) -> Vec<Result<(f64, f64), Failure>> {
+    let path = || -> Result<_, Failure> {
+        let until = start.phi + 30.0;
+        let path = drive()?.advance(Friction::new(lambda, lambda)?, start, until)?;
+        let over = path.intervals.into_iter();
+        Ok(over
+            .filter(|i| i.sign == Sign::Rest)
+            .map(|i| i.end)
+            .filter(move |end| *end < until))
+    };
+    match path() {
+        Ok(ends) => ends.map(|end| Ok((lambda, end))).collect(),
+        Err(error) => vec![Err(error)],
+    }
+}
+
+/// In the plane too: no rest ends elsewhere.
+pub fn rest_ends_census() -> Evidence {
+    let compared = "0 with the rests that end elsewhere, of a particle that began with v_y ≠ 0 and rests at least once";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(122);
+    trial.over(0..20, |_| {
+        let lambda = points.uniform(lambda_c() + 0.02, 0.97);
+        let v = [points.uniform(-0.5, 0.5), points.uniform(0.1, 0.5)];
+        let until = 3.0 * TAU;
+        let motion = Particle::plain(lambda).run(points.uniform(0.0, TAU), v, until)?;
+        let rests = motion
+            .phases()
+            .iter()
+            .filter(|p| p.kind == PhaseKind::Stick);
+        let ends: Vec<_> = rests.map(|p| p.to).filter(|to| *to < until).collect();
+        let known = [printed::eq27_phi1(lambda), printed::eq29_phi3(lambda)];
+        let elsewhere = |end: &&f64| {
+            let off = |phi: f64| libm::remainder(**end - phi, TAU).abs();
+            known.into_iter().all(|phi| off(phi) > 1e-10)
+        };
+        let wrong = ends.iter().filter(elsewhere).count();
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}, v_y = {:.6}", v[1]),
+            stated: 0.0,
+            found: if ends.is_empty() {
+                f64::NAN
+            } else {
+                wrong as f64
+            },
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,281 @@
+//! The curves of fig-2 to fig-4: what is tried here is what the book draws.
+
+use super::runs::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, settled};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{PlanarState, Sign};
+use crate::paper::sinusoidal as printed;
+use crate::scalar::Scalar;
+use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
+use std::sync::LazyLock;
+
+/// λ₀ of fig-3.
+pub const SMALL: f64 = FRAC_1_PI;
+/// λ₀ of fig-4.
+pub const LARGE: f64 = FRAC_1_SQRT_2;
+
+/// 𝔴 at the start of every curve of fig-2.
+pub const W_X: f64 = 1.0;
+/// 𝔴_y at the starts of the curves of fig-2.
+pub const W_Y: [f64; 5] = [0.0, 0.5, 1.0, 2.0, 4.0];
+/// Periods that fig-2 shows.
+pub const PERIODS: u32 = 4;
+/// Periods after which the curves of fig-2 are compared with the large-time motion.
+const FOLLOWED: u32 = 16;
+/// Points of a curve in a period.
+const POINTS: u32 = 48;
+
+/// A motion in the plane, point by point.
+#[derive(Debug, Clone)]
+pub struct Transient {
+    /// λ₀.
+    pub lambda: f64,
+    /// 𝔴_y at φ = 0.
+    pub w_y: f64,
+    /// The states.
+    pub states: Vec<PlanarState>,
+}
+
+impl Transient {
+    /// The states that fig-2 shows.
+    pub fn shown(&self) -> impl Iterator<Item = &PlanarState> {
+        let until = TAU * f64::from(PERIODS);
+        self.states.iter().take_while(move |s| s.phi <= until)
+    }
+
+    fn at(&self, phi: f64) -> String {
+        let Transient { lambda, w_y, .. } = self;
+        format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}")
+    }
+}
+
+/// The curves of fig-2, on for longer than the figure shows.
+///
+/// # Errors
+/// As [`crate::motion::drive::Drive::planar`].
+pub fn transients() -> Result<&'static [Transient], Failure> {
+    static CURVES: LazyLock<Result<Vec<Transient>, String>> = LazyLock::new(|| {
+        let pairs = [SMALL, LARGE]
+            .into_iter()
+            .flat_map(|lambda| W_Y.into_iter().map(move |w_y| (lambda, w_y)));
+        pairs
+            .map(|(lambda, w_y)| transient(lambda, w_y).map_err(|error| error.to_string()))
+            .collect()
+    });
+    CURVES.as_deref().map_err(|error| error.clone().into())
+}
+
+fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
+    let start = PlanarState {
+        phi: 0.0,
+        w_x: W_X,
+        ln_w_y: Scalar::ln(w_y),
+    };
+    let phases: Vec<_> = (0..=FOLLOWED * POINTS)
+        .map(|k| TAU * f64::from(k) / f64::from(POINTS))
+        .collect();
+    let states = drive()?.planar(lambda, start, &phases)?;
+    Ok(Transient {
+        lambda,
+        w_y,
+        states,
+    })
+}
+
+/// One comparison after another, over all curves.
+fn over_curves(trial: &Trial, of: impl Fn(&Transient) -> Result<Vec<Pair>, Failure>) -> Evidence {
+    let pairs = transients().and_then(|curves| {
+        let lists: Result<Vec<_>, _> = curves.iter().map(of).collect();
+        Ok(lists?.into_iter().flatten().collect::<Vec<_>>())
+    });
+    let (pairs, error) = match pairs {
+        Ok(pairs) => (pairs, None),
+        Err(error) => (Vec::new(), Some(Err(error))),
+    };
+    trial.over(pairs.into_iter().map(Ok).chain(error), |pair| pair)
+}
+
+/// fig-2: every eighth drawn point with a particle on the plane.
+pub fn fig2_motion() -> Evidence {
+    let compared =
+        "𝔴 of the drawn motion with v_x of a particle on the plane, at every eighth drawn point";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    over_curves(&trial, |curve| {
+        let until = TAU * f64::from(PERIODS);
+        let motion = Particle::plain(curve.lambda).run(0.0, [W_X, curve.w_y], until)?;
+        let pair = |state: &PlanarState| {
+            Ok(Pair {
+                at: curve.at(state.phi),
+                stated: state.w_x,
+                found: motion.at(state.phi)?.v[0],
+                scale: 1.0 + W_X + curve.w_y,
+            })
+        };
+        curve.shown().step_by(8).map(pair).collect()
+    })
+}
+
+/// fig-2: where all its curves end.
+pub fn fig2_limit() -> Evidence {
+    let compared = "𝔴 of each drawn motion, 15 to 16 periods later, with that of the large-time motion on the line";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, FORGOTTEN);
+    over_curves(&trial, |curve| {
+        let attractor = settled(curve.lambda, ORIGIN)?;
+        let late = curve.states.iter().rev().take(POINTS as usize).step_by(12);
+        let pair = |state: &PlanarState| Pair {
+            at: curve.at(state.phi),
+            stated: attractor.w(state.phi),
+            found: state.w_x,
+            scale: 1.0,
+        };
+        Ok(late.map(pair).collect())
+    })
+}
+
+/// Points (φ, 𝔴) of the large-time motion over two periods, as fig-3 and fig-4 show it.
+///
+/// # Errors
+/// As [`settled`].
+pub fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
+    let attractor = settled(lambda, ORIGIN)?;
+    let phase = |k: u32| 2.0 * TAU * f64::from(k) / 480.0;
+    Ok((0..=480)
+        .map(|k| [phase(k), attractor.w(phase(k))])
+        .collect())
+}
+
+/// Every drawn point with the printed form.
+fn drawn(
+    lambda: f64,
+    form: impl Fn(f64) -> Result<f64, Failure>,
+    compared: &'static str,
+) -> Evidence {
+    let trial = Trial::motion(Subject::Printed, compared);
+    let points: Vec<Result<[f64; 2], Failure>> = match two_periods(lambda) {
+        Ok(points) => points.into_iter().map(Ok).collect(),
+        Err(error) => vec![Err(error)],
+    };
+    trial.over(points, |point| {
+        let [phi, found] = point?;
+        Ok::<_, Failure>(Pair {
+            at: format!("φ = {phi:.6}"),
+            stated: form(phi)?,
+            found,
+            scale: 2.0,
+        })
+    })
+}
+
+fn within_period(from: f64, phi: f64) -> f64 {
+    from + (phi - from).rem_euclid(TAU)
+}
+
+/// fig-3: the drawn points with (38).
+pub fn fig3_motion() -> Evidence {
+    let from = printed::eq39_phi_t1(SMALL);
+    let form = |phi| Ok(eq38(SMALL, within_period(from, phi)).value);
+    drawn(
+        SMALL,
+        form,
+        "(38) for λ₀ = 1/π with the drawn points of the simulated motion",
+    )
+}
+
+/// fig-4: the drawn points with (33).
+pub fn fig4_motion() -> Evidence {
+    let from = printed::eq27_phi1(LARGE);
+    let form = |phi| Ok(eq33(LARGE, phi_t2(LARGE)?, within_period(from, phi)).value);
+    drawn(
+        LARGE,
+        form,
+        "(33) for λ₀ = 1/√2 with the drawn points of the simulated motion",
+    )
+}
+
+/// Points (periods, −ln 𝔴_y) of a motion in the plane from 𝔴_y = 0.3 at φ = π/2, as long as 𝔴_y is not zero.
+///
+/// # Errors
+/// As [`crate::motion::drive::Drive::planar`].
+pub fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
+    let start = PlanarState {
+        phi: FRAC_PI_2,
+        w_x: 0.5,
+        ln_w_y: Scalar::ln(0.3),
+    };
+    let phases: Vec<_> = (0..=20).map(|k| FRAC_PI_2 + TAU * f64::from(k)).collect();
+    let states = drive()?.planar(lambda, start, &phases)?;
+    let depth = |(k, state): (usize, PlanarState)| [k as f64, -state.ln_w_y];
+    let points = states.into_iter().enumerate().map(depth);
+    Ok(points.filter(|[_, depth]| depth.is_finite()).collect())
+}
+
+/// The printed λ_c, to mark in a figure.
+pub fn critical() -> f64 {
+    printed::eq37_lambda_c()
+}
+
+/// Points (λ₀, share of a period at rest) of the large-time motion.
+///
+/// # Errors
+/// As [`settled`].
+pub fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
+    // Closer to 1, where the curve is steep.
+    let close = (8..20).map(|k| 1.0 - libm::exp2(-f64::from(k)));
+    let mut lambdas: Vec<_> = (1..=240)
+        .map(|k| f64::from(k) / 200.0)
+        .chain(close)
+        .collect();
+    lambdas.sort_by(f64::total_cmp);
+    let share = |lambda: f64| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let rests = attractor
+            .intervals()
+            .iter()
+            .filter(|i| i.sign == Sign::Rest);
+        Ok([lambda, rests.map(|i| i.length()).sum::<f64>() / TAU])
+    };
+    lambdas.into_iter().map(share).collect()
+}
+
+/// Where a label of the printed frame stands, from the zero line to the upper edge: the frame reaches from 2 to 170, its
+/// middle is the zero line, and a label's baseline stands 3.5 below the middle of its figures (paper's source, in points).
+fn frame_top(label: f64, baseline: f64) -> f64 {
+    label * (170.0 - 86.0) / (baseline + 3.5 - 86.0)
+}
+
+/// The printed frame, with its mark a mark on the axis and not the axis' end, holds the motion.
+fn framed(lambda: f64, top: f64, compared: &'static str) -> Evidence {
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let points: Vec<Result<[f64; 2], Failure>> = match two_periods(lambda) {
+        Ok(points) => points.into_iter().map(Ok).collect(),
+        Err(error) => vec![Err(error)],
+    };
+    trial.over(points, |point| {
+        let [phi, w] = point?;
+        Ok::<_, Failure>(Pair {
+            at: format!("φ = {phi:.6}"),
+            stated: 1.0,
+            found: f64::from(u8::from(w.abs() < top)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// fig-3: the frame around it, with the mark 0.8 where the paper puts it.
+pub fn fig3_frame() -> Evidence {
+    framed(
+        SMALL,
+        frame_top(0.8, 150.0),
+        "1 with 1 where a drawn point lies within the printed frame, whose mark 0.8 is not its edge",
+    )
+}
+
+/// fig-4: the frame around it, with the mark 0.3 where the paper puts it.
+pub fn fig4_frame() -> Evidence {
+    framed(
+        LARGE,
+        frame_top(0.3, 155.0),
+        "1 with 1 where a drawn point lies within the printed frame, whose mark 0.3 is not its edge",
+    )
+}

@@ -1,0 +1,199 @@
+//! The motions that the printed formulas of section 2.2 are held against, and the frictions at which they are tried.
+
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::points::Points;
+use crate::evidence::Evidence;
+use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Sign, State};
+use crate::motion::{Motion, MotionError, Plane, Signal, particle, trajectory};
+use crate::numerics::NumericsError;
+use crate::numerics::roots::root;
+use crate::paper::sinusoidal as printed;
+use std::sync::LazyLock;
+
+/// The sine as a drive: the motion knows it as a function to evaluate, no more.
+pub fn drive() -> Result<&'static Drive, DriveError> {
+    static DRIVE: LazyLock<Result<Drive, DriveError>> =
+        LazyLock::new(|| Drive::new(libm::sin, &[]));
+    DRIVE.as_ref().map_err(Clone::clone)
+}
+
+/// The printed λ_c, which divides the frictions of the trials.
+pub fn lambda_c() -> f64 {
+    printed::eq37_lambda_c()
+}
+
+/// Periods that an attractor may take.
+const PERIODS: u32 = 200;
+
+/// The periodic motion that a start leads to.
+pub fn settled(lambda: f64, start: State) -> Result<Attractor<'static>, Failure> {
+    let friction = Friction::new(lambda, lambda)?;
+    let outcome = drive()?.attractor(friction, start, PERIODS)?;
+    outcome
+        .settled()
+        .ok_or_else(|| "the motion drifts".to_owned().into())
+}
+
+/// At rest at phase 0, where the drive is below any friction.
+pub const ORIGIN: State = State { phi: 0.0, w: 0.0 };
+
+/// Starts all over the plane, from far off too.
+pub fn starts() -> [State; 7] {
+    [
+        (0.0, 0.0),
+        (0.9, -6.0),
+        (1.8, 4.0),
+        (2.7, -0.3),
+        (3.6, 0.5),
+        (4.5, 2.0),
+        (5.4, -25.0),
+    ]
+    .map(|(phi, w)| State { phi, w })
+}
+
+/// Frictions below λ_c: down to a millionth, up to a billionth below λ_c.
+pub fn small() -> Vec<f64> {
+    let mut points = Points::stream(100);
+    let c = lambda_c();
+    let mut list: Vec<_> = (0..60).map(|_| points.uniform(0.02, c)).collect();
+    list.extend([1e-6, 1e-3, 1e-2, c - 1e-3, c - 1e-6, c - 1e-9]);
+    list
+}
+
+/// Frictions between λ_c and 1, to a billionth of either.
+pub fn large() -> Vec<f64> {
+    let mut points = Points::stream(101);
+    let c = lambda_c();
+    let mut list: Vec<_> = (0..60).map(|_| points.uniform(c, 1.0)).collect();
+    list.extend([c + 1e-9, c + 1e-6, c + 1e-3]);
+    list.extend([1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9]);
+    list
+}
+
+/// Frictions between 0 and 1, and both ends to a billionth.
+pub fn all() -> Vec<f64> {
+    let mut points = Points::stream(102);
+    let mut list: Vec<_> = (0..200).map(|_| points.uniform(0.0, 1.0)).collect();
+    for near in [1e-9, 1e-6, 1e-3] {
+        list.extend([near, 1.0 - near, lambda_c() - near, lambda_c() + near]);
+    }
+    list
+}
+
+/// A dense set of frictions between 0 and 1, with the two ends and λ_c approached to 1e-9.
+pub fn dense() -> Vec<f64> {
+    let mut points = Points::stream(103);
+    let mut list: Vec<_> = (0..2000).map(|_| points.uniform(1e-3, 1.0)).collect();
+    for i in 0..30 {
+        let near = libm::pow(10.0, -3.0 - 0.2 * f64::from(i));
+        list.extend([near, 1.0 - near, lambda_c() - near, lambda_c() + near]);
+    }
+    list
+}
+
+/// A forward slip from rest at phase 0.
+#[derive(Debug, Clone, Copy)]
+pub struct Slip {
+    /// Where the rest ends.
+    pub start: f64,
+    /// Where w comes back to zero.
+    pub end: f64,
+}
+
+impl Slip {
+    /// From rest at phase 0, found by following the motion.
+    pub fn of(lambda: f64) -> Result<Self, Failure> {
+        let friction = Friction::new(lambda, lambda)?;
+        let path = drive()?.advance(friction, ORIGIN, 9.0)?;
+        let slip = path.intervals.iter().find(|i| i.sign == Sign::Positive);
+        let slip = slip.ok_or("no forward slip")?;
+        Ok(Slip {
+            start: slip.start,
+            end: slip.end,
+        })
+    }
+}
+
+/// φ̃₂ by the printed (32): its root between φ₂ and φ₄.
+pub fn phi_t2(lambda: f64) -> Result<f64, NumericsError> {
+    let phi1 = printed::eq27_phi1(lambda);
+    let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
+    root(left, printed::eq28_phi2(lambda), printed::eq30_phi4(lambda))
+}
+
+/// How far rounding moves that root, per unit of rounding: the formula's spread over its slope.
+pub fn phi_t2_spread(lambda: f64, phi_t2: f64) -> f64 {
+    let [l, phi] = [lambda, phi_t2].map(Conditioned::measured);
+    let left = printed::eq32_left(l, printed::eq27_phi1(l), phi);
+    left.spread / (libm::sin(phi_t2) - lambda).abs()
+}
+
+/// A particle on the plane of (21), in length and time units of its own.
+#[derive(Debug, Clone, Copy)]
+pub struct Particle {
+    /// Friction per mass, μg.
+    pub friction: f64,
+    /// Amplitude A₀.
+    pub a0: f64,
+    /// Angular frequency ϖ.
+    pub varpi: f64,
+}
+
+impl Particle {
+    /// With A₀ = ϖ = 1, so that μg is λ₀, t is φ and v is w.
+    pub fn plain(lambda: f64) -> Self {
+        Particle {
+            friction: lambda,
+            a0: 1.0,
+            varpi: 1.0,
+        }
+    }
+
+    /// The motion from a velocity at a time.
+    pub fn run(&self, t: f64, v: [f64; 2], until: f64) -> Result<Motion, MotionError> {
+        let sine = Signal::Sine {
+            frequency: self.varpi,
+            phase: 0.0,
+        };
+        let start = trajectory::State { t, v, x: [0.0; 2] };
+        let plane = Plane::along([-self.a0, 0.0], sine);
+        particle::run(&plane, self.friction, start, until)
+    }
+}
+
+/// Which of the sorted `ends` come before `phi`, as the index of the case of a formula by cases.
+pub fn case_of(ends: &[f64], phi: f64) -> usize {
+    let inner = &ends[1..ends.len() - 1];
+    inner.iter().filter(|end| **end <= phi).count()
+}
+
+/// The printed (33) at a phase between φ₁ and φ₁ + 2π.
+pub fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Conditioned {
+    let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
+    let ends = printed::eq33_ends(phi1, phi_t2, phi3);
+    let [l, phi_n] = [lambda, phi].map(Conditioned::measured);
+    let cases = printed::eq33_w(l, printed::eq27_phi1(l), printed::eq29_phi3(l), phi_n);
+    cases[case_of(&ends, phi)]
+}
+
+/// The printed (38) with (39) at a phase between φ̃₁ and φ̃₁ + 2π.
+pub fn eq38(lambda: f64, phi: f64) -> Conditioned {
+    let ends = printed::eq38_ends(printed::eq39_phi_t1(lambda));
+    let [l, phi_n] = [lambda, phi].map(Conditioned::measured);
+    let cases = printed::eq38_w(l, printed::eq39_phi_t1(l), phi_n);
+    cases[case_of(&ends, phi)]
+}
+
+/// Compares many pairs at each point.
+pub fn each<P>(
+    trial: &Trial,
+    points: impl IntoIterator<Item = P>,
+    mut pairs: impl FnMut(P) -> Result<Vec<Pair>, Failure>,
+) -> Evidence {
+    let all = points.into_iter().flat_map(|point| match pairs(point) {
+        Ok(pairs) => pairs.into_iter().map(Ok).collect(),
+        Err(error) => vec![Err(error)],
+    });
+    trial.over(all, |pair| pair)
+}

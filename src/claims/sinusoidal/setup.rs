@@ -1,0 +1,224 @@
+//! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
+
+use super::runs::{ORIGIN, Particle, drive, settled};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{MOTION, NONE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Friction, Sign};
+use crate::numerics::quadrature::integral_within;
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::TAU;
+use std::sync::LazyLock;
+
+const fn consistency(compared: &'static str) -> Trial {
+    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
+}
+
+/// (21): what a particle on a smooth plane gains is the integral of −A.
+pub fn eq21() -> Evidence {
+    let trial = consistency(
+        "−∫ (21) dt with what a particle without friction gains along x, and loses along y",
+    );
+    let mut points = Points::stream(110);
+    trial.over(0..40, |_| {
+        let (a0, varpi) = (points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0));
+        let from = points.uniform(0.1, 6.0) / varpi;
+        let t = from + points.uniform(0.1, 7.0) / varpi;
+        let scale = a0 / varpi;
+        let smooth = Particle {
+            friction: 0.0,
+            a0,
+            varpi,
+        };
+        let end = smooth.run(from, [0.0, scale], t)?.end();
+        let rate = |t: f64| {
+            let [ax, ay] = printed::eq21_acceleration(a0, varpi, t);
+            ay - ax
+        };
+        Ok::<_, Failure>(Pair {
+            at: format!("A₀ = {a0:.6}, ϖ = {varpi:.6}, t = {from:.6} to {t:.6}"),
+            stated: integral_within(rate, from, t, 1e-13 * scale)?.value,
+            found: end.v[0] + (end.v[1] - scale),
+            scale,
+        })
+    })
+}
+
+/// A particle in its own units and its twin without units, both from rest.
+#[derive(Clone)]
+struct Twins {
+    at: String,
+    varpi: f64,
+    a0: f64,
+    /// When the particle starts to slide.
+    release: f64,
+    /// v_x at a later time.
+    vx: f64,
+    /// The phase at which the twin starts to slide, by its own motion.
+    twin_release: f64,
+    /// 𝔴 of the twin at the later phase.
+    twin_w: f64,
+}
+
+/// Two dozen pairs of twins.
+fn all_twins() -> impl Iterator<Item = Result<Twins, Failure>> {
+    static TWINS: LazyLock<Vec<Result<Twins, String>>> = LazyLock::new(|| {
+        let mut points = Points::stream(111);
+        (0..24)
+            .map(|_| twins(&mut points).map_err(|error| error.to_string()))
+            .collect()
+    });
+    TWINS.iter().map(|twins| twins.clone().map_err(Into::into))
+}
+
+fn twins(points: &mut Points) -> Result<Twins, Failure> {
+    let (mu, g) = (points.uniform(0.1, 1.0), points.uniform(1.0, 20.0));
+    let a0 = mu * g / points.uniform(0.05, 0.95);
+    let varpi = points.log_uniform(0.1, 10.0);
+    let t = points.uniform(2.0, 12.0) / varpi;
+    let particle = Particle {
+        friction: mu * g,
+        a0,
+        varpi,
+    };
+    let motion = particle.run(0.0, [0.0; 2], t)?;
+    let lambda = printed::eq22_lambda0(mu, g, a0);
+    let friction = Friction::new(lambda, lambda)?;
+    let path = drive()?.advance(friction, ORIGIN, varpi * t)?;
+    let rest = path.intervals.first().ok_or("no interval")?;
+    let release = motion.starts().first().ok_or("no release")?;
+    Ok(Twins {
+        at: format!("μ = {mu:.6}, g = {g:.6}, A₀ = {a0:.6}, ϖ = {varpi:.6}, t = {t:.6}"),
+        varpi,
+        a0,
+        release: *release,
+        vx: motion.end().v[0],
+        twin_release: rest.end,
+        twin_w: path.end.w,
+    })
+}
+
+/// (22): the motion without units, with the friction (22), is the motion in units.
+pub fn eq22() -> Evidence {
+    let trial = consistency("𝔴 of w′ = h ∓ λ₀, λ₀ by (22), with ϖ v_x/A₀ of the particle");
+    trial.over(all_twins(), |twins| {
+        let twins = twins?;
+        Ok::<_, Failure>(Pair {
+            at: twins.at,
+            stated: twins.twin_w,
+            found: twins.varpi * twins.vx / twins.a0,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (23): both start to slide at the same phase.
+pub fn eq23() -> Evidence {
+    let trial = consistency(
+        "(23) of the time at which the particle starts with the phase at which its twin does",
+    );
+    trial.over(all_twins(), |twins| {
+        let twins = twins?;
+        Ok::<_, Failure>(Pair {
+            at: twins.at,
+            stated: printed::eq23_phase(twins.varpi, twins.release),
+            found: twins.twin_release,
+            scale: 10.0,
+        })
+    })
+}
+
+/// (24): the velocities are the same.
+pub fn eq24() -> Evidence {
+    let trial =
+        consistency("(24) of the particle's v_x with the velocity of its twin without units");
+    trial.over(all_twins(), |twins| {
+        let twins = twins?;
+        Ok::<_, Failure>(Pair {
+            at: twins.at,
+            stated: printed::eq24_w(twins.varpi, twins.vx, twins.a0),
+            found: twins.twin_w,
+            scale: 1.0,
+        })
+    })
+}
+
+fn holds(truth: bool) -> f64 {
+    f64::from(u8::from(truth))
+}
+
+/// Frictions on both sides of 1, 1 itself included.
+fn around_one(stream: u64) -> Vec<f64> {
+    let mut points = Points::stream(stream);
+    let mut list: Vec<_> = (0..24).map(|_| points.uniform(0.02, 2.0)).collect();
+    list.extend([1.0 - 1e-9, 1.0 - 1e-6, 1.0, 1.0 + 1e-9, 1.0 + 1e-6]);
+    list
+}
+
+/// (25): exactly then a particle at rest is set in motion.
+pub fn eq25_motion() -> Evidence {
+    let compared =
+        "1 where (25) holds with 1 where a particle at rest starts to slide within a period";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
+    trial.over(around_one(114), |lambda| {
+        let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
+        let [left, right] = printed::eq25_sides(lambda);
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}"),
+            stated: holds(left < right),
+            found: holds(!motion.starts().is_empty()),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (25): exactly then the large-time motion is not rest.
+pub fn eq25_census() -> Evidence {
+    let compared = "1 where (25) holds with 1 where the large-time motion is not rest for ever";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(around_one(115), |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);
+        let [left, right] = printed::eq25_sides(lambda);
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}"),
+            stated: holds(left < right),
+            found: holds(moves),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (26): its integral over a part of a slip is what 𝔴 changes by, in a motion that began with a velocity across.
+pub fn eq26_quadrature() -> Evidence {
+    let trial = Trial::quadrature(
+        Subject::Printed,
+        "∫ (26) dφ over half a slip with the change of 𝔴 of a particle that began with v_y ≠ 0",
+    );
+    let mut points = Points::stream(116);
+    trial.over(0..20, |i| {
+        let lambda = points.uniform(0.5, 0.95);
+        let side = if i % 2 == 0 {
+            Sign::Positive
+        } else {
+            Sign::Negative
+        };
+        let slips = settled(lambda, ORIGIN)?;
+        let slip = slips.intervals().iter().find(|i| i.sign == side);
+        let slip = slip.ok_or("no slip")?;
+        let from = slip.start + 0.25 * slip.length() + 2.0 * TAU;
+        let to = from + 0.5 * slip.length();
+        let v = [points.uniform(-1.0, 1.0), points.uniform(0.05, 0.3)];
+        let motion = Particle::plain(lambda).run(0.0, v, to)?;
+        // Inside a slip the sign of 𝔴 is all of it that (26) sees.
+        let middle = motion.at(0.5 * (from + to))?.v[0];
+        let rate = |phi: f64| printed::eq26_rate(lambda, phi, middle);
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
+            stated: integral_within(rate, from, to, 1e-14)?.value,
+            found: motion.at(to)?.v[0] - motion.at(from)?.v[0],
+            scale: 1.0,
+        })
+    })
+}

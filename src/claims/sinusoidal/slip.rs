@@ -1,0 +1,220 @@
+//! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
+
+use super::runs::{ORIGIN, Particle, Slip, all, dense, drive, each, phi_t2, phi_t2_spread, small};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Friction, State};
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::PI;
+
+fn at(lambda: f64) -> String {
+    format!("λ₀ = {lambda:.6}")
+}
+
+/// (31) at 40 phases of the slip.
+pub fn eq31_motion() -> Evidence {
+    let compared = "(31) with 𝔴 of the motion that rests until φ₁, at 40 phases of the slip";
+    let trial = Trial::motion(Subject::Printed, compared);
+    each(&trial, all(), |lambda| {
+        let slip = Slip::of(lambda)?;
+        let friction = Friction::new(lambda, lambda)?;
+        let mut pairs = Vec::new();
+        for k in 1..=40 {
+            let phi = slip.start + (slip.end - slip.start) * f64::from(k) / 41.0;
+            let found = drive()?.advance(friction, ORIGIN, phi)?.end.w;
+            let [l, phi_n] = [lambda, phi].map(Conditioned::measured);
+            let stated = printed::eq31_w(l, printed::eq27_phi1(l), phi_n);
+            let at = format!("λ₀ = {lambda:.6}, φ = {phi:.6}");
+            pairs.push(Pair::conditioned(at, stated, found));
+        }
+        Ok(pairs)
+    })
+}
+
+/// (32): its root with the end of the simulated slip.
+pub fn eq32_root() -> Evidence {
+    let compared = "the root of (32) between φ₂ and φ₄ with the end of the simulated slip";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    trial.over(all(), |lambda| {
+        let stated = phi_t2(lambda)?;
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated,
+            found: Slip::of(lambda)?.end,
+            scale: stated + phi_t2_spread(lambda, stated),
+        })
+    })
+}
+
+/// (32) at the time at which a particle, followed by the other integrator, comes back to rest.
+pub fn eq32_motion() -> Evidence {
+    let compared = "(32) at the end of a slip of a particle from rest, with 0";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
+    let frictions = all().into_iter().enumerate();
+    let some = frictions
+        .filter(|(i, _)| i % 8 == 0 || *i >= 200)
+        .map(|(_, lambda)| lambda);
+    trial.over(some, |lambda| {
+        let motion = Particle::plain(lambda).run(0.0, [0.0; 2], 2.0 * PI)?;
+        let end = motion.first_stop().ok_or("no stop")?;
+        let [l, phi] = [lambda, end].map(Conditioned::measured);
+        let stated = printed::eq32_left(l, printed::eq27_phi1(l), phi);
+        Ok::<_, Failure>(Pair::conditioned(at(lambda), stated, 0.0))
+    })
+}
+
+/// (32): nowhere before its root, as found by simulation, does its left side vanish.
+pub fn eq32_census() -> Evidence {
+    let compared = "0 with the phases of 1000 between φ₁ and the end of the slip at which (32) is not positive";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let frictions = all().into_iter().filter(|l| (1e-3..=0.999).contains(l));
+    trial.over(frictions, |lambda| {
+        let slip = Slip::of(lambda)?;
+        let phi1 = printed::eq27_phi1(lambda);
+        let left = |k: i32| {
+            let phi = slip.start + (slip.end - slip.start) * f64::from(k) / 1001.0;
+            printed::eq32_left(lambda, phi1, phi)
+        };
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated: 0.0,
+            found: (1..=1000).filter(|k| left(*k) <= 0.0).count() as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
+pub fn bracket_census() -> Evidence {
+    let compared = "1 with 1 where the end of the simulated slip lies between (28) and (30)";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(dense(), |lambda| {
+        let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
+        let end = Slip::of(lambda)?.end;
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated: 1.0,
+            found: f64::from(u8::from(low < end && end < high)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// How close φ̃₂ comes: √(4πλ₀) to φ₄ as λ₀ → 0, √(2(1 − λ₀)) to φ₂ as λ₀ → 1.
+pub fn bracket_limit() -> Evidence {
+    let compared = "1 with the gap between φ̃₂ of the simulated slip and (30) or (28) over √(4πλ₀) at λ₀ → 0 and over \
+                    √(2 (1 − λ₀)) at λ₀ → 1";
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, EDGE);
+    trial.over(0..30, |i| {
+        let small = libm::pow(10.0, -9.0 - 0.1 * f64::from(i / 2));
+        let (lambda, leading, gap) = if i % 2 == 0 {
+            let gap = printed::eq30_phi4(small) - Slip::of(small)?.end;
+            (small, libm::sqrt(4.0 * PI * small), gap)
+        } else {
+            let lambda = 1.0 - small;
+            // As rounded, the distance from 1 is another one.
+            let leading = libm::sqrt(2.0 * (1.0 - lambda));
+            let gap = Slip::of(lambda)?.end - printed::eq28_phi2(lambda);
+            (lambda, leading, gap)
+        };
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.12}"),
+            stated: 1.0,
+            found: gap / leading,
+            scale: 1.0,
+        })
+    })
+}
+
+/// A printed left side with 𝔴 at φ₃ of a slip that is not over yet there.
+fn left_with_motion(left: fn(Conditioned) -> Conditioned, compared: &'static str) -> Evidence {
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(small(), |lambda| {
+        let friction = Friction::new(lambda, lambda)?;
+        let state = |phi| State { phi, ..ORIGIN };
+        let release = drive()?.advance(friction, state(PI), PI + 2.0)?;
+        let phi3 = release.intervals.first().ok_or("no interval")?.end;
+        let found = drive()?.advance(friction, ORIGIN, phi3)?.end.w;
+        let stated = left(Conditioned::measured(lambda));
+        Ok::<_, Failure>(Pair::conditioned(at(lambda), stated, found))
+    })
+}
+
+fn eq34_of(lambda: Conditioned) -> Conditioned {
+    printed::eq34_left(
+        lambda,
+        printed::eq27_phi1(lambda),
+        printed::eq29_phi3(lambda),
+    )
+}
+
+/// (34): its left side is what is left of 𝔴 when the drive could start the next slip.
+pub fn eq34_motion() -> Evidence {
+    left_with_motion(
+        eq34_of,
+        "the left side of (34) with 𝔴 at the simulated φ₃ of a slip from rest, λ₀ < λ_c",
+    )
+}
+
+/// (35): the same, in the friction alone.
+pub fn eq35_motion() -> Evidence {
+    left_with_motion(
+        printed::eq35_left,
+        "the left side of (35) with 𝔴 at the simulated φ₃ of a slip from rest, λ₀ < λ_c",
+    )
+}
+
+/// A printed inequality holds exactly where the simulated slip ends before the next can begin.
+pub fn ends_early(inequality: fn(f64) -> bool, compared: &'static str) -> Evidence {
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let is = |truth: bool| f64::from(u8::from(truth));
+    trial.over(dense(), |lambda| {
+        let slip = Slip::of(lambda)?;
+        // The backward slip could begin half a period after the forward one did.
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated: is(inequality(lambda)),
+            found: is(slip.end < slip.start + PI),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (34) as a condition.
+pub fn eq34_census() -> Evidence {
+    let holds = |lambda| {
+        printed::eq34_left(
+            lambda,
+            printed::eq27_phi1(lambda),
+            printed::eq29_phi3(lambda),
+        ) < 0.0
+    };
+    ends_early(
+        holds,
+        "1 where (34) holds with 1 where the simulated slip lasts less than half a period",
+    )
+}
+
+/// (35) as a condition.
+pub fn eq35_census() -> Evidence {
+    let holds = |lambda| printed::eq35_left(lambda) < 0.0;
+    ends_early(
+        holds,
+        "1 where (35) holds with 1 where the simulated slip lasts less than half a period",
+    )
+}
+
+/// (36) as a condition.
+pub fn eq36_census() -> Evidence {
+    let holds = |lambda| {
+        let [left, right] = printed::eq36_sides(lambda);
+        left > right
+    };
+    ends_early(
+        holds,
+        "1 where (36) holds with 1 where the simulated slip lasts less than half a period",
+    )
+}

@@ -1,0 +1,172 @@
+//! Trials of (34), (36), (37), (40), (41): the critical friction.
+
+use super::runs::{ORIGIN, Slip, dense, lambda_c, settled, small};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::points::Points;
+use crate::claims::tolerances::{NONE, ONSET, ROOT};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Sign, State};
+use crate::numerics::roots::root;
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::TAU;
+use std::sync::LazyLock;
+
+/// A start, and the friction from which on the motion that it leads to has rests.
+#[derive(Debug, Clone, Copy)]
+struct Onset {
+    start: State,
+    lambda: f64,
+}
+
+/// The onset of rest for 24 starts: bisection on the simulation alone, down to neighbouring numbers.
+fn onsets() -> impl Iterator<Item = Result<Onset, Failure>> {
+    static ONSETS: LazyLock<Vec<Result<Onset, String>>> = LazyLock::new(|| {
+        let mut points = Points::stream(130);
+        let mut start = || State {
+            phi: points.uniform(0.0, TAU),
+            w: points.uniform(-3.0, 3.0),
+        };
+        let starts: Vec<_> = (0..24).map(|_| start()).collect();
+        let found = |start: State| match onset(start) {
+            Ok(lambda) => Ok(Onset { start, lambda }),
+            Err(error) => Err(error.to_string()),
+        };
+        starts.into_iter().map(found).collect()
+    });
+    ONSETS.iter().map(|onset| onset.clone().map_err(Into::into))
+}
+
+fn onset(start: State) -> Result<f64, Failure> {
+    let (mut low, mut high) = (0.2, 0.9);
+    loop {
+        let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            return Ok(middle);
+        }
+        let attractor = settled(middle, start)?;
+        let rests = attractor.intervals().iter().any(|i| i.sign == Sign::Rest);
+        *(if rests { &mut high } else { &mut low }) = middle;
+    }
+}
+
+fn at(onset: &Onset) -> String {
+    format!("from φ = {:.6}, 𝔴 = {:.6}", onset.start.phi, onset.start.w)
+}
+
+/// (37) with the onset of rest.
+pub fn eq37_motion() -> Evidence {
+    let compared = "(37) with the friction at which simulated rests appear, by bisection";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ONSET);
+    trial.over(onsets(), |onset| {
+        let onset = onset?;
+        Ok::<_, Failure>(Pair {
+            at: at(&onset),
+            stated: printed::eq37_lambda_c(),
+            found: onset.lambda,
+            scale: 1.0,
+        })
+    })
+}
+
+fn eq34_of(lambda: f64) -> f64 {
+    printed::eq34_left(
+        lambda,
+        printed::eq27_phi1(lambda),
+        printed::eq29_phi3(lambda),
+    )
+}
+
+/// (37) with the root of (34), from several brackets.
+pub fn eq37_root() -> Evidence {
+    let compared =
+        "(37) with the root of the left side of (34) with (27) and (29), from several brackets";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    let mut points = Points::stream(131);
+    trial.over(0..24, |_| {
+        let (low, high) = (points.uniform(0.01, 0.5), points.uniform(0.6, 0.99));
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ between {low:.6} and {high:.6}"),
+            stated: printed::eq37_lambda_c(),
+            found: root(eq34_of, low, high)?,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (34): its root with the onset of rest.
+pub fn eq34_root() -> Evidence {
+    let compared =
+        "the root of the left side of (34) with the friction at which simulated rests appear";
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, ONSET);
+    trial.over(onsets(), |onset| {
+        let onset = onset?;
+        Ok::<_, Failure>(Pair {
+            at: at(&onset),
+            stated: root(eq34_of, 0.01, 0.99)?,
+            found: onset.lambda,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (40) holds exactly where the simulated motion passes through zero without rest.
+pub fn eq40_census() -> Evidence {
+    let compared = "1 where (40) holds with 1 where the simulated large-time motion has no rest";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let is = |truth: bool| f64::from(u8::from(truth));
+    trial.over(dense(), |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let [left, right] = printed::eq40_sides(lambda);
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}"),
+            stated: is(left < right),
+            found: is(attractor.intervals().iter().all(|i| i.sign != Sign::Rest)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (41): φ̃₁ − φ₁ with what the simulation finds for both.
+pub fn eq41_motion() -> Evidence {
+    let compared = "the left side of (41) minus the right one with the same of the simulation, where it has to be positive";
+    let trial = Trial::motion(Subject::Printed, compared);
+    trial.over(small(), |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let turn = attractor
+            .intervals()
+            .iter()
+            .find(|i| i.sign == Sign::Positive);
+        let found = turn.ok_or("no slip")?.start - Slip::of(lambda)?.start;
+        let l = Conditioned::measured(lambda);
+        let [left, right] = printed::eq41_sides(printed::eq39_phi_t1(l), printed::eq27_phi1(l));
+        let at = format!("λ₀ = {lambda:.6}");
+        let mut pair =
+            Pair::conditioned(at, left - right, if found > 0.0 { found } else { f64::NAN });
+        pair.scale += 1.0 / (1.0 - attractor.contraction());
+        Ok::<_, Failure>(pair)
+    })
+}
+
+/// (41): its sign, everywhere below λ_c.
+pub fn eq41_census() -> Evidence {
+    let compared = "1 where (41) holds with 1 where the simulated motion turns later than a rest would end, λ₀ < λ_c";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let is = |truth: bool| f64::from(u8::from(truth));
+    let below = dense().into_iter().filter(|lambda| *lambda < lambda_c());
+    trial.over(below, |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let turn = attractor
+            .intervals()
+            .iter()
+            .find(|i| i.sign == Sign::Positive);
+        let [left, right] =
+            printed::eq41_sides(printed::eq39_phi_t1(lambda), printed::eq27_phi1(lambda));
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}"),
+            stated: is(left > right),
+            found: is(turn.ok_or("no slip")?.start > Slip::of(lambda)?.start),
+            scale: 1.0,
+        })
+    })
+}

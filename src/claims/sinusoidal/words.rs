@@ -1,0 +1,195 @@
+//! Trials of what section 2.2 says in words of the motion along the line.
+
+use super::runs::{
+    ORIGIN, Particle, dense, drive, lambda_c, phi_t2, phi_t2_spread, settled, small, starts,
+};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{NONE, ROOT};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::PhaseKind;
+use crate::motion::drive::{Friction, Interval, Sign, State};
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::{PI, TAU};
+
+fn at(lambda: f64) -> String {
+    format!("λ₀ = {lambda:.6}")
+}
+
+/// λ₀ < λ_c: no start leads to a motion with a rest.
+pub fn no_rest_census() -> Evidence {
+    let compared = "0 with the simulated rests per period at large times, of seven starts together";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let below = dense().into_iter().filter(|l| *l < lambda_c()).step_by(7);
+    trial.over(below, |lambda| {
+        let mut rests = 0;
+        for start in starts() {
+            let attractor = settled(lambda, start)?;
+            let list = attractor.intervals().iter();
+            rests += list.filter(|i| i.sign == Sign::Rest).count();
+        }
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated: 0.0,
+            found: rests as f64,
+            scale: 1.0,
+        })
+    })
+}
+
+/// The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
+pub fn no_rest_motion() -> Evidence {
+    let compared = "−2λ₀ (φ̃₂ − φ₁ − π), φ̃₂ the root of (32), with 𝔴 a period after a rest has ended at φ₁, where it has to be negative";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ROOT);
+    trial.over(small(), |lambda| {
+        let phi1 = printed::eq27_phi1(lambda);
+        let end = phi_t2(lambda)?;
+        let friction = Friction::new(lambda, lambda)?;
+        let w = drive()?.advance(friction, ORIGIN, phi1 + TAU)?.end.w;
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated: -2.0 * lambda * (end - phi1 - PI),
+            found: if w < 0.0 { w } else { f64::NAN },
+            scale: 10.0 + lambda * phi_t2_spread(lambda, end),
+        })
+    })
+}
+
+/// A kind of large-time motion as a number: zeros in a period, ten times the rests, or −1 for rest throughout.
+fn kind(zeros: usize, rests: usize, still: bool) -> f64 {
+    if still {
+        -1.0
+    } else {
+        (zeros + 10 * rests) as f64
+    }
+}
+
+fn stated_kind(lambda: f64) -> f64 {
+    if lambda < lambda_c() {
+        kind(2, 0, false)
+    } else if lambda < 1.0 {
+        kind(0, 2, false)
+    } else {
+        kind(0, 0, true)
+    }
+}
+
+/// The kind, read off a list of intervals.
+fn listed_kind(list: &[Interval]) -> f64 {
+    let rests = list.iter().filter(|i| i.sign == Sign::Rest).count();
+    let pairs = list.iter().zip(list.iter().cycle().skip(1));
+    let turns = pairs.filter(|(a, b)| a.sign.factor() * b.sign.factor() < 0.0);
+    kind(turns.count(), rests, list.len() == 1 && rests == 1)
+}
+
+/// Frictions from 0 to 5, the two thresholds approached to 1e-9 from both sides.
+fn frictions() -> Vec<f64> {
+    let mut points = Points::stream(150);
+    let mut list = dense();
+    list.extend((0..200).map(|_| points.uniform(1.0, 5.0)));
+    list.extend((0..30).map(|i| 1.0 + libm::pow(10.0, -3.0 - 0.2 * f64::from(i))));
+    list
+}
+
+/// The three kinds, over more than 2000 frictions.
+pub fn trichotomy_census() -> Evidence {
+    let compared = "2 zeros below λ_c, 2 rests (20) above, rest throughout (−1) above 1, with the same of the simulated list of intervals";
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    trial.over(
+        frictions().into_iter().zip(starts().into_iter().cycle()),
+        |(lambda, start)| {
+            let attractor = settled(lambda, start)?;
+            Ok::<_, Failure>(Pair {
+                at: at(lambda),
+                stated: stated_kind(lambda),
+                found: listed_kind(attractor.intervals()),
+                scale: 1.0,
+            })
+        },
+    )
+}
+
+/// The three kinds by the other integrator: stops and rests of a particle over its third period.
+pub fn trichotomy_motion() -> Evidence {
+    let compared = "the same numbers with those of a particle on the plane, over its third period";
+    let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
+    let mut points = Points::stream(151);
+    trial.over(0..24, |_| {
+        let lambda = points.uniform(0.1, 1.5);
+        let start = points.uniform(0.0, TAU);
+        let (from, to) = (start + 2.0 * TAU, start + 3.0 * TAU);
+        let motion = Particle::plain(lambda).run(start, [0.0; 2], to)?;
+        let within = |t: f64| t > from && t <= to;
+        let stops = motion.stops().iter().filter(|t| within(**t)).count();
+        let phases = motion.phases().iter();
+        let rests = phases.filter(|p| p.kind == PhaseKind::Stick);
+        let begun = rests.filter(|p| within(p.from)).count();
+        let still = stops == 0 && motion.end().speed() == 0.0;
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}, from φ = {start:.6}"),
+            stated: stated_kind(lambda),
+            found: kind(stops.saturating_sub(begun), begun, still),
+            scale: 1.0,
+        })
+    })
+}
+
+/// λ₀ = 0: a fast particle never turns.
+pub fn trichotomy_outside() -> Evidence {
+    let compared = "2 with the zeros in a period without friction, of starts with 𝔴 > 0 at φ = 0";
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let mut points = Points::stream(152);
+    trial.over(0..24, |_| {
+        let w = points.uniform(0.1, 3.0);
+        let attractor = settled(0.0, State { phi: 0.0, w })?;
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
+            stated: stated_kind(0.0),
+            found: listed_kind(attractor.intervals()),
+            scale: 1.0,
+        })
+    })
+}
+
+/// A₀ < μg: a particle with any velocity comes to rest and stays there.
+pub fn weak_drive_motion() -> Evidence {
+    let compared = "0 with the largest speed of a particle, launched in any direction, over the last period of four";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(153);
+    trial.over(0..20, |_| {
+        let lambda = points.uniform(1.05, 4.0);
+        let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
+        let from = points.uniform(0.0, TAU);
+        let motion = Particle::plain(lambda).run(from, v, from + 4.0 * TAU)?;
+        let last = |k: i32| motion.at(from + TAU * (3.0 + f64::from(k) / 32.0));
+        let mut largest = 0.0_f64;
+        for k in 0..=32 {
+            largest = largest.max(last(k)?.speed());
+        }
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
+            stated: 0.0,
+            found: largest,
+            scale: 1.0,
+        })
+    })
+}
+
+/// A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
+pub fn weak_drive_census() -> Evidence {
+    let compared =
+        "1 with 1 where the simulated large-time motion is rest throughout, from seven starts";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(frictions().into_iter().filter(|l| *l > 1.0), |lambda| {
+        let mut still = true;
+        for start in starts() {
+            still &= listed_kind(settled(lambda, start)?.intervals()) == kind(0, 0, true);
+        }
+        Ok::<_, Failure>(Pair {
+            at: at(lambda),
+            stated: 1.0,
+            found: f64::from(u8::from(still)),
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,394 @@
+//! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
+
+use super::runs::sphere;
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::conditioned::Conditioned;
+use crate::claims::points::Points;
+use crate::claims::tolerances::MOTION;
+use crate::corrections::constant::{speed, time};
+use crate::corrections::sphere as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::sphere::{Ball, Sphere};
+use crate::motion::{Plane, State, run};
+use crate::numerics::quadrature::integral_within;
+use crate::numerics::roots::root;
+use crate::paper::sphere as printed;
+use crate::scalar::Scalar;
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+/// A sphere under A = −A x̂, and what its slip has become.
+#[derive(Debug, Clone)]
+pub struct Turn {
+    sphere: Sphere,
+    a: f64,
+    /// λ by (80).
+    pub lambda: f64,
+    /// γ = A/(μg).
+    pub gamma: f64,
+    /// The slip u₀ and its angle θ₀ at the start.
+    pub u0: f64,
+    theta0: f64,
+    /// The slip u and its angle θ at the time τ.
+    u: f64,
+    theta: f64,
+    tau: f64,
+}
+
+impl Turn {
+    /// A sphere with this friction λ, from slip `u0` at the angle `theta0`, after the time `elapsed` in units of
+    /// what it takes to stop if it stops, of u₀/γ if not.
+    fn new(
+        i: usize,
+        points: &mut Points,
+        lambda: f64,
+        theta0: f64,
+        elapsed: f64,
+    ) -> Result<Self, Failure> {
+        let sphere = sphere(i, points);
+        let (radius, mu, g) = (sphere.radius, sphere.mu, sphere.g);
+        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, radius);
+        let b = printed::eq67_factor(kappa);
+        // (80) is solved for A by its own value at A = 1.
+        let a = printed::eq80_lambda(b, mu, g, 1.0) / lambda;
+        let gamma = printed::eq72_acceleration(mu, g, [a, 0.0, 0.0])[0];
+        let u0 = points.log_uniform(0.1, 10.0);
+        let unit = 1.0 / printed::eq71_slip(radius, mu, g, [1.0, 0.0, 0.0])[0];
+        let w = u0 * unit;
+        let toward = if theta0.abs() == PI {
+            [-w, 0.0]
+        } else {
+            [w * libm::cos(theta0), w * libm::sin(theta0)]
+        };
+        // Part of the slip is the centre's velocity, part the turning's.
+        let (share, spin) = (points.uniform(-1.0, 2.0), points.uniform(-3.0, 3.0));
+        let rest = toward.map(|c| (1.0 - share) * c / radius);
+        let start = Ball {
+            t: 0.0,
+            x: [0.0; 2],
+            v: toward.map(|c| share * c),
+            omega: [rest[1], -rest[0], spin],
+        };
+        let plane = Plane::constant([-a, 0.0]);
+        let clock = printed::eq69_time(radius, mu, g, 1.0);
+        let long = if lambda > 1.0 {
+            let motion = sphere.run(&plane, &start, 4.0 * w / (a * (lambda - 1.0)))?;
+            motion.transitions().first().ok_or("it does not stop")?.t
+        } else {
+            w / a
+        };
+        let t = elapsed * long;
+        let motion = sphere.run(&plane, &start, t)?;
+        let [x, y] = motion.slip(t)?;
+        Ok(Turn {
+            sphere,
+            a,
+            lambda,
+            gamma,
+            u0,
+            theta0,
+            u: libm::hypot(x, y) / unit,
+            theta: libm::atan2(y, x),
+            tau: clock * t,
+        })
+    }
+
+    fn at(&self) -> String {
+        let Turn {
+            lambda,
+            gamma,
+            u0,
+            theta0,
+            theta,
+            ..
+        } = self;
+        format!("λ = {lambda:.6}, γ = {gamma:.6}, u₀ = {u0:.6}, θ₀ = {theta0:.6}, θ = {theta:.6}")
+    }
+
+    fn numbers(&self) -> [Conditioned; 6] {
+        [
+            self.lambda,
+            self.u0,
+            self.theta0,
+            self.theta,
+            self.tau,
+            self.gamma,
+        ]
+        .map(Conditioned::measured)
+    }
+
+    /// How much a relative error of the angles grows: tan(θ/2) is steep near π.
+    fn condition(&self) -> f64 {
+        let steep = |theta: f64| (1.0 + self.lambda) * (theta / libm::sin(theta)).abs();
+        steep(self.theta0).max(steep(self.theta))
+    }
+
+    /// tan(θ/2) over its initial value.
+    fn r(&self) -> f64 {
+        Scalar::tan(self.theta / 2.0) / Scalar::tan(self.theta0 / 2.0)
+    }
+
+    /// True where (82) has a value.
+    fn has_a_time(&self) -> bool {
+        self.lambda != 1.0 && self.lambda + libm::cos(self.theta0) != 0.0
+    }
+}
+
+type Shared = LazyLock<Result<Vec<Turn>, String>>;
+
+fn shared(runs: &'static Shared) -> impl Iterator<Item = Result<&'static Turn, Failure>> {
+    let (runs, error) = match &**runs {
+        Ok(runs) => (&runs[..], None),
+        Err(error) => (&[][..], Some(Err(Failure::from(error.clone())))),
+    };
+    runs.iter().map(Ok).chain(error)
+}
+
+/// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ.
+fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
+    static TURNS: Shared = LazyLock::new(|| {
+        let mut points = Points::stream(404);
+        let turn = |i: usize| {
+            let lambda = match i {
+                160..180 => 1.0,
+                _ if i.is_multiple_of(2) => points.uniform(0.05, 1.0),
+                _ => points.uniform(1.0, 6.0),
+            };
+            let theta0 = points.sign() * points.uniform(0.2, 3.0);
+            let (lambda, theta0) = match i {
+                180.. => (
+                    -libm::cos(1.6 + 0.07 * (i - 180) as f64),
+                    1.6 + 0.07 * (i - 180) as f64,
+                ),
+                _ => (lambda, theta0),
+            };
+            // Late slips at large friction have next to no angle left.
+            let elapsed = points.uniform(0.05, 0.8);
+            Turn::new(i, &mut points, lambda, theta0, elapsed).map_err(|e| e.to_string())
+        };
+        (0..200).map(turn).collect()
+    });
+    shared(&TURNS)
+}
+
+/// Slips along the line of the acceleration.
+fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
+    static TURNS: Shared = LazyLock::new(|| {
+        let mut points = Points::stream(405);
+        let turn = |i: usize| {
+            let lambda = points.uniform(0.1, 4.0);
+            let theta0 = [0.0, PI][i % 2];
+            Turn::new(i, &mut points, lambda, theta0, 0.2).map_err(|e| e.to_string())
+        };
+        (0..40).map(turn).collect()
+    });
+    shared(&TURNS)
+}
+
+/// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
+pub fn eq80() -> Evidence {
+    let compared =
+        "u/u₀ of spheres with λ by (80) with v/v₀ of a particle with μg = λA, at the same A t/v₀";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    trial.over(turns(), |turn| {
+        let turn = turn?;
+        let start = State {
+            t: 0.0,
+            v: [libm::cos(turn.theta0), libm::sin(turn.theta0)],
+            x: [0.0; 2],
+        };
+        let clock = printed::eq69_time(turn.sphere.radius, turn.sphere.mu, turn.sphere.g, 1.0);
+        let unit = printed::eq71_slip(
+            turn.sphere.radius,
+            turn.sphere.mu,
+            turn.sphere.g,
+            [1.0, 0.0, 0.0],
+        )[0];
+        let t = turn.a * turn.tau / clock * unit / turn.u0;
+        let particle = run(&Plane::constant([-1.0, 0.0]), turn.lambda, start, t)?;
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: turn.u / turn.u0,
+            found: particle.end().speed(),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (81).
+pub fn eq81() -> Evidence {
+    let trial = Trial::motion(
+        Subject::Within,
+        "(81) with the slip of the motion at the angle θ",
+    );
+    trial.over(turns(), |turn| {
+        let turn = turn?;
+        let [lambda, u0, theta0, theta, ..] = turn.numbers();
+        let stated = printed::eq81_slip(lambda, u0, theta0, theta);
+        Ok::<_, Failure>(Pair::conditioned(turn.at(), stated, turn.u))
+    })
+}
+
+/// (81) along the line of the acceleration, where it is 0/0.
+pub fn eq81_outside() -> Evidence {
+    let trial = Trial::motion(
+        Subject::Outside,
+        "(81) along the line of the acceleration with the slip of the motion",
+    );
+    trial.over(straight(), |turn| {
+        let turn = turn?;
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: printed::eq81_slip(turn.lambda, turn.u0, turn.theta0, turn.theta),
+            found: turn.u,
+            scale: turn.u0,
+        })
+    })
+}
+
+/// The form of (81) without singular points.
+pub fn regular_slip() -> Evidence {
+    let compared = "the regular form of u with the slip of the motion";
+    let trial = Trial::motion(Subject::Corrected, compared);
+    trial.over(turns(), |turn| {
+        let turn = turn?;
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: speed(turn.lambda, turn.u0, turn.theta0, turn.r()),
+            found: turn.u,
+            scale: turn.u.max(turn.u0) * turn.condition(),
+        })
+    })
+}
+
+/// The regular forms along the line of the acceleration: r from the regular time, u from r.
+pub fn regular_straight() -> Evidence {
+    let compared = "the regular form of u along the line of the acceleration, r from the regular form of τ, with the slip of the motion";
+    Trial::motion(Subject::Corrected, compared).over(straight(), |turn| {
+        let turn = turn?;
+        let Turn {
+            lambda,
+            gamma,
+            u0,
+            theta0,
+            tau,
+            ..
+        } = *turn;
+        let late = |ln_r: f64| time(lambda, gamma, u0, theta0, libm::exp(ln_r)) - tau;
+        let r = libm::exp(root(late, -20.0, 0.0)?);
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: speed(lambda, u0, theta0, r),
+            found: turn.u,
+            scale: u0,
+        })
+    })
+}
+
+type Time = fn(&Turn, [Conditioned; 6]) -> Conditioned;
+
+fn late(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
+    let turns = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
+    Trial::motion(subject, compared).over(turns, |turn| {
+        let turn = turn?;
+        Ok::<_, Failure>(Pair::conditioned(
+            turn.at(),
+            formula(turn, turn.numbers()),
+            turn.tau,
+        ))
+    })
+}
+
+/// (82) as printed.
+pub fn eq82() -> Evidence {
+    late(
+        Subject::Printed,
+        "(82) with the time τ of the motion at the angle θ",
+        |_, n| printed::eq82_time(n[0], n[1], n[2], n[3]),
+    )
+}
+
+/// (82) with its factor.
+pub fn corrected82() -> Evidence {
+    late(
+        Subject::Corrected,
+        "(82) over γ with the time τ of the motion at the angle θ",
+        |_, n| corrected::time(n[0], n[5], n[1], n[2], n[3]),
+    )
+}
+
+/// (82) with its factor, from the integral of (74) over the angle.
+pub fn corrected82_quadrature() -> Evidence {
+    let compared = "(82) over γ with −∫ u dθ/(γ sin θ), u from (81)";
+    let turns = turns().filter(|turn| {
+        turn.as_ref()
+            .map_or(true, |t| t.has_a_time() && t.condition() < 100.0)
+    });
+    Trial::quadrature(Subject::Corrected, compared).over(turns, |turn| {
+        let turn = turn?;
+        let rate = |theta: f64| {
+            -printed::eq81_slip(turn.lambda, turn.u0, turn.theta0, theta)
+                / (turn.gamma * Scalar::sin(theta))
+        };
+        let enough = 1e-14 * turn.condition() * turn.tau;
+        let found = integral_within(rate, turn.theta0, turn.theta, enough)?.value;
+        let n = turn.numbers();
+        let stated = corrected::time(n[0], n[5], n[1], n[2], n[3]);
+        let mut pair = Pair::conditioned(turn.at(), stated, found);
+        pair.scale = pair.scale.max(found * turn.condition());
+        Ok::<_, Failure>(pair)
+    })
+}
+
+/// The form of (82) without singular points: at λ = 1 and cos θ₀ = −λ too.
+pub fn regular_time() -> Evidence {
+    let compared = "the regular form of τ with the motion, λ = 1 and cos θ₀ = −λ included";
+    Trial::motion(Subject::Corrected, compared).over(turns(), |turn| {
+        let turn = turn?;
+        Ok::<_, Failure>(Pair {
+            at: turn.at(),
+            stated: time(turn.lambda, turn.gamma, turn.u0, turn.theta0, turn.r()),
+            found: turn.tau,
+            scale: turn.tau * turn.condition(),
+        })
+    })
+}
+
+fn slip_at_time(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
+    Trial::motion(subject, compared).over(turns(), |turn| {
+        let turn = turn?;
+        Ok::<_, Failure>(Pair::conditioned(
+            turn.at(),
+            formula(turn, turn.numbers()),
+            turn.u,
+        ))
+    })
+}
+
+/// (83) as printed.
+pub fn eq83() -> Evidence {
+    let compared = "(83) at the angle and time of the motion with its slip";
+    slip_at_time(Subject::Printed, compared, |_, n| {
+        printed::eq83_slip_at_time(n[0], n[1], n[2], n[3], n[4])
+    })
+}
+
+/// (83) with its factor.
+pub fn corrected83() -> Evidence {
+    let compared = "(83) with γτ for τ at the angle and time of the motion with its slip";
+    slip_at_time(Subject::Corrected, compared, |_, n| {
+        corrected::slip_at_time(n[0], n[5], n[1], n[2], n[3], n[4])
+    })
+}
+
+/// (γ, τ of the motion over τ of (82)) at the points of the trial.
+pub(super) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
+    let known = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
+    known
+        .map(|turn| {
+            let turn = turn?;
+            let stated = printed::eq82_time(turn.lambda, turn.u0, turn.theta0, turn.theta);
+            Ok([turn.gamma, turn.tau / stated])
+        })
+        .collect()
+}

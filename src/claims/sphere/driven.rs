@@ -1,0 +1,589 @@
+//! Trials of (84), (85) and of the statements about a plane that swings: 3.2 to 3.4.
+
+use super::drawn::Swinging;
+use super::runs::sphere;
+use super::words::rolling_time;
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{MOTION, NONE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Attractor, Drive, Friction, Interval, Sign, State};
+use crate::motion::sphere::{Ball, Contact, Directed, Motion, Sphere};
+use crate::motion::{Plane, Signal};
+use crate::numerics::roots::root;
+use crate::paper::sphere as printed;
+use std::f64::consts::{PI, TAU};
+use std::sync::LazyLock;
+
+/// Periods after which the motion counts as settled.
+const SETTLED: f64 = 10.0;
+
+/// A sphere on a plane that swings along x with the angular frequency ϖ: A = −A₀ h(ϖ t) x̂.
+#[derive(Debug, Clone, Copy)]
+struct Swing {
+    sphere: Sphere,
+    a0: f64,
+    frequency: f64,
+    lambda: f64,
+}
+
+impl Swing {
+    /// The swing in which λ₀ of (84) is `lambda`.
+    fn new(i: usize, points: &mut Points, lambda: f64) -> Self {
+        let sphere = sphere(i, points);
+        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
+        let b = printed::eq67_factor(kappa);
+        let a0 = printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda;
+        Swing {
+            sphere,
+            a0,
+            frequency: points.uniform(0.5, 4.0),
+            lambda,
+        }
+    }
+
+    fn sine(&self) -> Plane {
+        let sine = Signal::Sine {
+            frequency: self.frequency,
+            phase: 0.0,
+        };
+        Plane::along([1.0, 0.0], sine.times(-self.a0))
+    }
+
+    /// Pulses of (42) and (43): half the difference of two square waves, one later by ηπ.
+    fn pulses(&self, eta: f64) -> Plane {
+        let half = PI / self.frequency;
+        let square = |start: f64| Signal::Square { start, half };
+        let late = square(eta * half).times(-1.0);
+        let both = Signal::Sum(vec![square(0.0), late]);
+        Plane::along([1.0, 0.0], both.times(-0.5 * self.a0))
+    }
+
+    /// The time of a phase.
+    fn t(&self, phi: f64) -> f64 {
+        phi / self.frequency
+    }
+
+    /// A start at φ = 0 with slip `w` in units of A₀/ϖ, shared between the centre and the turning.
+    fn start(&self, w: f64, share: f64) -> Ball {
+        let slip = w * self.a0 / self.frequency;
+        let radius = self.sphere.radius;
+        Ball {
+            t: 0.0,
+            x: [0.0; 2],
+            v: [share * slip, 0.0],
+            omega: [0.0, -(1.0 - share) * slip / radius, 0.3],
+        }
+    }
+
+    fn at(&self) -> String {
+        format!(
+            "λ₀ = {:.6}, κ = {:.6}, μ = {:.6}",
+            self.lambda,
+            self.sphere.kappa(),
+            self.sphere.mu
+        )
+    }
+}
+
+fn settled(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, Failure> {
+    let start = State { phi: 0.0, w: 0.0 };
+    let outcome = drive.attractor(friction, start, 1000)?;
+    Ok(outcome.settled().ok_or("the drive does not settle")?)
+}
+
+fn sine_drive() -> Result<&'static Drive, Failure> {
+    static DRIVE: LazyLock<Result<Drive, String>> =
+        LazyLock::new(|| Drive::new(libm::sin, &[]).map_err(|error| error.to_string()));
+    DRIVE.as_ref().map_err(|error| Failure::from(error.clone()))
+}
+
+/// 2 for two zeros and no rest in a period, 20 for two rests, −1 for rest throughout, 0 for all else.
+fn kind(passes: usize, rests: usize, throughout: bool) -> f64 {
+    match (passes, rests) {
+        (0, _) if throughout => -1.0,
+        (2, 0) => 2.0,
+        (0, 2) => 20.0,
+        _ => 0.0,
+    }
+}
+
+/// What the statement says, from the boundary λ_c.
+fn stated_kind(lambda: f64, lambda_c: f64) -> f64 {
+    if lambda > 1.0 {
+        -1.0
+    } else if lambda > lambda_c {
+        20.0
+    } else {
+        2.0
+    }
+}
+
+/// The kind of a drive's periodic motion.
+fn listed(intervals: &[Interval]) -> f64 {
+    let rests = intervals.iter().filter(|i| i.sign == Sign::Rest).count();
+    if intervals.len() == 1 {
+        return kind(0, rests, rests == 1);
+    }
+    kind(intervals.len() - 2 * rests, rests, false)
+}
+
+/// The kind of the sphere's motion over one period.
+fn rolled(motion: &Motion, from: f64, to: f64) -> Result<f64, Failure> {
+    let within: Vec<_> = motion
+        .transitions()
+        .iter()
+        .filter(|c| c.t > from && c.t <= to)
+        .collect();
+    let begun = |kind: Contact| {
+        let before = |i: usize| {
+            if i == 0 {
+                motion.contact(from)
+            } else {
+                Ok(within[i - 1].to)
+            }
+        };
+        (0..within.len())
+            .filter(|i| within[*i].to == kind && before(*i) == Ok(Contact::Sliding))
+            .count()
+    };
+    let throughout = within.is_empty() && motion.contact(to)? == Contact::Rolling;
+    Ok(kind(
+        begun(Contact::Sliding),
+        begun(Contact::Rolling),
+        throughout,
+    ))
+}
+
+/// λ_c, where the drive's simulated motion begins to rest.
+fn lambda_c() -> Result<f64, Failure> {
+    static LAMBDA: LazyLock<Result<f64, String>> = LazyLock::new(|| {
+        let rests = |lambda: f64| -> Result<bool, Failure> {
+            let attractor = settled(sine_drive()?, Friction::new(lambda, lambda)?)?;
+            Ok(listed(attractor.intervals()) == 20.0)
+        };
+        let (mut low, mut high) = (0.1, 0.9);
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            match rests(middle) {
+                Ok(true) => high = middle,
+                Ok(false) => low = middle,
+                Err(error) => return Err(error.to_string()),
+            }
+        }
+        Ok(high)
+    });
+    LAMBDA.clone().map_err(Failure::from)
+}
+
+/// (84): the slip obeys the drive of section 2.2 with this λ₀.
+pub fn eq84() -> Evidence {
+    let compared = "w of the one-dimensional drive with λ₀ by (84) with ϖ w_x/A₀ of the sphere's slip velocity w";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(410);
+    trial.over(0..60, |i| {
+        let lambda = points.uniform(0.05, 1.5);
+        let swing = Swing::new(i, &mut points, lambda);
+        let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
+        let phi = points.uniform(1.0, 15.0);
+        let kappa =
+            printed::eq62_kappa(swing.sphere.inertia, swing.sphere.mass, swing.sphere.radius);
+        let lambda = printed::eq84_lambda(
+            printed::eq67_factor(kappa),
+            swing.sphere.mu,
+            swing.sphere.g,
+            swing.a0,
+        );
+        let friction = Friction::new(lambda, lambda)?;
+        let stated = sine_drive()?
+            .advance(friction, State { phi: 0.0, w }, phi)?
+            .end
+            .w;
+        let motion = swing
+            .sphere
+            .run(&swing.sine(), &swing.start(w, share), swing.t(phi))?;
+        let found = motion.slip(swing.t(phi))?[0] * swing.frequency / swing.a0;
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, w = {w:.6}, φ = {phi:.6}", swing.at()),
+            stated,
+            found,
+            scale: 1.0 + w.abs(),
+        })
+    })
+}
+
+/// The sphere with μ₋ = qμ₊, and λ₀ of (85).
+fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Directed) {
+    let mut swing = Swing::new(i, points, lambda);
+    let sphere = swing.sphere;
+    let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
+    let b = printed::eq67_factor(kappa);
+    swing.a0 = printed::eq85_lambda(b, sphere.mu, sphere.g, 1.0) / lambda;
+    (
+        swing,
+        Directed {
+            sphere,
+            mu_minus: q * sphere.mu,
+        },
+    )
+}
+
+/// (85): the slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
+pub fn eq85() -> Evidence {
+    let compared = "w of the drive with λ₊ = λ₀ of (85), λ₋ = qλ₀, with ϖ w_x/A₀ of the sphere's slip velocity w";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(411);
+    trial.over(0..60, |i| {
+        let (q, lambda) = (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4));
+        let (swing, directed) = directed(i, &mut points, q, lambda);
+        let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
+        let phi = points.uniform(1.0, 15.0);
+        let friction = Friction::new(lambda, q * lambda)?;
+        let stated = sine_drive()?
+            .advance(friction, State { phi: 0.0, w }, phi)?
+            .end
+            .w;
+        let start = swing.start(w, share);
+        let motion = directed.run(
+            &swing.sine(),
+            [start.v[0], start.omega[1]],
+            0.0,
+            swing.t(phi),
+        )?;
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, q = {q:.6}, w = {w:.6}, φ = {phi:.6}", swing.at()),
+            stated,
+            found: motion.end.slip * swing.frequency / swing.a0,
+            scale: 1.0 + w.abs(),
+        })
+    })
+}
+
+/// λ₀ on both sides of every boundary, close to it and all over.
+fn frictions(lambda_c: f64) -> Vec<f64> {
+    let close = [1e-2, 1e-4, 1e-6];
+    let around = |at: f64| {
+        close
+            .into_iter()
+            .flat_map(move |d| [at * (1.0 - d), at * (1.0 + d)])
+    };
+    let wide = (1..=20).map(|k| 0.075 * f64::from(k));
+    around(lambda_c).chain(around(1.0)).chain(wide).collect()
+}
+
+/// Every kind: with a start along x.
+pub fn trichotomy_census() -> Evidence {
+    let compared = "2 zeros below λ_c, 2 rests (20) above, rest throughout (−1) above 1, with the changes between sliding and rolling of a sphere in a late period";
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let mut points = Points::stream(412);
+    let cases = lambda_c().map(|c| {
+        frictions(c)
+            .into_iter()
+            .enumerate()
+            .map(move |(i, l)| (i, l, c))
+    });
+    let (cases, error) = split(cases);
+    trial.over(cases.map(Ok).chain(error), |case: Result<_, Failure>| {
+        let (i, lambda, lambda_c) = case?;
+        let swing = Swing::new(i, &mut points, lambda);
+        let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
+        let (from, to) = (
+            swing.t(SETTLED * TAU + 0.1),
+            swing.t((SETTLED + 1.0) * TAU + 0.1),
+        );
+        let motion = swing.sphere.run(&swing.sine(), &start, to)?;
+        Ok::<_, Failure>(Pair {
+            at: swing.at(),
+            stated: stated_kind(lambda, lambda_c),
+            found: rolled(&motion, from, to)?,
+            scale: 1.0,
+        })
+    })
+}
+
+/// Either the items, or the failure as a last item.
+fn split<T>(
+    cases: Result<impl Iterator<Item = T>, Failure>,
+) -> (impl Iterator<Item = T>, Option<Result<T, Failure>>) {
+    match cases {
+        Ok(items) => (Some(items).into_iter().flatten(), None),
+        Err(error) => (None.into_iter().flatten(), Some(Err(error))),
+    }
+}
+
+/// How long it rolls in a period, from a start in any direction, against the rests of the drive.
+pub fn trichotomy_motion() -> Evidence {
+    let compared = "the part of a late period in which the drive's motion rests with that in which a sphere, started in any direction, rolls";
+    let trial = Trial::by(Route::Integration, Subject::Within, compared, MOTION);
+    let mut points = Points::stream(413);
+    trial.over(0..24, |i| {
+        let lambda = points.uniform(0.25, 1.5);
+        let swing = Swing::new(i, &mut points, lambda);
+        let mut start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
+        start.v[1] = points.uniform(-1.0, 1.0) * swing.a0 / swing.frequency;
+        let (from, to) = (swing.t(SETTLED * TAU), swing.t((SETTLED + 1.0) * TAU));
+        let motion = swing.sphere.run(&swing.sine(), &start, to)?;
+        let attractor = settled(sine_drive()?, Friction::new(lambda, lambda)?)?;
+        let rests = attractor
+            .intervals()
+            .iter()
+            .filter(|i| i.sign == Sign::Rest);
+        Ok::<_, Failure>(Pair {
+            at: swing.at(),
+            stated: rests.map(Interval::length).sum::<f64>() / TAU,
+            found: rolling_time(&motion, from, to)? / (to - from),
+            scale: 1.0,
+        })
+    })
+}
+
+/// λ₀ = 0: the slip of a fast sphere never changes its sign.
+pub fn trichotomy_outside() -> Evidence {
+    let compared =
+        "2 with the zeros in a period of a slip without friction, of starts with w > 0 at φ = 0";
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let mut points = Points::stream(414);
+    trial.over(0..24, |_| {
+        let w = points.uniform(0.1, 2.5);
+        let outcome =
+            sine_drive()?.attractor(Friction::new(0.0, 0.0)?, State { phi: 0.0, w }, 100)?;
+        let attractor = outcome.settled().ok_or("the drive does not settle")?;
+        Ok::<_, Failure>(Pair {
+            at: format!("λ₀ = 0, w = {w:.6} at φ = 0"),
+            stated: 2.0,
+            found: listed(attractor.intervals()),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Rolling holds as long as friction suffices: the sphere set rolling at φ = 0 begins to slide where sin φ = λ₀.
+pub fn rolling_ends() -> Evidence {
+    let compared = "the root φ of sin φ = λ₀, λ₀ by (84), with the phase at which a sphere that rolls at φ = 0 begins to slide";
+    let trial = Trial::by(Route::Root, Subject::Within, compared, MOTION);
+    let mut points = Points::stream(415);
+    trial.over(0..40, |i| {
+        let lambda = points.uniform(0.05, 0.95);
+        let swing = Swing::new(i, &mut points, lambda);
+        let stated = root(|phi| libm::sin(phi) - lambda, 0.0, PI / 2.0)?;
+        let motion = swing
+            .sphere
+            .run(&swing.sine(), &swing.start(0.0, 0.4), swing.t(2.0))?;
+        let first = motion.transitions().first().ok_or("it does not slide")?;
+        Ok::<_, Failure>(Pair {
+            at: swing.at(),
+            stated,
+            found: first.t * swing.frequency,
+            scale: 1.0 / libm::cos(stated),
+        })
+    })
+}
+
+/// (η, λ₀) on both sides of the boundary.
+fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
+    let point = |i: usize| {
+        let eta = points.uniform(0.1, 0.9);
+        let lambda = match i % 4 {
+            0 => eta * (1.0 - points.log_uniform(1e-6, 0.5)),
+            1 => eta + (1.0 - eta) * points.log_uniform(1e-6, 0.9),
+            2 => points.uniform(0.1, 1.0),
+            _ => 1.0 + points.log_uniform(1e-6, 0.5),
+        };
+        (eta, lambda)
+    };
+    (0..count).map(point).collect()
+}
+
+/// The pulse train: kinds on both sides of λ₀ = η.
+pub fn pulse_census() -> Evidence {
+    let compared = "2 zeros for λ₀ < η, 2 rests (20) for λ₀ > η, rest throughout (−1) above 1, with a sphere's late period under the pulses";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(416);
+    let all = pulse_points(&mut points, 32);
+    trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
+        let swing = Swing::new(i, &mut points, lambda);
+        let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
+        let (from, to) = (
+            swing.t(SETTLED * TAU + 0.01),
+            swing.t((SETTLED + 1.0) * TAU + 0.01),
+        );
+        let motion = swing.sphere.run(&swing.pulses(eta), &start, to)?;
+        Ok::<_, Failure>(Pair {
+            at: format!("η = {eta:.6}, {}", swing.at()),
+            stated: stated_kind(lambda, eta),
+            found: rolled(&motion, from, to)?,
+            scale: 1.0,
+        })
+    })
+}
+
+/// The pulse train: the part of a period in which the drive rests.
+pub fn pulse_motion() -> Evidence {
+    let compared = "the part of a late period in which the drive's motion rests with that in which the sphere rolls, under the pulses";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(417);
+    let all = pulse_points(&mut points, 24);
+    trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
+        let swing = Swing::new(i, &mut points, lambda);
+        let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
+        let (from, to) = (swing.t(SETTLED * TAU), swing.t((SETTLED + 1.0) * TAU));
+        let motion = swing.sphere.run(&swing.pulses(eta), &start, to)?;
+        let end = eta * PI;
+        let h = |phi: f64| {
+            if phi < end {
+                1.0
+            } else if phi < PI {
+                0.0
+            } else if phi < PI + end {
+                -1.0
+            } else {
+                0.0
+            }
+        };
+        let drive = Drive::new(h, &[0.0, end, PI, PI + end])?;
+        let attractor = settled(&drive, Friction::new(lambda, lambda)?)?;
+        let rests = attractor
+            .intervals()
+            .iter()
+            .filter(|i| i.sign == Sign::Rest);
+        Ok::<_, Failure>(Pair {
+            at: format!("η = {eta:.6}, {}", swing.at()),
+            stated: rests.map(Interval::length).sum::<f64>() / TAU,
+            found: rolling_time(&motion, from, to)? / (to - from),
+            scale: 1.0,
+        })
+    })
+}
+
+/// A late period of the sphere with anisotropic friction: its stretches, from a whole number of periods on.
+fn late_stretches(
+    swing: &Swing,
+    directed: &Directed,
+    w: f64,
+) -> Result<(Vec<i8>, [f64; 3]), Failure> {
+    let (from, to) = (swing.t(SETTLED * TAU), swing.t((SETTLED + 1.0) * TAU));
+    let start = swing.start(w, 0.7);
+    let motion = directed.run(&swing.sine(), [start.v[0], start.omega[1]], 0.0, to)?;
+    let mut ways = Vec::new();
+    let mut lengths = [0.0; 3];
+    for stretch in motion.stretches.iter().filter(|s| s.to > from) {
+        ways.push(stretch.way);
+        lengths[(stretch.way + 1) as usize] += (stretch.to - stretch.from.max(from)) / (to - from);
+    }
+    // The last stretch goes on as the first.
+    if ways.len() > 1 && ways.first() == ways.last() {
+        ways.pop();
+    }
+    Ok((ways, lengths))
+}
+
+/// (q, λ₀) over the map and near its lines.
+fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
+    (0..count)
+        .map(|_| (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4)))
+        .collect()
+}
+
+/// The order of forward slip, backward slip and rolling in a period, as the particle has it.
+pub fn anisotropic_census() -> Evidence {
+    let compared = "the order of forward, backward and no motion in a period of the drive with λ₀ of (85) (1) with that of the sphere's slip (1 if the same)";
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(418);
+    let all = map_points(&mut points, 80);
+    trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
+        let (swing, directed) = directed(i, &mut points, q, lambda);
+        let (ways, _) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
+        let attractor = settled(sine_drive()?, Friction::new(lambda, q * lambda)?)?;
+        let stated: Vec<i8> = attractor
+            .intervals()
+            .iter()
+            .map(|i| i.sign.factor() as i8)
+            .collect();
+        let same = ways.len() == stated.len()
+            && (0..ways.len())
+                .any(|k| (0..ways.len()).all(|j| ways[(j + k) % ways.len()] == stated[j]));
+        Ok::<_, Failure>(Pair {
+            at: format!("q = {q:.6}, {}", swing.at()),
+            stated: 1.0,
+            found: f64::from(u8::from(same)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// How long each lasts.
+pub fn anisotropic_motion() -> Evidence {
+    let compared = "the parts of a period of backward motion and rest, the second one twice, of the drive with λ₀ of (85), where it rests at all, with those of the sphere's slip";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(419);
+    let resting = |(q, lambda): &(f64, f64)| *lambda > 1.0 || q * lambda > 1.0;
+    let all = map_points(&mut points, 60).into_iter().filter(resting);
+    trial.over(all.enumerate(), |(i, (q, lambda))| {
+        let (swing, directed) = directed(i, &mut points, q, lambda);
+        let (_, lengths) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
+        let attractor = settled(sine_drive()?, Friction::new(lambda, q * lambda)?)?;
+        let part = |sign: Sign| {
+            let own = attractor.intervals().iter().filter(|i| i.sign == sign);
+            own.map(Interval::length).sum::<f64>() / TAU
+        };
+        Ok::<_, Failure>(Pair {
+            at: format!("q = {q:.6}, {}", swing.at()),
+            stated: part(Sign::Negative) + 2.0 * part(Sign::Rest),
+            found: lengths[0] + 2.0 * lengths[1],
+            scale: 1.0,
+        })
+    })
+}
+
+/// Two late periods of a solid sphere.
+pub(super) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
+    let sphere = Sphere::with_kappa(0.4);
+    let b = printed::eq67_factor(printed::eq62_kappa(
+        sphere.inertia,
+        sphere.mass,
+        sphere.radius,
+    ));
+    let swing = Swing {
+        sphere,
+        a0: printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda,
+        frequency: 1.0,
+        lambda,
+    };
+    let (from, to) = (SETTLED * TAU, (SETTLED + 2.0) * TAU);
+    let motion = swing
+        .sphere
+        .run(&swing.sine(), &swing.start(0.0, 0.0), to)?;
+    let samples = 480;
+    let mut points = Vec::new();
+    let mut mean = 0.0;
+    for k in 0..=samples {
+        let t = from + (to - from) * f64::from(k) / f64::from(samples);
+        let v = motion.at(t)?.v[0];
+        if k < samples {
+            mean += v / f64::from(samples);
+        }
+        points.push([t - from, motion.slip(t)?[0] / swing.a0, v / swing.a0]);
+    }
+    // The centre's mean velocity depends on the start: it is left out.
+    for point in &mut points {
+        point[2] -= mean / swing.a0;
+    }
+    let mut rolls = Vec::new();
+    let mut since = (motion.contact(from)? == Contact::Rolling).then_some(0.0);
+    for change in motion.transitions().iter().filter(|c| c.t > from) {
+        match (change.to, since) {
+            (Contact::Rolling, None) => since = Some(change.t - from),
+            (Contact::Sliding, Some(begin)) => {
+                rolls.push([begin, change.t - from]);
+                since = None;
+            }
+            _ => {}
+        }
+    }
+    rolls.extend(since.map(|begin| [begin, to - from]));
+    Ok(Swinging {
+        lambda,
+        points,
+        rolls,
+    })
+}

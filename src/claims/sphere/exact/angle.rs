@@ -1,0 +1,111 @@
+//! Constant acceleration, (81) to (83): (74) is (1) with γ for A, b for μg and τ for t, so that (11), (13) and (14)
+//! say what has to be proved.
+
+use super::{Components, body, symbols};
+use crate::claims::constant::exact as constant;
+use crate::corrections::sphere as corrected;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
+use crate::paper::constant as particle;
+use crate::paper::sphere as paper;
+
+/// The ring of λ, γ, u₀, θ, θ₀ and τ, with the powers of the half tangents.
+pub(super) fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["γ", "u₀", "τ"] {
+        ring.symbol(name);
+    }
+    for name in ["θ", "θ₀"] {
+        ring.angle(name);
+    }
+    let lambda = ring.symbol("λ");
+    for name in ["θ", "θ₀"] {
+        let u = ring.half_tangent(name)?;
+        ring.power(&u, &lambda)?;
+    }
+    Ok(ring)
+}
+
+fn prove(
+    title: &str,
+    rests_on: &'static str,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+) -> Proof {
+    match ring() {
+        Err(error) => Proof::impossible(title, error),
+        Ok(ring) => Proof::of(title, &ring, |p| {
+            p.rests_on(&body::prove_eq74(body::eq74()))?;
+            p.rests_on(&body::prove_reduction(body::reduction()))?;
+            let Some(known) = constant::proof(rests_on) else {
+                let name = rests_on.to_owned();
+                return Err(ExactError::UnknownSymbol { name }.into());
+            };
+            p.rests_on(&known)?;
+            p.note(
+                "(74) is (1) with",
+                "u for v, γ for A, b for μg, τ for t; λ = b/γ",
+            );
+            steps(p)
+        }),
+    }
+}
+
+/// Whether the formula says the same as the particle's, in the sphere's variables.
+fn same(p: &mut Prover<'_>, formula: Components, particle: Expr) -> Result<(), Obstacle> {
+    let particle = p.read("The particle's formula", particle)?;
+    for formula in formula {
+        let formula = p.read("The formula", formula)?;
+        p.equal("The two", &particle, &formula)?;
+    }
+    Ok(())
+}
+
+pub(super) fn eq81() -> Components {
+    let [lambda, u0, theta0, theta] = symbols(["λ", "u₀", "θ₀", "θ"]);
+    vec![paper::eq81_slip(lambda, u0, theta0, theta)]
+}
+pub(super) fn prove_eq81(formula: Components) -> Proof {
+    let [lambda, u0, theta0, theta] = symbols(["λ", "u₀", "θ₀", "θ"]);
+    prove("(81): u at the angle θ", "eq-11", |p| {
+        same(p, formula, particle::eq11_speed(lambda, u0, theta0, theta))
+    })
+}
+
+pub(super) fn eq82() -> Components {
+    let [lambda, u0, theta0, theta] = symbols(["λ", "u₀", "θ₀", "θ"]);
+    vec![paper::eq82_time(lambda, u0, theta0, theta)]
+}
+pub(super) fn corrected82() -> Components {
+    let [lambda, gamma, u0, theta0, theta] = symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
+    vec![corrected::time(lambda, gamma, u0, theta0, theta)]
+}
+pub(super) fn prove_eq82(formula: Components) -> Proof {
+    let [lambda, gamma, u0, theta0, theta] = symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
+    prove("(82): τ at the angle θ", "eq-13", |p| {
+        same(
+            p,
+            formula,
+            particle::eq13_time(lambda, gamma, u0, theta0, theta),
+        )
+    })
+}
+
+pub(super) fn eq83() -> Components {
+    let [lambda, u0, theta0, theta, tau] = symbols(["λ", "u₀", "θ₀", "θ", "τ"]);
+    vec![paper::eq83_slip_at_time(lambda, u0, theta0, theta, tau)]
+}
+pub(super) fn corrected83() -> Components {
+    let [lambda, gamma, u0, theta0, theta, tau] = symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
+    vec![corrected::slip_at_time(
+        lambda, gamma, u0, theta0, theta, tau,
+    )]
+}
+pub(super) fn prove_eq83(formula: Components) -> Proof {
+    let [lambda, gamma, u0, theta0, theta, tau] = symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
+    prove("(83): u at the angle θ and the time τ", "eq-14", |p| {
+        same(
+            p,
+            formula,
+            particle::eq14_speed_at_time(lambda, gamma, u0, theta0, theta, tau),
+        )
+    })
+}

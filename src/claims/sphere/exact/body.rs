@@ -1,0 +1,369 @@
+//! The sliding sphere, (63) to (79): rates by the laws of motion against printed rates.
+
+use super::{AXES, Components, symbols};
+use crate::corrections::sphere as corrected;
+use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::general::eq1_velocity_rate;
+use crate::paper::sphere as paper;
+use crate::scalar::Scalar;
+
+/// The friction force on the sphere.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Friction {
+    /// Coulomb's, while the sphere slides.
+    Sliding,
+    /// Any force, as while the sphere rolls.
+    Any,
+}
+
+/// The laws of motion in a ring.
+pub(super) struct Body {
+    pub(super) ring: Ring,
+    /// d/dt along the motion.
+    motion: Derivation,
+}
+
+impl Body {
+    #[cfg(test)]
+    /// Sliding, as most statements have it.
+    pub(super) fn sliding() -> Result<Self, ExactError> {
+        Self::new(Friction::Sliding)
+    }
+
+    fn new(friction: Friction) -> Result<Self, ExactError> {
+        let mut ring = Ring::new();
+        let [m, inertia, radius, mu, k] = ["m", "I", "R", "μ", "k"].map(|name| ring.symbol(name));
+        let [ax, ay] = ["A_x", "A_y"].map(|name| ring.symbol(name));
+        let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
+        let [wx, wy, _] = ["ω_x", "ω_y", "ω_z"].map(|name| ring.symbol(name));
+        for name in ["ν_x", "ν_y", "c_x", "c_y"] {
+            ring.symbol(name);
+        }
+        // k stands for μg; the roots of k and R serve (69) to (71).
+        let g = ring.divide(&k, &mu)?;
+        ring.define("g", g)?;
+        ring.root(&k, 2)?;
+        ring.root(&radius, 2)?;
+        let one = Rational::int(1);
+        let kappa = ring.divide(&inertia, &(&m * &radius.pow(2)))?;
+        ring.define("b", &one + &ring.divide(&one, &kappa)?)?;
+        ring.define("κ", kappa)?;
+        // The velocity of the point at R = (0, 0, −R) from the centre: (v_x − R ω_y, v_y + R ω_x).
+        let slip = [&vx - &(&radius * &wy), &vy + &(&radius * &wx)];
+        let square = slip[0].pow(2) + slip[1].pow(2);
+        let size = ring.root(&square, 2)?;
+        let force = match friction {
+            Friction::Sliding => {
+                let pressed = &m * &k;
+                let along = |w: &Rational| ring.divide(&-(&pressed * w), &size);
+                [along(&slip[0])?, along(&slip[1])?]
+            }
+            Friction::Any => ["F_x", "F_y"].map(|name| ring.symbol(name)),
+        };
+        // Newton: m dv/dt = F − m A. Euler: I dω/dt = R × F = (R F_y, −R F_x, 0).
+        let lever = ring.divide(&radius, &inertia)?;
+        // dν/dt = γ dτ/dt.
+        let clock = ring.read(tau_rate())?;
+        let gamma = |a: &Rational| ring.divide(&(a * &clock), &k);
+        let rates = [
+            ("v_x", ring.divide(&force[0], &m)? - &ax),
+            ("v_y", ring.divide(&force[1], &m)? - &ay),
+            ("ω_x", &lever * &force[1]),
+            ("ω_y", -(&lever * &force[0])),
+            ("ν_x", gamma(&ax)?),
+            ("ν_y", gamma(&ay)?),
+        ];
+        let motion = ring.along(&rates)?;
+        Ok(Body { ring, motion })
+    }
+}
+
+fn prove(
+    title: &str,
+    friction: Friction,
+    steps: impl FnOnce(&mut Prover<'_>, &Body) -> Result<(), Obstacle>,
+) -> Proof {
+    match Body::new(friction) {
+        Err(error) => Proof::impossible(title, error),
+        Ok(body) => Proof::of(title, &body.ring, |p| {
+            match friction {
+                Friction::Sliding => p.note("Friction", "F = −μ m g w/|w| at the contact"),
+                Friction::Any => p.note("Friction", "any force F at the contact"),
+            }
+            p.note("k", "stands for μ g");
+            p.note("Newton", "m dv/dt = F − m A");
+            p.note("Euler", "I dω/dt = (R F_y, −R F_x, 0)");
+            steps(p, &body)
+        }),
+    }
+}
+
+/// d(quantity)/dt times `factor` against the printed rate, by components.
+fn rates(
+    title: &str,
+    friction: Friction,
+    quantity: [Expr; 3],
+    factor: Expr,
+    printed: Components,
+) -> Proof {
+    prove(title, friction, |p, body| {
+        for ((axis, q), printed) in AXES.iter().zip(quantity).zip(printed) {
+            let q = p.read(&format!("The quantity {axis}"), q)?;
+            let rate = p.derivative("Its rate", &q, &body.motion)?;
+            let factor = p.read("times", factor)?;
+            let printed = p.read(&format!("Printed {axis}"), printed)?;
+            p.equal("Rate against printed rate", &(rate * factor), &printed)?;
+        }
+        Ok(())
+    })
+}
+
+fn zero() -> Expr {
+    Expr::int(0)
+}
+fn acceleration() -> [Expr; 3] {
+    let [x, y] = symbols(["A_x", "A_y"]);
+    [x, y, zero()]
+}
+fn velocity() -> [Expr; 3] {
+    let [x, y] = symbols(["v_x", "v_y"]);
+    [x, y, zero()]
+}
+fn omega() -> [Expr; 3] {
+    symbols(["ω_x", "ω_y", "ω_z"])
+}
+fn contact() -> [Expr; 3] {
+    paper::eq61_contact(Expr::symbol("R"))
+}
+fn slip() -> [Expr; 3] {
+    paper::slip(velocity(), omega(), contact())
+}
+fn mu_g_radius() -> [Expr; 3] {
+    symbols(["μ", "g", "R"])
+}
+/// u by (71).
+fn u() -> [Expr; 3] {
+    let [mu, g, radius] = mu_g_radius();
+    paper::eq71_slip(radius, mu, g, slip())
+}
+/// γ by (72).
+fn gamma() -> [Expr; 3] {
+    let [mu, g, _] = mu_g_radius();
+    paper::eq72_acceleration(mu, g, acceleration())
+}
+/// dτ/dt by (69).
+fn tau_rate() -> Expr {
+    let [mu, g, radius] = mu_g_radius();
+    paper::eq69_time(radius, mu, g, Expr::int(1))
+}
+fn per_tau() -> Expr {
+    Expr::int(1) / tau_rate()
+}
+/// dρ/dτ by (68) and (69).
+fn rho_rate() -> [Expr; 3] {
+    paper::eq68_position(Expr::symbol("R"), velocity()).map(|c| c / tau_rate())
+}
+fn nu() -> [Expr; 3] {
+    let [x, y] = symbols(["ν_x", "ν_y"]);
+    [x, y, zero()]
+}
+fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
+    [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
+}
+
+pub(super) fn eq63() -> Components {
+    let [mu, g, _] = mu_g_radius();
+    paper::eq63_velocity_rate(acceleration(), mu, g, velocity(), omega(), contact()).into()
+}
+pub(super) fn prove_eq63(printed: Components) -> Proof {
+    let one = Expr::int(1);
+    rates("(63): d²r/dt²", Friction::Sliding, velocity(), one, printed)
+}
+
+pub(super) fn eq64() -> Components {
+    let [mu, g, _] = mu_g_radius();
+    paper::eq64_spin_rate(mu, g, velocity(), omega(), contact()).into()
+}
+pub(super) fn prove_eq64(printed: Components) -> Proof {
+    let factor = Expr::symbol("κ") * Expr::symbol("R").squared();
+    rates(
+        "(64): κ R² dω/dt",
+        Friction::Sliding,
+        omega(),
+        factor,
+        printed,
+    )
+}
+
+pub(super) fn eq65() -> Components {
+    let [mu, g, _] = mu_g_radius();
+    let kappa = Expr::symbol("κ");
+    paper::eq65_spin_slip_rate(kappa, mu, g, velocity(), omega(), contact()).into()
+}
+pub(super) fn prove_eq65(printed: Components) -> Proof {
+    let spin_share = paper::slip([zero(); 3], omega(), contact());
+    let one = Expr::int(1);
+    rates(
+        "(65): d(ω × R)/dt",
+        Friction::Sliding,
+        spin_share,
+        one,
+        printed,
+    )
+}
+
+pub(super) fn eq66() -> Components {
+    let [mu, g, _] = mu_g_radius();
+    paper::eq66_slip_rate(acceleration(), Expr::symbol("b"), mu, g, slip()).into()
+}
+pub(super) fn prove_eq66(printed: Components) -> Proof {
+    let one = Expr::int(1);
+    rates(
+        "(66): d(dr/dt + ω × R)/dt",
+        Friction::Sliding,
+        slip(),
+        one,
+        printed,
+    )
+}
+
+pub(super) fn eq73() -> Components {
+    paper::eq73_velocity_rate(gamma(), u()).into()
+}
+pub(super) fn prove_eq73(printed: Components) -> Proof {
+    rates(
+        "(73): d²ρ/dτ²",
+        Friction::Sliding,
+        rho_rate(),
+        per_tau(),
+        printed,
+    )
+}
+
+pub(super) fn eq74() -> Components {
+    paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u()).into()
+}
+pub(super) fn prove_eq74(printed: Components) -> Proof {
+    rates("(74): du/dτ", Friction::Sliding, u(), per_tau(), printed)
+}
+
+/// ζ₃ by (70).
+fn zeta() -> [Expr; 3] {
+    let [mu, g, radius] = mu_g_radius();
+    paper::eq70_spin(radius, mu, g, omega())
+}
+pub(super) fn eq75() -> Components {
+    paper::eq75_spin(zeta()[2], u(), rho_rate()).into()
+}
+pub(super) fn corrected75() -> Components {
+    corrected::spin(zeta()[2], u(), rho_rate()).into()
+}
+pub(super) fn prove_eq75(formula: Components) -> Proof {
+    prove("(75): ζ", Friction::Any, |p, _| {
+        for ((axis, zeta), formula) in AXES.iter().zip(zeta()).zip(formula) {
+            let zeta = p.read(&format!("ζ {axis}, by (70)"), zeta)?;
+            let formula = p.read(&format!("The formula {axis}"), formula)?;
+            p.equal("The two", &zeta, &formula)?;
+        }
+        Ok(())
+    })
+}
+
+pub(super) fn eq77() -> Components {
+    paper::eq77_rate(u()).into()
+}
+pub(super) fn prove_eq77(printed: Components) -> Proof {
+    let quantity = sum(rho_rate(), nu());
+    rates(
+        "(77): d(dρ/dτ + ν)/dτ",
+        Friction::Sliding,
+        quantity,
+        per_tau(),
+        printed,
+    )
+}
+
+pub(super) fn eq78() -> Components {
+    paper::eq78_rate(Expr::symbol("b"), u()).into()
+}
+pub(super) fn prove_eq78(printed: Components) -> Proof {
+    let quantity = sum(u(), nu());
+    rates(
+        "(78): d(u + ν)/dτ",
+        Friction::Sliding,
+        quantity,
+        per_tau(),
+        printed,
+    )
+}
+
+pub(super) fn eq79() -> Components {
+    let [cx, cy] = symbols(["c_x", "c_y"]);
+    paper::eq79_velocity(Expr::symbol("b"), nu(), u(), [cx, cy, zero()]).into()
+}
+/// Both sides change alike under any friction force, so that they differ by a constant.
+pub(super) fn prove_eq79(printed: Components) -> Proof {
+    prove("(79): dρ/dτ", Friction::Any, |p, body| {
+        for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed) {
+            let own = p.read(&format!("dρ/dτ {axis}"), own)?;
+            let own = p.derivative("Its rate", &own, &body.motion)?;
+            let printed = p.read(&format!("Printed {axis}"), printed)?;
+            let rate =
+                p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
+            p.equal("The two", &own, &rate)?;
+        }
+        Ok(())
+    })
+}
+
+/// dv/dt of a particle with the velocity w and the friction coefficient bμ, by (1).
+pub(super) fn reduction() -> Components {
+    let [mu, g, _] = mu_g_radius();
+    let ([ax, ay, _], [wx, wy, _]) = (acceleration(), slip());
+    eq1_velocity_rate([ax, ay], Expr::symbol("b") * mu, g, [wx, wy]).into()
+}
+pub(super) fn prove_reduction(particle: Components) -> Proof {
+    prove(
+        "The slip velocity moves as a particle's velocity with bμ for μ",
+        Friction::Sliding,
+        |p, body| {
+            for ((axis, w), particle) in AXES.iter().zip(slip()).zip(particle) {
+                let w = p.read(&format!("w {axis}"), w)?;
+                let rate = p.derivative("Its rate", &w, &body.motion)?;
+                let particle = p.read(&format!("(1) {axis}, with bμ"), particle)?;
+                p.equal("The two", &rate, &particle)?;
+            }
+            Ok(())
+        },
+    )
+}
+
+/// dω_z/dt.
+pub(super) fn spin_rate() -> Components {
+    vec![zero()]
+}
+pub(super) fn prove_spin_constant(stated: Components) -> Proof {
+    prove(
+        "ζ₃ is constant and enters nothing else",
+        Friction::Sliding,
+        |p, body| {
+            let spin = p.read("The vertical spin", omega()[2])?;
+            let rate = p.derivative("Its rate", &spin, &body.motion)?;
+            for stated in stated {
+                let stated = p.read("Stated", stated)?;
+                p.equal("Rate against stated rate", &rate, &stated)?;
+            }
+            for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
+                let q = p.read("Of", q)?;
+                let rate = p.derivative("the rate", &q, &body.motion)?;
+                let slope = p.derivative(
+                    "has with respect to ω_z the slope",
+                    &rate,
+                    &p.ring().by("ω_z")?,
+                )?;
+                p.zero("It", &slope)?;
+            }
+            Ok(())
+        },
+    )
+}

@@ -1,0 +1,178 @@
+//! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
+
+use super::runs::{Run, length, mixed, sphere, weighed};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{FOREIGN, MOTION};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::Plane;
+use crate::motion::sphere::{Ball, Contact};
+use crate::numerics::dop853;
+use crate::numerics::quadrature::integral_within;
+use crate::paper::sphere as printed;
+
+const fn consistency(compared: &'static str) -> Trial {
+    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
+}
+
+/// Friction on the sphere whose lowest point has this velocity relative to the plane.
+fn friction(run: &Run, slip: [f64; 3]) -> [f64; 3] {
+    let sphere = run.case.sphere;
+    let size = length(slip);
+    slip.map(|c| -sphere.mu * sphere.mass * sphere.g * c / size)
+}
+
+/// v and ω at the end of a motion by (59) and (60), with a foreign integrator.
+fn by_the_laws(run: &Run) -> Result<[f64; 5], Failure> {
+    let sphere = run.case.sphere;
+    let plane = |_: f64, y: &[f64; 6]| {
+        let (v, omega) = ([y[0], y[1], 0.0], [y[2], y[3], y[4]]);
+        let contact = run.case.contact();
+        let force = friction(run, printed::slip(v, omega, contact));
+        let a = run.case.acceleration(y[5]);
+        let push = printed::eq59_momentum_rate(sphere.mass, a, force);
+        let twist = printed::eq60_spin_rate(contact, force);
+        let (m, i) = (sphere.mass, sphere.inertia);
+        [
+            push[0] / m,
+            push[1] / m,
+            twist[0] / i,
+            twist[1] / i,
+            twist[2] / i,
+            1.0,
+        ]
+    };
+    let Ball { v, omega, .. } = run.case.start;
+    let start = [v[0], v[1], omega[0], omega[1], omega[2], 0.0];
+    let [a, b, c, d, e, _] = dop853::end(plane, 0.0, start, run.until, 1e-13, 1e-14)?;
+    Ok([a, b, c, d, e])
+}
+
+/// (59): the laboratory knows no inertial force. There the centre's velocity V changes by friction alone.
+pub fn eq59() -> Evidence {
+    let compared =
+        "v by (59) and (60) with V − U of the laboratory, where friction alone acts; x + 2y";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
+    trial.over(super::runs::sliding(), |run| {
+        let run = run?;
+        let sphere = run.case.sphere;
+        // V, U, the rates of turning about x and y, the time.
+        let laboratory = |_: f64, y: &[f64; 7]| {
+            let slip = [
+                y[0] - y[2] - sphere.radius * y[5],
+                y[1] - y[3] + sphere.radius * y[4],
+                0.0,
+            ];
+            let [fx, fy, _] = friction(run, slip);
+            let [ax, ay, _] = run.case.acceleration(y[6]);
+            let lever = sphere.radius / sphere.inertia;
+            let m = sphere.mass;
+            [fx / m, fy / m, ax, ay, lever * fy, -lever * fx, 1.0]
+        };
+        let Ball { v, omega, .. } = run.case.start;
+        let start = [v[0], v[1], 0.0, 0.0, omega[0], omega[1], 0.0];
+        let seen = dop853::end(laboratory, 0.0, start, run.until, 1e-13, 1e-14)?;
+        let stated = by_the_laws(run)?;
+        Ok::<_, Failure>(Pair {
+            at: run.at(run.until),
+            stated: stated[0] + 2.0 * stated[1],
+            found: seen[0] - seen[2] + 2.0 * (seen[1] - seen[3]),
+            scale: libm::hypot(v[0], v[1]) + libm::hypot(seen[0], seen[1]),
+        })
+    })
+}
+
+/// (60): against the rigid body's own integrator.
+pub fn eq60() -> Evidence {
+    let compared = "ω by (59) and (60), by a foreign integrator, with ω of the motion; x + 2y + 3z";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
+    trial.over(super::runs::sliding(), |run| {
+        let run = run?;
+        let [_, _, x, y, z] = by_the_laws(run)?;
+        let found = run.motion.end().omega;
+        Ok::<_, Failure>(Pair {
+            at: run.at(run.until),
+            stated: weighed([x, y, z]),
+            found: weighed(found),
+            scale: length(found) + length(run.case.start.omega),
+        })
+    })
+}
+
+/// (61): the point at **R** from the centre of a rolling sphere is at rest.
+pub fn eq61() -> Evidence {
+    let trial =
+        consistency("−ω × (61) with the velocity of the centre of a rolling sphere; x + 2y");
+    let rolling = mixed().flat_map(|run| match run {
+        Ok(run) => {
+            let times = (1..=8).map(|k| f64::from(k) / 8.0 * run.until);
+            let rolls = |t: &f64| run.motion.contact(*t) == Ok(Contact::Rolling);
+            times.filter(rolls).map(|t| Ok((run, t))).collect()
+        }
+        Err(error) => vec![Err(error)],
+    });
+    trial.over(rolling, |state| {
+        let (run, t) = state?;
+        let ball = run.motion.at(t)?;
+        let turning = printed::slip([0.0; 3], ball.omega, run.case.contact());
+        Ok::<_, Failure>(Pair {
+            at: run.at(t),
+            stated: -weighed(turning),
+            found: weighed([ball.v[0], ball.v[1], 0.0]),
+            scale: libm::hypot(ball.v[0], ball.v[1])
+                + length(run.case.start.omega) * run.case.sphere.radius,
+        })
+    })
+}
+
+/// (67): on a plane at rest the slip velocity w lasts for w/(bμg).
+pub fn eq67() -> Evidence {
+    let trial = consistency(
+        "w/(bμg), b by (67), with the time at which a sphere on a plane at rest begins to roll",
+    );
+    let mut points = Points::stream(402);
+    trial.over(0..60, |i| {
+        let sphere = sphere(i, &mut points);
+        let (w, angle) = (points.log_uniform(0.1, 10.0), points.uniform(-3.1, 3.1));
+        let start = Ball {
+            t: 0.0,
+            x: [0.0; 2],
+            v: [w * libm::cos(angle), w * libm::sin(angle)],
+            omega: [0.0; 3],
+        };
+        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
+        let stated = w / (printed::eq67_factor(kappa) * sphere.mu * sphere.g);
+        let motion = sphere.run(&Plane::constant([0.0; 2]), &start, 3.0 * stated)?;
+        let found = motion.transitions().first().map(|transition| transition.t);
+        Ok::<_, Failure>(Pair {
+            at: format!(
+                "κ = {kappa:.6}, μ = {:.6}, g = {:.6}, w = {w:.6}",
+                sphere.mu, sphere.g
+            ),
+            stated,
+            found: found.ok_or("it does not roll")?,
+            scale: stated,
+        })
+    })
+}
+
+/// (76): what the plane gains on a body that feels no friction.
+pub fn eq76() -> Evidence {
+    let trial =
+        consistency("∫ (76) dτ with −v/√(μgR) of a particle from rest without friction; x + 2y");
+    trial.over(mixed(), |run| {
+        let run = run?;
+        let (_, mu, g) = run.case.units();
+        let rate = |t: f64| {
+            let gamma = printed::eq72_acceleration(mu, g, run.case.acceleration(t));
+            run.tau_rate() * weighed(printed::eq76_nu_rate(gamma))
+        };
+        let size = run.tau_rate() * run.until * run.case.size / (mu * g);
+        Ok::<_, Failure>(Pair {
+            at: run.at(run.until),
+            stated: integral_within(rate, 0.0, run.until, 1e-13 * size)?.value,
+            found: weighed(super::rates::nu(run, run.until)?),
+            scale: size,
+        })
+    })
+}

@@ -1,0 +1,240 @@
+//! The motions of the rigid sphere that section 3 is held against, with m, R, I, μ and g that are not 1.
+
+use crate::claims::points::Points;
+use crate::motion::sphere::{Ball, Motion, Sphere};
+use crate::motion::{Acceleration, MotionError, Plane, Signal};
+use crate::paper::sphere as printed;
+use std::f64::consts::{PI, TAU};
+use std::sync::LazyLock;
+
+/// A sphere on a plane, from a start.
+#[derive(Debug, Clone)]
+pub struct Case {
+    /// The sphere and its friction.
+    pub sphere: Sphere,
+    /// The plane.
+    pub plane: Plane,
+    /// The size of A.
+    pub size: f64,
+    /// The state at t = 0.
+    pub start: Ball,
+    /// How the case is called: its parameters.
+    pub name: String,
+}
+
+/// A case and its motion.
+#[derive(Debug)]
+pub struct Run {
+    /// The case.
+    pub case: Case,
+    /// The motion.
+    pub motion: Motion,
+    /// Its end.
+    pub until: f64,
+}
+
+impl Case {
+    /// A over time.
+    pub fn acceleration(&self, t: f64) -> [f64; 3] {
+        let [x, y] = self.plane.coefficients(t).map(|series| series[0]);
+        [x, y, 0.0]
+    }
+
+    /// **R** by (61).
+    pub fn contact(&self) -> [f64; 3] {
+        printed::eq61_contact(self.sphere.radius)
+    }
+
+    /// κ by (62).
+    pub fn kappa(&self) -> f64 {
+        printed::eq62_kappa(self.sphere.inertia, self.sphere.mass, self.sphere.radius)
+    }
+
+    /// b by (67).
+    pub fn b(&self) -> f64 {
+        printed::eq67_factor(self.kappa())
+    }
+
+    /// (R, μ, g), the units of (68) to (72).
+    pub fn units(&self) -> (f64, f64, f64) {
+        (self.sphere.radius, self.sphere.mu, self.sphere.g)
+    }
+
+    /// The motion until a time.
+    pub fn run(self, until: f64) -> Result<Run, MotionError> {
+        let motion = self.sphere.run(&self.plane, &self.start, until)?;
+        Ok(Run {
+            case: self,
+            motion,
+            until,
+        })
+    }
+}
+
+/// The dimensionless state at a time.
+#[derive(Debug, Clone, Copy)]
+pub struct Dimensionless {
+    /// ρ by (68).
+    pub rho: [f64; 3],
+    /// dρ/dτ by (68) and (69).
+    pub rho_rate: [f64; 3],
+    /// ζ by (70).
+    pub zeta: [f64; 3],
+    /// u by (71).
+    pub u: [f64; 3],
+    /// γ by (72).
+    pub gamma: [f64; 3],
+}
+
+impl Run {
+    /// The state at a time in the paper's units.
+    pub fn dimensionless(&self, t: f64) -> Result<Dimensionless, MotionError> {
+        let (radius, mu, g) = self.case.units();
+        let ball = self.motion.at(t)?;
+        let [sx, sy] = self.motion.slip(t)?;
+        let flat = |[x, y]: [f64; 2]| [x, y, 0.0];
+        let rate = printed::eq68_position(radius, flat(ball.v));
+        Ok(Dimensionless {
+            rho: printed::eq68_position(radius, flat(ball.x)),
+            rho_rate: rate.map(|c| c / self.tau_rate()),
+            zeta: printed::eq70_spin(radius, mu, g, ball.omega),
+            u: printed::eq71_slip(radius, mu, g, [sx, sy, 0.0]),
+            gamma: printed::eq72_acceleration(mu, g, self.case.acceleration(t)),
+        })
+    }
+
+    /// dτ/dt by (69).
+    pub fn tau_rate(&self) -> f64 {
+        let (radius, mu, g) = self.case.units();
+        printed::eq69_time(radius, mu, g, 1.0)
+    }
+
+    /// The point in words.
+    pub fn at(&self, t: f64) -> String {
+        format!("{}, t = {t:.6}", self.case.name)
+    }
+}
+
+/// A random sphere: between a point mass and a hoop, the solid and the hollow one in their turn.
+pub fn sphere(i: usize, points: &mut Points) -> Sphere {
+    let kappa = match i % 4 {
+        0 => 0.4,
+        1 => 2.0 / 3.0,
+        2 => points.uniform(0.05, 1.0),
+        _ => points.uniform(0.2, 0.8),
+    };
+    let (mass, radius) = (points.log_uniform(0.2, 5.0), points.log_uniform(0.2, 5.0));
+    Sphere {
+        mass,
+        radius,
+        inertia: kappa * mass * radius * radius,
+        mu: points.uniform(0.1, 0.9),
+        g: points.uniform(2.0, 12.0),
+    }
+}
+
+/// A random case: constant, swinging and turning accelerations of a size to let the sphere slide and roll.
+pub fn case(i: usize, points: &mut Points) -> Case {
+    let sphere = sphere(i, points);
+    let push = sphere.mu * sphere.g;
+    let size = push * points.log_uniform(0.4, 6.0);
+    let angle = points.uniform(-PI, PI);
+    let direction = [libm::cos(angle), libm::sin(angle)];
+    let (frequency, phase) = (points.uniform(0.5, 3.0), points.uniform(0.0, TAU));
+    let sine = Signal::Sine { frequency, phase };
+    let plane = match i % 3 {
+        0 => Plane::constant(direction.map(|c| c * size)),
+        1 => Plane::along(direction, sine.times(size)),
+        _ => Plane::rotating(Signal::constant(size), frequency, phase),
+    };
+    let speed = push * points.log_uniform(0.3, 3.0);
+    let (toward, around) = (points.uniform(-PI, PI), points.uniform(-PI, PI));
+    let turn = points.log_uniform(0.3, 3.0) * speed / sphere.radius;
+    let start = Ball {
+        t: 0.0,
+        x: [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)],
+        v: [speed * libm::cos(toward), speed * libm::sin(toward)],
+        omega: [
+            turn * libm::cos(around),
+            turn * libm::sin(around),
+            points.uniform(-2.0, 2.0) * turn,
+        ],
+    };
+    let kind = ["constant", "swinging", "turning"][i % 3];
+    let name = format!(
+        "κ = {:.6}, m = {:.6}, R = {:.6}, μ = {:.6}, g = {:.6}, {kind} A of size {size:.6}",
+        sphere.kappa(),
+        sphere.mass,
+        sphere.radius,
+        sphere.mu,
+        sphere.g
+    );
+    Case {
+        sphere,
+        plane,
+        size,
+        start,
+        name,
+    }
+}
+
+type Shared = LazyLock<Result<Vec<Run>, MotionError>>;
+
+fn shared(runs: &'static Shared) -> impl Iterator<Item = Result<&'static Run, MotionError>> {
+    let (runs, error) = match &**runs {
+        Ok(runs) => (&runs[..], None),
+        Err(error) => (&[][..], Some(Err(error.clone()))),
+    };
+    runs.iter().map(Ok).chain(error)
+}
+
+/// Motions that end before sliding does.
+pub fn sliding() -> impl Iterator<Item = Result<&'static Run, MotionError>> {
+    static RUNS: Shared = LazyLock::new(|| {
+        let mut points = Points::stream(400);
+        let run = |i| {
+            let case = case(i, &mut points);
+            let [x, y] = case.sphere.contact(&case.start);
+            let slip = libm::hypot(x, y);
+            let friction = case.b() * case.sphere.mu * case.sphere.g;
+            // The lowest point loses its velocity no faster than friction and A together take it.
+            let a = (0..40).map(|k| {
+                let [x, y, _] = case.acceleration(f64::from(k) * slip / friction / 40.0);
+                libm::hypot(x, y)
+            });
+            let until = 0.7 * slip / (friction + a.fold(0.0, f64::max));
+            case.run(until)
+        };
+        (0..32).map(run).collect()
+    });
+    shared(&RUNS)
+}
+
+/// Motions that slide and roll.
+pub fn mixed() -> impl Iterator<Item = Result<&'static Run, MotionError>> {
+    static RUNS: Shared = LazyLock::new(|| {
+        let mut points = Points::stream(401);
+        let run = |i| {
+            let case = case(i, &mut points);
+            let until = points.uniform(3.0, 9.0);
+            case.run(until)
+        };
+        (0..32).map(run).collect()
+    });
+    shared(&RUNS)
+}
+
+/// The times of a motion at which something is compared: three between its start and its end.
+pub fn times(run: &Run) -> [f64; 3] {
+    [0.31, 0.62, 1.0].map(|share| share * run.until)
+}
+
+/// All components of a vector in one number, each with a weight of its own.
+pub fn weighed([x, y, z]: [f64; 3]) -> f64 {
+    x + 2.0 * y + 3.0 * z
+}
+
+/// |a|.
+pub fn length([x, y, z]: [f64; 3]) -> f64 {
+    libm::hypot(libm::hypot(x, y), z)
+}

@@ -1,0 +1,146 @@
+//! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
+
+use super::runs::{length, mixed, times, weighed};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::corrections::sphere as corrected;
+use crate::evidence::{Evidence, Subject};
+use crate::motion::sphere::Contact;
+use crate::motion::{PhaseKind, State, run};
+use crate::paper::sphere as printed;
+
+/// The particle with bμ that begins with the sphere's slip velocity.
+fn particle(run_of: &super::runs::Run) -> Result<crate::motion::Motion, Failure> {
+    let case = &run_of.case;
+    let start = State {
+        t: 0.0,
+        v: case.sphere.contact(&case.start),
+        x: [0.0; 2],
+    };
+    let friction = case.b() * case.sphere.mu * case.sphere.g;
+    Ok(run(&case.plane, friction, start, run_of.until)?)
+}
+
+/// The slip velocity is the particle's velocity, sliding and rolling.
+pub fn reduction_motion() -> Evidence {
+    let compared = "v of a particle with bμ under the same A with the slip velocity of the motion, sliding and rolling; x + 2y";
+    Trial::motion(Subject::Printed, compared).over(
+        mixed().flat_map(|run| match run {
+            Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
+            Err(error) => vec![Err(error)],
+        }),
+        |state| {
+            let (run, t) = state?;
+            let [x, y] = particle(run)?.at(t)?.v;
+            let [sx, sy] = run.motion.slip(t)?;
+            let [ux, uy] = run.case.sphere.contact(&run.case.start);
+            let push = length(run.case.acceleration(t)).max(run.case.sphere.mu * run.case.sphere.g);
+            Ok::<_, Failure>(Pair {
+                at: run.at(t),
+                stated: x + 2.0 * y,
+                found: sx + 2.0 * sy,
+                scale: libm::hypot(ux, uy) + push * t,
+            })
+        },
+    )
+}
+
+/// The sphere rolls while the particle rests.
+pub fn reduction_rolling() -> Evidence {
+    let compared = "the time that a particle with bμ rests with the time that the sphere rolls";
+    Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
+        let run = run?;
+        let rests: f64 = particle(run)?
+            .phases()
+            .iter()
+            .filter(|phase| phase.kind == PhaseKind::Stick)
+            .map(|phase| phase.to - phase.from)
+            .sum();
+        Ok::<_, Failure>(Pair {
+            at: run.at(run.until),
+            stated: rests,
+            found: rolling_time(&run.motion, 0.0, run.until)?,
+            scale: run.until,
+        })
+    })
+}
+
+/// How long the sphere rolls between two times.
+pub(super) fn rolling_time(
+    motion: &crate::motion::sphere::Motion,
+    from: f64,
+    to: f64,
+) -> Result<f64, Failure> {
+    let within = motion
+        .transitions()
+        .iter()
+        .filter(|c| c.t > from && c.t < to);
+    let mut total = 0.0;
+    let (mut now, mut since) = (motion.contact(from)?, from);
+    for change in within {
+        if now == Contact::Rolling {
+            total += change.t - since;
+        }
+        (now, since) = (change.to, change.t);
+    }
+    if now == Contact::Rolling {
+        total += to - since;
+    }
+    Ok(total)
+}
+
+/// The rest follows from u: dρ/dτ by (79), then ζ by the corrected (75), both from the particle's velocity.
+pub fn reduction_rest() -> Evidence {
+    let compared = "velocity dρ/dτ by (79) and spin ζ by the corrected (75), with u of the particle, with the motion; all components, weighed";
+    Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
+        let run = run?;
+        let (b, t, zero) = (run.case.b(), run.until, [0.0; 3]);
+        let (start, now) = (run.dimensionless(0.0)?, run.dimensionless(t)?);
+        let (radius, mu, g) = run.case.units();
+        let [x, y] = particle(run)?.end().v;
+        let u = printed::eq71_slip(radius, mu, g, [x, y, 0.0]);
+        let without = printed::eq79_velocity(b, zero, start.u, zero);
+        let c = [0, 1, 2].map(|i| start.rho_rate[i] - without[i]);
+        let nu = super::rates::nu(run, t)?;
+        let velocity = printed::eq79_velocity(b, nu, u, c);
+        let zeta = corrected::spin(start.zeta[2], u, velocity);
+        Ok::<_, Failure>(Pair {
+            at: run.at(t),
+            stated: weighed(velocity) + 7.0 * weighed(zeta),
+            found: weighed(now.rho_rate) + 7.0 * weighed(now.zeta),
+            scale: length(nu)
+                + length(u)
+                + length(velocity)
+                + length(start.rho_rate)
+                + length(zeta),
+        })
+    })
+}
+
+/// The vertical spin keeps its value, and another one changes nothing else.
+pub fn spin_constant() -> Evidence {
+    let compared = "ω_z at the start, and the end's x, v, ω_x, ω_y with three times that ω_z, with those of the motion; weighed";
+    Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
+        let run = run?;
+        let case = &run.case;
+        let mut start = case.start;
+        start.omega[2] *= 3.0;
+        let other = case.sphere.run(&case.plane, &start, run.until)?.end();
+        let end = run.motion.end();
+        let rest = |ball: &crate::motion::sphere::Ball| {
+            let radius = case.sphere.radius;
+            ball.x[0] / radius
+                + 2.0 * ball.x[1] / radius
+                + 3.0 * ball.v[0]
+                + 4.0 * ball.v[1]
+                + radius * (5.0 * ball.omega[0] + 6.0 * ball.omega[1])
+        };
+        let spin = |value: f64| 7.0 * case.sphere.radius * value;
+        let size = length([end.v[0], end.v[1], 0.0]) + case.sphere.radius * length(end.omega);
+        Ok::<_, Failure>(Pair {
+            at: run.at(run.until),
+            stated: rest(&other) + spin(case.start.omega[2]),
+            found: rest(&end) + spin(end.omega[2]),
+            scale: size + libm::hypot(end.x[0], end.x[1]) / case.sphere.radius,
+        })
+    })
+}

@@ -1,0 +1,167 @@
+//! Trials of work and energy: (104) to (106), and who does the work.
+
+use super::stretches::{ANY, Launch, launches, stretches};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::tolerances::FRAMES;
+use crate::corrections::turntable as corrections;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::turntable::{State, Table};
+use crate::numerics::quadrature::integral;
+use crate::paper::turntable as printed;
+
+/// (104), with the arc length of the integration by components.
+pub fn eq104() -> Evidence {
+    let trial = Trial::motion(
+        Subject::Printed,
+        "(104) at the end of a stretch of motion with (104) at its begin",
+    );
+    trial.over(stretches(ANY), |stretch| {
+        let stretch = stretch?;
+        let value = |tau: f64| -> Result<f64, Failure> {
+            let part = stretch.part(tau)?;
+            Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
+        };
+        Ok::<_, Failure>(Pair {
+            at: stretch.at(),
+            stated: value(stretch.to)?,
+            found: value(stretch.from)?,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (105).
+pub fn eq105() -> Evidence {
+    let compared =
+        "∫ (105) dτ in the frame of the table with the arc length by components along the velocity";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
+    trial.over(stretches(ANY), |stretch| {
+        let stretch = stretch?;
+        let rate = |tau: f64| {
+            let view = stretch.view(tau);
+            view.map_or(f64::NAN, |v| printed::eq105_arc_rate(v.p))
+        };
+        Ok::<_, Failure>(Pair {
+            at: stretch.at(),
+            stated: integral(rate, stretch.from, stretch.to)?.value,
+            found: stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
+            scale: 1.0,
+        })
+    })
+}
+
+/// The way on the table up to the end of a launch, by the motion found in the laboratory.
+pub fn way(launch: &Launch) -> Result<f64, Failure> {
+    let speed = |t: f64| launch.still.on_table(t).map_or(f64::NAN, |s| s.speed());
+    Ok(integral(speed, 0.0, launch.to)?.value)
+}
+
+/// The energy that (106) is about, as printed or as corrected, at the end with that at the begin.
+fn kept(
+    subject: Subject,
+    compared: &'static str,
+    energy: impl Fn(&Table, &State, f64) -> f64,
+) -> Evidence {
+    let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
+    trial.over(launches(), |launch| {
+        let launch = launch?;
+        let Table { omega, mass: m, .. } = launch.table;
+        let end = launch.still.on_table(launch.to)?;
+        let size =
+            |s: &State| 0.5 * m * (s.speed() * s.speed() + omega * omega * s.radius() * s.radius());
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: energy(&launch.table, &end, way(launch)?),
+            found: energy(&launch.table, &launch.start, 0.0),
+            scale: size(&launch.start).max(size(&end)),
+        })
+    })
+}
+
+/// (106) as printed.
+pub fn eq106() -> Evidence {
+    let compared = "(106) at the end of a motion with (106) at its begin";
+    kept(Subject::Printed, compared, |table, state, s| {
+        printed::eq106_constant(table.mass, table.g, table.omega, state.x, state.v, s)
+    })
+}
+
+/// (106) with m μ g s.
+pub fn eq106_corrected() -> Evidence {
+    let compared = "(106) with mμgs at the end of a motion with the same at its begin";
+    kept(Subject::Corrected, compared, |table, state, s| {
+        let Table { omega, mu, g, mass } = *table;
+        corrections::constant(mass, mu, g, omega, state.x, state.v, s)
+    })
+}
+
+/// The work that friction does on the particle relative to the table, as the laboratory has it. There friction
+/// F is the only force, so that ∫ F·V dt is the change of m V²/2 and ∫ F·(Ω ẑ × X) dt is Ω times that of the
+/// angular momentum; the work along V − Ω ẑ × X is their difference.
+fn friction_work(launch: &Launch) -> Result<f64, Failure> {
+    let Table { omega, mass: m, .. } = launch.table;
+    let value = |s: &State| {
+        let kinetic = 0.5 * m * (s.v[0] * s.v[0] + s.v[1] * s.v[1]);
+        kinetic - omega * m * (s.x[0] * s.v[1] - s.x[1] * s.v[0])
+    };
+    Ok(value(&launch.still.at(launch.to)?) - value(&launch.still.at(0.0)?))
+}
+
+fn work(
+    subject: Subject,
+    compared: &'static str,
+    formula: impl Fn(&Table, f64) -> f64,
+) -> Evidence {
+    let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
+    trial.over(launches(), |launch| {
+        let launch = launch?;
+        let found = friction_work(launch)?;
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: formula(&launch.table, way(launch)?),
+            found,
+            scale: found.abs().max(launch.table.energy(&launch.start).abs()),
+        })
+    })
+}
+
+/// −mgs as the work of friction.
+pub fn friction() -> Evidence {
+    let compared =
+        "−mgs with the work of friction along the way s on the table, found in the laboratory";
+    work(Subject::Printed, compared, |table, s| {
+        printed::friction_work(table.mass, table.g, s)
+    })
+}
+
+/// −mμgs as the work of friction.
+pub fn friction_corrected() -> Evidence {
+    let compared =
+        "−mμgs with the work of friction along the way s on the table, found in the laboratory";
+    work(Subject::Corrected, compared, |table, s| {
+        corrections::friction_work(table.mass, table.mu, table.g, s)
+    })
+}
+
+/// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken
+/// off is the work of the Coriolis force.
+pub fn coriolis() -> Evidence {
+    let compared = "0 with the work of the Coriolis force: the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FRAMES);
+    trial.over(launches(), |launch| {
+        let launch = launch?;
+        let Table { omega, mass: m, .. } = launch.table;
+        let (begin, end) = (&launch.start, launch.turning.at(launch.to)?);
+        let kinetic = |s: &State| 0.5 * m * s.speed() * s.speed();
+        let centrifugal = |s: &State| 0.5 * m * omega * omega * s.radius() * s.radius();
+        let friction = friction_work(launch)?;
+        let found =
+            kinetic(&end) - kinetic(begin) - (centrifugal(&end) - centrifugal(begin)) - friction;
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: 0.0,
+            found,
+            scale: kinetic(begin) + centrifugal(begin) + kinetic(&end) + centrifugal(&end),
+        })
+    })
+}

@@ -1,0 +1,106 @@
+//! The quasi-fixed points (124) and (125), and their stability.
+
+use super::{Setting, prove, symbols};
+use crate::exact::{Expr, Node, Obstacle, Proof, Prover, Rational};
+use crate::paper::turntable as paper;
+use crate::scalar::Scalar;
+
+pub(super) fn eq124() -> Vec<Expr> {
+    vec![paper::eq124_psi1(Expr::symbol("α"))]
+}
+
+pub(super) fn eq125() -> Vec<Expr> {
+    vec![paper::eq125_psi2(Expr::symbol("α"))]
+}
+
+/// A formula with the angle q wherever it has an arcsine, and what that is the arcsine of.
+pub(super) fn name_arcsine(formula: Expr) -> (Expr, Option<Expr>) {
+    use crate::exact::Function;
+    match formula.node() {
+        Node::Call(Function::Asin, of) => (Expr::symbol("q"), Some(of)),
+        Node::Call(f, x) => {
+            let (x, of) = name_arcsine(x);
+            (Expr::new(Node::Call(f, x)), of)
+        }
+        Node::Neg(x) => {
+            let (x, of) = name_arcsine(x);
+            (-x, of)
+        }
+        Node::Binary(op, x, y) => {
+            let (x, in_x) = name_arcsine(x);
+            let (y, in_y) = name_arcsine(y);
+            (Expr::new(Node::Binary(op, x, y)), in_x.or(in_y))
+        }
+        Node::Int(_) | Node::Pi | Node::Symbol(_) => (formula, None),
+    }
+}
+
+/// A function of α and ψ at the angle ψ that a formula with an arcsine gives.
+fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstacle> {
+    let ring = p.ring();
+    let (angle, sine) = name_arcsine(angle);
+    let value = p.read("At the angle, with q for the arcsine", f.with("ψ", angle))?;
+    let Some(sine) = sine else {
+        return Ok(value);
+    };
+    let sine = p.read("The sine of q", sine)?;
+    let one = Rational::int(1);
+    let squared = ring.normal(&(&one - &sine * &sine));
+    // q lies between −π/2 and π/2, where the cosine is the positive root.
+    let double = Expr::int(2) * Expr::symbol("α");
+    let cosine = p.read("The cosine of q", Expr::int(1) / double.cosh())?;
+    p.equal(
+        "Its square against 1 − sin² q",
+        &(&cosine * &cosine),
+        &squared,
+    )?;
+    let tangent = p.quotient("tan(q/2) = sin q/(1 + cos q)", &sine, &(&one + &cosine))?;
+    let value = ring.put(
+        &ring.normal(&value),
+        &[(&ring.half_tangent("q")?, &tangent)],
+    )?;
+    p.note("With that", ring.text(&value));
+    Ok(value)
+}
+
+/// (115) is zero at the given angle, α held fixed.
+pub(super) fn prove_zero(printed: &[Expr]) -> Proof {
+    let title = "(115) is zero at a quasi-fixed point";
+    prove(title, Setting::fixed(), |p, _| {
+        let [alpha, psi] = symbols(["α", "ψ"]);
+        let rate = at_angle(p, paper::eq115_psi_rate(alpha, psi), printed[0])?;
+        p.zero("dψ/dτ", &rate)
+    })
+}
+
+/// dψ̇/dψ of (115), and its value at ψ₁ and ψ₂.
+pub(super) fn slope() -> Vec<Expr> {
+    let [alpha, psi] = symbols(["α", "ψ"]);
+    vec![paper::eq115_psi_rate(alpha, psi)]
+}
+
+/// A deviation from ψ₁ shrinks at the rate 2/sinh 2α, one from ψ₂ grows at that rate.
+pub(super) fn prove_slope(printed: &[Expr]) -> Proof {
+    let title = "the slope of (115) at its zeros, α held fixed";
+    prove(title, Setting::fixed(), |p, _| {
+        let ring = p.ring();
+        let [alpha, psi] = symbols(["α", "ψ"]);
+        let expected = Expr::int(2) / (Expr::int(2) * alpha).sinh();
+        let read = p.read("(115)", printed[0])?;
+        let found = p.derivative("Its derivative with respect to ψ", &read, &ring.by("ψ")?)?;
+        // The same derivative as a tree, to be taken at an angle.
+        let tree = -(Expr::int(2) * psi.cos() * (Expr::int(2) * alpha).coth());
+        let as_tree = p.read("The same, written out", tree)?;
+        p.equal("They are the same", &found, &as_tree)?;
+        for (name, angle, sign) in [("ψ₁", eq124(), -1), ("ψ₂", eq125(), 1)] {
+            p.note("At", name);
+            let rate = at_angle(p, printed[0], angle[0])?;
+            p.zero("dψ/dτ there", &rate)?;
+            let value = at_angle(p, tree, angle[0])?;
+            let rate = p.read("The rate expected", Expr::int(sign) * expected)?;
+            p.equal("Slope against that", &value, &rate)?;
+        }
+        p.note("Sign", "sinh 2α > 0 for α > 0: ψ₁ attracts, ψ₂ repels");
+        Ok(())
+    })
+}

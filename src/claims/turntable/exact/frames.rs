@@ -1,0 +1,177 @@
+//! The law of motion in the two frames and without dimensions, (86) and (89); its projections (90) to (92); its
+//! mirror image.
+
+use super::{Setting, prove, symbols, vectors};
+use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
+use crate::paper::turntable as paper;
+use crate::scalar::Scalar;
+
+pub(super) fn eq86() -> Vec<Expr> {
+    let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
+    let [r, v] = vectors();
+    paper::eq86_acceleration(omega, mu, g, r, v).into()
+}
+
+/// The second derivative of a position in the laboratory, X = (x cos φ − y sin φ, x sin φ + y cos φ), if (u, v)
+/// has the given rates, against friction alone.
+pub(super) fn prove_eq86(printed: &[Expr]) -> Proof {
+    let title = "(86): friction alone acts in the laboratory";
+    prove(title, Setting::dimensional(), |p, _| {
+        let ring = p.ring();
+        let [ax, ay] = [0, 1].map(|i| p.read("A component of (86)", printed[i]));
+        let motion = ring.along(&[
+            ("x", ring.named("u")?),
+            ("y", ring.named("v")?),
+            ("u", ax?),
+            ("v", ay?),
+            ("φ", ring.named("Ω")?),
+        ])?;
+        p.note("Instead of that law", "the one given by the formulas read");
+        let [[x, y], [u, v]] = vectors();
+        let [phi, mu, g] = symbols(["φ", "μ", "g"]);
+        let speed = (u.squared() + v.squared()).sqrt();
+        let seen =
+            |a: Expr, b: Expr| [a * phi.cos() - b * phi.sin(), a * phi.sin() + b * phi.cos()];
+        // Relative to the table the particle has the velocity (u, v); friction opposes it.
+        let friction = seen(-mu * g * u / speed, -mu * g * v / speed);
+        for (place, force) in seen(x, y).into_iter().zip(friction) {
+            let place = p.read("A component of the position in the laboratory", place)?;
+            let velocity = p.derivative("Its rate", &place, &motion)?;
+            let acceleration = p.derivative("The rate of that", &velocity, &motion)?;
+            let force = p.read("The friction per mass", force)?;
+            p.equal(
+                "Acceleration in the laboratory against friction",
+                &acceleration,
+                &force,
+            )?;
+        }
+        Ok(())
+    })
+}
+
+pub(super) fn eq89() -> Vec<Expr> {
+    let [position, rate] = vectors();
+    paper::eq89_acceleration(position, rate).into()
+}
+
+/// The formulas with (87) for the position, its rate by (88) for the velocity, against the second rate by (86).
+pub(super) fn prove_eq89(printed: &[Expr]) -> Proof {
+    let title = "(89) from (86), (87) and (88)";
+    prove(title, Setting::dimensional(), |p, setting| {
+        let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
+        let [r, v] = vectors();
+        let ring = p.ring();
+        let clock = {
+            let time = paper::eq88_time(omega, Expr::symbol("s"));
+            let time = p.read("(88), with s for the time", time)?;
+            p.derivative("dτ/dt", &time, &ring.by("s")?)?
+        };
+        let [px, py] = paper::eq87_position(omega, mu, g, r);
+        // (87) is linear in 𝐫: the same factor takes d𝐫/dt to d𝛒/dt, and dτ/dt takes that to d𝛒/dτ.
+        let [ux, uy] = paper::eq87_position(omega, mu, g, v).map(|c| c / omega);
+        let zero_if_equal = p.quotient("dτ/dt over Ω", &clock, &ring.named("Ω")?)?;
+        p.equal("It is 1", &zero_if_equal, &Rational::int(1))?;
+        for (i, place) in [px, py].into_iter().enumerate() {
+            let place = p.read("A component of (87)", place)?;
+            let first = p.derivative("Its rate in t", &place, &setting.motion)?;
+            let first = p.quotient("Its rate in τ", &first, &clock)?;
+            let second = p.derivative("The rate of that in t", &first, &setting.motion)?;
+            let second = p.quotient("In τ", &second, &clock)?;
+            let formula = put_vectors(printed[i], [[px, py], [ux, uy]]);
+            let formula = p.read("(89), with (87) and (88) put in", formula)?;
+            p.equal("Second rate by (86) against (89)", &second, &formula)?;
+        }
+        Ok(())
+    })
+}
+
+/// A formula with other components for position and velocity.
+fn put_vectors(formula: Expr, [[x, y], [u, v]]: [[Expr; 2]; 2]) -> Expr {
+    // By way of names that stand nowhere else, so that what is put in is not replaced again.
+    let names = [("x", "x*"), ("y", "y*"), ("u", "u*"), ("v", "v*")];
+    let formula = names
+        .iter()
+        .fold(formula, |f, (name, star)| f.with(name, Expr::symbol(star)));
+    names
+        .iter()
+        .zip([x, y, u, v])
+        .fold(formula, |f, ((_, star), value)| f.with(star, value))
+}
+
+/// Position, velocity and acceleration by (89).
+fn elements(p: &mut Prover<'_>, setting: &Setting) -> Result<[[Rational; 2]; 3], Obstacle> {
+    let ring = p.ring();
+    let named = |names: [&str; 2]| -> Result<[Rational; 2], Obstacle> {
+        Ok([ring.named(names[0])?, ring.named(names[1])?])
+    };
+    let (position, rate) = (named(["x", "y"])?, named(["u", "v"])?);
+    let ax = p.derivative("d²x/dτ² by (89)", &rate[0], &setting.motion)?;
+    let ay = p.derivative("d²y/dτ² by (89)", &rate[1], &setting.motion)?;
+    Ok([position, rate, [ax, ay]])
+}
+
+fn dot(a: &[Rational; 2], b: &[Rational; 2]) -> Rational {
+    &a[0] * &b[0] + &a[1] * &b[1]
+}
+
+pub(super) fn eq90() -> Vec<Expr> {
+    let [position, rate] = vectors();
+    vec![paper::eq90_power(position, rate)]
+}
+
+pub(super) fn prove_eq90(printed: &[Expr]) -> Proof {
+    prove("(90) from (89)", Setting::cartesian(), |p, setting| {
+        let [_, rate, acceleration] = elements(p, setting)?;
+        let printed = p.read("The printed right-hand side", printed[0])?;
+        p.equal(
+            "Against the left-hand side",
+            &printed,
+            &dot(&rate, &acceleration),
+        )
+    })
+}
+
+pub(super) fn eq91() -> Vec<Expr> {
+    let [position, rate] = vectors();
+    vec![paper::eq91_moment(position, rate)]
+}
+
+pub(super) fn prove_eq91(printed: &[Expr]) -> Proof {
+    prove("(91) from (89)", Setting::cartesian(), |p, setting| {
+        let [position, _, a] = elements(p, setting)?;
+        let moment = &position[0] * &a[1] - &position[1] * &a[0];
+        let printed = p.read("The printed right-hand side", printed[0])?;
+        p.equal("Against the left-hand side", &printed, &moment)
+    })
+}
+
+pub(super) fn eq92() -> Vec<Expr> {
+    let [position, rate] = vectors();
+    vec![paper::eq92_virial(position, rate)]
+}
+
+pub(super) fn prove_eq92(printed: &[Expr]) -> Proof {
+    prove("(92) from (89)", Setting::cartesian(), |p, setting| {
+        let [position, rate, acceleration] = elements(p, setting)?;
+        let left = dot(&position, &acceleration) + dot(&rate, &rate);
+        let printed = p.read("The printed right-hand side", printed[0])?;
+        p.equal("Against the left-hand side", &printed, &left)
+    })
+}
+
+/// The mirror image of a solution, y → −y, has the accelerations that the formulas give with −Ω.
+pub(super) fn prove_mirror(printed: &[Expr]) -> Proof {
+    let title = "(86) in the mirror y → −y";
+    prove(title, Setting::dimensional(), |p, setting| {
+        let [[x, y], [u, v]] = vectors();
+        let [u_element, v_element] = [p.ring().named("u")?, p.ring().named("v")?];
+        let ax = p.derivative("d²x/dt² by (86)", &u_element, &setting.motion)?;
+        let ay = p.derivative("d²y/dt² by (86)", &v_element, &setting.motion)?;
+        for (formula, mirrored) in printed.iter().zip([ax, -ay]) {
+            let image = put_vectors(*formula, [[x, -y], [u, -v]]).with("Ω", -Expr::symbol("Ω"));
+            let image = p.read("(86) with −Ω, at the mirrored state", image)?;
+            p.equal("Against the mirrored acceleration", &image, &mirrored)?;
+        }
+        Ok(())
+    })
+}

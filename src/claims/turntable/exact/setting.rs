@@ -1,0 +1,249 @@
+//! The rings in which the proofs are carried out, each with the motion in it.
+
+use super::{symbols, vectors};
+use crate::exact::{Derivation, ExactError, Expr, Rational, Ring};
+use crate::paper::turntable as paper;
+use crate::scalar::Scalar;
+
+/// A ring and the motion in it.
+#[derive(Debug)]
+pub struct Setting {
+    /// The ring.
+    pub ring: Ring,
+    /// The rate of change along the motion.
+    pub motion: Derivation,
+    /// Which law of motion is entered, in words.
+    pub law: &'static str,
+}
+
+impl Setting {
+    /// 𝐫 = (x, y), d𝐫/dt = (u, v), in lengths and times, with the angle φ by which the table has turned and the
+    /// arc length s; the motion is that of (86).
+    pub fn dimensional() -> Result<Self, ExactError> {
+        let mut ring = plain();
+        for name in ["Ω", "μ", "g", "m", "s"] {
+            ring.symbol(name);
+        }
+        ring.angle("φ");
+        let [r, v] = vectors();
+        let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
+        root_of_speed(&mut ring)?;
+        // Ω, μ and g are positive.
+        let unit = ring.read(omega / (mu * g))?;
+        ring.root_is(&(&unit * &unit), 2, &unit)?;
+        let [ax, ay] = paper::eq86_acceleration(omega, mu, g, r, v).map(|c| ring.read(c));
+        let motion = ring.along(&[
+            ("x", ring.named("u")?),
+            ("y", ring.named("v")?),
+            ("u", ax?),
+            ("v", ay?),
+            ("φ", ring.named("Ω")?),
+            ("s", ring.read((v[0].squared() + v[1].squared()).sqrt())?),
+        ])?;
+        Ok(Setting {
+            ring,
+            motion,
+            law: "(86); the speed is the positive root of u² + v², the angle φ grows as Ωt",
+        })
+    }
+
+    /// 𝛒 = (x, y), d𝛒/dτ = (u, v); the motion is that of (89).
+    pub fn cartesian() -> Result<Self, ExactError> {
+        let mut ring = plain();
+        root_of_speed(&mut ring)?;
+        let [position, rate] = vectors();
+        let [ax, ay] = paper::eq89_acceleration(position, rate).map(|c| ring.read(c));
+        let motion = ring.along(&[
+            ("x", ring.named("u")?),
+            ("y", ring.named("v")?),
+            ("u", ax?),
+            ("v", ay?),
+        ])?;
+        Ok(Setting {
+            ring,
+            motion,
+            law: "(89); the speed p is the positive root of u² + v²",
+        })
+    }
+
+    /// The velocity has the size p and the direction χ, the position the size ρ and the direction χ + ψ.
+    pub fn polar() -> Result<Self, ExactError> {
+        let mut ring = Ring::new();
+        for name in ["p", "ρ", "s"] {
+            ring.symbol(name);
+        }
+        let Rates { p, rho, psi, chi } = rates(&mut ring)?;
+        let speed = ring.named("p")?;
+        let motion = ring.along(&[
+            ("p", p.clone()),
+            ("ρ", rho),
+            ("ψ", psi),
+            ("χ", chi),
+            ("s", speed),
+        ])?;
+        let [ell, xi] = [ring.named("ℓ")?, ring.named("ξ")?];
+        let ell = ring.derivative(&ell, &motion)?;
+        let xi = ring.derivative(&xi, &motion)?;
+        for (name, rate) in [("dℓ/dτ", ell), ("dξ/dτ", xi), ("dp/dτ", p)] {
+            ring.define(name, rate)?;
+        }
+        Ok(Setting {
+            ring,
+            motion,
+            law: "(89), with velocity p (cos χ, sin χ) and position ρ (cos(χ + ψ), sin(χ + ψ))",
+        })
+    }
+
+    /// The same with p and ρ by (111) and (112).
+    pub fn slower() -> Result<Self, ExactError> {
+        let mut ring = Ring::new();
+        let a = ring.symbol("A");
+        ring.hyperbolic("α");
+        let [a_tree, alpha] = symbols(["A", "α"]);
+        for (name, formula) in [
+            ("p", paper::eq111_p(a_tree, alpha)),
+            ("ρ", paper::eq112_rho(a_tree, alpha)),
+        ] {
+            let value = ring.read(formula)?;
+            ring.define(name, value)?;
+        }
+        let Rates { p, rho, psi, chi } = rates(&mut ring)?;
+        let [sinh, cosh] = [ring.read(alpha.sinh())?, ring.read(alpha.cosh())?];
+        // From dp = sinh α dA + A cosh α dα and dρ = cosh α dA + A sinh α dα.
+        let a_rate = &rho * &cosh - &p * &sinh;
+        let alpha_rate = ring.divide(&(&p * &cosh - &rho * &sinh), &a)?;
+        let motion = ring.along(&[("A", a_rate), ("α", alpha_rate), ("ψ", psi), ("χ", chi)])?;
+        Ok(Setting {
+            ring,
+            motion,
+            law: "(89), with (111) and (112)",
+        })
+    }
+
+    /// The same with p and ρ by (117) and (118).
+    pub fn faster() -> Result<Self, ExactError> {
+        let mut ring = Ring::new();
+        let b = ring.symbol("B");
+        ring.hyperbolic("β");
+        let [b_tree, beta] = symbols(["B", "β"]);
+        for (name, formula) in [
+            ("p", paper::eq117_p(b_tree, beta)),
+            ("ρ", paper::eq118_rho(b_tree, beta)),
+        ] {
+            let value = ring.read(formula)?;
+            ring.define(name, value)?;
+        }
+        let Rates { p, rho, psi, chi } = rates(&mut ring)?;
+        let [sinh, cosh] = [ring.read(beta.sinh())?, ring.read(beta.cosh())?];
+        // From dp = cosh β dB + B sinh β dβ and dρ = sinh β dB + B cosh β dβ.
+        let b_rate = &p * &cosh - &rho * &sinh;
+        let beta_rate = ring.divide(&(&rho * &cosh - &p * &sinh), &b)?;
+        let motion = ring.along(&[("B", b_rate), ("β", beta_rate), ("ψ", psi), ("χ", chi)])?;
+        Ok(Setting {
+            ring,
+            motion,
+            law: "(89), with (117) and (118)",
+        })
+    }
+
+    /// A, α, B, β and ψ, with the eighth root of unity ζ and i = ζ²; no motion.
+    pub fn continued() -> Result<Self, ExactError> {
+        let mut ring = Ring::new();
+        let zeta = ring.root(&Rational::int(-1), 4)?;
+        ring.define("ζ", zeta.clone())?;
+        ring.define("i", &zeta * &zeta)?;
+        for name in ["A", "B"] {
+            ring.symbol(name);
+        }
+        for name in ["α", "β"] {
+            ring.hyperbolic(name);
+        }
+        ring.angle("ψ");
+        Ok(Setting {
+            ring,
+            motion: Derivation::default(),
+            law: "none; the imaginary unit i is a root of i² = −1, ζ one of ζ² = i",
+        })
+    }
+
+    /// α and the angles ψ and q, where q is to be the arcsine of something; no motion.
+    pub fn fixed() -> Result<Self, ExactError> {
+        let mut ring = Ring::new();
+        ring.hyperbolic("α");
+        for name in ["ψ", "q"] {
+            ring.angle(name);
+        }
+        let double = Expr::int(2) * Expr::symbol("α");
+        let [tanh, cosh] = [ring.read(double.tanh())?, ring.read(double.cosh())?];
+        let one = Rational::int(1);
+        let cosine = ring.divide(&one, &cosh)?;
+        ring.root_is(&ring.normal(&(&one - &tanh * &tanh)), 2, &cosine)?;
+        Ok(Setting {
+            ring,
+            motion: Derivation::default(),
+            law: "none; α is held fixed",
+        })
+    }
+}
+
+/// A ring with x, y, u, v.
+fn plain() -> Ring {
+    let mut ring = Ring::new();
+    for name in ["x", "y", "u", "v"] {
+        ring.symbol(name);
+    }
+    ring
+}
+
+/// Declares the positive root of u² + v².
+fn root_of_speed(ring: &mut Ring) -> Result<(), ExactError> {
+    let [_, [u, v]] = vectors();
+    let squared = ring.read(u.squared() + v.squared())?;
+    ring.root(&squared, 2)?;
+    Ok(())
+}
+
+/// The rates of p, ρ, ψ, χ by (89).
+struct Rates {
+    p: Rational,
+    rho: Rational,
+    psi: Rational,
+    chi: Rational,
+}
+
+/// In a ring in which p and ρ have a meaning: gives x, y, u, v, ξ, ℓ theirs, and finds the rates.
+fn rates(ring: &mut Ring) -> Result<Rates, ExactError> {
+    for name in ["ψ", "χ"] {
+        ring.angle(name);
+    }
+    let [p_tree, rho_tree, psi, chi] = symbols(["p", "ρ", "ψ", "χ"]);
+    let outwards = chi + psi;
+    for (name, formula) in [
+        ("x", rho_tree * outwards.cos()),
+        ("y", rho_tree * outwards.sin()),
+        ("u", p_tree * chi.cos()),
+        ("v", p_tree * chi.sin()),
+        ("ξ", paper::eq94_xi(rho_tree, psi)),
+        ("ℓ", paper::eq95_ell(rho_tree, psi)),
+    ] {
+        let value = ring.read(formula)?;
+        ring.define(name, value)?;
+    }
+    let (p, rho) = (ring.named("p")?, ring.named("ρ")?);
+    ring.root_is(&ring.normal(&(&p * &p)), 2, &p)?;
+    let [position, rate] = vectors();
+    let [ax, ay] = paper::eq89_acceleration(position, rate).map(|c| ring.read(c));
+    let (ax, ay) = (ax?, ay?);
+    let read = |formula: Expr| ring.read(formula);
+    let (c, s) = (read(chi.cos())?, read(chi.sin())?);
+    let (co, so) = (read(outwards.cos())?, read(outwards.sin())?);
+    let (u, v) = (ring.named("u")?, ring.named("v")?);
+    let chi_rate = ring.divide(&(&ay * &c - &ax * &s), &p)?;
+    let turning = ring.divide(&(&v * &co - &u * &so), &rho)?;
+    Ok(Rates {
+        p: ring.normal(&(&ax * &c + &ay * &s)),
+        rho: ring.normal(&(&u * &co + &v * &so)),
+        psi: ring.normal(&(turning - &chi_rate)),
+        chi: chi_rate,
+    })
+}

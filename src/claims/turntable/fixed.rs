@@ -1,0 +1,176 @@
+//! Trials of the quasi-fixed points (124) and (125): where ψ stands still, what deviations do, and how well ψ
+//! follows ψ₁ when α moves.
+
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{FOREIGN, LAG, NONE, STANDS_STILL};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
+use crate::motion::turntable::Start;
+use crate::motion::turntable::intrinsic::Run;
+use crate::numerics::{dop853, roots};
+use crate::paper::turntable as printed;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// dψ/dτ at the begin of a motion, by its first five values.
+fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
+    let h = 1e-3 * alpha.min(1.0);
+    let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 5.0 * h)?;
+    let mut sum = 0.0;
+    for (i, weight) in [-25.0, 48.0, -36.0, 16.0, -3.0].into_iter().enumerate() {
+        // ψ is compared with its first value, so that its turns do not matter.
+        let change = run.at(h * i as f64)?.psi() - psi;
+        sum += weight * (change - TAU * libm::round(change / TAU));
+    }
+    Ok(sum / (12.0 * h))
+}
+
+/// A state's A and α.
+fn state(points: &mut Points) -> (f64, f64) {
+    (points.log_uniform(0.3, 3.0), points.log_uniform(0.1, 1.0))
+}
+
+fn at(a: f64, alpha: f64) -> String {
+    format!("A = {a:.6}, α = {alpha:.6}")
+}
+
+fn stands_still(
+    compared: &'static str,
+    stream: u64,
+    [low, high]: [f64; 2],
+    formula: fn(f64) -> f64,
+) -> Evidence {
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, STANDS_STILL);
+    let mut points = Points::stream(stream);
+    trial.over(0..30, |_| {
+        let (a, alpha) = state(&mut points);
+        let rate = |psi: f64| psi_rate(a, alpha, psi).unwrap_or(f64::NAN);
+        Ok::<_, Failure>(Pair {
+            at: at(a, alpha),
+            stated: formula(alpha),
+            found: roots::root(rate, low, high)?,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (124).
+pub fn psi1() -> Evidence {
+    let compared =
+        "(124) with the angle below π/2 at which ψ of the motion stands still for a moment";
+    stands_still(compared, 530, [0.0, FRAC_PI_2], printed::eq124_psi1)
+}
+
+/// (125).
+pub fn psi2() -> Evidence {
+    let compared =
+        "(125) with the angle above π/2 at which ψ of the motion stands still for a moment";
+    stands_still(compared, 531, [FRAC_PI_2, PI], printed::eq125_psi2)
+}
+
+/// Two motions from the same A and α, with ψ a little below and above: whether the angle between them shrinks.
+pub fn separation() -> Evidence {
+    let compared = "−1 at ψ₁, 1 at ψ₂, with the sign of the rate at which two motions with the same A, α, and with ψ less and greater by 1e-4, part";
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let mut points = Points::stream(532);
+    trial.over(0..40, |i| {
+        let (a, alpha) = state(&mut points);
+        let (psi, sign) = match i % 2 {
+            0 => (printed::eq124_psi1(alpha), -1.0),
+            _ => (printed::eq125_psi2(alpha), 1.0),
+        };
+        let parting = psi_rate(a, alpha, psi + 1e-4)? - psi_rate(a, alpha, psi - 1e-4)?;
+        Ok::<_, Failure>(Pair {
+            at: format!("{}, ψ = {psi:.6}", at(a, alpha)),
+            stated: sign,
+            found: f64::signum(parting),
+            scale: 1.0,
+        })
+    })
+}
+
+/// (115) with α held fixed, from any angle: forwards in time it ends at ψ₁, backwards at ψ₂.
+pub fn frozen() -> Evidence {
+    let compared = "ψ₁ and ψ₂ with where (115) leads from any ψ at fixed α, forwards and backwards in time, up to turns";
+    let trial = Trial::by(Route::Integration, Subject::Within, compared, FOREIGN);
+    let mut points = Points::stream(533);
+    trial.over(0..40, |i| {
+        let (alpha, start) = (points.log_uniform(0.1, 1.5), points.uniform(-3.1, 3.1));
+        let (stated, direction) = match i % 2 {
+            0 => (printed::eq124_psi1(alpha), 1.0),
+            _ => (printed::eq125_psi2(alpha), -1.0),
+        };
+        let rate = |_: f64, psi: &[f64; 1]| [direction * printed::eq115_psi_rate(alpha, psi[0])];
+        // Fifty times the time in which a small deviation falls to a third.
+        let until = 50.0 * 0.5 * libm::sinh(2.0 * alpha);
+        let [end] = dop853::end(rate, 0.0, [start], until, 1e-13, 1e-13)?;
+        Ok::<_, Failure>(Pair {
+            at: format!("α = {alpha:.6}, from ψ = {start:.6}"),
+            stated,
+            found: end - TAU * libm::round((end - stated) / TAU),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Starts (A, α, ψ) of escapes.
+pub const ESCAPES: [[f64; 3]; 3] = [[1.2, 0.3, 0.5], [2.0, 0.5, 1.5], [3.0, 0.2, 2.0]];
+
+/// ψ and ψ₁ at one moment of an escape.
+#[derive(Debug, Clone, Copy)]
+pub struct Following {
+    /// Time τ.
+    pub tau: f64,
+    /// ψ, in radians.
+    pub psi: f64,
+    /// ψ₁ at the α of that moment, in radians.
+    pub psi1: f64,
+    /// (π/2 − ψ)/(π/2 − ψ₁).
+    pub ratio: f64,
+}
+
+/// How ψ follows ψ₁ along an escape, from τ = 0.1 to 1000.
+pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionError> {
+    let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 1000.0)?;
+    let moment = |i: u32| {
+        let tau = libm::exp10(f64::from(i) / 20.0 - 1.0);
+        let state = run.at(tau)?;
+        let psi1 = printed::eq124_psi1(state.alpha().unwrap_or(f64::NAN));
+        Ok(Following {
+            tau,
+            psi: state.psi(),
+            psi1,
+            ratio: state.lag() / (FRAC_PI_2 - psi1),
+        })
+    };
+    (0..=80).map(moment).collect()
+}
+
+/// Along an escape, where α grows: the angle that ψ lacks of π/2 is not the one that ψ₁ lacks.
+pub fn escape() -> Evidence {
+    let compared = "1 with (π/2 − ψ)/(π/2 − ψ₁) late in an escape";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, LAG);
+    let late = ESCAPES
+        .into_iter()
+        .flat_map(|start| match following(start) {
+            Ok(all) => all
+                .into_iter()
+                .filter(|m| m.tau > 99.0)
+                .map(|m| Ok((start, m)))
+                .collect(),
+            Err(error) => vec![Err(error)],
+        });
+    trial.over(late, |point| {
+        let ([a, alpha, psi], moment) = point?;
+        Ok::<_, Failure>(Pair {
+            at: format!(
+                "{}, ψ = {psi:.6}, then for τ = {:.6}",
+                at(a, alpha),
+                moment.tau
+            ),
+            stated: 1.0,
+            found: moment.ratio,
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,175 @@
+//! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
+
+use super::stretches::{ANY, launches, stretches};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{FOREIGN, FRAMES};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::turntable::{State, Table, inertial, rotating};
+use crate::numerics::dop853;
+use crate::numerics::quadrature::integral_within;
+use crate::paper::turntable as printed;
+use std::f64::consts::TAU;
+
+fn law(table: &Table, state: &State) -> [f64; 2] {
+    printed::eq86_acceleration(table.omega, table.mu, table.g, state.x, state.v)
+}
+
+/// (86), integrated along the motion as the table's frame has it, with the change of velocity that the
+/// laboratory has, where friction is the only force.
+pub fn eq86() -> Evidence {
+    let compared = "∫ (86) dt along the motion found in the frame of the table with the change of d𝐫/dt found in the laboratory, each component";
+    let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
+    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
+    trial.over(both, |(launch, i)| {
+        let launch = launch?;
+        let table = &launch.table;
+        let unit = table.length() * table.omega;
+        let rate = |t: f64| launch.turning.at(t).map_or(f64::NAN, |s| law(table, &s)[i]);
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: integral_within(rate, 0.0, launch.to, 1e-13 * unit)?.value,
+            found: launch.still.on_table(launch.to)?.v[i] - launch.start.v[i],
+            scale: unit,
+        })
+    })
+}
+
+/// (86) as an equation for the motion, through several turns of the table.
+pub fn eq86_turns() -> Evidence {
+    let compared = "place on the table by (86), through three turns, with that found in the laboratory, its components added";
+    let trial = Trial::by(Route::Integration, Subject::Within, compared, FOREIGN);
+    let mut points = Points::stream(502);
+    trial.over(0..24, |_| {
+        let table = Table {
+            omega: points.log_uniform(0.3, 3.0),
+            mu: points.uniform(0.1, 0.9),
+            g: points.uniform(1.5, 20.0),
+            mass: 1.0,
+        };
+        let (r, direction) = (
+            table.length() * points.uniform(1.5, 3.0),
+            points.uniform(-3.1, 3.1),
+        );
+        let [c, s] = [libm::cos(direction), libm::sin(direction)];
+        // As fast as the table or slower, so that ρ² − p² > 1 and no stop can come but from straight ahead.
+        let v = r * table.omega * points.uniform(0.2, 0.6);
+        let start = State {
+            t: 0.0,
+            x: [r * c, r * s],
+            v: [-v * s, v * c],
+        };
+        let until = 3.0 * TAU / table.omega;
+        let rate = |_: f64, y: &[f64; 4]| {
+            let state = State {
+                t: 0.0,
+                x: [y[0], y[1]],
+                v: [y[2], y[3]],
+            };
+            let [ax, ay] = law(&table, &state);
+            [y[2], y[3], ax, ay]
+        };
+        let begin = [start.x[0], start.x[1], start.v[0], start.v[1]];
+        let [x, y, ..] = dop853::end(rate, 0.0, begin, until, 1e-13, 1e-13)?;
+        let place = inertial::run(&table, &table.to_laboratory(&start), until)?.on_table(until)?;
+        Ok::<_, Failure>(Pair {
+            at: format!(
+                "Ω = {:.6}, μ = {:.6}, g = {:.6}, r = {r:.6}, v = {v:.6}",
+                table.omega, table.mu, table.g
+            ),
+            stated: x + y,
+            found: place.x[0] + place.x[1],
+            scale: place.radius(),
+        })
+    })
+}
+
+/// (89), likewise.
+pub fn eq89() -> Evidence {
+    let compared = "∫ (89) dτ along the motion found in the frame of the table with the change of d𝛒/dτ found in the laboratory, each component";
+    let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
+    let both = stretches(ANY).flat_map(|stretch| [0, 1].map(|i| (stretch.clone(), i)));
+    trial.over(both, |(stretch, i)| {
+        let stretch = stretch?;
+        let rate = |tau: f64| {
+            let view = stretch.view(tau);
+            view.map_or(f64::NAN, |v| {
+                printed::eq89_acceleration(v.position, v.rate)[i]
+            })
+        };
+        let [begin, end] = [stretch.from, stretch.to].map(|tau| stretch.still.on_table(tau));
+        Ok::<_, Failure>(Pair {
+            at: stretch.at(),
+            stated: integral_within(rate, stretch.from, stretch.to, 1e-13)?.value,
+            found: end?.v[i] - begin?.v[i],
+            scale: 1.0,
+        })
+    })
+}
+
+/// (87) and (88): motions on any table are one and the same in these units.
+fn scaled(compared: &'static str) -> Evidence {
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
+    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
+    trial.over(both, |(launch, i)| {
+        let launch = launch?;
+        let Table { omega, mu, g, .. } = launch.table;
+        let place = |r: [f64; 2]| printed::eq87_position(omega, mu, g, r);
+        let per_time = printed::eq88_time(omega, 1.0);
+        let start = State {
+            t: 0.0,
+            x: place(launch.start.x),
+            v: place(launch.start.v).map(|v| v / per_time),
+        };
+        let tau = printed::eq88_time(omega, launch.to);
+        let found = rotating::run(&Table::default(), &start, tau)?.at(tau)?;
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: place(launch.still.on_table(launch.to)?.x)[i],
+            found: found.x[i],
+            scale: 1.0,
+        })
+    })
+}
+
+/// (87).
+pub fn eq87() -> Evidence {
+    scaled("(87) of a motion on any table with the motion for Ω = μg = 1, each component")
+}
+
+/// (88).
+pub fn eq88() -> Evidence {
+    scaled(
+        "place, in units of (87), at the time t with the place at the time (88) for Ω = μg = 1, each component",
+    )
+}
+
+/// The mirrored motion on a table that turns the other way.
+pub fn mirror() -> Evidence {
+    let compared = "the motion, mirrored, with the motion that starts from the mirrored state on the table with −Ω, each component";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FRAMES);
+    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
+    trial.over(both, |(launch, i)| {
+        let launch = launch?;
+        let other = Table {
+            omega: -launch.table.omega,
+            ..launch.table
+        };
+        let mirrored = |s: State| State {
+            x: [s.x[0], -s.x[1]],
+            v: [s.v[0], -s.v[1]],
+            ..s
+        };
+        let image = inertial::run(
+            &other,
+            &other.to_laboratory(&mirrored(launch.start)),
+            launch.to,
+        )?;
+        Ok::<_, Failure>(Pair {
+            at: launch.at(),
+            stated: mirrored(launch.turning.at(launch.to)?).x[i],
+            found: image.on_table(launch.to)?.x[i],
+            scale: launch.table.length(),
+        })
+    })
+}

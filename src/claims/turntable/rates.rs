@@ -1,0 +1,247 @@
+//! Printed rates, integrated along motions, against what changed.
+
+use super::stretches::{ANY, Class, FASTER, SLOWER, View, stretches};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::evidence::{Evidence, Subject};
+use crate::numerics::quadrature::integral_within;
+use crate::paper::turntable as printed;
+use std::f64::consts::{PI, TAU};
+
+/// What the quadratures are asked for.
+const ASKED: f64 = 1e-13;
+
+/// ∫ rate dτ along each stretch of these classes with the change of the quantity.
+fn change(
+    subject: Subject,
+    compared: &'static str,
+    classes: &[Class],
+    quantity: impl Fn(&View) -> f64,
+    rate: impl Fn(&View) -> f64,
+) -> Evidence {
+    Trial::quadrature(subject, compared).over(stretches(classes), |stretch| {
+        let stretch = stretch?;
+        let [begin, end] =
+            [stretch.view(stretch.from)?, stretch.view(stretch.to)?].map(|v| quantity(&v));
+        let scale = 1f64.max(begin.abs()).max(end.abs());
+        let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
+        Ok::<_, Failure>(Pair {
+            at: stretch.at(),
+            stated: integral_within(at, stretch.from, stretch.to, ASKED * scale)?.value,
+            found: end - begin,
+            scale,
+        })
+    })
+}
+
+/// The same for the angle ψ, which is measured up to whole turns.
+fn turning(compared: &'static str, classes: &[Class], rate: impl Fn(&View) -> f64) -> Evidence {
+    Trial::quadrature(Subject::Within, compared).over(stretches(classes), |stretch| {
+        let stretch = stretch?;
+        let found = stretch.view(stretch.to)?.psi - stretch.view(stretch.from)?.psi;
+        let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
+        let stated = integral_within(at, stretch.from, stretch.to, ASKED)?.value;
+        let turns = libm::round((stated - found) / TAU);
+        Ok::<_, Failure>(Pair {
+            at: stretch.at(),
+            stated,
+            found: found + TAU * turns,
+            scale: PI,
+        })
+    })
+}
+
+/// (90): its left-hand side is the rate of p²/2.
+pub fn eq90() -> Evidence {
+    let compared = "∫ (90) dτ along the motion with the change of p²/2";
+    change(
+        Subject::Printed,
+        compared,
+        ANY,
+        |v| 0.5 * v.p * v.p,
+        |v| printed::eq90_power(v.position, v.rate),
+    )
+}
+
+/// (91): its left-hand side is the rate of ẑ·(𝛒 × d𝛒/dτ).
+pub fn eq91() -> Evidence {
+    let compared = "∫ (91) dτ along the motion with the change of ẑ·(𝛒 × d𝛒/dτ)";
+    change(Subject::Within, compared, ANY, View::moment, |v| {
+        printed::eq91_moment(v.position, v.rate)
+    })
+}
+
+/// (92): its left-hand side is the rate of 𝛒·d𝛒/dτ.
+pub fn eq92() -> Evidence {
+    let compared = "∫ (92) dτ along the motion with the change of 𝛒·d𝛒/dτ";
+    change(Subject::Within, compared, ANY, View::along, |v| {
+        printed::eq92_virial(v.position, v.rate)
+    })
+}
+
+/// (99).
+pub fn eq99() -> Evidence {
+    let compared = "∫ (99) dτ along the motion with the change of p";
+    change(
+        Subject::Within,
+        compared,
+        ANY,
+        |v| v.p,
+        |v| printed::eq99_p_rate(v.xi),
+    )
+}
+
+/// (100).
+pub fn eq100() -> Evidence {
+    let compared = "∫ (100) dτ along the motion with the change of ℓ";
+    change(
+        Subject::Within,
+        compared,
+        ANY,
+        |v| v.ell,
+        |v| printed::eq100_ell_rate(v.p, v.ell, v.xi),
+    )
+}
+
+/// (101).
+pub fn eq101() -> Evidence {
+    let compared = "∫ (101) dτ along the motion with the change of ξ";
+    change(
+        Subject::Within,
+        compared,
+        ANY,
+        |v| v.xi,
+        |v| printed::eq101_xi_rate(v.p, v.ell),
+    )
+}
+
+/// (102): its three expressions, added with different weights, so that no two errors can cancel.
+pub fn eq102() -> Evidence {
+    let compared = "∫ of the expressions of (102), taken once, twice and four times, with 7 times the change of ρ²/2";
+    change(
+        Subject::Printed,
+        compared,
+        ANY,
+        |v| 3.5 * v.rho * v.rho,
+        |v| {
+            let ell = [v.ell, printed::eq100_ell_rate(v.p, v.ell, v.xi)];
+            let xi = [v.xi, printed::eq101_xi_rate(v.p, v.ell)];
+            let p = [v.p, printed::eq99_p_rate(v.xi)];
+            let [first, second, third] = printed::eq102_rate(ell, xi, p);
+            first + 2.0 * second + 4.0 * third
+        },
+    )
+}
+
+/// (103).
+pub fn eq103() -> Evidence {
+    let compared = "∫ −p dτ along the motion with the change of (p² − ρ²)/2";
+    change(
+        Subject::Printed,
+        compared,
+        ANY,
+        |v| printed::eq103_energy(v.p, v.rho),
+        |v| printed::eq103_energy_rate(v.p),
+    )
+}
+
+/// (107).
+pub fn eq107() -> Evidence {
+    let compared = "∫ (107) dτ along the motion with the change of p";
+    change(
+        Subject::Within,
+        compared,
+        ANY,
+        |v| v.p,
+        |v| printed::eq107_p_rate(v.rho, v.psi),
+    )
+}
+
+/// (108).
+pub fn eq108() -> Evidence {
+    let compared = "∫ (108) dτ along the motion with the change of ρ";
+    change(
+        Subject::Printed,
+        compared,
+        ANY,
+        |v| v.rho,
+        |v| printed::eq108_rho_rate(v.p, v.psi),
+    )
+}
+
+/// (109).
+pub fn eq109() -> Evidence {
+    let compared = "∫ (109) dτ along the motion with the change of ψ";
+    turning(compared, ANY, |v| {
+        printed::eq109_psi_rate(v.p, v.rho, v.psi)
+    })
+}
+
+/// (113).
+pub fn eq113() -> Evidence {
+    let compared = "∫ (113) dτ along the motion with the change of A";
+    change(
+        Subject::Printed,
+        compared,
+        SLOWER,
+        |v| v.inner().0,
+        |v| printed::eq113_a_rate(v.inner().1),
+    )
+}
+
+/// (114).
+pub fn eq114() -> Evidence {
+    let compared = "∫ (114) dτ along the motion with the change of α";
+    change(
+        Subject::Within,
+        compared,
+        SLOWER,
+        |v| v.inner().1,
+        |v| {
+            let (a, alpha) = v.inner();
+            printed::eq114_alpha_rate(a, alpha, v.psi)
+        },
+    )
+}
+
+/// (115).
+pub fn eq115() -> Evidence {
+    let compared = "∫ (115) dτ along the motion with the change of ψ";
+    turning(compared, SLOWER, |v| {
+        printed::eq115_psi_rate(v.inner().1, v.psi)
+    })
+}
+
+/// (119).
+pub fn eq119() -> Evidence {
+    let compared = "∫ (119) dτ along the motion with the change of B";
+    change(
+        Subject::Printed,
+        compared,
+        FASTER,
+        |v| v.outer().0,
+        |v| printed::eq119_b_rate(v.outer().1),
+    )
+}
+
+/// (120).
+pub fn eq120() -> Evidence {
+    let compared = "∫ (120) dτ along the motion with the change of β";
+    change(
+        Subject::Printed,
+        compared,
+        FASTER,
+        |v| v.outer().1,
+        |v| {
+            let (b, beta) = v.outer();
+            printed::eq120_beta_rate(b, beta, v.psi)
+        },
+    )
+}
+
+/// (121).
+pub fn eq121() -> Evidence {
+    let compared = "∫ (121) dτ along the motion with the change of ψ";
+    turning(compared, FASTER, |v| {
+        printed::eq121_psi_rate(v.outer().1, v.psi)
+    })
+}

@@ -1,0 +1,92 @@
+//! The motions that the chapter draws: two launches from the axis, one that comes to rest and one that escapes.
+
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::evidence::{Evidence, Subject};
+use crate::motion::MotionError;
+use crate::motion::turntable::intrinsic::Run;
+use crate::motion::turntable::{Start, State, Table, inertial, rotating};
+use crate::paper::turntable as printed;
+
+/// The speeds of the launches.
+pub const SPEEDS: [f64; 2] = [1.0, 1.5];
+/// The time up to which they are followed.
+pub const UNTIL: f64 = 7.0;
+
+/// One moment of a launch, dimensionless.
+#[derive(Debug, Clone, Copy)]
+pub struct Moment {
+    /// Time τ since the launch.
+    pub tau: f64,
+    /// Place on the table.
+    pub table: [f64; 2],
+    /// Place in the laboratory.
+    pub laboratory: [f64; 2],
+    /// Speed p relative to the table.
+    pub p: f64,
+    /// Distance ρ from the axis.
+    pub rho: f64,
+    /// Arc length s on the table.
+    pub s: f64,
+}
+
+/// A launch from the axis.
+#[derive(Debug, Clone)]
+pub struct Launched {
+    /// Its speed.
+    pub speed: f64,
+    /// Its moments, in order.
+    pub moments: Vec<Moment>,
+    /// When it comes to rest on the table, if it does.
+    pub rest: Option<f64>,
+}
+
+/// A launch by all three integrations: the place on the table by one, in the laboratory by another, the arc
+/// length by the third.
+pub fn launched(speed: f64) -> Result<Launched, MotionError> {
+    let table = Table::default();
+    let start = State {
+        t: 0.0,
+        x: [0.0; 2],
+        v: [speed, 0.0],
+    };
+    let turning = rotating::run(&table, &start, UNTIL)?;
+    let still = inertial::run(&table, &start, UNTIL)?;
+    let parts = Run::new(&Start::launched(speed)?, UNTIL)?;
+    let moment = |i: u32| -> Result<Moment, MotionError> {
+        let tau = UNTIL * f64::from(i) / 250.0;
+        let here = turning.at(tau)?;
+        Ok(Moment {
+            tau,
+            table: here.x,
+            laboratory: still.at(tau)?.x,
+            p: here.speed(),
+            rho: here.radius(),
+            s: parts.at(tau)?.s,
+        })
+    };
+    Ok(Launched {
+        speed,
+        moments: (0..=250).map(moment).collect::<Result<_, _>>()?,
+        rest: turning.stops().first().copied(),
+    })
+}
+
+/// (104) at every drawn moment, rest included.
+pub fn kept() -> Evidence {
+    let compared =
+        "(104) at each drawn moment, on the way to rest and at rest, with its value at the launch";
+    let trial = Trial::motion(Subject::Printed, compared);
+    let all = SPEEDS.into_iter().flat_map(|speed| match launched(speed) {
+        Ok(launch) => launch.moments.into_iter().map(|m| Ok((speed, m))).collect(),
+        Err(error) => vec![Err(error)],
+    });
+    trial.over(all, |point| {
+        let (speed, Moment { tau, p, rho, s, .. }) = point?;
+        Ok::<_, Failure>(Pair {
+            at: format!("launched from the axis with p = {speed}, at τ = {tau:.6}"),
+            stated: printed::eq104_constant(p, rho, s),
+            found: 0.5 * speed * speed,
+            scale: 1f64.max(rho * rho),
+        })
+    })
+}

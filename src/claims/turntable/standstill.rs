@@ -1,0 +1,246 @@
+//! Where the printed formulas divide by zero and the motion goes on: a particle put down at rest on the table,
+//! and one launched from the axis.
+
+use super::stretches::View;
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::DIFFERENCES;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::turntable::{State, Table, rotating};
+use crate::paper::turntable as printed;
+
+/// How a motion begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Begin {
+    /// At rest on the table, ρ < 1: friction holds it.
+    Held,
+    /// At rest on the table, ρ > 1: it starts at once.
+    Released,
+    /// From the axis.
+    Launched,
+}
+
+/// A state, random apart from how it begins.
+fn state(begin: Begin, points: &mut Points) -> State {
+    let direction = points.uniform(-3.1, 3.1);
+    let along = |size: f64| [size * libm::cos(direction), size * libm::sin(direction)];
+    let (x, v) = match begin {
+        Begin::Held => (along(points.uniform(0.2, 0.9)), [0.0; 2]),
+        Begin::Released => (along(points.uniform(1.2, 3.0)), [0.0; 2]),
+        Begin::Launched => ([0.0; 2], along(points.uniform(0.3, 2.0))),
+    };
+    State { t: 0.0, x, v }
+}
+
+/// The time between the states that are compared, in units of 1/Ω.
+const H: f64 = 1e-3;
+
+/// The rate of a quantity at the beginning, by its first five values.
+fn first_rate(
+    table: &Table,
+    start: &State,
+    quantity: impl Fn(&State) -> f64,
+) -> Result<f64, Failure> {
+    let h = H / table.omega;
+    let path = rotating::run(table, start, 5.0 * h)?;
+    let mut sum = 0.0;
+    for (i, weight) in [-25.0, 48.0, -36.0, 16.0, -3.0].into_iter().enumerate() {
+        sum += weight * quantity(&path.at(h * i as f64)?);
+    }
+    Ok(sum / (12.0 * h))
+}
+
+/// What a formula gives at the beginning, against the rate of a quantity.
+fn first_moment(
+    compared: &'static str,
+    stream: u64,
+    begins: &[Begin],
+    quantity: fn(&View) -> f64,
+    formula: fn(&View) -> f64,
+) -> Evidence {
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
+    let mut points = Points::stream(stream);
+    trial.over(0..30, |i| {
+        let begin = begins[i % begins.len()];
+        let start = state(begin, &mut points);
+        let (rho, p) = (start.radius(), start.speed());
+        let name = match begin {
+            Begin::Held => "held",
+            Begin::Released => "released",
+            Begin::Launched => "launched",
+        };
+        let found = first_rate(&Table::default(), &start, |s| quantity(&View::of(s)))?;
+        Ok::<_, Failure>(Pair {
+            at: format!("ρ = {rho:.6}, p = {p:.6} ({name})"),
+            stated: formula(&View::of(&start)),
+            found,
+            scale: 1f64.max(found.abs()),
+        })
+    })
+}
+
+const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
+
+/// (86) at rest, on tables of any Ω, μ, g.
+pub fn eq86() -> Evidence {
+    let compared = "(86) at rest with the acceleration, its components added";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
+    let mut points = Points::stream(510);
+    trial.over(0..30, |i| {
+        let table = Table {
+            omega: points.log_uniform(0.3, 3.0),
+            mu: points.uniform(0.1, 0.9),
+            g: points.uniform(1.5, 20.0),
+            mass: 1.0,
+        };
+        let unit = state(AT_REST[i % 2], &mut points);
+        let start = State {
+            x: unit.x.map(|x| x * table.length()),
+            ..unit
+        };
+        let [ax, ay] = printed::eq86_acceleration(table.omega, table.mu, table.g, start.x, start.v);
+        Ok::<_, Failure>(Pair {
+            at: format!(
+                "Ω = {:.6}, μ = {:.6}, g = {:.6}, r = {:.6}, v = 0",
+                table.omega,
+                table.mu,
+                table.g,
+                start.radius()
+            ),
+            stated: ax + ay,
+            found: first_rate(&table, &start, |s| s.v[0] + s.v[1])?,
+            scale: table.friction(),
+        })
+    })
+}
+
+/// (89) at rest.
+pub fn eq89() -> Evidence {
+    let compared = "(89) at rest with the acceleration, its components added";
+    first_moment(
+        compared,
+        511,
+        AT_REST,
+        |v| v.rate[0] + v.rate[1],
+        |v| {
+            let [ax, ay] = printed::eq89_acceleration(v.position, v.rate);
+            ax + ay
+        },
+    )
+}
+
+/// (91) at rest.
+pub fn eq91() -> Evidence {
+    let compared = "(91) at rest with the rate of ẑ·(𝛒 × d𝛒/dτ)";
+    first_moment(compared, 512, AT_REST, View::moment, |v| {
+        printed::eq91_moment(v.position, v.rate)
+    })
+}
+
+/// (92) at rest.
+pub fn eq92() -> Evidence {
+    let compared = "(92) at rest with the rate of 𝛒·d𝛒/dτ";
+    first_moment(compared, 513, AT_REST, View::along, |v| {
+        printed::eq92_virial(v.position, v.rate)
+    })
+}
+
+/// (99) for a particle that friction holds. ξ has no value; its largest possible one is taken.
+pub fn eq99() -> Evidence {
+    let compared = "(99) at rest, with ρ for ξ, with dp/dτ";
+    first_moment(
+        compared,
+        514,
+        &[Begin::Held],
+        |v| v.p,
+        |v| printed::eq99_p_rate(v.xi),
+    )
+}
+
+/// (100) at the moment of a start.
+pub fn eq100() -> Evidence {
+    let compared = "(100) at a start from rest with dℓ/dτ";
+    first_moment(
+        compared,
+        515,
+        &[Begin::Released],
+        |v| v.ell,
+        |v| printed::eq100_ell_rate(v.p, v.ell, v.xi),
+    )
+}
+
+/// (101) at the moment of a start.
+pub fn eq101() -> Evidence {
+    let compared = "(101) at a start from rest with dξ/dτ";
+    first_moment(
+        compared,
+        516,
+        &[Begin::Released],
+        |v| v.xi,
+        |v| printed::eq101_xi_rate(v.p, v.ell),
+    )
+}
+
+/// (107) for a particle that friction holds. ψ has no value; 0 is taken, which makes it largest.
+pub fn eq107() -> Evidence {
+    let compared = "(107) at rest, with ψ = 0, with dp/dτ";
+    first_moment(
+        compared,
+        517,
+        &[Begin::Held],
+        |v| v.p,
+        |v| printed::eq107_p_rate(v.rho, v.psi),
+    )
+}
+
+/// (109) at the moment of a start, and on the axis.
+pub fn eq109() -> Evidence {
+    let compared = "(109) at a start from rest and on the axis with dψ/dτ";
+    let begins = &[Begin::Released, Begin::Launched];
+    first_moment(
+        compared,
+        518,
+        begins,
+        |v| v.psi,
+        |v| printed::eq109_psi_rate(v.p, v.rho, v.psi),
+    )
+}
+
+/// (114) for a particle that friction holds, with ψ = 0.
+pub fn eq114() -> Evidence {
+    let compared = "(114) at rest, with ψ = 0, with dα/dτ";
+    first_moment(
+        compared,
+        519,
+        &[Begin::Held],
+        |v| v.inner().1,
+        |v| {
+            let (a, alpha) = v.inner();
+            printed::eq114_alpha_rate(a, alpha, v.psi)
+        },
+    )
+}
+
+/// (115) at the moment of a start.
+pub fn eq115() -> Evidence {
+    let compared = "(115) at a start from rest with dψ/dτ";
+    first_moment(
+        compared,
+        520,
+        &[Begin::Released],
+        |v| v.psi,
+        |v| printed::eq115_psi_rate(v.inner().1, v.psi),
+    )
+}
+
+/// (121) on the axis.
+pub fn eq121() -> Evidence {
+    let compared = "(121) on the axis with dψ/dτ";
+    first_moment(
+        compared,
+        521,
+        &[Begin::Launched],
+        |v| v.psi,
+        |v| printed::eq121_psi_rate(v.outer().1, v.psi),
+    )
+}

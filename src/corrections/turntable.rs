@@ -1,0 +1,22 @@
+//! Section 4: the energy theorem on the turntable with its dimensions.
+//!
+//! Scalar multiplication of (86) with m d𝐫/dt: the Coriolis force drops out, because it is perpendicular to the
+//! velocity; the centrifugal force gives d(mΩ²r²/2)/dt; friction gives −mμg |d𝐫/dt|. Hence
+//!
+//! d/dt \[m v²/2 − m Ω² r²/2\] = −m μ g v,
+//!
+//! and, with ds = v dt, m v²/2 − m Ω² r²/2 + m μ g s keeps its value. It is (104) times m (μg)²/Ω². In (106) the
+//! factor μ of the last term is missing: as printed it would hold only for μ = 1.
+
+use crate::scalar::Scalar;
+
+/// The energy that keeps its value: kinetic, centrifugal, and what friction has taken along the way `s` (a length).
+pub fn constant<S: Scalar>(m: S, mu: S, g: S, omega: S, r: [S; 2], v: [S; 2], s: S) -> S {
+    let square = |a: [S; 2]| a[0].squared() + a[1].squared();
+    m / S::int(2) * square(v) - m * omega.squared() * square(r) / S::int(2) + m * mu * g * s
+}
+
+/// The work of the friction along a way of length `s`.
+pub fn friction_work<S: Scalar>(m: S, mu: S, g: S, s: S) -> S {
+    -(m * mu * g * s)
+}

@@ -1,0 +1,249 @@
+//! The figures of section 2.2: a sinusoidal drive.
+//!
+//! Without units throughout: φ is the phase in radians, 𝔴 (here w) the velocity along the drive, w_y the one across it,
+//! λ₀ the friction over the drive's amplitude.
+
+use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
+use std::f64::consts::PI;
+
+/// A motion that began with a velocity across the drive.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Transient {
+    /// λ₀.
+    pub lambda: f64,
+    /// w_y at the start.
+    pub w_y: f64,
+    /// (φ, w) in order.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// Ticks at whole multiples of π, every second one with a label.
+fn multiples_of_pi(last: i32) -> Vec<(f64, String)> {
+    let label = |k: i32| match k {
+        0 => "0".to_owned(),
+        k if k % 2 == 0 => format!("{k}π"),
+        _ => String::new(),
+    };
+    (0..=last).map(|k| (PI * f64::from(k), label(k))).collect()
+}
+
+/// fig-2: w against φ, one panel for each λ₀, one curve for each initial w_y.
+///
+/// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
+pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["lambda_0", "w_y at phi = 0", "phi (rad)", "w"]);
+    let mut plot = Plot::new("fig-2", "The way to the large-time motion")
+        .caption(
+            "The velocity $\\mathfrak w$ along the drive against the phase, from $\\mathfrak w=1$ and several velocities \
+             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. Above, without rest; below, with rests.",
+        )
+        .alt(
+            "Two panels of velocity against phase over four periods, five curves each. The curves start together, spread in \
+             the first period, the lower the smaller the velocity across, and run together within two or three periods.",
+        );
+    for (title, curves) in panels {
+        let mut panel = Panel::new(
+            Axis::linear("φ")
+                .range(0.0, 8.0 * PI)
+                .ticks(multiples_of_pi(8)),
+            Axis::linear("w"),
+        )
+        .title(title.clone())
+        .height(210.0);
+        for (n, curve) in curves.iter().enumerate() {
+            for [phi, w] in &curve.points {
+                table.row([curve.lambda.into(), curve.w_y.into(), phi.into(), w.into()])?;
+            }
+            let key = format!("w_y = {}", curve.w_y);
+            panel = panel.curve(Curve::new(curve.points.iter().copied()).series(n).key(key));
+        }
+        plot = plot.panel(panel);
+    }
+    plot.figure(table)
+}
+
+/// What sets fig-3 and fig-4 apart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TwoPeriods<'a> {
+    /// The figure's id.
+    pub id: &'static str,
+    /// λ₀ in words: `1/π`.
+    pub lambda: &'static str,
+    /// Upper end of the axis of w; the lower one is its negative.
+    pub top: f64,
+    /// The mark that the paper puts on it.
+    pub mark: f64,
+    /// (φ, w) over two periods.
+    pub points: &'a [[f64; 2]],
+}
+
+/// fig-3 and fig-4: the large-time motion over two periods, on the paper's axes.
+///
+/// Fails as [`Plot::figure`] does, thus when there is no finite point.
+pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["phi (rad)", "w"]);
+    for [phi, w] in shown.points {
+        table.row([phi.into(), w.into()])?;
+    }
+    let TwoPeriods {
+        id,
+        lambda,
+        top,
+        mark,
+        points,
+    } = *shown;
+    let marks = [
+        (-mark, format!("−{mark}")),
+        (0.0, "0".into()),
+        (mark, format!("{mark}")),
+    ];
+    let panel = Panel::new(
+        Axis::linear("φ")
+            .range(0.0, 4.0 * PI)
+            .ticks(multiples_of_pi(4)),
+        Axis::linear("w").range(-top, top).ticks(marks),
+    )
+    .curve(Curve::new(points.iter().copied()).series(0));
+    let rests = points.windows(2).any(|p| p[0][1] == 0.0 && p[1][1] == 0.0);
+    let (said, seen) = if rests {
+        (
+            "it is at rest for a part of every half period",
+            "stays at zero for a while after every hump",
+        )
+    } else {
+        (
+            "it turns at once where it vanishes",
+            "crosses zero with a kink twice in a period",
+        )
+    };
+    Plot::new(id, format!("Large-time motion, λ_0 = {lambda}"))
+        .caption(format!(
+            "The large-time motion over two periods for $\\lambda_0={}$: {said}.",
+            lambda.replace("1/√2", "2^{-1/2}")
+        ))
+        .alt(format!(
+            "Velocity against phase from 0 to 4π: a positive and a negative hump in each period; the curve {seen}."
+        ))
+        .panel(panel)
+        .figure(table)
+}
+
+/// How ln w_y falls, for one λ₀.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Decay {
+    /// λ₀.
+    pub lambda: f64,
+    /// (periods, −ln w_y) at whole periods, as long as w_y is not zero.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// The growth of −ln w_y, period by period, on a logarithmic axis.
+///
+/// Fails as [`Plot::figure`] does, thus when there is no finite point.
+pub fn decay(decays: &[Decay]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["lambda_0", "periods", "-ln w_y"]);
+    let mut panel = Panel::new(
+        Axis::linear("'periods'").range(0.0, 20.0),
+        Axis::log("−ln w_y").range(1.0, 1e20),
+    );
+    for (n, decay) in decays.iter().enumerate() {
+        for [period, depth] in &decay.points {
+            table.row([decay.lambda.into(), period.into(), depth.into()])?;
+        }
+        let label = format!("λ_0 = {}", decay.lambda);
+        panel = panel.curve(
+            Curve::new(decay.points.iter().copied())
+                .series(n)
+                .label_at(label, 0.7),
+        );
+    }
+    let exponential = (0..=100)
+        .map(|k| 0.2 * f64::from(k))
+        .map(|x| [x, 1.0 + 2.0 * x]);
+    Plot::new("sinusoidal-decay", "How the velocity across the drive dies")
+        .caption(
+            "The depth $-\\ln\\mathfrak w_y$ period by period, from $\\mathfrak w_y=0.3$, on a logarithmic axis, for several \
+             $\\lambda_0<\\lambda_\\mathrm c$. Straight lines here are exponentials of exponentials; an exponential would be \
+             the dotted curve, whose slope dwindles.",
+        )
+        .alt(
+            "Four straight rising lines on a logarithmic axis, the steeper the larger λ₀, and a dotted curve that flattens \
+             out far below them.",
+        )
+        .panel(panel.curve(
+            Curve::new(exponential)
+                .ink()
+                .stroke(super::Stroke::Dotted)
+                .label_at("'an exponential'", 0.9),
+        ))
+        .figure(table)
+}
+
+/// The share of a period in which the large-time motion rests, against λ₀.
+///
+/// `points` are (λ₀, share), `critical` is λ_c. Fails as [`Plot::figure`] does, thus when there is no finite point.
+pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["lambda_0", "share of rest"]);
+    for [lambda, share] in points {
+        table.row([lambda.into(), share.into()])?;
+    }
+    let panel = Panel::new(
+        Axis::linear("λ_0").range(0.0, 1.2),
+        Axis::linear("'share of rest'").range(0.0, 1.05),
+    )
+    .curve(Curve::new(points.iter().copied()).series(0))
+    .rule(
+        Rule::vertical(critical)
+            .stroke(super::Stroke::Dotted)
+            .label("λ_c"),
+    )
+    .height(220.0);
+    Plot::new("sinusoidal-rest", "How long it rests")
+        .caption(
+            "The share of a period in which the large-time motion is at rest, read off the simulated intervals. It grows \
+             from zero at $\\lambda_\\mathrm c$ with a finite slope and reaches one at $\\lambda_0=1$ as a square root does.",
+        )
+        .alt("A curve that is zero up to λ_c, then rises, ever more steeply, to one at λ₀ = 1, and stays there.")
+        .panel(panel)
+        .figure(table)
+}
+
+/// The large-time motion for one λ₀.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Periodic {
+    /// λ₀.
+    pub lambda: f64,
+    /// (φ, w) over a period.
+    pub points: Vec<[f64; 2]>,
+}
+
+/// The large-time motions for several λ₀ over one period.
+///
+/// Fails as [`Plot::figure`] does, thus when there is no finite point.
+pub fn family(motions: &[Periodic]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["lambda_0", "phi (rad)", "w"]);
+    let mut panel = Panel::new(
+        Axis::linear("φ")
+            .range(0.0, 2.0 * PI)
+            .ticks(multiples_of_pi(2)),
+        Axis::linear("w").range(-1.1, 1.1),
+    );
+    for (n, motion) in motions.iter().enumerate() {
+        for [phi, w] in &motion.points {
+            table.row([motion.lambda.into(), phi.into(), w.into()])?;
+        }
+        let key = format!("λ_0 = {}", motion.lambda);
+        panel = panel.curve(Curve::new(motion.points.iter().copied()).series(n).key(key));
+    }
+    Plot::new("sinusoidal-family", "Large-time motions")
+        .caption(
+            "The large-time motion over one period for several $\\lambda_0$. With growing friction the humps shrink and peak \
+             earlier; beyond $\\lambda_\\mathrm c$ rests appear between them.",
+        )
+        .alt(
+            "Curves of velocity against phase. For small friction nearly a cosine upside down; for larger friction lower \
+             humps that peak earlier, then flat stretches at zero between them.",
+        )
+        .panel(panel)
+        .figure(table)
+}
