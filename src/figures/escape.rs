@@ -120,8 +120,9 @@ pub fn paths(paths: &[Path]) -> Result<Figure, FigureError> {
              after; the other goes away.",
         )
         .alt(
-            "Two panels. On the table two paths run together through most of a turn; then one ends and the other \
-             spirals out of the panel. In the laboratory one path winds into a circle, the other out of the panel.",
+            "Two panels. On the table two paths run together for a short way, backwards; then one ends and the \
+             other bends outwards and leaves the panel. In the laboratory the first winds into a circle about the \
+             axis, the second spirals out of the panel.",
         )
         .panel(on_table)
         .panel(in_laboratory)

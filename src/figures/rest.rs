@@ -30,12 +30,13 @@ pub fn census(list: &[Census]) -> Result<Figure, FigureError> {
         .caption(
             "What becomes of particles that start with the given $\\alpha$ and $A$, for three angles $\\psi$. Every \
              cell is one motion, followed until its fate is certain. Shaded: it comes to rest. The true boundary \
-             depends on $\\psi$ (solid: to second order in $\\alpha$), the printed envelope (147) (dashed) does not.",
+             depends on $\\psi$ (solid: to second order in $\\alpha$, which is good while $\\alpha$ is small), the printed \
+             envelope (147) (dashed) does not.",
         )
         .alt(
             "Three panels with α to the right and A upwards. The shaded region of rest lies below a line that falls \
              from A = 1, steeply at ψ = 0, half as steeply at ψ = π/2, and hardly at all at ψ = 5π/6; the solid \
-             curve follows its edge, the dashed curve runs well below it.",
+             curve follows its edge where α is small, the dashed curve runs well below it.",
         );
     for census in list {
         let side = census.side as f64;

@@ -13,7 +13,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
 
 /// Three escapes, over seven decades of the time.
 fn compensated() -> Result<Figure, AllFiguresError> {
-    let launches = [(1.2, 0.3, 1.0), (2.0, 0.5, -1.0), (3.0, 1.0, 2.0)];
+    let launches = [(1.2, 0.3, 1.0), (2.0, 0.5, -1.0), (8.0, 1.0, 2.0)];
     let moments: Vec<Vec<Late>> = launches
         .into_iter()
         .map(|(a, alpha, psi)| {
