@@ -5,7 +5,6 @@ use crate::claims::compare::Failure;
 use crate::claims::points::Points;
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
-use rayon::prelude::*;
 use std::sync::LazyLock;
 
 /// Cells of the census along q, sixty for each unit.
@@ -104,7 +103,8 @@ fn run() -> Result<Vec<Column>, String> {
         };
         made().map_err(|error| format!("q = {q}: {error}"))
     };
-    drawn.par_iter().map(column).collect()
+    // Not in parallel: made within a shared lazy value, where a task taken over could wait for that very value.
+    drawn.iter().map(column).collect()
 }
 
 /// All points away from the curves.

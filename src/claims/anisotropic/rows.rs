@@ -71,7 +71,6 @@ pub fn far_rows() -> Result<&'static [Row], Failure> {
 }
 
 fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, String> {
-    use rayon::prelude::*;
     let row = |&q: &f64| {
         let made = || -> Result<Row, Failure> {
             Ok(Row {
@@ -81,7 +80,7 @@ fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, String> {
         };
         made().map_err(|error| format!("q = {q}: {error}"))
     };
-    ratios.par_iter().map(row).collect()
+    ratios.iter().map(row).collect()
 }
 
 /// A power law λ₀ = prefactor · (q + 1)^exponent, with standard errors.
