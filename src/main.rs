@@ -38,7 +38,7 @@ fn main_job(arguments: &Arguments) -> Result<Vec<Difference>, Box<dyn std::error
     let start = Instant::now();
     let record = Record::committed()?;
     book::check(&arguments.out)?;
-    let ledger = verify();
+    let (ledger, figures) = rayon::join(verify, figures::all);
     let differences = record.differences(&ledger);
     say(&ledger.table())?;
     for difference in &differences {
@@ -50,7 +50,7 @@ fn main_job(arguments: &Arguments) -> Result<Vec<Difference>, Box<dyn std::error
             words(difference.found)
         ))?;
     }
-    let first_page = book::write(&ledger, &figures::all()?, &arguments.out)?;
+    let first_page = book::write(&ledger, &figures?, &arguments.out)?;
     let as_recorded =
         ledger.entries.len() - differences.iter().filter(|d| d.found.is_some()).count();
     say(&format!(

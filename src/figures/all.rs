@@ -13,6 +13,7 @@ use super::{Figure, FigureError};
 use crate::claims::compare::Failure;
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
+use rayon::prelude::*;
 
 /// Why a figure has no data or cannot be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -52,9 +53,6 @@ pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
         escape::figures,
         rest::figures,
     ];
-    let mut all = Vec::new();
-    for figures in topics {
-        all.extend(figures()?);
-    }
-    Ok(all)
+    let made: Result<Vec<_>, _> = topics.into_par_iter().map(|figures| figures()).collect();
+    Ok(made?.into_iter().flatten().collect())
 }

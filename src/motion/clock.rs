@@ -5,8 +5,7 @@
 //! one more component of the state, by convention the first.
 
 use super::error::MotionError;
-use crate::numerics::roots::root;
-use crate::numerics::series::change;
+use crate::numerics::series::{arrival, change};
 use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
 
 /// A stretch of motion of `D` components, the first of which is the time t.
@@ -47,7 +46,7 @@ impl<const D: usize> Clocked<D> {
                 step.h = 2.0 * left / step.series[0][1];
             }
             if change(&step.series[0], &step.h) >= left {
-                step.h = elapsed(&step, left)?;
+                step.h = arrival(&step.series[0], left, step.h);
                 let mut end = step.at(&step.h);
                 end[0] = until;
                 steps.push(step);
@@ -81,20 +80,9 @@ impl<const D: usize> Clocked<D> {
         let Some(step) = self.steps.get(index.saturating_sub(1)) else {
             return Ok(self.end);
         };
-        let mut state = step.at(&elapsed(step, t - step.series[0][0])?);
+        let clock = &step.series[0];
+        let mut state = step.at(&arrival(clock, t - clock[0], step.h));
         state[0] = state[0].max(t);
         Ok(state)
     }
-}
-
-/// The s in a step by which its clock has gone on by `time`.
-fn elapsed<const D: usize>(step: &Step<f64, D, TERMS>, time: f64) -> Result<f64, MotionError> {
-    let late = |s: f64| change(&step.series[0], &s) - time;
-    if time <= 0.0 {
-        return Ok(0.0);
-    }
-    if late(step.h) <= 0.0 {
-        return Ok(step.h);
-    }
-    Ok(root(late, 0.0, step.h)?)
 }

@@ -83,24 +83,23 @@ impl Signal {
                 }
             }
             Self::Exponential { rate } => {
-                let u = line(rate * t, *rate);
+                let u = [rate * t, *rate];
                 (0..TERMS).for_each(|k| c[k] = series::exp(&u, &c, k));
             }
             Self::Sine { frequency, phase } => {
-                let u = line(frequency * t + phase, *frequency);
+                let u = [frequency * t + phase, *frequency];
                 let mut cosine = [0.0; TERMS];
                 (0..TERMS).for_each(|k| (c[k], cosine[k]) = series::sin_cos(&u, &c, &cosine, k));
             }
             Self::Gaussian { centre, width } => {
                 if t >= centre - CUT * width && t < centre + CUT * width {
                     let z = (t - centre) / width;
-                    let mut u = line(-z * z, -2.0 * z / width);
-                    u[2] = -1.0 / (width * width);
+                    let u = [-z * z, -2.0 * z / width, -1.0 / (width * width)];
                     (0..TERMS).for_each(|k| c[k] = series::exp(&u, &c, k));
                 }
             }
             Self::Power { scale, exponent } => {
-                let u = line(1.0 + t / scale, 1.0 / scale);
+                let u = [1.0 + t / scale, 1.0 / scale];
                 (0..TERMS).for_each(|k| c[k] = series::power(&u, *exponent, &c, k));
             }
             Self::Square { start, half } => {
@@ -117,8 +116,7 @@ impl Signal {
             Self::Product(parts) => {
                 c[0] = 1.0;
                 for part in parts {
-                    let p = part.coefficients(t);
-                    c = std::array::from_fn(|k| series::product(&c, &p, k));
+                    c = multiplied(&c, &part.coefficients(t));
                 }
             }
         }
@@ -145,11 +143,17 @@ impl Signal {
     }
 }
 
-/// The series of `value + slope · τ`.
-fn line(value: f64, slope: f64) -> Coefficients {
-    let mut u = [0.0; TERMS];
-    (u[0], u[1]) = (value, slope);
-    u
+/// The product of two series.
+fn multiplied(a: &Coefficients, b: &Coefficients) -> Coefficients {
+    let terms = |c: &Coefficients| c.iter().rposition(|c| *c != 0.0).map_or(0, |k| k + 1);
+    let (few, many) = if terms(a) < terms(b) { (a, b) } else { (b, a) };
+    let mut product = [0.0; TERMS];
+    for (j, factor) in few[..terms(few)].iter().enumerate() {
+        for (sum, c) in product[j..].iter_mut().zip(many) {
+            *sum += factor * c;
+        }
+    }
+    product
 }
 
 /// The n with start + n·half ≤ t < start + (n + 1)·half, as those sums are rounded.

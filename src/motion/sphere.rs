@@ -26,8 +26,7 @@ pub use line::{Directed, LineMotion, LineState, Stretch};
 
 use super::acceleration::{Acceleration, Coefficients};
 use super::error::MotionError;
-use crate::numerics::roots::root;
-use crate::numerics::series::{change, value};
+use crate::numerics::series::{arrival, value};
 use crate::numerics::taylor::{Step, TERMS};
 
 /// A homogeneous or hollow sphere and the plane under it.
@@ -227,7 +226,7 @@ impl Piece {
     fn parts(&self, t: f64) -> Result<[f64; PARTS], MotionError> {
         Ok(match self {
             Self::Slide { step, .. } => {
-                let s = elapsed(step, t - step.series[0][0])?;
+                let s = arrival(&step.series[0], t - step.series[0][0], step.h);
                 std::array::from_fn(|i| value(&step.series[i + 1], &s))
             }
             Self::Series { from, series, .. } => {
@@ -235,18 +234,6 @@ impl Piece {
             }
         })
     }
-}
-
-/// The s in a step by which its clock has gone on by `time`.
-fn elapsed(step: &Step<f64, 10, TERMS>, time: f64) -> Result<f64, MotionError> {
-    let late = |s: f64| change(&step.series[0], &s) - time;
-    if time <= 0.0 {
-        return Ok(0.0);
-    }
-    if late(step.h) <= 0.0 {
-        return Ok(step.h);
-    }
-    Ok(root(late, 0.0, step.h)?)
 }
 
 /// A motion from a start to an end.

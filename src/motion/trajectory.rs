@@ -3,8 +3,7 @@
 use super::acceleration::Coefficients;
 use super::error::MotionError;
 use crate::numerics::events::roots;
-use crate::numerics::roots::root;
-use crate::numerics::series::{change, value};
+use crate::numerics::series::{arrival, change, value};
 use crate::numerics::taylor::{Step, TERMS};
 
 /// State of a particle in the frame of the plane.
@@ -109,7 +108,7 @@ impl Piece {
     /// State at time `t` of the piece.
     pub(super) fn at(&self, t: f64) -> Result<State, MotionError> {
         Ok(match self {
-            Self::Slide(step) => step.state(step.s_at(t - step.t_start())?, t),
+            Self::Slide(step) => step.state(step.s_at(t - step.t_start()), t),
             Self::Arc(arc) => arc.state(t),
             Self::Rest { x, .. } => State {
                 t,
@@ -156,15 +155,8 @@ impl Step<f64, 5, TERMS> {
     }
 
     /// The s in the step by which the time `elapsed` has gone by.
-    pub(super) fn s_at(&self, elapsed: f64) -> Result<f64, MotionError> {
-        let late = |s: f64| change(&self.series[2], &s) - elapsed;
-        if elapsed <= 0.0 {
-            return Ok(0.0);
-        }
-        if late(self.h) <= 0.0 {
-            return Ok(self.h);
-        }
-        Ok(root(late, 0.0, self.h)?)
+    pub(super) fn s_at(&self, elapsed: f64) -> f64 {
+        arrival(&self.series[2], elapsed, self.h)
     }
 
     /// The time that goes by in the step.

@@ -9,7 +9,7 @@
 mod chebyshev;
 mod piece;
 
-pub use piece::{Piece, Secant, falling_root};
+pub use piece::{Piece, Secant};
 
 use chebyshev::{Fit, interpolate};
 use polycool::PolyDyn;

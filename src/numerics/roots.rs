@@ -1,8 +1,9 @@
 //! Roots of one equation in one unknown, from a bracket.
 //!
-//! The method is ITP (Oliveira and Takahashi, "An enhancement of the bisection method average performance
-//! preserving minmax optimality", ACM Trans. Math. Softw. 47(1), 2020): an interpolated point, truncated
-//! towards the middle and projected so that the bracket never lags behind bisection by more than one step.
+//! [`root`] needs only values. Its method is Chandrupatla's ("A new hybrid quadratic/bisection algorithm for finding
+//! the zero of a nonlinear function without using derivatives", Adv. Eng. Softw. 28, 1997): inverse quadratic
+//! interpolation through the last three points where their places and values say that it can be trusted, and
+//! bisection elsewhere. [`falling_root`] is Newton's method for those who know the slope as well.
 
 use super::error::{NumericsError, finite};
 
@@ -43,26 +44,33 @@ pub fn root(mut f: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, N
             at_high: yb,
         });
     }
-    let rising = if ya < 0.0 { 1.0 } else { -1.0 };
-    let width = b - a;
-    for step in 0..LIMIT {
+    // The newest end of the bracket is `a`; `c` is the end that it has replaced, or the other's predecessor.
+    let mut part = 0.5;
+    for step in 1..=LIMIT {
+        let x = a + part * (b - a);
+        let y = at(x)?;
+        let (c, yc);
+        if (y > 0.0) == (ya > 0.0) {
+            (c, yc) = (a, ya);
+        } else {
+            (c, yc) = (b, yb);
+            (b, yb) = (a, ya);
+        }
+        (a, ya) = (x, y);
+        let (best, least) = if ya.abs() < yb.abs() { (a, ya) } else { (b, yb) };
         let middle = a + 0.5 * (b - a);
         let tolerance = (f64::EPSILON * middle.abs()).max(f64::MIN_POSITIVE);
-        if b - a <= 2.0 * tolerance || middle <= a || middle >= b {
-            return Ok(if ya.abs() < yb.abs() { a } else { b });
+        let between = middle > a.min(b) && middle < a.max(b);
+        if least == 0.0 || (b - a).abs() <= 2.0 * tolerance || !between {
+            return Ok(best);
         }
-        let x = next(a, b, ya, yb, width, tolerance, step).clamp(a, b);
-        // An end again would not shrink the bracket.
-        let x = if x <= a || x >= b { middle } else { x };
-        let y = at(x)?;
-        if y == 0.0 {
-            return Ok(x);
-        }
-        if y * rising > 0.0 {
-            (b, yb) = (x, y);
+        // Never nearer to an end than the tolerance: the step after a good guess closes the bracket.
+        let margin = tolerance / (b - a).abs();
+        part = if step % 64 == 0 {
+            0.5
         } else {
-            (a, ya) = (x, y);
-        }
+            interpolated([a, b, c], [ya, yb, yc]).clamp(margin, 1.0 - margin)
+        };
     }
     Err(NumericsError::Limit {
         what: "evaluations of a root-finder",
@@ -71,32 +79,74 @@ pub fn root(mut f: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, N
     })
 }
 
-/// Enough for plain bisection of the whole range of f64 (2¹¹ binary orders, 53 bits), twice.
+/// Steps; plain bisection of the whole range of f64 takes half as many (2¹¹ binary orders, 53 bits).
 const LIMIT: usize = 2 * (2048 + 64);
 
-/// The point to try next: interpolate, truncate, project.
-fn next(a: f64, b: f64, ya: f64, yb: f64, width: f64, tolerance: f64, step: usize) -> f64 {
-    let middle = a + 0.5 * (b - a);
-    if !(ya.is_finite() && yb.is_finite()) || step >= 60 {
-        return middle;
-    }
-    let chord = a + (b - a) * (ya / (ya - yb));
-    let towards = if middle >= chord { 1.0 } else { -1.0 };
-    let kappa = 0.2 / width;
-    let truncation = (kappa * (b - a) * (b - a)).max(tolerance);
-    let truncated = if truncation <= (middle - chord).abs() {
-        chord + towards * truncation
+/// The part of the way from `a` to `b` at which to look next, from the values at a, b and an earlier point.
+fn interpolated([a, b, c]: [f64; 3], [ya, yb, yc]: [f64; 3]) -> f64 {
+    let xi = (a - b) / (c - b);
+    let phi = (ya - yb) / (yc - yb);
+    // False also for values that are not finite.
+    if phi * phi < xi && (1.0 - phi) * (1.0 - phi) < 1.0 - xi {
+        let near = ya / (yb - ya) * (yc / (yb - yc));
+        let far = (c - a) / (b - a) * (ya / (yc - ya)) * (yb / (yc - yb));
+        near + far
     } else {
-        middle
-    };
-    // n_max of the paper is what bisection needs; one more step is granted.
-    let bisections = libm::ceil(libm::log2(width / (2.0 * tolerance))).max(0.0);
-    let slack = tolerance * libm::exp2(bisections + 1.0 - step as f64) - 0.5 * (b - a);
-    if (truncated - middle).abs() <= slack {
-        truncated
-    } else {
-        middle - towards * slack.max(0.0)
+        0.5
     }
+}
+
+/// Steps after which [`falling_root`] must have found it: halving alone needs fewer.
+const STEPS: usize = 128;
+
+/// The root of a function that is positive at `low` and negative at `high`, by Newton's method inside a
+/// bracket, from `guess`; `function` returns value and slope. Bounded number of steps.
+pub fn falling_root(
+    mut low: f64,
+    mut high: f64,
+    guess: f64,
+    function: impl Fn(f64) -> (f64, f64),
+) -> f64 {
+    let mut x = guess.clamp(low, high);
+    let mut last_step = f64::INFINITY;
+    let mut last = None;
+    for _ in 0..STEPS {
+        let (value, slope) = function(x);
+        if value > 0.0 {
+            low = x;
+        } else if value < 0.0 {
+            high = x;
+        } else {
+            return x;
+        }
+        let mut next = x - value / slope;
+        let newton = next >= low && next <= high;
+        if !newton {
+            next = 0.5 * (low + high);
+        }
+        let step = (next - x).abs();
+        if step <= f64::EPSILON * x.abs() || next == low && next == high {
+            return next;
+        }
+        if newton {
+            // What Newton's step leaves is step² times half the relative curvature.
+            if let Some((x0, slope0)) = last {
+                let curvature: f64 = (slope - slope0) / (x - x0);
+                if (0.5 * curvature / slope).abs() * step * step <= 0.1 * f64::EPSILON * x.abs()
+                    && step < 0.1 * last_step
+                {
+                    return next;
+                }
+            }
+            if step < 1e-11 * x.abs() && step >= 0.5 * last_step {
+                return next;
+            }
+        }
+        last = Some((x, slope));
+        last_step = step;
+        x = next;
+    }
+    0.5 * (low + high)
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 //! the sense of Moore, as in the integrators TIDES and heyoka).
 
 use super::number::Number;
+use super::roots::falling_root;
 
 /// A truncated series of `N` terms.
 pub type Series<T, const N: usize> = [T; N];
@@ -21,19 +22,24 @@ pub fn constant<T: Number, const N: usize>(value: T) -> Series<T, N> {
     })
 }
 
+/// Number of chains of additions that run side by side, since one alone waits for its own last sum.
+const LANES: usize = 4;
+
 /// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0.
 pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
-    // Two chains of additions, since one alone waits for its own last sum.
-    let mut even = T::from_f64(0.0);
-    let mut odd = T::from_f64(0.0);
-    let mut pairs = a.iter().zip(b.iter().rev());
-    while let Some((x, y)) = pairs.next() {
-        even = even + x.clone() * y.clone();
-        if let Some((x, y)) = pairs.next() {
-            odd = odd + x.clone() * y.clone();
+    let (a, a_rest) = a.as_chunks::<LANES>();
+    let (b_rest, b) = b.as_rchunks::<LANES>();
+    let mut sums: [T; LANES] = std::array::from_fn(|_| T::from_f64(0.0));
+    for (x, y) in a.iter().zip(b.iter().rev()) {
+        for (i, sum) in sums.iter_mut().enumerate() {
+            *sum = sum.clone() + x[i].clone() * y[LANES - 1 - i].clone();
         }
     }
-    even + odd
+    for (sum, (x, y)) in sums.iter_mut().zip(a_rest.iter().zip(b_rest.iter().rev())) {
+        *sum = sum.clone() + x.clone() * y.clone();
+    }
+    let [p, q, r, s] = sums;
+    (p + q) + (r + s)
 }
 
 /// Coefficient `k` of a·b.
@@ -43,16 +49,18 @@ pub fn product<T: Number>(a: &[T], b: &[T], k: usize) -> T {
 
 /// Coefficient `k` of a².
 pub fn square<T: Number>(a: &[T], k: usize) -> T {
-    if k == 0 {
-        return a[0].clone() * a[0].clone();
-    }
-    let half = k.div_ceil(2);
-    let twice = convolution(&a[..half], &a[k + 1 - half..=k]);
+    symmetric(&a[..=k])
+}
+
+/// Σ a_j a_{n−1−j}, j = 0 … n−1, over a slice of length n: half the products serve twice.
+fn symmetric<T: Number>(a: &[T]) -> T {
+    let n = a.len();
+    let twice = convolution(&a[..n / 2], &a[n - n / 2..]);
     let sum = twice.clone() + twice;
-    if k.is_multiple_of(2) {
-        sum + a[k / 2].clone() * a[k / 2].clone()
-    } else {
+    if n.is_multiple_of(2) {
         sum
+    } else {
+        sum + a[n / 2].clone() * a[n / 2].clone()
     }
 }
 
@@ -66,15 +74,17 @@ pub fn sqrt<T: Number>(a: &[T], r: &[T], k: usize) -> T {
     if k == 0 {
         return a[0].sqrt();
     }
-    let known = convolution(&r[1..k], &r[1..k]);
-    (a[k].clone() - known) / (r[0].clone() + r[0].clone())
+    (a[k].clone() - symmetric(&r[1..k])) / (r[0].clone() + r[0].clone())
 }
 
-/// Σ j u_j f_{k−j} / k, j = 1 … k: the coefficient `k` of the function whose derivative is u′f.
+/// Σ j u_j f_{k−j} / k, j = 1 … k: the coefficient `k` of the function whose derivative is u′f. Here and in
+/// what builds on it, `u` may be shorter than k + 1: what it lacks is zero.
 fn chain<T: Number>(u: &[T], f: &[T], k: usize) -> T {
     let mut sum = T::from_f64(0.0);
-    for j in 1..=k {
-        sum = sum + T::from_f64(j as f64) * u[j].clone() * f[k - j].clone();
+    let mut weight = 0.0;
+    for (u, f) in u.iter().skip(1).zip(f[..k].iter().rev()) {
+        weight += 1.0;
+        sum = sum + T::from_f64(weight) * u.clone() * f.clone();
     }
     sum / T::from_f64(k as f64)
 }
@@ -101,9 +111,9 @@ pub fn power<T: Number>(u: &[T], exponent: f64, p: &[T], k: usize) -> T {
         return u[0].pow(exponent);
     }
     let mut sum = T::from_f64(0.0);
-    for j in 1..=k {
-        let weight = T::from_f64(exponent * j as f64 - (k - j) as f64);
-        sum = sum + weight * u[j].clone() * p[k - j].clone();
+    for (j, (u, p)) in (1..).zip(u[1..].iter().zip(p[..k].iter().rev())) {
+        let weight = T::from_f64(exponent * f64::from(j) - (k as f64 - f64::from(j)));
+        sum = sum + weight * u.clone() * p.clone();
     }
     sum / (T::from_f64(k as f64) * u[0].clone())
 }
@@ -120,6 +130,25 @@ pub fn value<T: Number>(a: &[T], t: &T) -> T {
 /// Value without the constant term: what the series changes over the distance `t`.
 pub fn change<T: Number>(a: &[T], t: &T) -> T {
     value(&a[1..], t) * t.clone()
+}
+
+/// The distance from the centre, up to `h`, over which a series that never falls on the way changes by `amount`:
+/// 0 or `h` where it does so before or only later.
+pub fn arrival(a: &[f64], amount: f64, h: f64) -> f64 {
+    if amount <= 0.0 {
+        return 0.0;
+    }
+    if change(a, &h) <= amount {
+        return h;
+    }
+    falling_root(0.0, h, amount / a[1], |t| {
+        let (mut mean, mut slope) = (0.0, 0.0);
+        for c in a[1..].iter().rev() {
+            slope = slope * t + mean;
+            mean = mean * t + c;
+        }
+        (amount - t * mean, -(mean + t * slope))
+    })
 }
 
 #[cfg(test)]

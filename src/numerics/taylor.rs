@@ -138,24 +138,26 @@ where
                 x[k + 1] = d / inverse.clone();
             }
         }
-        if series.iter().flatten().any(|c| !c.magnitude().is_finite()) {
+        // Every one, without a look in between.
+        let finite = |fine, c: &T| fine & c.magnitude().is_finite();
+        if !series.iter().flatten().fold(true, finite) {
             return Err(NumericsError::NotFinite {
                 what: "a Taylor coefficient of the state",
                 at: self.t.magnitude(),
             });
         }
-        let h = match self.control {
+        let h = libm::exp2(match self.control {
             Control::Each => series
                 .iter()
-                .map(|x| reach(x))
+                .map(|x| log2_reach(x))
                 .fold(f64::INFINITY, f64::min),
             Control::Largest => {
                 let largest: [f64; N] = std::array::from_fn(|k| {
                     series.iter().map(|x| x[k].magnitude()).fold(0.0, f64::max)
                 });
-                reach(&largest)
+                log2_reach(&largest)
             }
-        };
+        });
         Ok(Step {
             t: self.t.clone(),
             h,
@@ -178,6 +180,11 @@ where
 /// How far a series may be trusted: the largest h at which its last two terms are below the tolerance times
 /// one of its first four terms. Infinite for a series that ends before.
 pub fn reach<T: Number>(x: &[T]) -> f64 {
+    libm::exp2(log2_reach(x))
+}
+
+/// Binary logarithm of the [`reach`].
+fn log2_reach<T: Number>(x: &[T]) -> f64 {
     let first: [f64; 4] = std::array::from_fn(|k| x.get(k).map_or(f64::NEG_INFINITY, log2));
     let mut least = f64::INFINITY;
     for (n, c) in x.iter().enumerate().skip(x.len().saturating_sub(2).max(4)) {
@@ -194,7 +201,7 @@ pub fn reach<T: Number>(x: &[T]) -> f64 {
             least = least.min(best);
         }
     }
-    libm::exp2(least)
+    least
 }
 
 /// Binary logarithm of the magnitude to within 0.09, from the bits of the number; −∞ for zero.

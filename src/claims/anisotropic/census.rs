@@ -103,8 +103,16 @@ fn run() -> Result<Vec<Column>, String> {
         };
         made().map_err(|error| format!("q = {q}: {error}"))
     };
-    // Not in parallel: made within a shared lazy value, where a task taken over could wait for that very value.
-    drawn.iter().map(column).collect()
+    // By threads of its own: within a shared lazy value, a task that a thread pool takes over meanwhile could wait
+    // for that very value.
+    let half = |columns: &[_]| columns.iter().map(column).collect::<Result<Vec<_>, _>>();
+    let (low, high) = drawn.split_at(COLUMNS / 2);
+    std::thread::scope(|scope| {
+        let high = scope.spawn(|| half(high));
+        let mut all = half(low)?;
+        all.extend(high.join().map_err(|_| "the census has failed")??);
+        Ok(all)
+    })
 }
 
 /// All points away from the curves.

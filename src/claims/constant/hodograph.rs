@@ -6,7 +6,6 @@ use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 
@@ -64,8 +63,7 @@ pub fn eq9_quadrature() -> Evidence {
     Trial::quadrature(Subject::Within, compared).over(turns_where(Turn::is_gentle), |turn| {
         let turn = turn?;
         let rate = |theta| printed::eq9_log_speed_rate(turn.lambda, theta);
-        let log_ratio =
-            integral_within(rate, turn.theta0, turn.theta, 1e-13 * turn.condition())?.value;
+        let log_ratio = turn.integral(rate, 1e-13 * turn.condition())?;
         let found = turn.v / turn.v0;
         Ok::<_, Failure>(Pair {
             at: turn.at(),
@@ -135,8 +133,7 @@ pub fn eq11_quadrature() -> Evidence {
         let turn = turn?;
         // Along and across the velocity, with A along x: dv/dt = A cos θ − λA, v dθ/dt = −A sin θ.
         let rate = |theta: f64| -(Scalar::cos(theta) - turn.lambda) / Scalar::sin(theta);
-        let log_ratio =
-            integral_within(rate, turn.theta0, turn.theta, 1e-13 * turn.condition())?.value;
+        let log_ratio = turn.integral(rate, 1e-13 * turn.condition())?;
         let found = turn.v0 * libm::exp(log_ratio);
         let speed = turn.formula(printed::eq11_speed);
         let mut pair = Pair::conditioned(turn.at(), speed, found);

@@ -10,6 +10,7 @@ use crate::motion::MotionError;
 use crate::numerics::quadrature::{integral, integral_within};
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
+use std::sync::LazyLock;
 
 /// (15) with v_x of the motion without friction.
 pub fn eq15_motion() -> Evidence {
@@ -165,6 +166,12 @@ pub fn eq20_motion() -> Evidence {
 
 /// (20) with the integral of dt over the whole turn, in the variable r of the regular form.
 pub fn eq20_quadrature() -> Evidence {
+    // Two claims ask for it.
+    static EVIDENCE: LazyLock<Evidence> = LazyLock::new(integrated_stops);
+    EVIDENCE.clone()
+}
+
+fn integrated_stops() -> Evidence {
     let trial = Trial::quadrature(
         Subject::Printed,
         "(20) with ∫ dt = ∫ v dr/(A r) over 0 < r < 1",
@@ -180,8 +187,8 @@ pub fn eq20_quadrature() -> Evidence {
             theta0,
             ..
         } = stop.start;
-        // With r = x^(1/(λ−1)) the integrand is finite at 0.
-        let k = 1.0 / (lambda - 1.0);
+        // With r = x^(8/(λ−1)) the integrand is smooth at 0: it begins with x⁷.
+        let k = 8.0 / (lambda - 1.0);
         let rate = |x: f64| {
             let r = Scalar::pow(x, k);
             corrected::speed(lambda, v0, theta0, r) * k / (a * x)

@@ -4,6 +4,8 @@
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::motion::{Launch, Motion, MotionError, State};
+use crate::numerics::NumericsError;
+use crate::numerics::quadrature::integral_within;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -58,6 +60,18 @@ impl Turn {
     /// True where that growth costs at most two digits or so; the other points are left to other routes.
     pub fn is_gentle(&self) -> bool {
         self.condition() < 300.0
+    }
+
+    /// ∫ f dθ from θ₀ to θ, to within `enough`. With y = ln tan(θ/2), dθ = sin θ dy: in y, what is a power of the
+    /// tangent is an exponential function, and smooth however steep.
+    pub fn integral(&self, f: impl Fn(f64) -> f64, enough: f64) -> Result<f64, NumericsError> {
+        let side = 1f64.copysign(self.theta0);
+        let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
+        let rate = |y: f64| {
+            let theta = side * 2.0 * libm::atan(libm::exp(y));
+            f(theta) * libm::sin(theta)
+        };
+        Ok(integral_within(rate, y(self.theta0), y(self.theta), enough)?.value)
     }
 
     /// The motion from the launch until a time.

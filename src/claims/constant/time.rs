@@ -6,7 +6,6 @@ use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
@@ -42,9 +41,8 @@ pub fn eq12_quadrature() -> Evidence {
         |turn| {
             let turn = turn?;
             let found = turn.a * turn.t;
-            let rate = |theta: f64| eq12_rate(turn, theta);
             let enough = 1e-14 * turn.condition() * found;
-            let stated = integral_within(rate, turn.theta0, turn.theta, enough)?.value;
+            let stated = turn.integral(|theta| eq12_rate(turn, theta), enough)?;
             Ok::<_, Failure>(Pair {
                 at: turn.at(),
                 stated,
@@ -99,7 +97,7 @@ pub fn eq13_quadrature() -> Evidence {
                 -v / (turn.a * Scalar::sin(theta))
             };
             let enough = 1e-14 * turn.condition() * turn.t;
-            let found = integral_within(rate, turn.theta0, turn.theta, enough)?.value;
+            let found = turn.integral(rate, enough)?;
             let mut pair = Pair::conditioned(turn.at(), eq13(turn), found);
             pair.scale = pair.scale.max(found * turn.condition());
             Ok::<_, Failure>(pair)

@@ -1,9 +1,10 @@
 //! Figures of section 4, rest.
 
 use super::AllFiguresError;
-use crate::claims::rest::boundary::{self, resting_place};
+use crate::claims::rest::boundary;
 use crate::figures::{Figure, rest as rest_figures};
 use crate::motion::MotionError;
+use crate::motion::turntable::fate::rests;
 use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use std::f64::consts::PI;
 
@@ -17,10 +18,10 @@ const SIDE: usize = 60;
 fn census() -> Result<Figure, AllFiguresError> {
     let (alphas, sizes) = ((0.0, 0.3), (0.6, 1.05));
     let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / SIDE as f64;
-    let one = |(name, psi): (&'static str, f64)| -> Result<_, MotionError> {
+    let one = |(name, psi): (&'static str, f64)| -> Result<_, AllFiguresError> {
         let cell = |k: usize| {
-            let place = resting_place(at(sizes, k / SIDE), at(alphas, k % SIDE), psi)?;
-            Ok(place.is_some())
+            let start = Start::hyperbolic(at(sizes, k / SIDE), at(alphas, k % SIDE), psi)?;
+            rests(&start)?.ok_or_else(|| AllFiguresError::Data("rounding decides a cell".into()))
         };
         let line = |f: &dyn Fn(f64) -> f64| {
             let alphas = (0..=60).map(|i| 0.005 * f64::from(i));
@@ -31,7 +32,7 @@ fn census() -> Result<Figure, AllFiguresError> {
             side: SIDE,
             rests: (0..SIDE * SIDE)
                 .map(cell)
-                .collect::<Result<_, MotionError>>()?,
+                .collect::<Result<_, AllFiguresError>>()?,
             alpha: alphas,
             a: sizes,
             printed: line(&boundary::printed_a),

@@ -5,7 +5,8 @@
 
 use super::intervals::Sign;
 use super::{Drive, Friction};
-use crate::numerics::piecewise::{Piece, Piecewise, Secant, falling_root};
+use crate::numerics::piecewise::{Piece, Piecewise, Secant};
+use crate::numerics::roots::falling_root;
 use std::f64::consts::TAU;
 
 /// On a monotone piece a motion can at most stop, turn, stop again and start again: no more events than this.

@@ -15,9 +15,9 @@
 
 use super::{Drive, DriveError, Friction, State};
 use crate::numerics::NumericsError;
-use crate::numerics::piecewise::{Piece, falling_root};
-use crate::numerics::series::{Series, exp, product};
-use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
+use crate::numerics::piecewise::Piece;
+use crate::numerics::series::{Series, arrival, exp, product};
+use crate::numerics::taylor::{Control, Integrator, System, TERMS};
 use std::f64::consts::TAU;
 
 /// Below this logarithm of the speed the phase does not advance any more.
@@ -252,7 +252,7 @@ impl<'d> Flight<'d> {
         step.h = step.h.min(LONGEST / steepest.max(f64::MIN_POSITIVE));
         let reaches = step.at(&step.h)[0] >= end;
         if reaches {
-            step.h = arrival(&step, end);
+            step.h = arrival(&step.series[0], end - s, step.h);
         }
         integrator.advance(&step);
         self.state = *integrator.state();
@@ -261,20 +261,6 @@ impl<'d> Flight<'d> {
         }
         Ok(())
     }
-}
-
-/// Where within the step s reaches `end`: s never falls.
-fn arrival(step: &Step<f64, 3, TERMS>, end: f64) -> f64 {
-    let s = &step.series[0];
-    falling_root(0.0, step.h, (end - s[0]) / s[1], |sigma| {
-        let (mut value, mut slope) = (0.0, 0.0);
-        for c in s[1..].iter().rev() {
-            slope = slope * sigma + value;
-            value = value * sigma + c;
-        }
-        // The constant term is taken off first, so that short distances keep their digits.
-        ((end - s[0]) - sigma * value, -(value + sigma * slope))
-    })
 }
 
 #[cfg(test)]

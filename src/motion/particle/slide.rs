@@ -8,7 +8,7 @@
 use super::super::acceleration::Coefficients;
 use super::super::trajectory::{Arc, Piece, State};
 use super::{MotionError, Run};
-use crate::numerics::series::{convolution, product, quotient, sqrt, square};
+use crate::numerics::series::{convolution, product, sqrt, square};
 use crate::numerics::taylor::{Control, Integrator, System, TERMS};
 
 /// The equations of motion, about a time at which the acceleration is known.
@@ -26,34 +26,34 @@ struct Sliding {
 /// Series in s that a step needs besides the state.
 #[derive(Default)]
 struct Work {
-    squares: [Coefficients; 2],
     speed_squared: Coefficients,
     speed: Coefficients,
-    /// |v| plus the absolute value of its larger component, and |v| minus that.
-    sum: Coefficients,
+    /// |v| minus the absolute value of its larger component.
     excess: Coefficients,
     /// A/g.
     a: [Coefficients; 2],
     /// Powers of t − t₀; `powers[j]` begins with order j.
-    powers: [Coefficients; TERMS],
+    powers: Vec<Coefficients>,
 }
 
 impl System<f64, 5, TERMS> for Sliding {
     type Work = Work;
 
-    fn begin(&self, _: &f64, _: &[f64; 5], _: &mut Work) {}
+    fn begin(&self, _: &f64, _: &[f64; 5], work: &mut Work) {
+        if self.terms > 1 {
+            work.powers = vec![[0.0; TERMS]; self.terms];
+        }
+    }
 
     fn derivative(&self, k: usize, state: &[Coefficients; 5], work: &mut Work) -> [f64; 5] {
         let [vx, vy, t, ..] = state;
-        work.squares[0][k] = square(vx, k);
-        work.squares[1][k] = square(vy, k);
-        work.speed_squared[k] = work.squares[0][k] + work.squares[1][k];
-        work.speed[k] = sqrt(&work.speed_squared, &work.speed, k);
         let [ax, ay] = if self.terms > 1 {
+            work.speed_squared[k] = square(vx, k) + square(vy, k);
+            work.speed[k] = sqrt(&work.speed_squared, &work.speed, k);
             self.compose(k, t, work);
             [0, 1].map(|i| product(&work.a[i], &work.speed, k) + self.friction * state[i][k])
         } else {
-            self.constant_pull(k, state, work)
+            self.constant_pull(k, [vx, vy], work)
         };
         let speed = &work.speed;
         [
@@ -67,22 +67,25 @@ impl System<f64, 5, TERMS> for Sliding {
 }
 
 impl Sliding {
-    /// Coefficient `k` of A|v| + μg v for a constant A. When v points along −A this may cancel down to
-    /// (μg − |A|) v; so, with ± the sign of the larger component w of v and a that component of A, it is computed
-    /// as a (|v| − |w|) + (μg ± a) w, and |v| − |w| as u²/(|v| + |w|), u being the smaller component.
-    fn constant_pull(&self, k: usize, state: &[Coefficients; 5], work: &mut Work) -> [f64; 2] {
-        let larger = if state[1][0].abs() > state[0][0].abs() {
-            1
+    /// Coefficient `k` of A|v| + μg v for a constant A, and of |v|. Then the equations are linear: with
+    /// d|v|/ds = −A·v − μg|v|, nothing needs to be multiplied. When v points along −A, the sum may cancel down to
+    /// (μg − |A|) v; so, with ± the sign of the larger component w of v, u the smaller, and a, b those components
+    /// of A, it is computed as a e + (μg ± a) w, where e = |v| − |w| = u²/(|v| + |w|) obeys
+    /// de/ds = (±a − μg) e − b u.
+    fn constant_pull(&self, k: usize, v: [&Coefficients; 2], work: &mut Work) -> [f64; 2] {
+        let larger = usize::from(v[1][0].abs() > v[0][0].abs());
+        let (w, u) = (v[larger], v[1 - larger]);
+        let (a, b) = (self.a[larger][0], self.a[1 - larger][0]);
+        let way = 1f64.copysign(w[0]);
+        let excess = &mut work.excess;
+        excess[k] = if k == 0 {
+            u[0] * u[0] / (libm::hypot(u[0], w[0]) + w[0].abs())
         } else {
-            0
+            ((way * a - self.friction) * excess[k - 1] - b * u[k - 1]) / k as f64
         };
-        let way = 1f64.copysign(state[larger][0]);
-        let w = &state[larger];
-        work.sum[k] = work.speed[k] + way * w[k];
-        work.excess[k] = quotient(&work.squares[1 - larger], &work.sum, &work.excess, k);
-        let a = [self.a[0][0], self.a[1][0]];
-        let mut pull = [0, 1].map(|i| a[i] * work.speed[k] + self.friction * state[i][k]);
-        pull[larger] = a[larger] * work.excess[k] + (self.friction + way * a[larger]) * w[k];
+        work.speed[k] = way * w[k] + excess[k];
+        let mut pull = [b * work.speed[k] + self.friction * u[k]; 2];
+        pull[larger] = a * excess[k] + (self.friction + way * a) * w[k];
         pull
     }
 
@@ -141,7 +144,7 @@ impl Run<'_> {
             step.h = step.h.min(4.0 * local.left * unit / speed);
             let mut landing = None;
             if step.elapsed() >= local.left {
-                step.h = step.s_at(local.left)?;
+                step.h = step.s_at(local.left);
                 landing = local.landing;
             }
             integrator.advance(&step);

@@ -3,9 +3,9 @@
 use super::super::acceleration::{Acceleration, Coefficients};
 use super::super::onset::onset;
 use super::slide::Sliding;
-use super::{Ball, Contact, Motion, MotionError, PARTS, Piece, Sphere, Transition, check, elapsed};
+use super::{Ball, Contact, Motion, MotionError, PARTS, Piece, Sphere, Transition, check};
 use crate::numerics::events::{Way, roots};
-use crate::numerics::series::{change, square, value};
+use crate::numerics::series::{arrival, change, square, value};
 use crate::numerics::taylor::{Control, Integrator, TERMS, reach};
 
 /// Steps that a motion may take.
@@ -181,7 +181,7 @@ impl Run<'_> {
             step.h = step.h.min(4.0 * local.left / self.slip());
             let mut landing = None;
             if change(&step.series[0], &step.h) >= local.left {
-                step.h = elapsed(&step, local.left)?;
+                step.h = arrival(&step.series[0], local.left, step.h);
                 landing = local.landing;
             }
             integrator.advance(&step);

@@ -49,13 +49,15 @@ pub(super) struct Work {
     rate: Coefficients,
     a: [Coefficients; 2],
     /// Powers of t − t₀; `powers[j]` begins with order j.
-    powers: [Coefficients; TERMS],
+    powers: Vec<Coefficients>,
 }
 
 impl System<f64, 10, TERMS> for Sliding<'_> {
     type Work = Work;
 
-    fn begin(&self, _: &f64, _: &[f64; 10], _: &mut Work) {}
+    fn begin(&self, _: &f64, _: &[f64; 10], work: &mut Work) {
+        work.powers = vec![[0.0; TERMS]; self.terms];
+    }
 
     fn derivative(&self, k: usize, state: &[Coefficients; 10], work: &mut Work) -> [f64; 10] {
         let [t, _, _, vx, vy, _, _, _, cx, cy] = state;

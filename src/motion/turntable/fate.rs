@@ -95,7 +95,7 @@ pub fn fate(start: &Start) -> Result<Fate, MotionError> {
 ///
 /// # Errors
 /// As for [`fate()`].
-pub(super) fn rests(start: &Start) -> Result<Option<bool>, MotionError> {
+pub fn rests(start: &Start) -> Result<Option<bool>, MotionError> {
     Ok(match follow(start, false)? {
         Fate::Rest { .. } => Some(true),
         Fate::Escape { .. } => Some(false),

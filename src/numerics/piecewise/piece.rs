@@ -1,9 +1,7 @@
 //! One monotone piece: its polynomial, its integrals, and where it takes a value.
 
 use super::chebyshev::{Fit, POINTS};
-
-/// Steps after which a bracketed root must have been found: halving alone needs fewer.
-const STEPS: usize = 128;
+use crate::numerics::roots::falling_root;
 
 /// A monotone polynomial on [0, length], in powers of the distance s from the left end.
 #[derive(Debug, Clone)]
@@ -172,54 +170,4 @@ impl Secant<'_> {
         }
         (mean, value)
     }
-}
-
-/// The root of a function that is positive at `low` and negative at `high`, by Newton's method inside a
-/// bracket, from `guess`; `function` returns value and slope. Bounded number of steps.
-pub fn falling_root(
-    mut low: f64,
-    mut high: f64,
-    guess: f64,
-    function: impl Fn(f64) -> (f64, f64),
-) -> f64 {
-    let mut x = guess.clamp(low, high);
-    let mut last_step = f64::INFINITY;
-    let mut last = None;
-    for _ in 0..STEPS {
-        let (value, slope) = function(x);
-        if value > 0.0 {
-            low = x;
-        } else if value < 0.0 {
-            high = x;
-        } else {
-            return x;
-        }
-        let mut next = x - value / slope;
-        let newton = next >= low && next <= high;
-        if !newton {
-            next = 0.5 * (low + high);
-        }
-        let step = (next - x).abs();
-        if step <= f64::EPSILON * x.abs() || next == low && next == high {
-            return next;
-        }
-        if newton {
-            // What Newton's step leaves is step² times half the relative curvature.
-            if let Some((x0, slope0)) = last {
-                let curvature: f64 = (slope - slope0) / (x - x0);
-                if (0.5 * curvature / slope).abs() * step * step <= 0.1 * f64::EPSILON * x.abs()
-                    && step < 0.1 * last_step
-                {
-                    return next;
-                }
-            }
-            if step < 1e-11 * x.abs() && step >= 0.5 * last_step {
-                return next;
-            }
-        }
-        last = Some((x, slope));
-        last_step = step;
-        x = next;
-    }
-    0.5 * (low + high)
 }
