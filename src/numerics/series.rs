@@ -26,6 +26,7 @@ pub fn constant<T: Number, const N: usize>(value: T) -> Series<T, N> {
 const LANES: usize = 4;
 
 /// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0.
+#[inline]
 pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
     let (a, a_rest) = a.as_chunks::<LANES>();
     let (b_rest, b) = b.as_rchunks::<LANES>();

@@ -105,7 +105,7 @@ pub fn eq17_motion() -> Evidence {
 
 /// (18) with v_x after a long time.
 pub fn eq18_limit() -> Evidence {
-    let compared = "(18) with v_x of the motion at 60 times v₀/A";
+    let compared = "(18) with v_x of the motion at 40 times v₀/A";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
         let (start, state) = late?;
@@ -139,7 +139,7 @@ pub fn eq18_quadrature() -> Evidence {
 
 /// (19) with v_y after a long time.
 pub fn eq19_limit() -> Evidence {
-    let compared = "(19) with v_y of the motion at 60 times v₀/A";
+    let compared = "(19) with v_y of the motion at 40 times v₀/A";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
         let (start, state) = late?;

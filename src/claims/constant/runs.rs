@@ -205,7 +205,7 @@ fn launches() -> Vec<[f64; 5]> {
 /// Follows a launch until its velocity points along θ.
 fn turn([lambda, a, v0, theta0, theta]: [f64; 5]) -> Result<Turn, MotionError> {
     let launch = Turn::launch(lambda, a, v0, theta0);
-    let mut until = v0 / a;
+    let mut until = 4.0 * v0 / a;
     while until < 1e9 * v0 / a {
         let motion = launch.motion(until)?;
         if let Some(state) = motion.first_along([libm::cos(theta), libm::sin(theta)])?
@@ -223,7 +223,7 @@ fn turn([lambda, a, v0, theta0, theta]: [f64; 5]) -> Result<Turn, MotionError> {
             let rate = rate(&motion, state.t, h)?;
             return Ok(Turn { rate, ..turned });
         }
-        until *= 4.0;
+        until *= 16.0;
     }
     Err(MotionError::Argument {
         name: "θ",
@@ -317,7 +317,10 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), MotionError>
     })
 }
 
-/// Motions at λ = 1 after so long a time that they have settled: v_y falls as exp(−A t/v_x(∞)).
+/// Units v₀/A of time after which a motion at λ = 1 has settled: v_y falls as exp(−A t/v_x(∞)), v_x(∞) ≤ v₀.
+const LATE: f64 = 40.0;
+
+/// Motions at λ = 1 after so long a time.
 pub fn settled() -> impl Iterator<Item = Result<&'static (Turn, State), MotionError>> {
     static SETTLED: Shared<(Turn, State)> = LazyLock::new(|| all_settled().collect());
     shared(&SETTLED)
@@ -339,7 +342,7 @@ fn all_settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
             points.log_uniform(0.1, 10.0),
             theta0,
         );
-        let t = 60.0 * launch.v0 / launch.a;
+        let t = LATE * launch.v0 / launch.a;
         Ok((launch, launch.motion(t)?.at(t)?))
     })
 }
@@ -349,8 +352,8 @@ fn all_settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
 pub struct Stop {
     /// The launch.
     pub start: Turn,
-    /// The whole motion.
-    pub motion: Motion,
+    /// The states at the ends of the integrator's steps.
+    pub nodes: Vec<State>,
     /// When it stops.
     pub t: f64,
 }
@@ -384,8 +387,11 @@ fn all_stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
             theta0,
         );
         let motion = start.motion_to_rest()?;
-        let t = motion.end().t;
-        Ok(Stop { start, motion, t })
+        Ok(Stop {
+            start,
+            nodes: motion.nodes().collect(),
+            t: motion.end().t,
+        })
     })
 }
 

@@ -95,15 +95,15 @@ pub fn large_friction_turns() -> Evidence {
             lambda, v0, theta0, ..
         } = stop.start;
         let tangent = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
-        let fall = |s: State| {
+        let fall = |s: &State| {
             (
                 tangent(s.direction()) - tangent(theta0),
                 libm::log(s.speed() / v0),
             )
         };
         let falls = stop
-            .motion
-            .nodes()
+            .nodes
+            .iter()
             .map(fall)
             .filter(|(turn, slow)| turn.is_finite() && slow.is_finite());
         let found = falls.last().map_or(f64::NAN, |(turn, slow)| turn / slow);
@@ -119,8 +119,8 @@ pub fn large_friction_turns() -> Evidence {
 /// d ln θ/d ln v between the last two nodes at which both are normal numbers.
 fn last_slope(stop: &Stop) -> f64 {
     let nodes: Vec<_> = stop
-        .motion
-        .nodes()
+        .nodes
+        .iter()
         .map(|s| (libm::log(s.direction().abs()), libm::log(s.speed())))
         .filter(|(theta, v)| theta.is_finite() && v.is_finite())
         .collect();
@@ -143,7 +143,7 @@ pub fn large_friction_outside() -> Evidence {
         Ok::<_, Failure>(Pair {
             at: stop.start.at(),
             stated: 0.0,
-            found: stop.motion.at(0.99 * stop.t)?.direction(),
+            found: stop.start.motion_to_rest()?.at(0.99 * stop.t)?.direction(),
             scale: 1.0,
         })
     })

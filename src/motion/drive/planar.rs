@@ -16,7 +16,7 @@
 use super::{Drive, DriveError, Friction, State};
 use crate::numerics::NumericsError;
 use crate::numerics::piecewise::Piece;
-use crate::numerics::series::{Series, arrival, exp, product};
+use crate::numerics::series::{Series, arrival, convolution, exp};
 use crate::numerics::taylor::{Control, Integrator, System, TERMS};
 use std::f64::consts::TAU;
 
@@ -108,20 +108,29 @@ struct Layer<'p> {
     lambda: f64,
 }
 
-/// The series of the exponentials and of the partial sums of Horner's scheme for h.
+/// What a step needs besides the state.
 #[derive(Default)]
 struct Work {
+    /// The series of the exponentials.
     exponentials: [[f64; TERMS]; 2],
+    /// The coefficients of h in powers of the distance from the begin of the step.
+    h: Vec<f64>,
+    /// The series of the partial sums of Horner's scheme for h.
     partial: Vec<[f64; TERMS]>,
 }
 
 impl System<f64, 3, TERMS> for Layer<'_> {
     type Work = Work;
 
-    fn begin(&self, _: &f64, _: &[f64; 3], work: &mut Work) {
-        work.partial.clear();
-        work.partial
-            .resize(self.piece.coefficients().len(), [0.0; TERMS]);
+    fn begin(&self, _: &f64, [s, ..]: &[f64; 3], work: &mut Work) {
+        work.h = self.piece.coefficients().to_vec();
+        let last = work.h.len() - 1;
+        for from in 0..last {
+            for j in (from..last).rev() {
+                work.h[j] += s * work.h[j + 1];
+            }
+        }
+        work.partial = vec![[0.0; TERMS]; work.h.len()];
     }
 
     fn derivative(&self, k: usize, x: &[Series<f64, TERMS>; 3], work: &mut Work) -> [f64; 3] {
@@ -129,14 +138,18 @@ impl System<f64, 3, TERMS> for Layer<'_> {
         for (e, u) in work.exponentials.iter_mut().zip([a, b]) {
             e[k] = exp(u, e, k);
         }
-        let coefficients = self.piece.coefficients();
-        for j in (0..coefficients.len()).rev() {
-            let constant = if k == 0 { coefficients[j] } else { 0.0 };
-            let rest = match work.partial.get(j + 1) {
-                Some(next) => product(s, next, k),
-                None => 0.0,
-            };
-            work.partial[j][k] = constant + rest;
+        if k == 0 {
+            for (partial, h) in work.partial.iter_mut().zip(&work.h) {
+                partial[0] = *h;
+            }
+        } else {
+            // The distance begins with order 1: of the sum `j`, h needs only the orders up to k − j.
+            let last = work.h.len() - 1;
+            for j in (0..last.min(k)).rev() {
+                let order = k - j;
+                work.partial[j][order] =
+                    convolution(&s[1..=order], &work.partial[j + 1][..order]);
+            }
         }
         let h = work.partial[0][k];
         let friction = if k == 0 { self.lambda } else { 0.0 };
