@@ -2,6 +2,7 @@
 
 mod law;
 mod planes;
+mod runs;
 mod words;
 
 use super::{Claim, Condition, Topic};

@@ -93,7 +93,8 @@ pub fn integral_within(
 fn smooth(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Integral {
     let rule = |from: f64, to: f64| {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
-        let pair = |(x, weight): &(f64, f64)| weight * (f(middle - half * x) + f(middle + half * x));
+        let pair =
+            |(x, weight): &(f64, f64)| weight * (f(middle - half * x) + f(middle + half * x));
         half * GAUSS.iter().map(pair).sum::<f64>()
     };
     let middle = 0.5 * (low + high);
@@ -178,7 +179,10 @@ mod tests {
         for degree in 0..40 {
             let found = smooth(|x| libm::pow(x, f64::from(degree)), 0.0, 1.0);
             let expected = 1.0 / f64::from(degree + 1);
-            assert!((found.value - expected).abs() < 1e-15 * expected.max(0.1), "{degree}");
+            assert!(
+                (found.value - expected).abs() < 1e-15 * expected.max(0.1),
+                "{degree}"
+            );
             assert!(found.error < 1e-15, "{degree} {found:?}");
         }
     }

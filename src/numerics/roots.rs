@@ -57,7 +57,11 @@ pub fn root(mut f: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, N
             (b, yb) = (a, ya);
         }
         (a, ya) = (x, y);
-        let (best, least) = if ya.abs() < yb.abs() { (a, ya) } else { (b, yb) };
+        let (best, least) = if ya.abs() < yb.abs() {
+            (a, ya)
+        } else {
+            (b, yb)
+        };
         let middle = a + 0.5 * (b - a);
         let tolerance = (f64::EPSILON * middle.abs()).max(f64::MIN_POSITIVE);
         let between = middle > a.min(b) && middle < a.max(b);

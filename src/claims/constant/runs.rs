@@ -3,7 +3,7 @@
 
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
-use crate::motion::{Launch, Motion, MotionError, State};
+use crate::motion::{Launch, Motion, MotionError, PhaseKind, State};
 use crate::numerics::NumericsError;
 use crate::numerics::quadrature::integral_within;
 use std::f64::consts::PI;
@@ -395,8 +395,41 @@ fn all_stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
     })
 }
 
-/// Launches with λ ≤ 1, but not those that friction stops for good.
-pub fn launches_below_critical() -> impl Iterator<Item = Result<Turn, MotionError>> {
+/// A launch with λ ≤ 1, followed for a hundred million times v₀/A.
+#[derive(Debug, Clone, Copy)]
+pub struct Aligned {
+    /// The launch.
+    pub start: Turn,
+    /// The angle of the velocity at the end.
+    pub angle: f64,
+    /// The steps on which the angle grew, and the phases of rest.
+    pub broken: usize,
+}
+
+/// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
+pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, MotionError>> {
+    static ALIGNED: Shared<Aligned> = LazyLock::new(|| {
+        let aligned = |start: Turn| {
+            let motion = start.motion(1e8 * start.v0 / start.a)?;
+            // The last digit of an angle near π is not a growth.
+            let angles: Vec<_> = motion.nodes().map(|s| s.direction().abs()).collect();
+            let grows = |w: &&[f64]| w[1] > w[0] * (1.0 + 1e-14);
+            let rests = motion
+                .phases()
+                .iter()
+                .filter(|p| p.kind == PhaseKind::Stick);
+            Ok(Aligned {
+                start,
+                angle: motion.end().direction(),
+                broken: angles.windows(2).filter(grows).count() + rests.count(),
+            })
+        };
+        launches_below_critical().map(aligned).collect()
+    });
+    shared(&ALIGNED)
+}
+
+fn launches_below_critical() -> impl Iterator<Item = Turn> {
     let mut points = Points::stream(10);
     (0..400).map(move |i| {
         let lambda = match i % 4 {
@@ -410,12 +443,12 @@ pub fn launches_below_critical() -> impl Iterator<Item = Result<Turn, MotionErro
             2 if lambda < 1.0 => PI - 1e-6,
             _ => points.sign() * points.uniform(0.0, PI - 0.1),
         };
-        Ok(Turn::launch(
+        Turn::launch(
             lambda,
             points.log_uniform(0.1, 10.0),
             points.log_uniform(0.1, 10.0),
             theta0,
-        ))
+        )
     })
 }
 

@@ -1,22 +1,21 @@
 //! Trials of what section 2.1 says in words.
 
-use super::runs::{Stop, Turn, held, launches_below_critical, stops};
+use super::runs::{Aligned, Stop, Turn, aligned, held, stops};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::{PhaseKind, State};
+use crate::motion::State;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 pub fn small_friction_limit() -> Evidence {
     let compared = "0 with the angle of the velocity at A t/v₀ = 1e8";
     let trial = Trial::by(Route::Limit, Subject::Within, compared, LATE_ANGLE);
-    trial.over(launches_below_critical(), |launch| {
-        let launch = launch?;
-        let late = launch.motion(1e8 * launch.v0 / launch.a)?.end();
+    trial.over(aligned(), |aligned| {
+        let Aligned { start, angle, .. } = aligned?;
         Ok::<_, Failure>(Pair {
-            at: launch.at(),
+            at: start.at(),
             stated: 0.0,
-            found: late.direction(),
+            found: *angle,
             scale: 1.0,
         })
     })
@@ -26,21 +25,12 @@ pub fn small_friction_limit() -> Evidence {
 pub fn small_friction_census() -> Evidence {
     let compared = "0 with the steps on which the angle grows and the phases of rest";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
-    trial.over(launches_below_critical(), |launch| {
-        let launch = launch?;
-        let motion = launch.motion(1e3 * launch.v0 / launch.a)?;
-        // The last digit of an angle near π is not a growth.
-        let grows = |w: &[State]| w[1].direction().abs() > w[0].direction().abs() * (1.0 + 1e-14);
-        let nodes: Vec<_> = motion.nodes().collect();
-        let rests = motion
-            .phases()
-            .iter()
-            .filter(|p| p.kind == PhaseKind::Stick);
-        let broken = nodes.windows(2).filter(|w| grows(w)).count() + rests.count();
+    trial.over(aligned(), |aligned| {
+        let Aligned { start, broken, .. } = aligned?;
         Ok::<_, Failure>(Pair {
-            at: launch.at(),
+            at: start.at(),
             stated: 0.0,
-            found: broken as f64,
+            found: *broken as f64,
             scale: 1.0,
         })
     })

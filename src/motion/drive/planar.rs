@@ -147,8 +147,7 @@ impl System<f64, 3, TERMS> for Layer<'_> {
             let last = work.h.len() - 1;
             for j in (0..last.min(k)).rev() {
                 let order = k - j;
-                work.partial[j][order] =
-                    convolution(&s[1..=order], &work.partial[j + 1][..order]);
+                work.partial[j][order] = convolution(&s[1..=order], &work.partial[j + 1][..order]);
             }
         }
         let h = work.partial[0][k];

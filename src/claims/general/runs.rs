@@ -1,0 +1,140 @@
+//! Motions that several trials of the statements about every A(t) look at.
+
+use super::planes::{SHAPES, along_a_line, any_start};
+use crate::claims::escape::runs::{Shared, shared};
+use crate::claims::points::Points;
+use crate::motion::{Motion, MotionError, Phase, Plane, Signal, State, run};
+use std::sync::LazyLock;
+
+/// Five periods of a motion from rest.
+pub struct Returning {
+    /// Which it is.
+    pub name: String,
+    /// The period.
+    pub period: f64,
+    /// Its slides and rests.
+    pub phases: Vec<Phase>,
+}
+
+/// The accelerations that exceed μg again and again, and what they do.
+pub fn returning() -> impl Iterator<Item = Result<&'static Returning, MotionError>> {
+    static RETURNING: Shared<Returning> = LazyLock::new(|| {
+        let returning = |(name, plane, period)| {
+            let motion = run(&plane, 1.0, AT_REST, 5.0 * period)?;
+            Ok(Returning {
+                name,
+                period,
+                phases: motion.phases().to_vec(),
+            })
+        };
+        bounded_that_return().map(returning).collect()
+    });
+    shared(&RETURNING)
+}
+
+/// Accelerations that are larger than μg once a period at least, from 1.1 to 3 times, of all shapes; friction 1.
+fn bounded_that_return() -> impl Iterator<Item = (String, Plane, f64)> {
+    const KINDS: [&str; 7] = [
+        "oscillating",
+        "sign-changing",
+        "pulsed",
+        "constant",
+        "growing",
+        "decaying",
+        "rotating",
+    ];
+    let mut points = Points::stream(23);
+    KINDS.iter().cycle().take(42).map(move |kind| {
+        let (size, period) = (points.uniform(1.1, 3.0), points.log_uniform(0.5, 5.0));
+        let frequency = std::f64::consts::TAU / period;
+        let sine = Signal::Sine {
+            frequency,
+            phase: 0.0,
+        };
+        let signal = match *kind {
+            "oscillating" => sine,
+            "sign-changing" => Signal::Square {
+                start: 0.0,
+                half: 0.5 * period,
+            },
+            "pulsed" => Signal::Product(vec![sine.clone(), sine]),
+            "growing" => Signal::Polynomial(vec![0.0, 1.0 / period]),
+            "decaying" => Signal::Sum(vec![
+                Signal::constant(1.0),
+                Signal::Exponential {
+                    rate: -0.2 / period,
+                },
+            ]),
+            _ => Signal::constant(1.0),
+        };
+        let direction = points.uniform(-3.1, 3.1);
+        let along = [size * libm::cos(direction), size * libm::sin(direction)];
+        let plane = match *kind {
+            "rotating" => Plane::rotating(Signal::constant(size), frequency, direction),
+            _ => Plane::along(along, signal),
+        };
+        let name = format!("{kind} A of size {size:.6}, period {period:.6}, μg = 1");
+        (name, plane, period)
+    })
+}
+
+/// What a strong acceleration does from t = 200 to 400.
+pub struct Pulled {
+    /// Which it is.
+    pub name: String,
+    /// The steps on which the speed does not grow.
+    pub falls: usize,
+    /// The speed gained.
+    pub gained: f64,
+}
+
+/// All strong accelerations.
+pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, MotionError>> {
+    static PULLED: Shared<Pulled> = LazyLock::new(|| {
+        let pulled = |(name, plane, start)| {
+            let motion = run(&plane, 1.0, start, 400.0)?;
+            Ok(Pulled {
+                name,
+                falls: breaks(&motion, 200.0, |a, b| b.t > a.t && b.speed() <= a.speed()),
+                gained: motion.end().speed() - motion.at(200.0)?.speed(),
+            })
+        };
+        strong().map(pulled).collect()
+    });
+    shared(&PULLED)
+}
+
+/// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
+fn strong() -> impl Iterator<Item = (String, Plane, State)> {
+    let mut points = Points::stream(24);
+    (0..100).map(move |i| {
+        let rate = points.log_uniform(0.1, 3.0);
+        let shape = [0, 2, 3, 4][i % 4];
+        let size = Signal::Sum(vec![
+            Signal::constant(points.uniform(2.2, 3.0)),
+            along_a_line(shape, rate),
+        ]);
+        let direction = points.uniform(-3.1, 3.1);
+        let speed = points.log_uniform(0.2, 3.0);
+        let start = any_start(&mut points, speed);
+        let name = format!(
+            "|A| ≥ 1.2, {} part of rate {rate:.6}, μg = 1, v = ({:.6}, {:.6})",
+            SHAPES[shape], start.v[0], start.v[1]
+        );
+        let along = [libm::cos(direction), libm::sin(direction)];
+        (name, Plane::along(along, size), start)
+    })
+}
+
+/// At rest at the origin.
+pub const AT_REST: State = State {
+    t: 0.0,
+    v: [0.0; 2],
+    x: [0.0; 2],
+};
+
+/// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
+pub fn breaks(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> bool) -> usize {
+    let nodes: Vec<_> = motion.nodes().filter(|s| s.t >= from).collect();
+    nodes.windows(2).filter(|w| broken(&w[0], &w[1])).count()
+}
