@@ -7,9 +7,10 @@
 //! event ([`events`]) are as good as the nodes. The same code works over any [`number::Number`].
 //!
 //! Whoever integrates with one's own code alone proves little, so there is a second, foreign integrator
-//! ([`dop853`]). Integrals go through an adaptive Gauss–Kronrod rule ([`quadrature`]), equations in one
-//! unknown through a bracketing root-finder ([`roots`]), fits through a QR decomposition ([`fit`]). A periodic
-//! function that is integrated again and again is first represented by polynomials ([`piecewise`]).
+//! ([`dop853`]). Integrals go through a Gauss–Legendre rule, or an adaptive Gauss–Kronrod one where that does not
+//! suffice ([`quadrature`]), equations in one unknown through bracketing root-finders ([`roots`]), fits through a QR
+//! decomposition ([`fit`]). A periodic function that is integrated again and again is first represented by
+//! polynomials ([`piecewise`]).
 //!
 //! Every door returns a typed error instead of a number that is not one, and none of them can run forever.
 

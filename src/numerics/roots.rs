@@ -70,7 +70,7 @@ pub fn root(mut f: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, N
         }
         // Never nearer to an end than the tolerance: the step after a good guess closes the bracket.
         let margin = tolerance / (b - a).abs();
-        part = if step % 64 == 0 {
+        part = if step > PATIENCE {
             0.5
         } else {
             interpolated([a, b, c], [ya, yb, yc]).clamp(margin, 1.0 - margin)
@@ -83,7 +83,10 @@ pub fn root(mut f: impl FnMut(f64) -> f64, low: f64, high: f64) -> Result<f64, N
     })
 }
 
-/// Steps; plain bisection of the whole range of f64 takes half as many (2¹¹ binary orders, 53 bits).
+/// Steps after which [`root`] only bisects.
+const PATIENCE: usize = 60;
+
+/// Steps in all; bisection of the whole range of f64 takes half as many (2¹¹ binary orders, 53 bits).
 const LIMIT: usize = 2 * (2048 + 64);
 
 /// The part of the way from `a` to `b` at which to look next, from the values at a, b and an earlier point.

@@ -65,11 +65,6 @@ fn symmetric<T: Number>(a: &[T]) -> T {
     }
 }
 
-/// Coefficient `k` of q = a/b, b₀ ≠ 0.
-pub fn quotient<T: Number>(a: &[T], b: &[T], q: &[T], k: usize) -> T {
-    (a[k].clone() - convolution(&b[1..=k], &q[..k])) / b[0].clone()
-}
-
 /// Coefficient `k` of r = √a, a₀ > 0.
 pub fn sqrt<T: Number>(a: &[T], r: &[T], k: usize) -> T {
     if k == 0 {
@@ -180,11 +175,10 @@ mod tests {
         let b: Series<f64, N> =
             std::array::from_fn(|k| if k < 4 { 2.0 - 0.4 * k as f64 } else { 0.0 });
         let b_at = value(&b, &0.5);
-        let [mut p, mut s2, mut q, mut r, mut s, mut c, mut e, mut w] = [[0.0; N]; 8];
+        let [mut p, mut s2, mut r, mut s, mut c, mut e, mut w] = [[0.0; N]; 7];
         for k in 0..N {
             p[k] = product(&a, &b, k);
             s2[k] = square(&a, k);
-            q[k] = quotient(&b, &a, &q, k);
             r[k] = sqrt(&a, &r, k);
             (s[k], c[k]) = sin_cos(&a, &s, &c, k);
             e[k] = exp(&a, &e, k);
@@ -192,7 +186,6 @@ mod tests {
         }
         close(&p, at * b_at);
         close(&s2, at * at);
-        close(&q, b_at / at);
         close(&r, libm::sqrt(at));
         close(&s, libm::sin(at));
         close(&c, libm::cos(at));
