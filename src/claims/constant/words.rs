@@ -91,12 +91,14 @@ pub fn large_friction_turns() -> Evidence {
                 libm::log(s.speed() / v0),
             )
         };
-        let falls = stop
+        let mut falls = stop
             .nodes
             .iter()
             .map(fall)
             .filter(|(turn, slow)| turn.is_finite() && slow.is_finite());
-        let found = falls.last().map_or(f64::NAN, |(turn, slow)| turn / slow);
+        let found = falls
+            .next_back()
+            .map_or(f64::NAN, |(turn, slow)| turn / slow);
         Ok::<_, Failure>(Pair {
             at: stop.start.at(),
             stated: found.clamp(1.0 / (lambda + 1.0), 1.0 / (lambda - 1.0)),
