@@ -16,6 +16,12 @@ pub struct Step {
     pub gives: String,
 }
 
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.says, self.gives)
+    }
+}
+
 /// Why a proof does not hold.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Obstacle {
@@ -105,7 +111,7 @@ impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.title)?;
         for (i, step) in self.steps.iter().enumerate() {
-            writeln!(f, "{}. {}: {}", i + 1, step.says, step.gives)?;
+            writeln!(f, "{}. {step}", i + 1)?;
         }
         match &self.obstacle {
             None => writeln!(f, "Proved."),
