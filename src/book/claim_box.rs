@@ -126,7 +126,7 @@ fn trials(maths: &Maths, entry: &Entry) -> Result<String, Fault> {
 fn trial(maths: &Maths, evidence: &Evidence, conditional: bool) -> Result<String, Fault> {
     let (class, outcome) = match evidence.outcome() {
         Outcome::Agrees if evidence.route.is_proof() => ("agrees", "proved"),
-        Outcome::Disagrees if evidence.route.is_proof() => ("disagrees", "disproved"),
+        Outcome::Disagrees if evidence.route.is_proof() => ("disagrees", "not proved"),
         Outcome::Agrees => ("agrees", "agrees"),
         Outcome::Disagrees if evidence.subject == Subject::Outside => {
             ("matters", "disagrees, so the condition matters")

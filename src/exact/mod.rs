@@ -22,13 +22,16 @@
 
 mod calculus;
 mod error;
+mod expand;
 mod expr;
+mod factor;
 mod mutation;
 mod polynomial;
 mod proof;
 mod rational;
 mod read;
 mod ring;
+mod series;
 
 pub use calculus::Derivation;
 pub use error::ExactError;
@@ -38,3 +41,4 @@ pub use polynomial::Polynomial;
 pub use proof::{Obstacle, Proof, Prover, Step};
 pub use rational::Rational;
 pub use ring::Ring;
+pub use series::Series;

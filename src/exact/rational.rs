@@ -93,10 +93,14 @@ impl Rational {
             .into_iter()
             .map(|(g, k)| (Polynomial::generator(g), k))
             .collect();
-        if rest.as_constant().is_none() {
-            factors.push((rest, 1));
-        }
+        let (linear, rest) = rest.split_linear();
+        factors.extend(linear);
         let mut numerator = Polynomial::constant(self.number.clone());
+        match rest.as_constant() {
+            // The factors are primitive with positive leading coefficients: what is left over can be −1.
+            Some(sign) => numerator = numerator.scale(&sign),
+            None => factors.push((rest, 1)),
+        }
         for (factor, k) in &self.factors {
             numerator = &numerator * &factor.pow(*k);
         }

@@ -39,7 +39,7 @@ impl Ring {
         }
     }
 
-    fn call(&self, function: Function, x: &Rational) -> Result<Rational, ExactError> {
+    pub(super) fn call(&self, function: Function, x: &Rational) -> Result<Rational, ExactError> {
         match function {
             Function::Sin => Ok(self.circular(x)?.1),
             Function::Cos => Ok(self.circular(x)?.0),
@@ -127,7 +127,7 @@ impl Ring {
     }
 
     /// Hyperbolic cosine and sine.
-    fn hyperbolic_pair(&self, x: &Rational) -> Result<(Rational, Rational), ExactError> {
+    pub(super) fn hyperbolic_pair(&self, x: &Rational) -> Result<(Rational, Rational), ExactError> {
         let (up, down) = (self.exponential(x)?, self.exponential(&-x)?);
         let two = Rational::int(2);
         Ok((
@@ -153,7 +153,11 @@ impl Ring {
 
     /// base^exponent: whole powers by multiplication; others n e + m, with a declared exponent e and whole n
     /// and m, where the base is a product of bases that are declared with e.
-    fn raise(&self, base: &Rational, exponent: &Rational) -> Result<Rational, ExactError> {
+    pub(super) fn raise(
+        &self,
+        base: &Rational,
+        exponent: &Rational,
+    ) -> Result<Rational, ExactError> {
         let error = || ExactError::NoPower {
             base: self.text(base),
             exponent: self.text(exponent),

@@ -1,5 +1,8 @@
 //! What is algebra in (143), (145) to (147), and the second order of the boundary, exactly.
 
+pub mod boundary;
+pub mod near;
+
 use crate::claims::compare::proved;
 use crate::corrections::rest as corrected;
 use crate::evidence::{Evidence, Subject};

@@ -1,0 +1,207 @@
+//! A formula read as a power series: each symbol may stand for one.
+
+use super::error::ExactError;
+use super::expr::{Binary, Expr, Function, Node};
+use super::rational::Rational;
+use super::ring::Ring;
+use super::series::Series;
+
+impl Ring {
+    /// Reads a formula in which some symbols stand for series; what else occurs is read as by [`Ring::read`] and does
+    /// not depend on the small quantity. Nothing is kept beyond `order`.
+    ///
+    /// # Errors
+    /// As [`Ring::read`], and [`ExactError::NoSeries`] where the formula has no series in whole powers.
+    pub fn expand(
+        &self,
+        formula: Expr,
+        series: &[(&str, &Series)],
+        order: i64,
+    ) -> Result<Series, ExactError> {
+        let expand = |x: Expr| self.expand(x, series, order);
+        match formula.node() {
+            Node::Int(_) | Node::Pi => Ok(Series::constant(self.read(formula)?, order)),
+            Node::Symbol(name) => match series.iter().find(|(known, _)| *known == name) {
+                Some((_, known)) => Ok((*known).clone()),
+                None => Ok(Series::constant(self.named(name)?, order)),
+            },
+            Node::Neg(x) => Ok(expand(x)?.negated()),
+            Node::Call(function, x) => self.call_on_series(function, &expand(x)?, order),
+            Node::Binary(op, x, y) => {
+                let (x, y) = (expand(x)?, expand(y)?);
+                match op {
+                    Binary::Add => Ok(x.plus(&y)),
+                    Binary::Sub => Ok(x.minus(&y)),
+                    Binary::Mul => Ok(x.times(&y, self)),
+                    Binary::Div => x.over(&y, self),
+                    Binary::Pow => {
+                        let (exponent, rest) = y.split(self)?;
+                        for c in rest.iter().skip(1) {
+                            if !self.is_zero(c)? {
+                                let what = "with an exponent that varies".into();
+                                return Err(ExactError::NoSeries { what });
+                            }
+                        }
+                        x.power(&exponent, self)
+                    }
+                }
+            }
+        }
+    }
+
+    fn call_on_series(
+        &self,
+        function: Function,
+        x: &Series,
+        order: i64,
+    ) -> Result<Series, ExactError> {
+        let quotient = |above: Series, below: Series| above.over(&below, self);
+        let one = || Series::constant(Rational::int(1), order);
+        match function {
+            Function::Sqrt => {
+                let half = self.divide(&Rational::int(1), &Rational::int(2))?;
+                x.power(&half, self)
+            }
+            Function::Sin => Ok(self.pair(x, -1)?.1),
+            Function::Cos => Ok(self.pair(x, -1)?.0),
+            Function::Tan | Function::Cot => {
+                let (cosine, sine) = self.pair(x, -1)?;
+                if function == Function::Tan {
+                    quotient(sine, cosine)
+                } else {
+                    quotient(cosine, sine)
+                }
+            }
+            Function::Sinh => Ok(self.pair(x, 1)?.1),
+            Function::Cosh => Ok(self.pair(x, 1)?.0),
+            Function::Tanh | Function::Coth => {
+                let (cosh, sinh) = self.pair(x, 1)?;
+                if function == Function::Tanh {
+                    quotient(sinh, cosh)
+                } else {
+                    quotient(cosh, sinh)
+                }
+            }
+            Function::Exp => {
+                let (cosh, sinh) = self.pair(x, 1)?;
+                Ok(cosh.plus(&sinh))
+            }
+            Function::Ln => {
+                let (first, _) = x.split(self)?;
+                self.integrated(self.ln(&first)?, x, x)
+            }
+            Function::Asin | Function::Acos => {
+                let (first, _) = x.split(self)?;
+                let start = match (first.is_literally_zero(), function) {
+                    (true, Function::Asin) => Rational::int(0),
+                    (true, _) => self.read(Expr::new(Node::Pi))? * self.half()?,
+                    (false, _) => self.call(function, &first)?,
+                };
+                let root = one().minus(&x.times(x, self)).power(&self.half()?, self)?;
+                let root = if function == Function::Asin {
+                    root
+                } else {
+                    root.negated()
+                };
+                self.integrated(start, x, &root)
+            }
+        }
+    }
+
+    fn half(&self) -> Result<Rational, ExactError> {
+        self.divide(&Rational::int(1), &Rational::int(2))
+    }
+
+    /// start + ∫ dx/y.
+    fn integrated(&self, start: Rational, x: &Series, y: &Series) -> Result<Series, ExactError> {
+        let slope = |(k, c): (usize, &Rational)| c * &Rational::int(k as i64);
+        let (_, coefficients) = x.split(self)?;
+        let weighted = coefficients.iter().enumerate().map(slope).collect();
+        let rate = Series::new(0, weighted).over(y, self)?;
+        let mut sum = vec![start];
+        for k in 1..=rate.order() {
+            let c = rate.coefficient(k).unwrap_or(Rational::int(0));
+            sum.push(self.divide(&c, &Rational::int(k))?);
+        }
+        Ok(Series::new(0, sum))
+    }
+
+    /// Cosine and sine for `sign` −1, cosh and sinh for +1: they obey s′ = x′ c and c′ = `sign` x′ s.
+    fn pair(&self, x: &Series, sign: i64) -> Result<(Series, Series), ExactError> {
+        let (first, x) = x.split(self)?;
+        let (c, s) = if sign < 0 {
+            self.circular(&first)?
+        } else {
+            self.hyperbolic_pair(&first)?
+        };
+        let (mut c, mut s) = (vec![c], vec![s]);
+        for n in 1..x.len() {
+            let [mut to_c, mut to_s] = [0, 0].map(Rational::int);
+            for k in 1..=n {
+                let rate = &x[k] * &Rational::int(k as i64);
+                to_s = to_s + &rate * &c[n - k];
+                to_c = to_c + &rate * &s[n - k] * Rational::int(sign);
+            }
+            let over_n = |x: &Rational| self.divide(&self.normal(x), &Rational::int(n as i64));
+            c.push(over_n(&to_c)?);
+            s.push(over_n(&to_s)?);
+        }
+        Ok((Series::new(0, c), Series::new(0, s)))
+    }
+
+    /// Solves equations that are linear in free symbols, each with the coefficients of the powers of `monomials`
+    /// compared; returns the values. Symbols that the equations leave free keep themselves.
+    ///
+    /// # Errors
+    /// [`ExactError::Unsolvable`] if they contradict each other; as [`Ring::derivative`] and [`Ring::divide`].
+    pub fn solve(
+        &self,
+        equations: &[Rational],
+        powers_of: Option<&Rational>,
+        unknowns: &[&str],
+    ) -> Result<Vec<(Rational, Rational)>, ExactError> {
+        let mut open = Vec::new();
+        for equation in equations {
+            let equation = Rational::from(self.normal(equation).numerator().clone());
+            match powers_of {
+                None => open.push(equation),
+                Some(generator) => {
+                    let Some(index) = generator.generators().next() else {
+                        continue;
+                    };
+                    let parts = equation.numerator().coefficients_in(index);
+                    open.extend(parts.into_values().map(Rational::from));
+                }
+            }
+        }
+        let mut solved: Vec<(Rational, Rational)> = Vec::new();
+        for name in unknowns {
+            let (symbol, by) = (self.named(name)?, self.by(name)?);
+            let mut pivot = None;
+            for (i, equation) in open.iter().enumerate() {
+                let slope = self.derivative(equation, &by)?;
+                if !self.is_zero(&slope)? {
+                    pivot = Some((i, slope));
+                    break;
+                }
+            }
+            let Some((i, slope)) = pivot else { continue };
+            let equation = open.swap_remove(i);
+            let rest = self.put(&equation, &[(&symbol, &Rational::int(0))])?;
+            let value = self.divide(&-&rest, &slope)?;
+            let into = |x: &Rational| Ok(self.normal(&self.put(x, &[(&symbol, &value)])?));
+            open = open.iter().map(into).collect::<Result<_, ExactError>>()?;
+            for (_, earlier) in &mut solved {
+                *earlier = into(earlier)?;
+            }
+            solved.push((symbol, value));
+        }
+        for equation in open {
+            if !self.is_zero(&equation)? {
+                let left = self.text(&equation);
+                return Err(ExactError::Unsolvable { left });
+            }
+        }
+        Ok(solved)
+    }
+}
