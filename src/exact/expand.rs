@@ -26,7 +26,10 @@ impl Ring {
                 None => Ok(Series::constant(self.named(name)?, order)),
             },
             Node::Neg(x) => Ok(expand(x)?.negated()),
-            Node::Call(function, x) => self.call_on_series(function, &expand(x)?, order),
+            Node::Call(function, x) => match self.exponential_of(x, series)? {
+                Some(pair) => self.by_pair(function, pair),
+                None => self.call_on_series(function, &expand(x)?, order),
+            },
             Node::Binary(op, x, y) => {
                 let (x, y) = (expand(x)?, expand(y)?);
                 match op {
@@ -72,19 +75,8 @@ impl Ring {
                     quotient(cosine, sine)
                 }
             }
-            Function::Sinh => Ok(self.pair(x, 1)?.1),
-            Function::Cosh => Ok(self.pair(x, 1)?.0),
-            Function::Tanh | Function::Coth => {
-                let (cosh, sinh) = self.pair(x, 1)?;
-                if function == Function::Tanh {
-                    quotient(sinh, cosh)
-                } else {
-                    quotient(cosh, sinh)
-                }
-            }
-            Function::Exp => {
-                let (cosh, sinh) = self.pair(x, 1)?;
-                Ok(cosh.plus(&sinh))
+            Function::Sinh | Function::Cosh | Function::Tanh | Function::Coth | Function::Exp => {
+                self.by_pair(function, self.pair(x, 1)?)
             }
             Function::Ln => {
                 let (first, _) = x.split(self)?;
@@ -105,6 +97,52 @@ impl Ring {
                 };
                 self.integrated(start, x, &root)
             }
+        }
+    }
+
+    /// cosh and sinh of a whole multiple of a symbol whose exponential is given, under the name `exp …`.
+    fn exponential_of(
+        &self,
+        x: Expr,
+        series: &[(&str, &Series)],
+    ) -> Result<Option<(Series, Series)>, ExactError> {
+        let (n, name) = match x.node() {
+            Node::Symbol(name) => (1, name),
+            Node::Binary(Binary::Mul, n, x) => match (n.node(), x.node()) {
+                (Node::Int(n), Node::Symbol(name)) => (n, name),
+                _ => return Ok(None),
+            },
+            _ => return Ok(None),
+        };
+        let is_it = |known: &str| known.strip_prefix("exp ") == Some(name);
+        let Some((_, exponential)) = series.iter().find(|(known, _)| is_it(known)) else {
+            return Ok(None);
+        };
+        let power = |n| exponential.power(&Rational::int(n), self);
+        let (up, down) = (power(n)?, power(-n)?);
+        let half = self.half()?;
+        let halved = |s: Series| s.map(|c| Ok::<_, ExactError>(c * &half));
+        Ok(Some((halved(up.plus(&down))?, halved(up.minus(&down))?)))
+    }
+
+    /// A function of something whose cosh and sinh are known.
+    fn by_pair(
+        &self,
+        function: Function,
+        (cosh, sinh): (Series, Series),
+    ) -> Result<Series, ExactError> {
+        match function {
+            Function::Cosh => Ok(cosh),
+            Function::Sinh => Ok(sinh),
+            Function::Tanh => sinh.over(&cosh, self),
+            Function::Coth => cosh.over(&sinh, self),
+            Function::Exp => Ok(cosh.plus(&sinh)),
+            _ => Err(ExactError::NoSeries {
+                what: format!(
+                    "of {} of what only its exponential is known",
+                    function.name()
+                ),
+            }),
         }
     }
 

@@ -166,6 +166,9 @@ impl Ring {
         if let Some(n) = exponent.as_integer() {
             return self.whole_power(base, small(n).ok_or_else(error)?);
         }
+        if base.as_integer() == Some(IBig::ONE) {
+            return Ok(Rational::int(1));
+        }
         let mut tried: Vec<&Rational> = Vec::new();
         for e in self.powers.iter().map(|known| &known.exponent) {
             if tried.iter().any(|t| (*t - e).is_literally_zero()) {
@@ -203,8 +206,14 @@ impl Ring {
                 product = product * self.whole_power(&known.value, k)?;
             }
         }
-        let complete = self.is_zero(&(rest - Rational::int(1)))?;
-        Ok(complete.then_some(product))
+        let root = e.reciprocal().and_then(|n| n.as_integer());
+        match root.and_then(|n| rest.whole_root(u32::try_from(n).ok()?)) {
+            Some(root) => Ok(Some(product * root)),
+            None => {
+                let complete = self.is_zero(&(rest - Rational::int(1)))?;
+                Ok(complete.then_some(product))
+            }
+        }
     }
 
     /// The logarithm, if it is of a product of whole powers of declared bases.

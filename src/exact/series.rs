@@ -38,6 +38,20 @@ impl Series {
         Series::new(power, coefficients)
     }
 
+    /// The lowest power that is kept.
+    pub fn start(&self) -> i64 {
+        self.start
+    }
+
+    /// The same in terms of a small quantity whose power `n` ≥ 1 this one is.
+    pub fn in_root(&self, n: usize) -> Self {
+        let mut coefficients = vec![Rational::int(0); self.coefficients.len() * n];
+        for (k, c) in self.coefficients.iter().enumerate() {
+            coefficients[k * n] = c.clone();
+        }
+        Series::new(self.start * n as i64, coefficients)
+    }
+
     /// The highest power whose coefficient is known.
     pub fn order(&self) -> i64 {
         self.start + self.coefficients.len() as i64 - 1
@@ -81,12 +95,19 @@ impl Series {
 
     /// A product.
     pub fn times(&self, other: &Self, ring: &Ring) -> Self {
-        let (a, b) = (&self.coefficients, &other.coefficients);
+        // Leading zeros would only cost known orders.
+        let zeros = |s: &Self| {
+            let leading = s.coefficients.iter().take_while(|c| c.is_literally_zero());
+            leading.count()
+        };
+        let (i, j) = (zeros(self), zeros(other));
+        let (a, b) = (&self.coefficients[i..], &other.coefficients[j..]);
         let product = (0..a.len().min(b.len())).map(|n| {
             let terms = (0..=n).map(|k| &a[k] * &b[n - k]);
             ring.normal(&terms.fold(Rational::int(0), |sum, term| sum + term))
         });
-        Series::new(self.start + other.start, product.collect())
+        let start = self.start + other.start + (i + j) as i64;
+        Series::new(start, product.collect())
     }
 
     /// A quotient.
@@ -172,7 +193,13 @@ impl Series {
             .filter(|(c, _)| !c.is_literally_zero())
             .map(|(c, k)| format!("[{}]{} + ", ring.text(c), power(k)))
             .collect();
-        text.push_str(&format!("O({})", power(self.order() + 1).trim_start()));
+        text.push_str(
+            match self.order() + 1 {
+                0 => "O(1)".to_owned(),
+                k => format!("O({})", power(k).trim_start()),
+            }
+            .as_str(),
+        );
         text
     }
 

@@ -171,19 +171,3 @@ pub fn printed_evidence() -> Evidence {
     let compared = "(147) with the power series in α that solves the equations of motion";
     proved(&prove(formula, 1), Subject::Printed, compared)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    #[test]
-    fn spike() {
-        let t = std::time::Instant::now();
-        LazyLock::force(&SOLUTION);
-        println!("SOL {:?}", t.elapsed());
-        let t = std::time::Instant::now();
-        let proof = prove(stated(), 2);
-        println!("{:?}", t.elapsed());
-        println!("{proof}");
-        println!("{:?}", printed_evidence().at);
-    }
-}

@@ -345,20 +345,3 @@ pub fn proof(id: &str) -> Proof {
         _ => eq145(printed::eq145_a(sigma, alpha)),
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    #[test]
-    fn spike() {
-        let t = std::time::Instant::now();
-        LazyLock::force(&SOLUTION);
-        println!("{:?}", t.elapsed());
-        for id in ["eq-140", "eq-141", "eq-142", "eq-143", "eq-144", "eq-145"] {
-            let t = std::time::Instant::now();
-            let proof = proof(id);
-            println!("{:?}", t.elapsed());
-            println!("{proof}");
-        }
-    }
-}
