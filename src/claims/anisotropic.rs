@@ -204,6 +204,7 @@ const CLAIMS: &[Claim] = &[
         ],
         depends_on: &["eq-52"],
         trials: &[
+            exact::eq55,
             curves::eq55_root,
             curves::eq55_census,
             curves::eq55_outside,
@@ -224,7 +225,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51"],
-        trials: &[curves::eq56_root, curves::eq56_census],
+        trials: &[exact::eq56, curves::eq56_root, curves::eq56_census],
         ..Claim::BLANK
     },
     Claim {

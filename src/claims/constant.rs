@@ -387,7 +387,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda=0$, $v_y$ stays constant and $v_x$ grows linearly with $t$; the path is in general a parabola.",
         plain: "For λ = 0, v_y stays constant and v_x grows linearly with t; the path is in general a parabola.",
         depends_on: &["eq-15", "eq-16"],
-        trials: &[limits::parabola_motion, limits::parabola_quadrature],
+        trials: &[
+            || exact::evidence("eq-15", Subject::Printed),
+            || exact::evidence("eq-16", Subject::Printed),
+            limits::parabola_motion,
+            limits::parabola_quadrature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -420,6 +425,8 @@ const CLAIMS: &[Claim] = &[
         plain: "For λ = 1 the velocity tends to a constant at large times, the one of (18) and (19).",
         depends_on: &["eq-18", "eq-19"],
         trials: &[
+            || exact::evidence("eq-18", Subject::Printed),
+            || exact::evidence("eq-19", Subject::Printed),
             limits::eq18_limit,
             limits::eq18_quadrature,
             limits::eq19_limit,
@@ -440,6 +447,7 @@ const CLAIMS: &[Claim] = &[
             stated: false,
         }],
         trials: &[
+            || exact::evidence("eq-20", Subject::Within),
             limits::eq20_motion,
             limits::eq20_quadrature,
             words::large_friction_limit,

@@ -37,7 +37,12 @@ const CLAIMS: &[Claim] = &[
                 stated: true,
             },
         ],
-        trials: &[law::eq1_laboratory, law::eq1_quadrature, law::eq1_motion],
+        trials: &[
+            law::eq1_exact,
+            law::eq1_laboratory,
+            law::eq1_quadrature,
+            law::eq1_motion,
+        ],
         ..Claim::BLANK
     },
     Claim {

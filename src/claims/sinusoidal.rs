@@ -100,7 +100,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-22"],
-        trials: &[setup::eq25_motion, setup::eq25_census],
+        trials: &[exact::eq25, setup::eq25_motion, setup::eq25_census],
         ..Claim::BLANK
     },
     Claim {
@@ -235,7 +235,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-31"],
-        trials: &[slip::eq32_root, slip::eq32_motion, slip::eq32_census],
+        trials: &[
+            exact::eq32,
+            slip::eq32_root,
+            slip::eq32_motion,
+            slip::eq32_census,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -273,7 +278,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-29", "eq-32"],
-        trials: &[slip::eq34_motion, slip::eq34_census, threshold::eq34_root],
+        trials: &[
+            exact::eq34,
+            slip::eq34_motion,
+            slip::eq34_census,
+            threshold::eq34_root,
+        ],
         ..Claim::BLANK
     },
     Claim {

@@ -243,6 +243,58 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
+/// The rate of a slip with friction, against the excess of a curve's friction over it and a square: the drive can
+/// start that slip exactly where the excess is positive.
+fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
+    let plane = || {
+        let mut ring = Ring::new();
+        ring.angle("φ");
+        ring.symbol("q");
+        ring.symbol("λ₀");
+        Ok(ring)
+    };
+    prove(title, plane(), |p| {
+        let rate = p.read("The rate by (51) or (52)", rate)?;
+        let parts = p.read(
+            "By how far λ₀ is from the curve, and a square",
+            excess + square,
+        )?;
+        p.equal("The two", &rate, &parts)
+    })
+}
+
+/// (55): backward motion can begin, d𝔴/dφ < 0 by (52) at some φ, exactly below C.
+fn prove_eq55(curve: Expr) -> Proof {
+    let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+    let half = phi / Expr::int(2);
+    let square = (half.sin() + half.cos()).squared();
+    let rate = printed::eq52_rate(q, lambda0, phi);
+    prove_start("(55): curve C", rate, q * (lambda0 - curve), square)
+}
+
+/// (56): forward motion can begin, d𝔴/dφ > 0 by (51) at some φ, exactly below D.
+fn prove_eq56(curve: Expr) -> Proof {
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
+    let half = phi / Expr::int(2);
+    let square = (half.sin() - half.cos()).squared();
+    let rate = printed::eq51_rate(lambda0, phi);
+    prove_start("(56): curve D", rate, curve - lambda0, -square)
+}
+
+/// (55).
+pub fn eq55() -> Evidence {
+    let proof = prove_eq55(printed::eq55_lambda0(Expr::symbol("q")));
+    let compared = "(52) with q (λ₀ − (55)) plus a square that vanishes at φ = 3π/2";
+    proved(&proof, Subject::Within, compared)
+}
+
+/// (56).
+pub fn eq56() -> Evidence {
+    let proof = prove_eq56(printed::eq56_lambda0());
+    let compared = "(51) with (56) − λ₀ less a square that vanishes at φ = π/2";
+    proved(&proof, Subject::Printed, compared)
+}
+
 /// The mirror takes each printed rate into the other.
 fn prove_mirror(forward: fn(Expr, Expr) -> Expr, backward: fn(Expr, Expr, Expr) -> Expr) -> Proof {
     let plane = || {
@@ -403,6 +455,8 @@ mod tests {
         let (k, a, b, e) = (printed::eq53_k(q), sides_of_a(), sides_of_b(), sides_of_e());
         let failed = refuted(printed::eq51_rate(lambda0, phi), prove_eq51)
             + refuted(printed::eq52_rate(q, lambda0, phi), prove_eq52)
+            + refuted(printed::eq55_lambda0(q), prove_eq55)
+            + refuted(printed::eq56_lambda0(), prove_eq56)
             + refuted(k, |k| prove_eq53(k, a))
             + refuted(a[0], |x| prove_eq53(k, [x, a[1]]))
             + refuted(a[1], |x| prove_eq53(k, [a[0], x]))

@@ -162,6 +162,93 @@ pub fn eq31() -> Evidence {
     )
 }
 
+/// (31) at `end`, which stands for φ̃₂ or φ₃, against the left side of (32) or (34).
+fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
+    let ring = || {
+        let mut ring = ring_of_phi1()?;
+        ring.angle("φ̃₂");
+        Ok(ring)
+    };
+    prove(title, ring(), |p| {
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let slip = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
+        p.rests_on(&prove_eq31(slip))?;
+        let value = p.read("(31) there", slip.with("φ", end))?;
+        let left = p.read("The left side", left)?;
+        p.equal("The two", &value, &left)
+    })
+}
+
+fn eq32_left() -> Expr {
+    let [lambda0, end] = symbols(["λ₀", "φ̃₂"]);
+    paper::eq32_left(lambda0, paper::eq27_phi1(lambda0), end)
+}
+
+fn prove_eq32(left: Expr) -> Proof {
+    prove_end("(32): the slip (31) ends at φ̃₂", left, Expr::symbol("φ̃₂"))
+}
+
+/// (32) is that (31) vanishes at φ̃₂.
+pub fn eq32() -> Evidence {
+    printed(
+        &prove_eq32(eq32_left()),
+        "the left side of (32) with (31) at φ̃₂",
+    )
+}
+
+fn eq34_left() -> Expr {
+    let lambda0 = Expr::symbol("λ₀");
+    paper::eq34_left(
+        lambda0,
+        paper::eq27_phi1(lambda0),
+        paper::eq29_phi3(lambda0),
+    )
+}
+
+fn prove_eq34(left: Expr) -> Proof {
+    let end = paper::eq29_phi3(Expr::symbol("λ₀"));
+    prove_end("(34): the slip (31) would be negative at φ₃", left, end)
+}
+
+/// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
+pub fn eq34() -> Evidence {
+    printed(
+        &prove_eq34(eq34_left()),
+        "the left side of (34) with (31) at φ₃",
+    )
+}
+
+fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        ring.symbol("λ₀");
+        ring.angle("φ");
+        Ok(ring)
+    };
+    prove("(25): where the drive can start a slip", ring(), |p| {
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let excess = p.read("The drive less friction, by (26)", phi.sin() - lambda0)?;
+        let half = phi / Expr::int(2);
+        let square = (half.sin() - half.cos()).squared();
+        let parts = p.read("Right less left side, less a square", right - left - square)?;
+        p.equal("The two", &excess, &parts)?;
+        p.note(
+            "The square vanishes at φ = π/2",
+            "so the drive exceeds friction somewhere exactly where left < right",
+        );
+        Ok(())
+    })
+}
+
+/// (25): the drive exceeds friction at some phase.
+pub fn eq25() -> Evidence {
+    let proof = prove_eq25(paper::eq25_sides(Expr::symbol("λ₀")));
+    printed(
+        &proof,
+        "the drive less friction with the difference of the sides of (25) less a square",
+    )
+}
+
 fn prove_eq33(cases: [Expr; 4]) -> Proof {
     let ring = || {
         let mut ring = ring_of_phi1()?;

@@ -35,6 +35,18 @@ fn provable() -> Vec<Provable> {
             cases33[2],
             Box::new(move |w| prove_eq33([cases33[0], cases33[1], w, cases33[3]])),
         ),
+        (
+            "25",
+            paper::eq25_sides(lambda0)[0],
+            Box::new(move |left| prove_eq25([left, paper::eq25_sides(lambda0)[1]])),
+        ),
+        (
+            "25 right",
+            paper::eq25_sides(lambda0)[1],
+            Box::new(move |right| prove_eq25([paper::eq25_sides(lambda0)[0], right])),
+        ),
+        ("32", eq32_left(), Box::new(prove_eq32)),
+        ("34", eq34_left(), Box::new(prove_eq34)),
         ("35", paper::eq35_left(lambda0), Box::new(prove_eq35)),
         (
             "36",
@@ -67,6 +79,7 @@ fn number(sign: f64) -> impl Fn(&str) -> Option<f64> {
         Some(match name {
             "λ₀" => 0.31,
             "φ" => 1.83,
+            "φ̃₂" => 2.41,
             "w" => 0.7 * sign,
             _ => return None,
         })
