@@ -7,7 +7,7 @@
 use crate::claims::compare::proved;
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Subject};
-use crate::exact::{ExactError, Expr, Function, Proof, Rational, Ring};
+use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
 
@@ -32,7 +32,7 @@ fn frictions() -> Result<Ring, ExactError> {
 fn prove(
     title: &str,
     ring: Result<Ring, ExactError>,
-    steps: impl FnOnce(&mut crate::exact::Prover<'_>) -> Result<(), crate::exact::Obstacle>,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
 ) -> Proof {
     match ring {
         Ok(ring) => Proof::of(title, &ring, steps),
@@ -205,25 +205,29 @@ fn prove_x([q, lambda0]: [Expr; 2]) -> Proof {
 
 /// The touch at Y: on (54), at β = π/2, qλ₀ = sin β stands still while λ₀ = sin α goes on; and tan x = x.
 fn prove_y([left, right]: [Expr; 2]) -> Proof {
-    prove("B and C touch at Y", frictions(), |p| {
+    let ring = || {
+        let mut ring = frictions()?;
+        ring.symbol("x");
+        Ok(ring)
+    };
+    prove("B and C touch at Y", ring(), |p| {
         let b = p.read("B: left less right side", left - right)?;
         let by_alpha = p.derivative("Its slope along α", &b, &p.ring().by("α")?)?;
         let by_beta = p.derivative("Its slope along β", &b, &p.ring().by("β")?)?;
         let turn = p.quotient("dβ/dα along B", &-&by_alpha, &by_beta)?;
-        let on_c =
-            |p: &mut crate::exact::Prover<'_>, x: &Rational| -> Result<Rational, ExactError> {
-                // β = π/2, where the tangent of the half is 1 and its cosine 1/√2; only cos²(β/2) occurs.
-                let ring = p.ring();
-                let beta = ring.named("β")?;
-                let half = ring.read(Expr::pi() / Expr::int(2))?;
-                ring.put(
-                    x,
-                    &[
-                        (&beta, &half),
-                        (&ring.half_tangent("β")?, &Rational::int(1)),
-                    ],
-                )
-            };
+        let on_c = |p: &mut Prover<'_>, x: &Rational| -> Result<Rational, ExactError> {
+            // β = π/2, where the tangent of the half is 1 and its cosine 1/√2; only cos²(β/2) occurs.
+            let ring = p.ring();
+            let beta = ring.named("β")?;
+            let half = ring.read(Expr::pi() / Expr::int(2))?;
+            ring.put(
+                x,
+                &[
+                    (&beta, &half),
+                    (&ring.half_tangent("β")?, &Rational::int(1)),
+                ],
+            )
+        };
         let growth = p.read("cos β, by which d(qλ₀) = cos β dβ", Expr::symbol("β").cos())?;
         let rate = on_c(p, &(&growth * &turn))?;
         p.zero("d(qλ₀)/dα along B, at β = π/2", &rate)?;
@@ -239,9 +243,49 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
             "makes q = 1/λ₀ = √(1 + x²)",
             &(&square * &one),
             &Rational::int(1),
-        )
+        )?;
+        p.rests_on(&prove_eq54([left, right]))?;
+        touch(p)
     })
 }
+
+/// B beside Y in powers of ε = asin λ₀ − α: qλ₀ = sin β has no term in ε, and one in ε².
+fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
+    let ring = p.ring();
+    let [alpha, beta] = symbols(["α", "β"]);
+    let half_turn = ring.read(Expr::pi())?;
+    let (own, x) = (ring.named("α")?, ring.named("x")?);
+    let place = Expr::int(3) * Expr::pi() / Expr::int(2) - alpha.cot();
+    let place = p.read("At Y, where x = cot α, α itself is", place)?;
+    let zeros = || std::iter::repeat_n(Rational::int(0), ORDER);
+    let a = [own.clone(), Rational::int(1)].into_iter().chain(zeros());
+    let a = Series::new(0, a.collect());
+    let mut b = vec![ring.divide(&half_turn, &Rational::int(2))?];
+    let end = arc(alpha, Expr::pi() + beta, alpha.sin());
+    for k in 1..=ORDER {
+        let trial = Series::new(0, b.iter().chain([&x]).cloned().collect());
+        let left = ring.expand(end, &[("α", &a), ("β", &trial)], ORDER as i64)?;
+        let left = left.coefficient(k as i64).ok_or(Obstacle::Empty)?;
+        let left = ring.put(&left, &[(&own, &place)])?;
+        let says = format!("B at the order ε^{k}, for the coefficient x of β");
+        let solved = p.solve(&says, &[left], None, &["x"])?;
+        b.extend(solved.into_iter().map(|(_, value)| value));
+    }
+    let b = Series::new(0, b);
+    let sine = p.expand("qλ₀", beta.sin(), &[("β", &b)], ("ε", ORDER as i64))?;
+    let at = |k| sine.coefficient(k).ok_or(Obstacle::Empty);
+    p.equal("It is on C at Y", &at(0)?, &Rational::int(1))?;
+    p.zero("It does not leave C at the order ε", &at(1)?)?;
+    p.quotient(
+        "It does at the order ε², whose coefficient has the inverse",
+        &Rational::int(1),
+        &at(2)?,
+    )?;
+    Ok(())
+}
+
+/// The touch is of the first order; two more orders follow.
+const ORDER: usize = 3;
 
 /// The rate of a slip with friction, against the excess of a curve's friction over it and a square: the drive can
 /// start that slip exactly where the excess is positive.
