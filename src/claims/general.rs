@@ -1,6 +1,6 @@
 //! Sliding on an accelerating plane: the claims.
 
-mod law;
+pub mod law;
 mod planes;
 mod words;
 

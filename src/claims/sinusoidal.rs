@@ -2,7 +2,7 @@
 
 mod across;
 mod decay;
-mod exact;
+pub mod exact;
 mod periodic;
 mod phases;
 pub mod pictures;
