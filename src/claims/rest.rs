@@ -118,6 +118,7 @@ const CLAIMS: &[Claim] = &[
             near::eq140_order,
             near::eq140_straight,
             near::corrected140,
+            near::eq140_at_one,
         ],
         ..Claim::BLANK
     },
@@ -136,6 +137,8 @@ const CLAIMS: &[Claim] = &[
             near::eq141_motion,
             near::eq141_order,
             near::eq141_straight,
+            near::eq141_at_one,
+            near::eq141_clock,
         ],
         ..Claim::BLANK
     },
@@ -154,6 +157,7 @@ const CLAIMS: &[Claim] = &[
             near::eq142_motion,
             near::eq142_order,
             near::eq142_straight,
+            near::eq142_at_one,
         ],
         ..Claim::BLANK
     },
@@ -194,6 +198,7 @@ const CLAIMS: &[Claim] = &[
             near::eq144_motion,
             near::eq144_order,
             near::eq144_straight,
+            near::eq144_at_one,
         ],
         ..Claim::BLANK
     },
@@ -212,6 +217,7 @@ const CLAIMS: &[Claim] = &[
             near::eq145_motion,
             near::eq145_order,
             near::eq145_straight,
+            near::eq145_at_one,
         ],
         ..Claim::BLANK
     },
@@ -295,9 +301,9 @@ const CLAIMS: &[Claim] = &[
             plain: "A = 1 − α C² + α² [(7/6) C⁴ + 2 S C³ − S² C² + (2/3) S³ C − (1/4) S⁴] + O(α³), C = cos(ψ/2), S = sin(ψ/2)",
         }),
         trials: &[
-            exact::boundary::printed_evidence,
             boundary::printed_census,
             boundary::printed_root,
+            exact::boundary::printed_evidence,
             boundary::corrected_census,
             boundary::corrected_root,
             exact::boundary::evidence,

@@ -186,60 +186,68 @@ impl Ring {
         }
         Ok((Series::new(0, c), Series::new(0, s)))
     }
+}
 
-    /// Solves equations that are linear in free symbols, each with the coefficients of the powers of `monomials`
-    /// compared; returns the values. Symbols that the equations leave free keep themselves.
-    ///
-    /// # Errors
-    /// [`ExactError::Unsolvable`] if they contradict each other; as [`Ring::derivative`] and [`Ring::divide`].
-    pub fn solve(
-        &self,
-        equations: &[Rational],
-        powers_of: Option<&Rational>,
-        unknowns: &[&str],
-    ) -> Result<Vec<(Rational, Rational)>, ExactError> {
-        let mut open = Vec::new();
-        for equation in equations {
-            let equation = Rational::from(self.normal(equation).numerator().clone());
-            match powers_of {
-                None => open.push(equation),
-                Some(generator) => {
-                    let Some(index) = generator.generators().next() else {
-                        continue;
-                    };
-                    let parts = equation.numerator().coefficients_in(index);
-                    open.extend(parts.into_values().map(Rational::from));
-                }
-            }
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Scalar;
+
+    /// The coefficients of a function of x, from the power `from` on, as text.
+    fn coefficients(formula: Expr, from: i64) -> Vec<String> {
+        let ring = Ring::new();
+        let x = Series::monomial(Rational::int(1), 1, 7);
+        let series = ring.expand(formula, &[("x", &x)], 7).unwrap();
+        let known = (from..from + 5).map(|k| series.coefficient(k).unwrap());
+        known.map(|c| ring.text(&c)).collect()
+    }
+
+    #[test]
+    fn known_series_come_out() {
+        let (x, one) = (Expr::symbol("x"), Expr::int(1));
+        for (formula, from, expected) in [
+            (x.tan(), 1, ["1", "0", "1/3", "0", "2/15"]),
+            (x.coth(), -1, ["1", "0", "1/3", "0", "−1/45"]),
+            (x.exp(), 0, ["1", "1", "1/2", "1/6", "1/24"]),
+            (x.asin(), 1, ["1", "0", "1/6", "0", "3/40"]),
+            (
+                x.acos() - Expr::pi() / Expr::int(2),
+                1,
+                ["−1", "0", "−1/6", "0", "−3/40"],
+            ),
+            ((one + x).sqrt(), 0, ["1", "1/2", "−1/8", "1/16", "−5/128"]),
+            (one / (one - x).squared(), 0, ["1", "2", "3", "4", "5"]),
+            (
+                (x.cosh() - x.cos()) / x.squared(),
+                0,
+                ["1", "0", "0", "0", "1/360"],
+            ),
+        ] {
+            assert_eq!(coefficients(formula, from), expected, "{formula}");
         }
-        let mut solved: Vec<(Rational, Rational)> = Vec::new();
-        for name in unknowns {
-            let (symbol, by) = (self.named(name)?, self.by(name)?);
-            let mut pivot = None;
-            for (i, equation) in open.iter().enumerate() {
-                let slope = self.derivative(equation, &by)?;
-                if !self.is_zero(&slope)? {
-                    pivot = Some((i, slope));
-                    break;
-                }
-            }
-            let Some((i, slope)) = pivot else { continue };
-            let equation = open.swap_remove(i);
-            let rest = self.put(&equation, &[(&symbol, &Rational::int(0))])?;
-            let value = self.divide(&-&rest, &slope)?;
-            let into = |x: &Rational| Ok(self.normal(&self.put(x, &[(&symbol, &value)])?));
-            open = open.iter().map(into).collect::<Result<_, ExactError>>()?;
-            for (_, earlier) in &mut solved {
-                *earlier = into(earlier)?;
-            }
-            solved.push((symbol, value));
+    }
+
+    #[test]
+    fn what_has_no_series_is_refused() {
+        let ring = Ring::new();
+        let x = Series::monomial(Rational::int(1), 1, 7);
+        for formula in [
+            Expr::symbol("x").sqrt(),
+            (Expr::int(1) / Expr::symbol("x")).sin(),
+            Expr::int(1) / (Expr::symbol("x") - Expr::symbol("x")),
+            Expr::symbol("x").ln(),
+        ] {
+            assert!(ring.expand(formula, &[("x", &x)], 7).is_err(), "{formula}");
         }
-        for equation in open {
-            if !self.is_zero(&equation)? {
-                let left = self.text(&equation);
-                return Err(ExactError::Unsolvable { left });
-            }
-        }
-        Ok(solved)
+    }
+
+    #[test]
+    fn a_series_known_less_far_spoils_no_more_than_it_must() {
+        let ring = Ring::new();
+        let x = Series::monomial(Rational::int(1), 1, 2);
+        let formula = Expr::symbol("x").squared();
+        let square = ring.expand(formula, &[("x", &x)], 9).unwrap();
+        assert_eq!(square.order(), 3);
+        assert!(square.coefficient(4).is_none());
     }
 }

@@ -50,3 +50,26 @@ impl Polynomial {
         (found, rest)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn factors_and_what_is_left_make_up_the_polynomial() {
+        let x = Polynomial::generator(0);
+        let number = |n: i64| Polynomial::constant(IBig::from(n));
+        let [a, b] = [&(&number(2) * &x) + &number(-3), &x + &number(1)];
+        let no_root = &(&x * &x) + &number(1);
+        let whole = &(&a * &a) * &(&b * &no_root);
+        let (factors, rest) = whole.clone().split_linear();
+        assert_eq!(rest, no_root);
+        assert_eq!(factors, [(b, 1), (a, 2)]);
+        let product = factors
+            .iter()
+            .fold(rest, |product, (f, k)| &product * &f.pow(*k));
+        assert_eq!(product, whole);
+        let mixed = &(&x * &x) + &(&x * &Polynomial::generator(1));
+        assert!(mixed.split_linear().0.is_empty());
+    }
+}

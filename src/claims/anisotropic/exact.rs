@@ -287,16 +287,17 @@ fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
 /// The touch is of the first order; two more orders follow.
 const ORDER: usize = 3;
 
+fn plane() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    ring.angle("φ");
+    ring.symbol("q");
+    ring.symbol("λ₀");
+    Ok(ring)
+}
+
 /// The rate of a slip with friction, against the excess of a curve's friction over it and a square: the drive can
 /// start that slip exactly where the excess is positive.
 fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
-    let plane = || {
-        let mut ring = Ring::new();
-        ring.angle("φ");
-        ring.symbol("q");
-        ring.symbol("λ₀");
-        Ok(ring)
-    };
     prove(title, plane(), |p| {
         let rate = p.read("The rate by (51) or (52)", rate)?;
         let parts = p.read(
@@ -340,35 +341,31 @@ pub fn eq56() -> Evidence {
 }
 
 /// The mirror takes each printed rate into the other.
-fn prove_mirror(forward: fn(Expr, Expr) -> Expr, backward: fn(Expr, Expr, Expr) -> Expr) -> Proof {
-    let plane = || {
-        let mut ring = Ring::new();
-        ring.angle("φ");
-        ring.symbol("q");
-        ring.symbol("λ₀");
-        Ok(ring)
-    };
+fn prove_mirror([forward, backward]: [Expr; 2]) -> Proof {
     prove("The mirror", plane(), |p| {
         let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
-        let (other_q, other_lambda0, other_phi) = (Expr::int(1) / q, q * lambda0, phi + Expr::pi());
+        let mirrored = |rate: Expr| {
+            let rate = rate.with("q", Expr::int(1) / q);
+            -rate.with("λ₀", q * lambda0).with("φ", phi + Expr::pi())
+        };
         for (says, here, there) in [
-            (
-                "Forward motion",
-                forward(lambda0, phi),
-                -backward(other_q, other_lambda0, other_phi),
-            ),
-            (
-                "Backward motion",
-                backward(q, lambda0, phi),
-                -forward(other_lambda0, other_phi),
-            ),
+            ("Forward motion", forward, backward),
+            ("Backward motion", backward, forward),
         ] {
             let here = p.read(says, here)?;
-            let there = p.read("The other's in the mirror", there)?;
+            let there = p.read("The other's in the mirror", mirrored(there))?;
             p.equal("The two", &here, &there)?;
         }
         Ok(())
     })
+}
+
+fn printed_rates() -> [Expr; 2] {
+    let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+    [
+        printed::eq51_rate(lambda0, phi),
+        printed::eq52_rate(q, lambda0, phi),
+    ]
 }
 
 /// (51).
@@ -442,7 +439,7 @@ pub fn y() -> Evidence {
 /// The mirror.
 pub fn mirror() -> Evidence {
     proved(
-        &prove_mirror(printed::eq51_rate, printed::eq52_rate),
+        &prove_mirror(printed_rates()),
         Subject::Printed,
         "(51) and (52) with each other, under φ → φ + π, 𝔴 → −𝔴, λ₀ → qλ₀, q → 1/q",
     )
@@ -467,7 +464,7 @@ mod tests {
         holds(&prove_e(sides_of_e()));
         holds(&prove_x(printed::eq57_x()));
         holds(&prove_y(sides_of_b()));
-        holds(&prove_mirror(printed::eq51_rate, printed::eq52_rate));
+        holds(&prove_mirror(printed_rates()));
     }
 
     fn number(name: &str) -> Option<f64> {
@@ -483,9 +480,18 @@ mod tests {
 
     /// How many formulas that differ in one place from `ours` are not proved: all but those of the same value.
     fn refuted(ours: Expr, prove: impl Fn(Expr) -> Proof) -> usize {
+        refuted_unless(|x, y| (x - y).abs() < 1e-12, ours, prove)
+    }
+
+    /// The same, with what counts as the same value.
+    fn refuted_unless(
+        same: fn(f64, f64) -> bool,
+        ours: Expr,
+        prove: impl Fn(Expr) -> Proof,
+    ) -> usize {
         let differs = |formula: Expr| {
-            let same = formula.evaluate(&number).zip(ours.evaluate(&number));
-            let same = same.is_some_and(|(x, y)| (x - y).abs() < 1e-12);
+            let values = formula.evaluate(&number).zip(ours.evaluate(&number));
+            let same = values.is_some_and(|(x, y)| same(x, y));
             assert_eq!(prove(formula).holds(), same, "{formula}");
             !same
         };
@@ -497,6 +503,7 @@ mod tests {
     fn mutants_fail() {
         let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
         let (k, a, b, e) = (printed::eq53_k(q), sides_of_a(), sides_of_b(), sides_of_e());
+        let (rates, x) = (printed_rates(), printed::eq57_x());
         let failed = refuted(printed::eq51_rate(lambda0, phi), prove_eq51)
             + refuted(printed::eq52_rate(q, lambda0, phi), prove_eq52)
             + refuted(printed::eq55_lambda0(q), prove_eq55)
@@ -506,6 +513,12 @@ mod tests {
             + refuted(a[1], |x| prove_eq53(k, [a[0], x]))
             + refuted(b[0], |x| prove_eq54([x, b[1]]))
             + refuted(b[1], |x| prove_eq54([b[0], x]))
+            + refuted(b[0], |y| prove_y([y, b[1]]))
+            + refuted(b[1], |y| prove_y([b[0], y]))
+            + refuted(rates[0], |x| prove_mirror([x, rates[1]]))
+            + refuted(rates[1], |x| prove_mirror([rates[0], x]))
+            // λ₀ at X enters by its square; that it is positive is not proved.
+            + refuted_unless(|x, y| (x.abs() - y.abs()).abs() < 1e-12, x[1], |l| prove_x([x[0], l]))
             + refuted(e[0], |x| prove_e([x, e[1]]))
             + refuted(e[1], |x| prove_e([e[0], x]));
         assert!(failed > 100, "{failed} mutants fail");

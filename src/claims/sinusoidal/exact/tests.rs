@@ -19,7 +19,17 @@ fn provable() -> Vec<Provable> {
         ("26+", eq26_rate(), Box::new(|rate| prove_eq26(rate, 1))),
         ("26−", eq26_rate(), Box::new(|rate| prove_eq26(rate, -1))),
         ("27", phi1, Box::new(|phase| prove_phase(phase, 1))),
+        (
+            "28",
+            paper::eq28_phi2(lambda0),
+            Box::new(|phase| prove_phase(phase, 1)),
+        ),
         ("29", phi3, Box::new(|phase| prove_phase(phase, -1))),
+        (
+            "30",
+            paper::eq30_phi4(lambda0),
+            Box::new(|phase| prove_phase(phase, -1)),
+        ),
         (
             "31",
             paper::eq31_w(lambda0, phi1, phi),
@@ -100,7 +110,7 @@ fn proofs_hold_for_the_printed_formulas_and_for_nothing_else() {
             let equal = (ours - theirs).abs() < 1e-12;
             // These proofs know a phase by its sine or its cosine only; which of two it is, the motions tell.
             let mirrored = match name {
-                "27" | "29" => (libm::sin(ours) - libm::sin(theirs)).abs() < 1e-12,
+                "27" | "28" | "29" | "30" => (libm::sin(ours) - libm::sin(theirs)).abs() < 1e-12,
                 "39" => (libm::cos(ours) - libm::cos(theirs)).abs() < 1e-12,
                 // λ_c stands in them by its square.
                 "36" | "40" => (ours + theirs).abs() < 1e-12,
