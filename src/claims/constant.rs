@@ -47,7 +47,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A>0$, constant",
             stated: true,
         }],
-        trials: &[setup::eq3],
+        trials: &[exact::defined, setup::eq3],
         ..Claim::BLANK
     },
     Claim {
@@ -58,7 +58,7 @@ const CLAIMS: &[Claim] = &[
         title: "the velocity by speed and angle",
         latex: r"\bm{v}=v (\hat{\bm{x}} \cos\theta+\hat{\bm{y}} \sin\theta)",
         plain: "𝐯 = v (x̂ cos θ + ŷ sin θ)",
-        trials: &[setup::eq4],
+        trials: &[exact::defined, setup::eq4],
         ..Claim::BLANK
     },
     Claim {
@@ -70,7 +70,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda=\frac{\mu g}{A}",
         plain: "λ = μ g / A",
         depends_on: &["eq-3"],
-        trials: &[setup::eq5],
+        trials: &[exact::defined, setup::eq5],
         ..Claim::BLANK
     },
     Claim {

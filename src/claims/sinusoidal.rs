@@ -48,7 +48,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A_0>0$",
             stated: true,
         }],
-        trials: &[setup::eq21],
+        trials: &[exact::definitions, setup::eq21],
         ..Claim::BLANK
     },
     Claim {
@@ -60,7 +60,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{\mu g}{A_0}",
         plain: "λ₀ = μ g / A₀",
         depends_on: &["eq-21"],
-        trials: &[setup::eq22],
+        trials: &[exact::definitions, setup::eq22],
         ..Claim::BLANK
     },
     Claim {
@@ -72,7 +72,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\phi=\varpi t",
         plain: "φ = ϖ t",
         depends_on: &["eq-21"],
-        trials: &[setup::eq23],
+        trials: &[exact::definitions, setup::eq23],
         ..Claim::BLANK
     },
     Claim {
@@ -84,7 +84,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\mathfrak{w}=\frac{\varpi v_x}{A_0}",
         plain: "w = ϖ v_x / A₀",
         depends_on: &["eq-21"],
-        trials: &[setup::eq24],
+        trials: &[exact::definitions, setup::eq24],
         ..Claim::BLANK
     },
     Claim {

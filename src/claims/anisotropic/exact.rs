@@ -49,45 +49,72 @@ fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
     from.cos() - to.cos() - friction * (to - from)
 }
 
-/// Newton's law along x, d(v_x)/dt = A₀ sin ϖt ∓ μ±g, in the units of (23) and (24).
-fn laboratory() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["A₀", "ϖ", "g", "μ₊", "μ₋"] {
-        ring.symbol(name);
-    }
-    ring.angle("φ");
-    let [mu_plus, mu_minus, g, a0] = symbols(["μ₊", "μ₋", "g", "A₀"]);
-    let plus = ring.read(printed::eq47_lambda_plus(mu_plus, g, a0))?;
-    let minus = ring.read(printed::eq48_lambda_minus(mu_minus, g, a0))?;
-    // (49) and (50) name these two λ₀ and qλ₀.
-    let q = ring.divide(&minus, &plus)?;
-    ring.define("λ₀", plus)?;
-    ring.define("q", q)?;
-    Ok(ring)
+/// (47) to (50).
+fn definitions() -> [Expr; 4] {
+    let [mu_plus, mu_minus, g, a0, q, lambda0] = symbols(["μ₊", "μ₋", "g", "A₀", "q", "λ₀"]);
+    [
+        printed::eq47_lambda_plus(mu_plus, g, a0),
+        printed::eq48_lambda_minus(mu_minus, g, a0),
+        printed::eq49_lambda_plus(lambda0),
+        printed::eq50_lambda_minus(q, lambda0),
+    ]
 }
 
-fn rate(title: &str, formula: Expr, deceleration: Expr) -> Proof {
-    prove(title, laboratory(), |p| {
-        let [a0, frequency, phi] = symbols(["A₀", "ϖ", "φ"]);
+/// (51) and (52) from Newton's law along x, dv_x/dt = A₀ sin ϖt ∓ μ±g, in the units of (23) and (24) and with the friction
+/// by the definitions.
+fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        for name in ["A₀", "g", "μ₊", "μ₋", "q", "λ₀"] {
+            ring.symbol(name);
+        }
+        ring.angle("φ");
+        Ok(ring)
+    };
+    prove("(51) and (52)", ring(), |p| {
+        let ring = p.ring();
+        let [a0, g, phi] = symbols(["A₀", "g", "φ"]);
         p.note(
             "While sliding",
             "dv_x/dt = A₀ sin φ less the friction, φ = ϖt, 𝔴 = ϖv_x/A₀",
         );
-        let by_newton = (a0 * phi.sin() - deceleration) * frequency / a0 / frequency;
-        let found = p.read("d𝔴/dφ by Newton's law", by_newton)?;
-        let stated = p.read("The printed rate", formula)?;
-        p.equal("The two", &found, &stated)
+        let names = ["μ₊", "μ₋"];
+        for (i, sign) in [(0, 1), (1, -1)] {
+            let both = [definitions[i], definitions[i + 2]].map(|d| ring.read(d));
+            let [own, named] = both;
+            let says = format!(
+                "{} = {}, for the friction",
+                definitions[i],
+                definitions[i + 2]
+            );
+            let solved = p.solve(&says, &[own? - named?], None, &[names[i]])?;
+            let newton = (a0 * phi.sin() - Expr::int(sign) * Expr::symbol(names[i]) * g) / a0;
+            let found = p.read("d𝔴/dφ by Newton's law", newton)?;
+            let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
+            let found = ring.put(&found, &values)?;
+            let stated = p.read("The printed rate", rates[i])?;
+            p.equal("The two", &found, &stated)?;
+        }
+        Ok(())
     })
 }
 
 fn prove_eq51(formula: Expr) -> Proof {
-    let [mu, g] = symbols(["μ₊", "g"]);
-    rate("(51): forward motion", formula, mu * g)
+    prove_rates(definitions(), [formula, printed_rates()[1]])
 }
 
 fn prove_eq52(formula: Expr) -> Proof {
-    let [mu, g] = symbols(["μ₋", "g"]);
-    rate("(52): backward motion", formula, -(mu * g))
+    prove_rates(definitions(), [printed_rates()[0], formula])
+}
+
+/// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
+pub fn defined() -> Evidence {
+    let proof = prove_rates(definitions(), printed_rates());
+    proved(
+        &proof,
+        Subject::Printed,
+        "Newton's law in the symbols (47) to (50) with (51) and (52)",
+    )
 }
 
 /// (53): forward motion from φ = α, where a rest would end, for 2K; backward motion for the rest of the period.
@@ -472,6 +499,10 @@ mod tests {
             "q" => Some(1.7),
             "λ₀" => Some(0.31),
             "qλ₀" => Some(0.53),
+            "A₀" => Some(1.3),
+            "g" => Some(9.1),
+            "μ₊" => Some(0.21),
+            "μ₋" => Some(0.47),
             "K" => Some(1.9),
             "φ" => Some(0.7),
             _ => None,
@@ -499,6 +530,14 @@ mod tests {
         mutants.filter(|mutant| differs(mutant.formula)).count()
     }
 
+    fn changed_definition(place: usize) -> usize {
+        refuted(definitions()[place], |formula| {
+            let mut all = definitions();
+            all[place] = formula;
+            prove_rates(all, printed_rates())
+        })
+    }
+
     #[test]
     fn mutants_fail() {
         let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
@@ -506,6 +545,7 @@ mod tests {
         let (rates, x) = (printed_rates(), printed::eq57_x());
         let failed = refuted(printed::eq51_rate(lambda0, phi), prove_eq51)
             + refuted(printed::eq52_rate(q, lambda0, phi), prove_eq52)
+            + (0..4).map(changed_definition).sum::<usize>()
             + refuted(printed::eq55_lambda0(q), prove_eq55)
             + refuted(printed::eq56_lambda0(), prove_eq56)
             + refuted(k, |k| prove_eq53(k, a))

@@ -55,27 +55,46 @@ fn ring_of_phi_t1() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// (26) from (1), (21) to (24), for the sign ±1 of the velocity.
-fn prove_eq26(rate: Expr, sign: i64) -> Proof {
+/// (21) to (24): the acceleration along x, λ₀, φ, and 𝔴.
+fn units() -> [Expr; 4] {
+    let [a0, varpi, t, mu, g, vx] = symbols(["A₀", "ϖ", "t", "μ", "g", "v_x"]);
+    let [ax, _] = paper::eq21_acceleration(a0, varpi, t);
+    [
+        ax,
+        paper::eq22_lambda0(mu, g, a0),
+        paper::eq23_phase(varpi, t),
+        paper::eq24_w(varpi, vx, a0),
+    ]
+}
+
+/// (26) from (1) and (21) to (24), for the sign ±1 of the velocity.
+fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -> Proof {
     let ring = || {
         let mut ring = Ring::new();
-        for name in ["A₀", "ϖ", "λ₀", "w"] {
+        for name in ["A₀", "ϖ", "t", "μ", "g", "v_x", "w"] {
             ring.symbol(name);
         }
         ring.angle("φ");
         let w = ring.named("w")?;
         ring.root_is(&(&w * &w), 2, &(&w * &Rational::int(sign)))?;
+        ring.define("λ₀", ring.read(friction)?)?;
         Ok(ring)
     };
     prove("(26): d𝔴/dφ", ring(), |p| {
-        let [a0, varpi, lambda0, phi] = symbols(["A₀", "ϖ", "λ₀", "φ"]);
+        let [varpi, mu, g, phi] = symbols(["ϖ", "μ", "g", "φ"]);
         p.note("The velocity's sign", sign.to_string());
-        let [ax, _] = paper::eq21_acceleration(a0, Expr::int(1), phi);
-        // (1) on the line, with μg = λ₀ A₀ by (22).
-        let newton = p.read("dv_x/dt by (1)", -ax - lambda0 * a0 * Expr::int(sign))?;
-        // By (24), d𝔴/dt = ϖ/A₀ dv_x/dt; by (23), dφ/dt = ϖ.
-        let scaled = p.read("d𝔴/dv_x by (24)", paper::eq24_w(varpi, Expr::int(1), a0))?;
-        let clock = p.read("dφ/dt by (23)", paper::eq23_phase(varpi, Expr::int(1)))?;
+        p.read("λ₀ by (22)", friction)?;
+        let at_phase = |formula: Expr| formula.with("t", phi / varpi);
+        let ours = p.read("(23) at t = φ/ϖ", at_phase(phase))?;
+        p.equal("It is φ", &ours, &p.ring().read(phi)?)?;
+        let newton = -at_phase(ax) - Expr::int(sign) * mu * g;
+        let newton = p.read("dv_x/dt by (1) and (21)", newton)?;
+        let read = |p: &mut Prover<'_>, says: &str, formula: Expr, name: &str| {
+            let element = p.ring().read(formula)?;
+            p.derivative(says, &element, &p.ring().by(name)?)
+        };
+        let scaled = read(p, "d𝔴/dv_x by (24)", scaled, "v_x")?;
+        let clock = read(p, "dφ/dt by (23)", phase, "t")?;
         let expected = p.quotient("d𝔴/dφ by (1)", &(newton * scaled), &clock)?;
         let rate = p.read("The printed rate", rate)?;
         p.equal("The two", &rate, &expected)
@@ -87,11 +106,17 @@ fn eq26_rate() -> Expr {
     paper::eq26_rate(lambda0, phi, w)
 }
 
+/// (21) to (24) by the use made of them: with them Newton's law becomes (26).
+pub fn definitions() -> Evidence {
+    let proof = prove_eq26(units(), eq26_rate(), 1);
+    printed(&proof, "Newton's law in the symbols (21) to (24) with (26)")
+}
+
 /// (26), for velocities of both signs.
 pub fn eq26() -> Evidence {
-    let forward = prove_eq26(eq26_rate(), 1);
+    let forward = prove_eq26(units(), eq26_rate(), 1);
     let both = if forward.holds() {
-        prove_eq26(eq26_rate(), -1)
+        prove_eq26(units(), eq26_rate(), -1)
     } else {
         forward
     };

@@ -16,8 +16,20 @@ fn provable() -> Vec<Provable> {
     let sides36 = paper::eq36_sides(lambda0);
     let sides40 = paper::eq40_sides(lambda0);
     vec![
-        ("26+", eq26_rate(), Box::new(|rate| prove_eq26(rate, 1))),
-        ("26−", eq26_rate(), Box::new(|rate| prove_eq26(rate, -1))),
+        (
+            "26+",
+            eq26_rate(),
+            Box::new(|rate| prove_eq26(units(), rate, 1)),
+        ),
+        (
+            "26−",
+            eq26_rate(),
+            Box::new(|rate| prove_eq26(units(), rate, -1)),
+        ),
+        ("21", units()[0], Box::new(|x| defined(0, x))),
+        ("22", units()[1], Box::new(|x| defined(1, x))),
+        ("23", units()[2], Box::new(|x| defined(2, x))),
+        ("24", units()[3], Box::new(|x| defined(3, x))),
         ("27", phi1, Box::new(|phase| prove_phase(phase, 1))),
         (
             "28",
@@ -83,6 +95,13 @@ fn provable() -> Vec<Provable> {
     ]
 }
 
+/// The use of (21) to (24) with one of them changed.
+fn defined(place: usize, formula: Expr) -> Proof {
+    let mut all = units();
+    all[place] = formula;
+    prove_eq26(all, eq26_rate(), 1)
+}
+
 /// A number for each symbol; 𝔴 of the sign that the proof is about.
 fn number(sign: f64) -> impl Fn(&str) -> Option<f64> {
     move |name| {
@@ -90,6 +109,12 @@ fn number(sign: f64) -> impl Fn(&str) -> Option<f64> {
             "λ₀" => 0.31,
             "φ" => 1.83,
             "φ̃₂" => 2.41,
+            "A₀" => 1.3,
+            "ϖ" => 0.7,
+            "t" => 2.9,
+            "μ" => 0.43,
+            "g" => 9.1,
+            "v_x" => 0.57,
             "w" => 0.7 * sign,
             _ => return None,
         })
