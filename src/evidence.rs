@@ -114,12 +114,14 @@ pub enum Subject {
 }
 
 impl Subject {
-    /// What the trial was about, in words.
-    pub fn words(self) -> &'static str {
+    /// What the trial was about, in words; `conditional` for a claim that holds under a condition, in which
+    /// nothing is corrected.
+    pub fn words(self, conditional: bool) -> &'static str {
         match self {
             Subject::Printed => "as printed",
             Subject::Within => "under the condition",
             Subject::Outside => "without the condition",
+            Subject::Corrected if conditional => "in the form that holds without the condition",
             Subject::Corrected => "as corrected",
         }
     }
@@ -165,6 +167,8 @@ pub struct Evidence {
     pub tolerance: Tolerance,
     /// A few of the compared pairs.
     pub samples: Vec<Sample>,
+    /// The steps of a proof, in order, as plain text; none for a measurement.
+    pub steps: Vec<String>,
 }
 
 /// What a piece of evidence says by itself.

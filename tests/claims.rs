@@ -4,8 +4,10 @@
 
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
+use slipbook::claims::measured::MEASURED;
 use slipbook::claims::{Claim, TOPICS};
 use slipbook::ledger::{Ledger, Record};
+use std::collections::BTreeSet;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -33,6 +35,13 @@ fn main() {
     trials.push(Trial::test("verdicts", move || {
         same_as_snapshot("", "verdicts", &record)
     }));
+    let without: BTreeSet<_> = ledger
+        .entries
+        .iter()
+        .filter(|e| !e.is_proved())
+        .map(|e| e.claim.id)
+        .collect();
+    trials.push(Trial::test("measured", move || reasons(&without)));
     trials.push(Trial::test("no_snapshot_without_a_claim", stale));
     let conclusion = libtest_mimic::run(&arguments, trials);
     let tried = ledger
@@ -47,6 +56,21 @@ fn main() {
         ledger.summary()
     );
     conclusion.exit();
+}
+
+/// The claims without a proof are those for which a reason is given, each once.
+fn reasons(without: &BTreeSet<&str>) -> Result<(), Failed> {
+    let listed: Vec<_> = MEASURED.iter().flat_map(|m| m.claims).copied().collect();
+    let given: BTreeSet<_> = listed.iter().copied().collect();
+    let lacking: Vec<_> = without.difference(&given).collect();
+    let idle: Vec<_> = given.difference(without).collect();
+    if lacking.is_empty() && idle.is_empty() && listed.len() == given.len() {
+        return Ok(());
+    }
+    Err(
+        format!("no proof and no reason: {lacking:?}; a reason though proved, or twice: {idle:?}")
+            .into(),
+    )
 }
 
 /// Every snapshot of a topic's folder belongs to a claim of that topic, or is the README's picture.

@@ -16,6 +16,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
             reason: "test",
         },
         samples: vec![],
+        steps: vec![],
     }
 }
 

@@ -27,7 +27,7 @@ pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fa
     );
     html.push_str(&statements(filler, entry)?);
     html.push_str(&conditions(filler, claim)?);
-    html.push_str(&trials(filler.maths(), &entry.evidence)?);
+    html.push_str(&trials(filler.maths(), entry)?);
     html.push_str(&neighbours(filler, claim)?);
     html.push_str(&source(claim));
     html.push_str("</article>\n");
@@ -107,19 +107,26 @@ fn conditions(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
     Ok(html + "</ul>")
 }
 
-fn trials(maths: &Maths, evidence: &[Evidence]) -> Result<String, Fault> {
-    if evidence.is_empty() {
+fn trials(maths: &Maths, entry: &Entry) -> Result<String, Fault> {
+    if entry.evidence.is_empty() {
         return Ok(String::new());
     }
-    let items: Result<String, Fault> = evidence.iter().map(|e| trial(maths, e)).collect();
+    // Proofs first: they outrank what is measured.
+    let (proofs, others): (Vec<_>, Vec<_>) =
+        entry.evidence.iter().partition(|e| e.route.is_proof());
+    let conditional = entry.is_conditional();
+    let items = proofs.into_iter().chain(others);
+    let items: Result<String, Fault> = items.map(|e| trial(maths, e, conditional)).collect();
     Ok(format!(
         "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>",
         items?
     ))
 }
 
-fn trial(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
+fn trial(maths: &Maths, evidence: &Evidence, conditional: bool) -> Result<String, Fault> {
     let (class, outcome) = match evidence.outcome() {
+        Outcome::Agrees if evidence.route.is_proof() => ("agrees", "proved"),
+        Outcome::Disagrees if evidence.route.is_proof() => ("disagrees", "not proved"),
         Outcome::Agrees => ("agrees", "agrees"),
         Outcome::Disagrees if evidence.subject == Subject::Outside => {
             ("matters", "disagrees, so the condition matters")
@@ -128,6 +135,43 @@ fn trial(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
         Outcome::NotANumber => ("open", "gave no number"),
         Outcome::TooFewPoints => ("open", "has too few points"),
     };
+    let measure = if evidence.route.is_proof() {
+        proof(evidence)
+    } else {
+        measure(maths, evidence)?
+    };
+    Ok(format!(
+        "<li class=\"{class}\"><p><strong>{route}</strong>, {subject}: <span class=\"outcome\">{outcome}</span>. \
+         {compared}.</p>{measure}{samples}</li>",
+        route = evidence.route.name(),
+        subject = evidence.subject.words(conditional),
+        compared = maths.words(&sentence(evidence.compared))?,
+        samples = samples(maths, evidence)?,
+    ))
+}
+
+/// Where a proof breaks off, and its steps behind a fold.
+fn proof(evidence: &Evidence) -> String {
+    let mut html = String::new();
+    if !evidence.at.is_empty() {
+        html.push_str(&format!(
+            "<p class=\"measure\">{}.</p>",
+            escape(&sentence(&evidence.at))
+        ));
+    }
+    if !evidence.steps.is_empty() {
+        let step = |step: &String| format!("<li>{}</li>", escape(step));
+        let steps: String = evidence.steps.iter().map(step).collect();
+        html.push_str(&format!(
+            "<details class=\"proof\"><summary>The proof, {}</summary><ol>{steps}</ol></details>",
+            counted(evidence.steps.len(), "step")
+        ));
+    }
+    html
+}
+
+/// How much was compared, how far it was apart, and how far it might have been.
+fn measure(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
     let worst = if evidence.worst.is_infinite() {
         "no value where the motion has one".to_owned()
     } else {
@@ -138,16 +182,10 @@ fn trial(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
         at => format!(" at {}", maths.words(at)?),
     };
     Ok(format!(
-        "<li class=\"{class}\"><p><strong>{route}</strong>, {subject}: <span class=\"outcome\">{outcome}</span>. \
-         {compared}.</p>\
-         <p class=\"measure\">{points}; {worst}{at}; tolerance {tolerance} ({reason}).</p>{samples}</li>",
-        route = evidence.route.name(),
-        subject = evidence.subject.words(),
-        compared = maths.words(&sentence(evidence.compared))?,
+        "<p class=\"measure\">{points}; {worst}{at}; tolerance {tolerance} ({reason}).</p>",
         points = counted(evidence.points, "point"),
         tolerance = size(evidence.tolerance.value),
         reason = maths.words(evidence.tolerance.reason)?,
-        samples = samples(maths, evidence)?,
     ))
 }
 

@@ -66,6 +66,9 @@ impl<'a> Filler<'a> {
             ["counts"] => block(tables::counts(self.ledger)),
             ["ledger"] => block(tables::whole_ledger(self)?),
             ["ledger", topic] => block(tables::topic(self, topic)?),
+            ["proofs"] => block(tables::proofs(self.ledger)),
+            ["strongest"] => block(tables::strongest(self)?),
+            ["measured"] => block(tables::measured(self)?),
             ["routes"] => block(tables::routes(self.ledger)),
             ["tolerances"] => block(tables::tolerances(self)?),
             ["verdict", id] => inline(verdict(self.entry(id)?.judgement.verdict)),
@@ -80,6 +83,10 @@ impl<'a> Filler<'a> {
             ["ref", id] => inline(self.link(self.entry(id)?)?),
             ["count", "claims"] => inline(count(self.ledger.entries.len())),
             ["count", "points"] => inline(count(self.ledger.points())),
+            ["count", "proved"] => {
+                let entries = self.ledger.entries.iter();
+                inline(count(entries.filter(|e| e.is_proved()).count()))
+            }
             ["count", slug] => {
                 let verdict = Verdict::ALL.into_iter().find(|v| v.slug() == *slug);
                 let unknown = || Fault::Placeholder(format!("there is no verdict `{slug}`"));

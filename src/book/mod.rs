@@ -9,12 +9,16 @@
 //! | `{{counts}}` | a table of the verdicts with the number of claims |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
+//! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
+//! | `{{strongest}}` | a table of all claims with the strongest route of each |
+//! | `{{measured}}` | a table of the claims without a proof, by the reason |
 //! | `{{routes}}`, `{{tolerances}}` | tables of what the trials of this ledger use |
 //! | `{{verdict eq-11}}` | the verdict in word and colour |
 //! | `{{points eq-11}}` | how many points its trials compared |
 //! | `{{worst eq-11}}` | the disagreement that comes nearest to, or farthest beyond, its tolerance |
 //! | `{{ref eq-11}}` | a link to the claim's box |
 //! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
+//! | `{{count proved}}` | the number of claims that are proved |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
 //!
 //! Those that stand for a box, a figure or a table stand alone on their line. None is filled in code.

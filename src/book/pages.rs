@@ -36,6 +36,7 @@ written!(
     escape,
     rest,
     ledger,
+    proved,
     methods
 );
 
@@ -65,6 +66,7 @@ pub(super) fn pages(figures: &[Figure]) -> Vec<Page> {
     let mut pages = vec![written_page("index", "Slipbook")];
     pages.extend(TOPICS.iter().map(|topic| topic_page(topic, figures)));
     pages.push(written_page("ledger", "The ledger"));
+    pages.push(written_page("proved", "What is proved, what is measured"));
     pages.push(written_page("methods", "How a verdict comes about"));
     pages
 }

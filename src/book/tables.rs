@@ -5,7 +5,8 @@ use super::error::Fault;
 use super::fill::{Filler, verdict};
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
-use crate::evidence::Route;
+use crate::claims::measured::{MEASURED, Measured};
+use crate::evidence::{Kind, Route};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -176,4 +177,90 @@ pub(super) fn tolerances(filler: &Filler<'_>) -> Result<String, Fault> {
         rows.push([size(f64::from_bits(bits)), reason, count(trials)]);
     }
     Ok(table("tolerances", ["Tolerance", "Reason", "Trials"], rows))
+}
+
+/// How many claims of which kind are proved, by which route, and how many are measured.
+pub(super) fn proofs(ledger: &Ledger) -> String {
+    let row = |name: &str, counts: &dyn Fn(&Entry) -> bool| {
+        let entries: Vec<_> = ledger.entries.iter().filter(|e| counts(e)).collect();
+        let by = |route| {
+            entries
+                .iter()
+                .filter(|e| e.strongest() == Some(route))
+                .count()
+        };
+        let proved = entries.iter().filter(|e| e.is_proved()).count();
+        [
+            name.to_owned(),
+            count(by(Route::Exact)),
+            count(by(Route::Certified)),
+            count(entries.len() - proved),
+            count(entries.len()),
+        ]
+    };
+    let numbered = |e: &Entry| e.claim.equation.is_some();
+    let definition = |e: &Entry| e.claim.kind == Kind::Definition;
+    let rows = [
+        row("Numbered, not a definition", &|e| {
+            numbered(e) && !definition(e)
+        }),
+        row("Numbered definitions", &|e| numbered(e) && definition(e)),
+        row("Statements in words and pictures", &|e| !numbered(e)),
+        row("All", &|_| true),
+    ];
+    table(
+        "proofs",
+        [
+            "Claims",
+            "Proved exactly",
+            "Proved by enclosure",
+            "Measured",
+            "All",
+        ],
+        rows,
+    )
+}
+
+/// Every claim with its strongest route.
+pub(super) fn strongest(filler: &Filler<'_>) -> Result<String, Fault> {
+    let row = |entry: &Entry| {
+        let title = match entry.claim.equation {
+            Some(_) => format!(
+                "{} {}",
+                filler.link(entry)?,
+                filler.maths().words(entry.claim.title)?
+            ),
+            None => filler.link(entry)?,
+        };
+        let how = match entry.strongest() {
+            Some(route) if route.is_proof() => format!("<strong>proved</strong>, {}", route.name()),
+            Some(route) => route.name().to_owned(),
+            None => String::new(),
+        };
+        Ok([title, verdict(entry.judgement.verdict), how])
+    };
+    let rows: Result<Vec<_>, Fault> = filler.ledger().entries.iter().map(row).collect();
+    Ok(table(
+        "ledger",
+        ["Claim", "Verdict", "Strongest route"],
+        rows?,
+    ))
+}
+
+/// The claims without a proof, by the reason.
+pub(super) fn measured(filler: &Filler<'_>) -> Result<String, Fault> {
+    let row = |measured: &Measured| {
+        let links = measured
+            .claims
+            .iter()
+            .map(|id| filler.link(filler.entry(id)?));
+        let links: Result<Vec<_>, Fault> = links.collect();
+        Ok([filler.maths().words(measured.reason)?, links?.join(", ")])
+    };
+    let rows: Result<Vec<_>, Fault> = MEASURED.iter().map(row).collect();
+    Ok(table(
+        "measured",
+        ["Why there is no proof", "Claims"],
+        rows?,
+    ))
 }

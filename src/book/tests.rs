@@ -51,6 +51,11 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
             stated: 0.25,
             found: f64::NAN,
         }],
+        steps: if route.is_proof() {
+            vec!["the difference <is>: 0".into()]
+        } else {
+            Vec::new()
+        },
     }
 }
 
@@ -171,8 +176,8 @@ fn the_book_is_whole() {
         .keys()
         .filter(|name| name.ends_with(".html"))
         .collect();
-    // Index, ledger, methods, print page and table of contents besides one page per topic.
-    assert_eq!(pages.len(), TOPICS.len() + 5);
+    // Index, ledger, proved, methods, print page and table of contents besides one page per topic.
+    assert_eq!(pages.len(), TOPICS.len() + 6);
 
     for page in &pages {
         let html = text(page);
@@ -281,6 +286,17 @@ fn a_box_shows_all_and_data_stays_data() {
         assert!(full.contains(part), "no {part} in {full}");
     }
     assert!(!html.contains("<script>alert"));
+    let proof = full.split("<strong>exact</strong>").nth(1).unwrap();
+    let proof = proof.split("</li></ol>").next().unwrap();
+    assert!(
+        proof.contains("<span class=\"outcome\">proved</span>"),
+        "{proof}"
+    );
+    assert!(
+        proof.contains("<summary>The proof, 1 step</summary><ol><li>the difference &lt;is&gt;: 0")
+    );
+    assert!(!proof.contains("tolerance"), "{proof}");
+    assert!(full.find("<strong>exact</strong>") < full.find("<strong>quadrature</strong>"));
     let used = html
         .split("id=\"eq-11\"")
         .nth(1)

@@ -57,7 +57,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-21"],
-        trials: &[setup::eq47],
+        trials: &[exact::defined, setup::eq47],
         ..Claim::BLANK
     },
     Claim {
@@ -73,7 +73,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-21"],
-        trials: &[setup::eq48],
+        trials: &[exact::defined, setup::eq48],
         ..Claim::BLANK
     },
     Claim {
@@ -85,7 +85,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_+=\lambda_0",
         plain: "λ₊ = λ₀",
         depends_on: &["eq-47"],
-        trials: &[setup::eq49],
+        trials: &[exact::defined, setup::eq49],
         ..Claim::BLANK
     },
     Claim {
@@ -97,7 +97,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_-=q \lambda_0",
         plain: "λ₋ = q λ₀",
         depends_on: &["eq-48", "eq-49"],
-        trials: &[setup::eq50],
+        trials: &[exact::defined, setup::eq50],
         ..Claim::BLANK
     },
     Claim {
@@ -204,6 +204,7 @@ const CLAIMS: &[Claim] = &[
         ],
         depends_on: &["eq-52"],
         trials: &[
+            exact::eq55,
             curves::eq55_root,
             curves::eq55_census,
             curves::eq55_outside,
@@ -224,7 +225,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51"],
-        trials: &[curves::eq56_root, curves::eq56_census],
+        trials: &[exact::eq56, curves::eq56_root, curves::eq56_census],
         ..Claim::BLANK
     },
     Claim {

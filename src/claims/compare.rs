@@ -2,7 +2,7 @@
 
 use super::tolerances;
 use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
-use crate::exact::Proof;
+use crate::exact::{Obstacle, Proof, Step};
 use std::fmt::Display;
 
 /// One comparison.
@@ -84,6 +84,7 @@ impl Trial {
             at: String::new(),
             tolerance: self.tolerance,
             samples: Vec::new(),
+            steps: Vec::new(),
         };
         for point in points {
             let pair = match pair(point) {
@@ -140,18 +141,24 @@ impl Pair {
 /// Why a trial's own side gave no number.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
-/// Evidence from a proof: it holds or it does not.
+/// Evidence from a proof, with its steps: it holds or it does not.
 pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Evidence {
     Evidence {
         route: Route::Exact,
         subject,
         compared,
         points: 1,
-        worst: if proof.holds() { 0.0 } else { f64::INFINITY },
+        // A step that cannot be carried out says nothing about the claim.
+        worst: match proof.obstacle() {
+            None => 0.0,
+            Some(Obstacle::NotZero { .. }) => f64::INFINITY,
+            Some(_) => f64::NAN,
+        },
         at: proof.obstacle().map_or(String::new(), |obstacle| {
             format!("a step of the proof ({obstacle})")
         }),
         tolerance: tolerances::NONE,
         samples: Vec::new(),
+        steps: proof.steps().iter().map(Step::to_string).collect(),
     }
 }

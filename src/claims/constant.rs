@@ -47,7 +47,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A>0$, constant",
             stated: true,
         }],
-        trials: &[setup::eq3],
+        trials: &[exact::defined, setup::eq3],
         ..Claim::BLANK
     },
     Claim {
@@ -58,7 +58,7 @@ const CLAIMS: &[Claim] = &[
         title: "the velocity by speed and angle",
         latex: r"\bm{v}=v (\hat{\bm{x}} \cos\theta+\hat{\bm{y}} \sin\theta)",
         plain: "𝐯 = v (x̂ cos θ + ŷ sin θ)",
-        trials: &[setup::eq4],
+        trials: &[exact::defined, setup::eq4],
         ..Claim::BLANK
     },
     Claim {
@@ -70,7 +70,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda=\frac{\mu g}{A}",
         plain: "λ = μ g / A",
         depends_on: &["eq-3"],
-        trials: &[setup::eq5],
+        trials: &[exact::defined, setup::eq5],
         ..Claim::BLANK
     },
     Claim {
@@ -225,7 +225,8 @@ const CLAIMS: &[Claim] = &[
             time::eq13_motion,
             time::eq13_quadrature,
             time::eq13_root,
-            time::eq13_outside,
+            time::eq13_singular,
+            time::eq13_straight,
             time::regular_time,
         ],
         correction: Some(REGULAR_TIME),
@@ -387,7 +388,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda=0$, $v_y$ stays constant and $v_x$ grows linearly with $t$; the path is in general a parabola.",
         plain: "For λ = 0, v_y stays constant and v_x grows linearly with t; the path is in general a parabola.",
         depends_on: &["eq-15", "eq-16"],
-        trials: &[limits::parabola_motion, limits::parabola_quadrature],
+        trials: &[
+            || exact::evidence("eq-15", Subject::Printed),
+            || exact::evidence("eq-16", Subject::Printed),
+            limits::parabola_motion,
+            limits::parabola_quadrature,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -420,6 +426,8 @@ const CLAIMS: &[Claim] = &[
         plain: "For λ = 1 the velocity tends to a constant at large times, the one of (18) and (19).",
         depends_on: &["eq-18", "eq-19"],
         trials: &[
+            || exact::evidence("eq-18", Subject::Printed),
+            || exact::evidence("eq-19", Subject::Printed),
             limits::eq18_limit,
             limits::eq18_quadrature,
             limits::eq19_limit,
@@ -440,6 +448,7 @@ const CLAIMS: &[Claim] = &[
             stated: false,
         }],
         trials: &[
+            || exact::evidence("eq-20", Subject::Within),
             limits::eq20_motion,
             limits::eq20_quadrature,
             words::large_friction_limit,

@@ -125,7 +125,11 @@ const CLAIMS: &[Claim] = &[
         plain: "dα/dτ ≈ 1 − 1/A",
         conditions: SMALL_ALPHA,
         depends_on: &["eq-114", "eq-124", "s4-quasi-fixed-stability"],
-        trials: &[words::eq126_relaxed, words::eq126_order],
+        trials: &[
+            exact::eq126_evidence,
+            words::eq126_relaxed,
+            words::eq126_order,
+        ],
         ..Claim::BLANK
     },
     Claim {

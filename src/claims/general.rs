@@ -1,6 +1,6 @@
 //! Sliding on an accelerating plane: the claims.
 
-mod law;
+pub mod law;
 mod planes;
 mod runs;
 mod words;
@@ -38,7 +38,12 @@ const CLAIMS: &[Claim] = &[
                 stated: true,
             },
         ],
-        trials: &[law::eq1_laboratory, law::eq1_quadrature, law::eq1_motion],
+        trials: &[
+            law::eq1_exact,
+            law::eq1_laboratory,
+            law::eq1_quadrature,
+            law::eq1_motion,
+        ],
         ..Claim::BLANK
     },
     Claim {

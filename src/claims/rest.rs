@@ -95,7 +95,11 @@ const CLAIMS: &[Claim] = &[
         plain: "σ ≤ 1",
         conditions: AT_REST,
         depends_on: &["eq-89"],
-        trials: &[words::eq139_nudge, words::eq139_stays],
+        trials: &[
+            || exact::evidence("eq-139"),
+            words::eq139_nudge,
+            words::eq139_stays,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -109,10 +113,12 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-114", "eq-115", "eq-139"],
         trials: &[
+            || exact::near::evidence("eq-140"),
             near::eq140_motion,
             near::eq140_order,
             near::eq140_straight,
             near::corrected140,
+            near::eq140_at_one,
         ],
         ..Claim::BLANK
     },
@@ -126,7 +132,14 @@ const CLAIMS: &[Claim] = &[
         plain: "α = (σ − 1) τ/σ + ⋯",
         conditions: NEAR_REST_CLOCK,
         depends_on: &["eq-140"],
-        trials: &[near::eq141_motion, near::eq141_order, near::eq141_straight],
+        trials: &[
+            || exact::near::evidence("eq-141"),
+            near::eq141_motion,
+            near::eq141_order,
+            near::eq141_straight,
+            near::eq141_at_one,
+            near::eq141_clock,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -139,7 +152,13 @@ const CLAIMS: &[Claim] = &[
         plain: "((σ − 1)/σ) dψ/dα ≈ 2 [1 − ψ/(2α)]",
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-115", "eq-140"],
-        trials: &[near::eq142_motion, near::eq142_order, near::eq142_straight],
+        trials: &[
+            || exact::near::evidence("eq-142"),
+            near::eq142_motion,
+            near::eq142_order,
+            near::eq142_straight,
+            near::eq142_at_one,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -153,7 +172,7 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TWO_TERMS,
         depends_on: &["eq-142"],
         trials: &[
-            || exact::evidence("eq-143"),
+            || exact::near::evidence("eq-143"),
             near::eq143_constant,
             near::eq143_exponent,
             near::eq143_small_sigma,
@@ -174,7 +193,13 @@ const CLAIMS: &[Claim] = &[
         plain: "((σ − 1)/σ) dA/dα ≈ α",
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-113", "eq-140"],
-        trials: &[near::eq144_motion, near::eq144_order, near::eq144_straight],
+        trials: &[
+            || exact::near::evidence("eq-144"),
+            near::eq144_motion,
+            near::eq144_order,
+            near::eq144_straight,
+            near::eq144_at_one,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -188,10 +213,11 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-144"],
         trials: &[
-            || exact::evidence("eq-145"),
+            || exact::near::evidence("eq-145"),
             near::eq145_motion,
             near::eq145_order,
             near::eq145_straight,
+            near::eq145_at_one,
         ],
         ..Claim::BLANK
     },
@@ -234,7 +260,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"A particle can stay at rest at $\rho=\sigma$ only if $\sigma\le1$: farther out the centrifugal force exceeds the greatest static friction.",
         plain: "A particle can stay at rest at ρ = σ only if σ ≤ 1: farther out the centrifugal force exceeds the greatest static friction.",
         depends_on: &["eq-139"],
-        trials: &[words::eq139_stays, words::resting_places],
+        trials: &[
+            || exact::evidence("eq-139"),
+            words::eq139_stays,
+            words::resting_places,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -273,9 +303,10 @@ const CLAIMS: &[Claim] = &[
         trials: &[
             boundary::printed_census,
             boundary::printed_root,
+            exact::boundary::printed_evidence,
             boundary::corrected_census,
             boundary::corrected_root,
-            exact::boundary_evidence,
+            exact::boundary::evidence,
         ],
     },
 ];

@@ -2,7 +2,7 @@
 
 mod across;
 mod decay;
-mod exact;
+pub mod exact;
 mod periodic;
 mod phases;
 pub mod pictures;
@@ -48,7 +48,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A_0>0$",
             stated: true,
         }],
-        trials: &[setup::eq21],
+        trials: &[exact::definitions, setup::eq21],
         ..Claim::BLANK
     },
     Claim {
@@ -60,7 +60,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{\mu g}{A_0}",
         plain: "λ₀ = μ g / A₀",
         depends_on: &["eq-21"],
-        trials: &[setup::eq22],
+        trials: &[exact::definitions, setup::eq22],
         ..Claim::BLANK
     },
     Claim {
@@ -72,7 +72,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\phi=\varpi t",
         plain: "φ = ϖ t",
         depends_on: &["eq-21"],
-        trials: &[setup::eq23],
+        trials: &[exact::definitions, setup::eq23],
         ..Claim::BLANK
     },
     Claim {
@@ -84,7 +84,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\mathfrak{w}=\frac{\varpi v_x}{A_0}",
         plain: "w = ϖ v_x / A₀",
         depends_on: &["eq-21"],
-        trials: &[setup::eq24],
+        trials: &[exact::definitions, setup::eq24],
         ..Claim::BLANK
     },
     Claim {
@@ -100,7 +100,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-22"],
-        trials: &[setup::eq25_motion, setup::eq25_census],
+        trials: &[exact::eq25, setup::eq25_motion, setup::eq25_census],
         ..Claim::BLANK
     },
     Claim {
@@ -235,7 +235,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-31"],
-        trials: &[slip::eq32_root, slip::eq32_motion, slip::eq32_census],
+        trials: &[
+            exact::eq32,
+            slip::eq32_root,
+            slip::eq32_motion,
+            slip::eq32_census,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -273,7 +278,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-29", "eq-32"],
-        trials: &[slip::eq34_motion, slip::eq34_census, threshold::eq34_root],
+        trials: &[
+            exact::eq34,
+            slip::eq34_motion,
+            slip::eq34_census,
+            threshold::eq34_root,
+        ],
         ..Claim::BLANK
     },
     Claim {

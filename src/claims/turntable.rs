@@ -144,7 +144,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{\rho}=\frac{\Omega^2}{\mu g} \bm{r}",
         plain: "𝛒 = (Ω²/(μ g)) 𝐫",
         conditions: POSITIVE,
-        trials: &[frames::eq87],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-87",
+                    Subject::Printed,
+                    "(86) in the symbols (87) and (88) with (89)",
+                )
+            },
+            frames::eq87,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -156,7 +165,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\tau=\Omega t",
         plain: "τ = Ω t",
         conditions: POSITIVE,
-        trials: &[frames::eq88],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-88",
+                    Subject::Printed,
+                    "(86) in the symbols (87) and (88) with (89)",
+                )
+            },
+            frames::eq88,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -240,7 +258,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=\vert \dot{\bm{\rho}}\vert",
         plain: "p = |d𝛒/dτ|",
         depends_on: &["eq-87", "eq-88"],
-        trials: &[definitions::eq93],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-93",
+                    Subject::Printed,
+                    "(93) with the size of the velocity",
+                )
+            },
+            definitions::eq93,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -252,7 +279,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"\xi=\rho \cos\psi",
         plain: "ξ = ρ cos ψ",
         depends_on: &["eq-87"],
-        trials: &[definitions::eq94],
+        trials: &[
+            || exact::evidence("eq-94", Subject::Printed, "(94) with 𝛒·(d𝛒/dτ)/p"),
+            definitions::eq94,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -264,7 +294,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"\ell=-\rho \sin\psi",
         plain: "ℓ = −ρ sin ψ",
         depends_on: &["eq-87"],
-        trials: &[definitions::eq95],
+        trials: &[
+            || exact::evidence("eq-95", Subject::Printed, "(95) with ẑ·(𝛒 × d𝛒/dτ)/p"),
+            definitions::eq95,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -563,7 +596,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"p^2-\rho^2<0",
         plain: "p² − ρ² < 0",
         depends_on: &["eq-93"],
-        trials: &[definitions::eq110],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-110",
+                    Subject::Printed,
+                    "(110), by (111) and (112), with −A²",
+                )
+            },
+            definitions::eq110,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -575,7 +617,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=A \sinh\alpha",
         plain: "p = A sinh α",
         depends_on: &["eq-110"],
-        trials: &[definitions::eq111],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-111",
+                    Subject::Printed,
+                    "ρ ± p by (111) and (112) with A exp(±α)",
+                )
+            },
+            definitions::eq111,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -587,7 +638,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\rho=A \cosh\alpha",
         plain: "ρ = A cosh α",
         depends_on: &["eq-110"],
-        trials: &[definitions::eq112],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-112",
+                    Subject::Printed,
+                    "ρ ± p by (111) and (112) with A exp(±α)",
+                )
+            },
+            definitions::eq112,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -667,7 +727,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"p^2-\rho^2>0",
         plain: "p² − ρ² > 0",
         depends_on: &["eq-93"],
-        trials: &[definitions::eq116],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-116",
+                    Subject::Printed,
+                    "(116), by (117) and (118), with B²",
+                )
+            },
+            definitions::eq116,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -679,7 +748,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=B \cosh\beta",
         plain: "p = B cosh β",
         depends_on: &["eq-116"],
-        trials: &[definitions::eq117],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-117",
+                    Subject::Printed,
+                    "p ± ρ by (117) and (118) with B exp(±β)",
+                )
+            },
+            definitions::eq117,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -691,7 +769,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\rho=B \sinh\beta",
         plain: "ρ = B sinh β",
         depends_on: &["eq-116"],
-        trials: &[definitions::eq118],
+        trials: &[
+            || {
+                exact::evidence(
+                    "eq-118",
+                    Subject::Printed,
+                    "p ± ρ by (117) and (118) with B exp(±β)",
+                )
+            },
+            definitions::eq118,
+        ],
         ..Claim::BLANK
     },
     Claim {

@@ -57,9 +57,14 @@ pub fn product_over_a<S: Scalar>() -> S {
     S::int(3) * S::int(2).sqrt() / S::int(4)
 }
 
+/// exp(3α) at large A.
+pub fn thrice_alpha_exp<S: Scalar>(a: S) -> S {
+    S::int(3) * S::int(2).sqrt() * a
+}
+
 /// In place of (130): α at large A.
 pub fn alpha_by_a<S: Scalar>(a: S) -> S {
-    (S::int(3) * S::int(2).sqrt() * a).ln() / S::int(3)
+    thrice_alpha_exp(a).ln() / S::int(3)
 }
 
 /// In place of (131): dA/dτ at large A.

@@ -22,7 +22,17 @@ impl Ring {
             };
             let generator = Polynomial::generator(g);
             let below = x.factors().iter().find(|(f, _)| *f == generator);
-            if let Some(whole) = below.map(|(_, k)| k / degree).filter(|whole| *whole > 0)
+            // A root of a number never stays below the line.
+            let number =
+                radicand.factors().is_empty() && radicand.numerator().as_constant().is_some();
+            let whole = |k: u32| {
+                if number {
+                    k.div_ceil(*degree)
+                } else {
+                    k / degree
+                }
+            };
+            if let Some(whole) = below.map(|(_, k)| whole(*k)).filter(|whole| *whole > 0)
                 && let Some(inverse) = radicand.reciprocal()
             {
                 let raised = Rational::from(generator.pow(whole * degree));

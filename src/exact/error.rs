@@ -73,6 +73,18 @@ pub enum ExactError {
         /// What was to be declared.
         what: String,
     },
+    /// A function that has no power series there.
+    #[error("there is no series in whole powers {what}")]
+    NoSeries {
+        /// Of what.
+        what: String,
+    },
+    /// Equations for coefficients that contradict each other.
+    #[error("the equations for the coefficients have no solution: {left} is left over")]
+    Unsolvable {
+        /// What would have to be zero.
+        left: String,
+    },
     /// A power whose exponent varies, while the logarithm of its base is not declared.
     #[error("the exponent of {power} varies, and the logarithm of its base is not declared")]
     VaryingExponent {

@@ -1,8 +1,8 @@
 //! Proofs in exact arithmetic: identities among a paper's formulas, decided and not measured.
 //!
 //! A formula is read as a tree ([`Expr`]), put into a differential ring ([`Ring`]) where sines, exponentials,
-//! powers and roots are rational functions of a few generators, and tested for zero exactly. A [`Proof`] keeps
-//! the steps for a reader.
+//! powers and roots are rational functions of a few generators, and tested for zero exactly. A formula may also be
+//! read as a power [`Series`], whose coefficients such equations give. A [`Proof`] keeps the steps for a reader.
 //!
 //! ```
 //! use slipbook::exact::{Expr, Proof, Ring};
@@ -22,13 +22,17 @@
 
 mod calculus;
 mod error;
+mod expand;
 mod expr;
+mod factor;
+mod linear;
 mod mutation;
 mod polynomial;
 mod proof;
 mod rational;
 mod read;
 mod ring;
+mod series;
 
 pub use calculus::Derivation;
 pub use error::ExactError;
@@ -38,3 +42,4 @@ pub use polynomial::Polynomial;
 pub use proof::{Obstacle, Proof, Prover, Step};
 pub use rational::Rational;
 pub use ring::Ring;
+pub use series::Series;

@@ -5,7 +5,11 @@ use super::error::ExactError;
 use super::expr::Expr;
 use super::rational::Rational;
 use super::ring::Ring;
+use super::series::Series;
 use std::fmt;
+
+/// The longest text of a step in characters: more than that nobody reads.
+const LONGEST: usize = 500;
 
 /// One step of a proof.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -14,6 +18,12 @@ pub struct Step {
     pub says: String,
     /// What comes of it, in plain text.
     pub gives: String,
+}
+
+impl fmt::Display for Step {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.says, self.gives)
+    }
 }
 
 /// Why a proof does not hold.
@@ -105,7 +115,7 @@ impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.title)?;
         for (i, step) in self.steps.iter().enumerate() {
-            writeln!(f, "{}. {}: {}", i + 1, step.says, step.gives)?;
+            writeln!(f, "{}. {step}", i + 1)?;
         }
         match &self.obstacle {
             None => writeln!(f, "Proved."),
@@ -128,11 +138,17 @@ impl<'a> Prover<'a> {
         self.ring
     }
 
-    /// Writes down a remark: an assumption, or the meaning of a symbol.
+    /// Writes down a remark: an assumption, the meaning of a symbol, or a result, of which a very long one is cut.
     pub fn note(&mut self, says: &str, gives: impl Into<String>) {
+        let mut gives = gives.into();
+        if let Some((end, _)) = gives.char_indices().nth(LONGEST) {
+            let left_out = gives[end..].chars().count();
+            gives.truncate(end);
+            gives.push_str(&format!("… and {left_out} characters more"));
+        }
         self.steps.push(Step {
             says: says.into(),
-            gives: gives.into(),
+            gives,
         });
     }
 
@@ -148,6 +164,55 @@ impl<'a> Prover<'a> {
         }
         self.note("Proved before", other.title.clone());
         Ok(())
+    }
+
+    /// Carries on where another proof in this ring ends, whose steps are taken over.
+    ///
+    /// # Errors
+    /// [`Obstacle`] of the other proof, if that does not hold.
+    pub fn carry_on(&mut self, other: &Proof) -> Result<(), Obstacle> {
+        self.steps.extend_from_slice(&other.steps);
+        match &other.obstacle {
+            Some(obstacle) => Err(obstacle.clone()),
+            None => Ok(()),
+        }
+    }
+
+    /// Expands a formula in powers of a small quantity `small`, in which some symbols stand for series.
+    ///
+    /// # Errors
+    /// As [`Ring::expand`].
+    pub fn expand(
+        &mut self,
+        says: &str,
+        formula: Expr,
+        series: &[(&str, &Series)],
+        (small, order): (&str, i64),
+    ) -> Result<Series, Obstacle> {
+        let expansion = self.ring.expand(formula, series, order)?;
+        let text = expansion.text(small, self.ring);
+        self.note(says, format!("{formula} = {text}"));
+        Ok(expansion)
+    }
+
+    /// Solves equations by comparing the coefficients of the powers of a symbol.
+    ///
+    /// # Errors
+    /// As [`Ring::solve`].
+    pub fn solve(
+        &mut self,
+        says: &str,
+        equations: &[Rational],
+        powers_of: Option<&Rational>,
+        unknowns: &[&str],
+    ) -> Result<Vec<(Rational, Rational)>, Obstacle> {
+        let solved = self.ring.solve(equations, powers_of, unknowns)?;
+        let text = |(x, value): &(Rational, Rational)| {
+            format!("{} = {}", self.ring.text(x), self.ring.text(value))
+        };
+        let texts: Vec<_> = solved.iter().map(text).collect();
+        self.note(says, texts.join(", "));
+        Ok(solved)
     }
 
     /// Reads a formula into the ring.

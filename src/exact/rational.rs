@@ -54,6 +54,20 @@ impl Rational {
         whole.then(|| self.numerator.as_constant()).flatten()
     }
 
+    /// The root of degree `n`, if this is a quotient of whole numbers up to 10⁶ that have whole roots.
+    pub(super) fn whole_root(&self, n: u32) -> Option<Self> {
+        let root = |x: &IBig| {
+            let x = i64::try_from(x.clone())
+                .ok()
+                .filter(|x| (0..1_000_000).contains(x))?;
+            let mut candidates = (0..1000_i64).map_while(|r| Some((r, r.checked_pow(n)?)));
+            let found = candidates.find(|(_, power)| *power >= x)?;
+            (found.1 == x).then(|| Self::int(found.0))
+        };
+        let below = Some(&self.number).filter(|_| self.factors.is_empty())?;
+        Some(&root(&self.numerator.as_constant()?)? * &root(below)?.reciprocal()?)
+    }
+
     /// The coefficient of each generator as a multiple of 1/2, if this is a sum of such multiples.
     pub fn as_halves(&self) -> Option<Vec<(usize, i64)>> {
         let twice = self + self;
@@ -93,10 +107,14 @@ impl Rational {
             .into_iter()
             .map(|(g, k)| (Polynomial::generator(g), k))
             .collect();
-        if rest.as_constant().is_none() {
-            factors.push((rest, 1));
-        }
+        let (linear, rest) = rest.split_linear();
+        factors.extend(linear);
         let mut numerator = Polynomial::constant(self.number.clone());
+        match rest.as_constant() {
+            // The factors are primitive with positive leading coefficients: what is left over can be −1.
+            Some(sign) => numerator = numerator.scale(&sign),
+            None => factors.push((rest, 1)),
+        }
         for (factor, k) in &self.factors {
             numerator = &numerator * &factor.pow(*k);
         }
@@ -197,7 +215,7 @@ impl Rational {
         }
         for (factor, k) in &self.factors {
             let mut text = factor.text(names);
-            if factor.len() > 1 {
+            if factor.len() > 1 || *k > 1 && text.contains('^') {
                 text = format!("({text})");
             }
             below.push(if *k > 1 { format!("{text}^{k}") } else { text });

@@ -39,7 +39,7 @@ impl Ring {
         }
     }
 
-    fn call(&self, function: Function, x: &Rational) -> Result<Rational, ExactError> {
+    pub(super) fn call(&self, function: Function, x: &Rational) -> Result<Rational, ExactError> {
         match function {
             Function::Sin => Ok(self.circular(x)?.1),
             Function::Cos => Ok(self.circular(x)?.0),
@@ -127,7 +127,7 @@ impl Ring {
     }
 
     /// Hyperbolic cosine and sine.
-    fn hyperbolic_pair(&self, x: &Rational) -> Result<(Rational, Rational), ExactError> {
+    pub(super) fn hyperbolic_pair(&self, x: &Rational) -> Result<(Rational, Rational), ExactError> {
         let (up, down) = (self.exponential(x)?, self.exponential(&-x)?);
         let two = Rational::int(2);
         Ok((
@@ -153,7 +153,11 @@ impl Ring {
 
     /// base^exponent: whole powers by multiplication; others n e + m, with a declared exponent e and whole n
     /// and m, where the base is a product of bases that are declared with e.
-    fn raise(&self, base: &Rational, exponent: &Rational) -> Result<Rational, ExactError> {
+    pub(super) fn raise(
+        &self,
+        base: &Rational,
+        exponent: &Rational,
+    ) -> Result<Rational, ExactError> {
         let error = || ExactError::NoPower {
             base: self.text(base),
             exponent: self.text(exponent),
@@ -161,6 +165,9 @@ impl Ring {
         let small = |n: IBig| i64::try_from(n).ok().filter(|n| n.abs() <= LARGEST_POWER);
         if let Some(n) = exponent.as_integer() {
             return self.whole_power(base, small(n).ok_or_else(error)?);
+        }
+        if base.as_integer() == Some(IBig::ONE) {
+            return Ok(Rational::int(1));
         }
         let mut tried: Vec<&Rational> = Vec::new();
         for e in self.powers.iter().map(|known| &known.exponent) {
@@ -199,8 +206,14 @@ impl Ring {
                 product = product * self.whole_power(&known.value, k)?;
             }
         }
-        let complete = self.is_zero(&(rest - Rational::int(1)))?;
-        Ok(complete.then_some(product))
+        let root = e.reciprocal().and_then(|n| n.as_integer());
+        match root.and_then(|n| rest.whole_root(u32::try_from(n).ok()?)) {
+            Some(root) => Ok(Some(product * root)),
+            None => {
+                let complete = self.is_zero(&(rest - Rational::int(1)))?;
+                Ok(complete.then_some(product))
+            }
+        }
     }
 
     /// The logarithm, if it is of a product of whole powers of declared bases.

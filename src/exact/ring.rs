@@ -199,7 +199,10 @@ impl Ring {
     /// # Errors
     /// [`ExactError::BadDeclaration`] for degree 0 or the radicand 0.
     pub fn root(&mut self, radicand: &Rational, degree: u32) -> Result<Rational, ExactError> {
-        let name = format!("{}^(1/{degree})", self.operand(radicand));
+        let name = match degree {
+            2 => format!("√{}", self.operand(radicand)),
+            _ => format!("{}^(1/{degree})", self.operand(radicand)),
+        };
         let rule = Rule::Root {
             radicand: radicand.clone(),
             degree,

@@ -9,7 +9,7 @@ pub use record::{Difference, Record, RecordError};
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
 use crate::claims::{self, Claim, Topic};
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::{Evidence, Outcome, Route, Subject};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
@@ -39,11 +39,39 @@ impl Entry {
         }
     }
 
-    /// The largest disagreement among the trials of the claim as printed, with its tolerance.
+    /// True for a claim that holds under a condition.
+    pub fn is_conditional(&self) -> bool {
+        self.judgement.verdict == Verdict::Conditional
+    }
+
+    /// The strongest route by which it holds what the verdict rests on: the claim, or what is right in its
+    /// place. Proofs come before measurements.
+    pub fn strongest(&self) -> Option<Route> {
+        let corrected = match self.judgement.verdict {
+            Verdict::Misprint | Verdict::Refuted => true,
+            Verdict::Undecided => return None,
+            Verdict::Confirmed | Verdict::Conditional | Verdict::Definition => false,
+        };
+        let counts = |e: &&Evidence| match e.subject {
+            Subject::Printed | Subject::Within => !corrected,
+            Subject::Corrected => corrected,
+            Subject::Outside => false,
+        };
+        let evidence = self.evidence.iter().filter(counts);
+        let agrees = evidence.filter(|e| e.outcome() == Outcome::Agrees);
+        agrees.map(|e| e.route).min()
+    }
+
+    /// True if what the verdict rests on is proved.
+    pub fn is_proved(&self) -> bool {
+        self.strongest().is_some_and(Route::is_proof)
+    }
+
+    /// The largest disagreement that was measured inside the conditions, by its tolerance.
     pub fn worst(&self) -> Option<&Evidence> {
         self.evidence
             .iter()
-            .filter(|e| e.subject != Subject::Outside)
+            .filter(|e| e.subject != Subject::Outside && !e.route.is_proof())
             .max_by(|a, b| {
                 let excess = |e: &Evidence| e.worst / e.tolerance.value;
                 excess(a).total_cmp(&excess(b))

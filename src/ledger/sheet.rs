@@ -32,13 +32,13 @@ impl Entry {
         let _ = writeln!(text, "verdict: {}", self.judgement.verdict.words());
         let _ = writeln!(text, "ground: {}", self.judgement.ground);
         for evidence in &self.evidence {
-            trial(&mut text, evidence);
+            trial(&mut text, evidence, self.is_conditional());
         }
         text
     }
 }
 
-fn trial(text: &mut String, e: &Evidence) {
+fn trial(text: &mut String, e: &Evidence, conditional: bool) {
     let tolerance = e.tolerance.value;
     let said = match e.outcome() {
         Outcome::Agrees if e.route.is_proof() => "proved".into(),
@@ -48,10 +48,14 @@ fn trial(text: &mut String, e: &Evidence) {
         Outcome::NotANumber => "gave no number".into(),
         Outcome::TooFewPoints => "has too few points".into(),
     };
-    let (route, subject) = (e.route.name(), e.subject.words());
+    let (route, subject) = (e.route.name(), e.subject.words(conditional));
     let _ = writeln!(text, "\ntrial by {route}, {subject}: {}", e.compared);
     if e.route.is_proof() {
-        let _ = writeln!(text, "    {said}");
+        let steps = match e.steps.len() {
+            0 => String::new(),
+            n => format!(" in {n} steps"),
+        };
+        let _ = writeln!(text, "    {said}{steps}");
     } else {
         let _ = writeln!(text, "    {} points, {said}", e.points);
     }

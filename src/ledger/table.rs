@@ -23,7 +23,7 @@ impl Entry {
 }
 
 impl Ledger {
-    /// All claims by section: id, formula, verdict, routes, worst disagreement.
+    /// All claims by section: id, formula, verdict, worst disagreement unless it is proved, routes.
     pub fn table(&self) -> String {
         let mut sections: Vec<&str> = self.entries.iter().map(|e| e.claim.section).collect();
         sections.sort_unstable();
@@ -32,9 +32,11 @@ impl Ledger {
         for section in sections {
             let _ = writeln!(text, "\nSection {section}");
             for entry in self.entries.iter().filter(|e| e.claim.section == section) {
-                let worst = entry
-                    .worst()
-                    .map_or(String::new(), |e| format!("{:.0e}", e.worst));
+                let worst = match entry.worst() {
+                    _ if entry.is_proved() => "proved".to_owned(),
+                    Some(e) => format!("{:.0e}", e.worst),
+                    None => String::new(),
+                };
                 let line = format!(
                     "  {:<31} {:<FORMULA$}  {:<26}  {:<9} {}",
                     entry.claim.id,
@@ -52,13 +54,18 @@ impl Ledger {
     /// One line: how many claims got each verdict.
     pub fn summary(&self) -> String {
         let counts = self.counts();
+        let proved = self.entries.iter().filter(|e| e.is_proved()).count();
         let part = |v: &Verdict| format!("{} {}", counts[v], v.words());
         let parts: Vec<_> = Verdict::ALL
             .iter()
             .filter(|v| counts[v] > 0)
             .map(part)
             .collect();
-        format!("{} claims: {}", self.entries.len(), parts.join(", "))
+        format!(
+            "{} claims: {}; {proved} proved",
+            self.entries.len(),
+            parts.join(", ")
+        )
     }
 }
 

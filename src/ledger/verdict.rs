@@ -113,17 +113,17 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
                 Some(Change::Sign | Change::Factor | Change::Symbol) => judgement(
                     Verdict::Misprint,
                     format!(
-                        "fails at {}; the corrected form holds by {}",
+                        "fails at {}; the corrected form {}",
                         e.at,
-                        corrected.routes()
+                        corrected.standing()
                     ),
                 ),
                 Some(Change::Statement) => judgement(
                     Verdict::Refuted,
                     format!(
-                        "fails at {}; what replaces it holds by {}",
+                        "fails at {}; what replaces it {}",
                         e.at,
-                        corrected.routes()
+                        corrected.standing()
                     ),
                 ),
                 None => undecided("a correction holds, but how much it changes is not said".into()),
@@ -148,8 +148,8 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
             judgement(
                 Verdict::Conditional,
                 format!(
-                    "holds under the condition by {}, fails without it",
-                    within.with(&printed).routes()
+                    "{} under the condition, fails without it",
+                    within.with(&printed).standing()
                 ),
             )
         } else {
@@ -157,15 +157,17 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
         };
     }
     let held = printed.with(&within);
-    if kind == Kind::Definition && held.only(Route::Consistency) {
-        return judgement(Verdict::Definition, "consistent with the use made of it");
+    if kind == Kind::Definition && held.distinct().contains(&Route::Consistency) {
+        let proved = if held.is_proved() { ", by a proof" } else { "" };
+        let ground = format!("consistent with the use made of it{proved}");
+        return judgement(Verdict::Definition, ground);
     }
     if held.enough() {
-        judgement(Verdict::Confirmed, format!("holds by {}", held.routes()))
+        judgement(Verdict::Confirmed, held.standing())
     } else {
         undecided(format!(
-            "holds by {} alone: one more independent route is needed",
-            held.routes()
+            "{} alone: one more independent route is needed",
+            held.standing()
         ))
     }
 }
@@ -220,18 +222,30 @@ impl<'a> Weighed<'a> {
         self.agree.iter().map(|e| e.route).collect()
     }
 
+    fn is_proved(&self) -> bool {
+        self.distinct().iter().any(|route| route.is_proof())
+    }
+
     /// Two independent routes, or one that proves.
     fn enough(&self) -> bool {
-        let routes = self.distinct();
-        routes.len() >= 2 || routes.iter().any(|r| r.is_proof())
+        self.distinct().len() >= 2 || self.is_proved()
     }
 
-    fn only(&self, route: Route) -> bool {
-        self.distinct() == BTreeSet::from([route])
-    }
-
-    fn routes(&self) -> String {
-        let names: Vec<_> = self.distinct().iter().map(|r| r.name()).collect();
-        names.join(", ")
+    /// How it holds: proofs first.
+    fn standing(&self) -> String {
+        let (proofs, others): (Vec<Route>, Vec<Route>) =
+            self.distinct().into_iter().partition(|r| r.is_proof());
+        let list = |routes: &[Route]| {
+            let names: Vec<_> = routes.iter().map(|r| r.name()).collect();
+            names.join(", ")
+        };
+        match (proofs.as_slice(), others.as_slice()) {
+            ([], others) => format!("holds by {}", list(others)),
+            (proofs, []) => format!("is proved ({})", list(proofs)),
+            (proofs, others) => {
+                let (proofs, others) = (list(proofs), list(others));
+                format!("is proved ({proofs}) and holds by {others}")
+            }
+        }
     }
 }

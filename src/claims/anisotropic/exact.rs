@@ -7,7 +7,7 @@
 use crate::claims::compare::proved;
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Subject};
-use crate::exact::{ExactError, Expr, Function, Proof, Rational, Ring};
+use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
 
@@ -32,7 +32,7 @@ fn frictions() -> Result<Ring, ExactError> {
 fn prove(
     title: &str,
     ring: Result<Ring, ExactError>,
-    steps: impl FnOnce(&mut crate::exact::Prover<'_>) -> Result<(), crate::exact::Obstacle>,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
 ) -> Proof {
     match ring {
         Ok(ring) => Proof::of(title, &ring, steps),
@@ -49,45 +49,72 @@ fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
     from.cos() - to.cos() - friction * (to - from)
 }
 
-/// Newton's law along x, d(v_x)/dt = A₀ sin ϖt ∓ μ±g, in the units of (23) and (24).
-fn laboratory() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["A₀", "ϖ", "g", "μ₊", "μ₋"] {
-        ring.symbol(name);
-    }
-    ring.angle("φ");
-    let [mu_plus, mu_minus, g, a0] = symbols(["μ₊", "μ₋", "g", "A₀"]);
-    let plus = ring.read(printed::eq47_lambda_plus(mu_plus, g, a0))?;
-    let minus = ring.read(printed::eq48_lambda_minus(mu_minus, g, a0))?;
-    // (49) and (50) name these two λ₀ and qλ₀.
-    let q = ring.divide(&minus, &plus)?;
-    ring.define("λ₀", plus)?;
-    ring.define("q", q)?;
-    Ok(ring)
+/// (47) to (50).
+fn definitions() -> [Expr; 4] {
+    let [mu_plus, mu_minus, g, a0, q, lambda0] = symbols(["μ₊", "μ₋", "g", "A₀", "q", "λ₀"]);
+    [
+        printed::eq47_lambda_plus(mu_plus, g, a0),
+        printed::eq48_lambda_minus(mu_minus, g, a0),
+        printed::eq49_lambda_plus(lambda0),
+        printed::eq50_lambda_minus(q, lambda0),
+    ]
 }
 
-fn rate(title: &str, formula: Expr, deceleration: Expr) -> Proof {
-    prove(title, laboratory(), |p| {
-        let [a0, frequency, phi] = symbols(["A₀", "ϖ", "φ"]);
+/// (51) and (52) from Newton's law along x, dv_x/dt = A₀ sin ϖt ∓ μ±g, in the units of (23) and (24) and with the friction
+/// by the definitions.
+fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        for name in ["A₀", "g", "μ₊", "μ₋", "q", "λ₀"] {
+            ring.symbol(name);
+        }
+        ring.angle("φ");
+        Ok(ring)
+    };
+    prove("(51) and (52)", ring(), |p| {
+        let ring = p.ring();
+        let [a0, g, phi] = symbols(["A₀", "g", "φ"]);
         p.note(
             "While sliding",
             "dv_x/dt = A₀ sin φ less the friction, φ = ϖt, 𝔴 = ϖv_x/A₀",
         );
-        let by_newton = (a0 * phi.sin() - deceleration) * frequency / a0 / frequency;
-        let found = p.read("d𝔴/dφ by Newton's law", by_newton)?;
-        let stated = p.read("The printed rate", formula)?;
-        p.equal("The two", &found, &stated)
+        let names = ["μ₊", "μ₋"];
+        for (i, sign) in [(0, 1), (1, -1)] {
+            let both = [definitions[i], definitions[i + 2]].map(|d| ring.read(d));
+            let [own, named] = both;
+            let says = format!(
+                "{} = {}, for the friction",
+                definitions[i],
+                definitions[i + 2]
+            );
+            let solved = p.solve(&says, &[own? - named?], None, &[names[i]])?;
+            let newton = (a0 * phi.sin() - Expr::int(sign) * Expr::symbol(names[i]) * g) / a0;
+            let found = p.read("d𝔴/dφ by Newton's law", newton)?;
+            let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
+            let found = ring.put(&found, &values)?;
+            let stated = p.read("The printed rate", rates[i])?;
+            p.equal("The two", &found, &stated)?;
+        }
+        Ok(())
     })
 }
 
 fn prove_eq51(formula: Expr) -> Proof {
-    let [mu, g] = symbols(["μ₊", "g"]);
-    rate("(51): forward motion", formula, mu * g)
+    prove_rates(definitions(), [formula, printed_rates()[1]])
 }
 
 fn prove_eq52(formula: Expr) -> Proof {
-    let [mu, g] = symbols(["μ₋", "g"]);
-    rate("(52): backward motion", formula, -(mu * g))
+    prove_rates(definitions(), [printed_rates()[0], formula])
+}
+
+/// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
+pub fn defined() -> Evidence {
+    let proof = prove_rates(definitions(), printed_rates());
+    proved(
+        &proof,
+        Subject::Printed,
+        "Newton's law in the symbols (47) to (50) with (51) and (52)",
+    )
 }
 
 /// (53): forward motion from φ = α, where a rest would end, for 2K; backward motion for the rest of the period.
@@ -205,25 +232,29 @@ fn prove_x([q, lambda0]: [Expr; 2]) -> Proof {
 
 /// The touch at Y: on (54), at β = π/2, qλ₀ = sin β stands still while λ₀ = sin α goes on; and tan x = x.
 fn prove_y([left, right]: [Expr; 2]) -> Proof {
-    prove("B and C touch at Y", frictions(), |p| {
+    let ring = || {
+        let mut ring = frictions()?;
+        ring.symbol("x");
+        Ok(ring)
+    };
+    prove("B and C touch at Y", ring(), |p| {
         let b = p.read("B: left less right side", left - right)?;
         let by_alpha = p.derivative("Its slope along α", &b, &p.ring().by("α")?)?;
         let by_beta = p.derivative("Its slope along β", &b, &p.ring().by("β")?)?;
         let turn = p.quotient("dβ/dα along B", &-&by_alpha, &by_beta)?;
-        let on_c =
-            |p: &mut crate::exact::Prover<'_>, x: &Rational| -> Result<Rational, ExactError> {
-                // β = π/2, where the tangent of the half is 1 and its cosine 1/√2; only cos²(β/2) occurs.
-                let ring = p.ring();
-                let beta = ring.named("β")?;
-                let half = ring.read(Expr::pi() / Expr::int(2))?;
-                ring.put(
-                    x,
-                    &[
-                        (&beta, &half),
-                        (&ring.half_tangent("β")?, &Rational::int(1)),
-                    ],
-                )
-            };
+        let on_c = |p: &mut Prover<'_>, x: &Rational| -> Result<Rational, ExactError> {
+            // β = π/2, where the tangent of the half is 1 and its cosine 1/√2; only cos²(β/2) occurs.
+            let ring = p.ring();
+            let beta = ring.named("β")?;
+            let half = ring.read(Expr::pi() / Expr::int(2))?;
+            ring.put(
+                x,
+                &[
+                    (&beta, &half),
+                    (&ring.half_tangent("β")?, &Rational::int(1)),
+                ],
+            )
+        };
         let growth = p.read("cos β, by which d(qλ₀) = cos β dβ", Expr::symbol("β").cos())?;
         let rate = on_c(p, &(&growth * &turn))?;
         p.zero("d(qλ₀)/dα along B, at β = π/2", &rate)?;
@@ -239,40 +270,129 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
             "makes q = 1/λ₀ = √(1 + x²)",
             &(&square * &one),
             &Rational::int(1),
-        )
+        )?;
+        p.rests_on(&prove_eq54([left, right]))?;
+        touch(p)
     })
 }
 
+/// B beside Y in powers of ε = asin λ₀ − α: qλ₀ = sin β has no term in ε, and one in ε².
+fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
+    let ring = p.ring();
+    let [alpha, beta] = symbols(["α", "β"]);
+    let half_turn = ring.read(Expr::pi())?;
+    let (own, x) = (ring.named("α")?, ring.named("x")?);
+    let place = Expr::int(3) * Expr::pi() / Expr::int(2) - alpha.cot();
+    let place = p.read("At Y, where x = cot α, α itself is", place)?;
+    let zeros = || std::iter::repeat_n(Rational::int(0), ORDER);
+    let a = [own.clone(), Rational::int(1)].into_iter().chain(zeros());
+    let a = Series::new(0, a.collect());
+    let mut b = vec![ring.divide(&half_turn, &Rational::int(2))?];
+    let end = arc(alpha, Expr::pi() + beta, alpha.sin());
+    for k in 1..=ORDER {
+        let trial = Series::new(0, b.iter().chain([&x]).cloned().collect());
+        let left = ring.expand(end, &[("α", &a), ("β", &trial)], ORDER as i64)?;
+        let left = left.coefficient(k as i64).ok_or(Obstacle::Empty)?;
+        let left = ring.put(&left, &[(&own, &place)])?;
+        let says = format!("B at the order ε^{k}, for the coefficient x of β");
+        let solved = p.solve(&says, &[left], None, &["x"])?;
+        b.extend(solved.into_iter().map(|(_, value)| value));
+    }
+    let b = Series::new(0, b);
+    let sine = p.expand("qλ₀", beta.sin(), &[("β", &b)], ("ε", ORDER as i64))?;
+    let at = |k| sine.coefficient(k).ok_or(Obstacle::Empty);
+    p.equal("It is on C at Y", &at(0)?, &Rational::int(1))?;
+    p.zero("It does not leave C at the order ε", &at(1)?)?;
+    p.quotient(
+        "It does at the order ε², whose coefficient has the inverse",
+        &Rational::int(1),
+        &at(2)?,
+    )?;
+    Ok(())
+}
+
+/// The touch is of the first order; two more orders follow.
+const ORDER: usize = 3;
+
+fn plane() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    ring.angle("φ");
+    ring.symbol("q");
+    ring.symbol("λ₀");
+    Ok(ring)
+}
+
+/// The rate of a slip with friction, against the excess of a curve's friction over it and a square: the drive can
+/// start that slip exactly where the excess is positive.
+fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
+    prove(title, plane(), |p| {
+        let rate = p.read("The rate by (51) or (52)", rate)?;
+        let parts = p.read(
+            "By how far λ₀ is from the curve, and a square",
+            excess + square,
+        )?;
+        p.equal("The two", &rate, &parts)
+    })
+}
+
+/// (55): backward motion can begin, d𝔴/dφ < 0 by (52) at some φ, exactly below C.
+fn prove_eq55(curve: Expr) -> Proof {
+    let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+    let half = phi / Expr::int(2);
+    let square = (half.sin() + half.cos()).squared();
+    let rate = printed::eq52_rate(q, lambda0, phi);
+    prove_start("(55): curve C", rate, q * (lambda0 - curve), square)
+}
+
+/// (56): forward motion can begin, d𝔴/dφ > 0 by (51) at some φ, exactly below D.
+fn prove_eq56(curve: Expr) -> Proof {
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
+    let half = phi / Expr::int(2);
+    let square = (half.sin() - half.cos()).squared();
+    let rate = printed::eq51_rate(lambda0, phi);
+    prove_start("(56): curve D", rate, curve - lambda0, -square)
+}
+
+/// (55).
+pub fn eq55() -> Evidence {
+    let proof = prove_eq55(printed::eq55_lambda0(Expr::symbol("q")));
+    let compared = "(52) with q (λ₀ − (55)) plus a square that vanishes at φ = 3π/2";
+    proved(&proof, Subject::Within, compared)
+}
+
+/// (56).
+pub fn eq56() -> Evidence {
+    let proof = prove_eq56(printed::eq56_lambda0());
+    let compared = "(51) with (56) − λ₀ less a square that vanishes at φ = π/2";
+    proved(&proof, Subject::Printed, compared)
+}
+
 /// The mirror takes each printed rate into the other.
-fn prove_mirror(forward: fn(Expr, Expr) -> Expr, backward: fn(Expr, Expr, Expr) -> Expr) -> Proof {
-    let plane = || {
-        let mut ring = Ring::new();
-        ring.angle("φ");
-        ring.symbol("q");
-        ring.symbol("λ₀");
-        Ok(ring)
-    };
+fn prove_mirror([forward, backward]: [Expr; 2]) -> Proof {
     prove("The mirror", plane(), |p| {
         let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
-        let (other_q, other_lambda0, other_phi) = (Expr::int(1) / q, q * lambda0, phi + Expr::pi());
+        let mirrored = |rate: Expr| {
+            let rate = rate.with("q", Expr::int(1) / q);
+            -rate.with("λ₀", q * lambda0).with("φ", phi + Expr::pi())
+        };
         for (says, here, there) in [
-            (
-                "Forward motion",
-                forward(lambda0, phi),
-                -backward(other_q, other_lambda0, other_phi),
-            ),
-            (
-                "Backward motion",
-                backward(q, lambda0, phi),
-                -forward(other_lambda0, other_phi),
-            ),
+            ("Forward motion", forward, backward),
+            ("Backward motion", backward, forward),
         ] {
             let here = p.read(says, here)?;
-            let there = p.read("The other's in the mirror", there)?;
+            let there = p.read("The other's in the mirror", mirrored(there))?;
             p.equal("The two", &here, &there)?;
         }
         Ok(())
     })
+}
+
+fn printed_rates() -> [Expr; 2] {
+    let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+    [
+        printed::eq51_rate(lambda0, phi),
+        printed::eq52_rate(q, lambda0, phi),
+    ]
 }
 
 /// (51).
@@ -346,7 +466,7 @@ pub fn y() -> Evidence {
 /// The mirror.
 pub fn mirror() -> Evidence {
     proved(
-        &prove_mirror(printed::eq51_rate, printed::eq52_rate),
+        &prove_mirror(printed_rates()),
         Subject::Printed,
         "(51) and (52) with each other, under φ → φ + π, 𝔴 → −𝔴, λ₀ → qλ₀, q → 1/q",
     )
@@ -371,7 +491,7 @@ mod tests {
         holds(&prove_e(sides_of_e()));
         holds(&prove_x(printed::eq57_x()));
         holds(&prove_y(sides_of_b()));
-        holds(&prove_mirror(printed::eq51_rate, printed::eq52_rate));
+        holds(&prove_mirror(printed_rates()));
     }
 
     fn number(name: &str) -> Option<f64> {
@@ -379,6 +499,10 @@ mod tests {
             "q" => Some(1.7),
             "λ₀" => Some(0.31),
             "qλ₀" => Some(0.53),
+            "A₀" => Some(1.3),
+            "g" => Some(9.1),
+            "μ₊" => Some(0.21),
+            "μ₋" => Some(0.47),
             "K" => Some(1.9),
             "φ" => Some(0.7),
             _ => None,
@@ -387,9 +511,18 @@ mod tests {
 
     /// How many formulas that differ in one place from `ours` are not proved: all but those of the same value.
     fn refuted(ours: Expr, prove: impl Fn(Expr) -> Proof) -> usize {
+        refuted_unless(|x, y| (x - y).abs() < 1e-12, ours, prove)
+    }
+
+    /// The same, with what counts as the same value.
+    fn refuted_unless(
+        same: fn(f64, f64) -> bool,
+        ours: Expr,
+        prove: impl Fn(Expr) -> Proof,
+    ) -> usize {
         let differs = |formula: Expr| {
-            let same = formula.evaluate(&number).zip(ours.evaluate(&number));
-            let same = same.is_some_and(|(x, y)| (x - y).abs() < 1e-12);
+            let values = formula.evaluate(&number).zip(ours.evaluate(&number));
+            let same = values.is_some_and(|(x, y)| same(x, y));
             assert_eq!(prove(formula).holds(), same, "{formula}");
             !same
         };
@@ -397,17 +530,35 @@ mod tests {
         mutants.filter(|mutant| differs(mutant.formula)).count()
     }
 
+    fn changed_definition(place: usize) -> usize {
+        refuted(definitions()[place], |formula| {
+            let mut all = definitions();
+            all[place] = formula;
+            prove_rates(all, printed_rates())
+        })
+    }
+
     #[test]
     fn mutants_fail() {
         let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
         let (k, a, b, e) = (printed::eq53_k(q), sides_of_a(), sides_of_b(), sides_of_e());
+        let (rates, x) = (printed_rates(), printed::eq57_x());
         let failed = refuted(printed::eq51_rate(lambda0, phi), prove_eq51)
             + refuted(printed::eq52_rate(q, lambda0, phi), prove_eq52)
+            + (0..4).map(changed_definition).sum::<usize>()
+            + refuted(printed::eq55_lambda0(q), prove_eq55)
+            + refuted(printed::eq56_lambda0(), prove_eq56)
             + refuted(k, |k| prove_eq53(k, a))
             + refuted(a[0], |x| prove_eq53(k, [x, a[1]]))
             + refuted(a[1], |x| prove_eq53(k, [a[0], x]))
             + refuted(b[0], |x| prove_eq54([x, b[1]]))
             + refuted(b[1], |x| prove_eq54([b[0], x]))
+            + refuted(b[0], |y| prove_y([y, b[1]]))
+            + refuted(b[1], |y| prove_y([b[0], y]))
+            + refuted(rates[0], |x| prove_mirror([x, rates[1]]))
+            + refuted(rates[1], |x| prove_mirror([rates[0], x]))
+            // λ₀ at X enters by its square; that it is positive is not proved.
+            + refuted_unless(|x, y| (x.abs() - y.abs()).abs() < 1e-12, x[1], |l| prove_x([x[0], l]))
             + refuted(e[0], |x| prove_e([x, e[1]]))
             + refuted(e[1], |x| prove_e([e[0], x]));
         assert!(failed > 100, "{failed} mutants fail");

@@ -14,6 +14,8 @@ use sliding::*;
 use crate::claims::compare::proved;
 use crate::evidence::{Evidence, Subject};
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::constant as paper;
+use crate::paper::general::eq1_velocity_rate;
 use crate::scalar::Scalar;
 
 /// A printed formula and the way to prove it.
@@ -218,6 +220,59 @@ fn prove(
             steps(p, &newton)
         }),
     }
+}
+
+/// (3), (4), (5): two components, two components, λ.
+fn definitions() -> [Expr; 5] {
+    let [a, v, theta, mu, g] = symbols(["A", "v", "θ", "μ", "g"]);
+    let [ax, ay] = paper::eq3_acceleration(a);
+    let [vx, vy] = paper::eq4_velocity(v, theta);
+    [ax, ay, vx, vy, paper::eq5_lambda(mu, g, a)]
+}
+
+/// With (3) to (5), (1) becomes (6) and (7).
+fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
+    let title = "(6) and (7) from (1), with (3) to (5)";
+    let setting = || -> Result<Ring, ExactError> {
+        let mut ring = Ring::new();
+        for name in ["A", "v", "μ", "g"] {
+            ring.symbol(name);
+        }
+        ring.angle("θ");
+        let v = ring.named("v")?;
+        ring.root_is(&(&v * &v), 2, &v)?;
+        ring.define("λ", ring.read(lambda)?)?;
+        Ok(ring)
+    };
+    let ring = match setting() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        let [lambda, a, theta, mu, g] = symbols(["λ", "A", "θ", "μ", "g"]);
+        p.read("λ by (5)", lambda)?;
+        let rates = eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
+        let printed = [
+            paper::eq6_vx_rate(lambda, a, theta),
+            paper::eq7_vy_rate(lambda, a, theta),
+        ];
+        for (rate, printed) in rates.into_iter().zip(printed) {
+            let rate = p.read("A component of (1), with (3) and (4)", rate)?;
+            let printed = p.read("(6) or (7)", printed)?;
+            p.equal("The two", &rate, &printed)?;
+        }
+        Ok(())
+    })
+}
+
+/// (3) to (5) by the use made of them.
+pub fn defined() -> Evidence {
+    let compared = "(1) in the symbols (3) to (5) with (6) and (7)";
+    proved(
+        &prove_definitions(definitions()),
+        Subject::Printed,
+        compared,
+    )
 }
 
 fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {

@@ -133,13 +133,25 @@ pub fn eq13_root() -> Evidence {
     })
 }
 
-/// (13) where it is 0/0 or 0·∞: at λ = 1, where cos θ₀ = −λ, and along the line of the acceleration.
-pub fn eq13_outside() -> Evidence {
-    let trial = Trial::motion(Subject::Outside, "(13) with the time of the motion");
-    let singular = turns_where(|turn| !eq13_has_a_value(turn)).map(|turn| turn.copied());
-    let excluded = singular.chain(straight());
+/// (13) where it is 0/0 or 0·∞: at λ = 1 and where cos θ₀ = −λ.
+pub fn eq13_singular() -> Evidence {
+    let compared = "(13) with the time of the motion, λ = 1 or cos θ₀ = −λ";
+    let singular = turns_where(|turn| !eq13_has_a_value(turn));
+    eq13_outside(compared, singular.map(|turn| turn.copied()))
+}
+
+/// (13) along the line of the acceleration.
+pub fn eq13_straight() -> Evidence {
+    eq13_outside("(13) with the time of the motion, θ₀ = 0 or π", straight())
+}
+
+fn eq13_outside<E: std::fmt::Display + Into<Failure>>(
+    compared: &'static str,
+    excluded: impl Iterator<Item = Result<Turn, E>>,
+) -> Evidence {
+    let trial = Trial::motion(Subject::Outside, compared);
     trial.over(excluded, |turn| {
-        let turn = &turn?;
+        let turn = &turn.map_err(Into::into)?;
         let stated = printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, turn.theta);
         Ok::<_, Failure>(Pair {
             at: turn.at(),

@@ -4,7 +4,7 @@ use super::planes::{Case, bounded};
 use crate::claims::compare::{Failure, Pair, Trial, proved};
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::exact::{Expr, Proof, Ring};
+use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::motion::{Acceleration, Motion, MotionError, State, run};
 use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
@@ -176,6 +176,66 @@ fn summed(
     })
 }
 
+/// (1) from the laboratory, where friction alone acts, against the velocity relative to the plane.
+pub fn eq1_exact() -> Evidence {
+    let compared = "the velocity's rate in the laboratory, by (1) and the plane's acceleration, with friction alone";
+    proved(&eq1_proof(eq1()), Subject::Printed, compared)
+}
+
+const NAMES: [&str; 6] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"];
+
+fn eq1() -> [Expr; 2] {
+    let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+    printed::eq1_velocity_rate([ax, ay], mu, g, [vx, vy])
+}
+
+/// The components of the velocity and the speed.
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    let [_, _, _, _, vx, vy] = NAMES.map(|name| ring.symbol(name));
+    ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
+    Ok(ring)
+}
+
+fn eq1_proof(formula: [Expr; 2]) -> Proof {
+    let title = "(1): the rate of the velocity relative to the plane";
+    let setting = || -> Result<Ring, ExactError> {
+        let mut ring = ring()?;
+        for name in ["U_x", "U_y"] {
+            ring.symbol(name);
+        }
+        Ok(ring)
+    };
+    let ring = match setting() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+        p.note(
+            "In the laboratory",
+            "velocity U + v; the plane's velocity U has the rate A",
+        );
+        let [x, y] = formula.map(|c| p.read("A component of (1)", c));
+        let read = |c: Expr| p.ring().read(c);
+        let rates = [
+            ("v_x", x?),
+            ("v_y", y?),
+            ("U_x", read(ax)?),
+            ("U_y", read(ay)?),
+        ];
+        let along = p.ring().along(&rates)?;
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        for (name, own) in [("U_x", vx), ("U_y", vy)] {
+            let seen = p.read("A component of the velocity", Expr::symbol(name) + own)?;
+            let rate = p.derivative("Its rate", &seen, &along)?;
+            let friction = p.read("Friction per mass, against v", -mu * g * own / speed)?;
+            p.equal("The two", &rate, &friction)?;
+        }
+        Ok(())
+    })
+}
+
 /// (2) from (1): the rate of √(v_x² + v_y²).
 pub fn eq2_exact() -> Evidence {
     let compared = "(2) with the rate of |v| by (1), as algebraic functions of the components";
@@ -183,21 +243,20 @@ pub fn eq2_exact() -> Evidence {
 }
 
 fn eq2() -> Expr {
-    let [ax, ay, mu, g, vx, vy] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"].map(Expr::symbol);
+    let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
     printed::eq2_speed_rate([ax, ay], mu, g, [vx, vy])
 }
 
 fn eq2_proof(formula: Expr) -> Proof {
     let title = "(2): the rate of the speed";
-    let mut ring = Ring::new();
-    let [_, _, _, _, vx, vy] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"].map(|name| ring.symbol(name));
-    let square = vx.pow(2) + vy.pow(2);
-    if let Err(error) = ring.root(&square, 2) {
-        return Proof::impossible(title, error);
-    }
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
     Proof::of(title, &ring, |p| {
-        let [ax, ay, mu, g, vx, vy] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"].map(Expr::symbol);
-        let [x, y] = printed::eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
+        let [_, _, _, _, vx, vy] = NAMES.map(Expr::symbol);
+        let [x, y] = eq1();
+        p.rests_on(&eq1_proof([x, y]))?;
         let x = p.read("dv_x/dt by (1)", x)?;
         let y = p.read("dv_y/dt by (1)", y)?;
         let speed = p.read("The speed", (vx.squared() + vy.squared()).sqrt())?;
@@ -214,7 +273,15 @@ mod tests {
     use crate::exact::mutations;
 
     #[test]
-    fn every_change_of_2_spoils_its_proof() {
+    fn every_change_of_1_and_2_spoils_their_proofs() {
+        let [x, y] = eq1();
+        assert!(eq1_proof([x, y]).holds(), "{}", eq1_proof([x, y]));
+        for mutant in mutations(x) {
+            assert!(!eq1_proof([mutant.formula, y]).holds(), "{}", mutant.change);
+        }
+        for mutant in mutations(y) {
+            assert!(!eq1_proof([x, mutant.formula]).holds(), "{}", mutant.change);
+        }
         assert!(eq2_proof(eq2()).holds());
         for mutant in mutations(eq2()) {
             assert!(!eq2_proof(mutant.formula).holds(), "{}", mutant.change);

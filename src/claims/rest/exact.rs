@@ -1,24 +1,23 @@
-//! What is algebra in (143), (145) to (147), and the second order of the boundary, exactly.
+//! Rest, exactly: where it is possible, (139); the envelope of the truncated surfaces, (146) and (147). The motions to rest
+//! and the boundary are power series, in [`near`] and [`boundary`].
+
+pub mod boundary;
+pub mod near;
 
 use crate::claims::compare::proved;
-use crate::corrections::rest as corrected;
+use crate::claims::turntable::exact as turntable;
 use crate::evidence::{Evidence, Subject};
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
-use crate::paper::rest as printed;
+use crate::paper::{rest as printed, turntable as motion};
 use crate::scalar::Scalar;
 
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
-    let sigma = ring.symbol("σ");
-    let alpha = ring.symbol("α");
-    for name in ["A", "c"] {
+    for name in ["σ", "α"] {
         ring.symbol(name);
     }
     ring.angle("ψ");
     ring.root(&Rational::int(2), 2)?;
-    let one = Rational::int(1);
-    let exponent = ring.divide(&(&sigma + &sigma - &one), &(&one - &sigma))?;
-    ring.power(&alpha, &exponent)?;
     Ok(ring)
 }
 
@@ -29,42 +28,32 @@ fn prove(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle
     }
 }
 
-fn symbols() -> [Expr; 4] {
-    ["σ", "α", "c", "ψ"].map(Expr::symbol)
+fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
+    names.map(Expr::symbol)
 }
 
-/// (143) solves (142), for every c.
-pub fn eq143(formula: Expr) -> Proof {
-    prove("(143) solves (142)", |p| {
-        let [sigma, alpha, ..] = symbols();
-        let psi = p.read("(143)", formula)?;
-        let slope = p.derivative("dψ/dα", &psi, &p.ring().by("α")?)?;
-        let factor = p.ring().read(printed::eq142_left(sigma, Expr::int(1)))?;
-        let free = p.ring().read(Expr::int(2) * alpha)?;
-        let ratio = p.quotient("ψ/(2α)", &psi, &free)?;
-        let right = (Rational::int(1) - ratio) * Rational::int(2);
-        p.equal("The two sides of (142)", &(factor * slope), &right)
-    })
-}
-
-/// (145) solves (144) and is σ at α = 0.
-pub fn eq145(formula: Expr) -> Proof {
-    prove("(145) solves (144)", |p| {
-        let [sigma, alpha, ..] = symbols();
-        let a = p.read("(145)", formula)?;
-        let slope = p.derivative("dA/dα", &a, &p.ring().by("α")?)?;
-        let factor = p.ring().read(printed::eq144_left(sigma, Expr::int(1)))?;
-        let right = p.read("Right side of (144)", printed::eq144_right(alpha))?;
-        p.equal("The two sides of (144)", &(factor * slope), &right)?;
-        let start = p.read("At α = 0", formula.with("α", Expr::int(0)))?;
-        p.equal("Against σ", &start, &p.ring().read(sigma)?)
+/// (139): no push starts a motion, dp/dτ ≤ 0 in every direction ψ, exactly where σ is not above the bound.
+pub fn eq139(bound: Expr) -> Proof {
+    prove("(139): where a push starts no motion", |p| {
+        turntable::proof("eq-107").map_or(Ok(()), |proof| p.rests_on(&proof))?;
+        let [sigma, psi] = symbols(["σ", "ψ"]);
+        let rate = p.read("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi))?;
+        let excess = sigma - bound;
+        let less = Expr::int(2) * sigma * (psi / Expr::int(2)).sin().squared();
+        let parts = p.read("σ less the bound, less what is not negative", excess - less)?;
+        p.equal("The two", &rate, &parts)?;
+        p.note(
+            "So",
+            "dp/dτ ≤ 0 for every ψ where σ is not above the bound; at ψ = 0 it is > 0 above",
+        );
+        Ok(())
     })
 }
 
 /// (146) is the derivative of (145) with respect to σ.
 pub fn eq146(formula: Expr) -> Proof {
     prove("(146) is the derivative of (145) by σ", |p| {
-        let [sigma, alpha, ..] = symbols();
+        let [sigma, alpha] = symbols(["σ", "α"]);
         let a = p.read("(145)", printed::eq145_a(sigma, alpha))?;
         let slope = p.derivative("∂A/∂σ", &a, &p.ring().by("σ")?)?;
         let right = p.read("Right side of (146)", formula)?;
@@ -75,7 +64,7 @@ pub fn eq146(formula: Expr) -> Proof {
 /// (147) is (145) where (146) holds, with σ < 1.
 pub fn eq147(formula: Expr) -> Proof {
     prove("(147) is (145) with (146) put in", |p| {
-        let [sigma, alpha, ..] = symbols();
+        let [sigma, alpha] = symbols(["σ", "α"]);
         let solved = Expr::int(1) - alpha / Expr::int(2).sqrt();
         p.note("(146) solved for σ < 1", "σ = 1 − α/√2");
         let right = printed::eq146_right(sigma, alpha).with("σ", solved);
@@ -90,107 +79,28 @@ pub fn eq147(formula: Expr) -> Proof {
     })
 }
 
-/// The boundary's second order: A = 1 − α f₁ + α² f₂ consists of motions up to α².
-pub fn boundary() -> Proof {
-    prove(
-        "the boundary consists of motions, to second order in α",
-        |p| {
-            let psi = Expr::symbol("ψ");
-            let by_psi = p.ring().by("ψ")?;
-            let one = Rational::int(1);
-            let f1 = p.read("f₁", corrected::boundary_slope(psi))?;
-            let f2 = p.read("f₂", corrected::boundary_curvature(psi))?;
-            let (slope1, slope2) = (
-                p.derivative("f₁′", &f1, &by_psi)?,
-                p.derivative("f₂′", &f2, &by_psi)?,
-            );
-            let (cos, sin) = (p.ring().read(psi.cos())?, p.ring().read(psi.sin())?);
-            p.note(
-                "(113) to (115), dτ = p ds",
-                "A′ = α² + …, α′ = α(A cos ψ − 1) + …, ψ′ = −A sin ψ + 2α + …",
-            );
-            // A = 1 − α f₁ + α² f₂ along the motion: the coefficients of α and of α².
-            let first = &slope1 * &sin - &f1 * (&cos - &one);
-            p.zero("Order α", &first)?;
-            let two = Rational::int(2);
-            let alpha_rate = &f1 * &f1 * &cos + &two * &f2 * (&cos - &one);
-            let psi_rate = &slope1 * (&two + &f1 * &sin) + &slope2 * &sin;
-            p.equal("Order α²", &(alpha_rate - psi_rate), &one)?;
-            let corner = |x: Expr| x.with("ψ", Expr::int(0));
-            let at_zero = p.read("f₁ at ψ = 0", corner(corrected::boundary_slope(psi)))?;
-            p.equal("as on the saddle's incoming line", &at_zero, &one)?;
-            let at_zero = p.read("f₂ at ψ = 0", corner(corrected::boundary_curvature(psi)))?;
-            let expected = p.ring().read(Expr::int(7) / Expr::int(6))?;
-            p.equal("as on the saddle's incoming line", &at_zero, &expected)
-        },
-    )
-}
-
 /// The evidence of a proof of a printed formula.
 pub fn evidence(id: &str) -> Evidence {
-    let [sigma, alpha, c, _] = symbols();
-    let (proof, compared) = match id {
-        "eq-143" => (
-            eq143(printed::eq143_psi(sigma, c, alpha)),
-            "(143) put into (142)",
-        ),
-        "eq-145" => (
-            eq145(printed::eq145_a(sigma, alpha)),
-            "(145) put into (144)",
+    let [sigma, alpha] = symbols(["σ", "α"]);
+    let (proof, subject, compared) = match id {
+        "eq-139" => (
+            eq139(printed::eq139_largest_sigma()),
+            Subject::Printed,
+            "(107) at rest with (σ − bound) − 2σ sin²(ψ/2)",
         ),
         "eq-146" => (
             eq146(printed::eq146_right(sigma, alpha)),
+            Subject::Within,
             "(146) with the derivative of (145), the terms left out being dropped",
         ),
-        "eq-147" => (
+        _ => (
             eq147(printed::eq147_a(alpha)),
+            Subject::Within,
             "(147) with (145) where (146) holds, the terms left out being dropped",
         ),
-        _ => (
-            Proof::impossible(
-                id,
-                ExactError::UnknownSymbol {
-                    name: id.to_owned(),
-                },
-            ),
-            "",
-        ),
     };
-    proved(&proof, Subject::Within, compared)
-}
-
-/// The evidence of the boundary's proof.
-pub fn boundary_evidence() -> Evidence {
-    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the equations of motion, order by order in α";
-    proved(&boundary(), Subject::Corrected, compared)
+    proved(&proof, subject, compared)
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::exact::mutations;
-
-    #[test]
-    fn all_are_proved_and_no_changed_formula_is() {
-        let [sigma, alpha, c, _] = symbols();
-        // In (143) another sign of the free constant c, or another name for it, says the same.
-        type Statement = (Expr, fn(Expr) -> Proof, usize);
-        let statements: [Statement; 4] = [
-            (printed::eq143_psi(sigma, c, alpha), eq143, 2),
-            (printed::eq145_a(sigma, alpha), eq145, 0),
-            (printed::eq146_right(sigma, alpha), eq146, 0),
-            (printed::eq147_a(alpha), eq147, 0),
-        ];
-        for (formula, prove, same) in statements {
-            let proof = prove(formula);
-            assert!(proof.holds(), "{proof}");
-            let still: Vec<_> = mutations(formula)
-                .into_iter()
-                .filter(|m| prove(m.formula).holds())
-                .map(|m| m.change)
-                .collect();
-            assert_eq!(still.len(), same, "{still:?}");
-        }
-        assert!(boundary().holds(), "{}", boundary());
-    }
-}
+mod tests;

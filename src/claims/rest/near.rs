@@ -3,6 +3,7 @@
 //! Each equation is tried in two ways: where what it leaves out is below the tolerance (p = 10⁻²⁰), and where it is
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
+use super::boundary::border;
 use super::runs::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
 };
@@ -10,13 +11,13 @@ use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::escape::runs::{alpha, rates};
 use crate::claims::escape::straight::{StraightIn, within_one};
 use crate::claims::tolerances::{
-    DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
+    BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
 use crate::corrections::rest as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
-use crate::paper::rest as printed;
+use crate::paper::{rest as printed, turntable as law};
 use std::f64::consts::PI;
 
 /// What an equation says and what the motion does, and the size of its terms.
@@ -129,6 +130,81 @@ fn eq145(sigma: f64, c: &Close) -> (f64, f64, f64) {
 fn eq145_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
     let found = -c.way_left / (sigma * c.alpha * c.alpha);
     (printed::eq145_a(sigma, 1.0) - sigma, found, found.abs())
+}
+
+/// At σ = 1, where the motion takes for ever: on the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
+fn at_one(compared: &'static str, sides: fn([f64; 3]) -> (f64, f64, f64)) -> Evidence {
+    let trial = Trial::by(Route::Root, Subject::Outside, compared, BOUNDARY);
+    trial.over(0..20, |i| {
+        let alpha = 0.005 * f64::from(i + 1);
+        let psi = 2.0 * alpha + 2.0 * alpha * alpha;
+        let a = border(alpha, psi)?.a;
+        let (stated, found, scale) = sides([a, alpha, psi]);
+        Ok::<_, Failure>(Pair {
+            at: format!("σ = 1, α = {alpha}, ψ = {psi}"),
+            stated,
+            found,
+            scale,
+        })
+    })
+}
+
+/// (140) at σ = 1.
+pub fn eq140_at_one() -> Evidence {
+    let compared = "(140) with dα/dτ by (114) on the boundary, relative";
+    at_one(compared, |[a, alpha, psi]| {
+        let rate: f64 = law::eq114_alpha_rate(a, alpha, psi);
+        (printed::eq140_alpha_rate(1.0), rate, rate.abs())
+    })
+}
+/// (141) at σ = 1.
+pub fn eq141_at_one() -> Evidence {
+    let compared = "(141), for any τ, with α on the boundary, relative";
+    at_one(compared, |[_, alpha, _]| {
+        (printed::eq141_alpha(1.0, -1.0), alpha, alpha)
+    })
+}
+/// (142) at σ = 1.
+pub fn eq142_at_one() -> Evidence {
+    let compared = "the two sides of (142) on the boundary, dψ/dα by (114) and (115), relative";
+    at_one(compared, |[a, alpha, psi]| {
+        let slope = law::eq115_psi_rate(alpha, psi) / law::eq114_alpha_rate(a, alpha, psi);
+        let right: f64 = printed::eq142_right(alpha, psi);
+        (printed::eq142_left(1.0, slope), right, right.abs())
+    })
+}
+/// (144) at σ = 1.
+pub fn eq144_at_one() -> Evidence {
+    let compared = "the two sides of (144) on the boundary, dA/dα by (113) and (114), relative";
+    at_one(compared, |[a, alpha, psi]| {
+        let slope = law::eq113_a_rate(alpha) / law::eq114_alpha_rate(a, alpha, psi);
+        (
+            printed::eq144_left(1.0, slope),
+            printed::eq144_right(alpha),
+            alpha,
+        )
+    })
+}
+/// (145) at σ = 1.
+pub fn eq145_at_one() -> Evidence {
+    let compared = "(145) with A on the boundary";
+    at_one(compared, |[a, alpha, _]| {
+        (printed::eq145_a(1.0, alpha), a, 1.0)
+    })
+}
+/// (141) with another origin of time.
+pub fn eq141_clock() -> Evidence {
+    let compared =
+        "(141) with α of the motion at p = 1e-20, τ counted from one unit of time after the stop";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
+    trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
+        pair(
+            approach?,
+            1e-20,
+            |_, _| 1.0,
+            |sigma, c| (printed::eq141_alpha(sigma, -c.left - 1.0), c.alpha, c.alpha),
+        )
+    })
 }
 
 /// (140) at p = 10⁻²⁰.

@@ -55,27 +55,46 @@ fn ring_of_phi_t1() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// (26) from (1), (21) to (24), for the sign ±1 of the velocity.
-fn prove_eq26(rate: Expr, sign: i64) -> Proof {
+/// (21) to (24): the acceleration along x, λ₀, φ, and 𝔴.
+fn units() -> [Expr; 4] {
+    let [a0, varpi, t, mu, g, vx] = symbols(["A₀", "ϖ", "t", "μ", "g", "v_x"]);
+    let [ax, _] = paper::eq21_acceleration(a0, varpi, t);
+    [
+        ax,
+        paper::eq22_lambda0(mu, g, a0),
+        paper::eq23_phase(varpi, t),
+        paper::eq24_w(varpi, vx, a0),
+    ]
+}
+
+/// (26) from (1) and (21) to (24), for the sign ±1 of the velocity.
+fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -> Proof {
     let ring = || {
         let mut ring = Ring::new();
-        for name in ["A₀", "ϖ", "λ₀", "w"] {
+        for name in ["A₀", "ϖ", "t", "μ", "g", "v_x", "w"] {
             ring.symbol(name);
         }
         ring.angle("φ");
         let w = ring.named("w")?;
         ring.root_is(&(&w * &w), 2, &(&w * &Rational::int(sign)))?;
+        ring.define("λ₀", ring.read(friction)?)?;
         Ok(ring)
     };
     prove("(26): d𝔴/dφ", ring(), |p| {
-        let [a0, varpi, lambda0, phi] = symbols(["A₀", "ϖ", "λ₀", "φ"]);
+        let [varpi, mu, g, phi] = symbols(["ϖ", "μ", "g", "φ"]);
         p.note("The velocity's sign", sign.to_string());
-        let [ax, _] = paper::eq21_acceleration(a0, Expr::int(1), phi);
-        // (1) on the line, with μg = λ₀ A₀ by (22).
-        let newton = p.read("dv_x/dt by (1)", -ax - lambda0 * a0 * Expr::int(sign))?;
-        // By (24), d𝔴/dt = ϖ/A₀ dv_x/dt; by (23), dφ/dt = ϖ.
-        let scaled = p.read("d𝔴/dv_x by (24)", paper::eq24_w(varpi, Expr::int(1), a0))?;
-        let clock = p.read("dφ/dt by (23)", paper::eq23_phase(varpi, Expr::int(1)))?;
+        p.read("λ₀ by (22)", friction)?;
+        let at_phase = |formula: Expr| formula.with("t", phi / varpi);
+        let ours = p.read("(23) at t = φ/ϖ", at_phase(phase))?;
+        p.equal("It is φ", &ours, &p.ring().read(phi)?)?;
+        let newton = -at_phase(ax) - Expr::int(sign) * mu * g;
+        let newton = p.read("dv_x/dt by (1) and (21)", newton)?;
+        let read = |p: &mut Prover<'_>, says: &str, formula: Expr, name: &str| {
+            let element = p.ring().read(formula)?;
+            p.derivative(says, &element, &p.ring().by(name)?)
+        };
+        let scaled = read(p, "d𝔴/dv_x by (24)", scaled, "v_x")?;
+        let clock = read(p, "dφ/dt by (23)", phase, "t")?;
         let expected = p.quotient("d𝔴/dφ by (1)", &(newton * scaled), &clock)?;
         let rate = p.read("The printed rate", rate)?;
         p.equal("The two", &rate, &expected)
@@ -87,11 +106,17 @@ fn eq26_rate() -> Expr {
     paper::eq26_rate(lambda0, phi, w)
 }
 
+/// (21) to (24) by the use made of them: with them Newton's law becomes (26).
+pub fn definitions() -> Evidence {
+    let proof = prove_eq26(units(), eq26_rate(), 1);
+    printed(&proof, "Newton's law in the symbols (21) to (24) with (26)")
+}
+
 /// (26), for velocities of both signs.
 pub fn eq26() -> Evidence {
-    let forward = prove_eq26(eq26_rate(), 1);
+    let forward = prove_eq26(units(), eq26_rate(), 1);
     let both = if forward.holds() {
-        prove_eq26(eq26_rate(), -1)
+        prove_eq26(units(), eq26_rate(), -1)
     } else {
         forward
     };
@@ -159,6 +184,93 @@ pub fn eq31() -> Evidence {
     printed(
         &prove_eq31(w),
         "the slope of (31) with (26) for 𝔴 > 0, and (31) at φ₁ with 0",
+    )
+}
+
+/// (31) at `end`, which stands for φ̃₂ or φ₃, against the left side of (32) or (34).
+fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
+    let ring = || {
+        let mut ring = ring_of_phi1()?;
+        ring.angle("φ̃₂");
+        Ok(ring)
+    };
+    prove(title, ring(), |p| {
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let slip = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
+        p.rests_on(&prove_eq31(slip))?;
+        let value = p.read("(31) there", slip.with("φ", end))?;
+        let left = p.read("The left side", left)?;
+        p.equal("The two", &value, &left)
+    })
+}
+
+fn eq32_left() -> Expr {
+    let [lambda0, end] = symbols(["λ₀", "φ̃₂"]);
+    paper::eq32_left(lambda0, paper::eq27_phi1(lambda0), end)
+}
+
+fn prove_eq32(left: Expr) -> Proof {
+    prove_end("(32): the slip (31) ends at φ̃₂", left, Expr::symbol("φ̃₂"))
+}
+
+/// (32) is that (31) vanishes at φ̃₂.
+pub fn eq32() -> Evidence {
+    printed(
+        &prove_eq32(eq32_left()),
+        "the left side of (32) with (31) at φ̃₂",
+    )
+}
+
+fn eq34_left() -> Expr {
+    let lambda0 = Expr::symbol("λ₀");
+    paper::eq34_left(
+        lambda0,
+        paper::eq27_phi1(lambda0),
+        paper::eq29_phi3(lambda0),
+    )
+}
+
+fn prove_eq34(left: Expr) -> Proof {
+    let end = paper::eq29_phi3(Expr::symbol("λ₀"));
+    prove_end("(34): the slip (31) would be negative at φ₃", left, end)
+}
+
+/// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
+pub fn eq34() -> Evidence {
+    printed(
+        &prove_eq34(eq34_left()),
+        "the left side of (34) with (31) at φ₃",
+    )
+}
+
+fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        ring.symbol("λ₀");
+        ring.angle("φ");
+        Ok(ring)
+    };
+    prove("(25): where the drive can start a slip", ring(), |p| {
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let excess = p.read("The drive less friction, by (26)", phi.sin() - lambda0)?;
+        let half = phi / Expr::int(2);
+        let square = (half.sin() - half.cos()).squared();
+        let parts = p.read("Right less left side, less a square", right - left - square)?;
+        p.equal("The two", &excess, &parts)?;
+        p.note(
+            "The square vanishes at φ = π/2",
+            "so the drive exceeds friction somewhere exactly where left < right",
+        );
+        Ok(())
+    })
+}
+
+/// (25): the drive exceeds friction at some phase.
+pub fn eq25() -> Evidence {
+    let proof = prove_eq25(paper::eq25_sides(Expr::symbol("λ₀")));
+    printed(
+        &proof,
+        "the drive less friction with the difference of the sides of (25) less a square",
     )
 }
 

@@ -5,6 +5,7 @@
 //! particle that slides, p > 0, and off the axis, ρ > 0, where a formula divides by p or ρ.
 
 mod components;
+mod definitions;
 mod energy;
 mod fixed;
 mod frames;
@@ -46,10 +47,21 @@ pub const STATEMENTS: &[Statement] = &[
         setting: Setting::dimensional,
         ..statement("eq-86", frames::eq86, frames::prove_eq86)
     },
+    Statement {
+        setting: Setting::dimensional,
+        ..statement("eq-87", frames::eq87, frames::prove_eq87)
+    },
+    Statement {
+        setting: Setting::dimensional,
+        ..statement("eq-88", frames::eq88, frames::prove_eq88)
+    },
     statement("eq-89", frames::eq89, frames::prove_eq89),
     statement("eq-90", frames::eq90, frames::prove_eq90),
     statement("eq-91", frames::eq91, frames::prove_eq91),
     statement("eq-92", frames::eq92, frames::prove_eq92),
+    polar("eq-93", definitions::eq93, definitions::prove_eq93),
+    polar("eq-94", definitions::eq94, definitions::prove_eq94),
+    polar("eq-95", definitions::eq95, definitions::prove_eq95),
     polar("eq-96", components::eq96, components::prove_eq96),
     polar("eq-97", components::eq97, components::prove_eq97),
     polar("eq-98", components::eq98, components::prove_eq98),
@@ -70,9 +82,15 @@ pub const STATEMENTS: &[Statement] = &[
     polar("eq-107", components::eq107, components::prove_eq107),
     polar("eq-108", components::eq108, components::prove_eq108),
     polar("eq-109", components::eq109, components::prove_eq109),
+    slower("eq-110", definitions::eq110, definitions::prove_eq110),
+    slower("eq-111", definitions::eq111, definitions::prove_eq111),
+    slower("eq-112", definitions::eq112, definitions::prove_eq112),
     slower("eq-113", hyperbolic::eq113, hyperbolic::prove_eq113),
     slower("eq-114", hyperbolic::eq114, hyperbolic::prove_eq114),
     slower("eq-115", hyperbolic::eq115, hyperbolic::prove_eq115),
+    faster("eq-116", definitions::eq116, definitions::prove_eq116),
+    faster("eq-117", definitions::eq117, definitions::prove_eq117),
+    faster("eq-118", definitions::eq118, definitions::prove_eq118),
     faster("eq-119", hyperbolic::eq119, hyperbolic::prove_eq119),
     faster("eq-120", hyperbolic::eq120, hyperbolic::prove_eq120),
     faster("eq-121", hyperbolic::eq121, hyperbolic::prove_eq121),

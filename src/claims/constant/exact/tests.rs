@@ -46,6 +46,8 @@ fn number(name: &str) -> Option<f64> {
         "θ₀" => 2.1,
         "t" => 0.37,
         "D" => 0.59,
+        "μ" => 0.31,
+        "g" => 9.3,
         _ => return None,
     })
 }
@@ -112,4 +114,24 @@ fn a_proof_reads_as_steps() {
         wrong.contains("Not proved: Rate by (1) against printed rate: the difference is "),
         "{wrong}"
     );
+}
+
+#[test]
+fn every_changed_definition_fails() {
+    let defined = definitions();
+    assert!(
+        prove_definitions(defined).holds(),
+        "{}",
+        prove_definitions(defined)
+    );
+    for place in 0..defined.len() {
+        for mutation in mutations(defined[place]) {
+            let mut changed = defined;
+            changed[place] = mutation.formula;
+            let values = [defined[place], mutation.formula].map(|x| x.evaluate(&number));
+            let same = matches!(values, [Some(x), Some(y)] if (x - y).abs() < 1e-12);
+            let proof = prove_definitions(changed);
+            assert_eq!(proof.holds(), same, "{}\n{proof}", mutation.change);
+        }
+    }
 }

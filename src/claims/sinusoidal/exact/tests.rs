@@ -16,10 +16,32 @@ fn provable() -> Vec<Provable> {
     let sides36 = paper::eq36_sides(lambda0);
     let sides40 = paper::eq40_sides(lambda0);
     vec![
-        ("26+", eq26_rate(), Box::new(|rate| prove_eq26(rate, 1))),
-        ("26−", eq26_rate(), Box::new(|rate| prove_eq26(rate, -1))),
+        (
+            "26+",
+            eq26_rate(),
+            Box::new(|rate| prove_eq26(units(), rate, 1)),
+        ),
+        (
+            "26−",
+            eq26_rate(),
+            Box::new(|rate| prove_eq26(units(), rate, -1)),
+        ),
+        ("21", units()[0], Box::new(|x| defined(0, x))),
+        ("22", units()[1], Box::new(|x| defined(1, x))),
+        ("23", units()[2], Box::new(|x| defined(2, x))),
+        ("24", units()[3], Box::new(|x| defined(3, x))),
         ("27", phi1, Box::new(|phase| prove_phase(phase, 1))),
+        (
+            "28",
+            paper::eq28_phi2(lambda0),
+            Box::new(|phase| prove_phase(phase, 1)),
+        ),
         ("29", phi3, Box::new(|phase| prove_phase(phase, -1))),
+        (
+            "30",
+            paper::eq30_phi4(lambda0),
+            Box::new(|phase| prove_phase(phase, -1)),
+        ),
         (
             "31",
             paper::eq31_w(lambda0, phi1, phi),
@@ -35,6 +57,18 @@ fn provable() -> Vec<Provable> {
             cases33[2],
             Box::new(move |w| prove_eq33([cases33[0], cases33[1], w, cases33[3]])),
         ),
+        (
+            "25",
+            paper::eq25_sides(lambda0)[0],
+            Box::new(move |left| prove_eq25([left, paper::eq25_sides(lambda0)[1]])),
+        ),
+        (
+            "25 right",
+            paper::eq25_sides(lambda0)[1],
+            Box::new(move |right| prove_eq25([paper::eq25_sides(lambda0)[0], right])),
+        ),
+        ("32", eq32_left(), Box::new(prove_eq32)),
+        ("34", eq34_left(), Box::new(prove_eq34)),
         ("35", paper::eq35_left(lambda0), Box::new(prove_eq35)),
         (
             "36",
@@ -61,12 +95,26 @@ fn provable() -> Vec<Provable> {
     ]
 }
 
+/// The use of (21) to (24) with one of them changed.
+fn defined(place: usize, formula: Expr) -> Proof {
+    let mut all = units();
+    all[place] = formula;
+    prove_eq26(all, eq26_rate(), 1)
+}
+
 /// A number for each symbol; 𝔴 of the sign that the proof is about.
 fn number(sign: f64) -> impl Fn(&str) -> Option<f64> {
     move |name| {
         Some(match name {
             "λ₀" => 0.31,
             "φ" => 1.83,
+            "φ̃₂" => 2.41,
+            "A₀" => 1.3,
+            "ϖ" => 0.7,
+            "t" => 2.9,
+            "μ" => 0.43,
+            "g" => 9.1,
+            "v_x" => 0.57,
             "w" => 0.7 * sign,
             _ => return None,
         })
@@ -87,7 +135,7 @@ fn proofs_hold_for_the_printed_formulas_and_for_nothing_else() {
             let equal = (ours - theirs).abs() < 1e-12;
             // These proofs know a phase by its sine or its cosine only; which of two it is, the motions tell.
             let mirrored = match name {
-                "27" | "29" => (libm::sin(ours) - libm::sin(theirs)).abs() < 1e-12,
+                "27" | "28" | "29" | "30" => (libm::sin(ours) - libm::sin(theirs)).abs() < 1e-12,
                 "39" => (libm::cos(ours) - libm::cos(theirs)).abs() < 1e-12,
                 // λ_c stands in them by its square.
                 "36" | "40" => (ours + theirs).abs() < 1e-12,

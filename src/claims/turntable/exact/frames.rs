@@ -54,30 +54,50 @@ pub(super) fn eq89() -> Vec<Expr> {
     paper::eq89_acceleration(position, rate).into()
 }
 
-/// The formulas with (87) for the position, its rate by (88) for the velocity, against the second rate by (86).
 pub(super) fn prove_eq89(printed: &[Expr]) -> Proof {
-    let title = "(89) from (86), (87) and (88)";
+    without_dimensions("(89) from (86), (87) and (88)", &eq87(), eq88()[0], printed)
+}
+
+pub(super) fn eq87() -> Vec<Expr> {
+    let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
+    paper::eq87_position(omega, mu, g, vectors()[0]).into()
+}
+
+pub(super) fn prove_eq87(printed: &[Expr]) -> Proof {
+    without_dimensions("(86) becomes (89) with (87)", printed, eq88()[0], &eq89())
+}
+
+/// With s for the time.
+pub(super) fn eq88() -> Vec<Expr> {
+    let [omega, time] = symbols(["Ω", "s"]);
+    vec![paper::eq88_time(omega, time)]
+}
+
+pub(super) fn prove_eq88(printed: &[Expr]) -> Proof {
+    without_dimensions("(86) becomes (89) with (88)", &eq87(), printed[0], &eq89())
+}
+
+/// The formulas of (89) with a position and a time for (87) and (88) and their rate for the velocity, against the second
+/// rate by (86).
+fn without_dimensions(title: &str, position: &[Expr], time: Expr, rates: &[Expr]) -> Proof {
     prove(title, Setting::dimensional(), |p, setting| {
-        let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
-        let [r, v] = vectors();
         let ring = p.ring();
-        let clock = {
-            let time = paper::eq88_time(omega, Expr::symbol("s"));
-            let time = p.read("(88), with s for the time", time)?;
-            p.derivative("dτ/dt", &time, &ring.by("s")?)?
-        };
-        let [px, py] = paper::eq87_position(omega, mu, g, r);
-        // (87) is linear in 𝐫: the same factor takes d𝐫/dt to d𝛒/dt, and dτ/dt takes that to d𝛒/dτ.
-        let [ux, uy] = paper::eq87_position(omega, mu, g, v).map(|c| c / omega);
-        let zero_if_equal = p.quotient("dτ/dt over Ω", &clock, &ring.named("Ω")?)?;
-        p.equal("It is 1", &zero_if_equal, &Rational::int(1))?;
-        for (i, place) in [px, py].into_iter().enumerate() {
+        let time = p.read("(88), with s for the time", time)?;
+        let clock = p.derivative("dτ/dt", &time, &ring.by("s")?)?;
+        let ratio = p.quotient("dτ/dt over Ω", &clock, &ring.named("Ω")?)?;
+        p.equal("It is 1", &ratio, &Rational::int(1))?;
+        // (87) is linear in 𝐫: the same factor takes d𝐫/dt to d𝛒/dt, and 1/Ω takes that to d𝛒/dτ.
+        let own = vectors();
+        let velocity = |place: Expr| put_vectors(place, [own[1], own[1]]) / Expr::symbol("Ω");
+        let [x, y] = [position[0], position[1]];
+        let state = [[x, y], [velocity(x), velocity(y)]];
+        for (place, formula) in [x, y].into_iter().zip(rates) {
             let place = p.read("A component of (87)", place)?;
             let first = p.derivative("Its rate in t", &place, &setting.motion)?;
             let first = p.quotient("Its rate in τ", &first, &clock)?;
             let second = p.derivative("The rate of that in t", &first, &setting.motion)?;
             let second = p.quotient("In τ", &second, &clock)?;
-            let formula = put_vectors(printed[i], [[px, py], [ux, uy]]);
+            let formula = put_vectors(*formula, state);
             let formula = p.read("(89), with (87) and (88) put in", formula)?;
             p.equal("Second rate by (86) against (89)", &second, &formula)?;
         }

@@ -1,0 +1,86 @@
+//! The claims without a proof, each with the reason why there is none. A test holds the list against the ledger.
+
+/// Why some claims are measured and not proved.
+#[derive(Debug, Clone, Copy)]
+pub struct Measured {
+    /// The reason.
+    pub reason: &'static str,
+    /// Ids of the claims.
+    pub claims: &'static [&'static str],
+}
+
+/// All claims without a proof, by the reason.
+pub const MEASURED: &[Measured] = &[
+    Measured {
+        reason: "It gives a name to something, and no equation that is proved decides whether it is the right one; it is tried by its dimensions and by the use made of it.",
+        claims: &[
+            "eq-42", "eq-43", "eq-61", "eq-62", "eq-67", "eq-68", "eq-69", "eq-70", "eq-71",
+            "eq-72", "eq-76", "eq-80", "eq-84", "eq-85", "eq-105",
+        ],
+    },
+    Measured {
+        reason: "It is a picture: what can be read off it has the accuracy of a drawing.",
+        claims: &["fig-1", "fig-2", "fig-3", "fig-4", "fig-5", "fig-6"],
+    },
+    Measured {
+        reason: "It is a decimal number, the root of a transcendental equation. That root is no element of a ring of formulas; it can be enclosed, not zero-tested.",
+        claims: &["eq-58"],
+    },
+    Measured {
+        reason: "It speaks about every acceleration of the plane as a function of time, or of every drive: there is no formula for the motion.",
+        claims: &[
+            "s2-stops-if-weak",
+            "s2-no-permanent-rest",
+            "s2-speeds-up-if-strong",
+            "s2-perpendicular-decays",
+            "s23-rest-above-one",
+            "s23-threshold-exists",
+            "s23-pulse-phases",
+        ],
+    },
+    Measured {
+        reason: "It speaks about the motion at late times from every start, which no formula gives: the drive acts on both components of the velocity at once.",
+        claims: &[
+            "s22-vy-vanishes",
+            "s22-weak-drive-stops",
+            "s22-vy-two-stages",
+            "s22-attractor-ignores-vy",
+        ],
+    },
+    Measured {
+        reason: "It says in which order things happen, or that nothing else happens: an inequality that holds on a whole range of $\\lambda_0$, $q$ or $\\theta$, not an identity.",
+        claims: &[
+            "s21-small-friction-aligns",
+            "s22-four-points",
+            "s22-rest-ends",
+            "s22-phi2-bracket",
+            "s22-rest-interval",
+            "s22-no-rest-below",
+            "s22-trichotomy",
+            "s24-region-1",
+            "s24-region-2",
+            "s24-region-3",
+            "s24-region-4",
+            "s24-region-5",
+        ],
+    },
+    Measured {
+        reason: "It carries over to the sphere what is measured of the particle; the step itself, that the slip velocity moves as a particle's velocity does, is proved.",
+        claims: &["s32-rolling-trichotomy", "s33-pulse", "s34-anisotropic"],
+    },
+    Measured {
+        reason: "It compares with another publication, whose formulas are not entered here.",
+        claims: &["s21-portrait-consistent"],
+    },
+    Measured {
+        reason: "It speaks about every motion on the turntable from a region of starts. Power series show motions of that kind; that there are no others they cannot show.",
+        claims: &[
+            "eq-127",
+            "s4-A-never-decreases",
+            "s4-small-alpha",
+            "s4-escape-if-A-above-1",
+            "s4-alpha-unbounded",
+            "s4-near-rest",
+        ],
+    },
+];

@@ -1,0 +1,173 @@
+//! The boundary between rest and escape, in powers of α: A = 1 + α F₁(ψ) + α² F₂(ψ) + …, found order by order.
+//!
+//! With t = tan(ψ/2), Fₖ = (aₖ + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ. The equation of the order k gives the xₙ of Fₖ, and the
+//! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
+
+use crate::claims::compare::proved;
+use crate::claims::turntable::exact as turntable;
+use crate::corrections::rest as corrected;
+use crate::evidence::{Evidence, Subject};
+use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::paper::turntable as motion;
+use std::sync::LazyLock;
+
+/// The boundary is stated to the second order; two more follow.
+const ORDER: i64 = 4;
+
+const ENOUGH: i64 = ORDER + 3;
+
+/// The coefficients of t, t², … at one order.
+const UNKNOWN: [&str; 10] = ["x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x₇", "x₈", "x₉", "x₁₀"];
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    ring.angle("ψ");
+    for name in ["a", "before"].iter().chain(&UNKNOWN) {
+        ring.symbol(name);
+    }
+    // For (147), which has √2.
+    ring.root(&Rational::int(2), 2)?;
+    Ok(ring)
+}
+
+/// What the boundary lacks to consist of motions: dA/dτ less ∂A/∂α dα/dτ and ∂A/∂ψ dψ/dτ.
+fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
+    let [size, alpha, psi] = ["A", "α", "ψ"].map(Expr::symbol);
+    let small = Series::monomial(Rational::int(1), 1, ENOUGH);
+    let values = [("A", a), ("α", &small)];
+    let expand = |formula| ring.expand(formula, &values, ENOUGH);
+    let by_psi = ring.by("ψ")?;
+    let by_alpha = a.euler(&Derivation::default(), ring)?.shifted(-1);
+    let turned = a.map(|c| ring.derivative(c, &by_psi))?;
+    let along = expand(motion::eq114_alpha_rate(size, alpha, psi))?;
+    let turning = expand(motion::eq115_psi_rate(alpha, psi))?;
+    let moved = by_alpha
+        .times(&along, ring)
+        .plus(&turned.times(&turning, ring));
+    Ok(expand(motion::eq113_a_rate(alpha))?.minus(&moved))
+}
+
+fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
+    for id in ["eq-113", "eq-114", "eq-115"] {
+        turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
+    }
+    let ring = p.ring();
+    p.note(
+        "To be found",
+        "A = 1 + α F₁ + α² F₂ + … with Fₖ = (a + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ, t = tan(ψ/2)",
+    );
+    p.note(
+        "It consists of motions",
+        "dA/dτ = ∂A/∂α dα/dτ + ∂A/∂ψ dψ/dτ, by (113), (114), (115)",
+    );
+    let t = ring.half_tangent("ψ")?;
+    let one_over = ring.divide(&Rational::int(1), &(Rational::int(1) + &t * &t))?;
+    let [free, before] = [ring.named("a")?, ring.named("before")?];
+    let mut found = vec![Rational::int(1)];
+    // One order more than is kept: it gives the last constant.
+    for k in 1..=ORDER + 1 {
+        let unknown = &UNKNOWN[..(2 * k) as usize];
+        let (mut ansatz, mut power) = (free.clone(), Rational::int(1));
+        for name in unknown {
+            power = power * &t;
+            ansatz = ansatz + ring.named(name)? * &power;
+        }
+        let ansatz = ansatz * one_over.pow(k as u32);
+        let next = found.iter().cloned().chain([ansatz.clone()]);
+        let left = imbalance(ring, &Series::new(0, next.collect()))?;
+        let left = left.coefficient(k - 1).ok_or(Obstacle::Empty)?;
+        let says = format!("At the order α^{}", k - 1);
+        if k == 2 {
+            let corner = ring.put(&ring.normal(&left), &[(&t, &Rational::int(0))])?;
+            p.note("At the order α^1, ψ = 0", ring.text(&corner));
+            let value = Rational::int(-1);
+            let root = ring.put(&corner, &[(&before, &value)])?;
+            p.zero(
+                "It vanishes at a = −1 of F₁, where A falls with α: the way in",
+                &root,
+            )?;
+        }
+        let known: Vec<_> = match k {
+            2 => vec![(before.clone(), Rational::int(-1))],
+            _ => Vec::new(),
+        };
+        let known: Vec<_> = known.iter().map(|(x, v)| (x, v)).collect();
+        let left = ring.put(&ring.normal(&left), &known)?;
+        let unknown: Vec<_> = unknown.iter().copied().chain(["before"]).collect();
+        let solved = p.solve(&says, &[left], Some(&t), &unknown)?;
+        let values: Vec<_> = solved.iter().map(|(x, v)| (x, v)).chain(known).collect();
+        if let Some(last) = found.last_mut() {
+            *last = ring.put(last, &values)?;
+        }
+        found.push(ring.put(&ring.put(&ansatz, &values)?, &[(&free, &before)])?);
+    }
+    found.pop();
+    for (k, f) in found.iter().enumerate().skip(1) {
+        p.note(&format!("F{}", ["₁", "₂", "₃", "₄"][k - 1]), ring.text(f));
+    }
+    let a = Series::new(0, found);
+    let left = imbalance(ring, &a)?;
+    for k in 0..ORDER {
+        let left = left.coefficient(k).ok_or(Obstacle::Empty)?;
+        p.zero(
+            &format!("With these, the equation at the order α^{k}"),
+            &left,
+        )?;
+    }
+    Ok(a)
+}
+
+static SOLUTION: LazyLock<(Option<Series>, Proof)> = LazyLock::new(|| {
+    let title = "the boundary in powers of α";
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return (None, Proof::impossible(title, error)),
+    };
+    let mut series = None;
+    let proof = Proof::of(title, &ring, |p| {
+        series = Some(solve(p)?);
+        Ok(())
+    });
+    (series, proof)
+});
+
+/// A formula for A agrees with the boundary up to this power of α.
+pub fn prove(formula: Expr, order: i64) -> Proof {
+    let title = "the boundary between rest and escape";
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        let (series, proof) = &*SOLUTION;
+        p.carry_on(proof)?;
+        let a = series.as_ref().ok_or(Obstacle::Empty)?;
+        let small = Series::monomial(Rational::int(1), 1, ENOUGH);
+        let stated = p.expand("The formula", formula, &[("α", &small)], ("α", order))?;
+        for k in 0..=order {
+            let [stated, found] =
+                [&stated, a].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
+            p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
+        }
+        Ok(())
+    })
+}
+
+/// A on the boundary, to second order in α.
+pub fn stated() -> Expr {
+    let [alpha, psi] = ["α", "ψ"].map(Expr::symbol);
+    corrected::boundary_a(alpha, psi)
+}
+
+/// Evidence on the boundary as corrected.
+pub fn evidence() -> Evidence {
+    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the power series in α that solves the equations of motion, to order four";
+    proved(&prove(stated(), 2), Subject::Corrected, compared)
+}
+
+/// Evidence on (147) as the boundary.
+pub fn printed_evidence() -> Evidence {
+    let formula = crate::paper::rest::eq147_a(Expr::symbol("α"));
+    let compared = "(147) with the power series in α that solves the equations of motion";
+    proved(&prove(formula, 1), Subject::Printed, compared)
+}

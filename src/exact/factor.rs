@@ -1,0 +1,75 @@
+//! Linear factors of polynomials in one generator, by their rational roots: what keeps fractions small.
+
+use super::polynomial::Polynomial;
+use dashu_int::IBig;
+
+/// Roots p/q are looked for with |p| and q up to this.
+const LARGEST: i64 = 12;
+
+impl Polynomial {
+    /// Factors q x − p with small whole p and q, each as often as it occurs, and what is left; of a polynomial in more
+    /// than one generator, nothing is split off.
+    pub(super) fn split_linear(self) -> (Vec<(Polynomial, u32)>, Polynomial) {
+        let degrees = self.degrees();
+        let mut found = Vec::new();
+        let Some((&g, &degree)) = degrees.first_key_value().filter(|_| degrees.len() == 1) else {
+            return (found, self);
+        };
+        if degree < 2 {
+            return (found, self);
+        }
+        let coefficients = self.coefficients_in(g);
+        let end = |part: Option<(&u32, &Polynomial)>| part.and_then(|(_, c)| c.as_constant());
+        let (first, last) = (
+            end(coefficients.first_key_value()),
+            end(coefficients.last_key_value()),
+        );
+        let (Some(first), Some(last)) = (first, last) else {
+            return (found, self);
+        };
+        let divides = |n: i64, whole: &IBig| whole % IBig::from(n) == IBig::ZERO;
+        let mut rest = self;
+        for q in (1..=LARGEST).filter(|q| divides(*q, &last)) {
+            for p in (1..=LARGEST).flat_map(|p| [p, -p]) {
+                let coprime = (2..=q).all(|d| p % d != 0 || q % d != 0);
+                if !coprime || !divides(p, &first) {
+                    continue;
+                }
+                let x = Polynomial::generator(g).scale(&IBig::from(q));
+                let factor = &x + &Polynomial::constant(IBig::from(-p));
+                let mut power = 0;
+                while let Some(quotient) = rest.divide_exact(&factor) {
+                    rest = quotient;
+                    power += 1;
+                }
+                if power > 0 {
+                    found.push((factor, power));
+                }
+            }
+        }
+        (found, rest)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn factors_and_what_is_left_make_up_the_polynomial() {
+        let x = Polynomial::generator(0);
+        let number = |n: i64| Polynomial::constant(IBig::from(n));
+        let [a, b] = [&(&number(2) * &x) + &number(-3), &x + &number(1)];
+        let no_root = &(&x * &x) + &number(1);
+        let whole = &(&a * &a) * &(&b * &no_root);
+        let (factors, rest) = whole.clone().split_linear();
+        assert_eq!(rest, no_root);
+        assert_eq!(factors, [(b, 1), (a, 2)]);
+        let product = factors
+            .iter()
+            .fold(rest, |product, (f, k)| &product * &f.pow(*k));
+        assert_eq!(product, whole);
+        let mixed = &(&x * &x) + &(&x * &Polynomial::generator(1));
+        assert!(mixed.split_linear().0.is_empty());
+    }
+}
