@@ -22,6 +22,7 @@ pub fn constant<T: Number, const N: usize>(value: T) -> Series<T, N> {
 }
 
 /// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0.
+#[inline(always)]
 pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
     // Two chains of additions, since one alone waits for its own last sum.
     let mut even = T::from_f64(0.0);
@@ -37,11 +38,13 @@ pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
 }
 
 /// Coefficient `k` of a·b.
+#[inline(always)]
 pub fn product<T: Number>(a: &[T], b: &[T], k: usize) -> T {
     convolution(&a[..=k], &b[..=k])
 }
 
 /// Coefficient `k` of a².
+#[inline(always)]
 pub fn square<T: Number>(a: &[T], k: usize) -> T {
     if k == 0 {
         return a[0].clone() * a[0].clone();
@@ -109,6 +112,7 @@ pub fn power<T: Number>(u: &[T], exponent: f64, p: &[T], k: usize) -> T {
 }
 
 /// Value of the series at distance `t` from its centre (Horner's rule).
+#[inline(always)]
 pub fn value<T: Number>(a: &[T], t: &T) -> T {
     let mut sum = T::from_f64(0.0);
     for c in a.iter().rev() {
@@ -118,6 +122,7 @@ pub fn value<T: Number>(a: &[T], t: &T) -> T {
 }
 
 /// Value without the constant term: what the series changes over the distance `t`.
+#[inline(always)]
 pub fn change<T: Number>(a: &[T], t: &T) -> T {
     value(&a[1..], t) * t.clone()
 }
