@@ -146,6 +146,81 @@ pub fn around(list: &[Around]) -> Result<Figure, FigureError> {
         .figure(table)
 }
 
+/// A level line of the boundary.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Level {
+    /// A.
+    pub a: f64,
+    /// (α, ψ) by bisection.
+    pub found: Vec<[f64; 2]>,
+    /// α by (147), the same for all ψ.
+    pub printed: f64,
+}
+
+/// A motion through the phase space.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// Whether it comes to rest.
+    pub rests: bool,
+    /// (α, ψ) on the way.
+    pub way: Vec<[f64; 2]>,
+}
+
+/// The phase space (A, α, ψ) from above, out to α = `reach`: the boundary's level lines, and motions.
+///
+/// Fails as [`Plot::figure`] does.
+pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure, FigureError> {
+    use std::f64::consts::TAU;
+    let polar = |&[alpha, psi]: &[f64; 2]| [alpha * libm::cos(psi), alpha * libm::sin(psi)];
+    let mut table = Table::new(&["what", "A", "alpha", "psi (rad)"]);
+    let axis = |name: &str| Axis::linear(name).range(-reach, reach);
+    let mut panel = Panel::new(axis("α cos ψ"), axis("α sin ψ")).equal();
+    for (n, level) in levels.iter().enumerate() {
+        for &[alpha, psi] in &level.found {
+            table.row(["boundary".into(), level.a.into(), alpha.into(), psi.into()])?;
+        }
+        let circle = (0..=90).map(|i| polar(&[level.printed, TAU * f64::from(i) / 90.0]));
+        panel = panel
+            .curve(
+                Curve::new(level.found.iter().map(polar))
+                    .series(n)
+                    .stroke(Stroke::Solid)
+                    .key(format!("A = {}", level.a)),
+            )
+            .curve(
+                Curve::new(circle)
+                    .series(n)
+                    .stroke(Stroke::Dotted)
+                    .width(1.2),
+            );
+    }
+    for motion in motions {
+        let what = if motion.rests { "rests" } else { "escapes" };
+        for &[alpha, psi] in &motion.way {
+            table.row([what.into(), "".into(), alpha.into(), psi.into()])?;
+        }
+        let curve = Curve::new(motion.way.iter().map(polar))
+            .ink()
+            .arrows(&[0.4]);
+        panel = panel.curve(curve.label_at(what, 0.25));
+    }
+    Plot::new("rest-space", "The phase space from above")
+        .caption(
+            "The space of $A$, $\\alpha$ and $\\psi$ seen along the $A$ axis, with $\\alpha$ as the distance from the middle \
+             and $\\psi$ as the angle; the middle is rest. A start with the given $A$ comes to rest inside its line (solid, \
+             by bisection on the motion) and escapes outside. The printed envelope (147) would make the lines circles \
+             (dotted). In ink, four motions: as a particle slows down, $\\psi$ turns towards 0 and it falls into the middle \
+             along the right half of the axis, or turns around and leaves.",
+        )
+        .alt(
+            "A polar diagram. Closed lines around the middle, one for each A, the narrower the larger A is; each \
+             bulges far to the left, where the particle moves inwards. The printed circles do not follow them. Four curves with arrows \
+             run in from the left; some end in the middle, some leave to the right.",
+        )
+        .panel(panel)
+        .figure(table)
+}
+
 /// Resting places against a start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Resting {

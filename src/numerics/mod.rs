@@ -14,10 +14,12 @@
 //!
 //! Every door returns a typed error instead of a number that is not one, and none of them can run forever.
 
+pub mod batch;
 pub mod dop853;
 pub mod error;
 pub mod events;
 pub mod fit;
+pub mod lanes;
 pub mod number;
 pub mod piecewise;
 pub mod quadrature;

@@ -26,11 +26,12 @@ pub fn constant<T: Number, const N: usize>(value: T) -> Series<T, N> {
 const LANES: usize = 4;
 
 /// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0.
-#[inline]
+#[inline(always)]
 pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
     let (a, a_rest) = a.as_chunks::<LANES>();
     let (b_rest, b) = b.as_rchunks::<LANES>();
-    let mut sums: [T; LANES] = std::array::from_fn(|_| T::from_f64(0.0));
+    let zero = T::from_f64(0.0);
+    let mut sums = [zero.clone(), zero.clone(), zero.clone(), zero];
     for (x, y) in a.iter().zip(b.iter().rev()) {
         for (i, sum) in sums.iter_mut().enumerate() {
             *sum = sum.clone() + x[i].clone() * y[LANES - 1 - i].clone();
@@ -44,16 +45,19 @@ pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
 }
 
 /// Coefficient `k` of a·b.
+#[inline(always)]
 pub fn product<T: Number>(a: &[T], b: &[T], k: usize) -> T {
     convolution(&a[..=k], &b[..=k])
 }
 
 /// Coefficient `k` of a².
+#[inline(always)]
 pub fn square<T: Number>(a: &[T], k: usize) -> T {
     symmetric(&a[..=k])
 }
 
 /// Σ a_j a_{n−1−j}, j = 0 … n−1, over a slice of length n: half the products serve twice.
+#[inline(always)]
 fn symmetric<T: Number>(a: &[T]) -> T {
     let n = a.len();
     let twice = convolution(&a[..n / 2], &a[n - n / 2..]);
@@ -115,6 +119,7 @@ pub fn power<T: Number>(u: &[T], exponent: f64, p: &[T], k: usize) -> T {
 }
 
 /// Value of the series at distance `t` from its centre (Horner's rule).
+#[inline(always)]
 pub fn value<T: Number>(a: &[T], t: &T) -> T {
     let mut sum = T::from_f64(0.0);
     for c in a.iter().rev() {
@@ -124,6 +129,7 @@ pub fn value<T: Number>(a: &[T], t: &T) -> T {
 }
 
 /// Value without the constant term: what the series changes over the distance `t`.
+#[inline(always)]
 pub fn change<T: Number>(a: &[T], t: &T) -> T {
     value(&a[1..], t) * t.clone()
 }

@@ -54,6 +54,11 @@ pub fn printed_a(alpha: f64) -> f64 {
     printed::eq147_a(alpha)
 }
 
+/// α at which the envelope (147) has this A, in [0, 1].
+pub fn printed_alpha(a: f64) -> f64 {
+    std::f64::consts::SQRT_2 * (1.0 - libm::sqrt(a))
+}
+
 /// A on the boundary to second order in α.
 pub fn corrected_a(alpha: f64, psi: f64) -> f64 {
     corrected::boundary_a(alpha, psi)

@@ -4,12 +4,65 @@ use super::AllFiguresError;
 use crate::claims::rest::boundary;
 use crate::figures::{Figure, rest as rest_figures};
 use crate::motion::MotionError;
+use crate::motion::turntable::boundary::between;
+use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::fate::rests;
 use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use std::f64::consts::PI;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
-    Ok(vec![resting()?, census()?, around()?])
+    Ok(vec![resting()?, census()?, around()?, space()?])
+}
+
+/// Angles at which the level lines of the boundary are found.
+const ANGLES: i32 = 48;
+
+/// Largest α of the picture of the phase space.
+const REACH: f64 = 0.75;
+
+/// The phase space from above: level lines of the boundary, and motions.
+fn space() -> Result<Figure, AllFiguresError> {
+    let level = |a: f64| -> Result<_, MotionError> {
+        let start = |alpha, psi| Start::hyperbolic(a, alpha, psi);
+        let found = |psi| {
+            // The first α, in steps, from which the particle escapes; a particle at rest (α = 0) stays so for A < 1.
+            for step in 1..=30 {
+                let alpha = 0.05 * f64::from(step);
+                if matches!(fate(&start(alpha, psi)?)?, Fate::Escape { .. }) {
+                    let alpha = between(|alpha| start(alpha, psi), alpha - 0.05, alpha, 1e-4)?;
+                    return Ok([alpha, psi]);
+                }
+            }
+            Ok([f64::NAN, psi])
+        };
+        let angles = (0..=ANGLES).map(|k| 2.0 * PI * f64::from(k) / f64::from(ANGLES) - PI);
+        let printed = boundary::printed_alpha(a);
+        let found = angles.map(found).collect::<Result<_, MotionError>>()?;
+        Ok(rest_figures::Level { a, found, printed })
+    };
+    let motion = |[a, alpha, psi]: [f64; 3]| -> Result<_, MotionError> {
+        let start = Start::hyperbolic(a, alpha, psi)?;
+        let rests = matches!(fate(&start)?, Fate::Rest { .. });
+        let run = Run::new(&start, 8.0)?;
+        let there = |tau: f64| run.at(tau).map(|x| x.alpha().map(|alpha| [alpha, x.psi()]));
+        let way = (0..=160).map(|i| there(0.05 * f64::from(i)));
+        let way: Vec<_> = way.collect::<Result<_, _>>()?;
+        // Angle and α of a particle at rest are no more.
+        let way = way.into_iter().flatten().filter(|[alpha, _]| *alpha > 1e-4);
+        Ok(rest_figures::Motion {
+            rests,
+            way: way.take_while(|[alpha, _]| *alpha < REACH).collect(),
+        })
+    };
+    let levels: Result<Vec<_>, _> = [0.9, 0.8, 0.7, 0.6].into_iter().map(level).collect();
+    let starts = [
+        [0.7, 0.6, 2.4],
+        [0.7, 0.6, 1.2],
+        [0.8, 0.4, -2.4],
+        [0.9, 0.3, -1.2],
+    ];
+    let motions: Result<Vec<_>, _> = starts.into_iter().map(motion).collect();
+    Ok(rest_figures::space(&levels?, &motions?, REACH)?)
 }
 
 /// Cells along each side of the census.

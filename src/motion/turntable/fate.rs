@@ -124,14 +124,14 @@ fn follow(start: &Start, closely: bool) -> Result<Fate, MotionError> {
 }
 
 /// What a state makes certain.
-struct Judgement {
-    fate: Fate,
+pub(super) struct Judgement {
+    pub(super) fate: Fate,
     /// Whether place and time of a rest are known as well as wanted.
     close: bool,
 }
 
 /// The fate, if the state makes it certain.
-fn judge(&[tau, p, w, zeta]: &[f64; 4]) -> Option<Judgement> {
+pub(super) fn judge(&[tau, p, w, zeta]: &[f64; 4]) -> Option<Judgement> {
     let now = Start {
         p,
         xi: 1.0 - w,

@@ -21,6 +21,7 @@
 use super::argument;
 use crate::motion::clock::Clocked;
 use crate::motion::error::MotionError;
+use crate::numerics::number::Number;
 use crate::numerics::series::{product, square};
 use crate::numerics::taylor::{System, TERMS};
 
@@ -148,24 +149,26 @@ impl Start {
 }
 
 /// Coefficient `k` of the derivatives of τ, p, w, ζ.
-fn derivatives(k: usize, p: &[f64], w: &[f64], zeta: &[f64]) -> [f64; 4] {
+#[inline(always)]
+fn derivatives<T: Number>(k: usize, p: &[T], w: &[T], zeta: &[T]) -> [T; 4] {
     [
-        p[k],
+        p[k].clone(),
         -product(p, w, k),
         -square(zeta, k),
-        product(w, zeta, k) - p[k] - zeta[k],
+        product(w, zeta, k) - p[k].clone() - zeta[k].clone(),
     ]
 }
 
 /// The law of motion with components τ, p, w, ζ.
 pub(super) struct Law;
 
-impl<const N: usize> System<f64, 4, N> for Law {
+impl<T: Number, const N: usize> System<T, 4, N> for Law {
     type Work = ();
 
-    fn begin(&self, _: &f64, _: &[f64; 4], (): &mut ()) {}
+    fn begin(&self, _: &T, _: &[T; 4], (): &mut ()) {}
 
-    fn derivative(&self, k: usize, x: &[[f64; N]; 4], (): &mut ()) -> [f64; 4] {
+    #[inline(always)]
+    fn derivative(&self, k: usize, x: &[[T; N]; 4], (): &mut ()) -> [T; 4] {
         derivatives(k, &x[1], &x[2], &x[3])
     }
 }

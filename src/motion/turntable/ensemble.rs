@@ -1,0 +1,333 @@
+//! Many particles on the table at once, to ten digits: each is followed until it rests, until it is far out, or until
+//! its time is up.
+//!
+//! The law of motion is that of [`intrinsic`](super::intrinsic), the certainty of a rest that of
+//! [`fate`](super::fate). What is new is only how the work is laid out: eight particles share a vector register, and
+//! a particle that has come to its end makes room for the next at once.
+
+use super::fate::{Fate, judge};
+use super::intrinsic::{Law, Start, check};
+use crate::motion::error::MotionError;
+use crate::numerics::batch::Batch;
+use crate::numerics::lanes::{Lanes, Wide, widest};
+use crate::numerics::series::value;
+use rayon::prelude::*;
+
+/// How long a particle of an ensemble is followed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Horizon {
+    /// Distance from the axis, in units of μg/Ω².
+    pub rho: f64,
+    /// Time, in units of 1/Ω.
+    pub tau: f64,
+}
+
+/// How a particle's way ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    /// It comes to rest.
+    Rest {
+        /// Distance σ from the axis.
+        sigma: f64,
+        /// How far σ may be off.
+        error: f64,
+    },
+    /// It crosses the horizon's distance.
+    Far {
+        /// When: to 10⁻⁹ of itself.
+        tau: f64,
+    },
+    /// It does neither within the horizon's time.
+    Late(Start),
+    /// It does neither within [`STEPS`] steps.
+    Unfinished(Start),
+}
+
+/// Steps after which a particle is given up: a hundred times those that all but a few need.
+pub const STEPS: u32 = 5000;
+
+/// Terms of the series, and binary logarithm of the size that the last two may have.
+const TERMS: usize = 20;
+const TOLERANCE: f64 = -40.0;
+
+/// Particles that share a register.
+const LANES: usize = 16;
+
+/// A rest is looked for below this p²/w.
+const SLOW: f64 = 1e-6;
+
+/// Wanted half-width of the bounds of σ.
+const RADIUS: f64 = 2e-10;
+
+/// Particles in one piece of work for one thread.
+const PIECE: usize = 1024;
+
+impl Horizon {
+    /// The ends of these particles' ways, in their order. All cores share the work; the result does not depend on how.
+    ///
+    /// # Errors
+    /// [`MotionError::Argument`] for a horizon that is not positive and finite, a start that no constructor of
+    /// [`Start`] gives, or one at rest beyond ρ = 1 (it starts by itself, and this time is not that of the ensemble).
+    pub fn follow(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
+        self.check(starts)?;
+        let ends = |piece| self.piece(piece);
+        Ok(starts.par_chunks(PIECE).flat_map_iter(ends).collect())
+    }
+
+    /// As [`follow`](Self::follow), on one core.
+    ///
+    /// # Errors
+    /// As for [`follow`](Self::follow).
+    pub fn follow_alone(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
+        self.check(starts)?;
+        Ok(self.piece(starts))
+    }
+
+    fn check(&self, starts: &[Start]) -> Result<(), MotionError> {
+        for (name, value) in [("rho", self.rho), ("tau", self.tau)] {
+            let allowed = value > 0.0 && value <= 1e6;
+            super::argument(name, value, allowed, "positive, at most 1e6")?;
+        }
+        for start in starts {
+            check(start)?;
+            let moves = start.p > 0.0 || start.rho() <= 1.0;
+            super::argument("p", start.p, moves, "positive where rho > 1")?;
+        }
+        Ok(())
+    }
+
+    fn piece(&self, starts: &[Start]) -> Vec<End> {
+        struct Piece<'a>(&'a Horizon, &'a [Start]);
+        impl Wide for Piece<'_> {
+            type Output = Vec<End>;
+            #[inline(always)]
+            fn call(self) -> Vec<End> {
+                self.0.run::<LANES>(self.1)
+            }
+        }
+        widest(Piece(self, starts))
+    }
+
+    #[inline(always)]
+    fn run<const L: usize>(&self, starts: &[Start]) -> Vec<End> {
+        let mut ends = vec![End::Far { tau: f64::NAN }; starts.len()];
+        let mut waiting = starts.iter().enumerate();
+        let mut batch = Batch::<4, TERMS, L>::new();
+        let mut riders: [Option<(usize, u32)>; L] = [None; L];
+        let mut board = |lane: usize, batch: &mut Batch<4, TERMS, L>| {
+            let next = waiting.next();
+            let rest = [0.0, 0.0, 1.0, 0.0];
+            let state = next.map_or(rest, |(_, start)| {
+                [0.0, start.p, 1.0 - start.xi, start.zeta]
+            });
+            batch.set(lane, &state);
+            next.map(|(index, _)| (index, 0))
+        };
+        for (lane, rider) in riders.iter_mut().enumerate() {
+            *rider = board(lane, &mut batch);
+        }
+        while riders.iter().any(Option::is_some) {
+            batch.expand(&Law);
+            let h = batch.reach(TOLERANCE);
+            let states = batch.after(&h);
+            let over = self.over(&states);
+            if over.iter().any(|over| *over) {
+                for lane in 0..L {
+                    let Some((index, _)) = riders[lane].filter(|_| over[lane]) else {
+                        continue;
+                    };
+                    let state = states.map(|x| x.0[lane]);
+                    if let Some(end) = self.end(&batch.lane(lane), h.0[lane], &state) {
+                        ends[index] = end;
+                        riders[lane] = None;
+                    }
+                }
+            }
+            batch.go(&states);
+            for (lane, rider) in riders.iter_mut().enumerate() {
+                match rider {
+                    Some((index, steps)) => {
+                        *steps += 1;
+                        if *steps < STEPS {
+                            continue;
+                        }
+                        ends[*index] = End::Unfinished(start_of(&batch.state(lane)));
+                    }
+                    None => {}
+                }
+                *rider = board(lane, &mut batch);
+            }
+        }
+        ends
+    }
+
+    /// Whether a motion may have come to its end.
+    #[inline(always)]
+    fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L] {
+        let [tau, p, w, zeta] = states;
+        let (xi, eta) = (Lanes::all(1.0) - *w, *p - *zeta);
+        let square = xi * xi + eta * eta;
+        let slow = *p * *p - Lanes::all(SLOW) * *w;
+        let far = self.rho * self.rho;
+        let mut over = [false; L];
+        for i in 0..L {
+            over[i] = slow.0[i] < 0.0 || square.0[i] > far || tau.0[i] > self.tau;
+        }
+        over
+    }
+
+    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end.
+    fn end(&self, series: &[[f64; TERMS]; 4], h: f64, state: &[f64; 4]) -> Option<End> {
+        let excess = |[_, p, w, zeta]: &[f64; 4]| {
+            let (xi, eta) = (1.0 - w, p - zeta);
+            (xi * xi + eta * eta - self.rho * self.rho, 2.0 * p * p * xi)
+        };
+        let at = |h: f64| std::array::from_fn(|i| value(&series[i], &h));
+        let late = |x: &[f64; 4]| (x[0] - self.tau, x[1]);
+        if excess(state).0 > 0.0 {
+            let [tau, ..] = at(crossing(h, |h| excess(&at(h))));
+            if tau <= self.tau {
+                return Some(End::Far { tau });
+            }
+        }
+        if state[0] > self.tau {
+            return Some(End::Late(start_of(&at(crossing(h, |h| late(&at(h)))))));
+        }
+        match judge(state)?.fate {
+            Fate::Rest { sigma, error, .. } if error <= RADIUS => Some(End::Rest { sigma, error }),
+            _ => None,
+        }
+    }
+}
+
+/// Where a function that is positive at `h` was zero before, by Newton's rule from its value and slope.
+fn crossing(mut h: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
+    for _ in 0..20 {
+        let (value, slope) = function(h);
+        let change = value / slope;
+        h -= change;
+        if change.abs() <= 1e-13 * h.abs() {
+            break;
+        }
+    }
+    h
+}
+
+fn start_of(&[_, p, w, zeta]: &[f64; 4]) -> Start {
+    Start {
+        p,
+        xi: 1.0 - w,
+        zeta,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::turntable::{fate, intrinsic::Run};
+
+    const HORIZON: Horizon = Horizon {
+        rho: 100.0,
+        tau: 50.0,
+    };
+
+    /// Starts at ρ = 0.5 in all directions with speeds up to 2: some rest, some do not.
+    fn starts() -> Vec<Start> {
+        let one = |k: usize| {
+            let (speed, angle) = (0.02 * (k % 100) as f64 + 0.01, 2.399963 * k as f64);
+            let (sine, cosine) = libm::sincos(angle);
+            Start::cartesian([0.5, 0.0], [speed * cosine, speed * sine])
+        };
+        (0..300).map(one).collect::<Result<_, _>>().unwrap()
+    }
+
+    #[test]
+    fn each_end_is_that_of_the_particle_alone() {
+        let starts = starts();
+        let ends = HORIZON.follow(&starts).unwrap();
+        let (mut rests, mut far) = (0, 0);
+        for (start, end) in starts.iter().zip(&ends) {
+            match (*end, fate(start).unwrap()) {
+                (End::Rest { sigma, error }, Fate::Rest { sigma: exact, .. }) => {
+                    assert!(error <= RADIUS && (sigma - exact).abs() <= error + 1e-11);
+                    rests += 1;
+                }
+                (End::Far { tau }, Fate::Escape { .. }) => {
+                    let rho = Run::new(start, tau).unwrap().end().rho();
+                    assert!((rho / 100.0 - 1.0).abs() < 1e-9, "{rho}");
+                    far += 1;
+                }
+                other => panic!("{start:?}: {other:?}"),
+            }
+        }
+        assert!(rests > 50 && far > 50);
+    }
+
+    #[test]
+    fn time_that_is_up_ends_the_way_where_the_particle_is() {
+        let starts = starts();
+        let horizon = Horizon {
+            tau: 3.0,
+            ..HORIZON
+        };
+        let mut late = 0;
+        for (start, end) in starts.iter().zip(horizon.follow(&starts).unwrap()) {
+            let End::Late(there) = end else { continue };
+            let exact = Run::new(start, 3.0).unwrap().end().parts;
+            for (a, b) in [
+                (there.p, exact.p),
+                (there.xi, exact.xi),
+                (there.zeta, exact.zeta),
+            ] {
+                assert!((a - b).abs() < 1e-9 * (1.0 + b.abs()), "{a} {b}");
+            }
+            late += 1;
+        }
+        assert!(late > 50);
+    }
+
+    #[test]
+    fn neighbours_and_threads_change_no_bit() {
+        let starts = starts();
+        let together = HORIZON.follow(&starts).unwrap();
+        assert_eq!(together, HORIZON.follow_alone(&starts).unwrap());
+        for (start, end) in starts.iter().zip(together) {
+            assert_eq!(HORIZON.follow_alone(&[*start]).unwrap(), [end]);
+        }
+    }
+
+    #[test]
+    fn rest_stays_and_what_cannot_be_followed_is_refused() {
+        let still = Start::polar(0.7, 0.0, 0.0).unwrap();
+        let [end] = HORIZON.follow(&[still]).unwrap()[..] else {
+            panic!()
+        };
+        assert_eq!(
+            end,
+            End::Rest {
+                sigma: 0.7,
+                error: 0.0
+            }
+        );
+        assert_eq!(HORIZON.follow(&[]).unwrap(), []);
+        let loose = Start::polar(1.1, 0.0, 0.0).unwrap();
+        let broken = Start {
+            p: f64::NAN,
+            ..still
+        };
+        for starts in [[loose], [broken]] {
+            assert!(matches!(
+                HORIZON.follow(&starts),
+                Err(MotionError::Argument { .. })
+            ));
+        }
+        for (rho, tau) in [
+            (0.0, 1.0),
+            (f64::NAN, 1.0),
+            (1.0, f64::INFINITY),
+            (1.0, -1.0),
+        ] {
+            assert!(Horizon { rho, tau }.follow(&[still]).is_err());
+        }
+    }
+}
