@@ -218,13 +218,32 @@ impl Mul for &Ball {
     }
 }
 
-/// Operations on balls that are no longer needed.
+impl Neg for Ball {
+    type Output = Ball;
+    fn neg(self) -> Ball {
+        -&self
+    }
+}
+
+/// The same operations on balls that are no longer needed.
 macro_rules! by_value {
     ($($operation:ident $function:ident),*) => {$(
         impl $operation for Ball {
             type Output = Ball;
             fn $function(self, other: Self) -> Ball {
                 $operation::$function(&self, &other)
+            }
+        }
+        impl $operation<&Ball> for Ball {
+            type Output = Ball;
+            fn $function(self, other: &Ball) -> Ball {
+                $operation::$function(&self, other)
+            }
+        }
+        impl $operation<Ball> for &Ball {
+            type Output = Ball;
+            fn $function(self, other: Ball) -> Ball {
+                $operation::$function(self, &other)
             }
         }
     )*};

@@ -44,6 +44,11 @@ impl Interval {
         Self::new(x, x)
     }
 
+    /// The single number `x`, which is finite.
+    pub(super) const fn point_unchecked(x: f64) -> Self {
+        Interval { lo: x, hi: x }
+    }
+
     /// n/m, for whole numbers below 2⁵³.
     pub fn ratio(n: i64, m: i64) -> Self {
         Self::point(n as f64) / Self::point(m as f64)

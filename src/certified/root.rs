@@ -32,19 +32,19 @@ pub fn refine(
     start: Interval,
     bits: usize,
 ) -> Result<Root, CertifiedError> {
-    let failed = |why| CertifiedError::NotProved { why, at: start };
+    let failed = |why| CertifiedError::unproved(why, &[start]);
     let image = |x: &Ball, bits: usize| -> Option<Ball> {
         let [_, slope] = f(x)?;
         let middle = x.middle().with_bits(bits);
         let [value, _] = f(&middle)?;
         Some(&middle - &value.over(&slope)?)
     };
-    let mut x = Ball::enclosing(start, FIRST).ok_or(failed("the box is not finite"))?;
-    let first = image(&x, FIRST).ok_or(failed("the derivative has no sign on the box"))?;
+    let mut x = Ball::enclosing(start, FIRST).ok_or_else(|| failed("the box is not finite"))?;
+    let first = image(&x, FIRST).ok_or_else(|| failed("the derivative has no sign on the box"))?;
     if !first.inside(&x) {
         return Err(failed("the image of the box is not inside it"));
     }
-    let narrower = |x: &Ball, bits| image(x, bits).ok_or(failed("a step has no value"));
+    let narrower = |x: &Ball, bits| image(x, bits).ok_or_else(|| failed("a step has no value"));
     x = first;
     for _ in 0..STEPS {
         let next = narrower(&x, FIRST)?;
