@@ -28,9 +28,10 @@ fn valued(ball: Option<Ball>, bits: usize) -> Result<Ball, CertifiedError> {
 /// # Errors
 /// None that is known; those of [`refine`].
 pub fn critical_phase(bits: usize) -> Result<Root, CertifiedError> {
+    let pi = Ball::pi(bits + SPARE);
     let arc = |phi: &Ball| {
         let [s, c] = phi.sin_cos();
-        let pi = Ball::pi(phi.bits());
+        let pi = pi.with_bits(phi.bits());
         Some([&c + &c - &pi * &s, -(&s + &s + &pi * &c)])
     };
     refine(arc, Interval::new(0.5, 0.6), bits)
@@ -136,13 +137,14 @@ pub fn reversals_end(
     near: f64,
     bits: usize,
 ) -> Result<Ball, CertifiedError> {
+    let pi = Ball::pi(bits + 2 * SPARE);
     let arc = |beta: &Ball| {
         let [s, c] = beta.sin_cos();
         // λ₀ and its derivative by β.
         let (lambda, rate) = (s.over(q)?, c.over(q)?);
         let alpha = lambda.asin()?;
         let [_, cosine] = alpha.sin_cos();
-        let pi = Ball::pi(beta.bits());
+        let pi = pi.with_bits(beta.bits());
         let way = match edge {
             Edge::Beginning => &pi + beta,
             Edge::End => &pi + &pi - beta,
