@@ -125,8 +125,11 @@ impl Ball {
         })
     }
 
-    /// The square root; `None` if a number of the ball may be negative, or if zero is its middle.
+    /// The square root; `None` if a number of the ball may be negative.
     pub fn sqrt(&self) -> Option<Self> {
+        if self.mid == IBig::ZERO && self.rad == UBig::ZERO {
+            return Some(self.clone());
+        }
         let [lo, _] = self.bounds();
         let square = UBig::try_from(self.mid.clone()).ok()? << self.bits;
         let root = square.sqrt();
@@ -210,9 +213,11 @@ impl Mul for &Ball {
         let miss = self.mid.clone().unsigned_abs() * &other.rad
             + other.mid.clone().unsigned_abs() * &self.rad
             + &self.rad * &other.rad;
+        let product = &self.mid * &other.mid;
+        let exact = miss == UBig::ZERO && product.trailing_zeros().is_none_or(|n| n >= coarse);
         Ball {
-            mid: (&self.mid * &other.mid) >> coarse,
-            rad: (miss >> coarse) + 2u8,
+            mid: product >> coarse,
+            rad: if exact { miss } else { (miss >> coarse) + 2u8 },
             bits: self.bits.max(other.bits),
         }
     }

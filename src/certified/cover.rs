@@ -25,6 +25,28 @@ impl Said {
         }
     }
 
+    /// That a quantity that is exactly zero, or some other one, is zero as far as its enclosure tells.
+    pub fn of_zero(quantity: Interval) -> Said {
+        if quantity.contains(0.0) {
+            Said::Holds
+        } else {
+            Said::Fails
+        }
+    }
+
+    /// That all of several statements hold.
+    pub fn all(all: impl IntoIterator<Item = Said>) -> Said {
+        let mut said = Said::Holds;
+        for one in all {
+            match one {
+                Said::Fails => return Said::Fails,
+                Said::Nothing => said = Said::Nothing,
+                Said::Holds => {}
+            }
+        }
+        said
+    }
+
     /// That one of several statements holds, whichever it is.
     pub fn any(all: impl IntoIterator<Item = Said>) -> Said {
         let mut said = Said::Fails;
@@ -107,5 +129,7 @@ mod tests {
         assert_eq!(Said::any([Fails, Nothing, Holds]), Holds);
         assert_eq!(Said::any([Fails, Nothing]), Nothing);
         assert_eq!(Said::any([Fails, Fails]), Fails);
+        assert_eq!(Said::all([Holds, Nothing, Holds]), Nothing);
+        assert_eq!(Said::all([Nothing, Fails]), Fails);
     }
 }

@@ -54,8 +54,14 @@ impl Ball {
         })
     }
 
-    /// The inverse sine; `None` unless the ball lies between −1 and 1 and not too close to them.
+    /// The inverse sine; `None` unless the ball lies between −1 and 1 and not too close to them, or is one of them.
     pub fn asin(&self) -> Option<Self> {
+        let one = Self::int(1, self.bits);
+        if *self == one || *self == -&one {
+            let right_angle = Self::pi(self.bits + 1).over(&Self::int(2, self.bits))?;
+            let right_angle = right_angle.with_bits(self.bits);
+            return Some(if *self == one { right_angle } else { -right_angle });
+        }
         let start = Scalar::asin(self.interval());
         // The root θ of sin θ − x, from a box that is surely wide enough.
         let equation = |theta: &Ball| {
