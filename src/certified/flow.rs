@@ -13,7 +13,7 @@ use crate::numerics::series::Series;
 use crate::numerics::taylor::{Control, Integrator, System};
 
 /// Coefficients of a series; the last one is that of the remainder.
-pub const TERMS: usize = 18;
+pub const TERMS: usize = 14;
 
 /// The longest step that is tried, and how often it is halved before the integration is given up.
 const LONGEST: f64 = 0.25;

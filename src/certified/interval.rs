@@ -7,6 +7,7 @@
 mod elementary;
 mod rounding;
 
+use rounding::{product_down, product_up, quotient_down, quotient_up, sum_down, sum_up};
 use std::fmt;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -75,12 +76,21 @@ impl Interval {
 
     /// Not less than the distance of the bounds.
     pub fn width(self) -> f64 {
-        rounding::sum(self.hi, -self.lo)[1]
+        sum_up(self.hi, -self.lo)
     }
 
     /// The largest absolute value.
     pub fn magnitude(self) -> f64 {
         self.lo.abs().max(self.hi.abs())
+    }
+
+    /// The smallest absolute value.
+    pub fn mignitude(self) -> f64 {
+        if self.contains(0.0) {
+            0.0
+        } else {
+            self.lo.abs().min(self.hi.abs())
+        }
     }
 
     /// Whether `x` lies in it.
@@ -150,10 +160,7 @@ impl Neg for Interval {
 impl Add for Interval {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self::new(
-            rounding::sum(self.lo, other.lo)[0],
-            rounding::sum(self.hi, other.hi)[1],
-        )
+        Self::new(sum_down(self.lo, other.lo), sum_up(self.hi, other.hi))
     }
 }
 
@@ -167,47 +174,58 @@ impl Sub for Interval {
 impl Mul for Interval {
     type Output = Self;
     fn mul(self, other: Self) -> Self {
-        if self.lo >= 0.0 && other.lo >= 0.0 {
-            return Self::new(
-                rounding::product(self.lo, other.lo)[0],
-                rounding::product(self.hi, other.hi)[1],
-            );
+        let (a, b, c, d) = (self.lo, self.hi, other.lo, other.hi);
+        let corners = |low: [f64; 2], high: [f64; 2]| {
+            Self::new(product_down(low[0], low[1]), product_up(high[0], high[1]))
+        };
+        // Where the products are least and greatest hangs on the signs.
+        if a >= 0.0 {
+            if c >= 0.0 {
+                corners([a, c], [b, d])
+            } else {
+                corners([b, c], [if d > 0.0 { b } else { a }, d])
+            }
+        } else if b <= 0.0 {
+            if c >= 0.0 {
+                corners([a, d], [b, c])
+            } else {
+                corners([if d > 0.0 { a } else { b }, d], [a, c])
+            }
+        } else if c >= 0.0 {
+            corners([a, d], [b, d])
+        } else if d <= 0.0 {
+            corners([b, c], [a, c])
+        } else {
+            Self::new(
+                product_down(a, d).min(product_down(b, c)),
+                product_up(a, c).max(product_up(b, d)),
+            )
         }
-        let corners = [self.lo, self.hi].map(|a| [other.lo, other.hi].map(|b| rounding::product(a, b)));
-        hull_of(corners)
     }
 }
 
 impl Div for Interval {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        if other.hi < 0.0 || (other.hi == 0.0 && other.lo < 0.0) {
-            return -self / -other;
+        if other.lo < 0.0 {
+            return if other.hi <= 0.0 { -self / -other } else { Self::WHOLE };
         }
-        if other.lo > 0.0 {
-            let corners =
-                [self.lo, self.hi].map(|a| [other.lo, other.hi].map(|b| rounding::quotient(a, b)));
-            return hull_of(corners);
+        let (a, b, c, d) = (self.lo, self.hi, other.lo, other.hi);
+        if c > 0.0 {
+            return Self::new(
+                quotient_down(a, if a >= 0.0 { d } else { c }),
+                quotient_up(b, if b >= 0.0 { c } else { d }),
+            );
         }
         // Divisors from 0 up: the quotients by those that are not 0.
-        if other.lo == 0.0 && other.hi > 0.0 {
-            if self.lo >= 0.0 {
-                return Self::new(rounding::quotient(self.lo, other.hi)[0], f64::INFINITY);
-            }
-            if self.hi <= 0.0 {
-                return Self::new(f64::NEG_INFINITY, rounding::quotient(self.hi, other.hi)[1]);
-            }
+        if a >= 0.0 && d > 0.0 {
+            Self::new(quotient_down(a, d), f64::INFINITY)
+        } else if b <= 0.0 && d > 0.0 {
+            Self::new(f64::NEG_INFINITY, quotient_up(b, d))
+        } else {
+            Self::WHOLE
         }
-        Self::WHOLE
     }
-}
-
-/// The hull of bounds found at the four corners.
-fn hull_of(corners: [[[f64; 2]; 2]; 2]) -> Interval {
-    let all = corners.as_flattened();
-    let lo = all.iter().fold(f64::INFINITY, |m, bounds| m.min(bounds[0]));
-    let hi = all.iter().fold(f64::NEG_INFINITY, |m, bounds| m.max(bounds[1]));
-    Interval::new(lo, hi)
 }
 
 impl fmt::Debug for Interval {

@@ -4,7 +4,8 @@
 //! alternating signs bound; the exponential likewise. An inverse function takes libm's value as a guess y and
 //! corrects it by how far the enclosed function at y misses: the result does not depend on libm being right.
 
-use super::{Interval, PI, rounding};
+use super::rounding::{self, product_down, product_up};
+use super::{Interval, PI};
 use crate::numerics::number::Number;
 use crate::scalar::Scalar;
 
@@ -79,8 +80,7 @@ fn with_extremes(ends: Interval, top: bool, bottom: bool) -> Interval {
 fn asin_at(x: f64) -> Interval {
     if x.abs() > 0.75 {
         // asin |x| = π/2 − 2 asin √((1 − |x|)/2)
-        let [lo, hi] = rounding::sum(1.0, -x.abs());
-        let half = (Interval::new(lo, hi) / int(2)).sqrt();
+        let half = ((ONE - Interval::point(x.abs())) / int(2)).sqrt();
         let rest = asin_at(half.lo).hull(asin_at(half.hi));
         let angle = PI / int(2) - (rest + rest);
         return if x < 0.0 { -angle } else { angle };
@@ -189,7 +189,7 @@ impl Scalar for Interval {
         growing(self, Self::WHOLE, at)
     }
     fn cosh(self) -> Self {
-        let size = Self::new(if self.contains(0.0) { 0.0 } else { self.lo.abs().min(self.hi.abs()) }, self.magnitude());
+        let size = Self::new(self.mignitude(), self.magnitude());
         let at = |x: f64| {
             let x = Interval::point(x);
             (Scalar::exp(x) + Scalar::exp(-x)) / int(2)
@@ -213,9 +213,8 @@ impl Scalar for Interval {
         Scalar::exp(exponent * Scalar::ln(self))
     }
     fn squared(self) -> Self {
-        let [a, b] = [self.lo, self.hi].map(|x| rounding::product(x, x));
-        let lo = if self.contains(0.0) { 0.0 } else { a[0].min(b[0]) };
-        Self::new(lo, a[1].max(b[1]))
+        let (least, most) = (self.mignitude(), self.magnitude());
+        Self::new(product_down(least, least), product_up(most, most))
     }
 }
 
