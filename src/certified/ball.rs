@@ -164,12 +164,20 @@ impl Ball {
 
 /// ⌊x 2ᵇⁱᵗˢ⌋; `None` for an x that is not finite.
 fn units(x: f64, bits: usize) -> Option<IBig> {
-    let (mantissa, exponent) = if x.is_finite() { libm::frexp(x) } else { return None };
+    let (mantissa, exponent) = if x.is_finite() {
+        libm::frexp(x)
+    } else {
+        return None;
+    };
     // Exact: 53 bits.
     let whole = IBig::from(libm::ldexp(mantissa, 53) as i64);
     let shift = i64::try_from(bits).ok()? + i64::from(exponent) - 53;
     let size = usize::try_from(shift.unsigned_abs()).ok()?;
-    Some(if shift >= 0 { whole << size } else { whole >> size })
+    Some(if shift >= 0 {
+        whole << size
+    } else {
+        whole >> size
+    })
 }
 
 impl Add for &Ball {

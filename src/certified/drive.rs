@@ -131,12 +131,7 @@ pub enum Edge {
 ///
 /// # Errors
 /// [`CertifiedError::NotProved`] if Newton's method does not prove it from that box.
-pub fn reversals_end(
-    edge: Edge,
-    q: &Ball,
-    near: f64,
-    bits: usize,
-) -> Result<Ball, CertifiedError> {
+pub fn reversals_end(edge: Edge, q: &Ball, near: f64, bits: usize) -> Result<Ball, CertifiedError> {
     let pi = Ball::pi(bits + 2 * SPARE);
     let arc = |beta: &Ball| {
         let [s, c] = beta.sin_cos();

@@ -208,7 +208,11 @@ impl Div for Interval {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         if other.lo < 0.0 {
-            return if other.hi <= 0.0 { -self / -other } else { Self::WHOLE };
+            return if other.hi <= 0.0 {
+                -self / -other
+            } else {
+                Self::WHOLE
+            };
         }
         let (a, b, c, d) = (self.lo, self.hi, other.lo, other.hi);
         if c > 0.0 {

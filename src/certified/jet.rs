@@ -83,7 +83,11 @@ impl<const N: usize> Div for Jet<N> {
     type Output = Self;
     fn div(self, other: Self) -> Self {
         let quotient = self.value / other.value;
-        self.joined(other, quotient, [ONE / other.value, -quotient / other.value])
+        self.joined(
+            other,
+            quotient,
+            [ONE / other.value, -quotient / other.value],
+        )
     }
 }
 
@@ -134,10 +138,7 @@ impl<const N: usize> Scalar for Jet<N> {
 }
 
 /// Value and slopes of a function on a box, the value narrowed by the slopes: f(box) ⊂ f(m) + f′(box)(box − m).
-pub fn over<const N: usize>(
-    f: impl Fn([Jet<N>; N]) -> Jet<N>,
-    cell: &[Interval; N],
-) -> Jet<N> {
+pub fn over<const N: usize>(f: impl Fn([Jet<N>; N]) -> Jet<N>, cell: &[Interval; N]) -> Jet<N> {
     let mut jet = f(Jet::variables(cell));
     let middle = cell.map(|x| Interval::point(x.mid()));
     let mut value = f(middle.map(Jet::constant)).value;
@@ -183,10 +184,18 @@ mod tests {
         let cell = [Interval::new(0.2, 0.3), Interval::new(0.4, 0.5)];
         let jet = over(all, &cell);
         for k in 0..100 {
-            let at = [0.2 + 0.001 * f64::from(k), 0.5 - 0.001 * f64::from(k * k % 100)];
+            let at = [
+                0.2 + 0.001 * f64::from(k),
+                0.5 - 0.001 * f64::from(k * k % 100),
+            ];
             let one = over(all, &at.map(Interval::point));
             assert!(one.value.within(jet.value.widened(1e-14)));
-            assert!(one.slope.iter().zip(jet.slope).all(|(a, b)| a.within(b.widened(1e-14))));
+            assert!(
+                one.slope
+                    .iter()
+                    .zip(jet.slope)
+                    .all(|(a, b)| a.within(b.widened(1e-14)))
+            );
         }
         assert!(jet.value.width() < 1.0);
     }

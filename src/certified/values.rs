@@ -123,27 +123,48 @@ const VALUES: &[Value] = &[
         "how closely B and E touch C at Y: their distance over (q − q_Y)²",
         drive::contact
     ),
-    value!("A-2", r"\lambda_\mathrm{A}(2)", "curve A at q = 2", |bits| {
-        drive::rest_appears(&Ball::int(2, bits + 16), bits)
-    }),
-    value!("A-6", r"\lambda_\mathrm{A}(6)", "curve A at q = 6", |bits| {
-        drive::rest_appears(&Ball::int(6, bits + 16), bits)
-    }),
-    value!("A-12", r"\lambda_\mathrm{A}(12)", "curve A at q = 12", |bits| {
-        drive::rest_appears(&Ball::int(12, bits + 16), bits)
-    }),
-    value!("B-2", r"\lambda_\mathrm{B}(2)", "curve B at q = 2", |bits| {
-        drive::reversals_end(Edge::Beginning, &Ball::int(2, bits + 32), 0.951, bits)
-    }),
-    value!("B-3", r"\lambda_\mathrm{B}(3)", "curve B at q = 3", |bits| {
-        drive::reversals_end(Edge::Beginning, &Ball::int(3, bits + 32), 1.236, bits)
-    }),
-    value!("E-6", r"\lambda_\mathrm{E}(6)", "curve E at q = 6", |bits| {
-        drive::reversals_end(Edge::End, &Ball::int(6, bits + 32), 1.358, bits)
-    }),
-    value!("E-12", r"\lambda_\mathrm{E}(12)", "curve E at q = 12", |bits| {
-        drive::reversals_end(Edge::End, &Ball::int(12, bits + 32), 0.846, bits)
-    }),
+    value!(
+        "A-2",
+        r"\lambda_\mathrm{A}(2)",
+        "curve A at q = 2",
+        |bits| { drive::rest_appears(&Ball::int(2, bits + 16), bits) }
+    ),
+    value!(
+        "A-6",
+        r"\lambda_\mathrm{A}(6)",
+        "curve A at q = 6",
+        |bits| { drive::rest_appears(&Ball::int(6, bits + 16), bits) }
+    ),
+    value!(
+        "A-12",
+        r"\lambda_\mathrm{A}(12)",
+        "curve A at q = 12",
+        |bits| { drive::rest_appears(&Ball::int(12, bits + 16), bits) }
+    ),
+    value!(
+        "B-2",
+        r"\lambda_\mathrm{B}(2)",
+        "curve B at q = 2",
+        |bits| { drive::reversals_end(Edge::Beginning, &Ball::int(2, bits + 32), 0.951, bits) }
+    ),
+    value!(
+        "B-3",
+        r"\lambda_\mathrm{B}(3)",
+        "curve B at q = 3",
+        |bits| { drive::reversals_end(Edge::Beginning, &Ball::int(3, bits + 32), 1.236, bits) }
+    ),
+    value!(
+        "E-6",
+        r"\lambda_\mathrm{E}(6)",
+        "curve E at q = 6",
+        |bits| { drive::reversals_end(Edge::End, &Ball::int(6, bits + 32), 1.358, bits) }
+    ),
+    value!(
+        "E-12",
+        r"\lambda_\mathrm{E}(12)",
+        "curve E at q = 12",
+        |bits| { drive::reversals_end(Edge::End, &Ball::int(12, bits + 32), 0.846, bits) }
+    ),
     value!(
         "escape-rho",
         r"\frac{1}{3\sqrt2}",
@@ -188,7 +209,8 @@ fn no_value(of: &Ball) -> CertifiedError {
 fn root_of_ratio(n: i64, m: i64, bits: usize) -> Result<Ball, CertifiedError> {
     let (n, m) = (Ball::int(n, bits + 8), Ball::int(m, bits + 8));
     let root = n.over(&m).and_then(|ratio| ratio.sqrt());
-    root.map(|root| root.with_bits(bits + 8)).ok_or_else(|| no_value(&m))
+    root.map(|root| root.with_bits(bits + 8))
+        .ok_or_else(|| no_value(&m))
 }
 
 fn slip_end_at(n: i64, m: i64, near: f64, bits: usize) -> Result<Ball, CertifiedError> {

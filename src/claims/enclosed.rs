@@ -69,11 +69,7 @@ pub fn numbers<const N: usize>(
 
 /// A formula's value on balls, with `symbol` for each of its symbols; `None` where it has none, or where one of its
 /// functions is not known for balls.
-pub fn on_balls(
-    formula: Expr,
-    bits: usize,
-    symbol: &dyn Fn(&str) -> Option<Ball>,
-) -> Option<Ball> {
+pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball>) -> Option<Ball> {
     let of = |x: Expr| on_balls(x, bits, symbol);
     Some(match formula.node() {
         Node::Int(n) => Ball::int(n, bits),

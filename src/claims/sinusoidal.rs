@@ -1,6 +1,7 @@
 //! Sinusoidal acceleration: stick and slip: the claims.
 
 mod across;
+pub mod certified;
 mod decay;
 mod exact;
 mod periodic;
@@ -235,7 +236,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-31"],
-        trials: &[slip::eq32_root, slip::eq32_motion, slip::eq32_census],
+        trials: &[
+            slip::eq32_root,
+            slip::eq32_motion,
+            slip::eq32_census,
+            certified::one_end,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -289,7 +295,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-29", "eq-34"],
-        trials: &[exact::eq35, slip::eq35_motion, slip::eq35_census],
+        trials: &[
+            exact::eq35,
+            slip::eq35_motion,
+            slip::eq35_census,
+            certified::threshold,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -317,7 +328,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}",
         plain: "λ_c = 2 / √(4 + π²)",
         depends_on: &["eq-35"],
-        trials: &[exact::eq37, threshold::eq37_root, threshold::eq37_motion],
+        trials: &[
+            exact::eq37,
+            threshold::eq37_root,
+            threshold::eq37_motion,
+            certified::lambda_c,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -390,7 +406,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-39", "eq-40"],
-        trials: &[exact::eq40, threshold::eq41_motion, threshold::eq41_census],
+        trials: &[
+            exact::eq40,
+            threshold::eq41_motion,
+            threshold::eq41_census,
+            certified::turns,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -526,7 +547,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\phi_2<\tilde\phi_2<\phi_4$.",
         plain: "φ₂ < φ̃₂ < φ₄.",
         depends_on: &["eq-28", "eq-30", "eq-32"],
-        trials: &[slip::bracket_census, slip::bracket_limit],
+        trials: &[
+            slip::bracket_census,
+            slip::bracket_limit,
+            certified::bracket,
+        ],
         ..Claim::BLANK
     },
     Claim {

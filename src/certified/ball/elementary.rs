@@ -1,7 +1,6 @@
 //! π, the sine and the cosine, the inverse sine, to any number of bits.
 
 use super::Ball;
-use crate::certified::interval::Interval;
 use crate::certified::root::refine;
 use crate::scalar::Scalar;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
@@ -28,7 +27,12 @@ impl Ball {
     /// The sine and the cosine.
     pub fn sin_cos(&self) -> [Self; 2] {
         // x is halved so often that few terms are left, and the angle doubled as often.
-        let size = self.mid.clone().unsigned_abs().bit_len().saturating_sub(self.bits);
+        let size = self
+            .mid
+            .clone()
+            .unsigned_abs()
+            .bit_len()
+            .saturating_sub(self.bits);
         let halvings = (self.bits as f64).sqrt() as usize / 3 + 3 + size;
         let work = self.bits + 2 * halvings + 16;
         let (mut s, mut miss) = sine_of_small(&self.mid << (work - self.bits - halvings), work);
@@ -60,7 +64,11 @@ impl Ball {
         if *self == one || *self == -&one {
             let right_angle = Self::pi(self.bits + 1).over(&Self::int(2, self.bits))?;
             let right_angle = right_angle.with_bits(self.bits);
-            return Some(if *self == one { right_angle } else { -right_angle });
+            return Some(if *self == one {
+                right_angle
+            } else {
+                -right_angle
+            });
         }
         let start = Scalar::asin(self.interval());
         // The root θ of sin θ − x, from a box that is surely wide enough.
@@ -69,10 +77,12 @@ impl Ball {
             Some([&s - self, c])
         };
         let start = start.widened(1e-3 * (1.0 - self.interval().magnitude()));
-        refine(equation, start, self.bits).ok().map(|root| root.value)
+        refine(equation, start, self.bits)
+            .ok()
+            .map(|root| root.value)
     }
 
-    /// As for [`Interval`]: encloses n/m.
+    /// Encloses n/m.
     pub fn ratio(n: i64, m: i64, bits: usize) -> Option<Self> {
         Self::int(n, bits).over(&Self::int(m, bits))
     }
@@ -110,6 +120,7 @@ fn sine_of_small(t: IBig, work: usize) -> (IBig, UBig) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certified::interval::Interval;
 
     #[test]
     fn as_an_interval() {

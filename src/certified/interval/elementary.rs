@@ -44,22 +44,20 @@ fn alternating(z: Interval, m: u32) -> Interval {
     sum
 }
 
-/// The sine and the cosine of a single number.
-fn sin_cos_at(x: f64) -> (Interval, Interval) {
+/// sin(x + `quarters` π/2) of a single number.
+fn sine_at(x: f64, quarters: f64) -> Interval {
     if x.abs() > FARTHEST {
-        return (BOTH_SIDES, BOTH_SIDES);
+        return BOTH_SIDES;
     }
     let n = (x * std::f64::consts::FRAC_2_PI).round();
     let turns = Interval::point(n);
     let r = Interval::point(x) - turns * Interval::point(HALF_PI_HIGH) - turns * HALF_PI_LOW;
     let z = r.squared();
-    let sine = r * alternating(z, 2);
-    let cosine = alternating(z, 1);
-    match n.rem_euclid(4.0) as u8 {
-        0 => (sine, cosine),
-        1 => (cosine, -sine),
-        2 => (-sine, -cosine),
-        _ => (-cosine, sine),
+    match (n + quarters).rem_euclid(4.0) as u8 {
+        0 => r * alternating(z, 2),
+        1 => alternating(z, 1),
+        2 => -(r * alternating(z, 2)),
+        _ => -alternating(z, 1),
     }
 }
 
@@ -86,7 +84,7 @@ fn asin_at(x: f64) -> Interval {
         return if x < 0.0 { -angle } else { angle };
     }
     let guess = libm::asin(x).clamp(-0.9, 0.9);
-    let miss = Interval::point(x) - sin_cos_at(guess).0;
+    let miss = Interval::point(x) - sine_at(guess, 0.0);
     // sin θ − sin y = (θ − y) cos η with η between θ and y, and |θ|, |y| ≤ 0.9: cos 0.9 > 0.6.
     Interval::point(guess) + miss / Interval::new(0.6, 1.0)
 }
@@ -133,7 +131,13 @@ fn growing(x: Interval, domain: Interval, at: fn(f64) -> Interval) -> Interval {
     if !x.within(domain) {
         return Interval::WHOLE;
     }
-    let bound = |x: f64| if x.is_finite() { at(x) } else { Interval::WHOLE };
+    let bound = |x: f64| {
+        if x.is_finite() {
+            at(x)
+        } else {
+            Interval::WHOLE
+        }
+    };
     Interval::new(bound(x.lo).lo, bound(x.hi).hi)
 }
 
@@ -142,7 +146,9 @@ impl Interval {
     pub fn atan(self) -> Self {
         let at = |x: f64| {
             let x = Interval::point(x);
-            (x / (ONE + x.squared()).sqrt()).meet(BOTH_SIDES).map_or(Self::WHOLE, Scalar::asin)
+            (x / (ONE + x.squared()).sqrt())
+                .meet(BOTH_SIDES)
+                .map_or(Self::WHOLE, Scalar::asin)
         };
         growing(self, Self::new(-1e100, 1e100), at)
     }
@@ -165,14 +171,14 @@ impl Scalar for Interval {
         if self.width() >= 6.3 {
             return BOTH_SIDES;
         }
-        let ends = sin_cos_at(self.lo).0.hull(sin_cos_at(self.hi).0);
+        let ends = sine_at(self.lo, 0.0).hull(sine_at(self.hi, 0.0));
         with_extremes(ends, reaches(self, 0.5), reaches(self, -0.5))
     }
     fn cos(self) -> Self {
         if self.width() >= 6.3 {
             return BOTH_SIDES;
         }
-        let ends = sin_cos_at(self.lo).1.hull(sin_cos_at(self.hi).1);
+        let ends = sine_at(self.lo, 1.0).hull(sine_at(self.hi, 1.0));
         with_extremes(ends, reaches(self, 0.0), reaches(self, 1.0))
     }
     fn asin(self) -> Self {

@@ -22,7 +22,11 @@ pub(super) fn product_down(a: f64, b: f64) -> f64 {
         return 0.0;
     }
     let p = a * b;
-    if is_short_product(a, b, p) { p } else { p.next_down() }
+    if is_short_product(a, b, p) {
+        p
+    } else {
+        p.next_down()
+    }
 }
 
 /// Above a · b.
@@ -37,7 +41,11 @@ pub(super) fn quotient_down(a: f64, b: f64) -> f64 {
     }
     let q = a / b;
     let back = q * b;
-    if back == a && is_short_product(q, b, back) { q } else { q.next_down() }
+    if back == a && is_short_product(q, b, back) {
+        q
+    } else {
+        q.next_down()
+    }
 }
 
 /// Above a / b, for b > 0.
@@ -50,7 +58,11 @@ pub(super) fn sqrt(x: f64) -> [f64; 2] {
     let r = x.sqrt();
     let back = r * r;
     let exact = x == 0.0 || x == f64::INFINITY || (back == x && is_short_product(r, r, back));
-    if exact { [r; 2] } else { [r.next_down(), r.next_up()] }
+    if exact {
+        [r; 2]
+    } else {
+        [r.next_down(), r.next_up()]
+    }
 }
 
 /// The sum, rounded, and what rounding took from it; the rest is no number where an infinity is involved.

@@ -119,7 +119,9 @@ fn prove_beginning() -> Outcome {
 }
 
 fn prove_b(sides: Sides) -> Outcome {
-    Ok(prove_single_root(sides, Edge::Beginning, -1.0)? + prove_beginning()? + prove_corner(q_y()?)?)
+    Ok(prove_single_root(sides, Edge::Beginning, -1.0)?
+        + prove_beginning()?
+        + prove_corner(q_y()?)?)
 }
 
 fn prove_e(sides: Sides) -> Outcome {
@@ -164,7 +166,10 @@ fn prove_a(sides: fn(Two, Two) -> [Two; 2]) -> Outcome {
             (left - right).value
         };
         let at_least = Interval::new(0.0, 1e-3);
-        match (difference(at_least).sign(), difference(Interval::int(1)).sign()) {
+        match (
+            difference(at_least).sign(),
+            difference(Interval::int(1)).sign(),
+        ) {
             (Some(1.0), Some(-1.0)) => Said::Holds,
             (Some(-1.0), _) | (_, Some(1.0)) => Said::Fails,
             _ => Said::Nothing,
@@ -193,10 +198,7 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
         let jet = over(on(Edge::Beginning), cell);
         if cell[0].lo() == 1.0 {
             let corner = over(on(Edge::Beginning), &[Interval::int(1)]).value;
-            Said::all([
-                Said::of_zero(corner),
-                Said::of_sign(jet.slope[0], 1.0),
-            ])
+            Said::all([Said::of_zero(corner), Said::of_sign(jet.slope[0], 1.0)])
         } else {
             Said::of_sign(jet.value, 1.0)
         }
@@ -229,9 +231,16 @@ pub fn x_unique() -> Evidence {
     let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
     let stated = printed::eq57_x::<Interval>();
     let proof = meeting.and_then(|root| {
-        let close = root.iter().zip(stated).all(|(a, b)| a.meet(b).is_some() && a.width() < 1e-14);
+        let close = root
+            .iter()
+            .zip(stated)
+            .all(|(a, b)| a.meet(b).is_some() && a.width() < 1e-14);
         let at = format!("{} × {}", root[0], root[1]);
-        if close { Ok(1) } else { Err(CertifiedError::False { at }) }
+        if close {
+            Ok(1)
+        } else {
+            Err(CertifiedError::False { at })
+        }
     });
     certified(proof, Subject::Printed, compared)
 }
@@ -242,7 +251,10 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
         let [up, down] = b(lambda0, q * lambda0);
         [left - right, up - down]
     };
-    krawczyk::unique(curves, [Interval::new(0.97, 1.03), Interval::new(0.525, 0.55)])
+    krawczyk::unique(
+        curves,
+        [Interval::new(0.97, 1.03), Interval::new(0.525, 0.55)],
+    )
 }
 
 /// The decimals of (58), to the last one.
@@ -287,7 +299,11 @@ pub fn no_way_back() -> Evidence {
         prove_b(printed::eq54_sides)?;
         let last = Interval::int(2) * PI - (q * lambda0).asin();
         let velocity = arc(lambda0.asin(), last, lambda0);
-        let stated = if above_a && below_c && no_b { -1.0 } else { f64::NAN };
+        let stated = if above_a && below_c && no_b {
+            -1.0
+        } else {
+            f64::NAN
+        };
         Ok::<_, Failure>(Pair {
             at: "q = 9, λ₀ = 1/10".into(),
             stated,
@@ -309,7 +325,16 @@ mod tests {
 
     #[test]
     fn the_statements_are_proved() {
-        for evidence in [a_once(), b_once(), e_once(), order(), x_unique(), y_rounding(), y_digits(), e_below_c()] {
+        for evidence in [
+            a_once(),
+            b_once(),
+            e_once(),
+            order(),
+            x_unique(),
+            y_rounding(),
+            y_digits(),
+            e_below_c(),
+        ] {
             println!("{} {} {}", evidence.points, evidence.worst, evidence.at);
             assert_eq!(evidence.worst, 0.0, "{}", evidence.compared);
         }
@@ -333,7 +358,9 @@ mod tests {
         }))?;
         refused(prove_corner(q_y()? + Interval::point(1e-12)))?;
         // A raised by a part in a thousand crosses B.
-        refused(prove_a_lowest(|q| on_a(q) * Jet::int(1001) / Jet::int(1000)))?;
+        refused(prove_a_lowest(|q| {
+            on_a(q) * Jet::int(1001) / Jet::int(1000)
+        }))?;
         // A with the right side's sign changed.
         refused(prove_a(|k, l| {
             let [left, right] = printed::eq53_sides(k, l);

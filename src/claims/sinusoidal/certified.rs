@@ -36,7 +36,7 @@ fn formulas(lambda0: One) -> [One; 3] {
 /// φ₂ < φ̃₂ < φ₄, from the phases φ₁, φ₂, φ₄ and (32)'s left side as functions of λ₀, φ₁ and φ.
 fn prove_bracket(phases: fn(One) -> [One; 3], left: fn(One, One, One) -> One) -> Outcome {
     // Where the series takes over, and up to where it is held against the formula.
-    let (least, most) = (0.015_625, 0.125);
+    let (least, most) = (0.125, 0.25);
     let right_angle = PI / Interval::int(2);
     let at = |which: usize| {
         move |[b]: [One; 1]| {
@@ -73,7 +73,7 @@ fn prove_bracket(phases: fn(One) -> [One; 3], left: fn(One, One, One) -> One) ->
 
 /// φ₂ < φ̃₂ < φ₄.
 pub fn bracket() -> Evidence {
-    let compared = "the signs of (32) at φ₂ and φ₄ for all 0 < λ₀ < 1: by subdivision, for 1 − λ₀ below 1.2e-4 by a series whose remainder is bounded, and as λ₀ → 0 by the slope";
+    let compared = "the signs of (32) at φ₂ and φ₄ for all 0 < λ₀ < 1: by subdivision, for 1 − λ₀ below 0.008 by a series whose remainder is bounded, and as λ₀ → 0 by the slope";
     let proof = prove_bracket(formulas, printed::eq32_left);
     certified(proof, Subject::Printed, compared)
 }
@@ -94,14 +94,17 @@ fn prove_one_change(f: fn(One) -> One, critical: Interval, range: Interval) -> O
     let mut changes = 0;
     for (off, wanted) in signs {
         let at = critical + Interval::point(off);
-        changes += everywhere([at], |cell| Said::of_sign(over(|[x]| f(x), cell).value, wanted))?;
+        changes += everywhere([at], |cell| {
+            Said::of_sign(over(|[x]| f(x), cell).value, wanted)
+        })?;
     }
     Ok(parts + changes)
 }
 
 /// (35) changes its sign once, at λ_c of (37).
 pub fn threshold() -> Evidence {
-    let compared = "the left side of (35) falls for all 0 ≤ λ₀ ≤ 1 and changes its sign within 1e-14 of (37)";
+    let compared =
+        "the left side of (35) falls for all 0 ≤ λ₀ ≤ 1 and changes its sign within 1e-14 of (37)";
     let range = Interval::new(0.0, 1.0);
     let proof = prove_one_change(printed::eq35_left, printed::eq37_lambda_c(), range);
     certified(proof, Subject::Printed, compared)
@@ -170,7 +173,11 @@ mod tests {
         let critical = printed::eq37_lambda_c::<Interval>();
         let off = critical + Interval::point(1e-13);
         refused(prove_one_change(printed::eq35_left, off, whole))?;
-        refused(prove_one_change(|l| -printed::eq35_left(l), critical, whole))?;
+        refused(prove_one_change(
+            |l| -printed::eq35_left(l),
+            critical,
+            whole,
+        ))?;
         refused(prove_one_change(turn, off, Interval::new(0.0, 0.6)))
     }
 
