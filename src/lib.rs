@@ -24,6 +24,7 @@
 //! ```
 
 pub mod book;
+pub mod certified;
 pub mod claims;
 pub mod corrections;
 pub mod evidence;

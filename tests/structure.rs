@@ -13,6 +13,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("paper", &["scalar"]),
     ("corrections", &["scalar"]),
     ("exact", &["scalar"]),
+    ("certified", &["numerics", "scalar"]),
     (
         "claims",
         &[
@@ -23,6 +24,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "paper",
             "corrections",
             "exact",
+            "certified",
         ],
     ),
     ("ledger", &["evidence", "claims"]),

@@ -1,6 +1,7 @@
 //! Anisotropic friction: the claims.
 
 pub mod census;
+pub mod certified;
 mod corners;
 mod curves;
 pub mod drawn;
@@ -150,6 +151,7 @@ const CLAIMS: &[Claim] = &[
             curves::eq53_root,
             curves::eq53_census,
             curves::eq53_limit,
+            certified::a_once,
         ],
         ..Claim::BLANK
     },
@@ -181,6 +183,8 @@ const CLAIMS: &[Claim] = &[
             curves::e_root,
             curves::e_census,
             curves::e_limit,
+            certified::b_once,
+            certified::e_once,
         ],
         correction: Some(CURVE_E),
     },
@@ -237,7 +241,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"X=(q=1,\lambda_0=\lambda_\mathrm{c})",
         plain: "X = (q = 1, λ₀ = λ_c)",
         depends_on: &["eq-37", "eq-53", "eq-54"],
-        trials: &[exact::x, corners::x_root],
+        trials: &[exact::x, corners::x_root, certified::x_unique],
         ..Claim::BLANK
     },
     Claim {
@@ -249,7 +253,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"Y=(q=4.603,\lambda_0=0.217)",
         plain: "Y = (q = 4.603, λ₀ = 0.217)",
         depends_on: &["eq-54", "eq-55"],
-        trials: &[corners::y_decimals, corners::y_limit],
+        trials: &[corners::y_decimals, corners::y_limit, certified::y_rounding],
         ..Claim::BLANK
     },
     Claim {
@@ -299,6 +303,8 @@ const CLAIMS: &[Claim] = &[
             regions::second_corrected_census,
             regions::second_corrected_ends,
             regions::between_e_and_c,
+            certified::no_way_back,
+            certified::e_below_c,
         ],
         correction: Some(SECOND_REGION),
     },
@@ -359,7 +365,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"A and B meet at $X=(1,\lambda_\mathrm{c})$.",
         plain: "A and B meet at X = (1, λ_c).",
         depends_on: &["eq-57"],
-        trials: &[exact::x, corners::x_root, corners::x_both],
+        trials: &[
+            exact::x,
+            corners::x_root,
+            corners::x_both,
+            certified::x_unique,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -376,6 +387,7 @@ const CLAIMS: &[Claim] = &[
             corners::y_digits,
             corners::y_contact,
             corners::y_curvature,
+            certified::y_digits,
         ],
         ..Claim::BLANK
     },
@@ -392,6 +404,7 @@ const CLAIMS: &[Claim] = &[
             regions::diagram,
             regions::corrected_diagram,
             regions::corrected_curves,
+            certified::order,
         ],
         correction: Some(DIAGRAM),
         ..Claim::BLANK

@@ -5,6 +5,7 @@
 
 pub mod compare;
 pub mod conditioned;
+pub mod enclosed;
 pub mod measured;
 pub mod points;
 pub mod tolerances;

@@ -1,6 +1,7 @@
 //! The turntable: rest: the claims.
 
 pub mod boundary;
+pub mod certified;
 pub mod exact;
 pub mod near;
 pub mod runs;
@@ -307,6 +308,8 @@ const CLAIMS: &[Claim] = &[
             boundary::corrected_census,
             boundary::corrected_root,
             exact::boundary::evidence,
+            certified::printed,
+            certified::corrected,
         ],
     },
 ];

@@ -1,6 +1,7 @@
 //! Sinusoidal acceleration: stick and slip: the claims.
 
 mod across;
+pub mod certified;
 mod decay;
 pub mod exact;
 mod periodic;
@@ -240,6 +241,7 @@ const CLAIMS: &[Claim] = &[
             slip::eq32_root,
             slip::eq32_motion,
             slip::eq32_census,
+            certified::one_end,
         ],
         ..Claim::BLANK
     },
@@ -299,7 +301,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-29", "eq-34"],
-        trials: &[exact::eq35, slip::eq35_motion, slip::eq35_census],
+        trials: &[
+            exact::eq35,
+            slip::eq35_motion,
+            slip::eq35_census,
+            certified::threshold,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -327,7 +334,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}",
         plain: "λ_c = 2 / √(4 + π²)",
         depends_on: &["eq-35"],
-        trials: &[exact::eq37, threshold::eq37_root, threshold::eq37_motion],
+        trials: &[
+            exact::eq37,
+            threshold::eq37_root,
+            threshold::eq37_motion,
+            certified::lambda_c,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -400,7 +412,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-39", "eq-40"],
-        trials: &[exact::eq40, threshold::eq41_motion, threshold::eq41_census],
+        trials: &[
+            exact::eq40,
+            threshold::eq41_motion,
+            threshold::eq41_census,
+            certified::turns,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -536,7 +553,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\phi_2<\tilde\phi_2<\phi_4$.",
         plain: "φ₂ < φ̃₂ < φ₄.",
         depends_on: &["eq-28", "eq-30", "eq-32"],
-        trials: &[slip::bracket_census, slip::bracket_limit],
+        trials: &[
+            slip::bracket_census,
+            slip::bracket_limit,
+            certified::bracket,
+        ],
         ..Claim::BLANK
     },
     Claim {

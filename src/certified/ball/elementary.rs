@@ -1,0 +1,132 @@
+//! π, the sine and the cosine, the inverse sine, to any number of bits.
+
+use super::Ball;
+use crate::certified::root::refine;
+use crate::scalar::Scalar;
+use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
+use dashu_int::{IBig, UBig};
+
+impl Ball {
+    /// The circle's ratio, by the series of the Chudnovskys,
+    /// 1/π = 12 Σ (−1)ᵏ (6k)! (13591409 + 545140134 k) / ((3k)! k!³ 640320^(3k+3/2)).
+    pub fn pi(bits: usize) -> Self {
+        // Terms alternate and fall by more than 2⁴⁷ each: what is left out is below the first one left out.
+        let terms = (bits / 47 + 2) as u64;
+        let [_, q, t] = chudnovsky(1, terms);
+        let work = bits + 32;
+        let root: UBig = (UBig::from(10005u32) << (2 * work)).sqrt();
+        let sum = IBig::from(q.clone()) * 13_591_409u32 + t;
+        let mid: IBig = (IBig::from(root) * q * 426_880u32 / sum) >> (work - bits);
+        Ball {
+            mid,
+            rad: UBig::from(2u8),
+            bits,
+        }
+    }
+
+    /// The sine and the cosine.
+    pub fn sin_cos(&self) -> [Self; 2] {
+        // x is halved so often that few terms are left, and the angle doubled as often.
+        let size = self
+            .mid
+            .clone()
+            .unsigned_abs()
+            .bit_len()
+            .saturating_sub(self.bits);
+        let halvings = (self.bits as f64).sqrt() as usize / 3 + 3 + size;
+        let work = self.bits + 2 * halvings + 16;
+        let (mut s, mut miss) = sine_of_small(&self.mid << (work - self.bits - halvings), work);
+        let one = IBig::ONE << work;
+        // The cosine is above 0.9, so that its error is less than that of the sine, and one unit.
+        let square = (&one << work) - &s * &s;
+        let mut c = IBig::from(square.unsigned_abs().sqrt());
+        miss += 1u8;
+        for _ in 0..halvings {
+            // sin 2x = 2 sin x cos x, cos 2x = 1 − 2 sin² x: errors grow by less than 4, and a unit is cut off.
+            let double = (&s * &c) >> (work - 1);
+            c = &one - ((&s * &s) >> (work - 1));
+            s = double;
+            miss = (miss << 2) + 2u8;
+        }
+        let extra = work - self.bits;
+        // Neither changes faster than the angle.
+        let rad = (miss >> extra) + &self.rad + 2u8;
+        [s, c].map(|value| Ball {
+            mid: value >> extra,
+            rad: rad.clone(),
+            bits: self.bits,
+        })
+    }
+
+    /// The inverse sine; `None` unless the ball lies between −1 and 1 and not too close to them, or is one of them.
+    pub fn asin(&self) -> Option<Self> {
+        let one = Self::int(1, self.bits);
+        if *self == one || *self == -&one {
+            let right_angle = Self::pi(self.bits + 1).over(&Self::int(2, self.bits))?;
+            let right_angle = right_angle.with_bits(self.bits);
+            return Some(if *self == one {
+                right_angle
+            } else {
+                -right_angle
+            });
+        }
+        let start = Scalar::asin(self.interval());
+        // The root θ of sin θ − x, from a box that is surely wide enough.
+        let equation = |theta: &Ball| {
+            let [s, c] = theta.sin_cos();
+            Some([&s - self, c])
+        };
+        let start = start.widened(1e-3 * (1.0 - self.interval().magnitude()));
+        refine(equation, start, self.bits)
+            .ok()
+            .map(|root| root.value)
+    }
+
+    /// Encloses n/m.
+    pub fn ratio(n: i64, m: i64, bits: usize) -> Option<Self> {
+        Self::int(n, bits).over(&Self::int(m, bits))
+    }
+}
+
+/// P, Q and T of the terms from `a` up to `b`: the sum of the terms is T/Q, and the next one has the factor P/Q.
+fn chudnovsky(a: u64, b: u64) -> [IBig; 3] {
+    if b - a == 1 {
+        let k = IBig::from(a);
+        let p = IBig::from(6 * a - 5) * (2 * a - 1) * (6 * a - 1);
+        let q = &k * &k * &k * 10_939_058_860_032_000_u64;
+        let t = &p * (k * 545_140_134u32 + 13_591_409u32);
+        return [p, q, if a % 2 == 1 { -t } else { t }];
+    }
+    let middle = a.midpoint(b);
+    let ([p, q, t], [p2, q2, t2]) = (chudnovsky(a, middle), chudnovsky(middle, b));
+    let t = t * &q2 + &p * t2;
+    [p * p2, q * q2, t]
+}
+
+/// The sine of t (in units 2⁻ʷᵒʳᵏ, below 1/4), by its series, and by how many units it may be off.
+fn sine_of_small(t: IBig, work: usize) -> (IBig, UBig) {
+    let square = (&t * &t) >> work;
+    let (mut sum, mut term) = (t.clone(), t);
+    let mut k = 1u32;
+    while term != IBig::ZERO && term != IBig::NEG_ONE {
+        term = -((term * &square) >> work) / ((k + 1) * (k + 2));
+        sum += &term;
+        k += 2;
+    }
+    // Each term is off by less than two units, what is left out by less than the last term and its error.
+    (sum, UBig::from(k + 4))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified::interval::Interval;
+
+    #[test]
+    fn as_an_interval() {
+        let x = Interval::ratio(1, 3);
+        let y = Ball::ratio(1, 3, 200).unwrap();
+        assert!(y.interval().within(x.widened(1e-16)));
+        assert_eq!(y.decimal(20).unwrap(), "0.33333333333333333333");
+    }
+}

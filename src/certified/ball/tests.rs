@@ -1,0 +1,59 @@
+use super::*;
+
+#[test]
+fn pi_has_its_digits() {
+    assert_eq!(
+        Ball::pi(bits_for(50)).decimal(50).unwrap(),
+        "3.14159265358979323846264338327950288419716939937511"
+    );
+    // The decimals 991 to 1000.
+    let long = Ball::pi(bits_for(1000)).decimal(1000).unwrap();
+    assert!(long.ends_with("2164201989"), "{}", &long[980..]);
+}
+
+#[test]
+fn the_radius_covers_what_more_bits_show() {
+    for k in -40..40 {
+        let x = Ball::ratio(7 * k + 3, 11, 120).unwrap();
+        let fine = Ball::ratio(7 * k + 3, 11, 400).unwrap();
+        let pairs = x.sin_cos().into_iter().zip(fine.sin_cos());
+        for (coarse, fine) in pairs.chain([(&x * &x, &fine * &fine)]) {
+            assert!(coarse.meets(&fine), "{k}");
+            assert!(coarse.known_bits() > 100, "{k}");
+        }
+    }
+}
+
+#[test]
+fn functions_fulfil_their_equations() {
+    for k in 1..20 {
+        let x = Ball::ratio(k, 20, 500).unwrap();
+        let angle = x.asin().unwrap();
+        let [s, c] = angle.sin_cos();
+        assert!(s.meets(&x) && s.known_bits() > 480);
+        assert!((&s * &s + &c * &c).meets(&Ball::int(1, 500)));
+        let root = x.sqrt().unwrap();
+        assert!((&root * &root).meets(&x));
+    }
+    let [s, c] = Ball::pi(300).sin_cos();
+    assert!(s.holds_zero() && s.known_bits() > 290 && c.meets(&Ball::int(-1, 300)));
+}
+
+#[test]
+fn only_certain_decimals_are_given() {
+    let third = Ball::ratio(-1, 3, 30).unwrap();
+    assert_eq!(third.decimal(5).unwrap(), "-0.33333");
+    assert_eq!(third.decimal(20), None);
+    let small = Ball::ratio(1, 400, 60).unwrap();
+    assert_eq!(small.decimal(4).unwrap(), "0.0025");
+    assert_eq!(small.decimal(0).unwrap(), "0");
+}
+
+#[test]
+fn what_has_no_value_is_none() {
+    let around_zero = Ball::enclosing(Interval::new(-1.0, 1.0), 60).unwrap();
+    assert!(around_zero.sqrt().is_none());
+    assert!(Ball::int(1, 60).over(&around_zero).is_none());
+    assert!(around_zero.asin().is_none());
+    assert!(Ball::enclosing(Interval::WHOLE, 60).is_none());
+}

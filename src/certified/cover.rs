@@ -1,0 +1,135 @@
+//! Statements about whole ranges, by subdivision: a box is halved until the statement is plain on every part.
+
+use super::error::CertifiedError;
+use super::interval::Interval;
+use std::collections::VecDeque;
+
+/// What a part of the range says about the statement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Said {
+    /// It holds on all of the part.
+    Holds,
+    /// It fails on all of the part.
+    Fails,
+    /// The part is too large to tell.
+    Nothing,
+}
+
+impl Said {
+    /// That a quantity has the sign of `wanted`.
+    pub fn of_sign(quantity: Interval, wanted: f64) -> Said {
+        match quantity.sign() {
+            None => Said::Nothing,
+            Some(sign) if sign == wanted => Said::Holds,
+            Some(_) => Said::Fails,
+        }
+    }
+
+    /// That a quantity that is exactly zero, or some other one, is zero as far as its enclosure tells.
+    pub fn of_zero(quantity: Interval) -> Said {
+        if quantity.contains(0.0) {
+            Said::Holds
+        } else {
+            Said::Fails
+        }
+    }
+
+    /// That all of several statements hold.
+    pub fn all(all: impl IntoIterator<Item = Said>) -> Said {
+        let mut said = Said::Holds;
+        for one in all {
+            match one {
+                Said::Fails => return Said::Fails,
+                Said::Nothing => said = Said::Nothing,
+                Said::Holds => {}
+            }
+        }
+        said
+    }
+
+    /// That one of several statements holds, whichever it is.
+    pub fn any(all: impl IntoIterator<Item = Said>) -> Said {
+        let mut said = Said::Fails;
+        for one in all {
+            match one {
+                Said::Holds => return Said::Holds,
+                Said::Nothing => said = Said::Nothing,
+                Said::Fails => {}
+            }
+        }
+        said
+    }
+}
+
+/// Parts after which the search is given up: far more than any statement here needs.
+const MOST: usize = 50_000;
+
+/// Proves that `said` holds on all of `range`; every bisection halves the side that is widest relative to the
+/// range. The parts are closed and cover the range without gaps. Returns how many there were.
+///
+/// # Errors
+/// [`CertifiedError::False`] with a part on which it fails, [`CertifiedError::NotProved`] with a part that no
+/// bisection made plain.
+pub fn everywhere<const N: usize>(
+    range: [Interval; N],
+    said: impl Fn(&[Interval; N]) -> Said,
+) -> Result<usize, CertifiedError> {
+    // In order of size, so that a part on which it fails is met before one that no bisection settles.
+    let mut open = VecDeque::from([range]);
+    let mut parts = 0;
+    while let Some(cell) = open.pop_front() {
+        match said(&cell) {
+            Said::Holds => parts += 1,
+            Said::Fails => return Err(CertifiedError::failing(&cell)),
+            Said::Nothing => {
+                let relative = |i: usize| cell[i].width() / range[i].width();
+                let widest = (0..N).max_by(|&i, &j| relative(i).total_cmp(&relative(j)));
+                let side = widest.unwrap_or(0);
+                let [a, b] = cell[side].halves();
+                if parts + open.len() > MOST || a == cell[side] || b == cell[side] {
+                    return Err(CertifiedError::open(&cell));
+                }
+                for half in [a, b] {
+                    let mut part = cell;
+                    part[side] = half;
+                    open.push_back(part);
+                }
+            }
+        }
+    }
+    Ok(parts)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified::jet::{Jet, over};
+    use crate::scalar::Scalar;
+
+    fn above(bound: i64) -> Result<usize, CertifiedError> {
+        // x² − 2x > bound − 1 on [0, 3]; the left side is at least −1.
+        let f = |x: &[Interval; 1]| {
+            let jet = over(|[x]| x.squared() - x - x - Jet::int(bound), x);
+            Said::of_sign(jet.value, 1.0)
+        };
+        everywhere([Interval::new(0.0, 3.0)], f)
+    }
+
+    #[test]
+    fn what_holds_is_proved_and_what_fails_is_refused() {
+        assert!(above(-2).unwrap() > 1);
+        // It touches: neither can be shown.
+        assert!(matches!(above(-1), Err(CertifiedError::NotProved { .. })));
+        assert!(matches!(above(0), Err(CertifiedError::False { .. })));
+    }
+
+    #[test]
+    fn one_of_several() {
+        use Said::{Fails, Holds, Nothing};
+        assert_eq!(Said::any([Fails, Nothing, Holds]), Holds);
+        assert_eq!(Said::any([Fails, Nothing]), Nothing);
+        assert_eq!(Said::any([Fails, Fails]), Fails);
+        assert_eq!(Said::all([Holds, Nothing, Holds]), Nothing);
+        assert_eq!(Said::all([Nothing, Fails]), Fails);
+    }
+}

@@ -1,0 +1,196 @@
+//! Validated integration: steps that enclose every motion from every start of a box.
+//!
+//! A step of length h does three things (Moore; Lohner). It finds a box that no motion from the start box leaves
+//! during the step, by Picard's iteration: B with x + \[0, h\] f(B) ⊂ B. It sums Taylor's series about the start box,
+//! with the last coefficient taken over all of B: that bounds what the series leaves out. And it does the same for
+//! the middle m of the start box and for the matrix J of derivatives by the start, so that the result is also
+//! within φ(m) + J (x − m), in which the widths shrink where the motions approach each other.
+
+use super::error::CertifiedError;
+use super::interval::Interval;
+use crate::numerics::number::Number;
+use crate::numerics::series::Series;
+use crate::numerics::taylor::{Control, Integrator, System};
+
+/// Coefficients of a series; the last one is that of the remainder.
+pub const TERMS: usize = 18;
+
+/// The longest step that is tried, and by how much steps shrink until one encloses well, and grow again.
+const LONGEST: f64 = 1.0;
+const SHRINK: f64 = 0.7;
+const GROW: f64 = 1.2;
+
+/// How wide what the series leaves out may be, unless the steps become shorter than [`SHORT`] for it.
+const ACCURACY: f64 = 1e-14;
+const SHORT: f64 = 0.1;
+
+/// Steps below this are none.
+const SHORTEST: f64 = 1e-9;
+
+/// A state of three components and its derivatives by three of the start: the state, then row by row.
+pub type Extended = [Interval; 12];
+
+/// The components at the start of a step: those of the state, and the unit matrix.
+fn extended(state: [Interval; 3]) -> Extended {
+    std::array::from_fn(|i| match i {
+        0..3 => state[i],
+        _ => Interval::point(if (i - 3) % 4 == 0 { 1.0 } else { 0.0 }),
+    })
+}
+
+/// One step of a system that does not depend on the time; the state after it. `h` is the length to try first, and
+/// becomes the one to try next.
+///
+/// # Errors
+/// [`CertifiedError::NotProved`] if no box is found that the motions do not leave.
+pub fn step<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    state: &[Interval; 3],
+    h: &mut f64,
+) -> Result<[Interval; 3], CertifiedError> {
+    *h = h.min(LONGEST);
+    while *h > SHORTEST {
+        if let Some(next) = attempt(system, state, *h) {
+            *h *= GROW;
+            return Ok(next);
+        }
+        *h *= SHRINK;
+    }
+    Err(CertifiedError::unproved(
+        "no step encloses the motion",
+        state,
+    ))
+}
+
+fn attempt<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    state: &[Interval; 3],
+    h: f64,
+) -> Option<[Interval; 3]> {
+    let start = extended(*state);
+    let walls = walls(system, &start, h)?;
+    let rest = series(system, &walls)?;
+    let left_out = |x: &Series<Interval, TERMS>| x[TERMS - 1].width() * h.powi(TERMS as i32 - 1);
+    if h > SHORT && rest[..3].iter().any(|x| left_out(x) > ACCURACY) {
+        return None;
+    }
+    let sum = |start: &Extended| -> Option<Extended> {
+        let series = series(system, start)?;
+        Some(std::array::from_fn(|i| {
+            let length = Interval::point(h);
+            (0..TERMS - 1)
+                .rev()
+                .fold(rest[i][TERMS - 1], |sum, k| sum * length + series[i][k])
+        }))
+    };
+    let middle = state.map(|x| Interval::point(x.mid()));
+    let (all, centre) = (sum(&start)?, sum(&extended(middle))?);
+    let mut next = *state;
+    for i in 0..3 {
+        let mut value = centre[i];
+        for j in 0..3 {
+            value = value + all[3 + 3 * i + j] * (state[j] - middle[j]);
+        }
+        next[i] = value.meet(all[i])?;
+    }
+    Some(next)
+}
+
+/// Coefficients of the series about each start of a box.
+fn series<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    start: &Extended,
+) -> Option<[Series<Interval, TERMS>; 12]> {
+    let zero = Interval::from_f64(0.0);
+    let mut integrator = Integrator::new(system, zero, *start, Control::Largest);
+    Some(integrator.expand().ok()?.series)
+}
+
+/// A box that no motion from `start` leaves within the time `h`.
+fn walls<S: System<Interval, 12, TERMS>>(system: &S, start: &Extended, h: f64) -> Option<Extended> {
+    let time = Interval::new(0.0, h);
+    let reached = |walls: &Extended| -> Extended {
+        let mut work = S::Work::default();
+        system.begin(&Interval::point(0.0), walls, &mut work);
+        let zero = Interval::point(0.0);
+        let constant = walls.map(|x| std::array::from_fn(|k| if k == 0 { x } else { zero }));
+        let slope = system.derivative(0, &constant, &mut work);
+        std::array::from_fn(|i| start[i] + time * slope[i])
+    };
+    let mut walls = *start;
+    for _ in 0..8 {
+        let next = reached(&walls);
+        if next.iter().zip(&walls).all(|(a, b)| a.within(*b)) {
+            return Some(next);
+        }
+        // Farther than necessary, or the iteration would not end.
+        walls = next.map(|x| x.widened(0.2 * x.width() + 1e-9));
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::series::product;
+    use crate::scalar::Scalar;
+
+    /// x′ = y, y′ = −x, z′ = z², with the derivatives by the start.
+    struct Known;
+
+    impl System<Interval, 12, TERMS> for Known {
+        type Work = ();
+
+        fn begin(&self, _: &Interval, _: &Extended, (): &mut ()) {}
+
+        fn derivative(&self, k: usize, x: &[Series<Interval, TERMS>; 12], (): &mut ()) -> Extended {
+            std::array::from_fn(|i| match i {
+                0 | 3..6 => x[if i == 0 { 1 } else { i + 3 }][k],
+                1 | 6..9 => -x[if i == 1 { 0 } else { i - 3 }][k],
+                2 => product(&x[2], &x[2], k),
+                _ => product(&x[2], &x[i], k) + product(&x[2], &x[i], k),
+            })
+        }
+    }
+
+    #[test]
+    fn known_motions_are_enclosed() {
+        // z = 1/(z₀⁻¹ − t), the others turn; the time is read off z.
+        let (mut state, mut h) = ([1.0, 0.0, 0.1].map(Interval::point), 1.0);
+        for _ in 0..12 {
+            state = step(&Known, &state, &mut h).unwrap();
+            let t = Interval::int(10) - Interval::int(1) / state[2];
+            let expected = [t.cos(), -t.sin()];
+            for (x, expected) in state.iter().zip(expected) {
+                assert!(
+                    x.meet(expected).is_some() && x.width() < 1e-10,
+                    "{x} {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_box_keeps_its_size_while_it_turns() {
+        let mut state = [
+            Interval::new(0.99, 1.01),
+            Interval::new(-0.01, 0.01),
+            Interval::point(0.01),
+        ];
+        let mut h = 0.25;
+        state = step(&Known, &state, &mut h).unwrap();
+        // A square of this size, turned by 1/4.
+        let size = 0.02 * (libm::cos(0.25) + libm::sin(0.25));
+        assert!(state[0].width() < 1.001 * size && state[0].width() > 0.999 * size);
+    }
+
+    #[test]
+    fn a_motion_to_infinity_is_not_followed() {
+        let (mut state, mut h) = ([1.0, 0.0, 10.0].map(Interval::point), 1.0);
+        let steps = (0..1000).map_while(|_| {
+            state = step(&Known, &state, &mut h).ok()?;
+            Some(())
+        });
+        assert!(steps.count() < 1000);
+    }
+}

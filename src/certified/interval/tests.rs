@@ -1,0 +1,113 @@
+use super::*;
+use crate::certified::ball::Ball;
+use crate::scalar::Scalar;
+use proptest::prelude::*;
+use std::ops::Range;
+
+/// The ball's value lies in the interval, which is not much wider than the last places of an f64.
+fn encloses(interval: Interval, exact: &Ball) -> bool {
+    let value = exact.interval();
+    interval.lo() <= value.hi()
+        && value.lo() <= interval.hi()
+        && interval.width() <= 1e-14 * value.magnitude().max(1.0)
+}
+
+fn ball(x: f64) -> Ball {
+    Ball::enclosing(Interval::point(x), 200).unwrap()
+}
+
+#[test]
+fn the_constants_are_enclosed() {
+    assert!(encloses(PI, &Ball::pi(200)));
+    assert_eq!(PI.lo().next_up(), PI.hi());
+}
+
+proptest! {
+    #[test]
+    fn arithmetic_is_rounded_outwards_and_no_farther_than_needed(x in -1e3..1e3, y in 0.1..1e3) {
+        let (a, b) = (Interval::point(x), Interval::point(y));
+        let (c, d) = (ball(x), ball(y));
+        for (interval, exact) in [
+            (a + b, &c + &d),
+            (a - b, &c - &d),
+            (a * b, &c * &d),
+            (a / b, c.over(&d).unwrap()),
+            (b.sqrt(), d.sqrt().unwrap()),
+        ] {
+            prop_assert!(interval.lo() <= exact.interval().hi() && exact.interval().lo() <= interval.hi());
+            prop_assert!(interval.hi() <= interval.lo().next_up().next_up());
+        }
+    }
+
+    #[test]
+    fn sine_and_cosine_are_enclosed(x in -50.0..50.0) {
+        let [sine, cosine] = ball(x).sin_cos();
+        prop_assert!(encloses(Interval::point(x).sin(), &sine));
+        prop_assert!(encloses(Interval::point(x).cos(), &cosine));
+    }
+
+    #[test]
+    fn inverse_functions_undo(x in -0.999_999..0.999_999) {
+        let asin = Interval::point(x).asin();
+        prop_assert!(asin.sin().contains(x));
+        prop_assert!(encloses(asin, &ball(x).asin().unwrap()));
+        prop_assert!(Interval::point(x).acos().cos().contains(x));
+        let t = 10.0 * x;
+        prop_assert!(Interval::point(t).atan().tan().contains(t));
+    }
+
+    #[test]
+    fn exponential_and_logarithm_undo(x in -300.0..300.0) {
+        let e = Interval::point(x).exp();
+        prop_assert!(e.ln().contains(x));
+        prop_assert!(e.width() < 1e-13 * e.hi());
+        prop_assert!((e * (-Interval::point(x)).exp()).contains(1.0));
+    }
+
+    #[test]
+    fn functions_of_an_interval_contain_those_of_its_numbers(
+        x in -9.0..9.0, width in 0.0..7.0, part in 0.0..1.0
+    ) {
+        let (wide, at) = (Interval::new(x, x + width), Interval::point(f64::min(x + part * width, x + width)));
+        for f in [Scalar::sin, Scalar::cos, Scalar::sinh, Scalar::cosh, Scalar::exp, Scalar::squared] {
+            let (all, one): (Interval, Interval) = (f(wide), f(at));
+            prop_assert!(all.hull(one).within(all.widened(1e-12 * all.magnitude())), "{all} {one}");
+        }
+    }
+}
+
+#[test]
+fn exact_operations_stay_exact() {
+    let [one, three] = [1.0, 3.0].map(Interval::point);
+    assert_eq!((three * three).sqrt(), three);
+    assert_eq!(Interval::ratio(1, 4) * Interval::ratio(12, 1), three);
+    assert_eq!(three / one, three);
+    assert_eq!((one - one.squared()).sqrt(), Interval::point(0.0));
+}
+
+#[test]
+fn what_has_no_value_says_nothing() {
+    let around_zero = Interval::new(-1.0, 1.0);
+    assert_eq!(around_zero / around_zero, Interval::WHOLE);
+    assert_eq!(around_zero.sqrt(), Interval::WHOLE);
+    assert_eq!(around_zero.ln(), Interval::WHOLE);
+    assert_eq!(Interval::new(0.5, 1.5).asin(), Interval::WHOLE);
+    assert_eq!(Interval::new(2.0, 1.0), Interval::WHOLE);
+    assert_eq!(Interval::point(f64::NAN), Interval::WHOLE);
+    let top = Interval::point(f64::MAX);
+    assert_eq!((top + top).hi(), f64::INFINITY);
+    assert_eq!((top + top).lo(), f64::MAX);
+    let half_open = Interval::point(1.0) / Interval::new(0.0, 0.5);
+    assert_eq!((half_open.lo(), half_open.hi()), (2.0, f64::INFINITY));
+}
+
+#[test]
+fn the_extremes_of_the_sine_are_seen() {
+    let range = |r: Range<f64>| Interval::new(r.start, r.end);
+    assert_eq!(range(1.0..2.0).sin().hi(), 1.0);
+    assert!(range(1.0..1.5).sin().hi() < 1.0);
+    assert_eq!(range(4.0..5.0).sin().lo(), -1.0);
+    assert_eq!(range(-0.1..0.1).cos().hi(), 1.0);
+    assert_eq!(range(3.0..4.0).cos().lo(), -1.0);
+    assert_eq!(range(0.0..7.0).cos(), Interval::new(-1.0, 1.0));
+}

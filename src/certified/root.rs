@@ -1,0 +1,74 @@
+//! A root of one equation: that it exists and is the only one in a box, and as many bits of it as wanted.
+
+use super::ball::Ball;
+use super::error::CertifiedError;
+use super::interval::Interval;
+
+/// An enclosed root.
+#[derive(Debug, Clone)]
+pub struct Root {
+    /// The box in which it exists and is the only one.
+    pub unique_in: Interval,
+    /// The root.
+    pub value: Ball,
+}
+
+/// Bits of the first steps, in which the box shrinks to what an f64 can say.
+const FIRST: usize = 64;
+
+/// Steps within which [`FIRST`] bits are reached from any box that shrinks at all.
+const STEPS: usize = 64;
+
+/// The root of f in the box `start`, to `bits` bits after the point, by Newton's method with balls.
+///
+/// `f` gives the function and its derivative on a ball. Newton's image of a ball X is N = m − f(m)/f′(X), m the
+/// middle of X. It contains every root of f in X; if it lies inside X, there is exactly one. So one step proves
+/// existence and uniqueness in the box, and each further step doubles the bits that are known.
+///
+/// # Errors
+/// [`CertifiedError::NotProved`] if f′ has no sign on the box, or Newton's image of the box is not inside it.
+pub fn refine(
+    f: impl Fn(&Ball) -> Option<[Ball; 2]>,
+    start: Interval,
+    bits: usize,
+) -> Result<Root, CertifiedError> {
+    let failed = |why| CertifiedError::unproved(why, &[start]);
+    let image = |x: &Ball, bits: usize| -> Option<Ball> {
+        let [_, slope] = f(x)?;
+        let middle = x.middle().with_bits(bits);
+        let [value, _] = f(&middle)?;
+        Some(&middle - &value.over(&slope)?)
+    };
+    let mut x = Ball::enclosing(start, FIRST).ok_or_else(|| failed("the box is not finite"))?;
+    let first = image(&x, FIRST).ok_or_else(|| failed("the derivative has no sign on the box"))?;
+    if !first.inside(&x) {
+        return Err(failed("the image of the box is not inside it"));
+    }
+    let narrower = |x: &Ball, bits| image(x, bits).ok_or_else(|| failed("a step has no value"));
+    x = first;
+    for _ in 0..STEPS {
+        let next = narrower(&x, FIRST)?;
+        if next.known_bits() <= x.known_bits() {
+            break;
+        }
+        x = next;
+    }
+    // Each step doubles the bits, but for a few that the slope and rounding cost.
+    let mut steps = vec![bits + 8];
+    while let Some(&least) = steps.last().filter(|&&bits| bits > 2 * x.known_bits() - 8) {
+        if least / 2 + 8 >= least {
+            break;
+        }
+        steps.push(least / 2 + 8);
+    }
+    for &bits in steps.iter().rev() {
+        x = narrower(&x, bits)?;
+    }
+    Ok(Root {
+        unique_in: start,
+        value: x.with_bits(bits),
+    })
+}
+
+#[cfg(test)]
+mod tests;

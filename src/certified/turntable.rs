@@ -1,0 +1,169 @@
+//! Fates on the turntable, proved: a start comes to rest within certain radii, or goes away for ever.
+//!
+//! In the dimensionless units of the table let p be the speed, ξ the position along the velocity, w = 1 − ξ, and ζ
+//! the component along the velocity of the velocity in the laboratory, so that ρ² = ξ² + (p − ζ)². Newton's law in
+//! the time s with dτ = p ds is polynomial,
+//!
+//! p′ = −p w,  w′ = −ζ²,  ζ′ = −p − ζ + w ζ,
+//!
+//! and p > 0 stays so. A state decides its fate, once and for all, if
+//!
+//! - p + ρ < 1: rest. ρ grows by the way S gone since at most, ξ ≤ ρ, so that d(p²/2)/dS = ξ − 1 ≤ ρ₀ + S − 1, and
+//!   p is 0 at an S < 1 − ρ₀, inside ρ < 1, where static friction holds. The way is S ≤ p²/(r + √(r² − p²)) with
+//!   r = 1 − ρ, and, since ξ never falls, S ≥ p²/(2w). As (ρ² − p²)˙ = 2p, the radius is σ² = ρ² − p² + 2S.
+//! - ρ² − p² > 1: no rest, since it never falls, and is σ² ≤ 1 at rest.
+//! - w < 0: no rest, since p′ = −p w > 0, and w never rises.
+//!
+//! A particle that never rests goes away for ever: within bounds ρ² − p² would converge, and with it the way and the
+//! place, where the pull would have to be balanced for good.
+
+use super::error::CertifiedError;
+use super::flow::{TERMS, step};
+use super::interval::Interval;
+use crate::numerics::series::{product, square};
+use crate::numerics::taylor::System;
+use crate::scalar::Scalar;
+
+/// What becomes of a particle, proved.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fate {
+    /// It comes to rest.
+    Rest {
+        /// At a distance from the axis in this interval (in units of μg/Ω²).
+        sigma: Interval,
+        /// Steps of validated integration that it took.
+        steps: usize,
+    },
+    /// It goes away for ever.
+    Escape {
+        /// Steps of validated integration that it took.
+        steps: usize,
+    },
+}
+
+/// Steps after which the fate is not proved.
+const STEPS: usize = 2000;
+
+/// Law of motion of p, w, ζ and of their derivatives by the start.
+struct Law;
+
+impl System<Interval, 12, TERMS> for Law {
+    type Work = ();
+
+    fn begin(&self, _: &Interval, _: &[Interval; 12], (): &mut ()) {}
+
+    fn derivative(&self, k: usize, x: &[[Interval; TERMS]; 12], (): &mut ()) -> [Interval; 12] {
+        let [p, w, zeta, ..] = x;
+        let mut slope = [Interval::point(0.0); 12];
+        slope[0] = -product(p, w, k);
+        slope[1] = -square(zeta, k);
+        slope[2] = product(w, zeta, k) - p[k] - zeta[k];
+        for j in 0..3 {
+            // A column of derivatives by the start: of p, of w, of ζ.
+            let [dp, dw, dzeta] = [3 + j, 6 + j, 9 + j].map(|i| &x[i]);
+            let turn = product(zeta, dzeta, k);
+            slope[3 + j] = -(product(dp, w, k) + product(p, dw, k));
+            slope[6 + j] = -(turn + turn);
+            slope[9 + j] = product(dw, zeta, k) + product(w, dzeta, k) - dp[k] - dzeta[k];
+        }
+        slope
+    }
+}
+
+/// The fate of a particle with p = A sinh α, ρ = A cosh α, and the angle ψ from its velocity to its position. The
+/// radius at rest is enclosed to within `width`, or as well as can be.
+///
+/// # Errors
+/// [`CertifiedError::NotProved`] if the steps do not settle it: a start too close to the boundary, or too wide.
+pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
+    let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
+    let w = Interval::int(1) - rho * psi.cos();
+    follow([p, w, p - rho * psi.sin()], width)
+}
+
+fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
+    let mut state = start;
+    let (mut rest, mut h) = (None, 1.0);
+    for steps in 0..STEPS {
+        match judge(&state) {
+            Some(Judged::Escape) => return Ok(Fate::Escape { steps }),
+            Some(Judged::Rest(sigma)) => {
+                // Every enclosure holds: the particle comes to rest in all of them.
+                let closer = rest.map_or(Some(sigma), |known| sigma.meet(known));
+                let sigma = closer.ok_or_else(|| unsettled(&state))?;
+                if sigma.width() <= width || rest == Some(sigma) {
+                    return Ok(Fate::Rest { sigma, steps });
+                }
+                rest = Some(sigma);
+            }
+            None => {}
+        }
+        state = step(&Law, &state, &mut h)?;
+    }
+    Err(unsettled(&start))
+}
+
+fn unsettled(state: &[Interval]) -> CertifiedError {
+    CertifiedError::unproved("the integration does not settle the fate", state)
+}
+
+enum Judged {
+    Rest(Interval),
+    Escape,
+}
+
+/// What all states of a box make certain; nothing unless p is positive.
+fn judge(&[p, w, zeta]: &[Interval; 3]) -> Option<Judged> {
+    if p.sign() != Some(1.0) {
+        return None;
+    }
+    let one = Interval::int(1);
+    let xi = one - w;
+    let energy = xi.squared() + zeta * (zeta - p - p);
+    if w.sign() == Some(-1.0) || one.below(energy) {
+        return Some(Judged::Escape);
+    }
+    let rho = (xi.squared() + (p - zeta).squared()).sqrt();
+    let room = one - rho;
+    if !p.below(room) {
+        return None;
+    }
+    let least = p.squared() / (w + w);
+    let most = p.squared() / (room + (room.squared() - p.squared()).sqrt());
+    let way = least.hull(most);
+    let square = energy + way + way;
+    let possible = square.meet(Interval::new(0.0, 1.0))?;
+    Some(Judged::Rest(possible.sqrt()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn from(start: [f64; 3]) -> Result<Fate, CertifiedError> {
+        fate(start.map(Interval::point), 1e-6)
+    }
+
+    #[test]
+    fn fates_are_proved() {
+        for start in [[0.88, 0.1, 0.2], [0.9, 0.1, -2.0], [0.5, 0.3, 3.0]] {
+            let Ok(Fate::Rest { sigma, .. }) = from(start) else {
+                panic!("{start:?}");
+            };
+            assert!(sigma.width() <= 1e-6, "{sigma}");
+        }
+        for start in [[0.5, 2.5, 2.0], [0.95, 0.3, 0.2], [1.1, 3.0, 1.0]] {
+            assert!(matches!(from(start), Ok(Fate::Escape { .. })), "{start:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_not_certain_is_not_said() {
+        let [alpha, psi] = [0.1, 0.2].map(Interval::point);
+        // So wide that starts on both sides of the boundary are in it.
+        assert!(fate([Interval::new(0.8, 1.2), alpha, psi], 1e-6).is_err());
+        assert!(fate([Interval::WHOLE, alpha, psi], 1e-6).is_err());
+        // At rest from the beginning: nothing is said of p = 0.
+        assert!(fate([0.5, 0.0, 0.2].map(Interval::point), 1e-6).is_err());
+    }
+}
