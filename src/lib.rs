@@ -25,6 +25,7 @@
 
 pub mod book;
 pub mod claims;
+pub mod cli;
 pub mod corrections;
 pub mod evidence;
 pub mod exact;

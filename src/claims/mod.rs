@@ -6,7 +6,9 @@
 pub mod compare;
 pub mod conditioned;
 pub mod points;
+pub mod solve;
 pub mod tolerances;
+pub mod values;
 
 pub mod anisotropic;
 pub mod constant;

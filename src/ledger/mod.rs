@@ -1,11 +1,14 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
+pub mod errata;
 mod record;
+mod row;
 mod sheet;
 mod table;
 mod verdict;
 
 pub use record::{Difference, Record, RecordError};
+pub use row::{EvidenceRow, Row};
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
 use crate::claims::{self, Claim, Topic};
@@ -39,6 +42,11 @@ impl Entry {
         }
     }
 
+    /// Whether the verdict may change with that of `claim`: a misprint's, with what follows from it.
+    fn rests_on(&self, claim: &Claim) -> bool {
+        self.judgement.verdict == Verdict::Misprint && claim.depends_on.contains(&self.claim.id)
+    }
+
     /// The largest disagreement among the trials of the claim as printed, with its tolerance.
     pub fn worst(&self) -> Option<&Evidence> {
         self.evidence
@@ -49,6 +57,19 @@ impl Entry {
                 excess(a).total_cmp(&excess(b))
             })
     }
+}
+
+/// Tries claims on all cores.
+fn tried(
+    claims: Vec<(&'static Topic, &'static Claim)>,
+    done: &(impl Fn(&Claim) + Sync),
+) -> Vec<Entry> {
+    let try_one = |(topic, claim)| {
+        let entry = Entry::try_claim(topic, claim);
+        done(claim);
+        entry
+    };
+    claims.into_par_iter().map(try_one).collect()
 }
 
 /// Finds out whether an entry's judgement changes in view of the claims that depend on it.
@@ -75,15 +96,28 @@ pub struct Ledger {
 impl Ledger {
     /// Tries every claim on all cores; calls `done` after each one.
     pub fn try_all(done: impl Fn(&Claim) + Sync) -> Self {
-        let claims: Vec<_> = claims::all().collect();
-        let mut entries: Vec<_> = claims
-            .into_par_iter()
-            .map(|(topic, claim)| {
-                let entry = Entry::try_claim(topic, claim);
-                done(claim);
-                entry
-            })
-            .collect();
+        Self::of(tried(claims::all().collect(), &done))
+    }
+
+    /// Tries the claims of these ids; calls `done` after each one. A verdict may rest on those of the claims that
+    /// depend on it: they are tried too where that is so, and are no part of this ledger.
+    pub fn try_some(ids: &[&str], done: impl Fn(&Claim) + Sync) -> Self {
+        let mut wanted: Vec<_> = claims::all().filter(|(_, c)| ids.contains(&c.id)).collect();
+        let mut entries = Vec::new();
+        while !wanted.is_empty() {
+            entries.extend(tried(wanted, &done));
+            wanted = claims::all()
+                .filter(|(_, claim)| entries.iter().all(|e| e.claim.id != claim.id))
+                .filter(|(_, claim)| entries.iter().any(|e| e.rests_on(claim)))
+                .collect();
+        }
+        let mut ledger = Self::of(entries);
+        ledger.entries.retain(|e| ids.contains(&e.claim.id));
+        ledger
+    }
+
+    /// The entries, each judged in view of the others.
+    fn of(mut entries: Vec<Entry>) -> Self {
         // A refutation may pass from claim to claim, against the order of derivation.
         while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
             entries[i].judgement = judgement;
