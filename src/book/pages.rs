@@ -36,7 +36,8 @@ written!(
     escape,
     rest,
     ledger,
-    methods
+    methods,
+    json
 );
 
 /// A page before its placeholders are filled.
@@ -66,6 +67,7 @@ pub(super) fn pages(figures: &[Figure]) -> Vec<Page> {
     pages.extend(TOPICS.iter().map(|topic| topic_page(topic, figures)));
     pages.push(written_page("ledger", "The ledger"));
     pages.push(written_page("methods", "How a verdict comes about"));
+    pages.push(written_page("json", "Answers as JSON"));
     pages
 }
 

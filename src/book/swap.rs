@@ -40,24 +40,37 @@ impl Staging {
         self.folder.path().join(name)
     }
 
-    /// Puts the finished `book` in place; returns where that is.
+    /// Puts the finished `book` in place; returns where that is. Of two runs that do so at once, the later one wins.
     pub(super) fn swap(self, book: &Path) -> Result<PathBuf, BookError> {
-        check(&self.out)?;
-        let old = self.path("old");
-        let failed = |reason| unwritable(&self.out, reason);
-        let exists = self.out.exists();
-        if exists {
-            fs::rename(&self.out, &old).map_err(failed)?;
-        }
-        if let Err(reason) = fs::rename(book, &self.out) {
-            if exists {
-                fs::rename(&old, &self.out).map_err(failed)?;
+        let mut reason = io::Error::from(io::ErrorKind::AlreadyExists);
+        for attempt in 0..ATTEMPTS {
+            check(&self.out)?;
+            let old = self.path(&format!("old-{attempt}"));
+            let moved = match fs::rename(&self.out, &old) {
+                Ok(()) => true,
+                Err(error) if error.kind() == io::ErrorKind::NotFound => false,
+                Err(error) => return Err(unwritable(&self.out, error)),
+            };
+            match fs::rename(book, &self.out) {
+                Ok(()) => return Ok(self.out),
+                Err(error) => reason = error,
             }
-            return Err(failed(reason));
+            // Another run has put its book there in between: take that one away too.
+            if self.out.join(MARKER).is_file() {
+                continue;
+            }
+            if moved && fs::rename(&old, &self.out).is_err() {
+                let kept = self.folder.keep().join(format!("old-{attempt}"));
+                return Err(BookError::Displaced { kept, reason });
+            }
+            break;
         }
-        Ok(self.out)
+        Err(unwritable(&self.out, reason))
     }
 }
+
+/// How often another run may come in between.
+const ATTEMPTS: usize = 10;
 
 /// The error of a path that cannot be written.
 pub(super) fn unwritable(path: &Path, reason: io::Error) -> BookError {

@@ -13,12 +13,15 @@
 //!
 //! Every door returns a typed error instead of a number that is not one, and none of them can run forever.
 
+#[cfg(feature = "book")]
 pub mod dop853;
 pub mod error;
 pub mod events;
+#[cfg(feature = "book")]
 pub mod fit;
 pub mod number;
 pub mod piecewise;
+#[cfg(feature = "book")]
 pub mod quadrature;
 pub mod roots;
 pub mod series;
