@@ -57,11 +57,21 @@ pub(super) fn as_text(curve: &Curve) -> String {
         }
     }
     let mut text = format!("\n{}: {} against {}\n", curve.title, curve.y, curve.x);
-    let short = |x: f64| number(format!("{x:.3e}").parse().unwrap_or(x));
+    // What is nothing beside the other end of its axis is rounding.
+    let short = |axis: usize, end: fn((f64, f64)) -> f64| {
+        let (low, high) = ranges[axis];
+        let x = end(ranges[axis]);
+        let shown = if x.abs() < 1e-9 * (high - low) {
+            0.0
+        } else {
+            x
+        };
+        number(format!("{shown:.3e}").parse().unwrap_or(shown))
+    };
     for (n, row) in cells.chunks(SIZE[0]).enumerate() {
         let label = match n {
-            0 => short(ranges[1].1),
-            n if n + 1 == SIZE[1] => short(ranges[1].0),
+            0 => short(1, |ends| ends.1),
+            n if n + 1 == SIZE[1] => short(1, |ends| ends.0),
             _ => String::new(),
         };
         let dots: String = row
@@ -70,7 +80,7 @@ pub(super) fn as_text(curve: &Curve) -> String {
             .collect();
         text += &format!("{label:>10} ┤{dots}\n");
     }
-    let (left, right) = (short(ranges[0].0), short(ranges[0].1));
+    let (left, right) = (short(0, |ends| ends.0), short(0, |ends| ends.1));
     let width = SIZE[0].saturating_sub(left.chars().count());
     text + &format!("{:>12}{left}{right:>width$}\n", "")
 }

@@ -548,7 +548,7 @@ fn the_boundary_by_bisection_and_near_the_corner() {
     let near = solve(1e-7, 0.5);
     assert!((near.best.a - (1.0 - 1e-7 * 0.25_f64.cos().powi(2))).abs() < 1e-13);
     for (alpha, psi) in [
-        (1e-6, 0.0),
+        (1.1e-5, 0.0),
         (0.1, 1.0),
         (0.5, -2.0),
         (1.0, 3.0),
@@ -559,6 +559,15 @@ fn the_boundary_by_bisection_and_near_the_corner() {
         assert!(answer.digits >= Some(10), "{alpha} {psi}: {answer:?}");
     }
     assert!(solve(1e-3, 1.0).disagreement < Some(1e-8));
+    // From an extrapolating integrator in extended precision, bisected to 2e-12.
+    for (alpha, psi, a) in [
+        (0.1, 1.0, 0.931534356734),
+        (0.5, -2.0, 0.741161983501),
+        (3.0, 0.3, 0.0566688626136),
+    ] {
+        let found = solve(alpha, psi).best.a;
+        assert!((found - a).abs() < 3e-12 * a, "{found} {a}");
+    }
 }
 
 #[test]
