@@ -4,8 +4,8 @@ use super::output::{Failure, Format, csv, json, number, say};
 use super::plot;
 use crate::claims::solve::constant::At;
 use crate::claims::solve::{
-    Curve, Field, Report, SolveError, Value, anisotropic, constant, periodic, sinusoidal, sphere,
-    turntable,
+    Curve, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest, sinusoidal,
+    sphere, turntable,
 };
 use clap::{Args, Subcommand};
 use std::fmt::Write;
@@ -74,7 +74,7 @@ enum Problem {
         #[arg(long)]
         alpha: f64,
         /// ψ, the angle from the velocity to the position (radians)
-        #[arg(long, allow_negative_numbers = true)]
+        #[arg(long, allow_hyphen_values = true)]
         psi: f64,
     },
 }
@@ -88,7 +88,7 @@ struct Constant {
     #[arg(long)]
     v0: f64,
     /// Initial angle of the velocity with the x axis, in (−π, π]
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_hyphen_values = true)]
     theta0: f64,
     /// The plane's acceleration A
     #[arg(long, default_value_t = 1.0)]
@@ -106,7 +106,7 @@ struct Sphere {
     #[arg(long)]
     u0: f64,
     /// Initial angle of the slip with the x axis, in (−π, π]
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_hyphen_values = true)]
     theta0: f64,
     /// κ = I/(mR²): 0.4 for a solid sphere
     #[arg(long, default_value_t = 0.4)]
@@ -120,7 +120,7 @@ struct Sphere {
 #[group(required = true, multiple = false)]
 struct Moment {
     /// When the angle has fallen to this (radians)
-    #[arg(long, allow_negative_numbers = true)]
+    #[arg(long, allow_hyphen_values = true)]
     theta: Option<f64>,
     /// At this time
     #[arg(long)]
@@ -141,7 +141,7 @@ struct Turntable {
     #[command(flatten)]
     start: Start,
     /// ψ, the angle from the velocity to the position, counterclockwise (radians)
-    #[arg(long, allow_negative_numbers = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
+    #[arg(long, allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
     psi: Option<f64>,
     /// Speed p of a start by --rho
     #[arg(long, requires = "rho")]
@@ -150,13 +150,13 @@ struct Turntable {
     #[arg(long, requires = "A")]
     alpha: Option<f64>,
     /// Position y of a start by --x
-    #[arg(long, allow_negative_numbers = true, requires = "x")]
+    #[arg(long, allow_hyphen_values = true, requires = "x")]
     y: Option<f64>,
     /// Velocity along x, relative to the table
-    #[arg(long, allow_negative_numbers = true, requires = "x")]
+    #[arg(long, allow_hyphen_values = true, requires = "x")]
     vx: Option<f64>,
     /// Velocity along y, relative to the table
-    #[arg(long, allow_negative_numbers = true, requires = "x")]
+    #[arg(long, allow_hyphen_values = true, requires = "x")]
     vy: Option<f64>,
     /// Ask for the state at this time
     #[arg(long)]
@@ -174,7 +174,7 @@ struct Start {
     #[arg(id = "A", long = "A", value_name = "A", requires_all = ["alpha", "psi"])]
     a: Option<f64>,
     /// Position x in the table's axes, with --y, --vx and --vy
-    #[arg(long, allow_negative_numbers = true, requires_all = ["y", "vx", "vy"])]
+    #[arg(long, allow_hyphen_values = true, requires_all = ["y", "vx", "vy"])]
     x: Option<f64>,
 }
 
@@ -228,7 +228,7 @@ impl Problem {
             },
             Problem::TurntableBoundary { alpha, psi } => {
                 let (alpha, psi) = (*alpha, *psi);
-                let boundary = turntable::BoundaryProblem { alpha, psi };
+                let boundary = rest::Problem { alpha, psi };
                 boundary.solve()?.report("turntable-boundary")
             }
         })
@@ -253,7 +253,7 @@ impl Problem {
             Problem::Turntable(given) => given.problem().curve(given.time),
             Problem::TurntableBoundary { alpha, psi } => {
                 let (alpha, psi) = (*alpha, *psi);
-                turntable::BoundaryProblem { alpha, psi }.curve()
+                rest::Problem { alpha, psi }.curve()
             }
         }
     }

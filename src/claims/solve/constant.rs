@@ -221,7 +221,8 @@ pub(super) struct Formulas {
 }
 
 impl Formulas {
-    /// (20), and what holds on the axis, where the angle stays what it is.
+    /// (20), as the limit of the time's regular form, which keeps its digits near λ = 1; on the axis the angle
+    /// stays what it is.
     fn stop_time(&self) -> Option<f64> {
         let Formulas {
             lambda,
@@ -232,7 +233,8 @@ impl Formulas {
         if theta0 == PI {
             (lambda >= 1.0).then(|| v0 / (a * (lambda + 1.0)))
         } else {
-            (lambda > 1.0).then(|| printed::eq20_stop_time(lambda, a, v0, theta0))
+            let last = f64::NEG_INFINITY;
+            (lambda > 1.0).then(|| corrected::time_by_log(lambda, a, v0, theta0, last))
         }
     }
 

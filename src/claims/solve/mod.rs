@@ -17,6 +17,7 @@
 pub mod anisotropic;
 pub mod constant;
 pub mod periodic;
+pub mod rest;
 pub mod sinusoidal;
 pub mod sphere;
 #[cfg(test)]
@@ -112,13 +113,14 @@ pub enum Value {
 
 impl From<f64> for Value {
     fn from(value: f64) -> Self {
-        Value::Number(value)
+        // Zero has no sign here.
+        Value::Number(value + 0.0)
     }
 }
 
 impl From<Option<f64>> for Value {
     fn from(value: Option<f64>) -> Self {
-        value.map_or(Value::Missing, Value::Number)
+        value.map_or(Value::Missing, Value::from)
     }
 }
 

@@ -161,12 +161,13 @@ impl Problem {
         let motion = self.motion(long)?;
         let rolling = motion.transitions().last();
         let rolls_at = rolling.filter(|t| t.to == Contact::Rolling).map(|t| t.t);
-        let tau = match self.at {
-            At::Time(tau) => tau,
+        let (tau, turns) = match self.at {
+            At::Time(tau) => (tau, false),
             At::Theta(theta) => self.reaches(theta, rolls_at)?,
         };
         let motion = self.motion(tau)?;
-        let (ball, slip) = (motion.end(), motion.slip(tau)?);
+        let ball = motion.end();
+        let slip = if turns { [0.0; 2] } else { motion.slip(tau)? };
         let u = libm::hypot(slip[0], slip[1]);
         Ok(State {
             u,
@@ -182,10 +183,10 @@ impl Problem {
         })
     }
 
-    /// When the slip of the motion has this angle.
-    fn reaches(&self, theta: f64, rolls_at: Option<f64>) -> Result<f64, SolveError> {
+    /// When the slip of the motion has this angle, and whether it is zero there and turns round.
+    fn reaches(&self, theta: f64, rolls_at: Option<f64>) -> Result<(f64, bool), SolveError> {
         if theta == self.theta0 {
-            return Ok(0.0);
+            return Ok((0.0, false));
         }
         let across = |slip: [f64; 2]| slip[0] * libm::sin(theta) - slip[1] * libm::cos(theta);
         let first = across(self.start());
@@ -195,7 +196,7 @@ impl Problem {
             if self.theta0 == PI
                 && let Some(turn) = motion.transitions().first()
             {
-                return Ok(turn.t);
+                return Ok((turn.t, true));
             }
             // Where slipping ends the slip is zero: look just before.
             let last = if rolls_at.is_some() {
@@ -205,7 +206,7 @@ impl Problem {
             };
             if across(motion.slip(last)?) * first < 0.0 {
                 let at = |t: f64| motion.slip(t).map_or(f64::NAN, across);
-                return Ok(root(at, 0.0, last)?);
+                return Ok((root(at, 0.0, last)?, false));
             }
             until *= 4.0;
         }
