@@ -1,6 +1,5 @@
 //! The turntable's boundary.
 
-use super::*;
 use crate::claims::solve::rest::Problem;
 
 #[test]
