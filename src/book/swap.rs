@@ -112,3 +112,53 @@ fn check(out: &Path) -> Result<(), BookError> {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A finished book in a staging folder.
+    fn staged(out: &Path, text: &str) -> (Staging, PathBuf) {
+        let staging = Staging::beside(out).unwrap();
+        let book = staging.path("book");
+        fs::create_dir(&book).unwrap();
+        fs::write(book.join(MARKER), MARKER_TEXT).unwrap();
+        fs::write(book.join("index.html"), text).unwrap();
+        (staging, book)
+    }
+
+    #[test]
+    fn runs_at_the_same_time_leave_one_whole_book() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        std::thread::scope(|scope| {
+            for n in 0..8 {
+                let out = &out;
+                scope.spawn(move || {
+                    for _ in 0..25 {
+                        let (staging, book) = staged(out, &n.to_string());
+                        staging.swap(&book).unwrap();
+                    }
+                });
+            }
+        });
+        let left = fs::read_to_string(out.join("index.html")).unwrap();
+        assert!(left.parse::<u32>().unwrap() < 8);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_cannot_be_put_in_place_leaves_the_earlier_book() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        let (staging, book) = staged(&out, "earlier");
+        staging.swap(&book).unwrap();
+        let (staging, book) = staged(&out, "later");
+        let error = staging.swap(&book.join("nowhere")).unwrap_err();
+        assert!(matches!(error, BookError::Unwritable { .. }), "{error}");
+        assert_eq!(
+            fs::read_to_string(out.join("index.html")).unwrap(),
+            "earlier"
+        );
+    }
+}
