@@ -97,7 +97,7 @@ enum Command {
     #[command(after_help = "Example:\n  slipbook find 0.53701")]
     Find {
         /// The number, as it is printed somewhere
-        #[arg(allow_hyphen_values = true)]
+        #[arg(allow_negative_numbers = true)]
         number: String,
     },
     /// Calculate at parameters of your own, by formula and by motion
