@@ -11,24 +11,36 @@
 //!
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
 //! proves identities. The [`ledger`] judges: evidence in, verdict out. [`figures`] draws, and [`book`] writes
-//! all of it down.
+//! all of it down. [`cli`] is the command. For parameters of your own there are the calculators of
+//! [`claims::solve`].
+//!
+//! With `default-features = false` there are the formulas, the motions, the calculators and the ledger's types
+//! alone, and a handful of dependencies; the feature `book` brings the trials and all that rests on them.
 //!
 //! ```
+//! # #[cfg(feature = "book")] {
 //! use slipbook::claims;
 //! use slipbook::ledger::{Entry, Verdict};
 //!
 //! let (topic, claim) = claims::find("eq-11").ok_or("no such claim")?;
 //! let entry = Entry::try_claim(topic, claim);
 //! assert_eq!(entry.judgement.verdict, Verdict::Conditional);
+//! # }
 //! # Ok::<(), &str>(())
 //! ```
 
+#[cfg(feature = "book")]
 pub mod book;
+#[cfg(feature = "book")]
 pub mod certified;
 pub mod claims;
+#[cfg(feature = "book")]
+pub mod cli;
 pub mod corrections;
 pub mod evidence;
+#[cfg(feature = "book")]
 pub mod exact;
+#[cfg(feature = "book")]
 pub mod figures;
 pub mod ledger;
 pub mod motion;

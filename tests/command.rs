@@ -1,6 +1,8 @@
 //! The command as its users meet it.
 
+use serde_json::Value;
 use std::fs;
+use std::path::Path;
 use std::process::{Command, Output};
 
 fn slipbook(arguments: &[&str]) -> Output {
@@ -62,4 +64,235 @@ fn bad_usage_is_exit_code_2_and_help_has_an_example() {
     let help = slipbook(&["--help"]);
     assert_eq!(help.status.code(), Some(0));
     assert!(text(&help.stdout).contains("Example"));
+}
+
+/// The JSON that a command writes, after a success.
+fn json(arguments: &[&str]) -> Value {
+    let output = slipbook(&[arguments, &["--json"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(
+        text(&output.stderr),
+        "",
+        "progress shows on a terminal only"
+    );
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn some_claims_are_verified_shown_and_listed() {
+    let said = text(&slipbook(&["verify", "eq-11", "eq-82"]).stdout);
+    for words in [
+        "eq-11 ",
+        "eq-82 ",
+        "2 claims: ",
+        "2 of 2 verdicts as recorded",
+    ] {
+        assert!(said.contains(words), "no `{words}` in\n{said}");
+    }
+    let sheet = text(&slipbook(&["show", "eq-75"]).stdout);
+    assert!(
+        sheet.contains("verdict: misprint") && sheet.contains("trial by"),
+        "{sheet}"
+    );
+    let list = json(&["list", "--section", "2", "--verdict", "confirmed"]);
+    let claims = list["claims"].as_array().unwrap();
+    assert!(!claims.is_empty());
+    assert!(
+        claims
+            .iter()
+            .all(|c| c["section"] == "2" && c["verdict"] == "confirmed")
+    );
+    let table = text(&slipbook(&["list", "--section", "2", "--csv"]).stdout);
+    let listed = text(&slipbook(&["list", "--section", "2"]).stdout);
+    assert_eq!(table.lines().count(), listed.lines().count() + 1);
+    assert!(table.starts_with("id,section,equation,kind,verdict,"));
+}
+
+#[test]
+fn a_misprint_from_which_something_refuted_follows_has_the_same_verdict_alone() {
+    let record = include_str!("../snapshots/verdicts.snap");
+    let misprints = record.lines().filter_map(|l| l.strip_suffix(": misprint"));
+    let ids: Vec<_> = misprints.collect();
+    let output = slipbook(&[&["verify"], &ids[..]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
+}
+
+#[test]
+fn the_number_of_threads_changes_nothing() {
+    let of = |jobs| text(&slipbook(&["verify", "eq-13", "eq-96", "--csv", "--jobs", jobs]).stdout);
+    assert_eq!(of("1"), of("3"));
+}
+
+#[test]
+fn numbers_are_found_and_graded() {
+    let first = |number: &str| json(&["find", number])["matches"][0].clone();
+    assert_eq!(first("0.54")["symbol"], "λ_c");
+    assert_eq!(first("0.537")["first_wrong"], Value::Null);
+    let wrong = first("0.53701");
+    assert_eq!(
+        (wrong["right"].as_u64(), wrong["first_wrong"].as_u64()),
+        (Some(4), Some(5))
+    );
+    let marked = text(&slipbook(&["find", "0.53701"]).stdout);
+    assert!(marked.contains("    0.53701\n          ^\n"), "{marked}");
+    assert_eq!(first("4.603")["claims"][0], "eq-58");
+    assert_eq!(first("5.37029e-1")["symbol"], "λ_c");
+    assert_eq!(json(&["find", "77.7"])["matches"], Value::Array(Vec::new()));
+    assert_eq!(slipbook(&["find", "twelve"]).status.code(), Some(2));
+}
+
+#[test]
+fn bad_input_says_what_is_wrong_and_writes_nothing() {
+    let cases: [(&str, &str); 12] = [
+        (
+            "solve constant --lambda -1 --v0 1 --theta0 1 --time 1",
+            "lambda",
+        ),
+        ("solve constant --lambda 1 --v0 1 --theta0 1", "--time"),
+        (
+            "solve constant --lambda 1 --v0 1 --theta0 1 --time 1 --theta 1",
+            "--theta",
+        ),
+        (
+            "solve constant --lambda 0.5 --v0 1 --theta0 1 --theta 2",
+            "theta0 = 1",
+        ),
+        (
+            "solve constant --lambda 0.5 --v0 nan --theta0 1 --time 2",
+            "v0 = NaN",
+        ),
+        ("solve sinusoidal --lambda0 0", "between 1e-6 and 1e6"),
+        ("solve turntable --rho 1 --p 1", "--psi"),
+        ("solve turntable --rho 1 --x 1 --y 1 --vx 1 --vy 1", "--rho"),
+        ("solve turntable --rho -1 --p 1 --psi 0", "rho"),
+        ("solve pulse --eta 0.5 --lambda0 0.3 --json --plot", "SVG"),
+        ("verify eq-999", "eq-999"),
+        ("list --section 9", "9"),
+    ];
+    for (command, named) in cases {
+        let output = slipbook(&command.split(' ').collect::<Vec<_>>());
+        let complaint = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{command}");
+        assert!(complaint.contains(named), "{command}: {complaint}");
+        assert!(output.stdout.is_empty(), "{command}");
+    }
+}
+
+#[test]
+fn an_answer_is_text_json_or_a_table() {
+    let solve = "solve constant --lambda 0.5 --v0 1 --theta0 -1 --time 2";
+    let with = |more: &str| {
+        text(&slipbook(&format!("{solve}{more}").split(' ').collect::<Vec<_>>()).stdout)
+    };
+    assert!(with("").contains("by formula") && with("").contains("digits "));
+    let answer: Value = serde_json::from_str(&with(" --json")).unwrap();
+    assert!((answer["v"].as_f64().unwrap() - 1.721_996_770_095_711).abs() < 1e-14);
+    assert_eq!(answer["stop_time"], Value::Null);
+    assert!(with(" --csv").starts_with("quantity,value,by_formula,by_motion\nv,1.7219967700957"));
+    assert!(with(" --plot").contains("v_y against v_x"));
+}
+
+#[test]
+fn a_plot_is_a_file_that_is_replaced_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("path.svg");
+    let plot = |file: &Path| {
+        let start = [
+            "solve",
+            "turntable",
+            "--rho",
+            "0.5",
+            "--p",
+            "0.3",
+            "--psi",
+            "1",
+            "--plot",
+        ];
+        slipbook(&[&start[..], &[file.to_str().unwrap()]].concat())
+    };
+    for _ in 0..2 {
+        assert_eq!(plot(&file).status.code(), Some(0));
+        assert!(fs::read_to_string(&file).unwrap().starts_with("<svg"));
+    }
+    let nowhere = plot(&file.join("below"));
+    assert_eq!(nowhere.status.code(), Some(2));
+    assert!(nowhere.stdout.is_empty());
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn every_command_has_help_with_an_example() {
+    let mut commands: Vec<Vec<&str>> = [
+        "verify",
+        "show",
+        "list",
+        "errata",
+        "find",
+        "solve",
+        "completions",
+    ]
+    .map(|command| vec![command])
+    .into();
+    let problems = [
+        "constant",
+        "sinusoidal",
+        "pulse",
+        "anisotropic",
+        "sphere",
+        "turntable",
+        "turntable-boundary",
+    ];
+    commands.extend(problems.map(|problem| vec!["solve", problem]));
+    for command in commands {
+        let output = slipbook(&[&command[..], &["--help"]].concat());
+        assert_eq!(output.status.code(), Some(0));
+        let example = format!("slipbook {}", command.join(" "));
+        assert!(text(&output.stdout).contains(&example), "{example}");
+    }
+}
+
+#[test]
+fn shells_get_their_completions() {
+    for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
+        assert!(text(&slipbook(&["completions", shell]).stdout).contains("slipbook"));
+    }
+}
+
+/// A file system without room: no file may grow beyond a few kilobytes. The write fails, or the system ends the
+/// program in the midst of it.
+#[cfg(unix)]
+#[test]
+fn without_room_or_interrupted_the_earlier_book_stays() {
+    for (script, code) in [
+        (
+            "trap '' XFSZ; ulimit -f 16; exec \"$0\" --out \"$1\"",
+            Some(2),
+        ),
+        ("ulimit -c 0; ulimit -f 16; exec \"$0\" --out \"$1\"", None),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        fs::create_dir(&out).unwrap();
+        fs::write(out.join(".slipbook"), "").unwrap();
+        fs::write(out.join("index.html"), "the earlier book").unwrap();
+        let program = env!("CARGO_BIN_EXE_slipbook");
+        let output = Command::new("bash")
+            .args(["-c", script, program, out.to_str().unwrap()])
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), code);
+        assert_eq!(
+            fs::read_to_string(out.join("index.html")).unwrap(),
+            "the earlier book"
+        );
+        assert_eq!(fs::read_dir(&out).unwrap().count(), 2);
+        if code.is_some() {
+            assert!(
+                text(&output.stderr).contains("slipbook: "),
+                "{}",
+                text(&output.stderr)
+            );
+            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        }
+    }
 }

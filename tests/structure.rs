@@ -30,6 +30,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("ledger", &["evidence", "claims"]),
     ("figures", &["claims", "motion"]),
     ("book", &["evidence", "claims", "ledger", "figures"]),
+    ("cli", &["claims", "ledger", "figures", "book"]),
 ];
 
 #[test]

@@ -3,7 +3,8 @@
 use std::io;
 use std::path::PathBuf;
 
-/// Why no book was written. The folder that was to receive it is as it was before.
+/// Why no book was written. The folder that was to receive it is as it was before, unless the error says
+/// otherwise.
 #[derive(Debug, thiserror::Error)]
 pub enum BookError {
     /// A file or folder cannot be written.
@@ -11,6 +12,15 @@ pub enum BookError {
     Unwritable {
         /// What was to be written.
         path: PathBuf,
+        /// What the system says.
+        #[source]
+        reason: io::Error,
+    },
+    /// Neither the new book nor the earlier one could be put in place.
+    #[error("cannot put the book in place: {reason}; the earlier book is now in `{}`", kept.display())]
+    Displaced {
+        /// Where the earlier book is.
+        kept: PathBuf,
         /// What the system says.
         #[source]
         reason: io::Error,

@@ -37,7 +37,8 @@ written!(
     rest,
     ledger,
     proved,
-    methods
+    methods,
+    json
 );
 
 /// A page before its placeholders are filled.
@@ -68,6 +69,7 @@ pub(super) fn pages(figures: &[Figure]) -> Vec<Page> {
     pages.push(written_page("ledger", "The ledger"));
     pages.push(written_page("proved", "What is proved, what is measured"));
     pages.push(written_page("methods", "How a verdict comes about"));
+    pages.push(written_page("json", "Answers as JSON"));
     pages
 }
 

@@ -40,24 +40,37 @@ impl Staging {
         self.folder.path().join(name)
     }
 
-    /// Puts the finished `book` in place; returns where that is.
+    /// Puts the finished `book` in place; returns where that is. Of two runs that do so at once, the later one wins.
     pub(super) fn swap(self, book: &Path) -> Result<PathBuf, BookError> {
-        check(&self.out)?;
-        let old = self.path("old");
-        let failed = |reason| unwritable(&self.out, reason);
-        let exists = self.out.exists();
-        if exists {
-            fs::rename(&self.out, &old).map_err(failed)?;
-        }
-        if let Err(reason) = fs::rename(book, &self.out) {
-            if exists {
-                fs::rename(&old, &self.out).map_err(failed)?;
+        let mut reason = io::Error::from(io::ErrorKind::AlreadyExists);
+        for attempt in 0..ATTEMPTS {
+            check(&self.out)?;
+            let old = self.path(&format!("old-{attempt}"));
+            let moved = match fs::rename(&self.out, &old) {
+                Ok(()) => true,
+                Err(error) if error.kind() == io::ErrorKind::NotFound => false,
+                Err(error) => return Err(unwritable(&self.out, error)),
+            };
+            match fs::rename(book, &self.out) {
+                Ok(()) => return Ok(self.out),
+                Err(error) => reason = error,
             }
-            return Err(failed(reason));
+            // Another run has put its book there in between: take that one away too.
+            if self.out.join(MARKER).is_file() {
+                continue;
+            }
+            if moved && fs::rename(&old, &self.out).is_err() {
+                let kept = self.folder.keep().join(format!("old-{attempt}"));
+                return Err(BookError::Displaced { kept, reason });
+            }
+            break;
         }
-        Ok(self.out)
+        Err(unwritable(&self.out, reason))
     }
 }
+
+/// How often another run may come in between.
+const ATTEMPTS: usize = 10;
 
 /// The error of a path that cannot be written.
 pub(super) fn unwritable(path: &Path, reason: io::Error) -> BookError {
@@ -97,5 +110,55 @@ fn check(out: &Path) -> Result<(), BookError> {
         Err(BookError::NotOurs {
             path: out.to_owned(),
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A finished book in a staging folder.
+    fn staged(out: &Path, text: &str) -> (Staging, PathBuf) {
+        let staging = Staging::beside(out).unwrap();
+        let book = staging.path("book");
+        fs::create_dir(&book).unwrap();
+        fs::write(book.join(MARKER), MARKER_TEXT).unwrap();
+        fs::write(book.join("index.html"), text).unwrap();
+        (staging, book)
+    }
+
+    #[test]
+    fn runs_at_the_same_time_leave_one_whole_book() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        std::thread::scope(|scope| {
+            for n in 0..8 {
+                let out = &out;
+                scope.spawn(move || {
+                    for _ in 0..25 {
+                        let (staging, book) = staged(out, &n.to_string());
+                        staging.swap(&book).unwrap();
+                    }
+                });
+            }
+        });
+        let left = fs::read_to_string(out.join("index.html")).unwrap();
+        assert!(left.parse::<u32>().unwrap() < 8);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_cannot_be_put_in_place_leaves_the_earlier_book() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        let (staging, book) = staged(&out, "earlier");
+        staging.swap(&book).unwrap();
+        let (staging, book) = staged(&out, "later");
+        let error = staging.swap(&book.join("nowhere")).unwrap_err();
+        assert!(matches!(error, BookError::Unwritable { .. }), "{error}");
+        assert_eq!(
+            fs::read_to_string(out.join("index.html")).unwrap(),
+            "earlier"
+        );
     }
 }

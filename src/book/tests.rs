@@ -176,8 +176,8 @@ fn the_book_is_whole() {
         .keys()
         .filter(|name| name.ends_with(".html"))
         .collect();
-    // Index, ledger, proved, methods, print page and table of contents besides one page per topic.
-    assert_eq!(pages.len(), TOPICS.len() + 6);
+    // Index, ledger, proved, methods, JSON, print page and table of contents besides one page per topic.
+    assert_eq!(pages.len(), TOPICS.len() + 7);
 
     for page in &pages {
         let html = text(page);

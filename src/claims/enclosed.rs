@@ -31,6 +31,7 @@ pub fn certified(
         at,
         tolerance: tolerances::NONE,
         samples: Vec::new(),
+        steps: Vec::new(),
     }
 }
 

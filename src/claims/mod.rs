@@ -3,21 +3,39 @@
 //! A claim is data; a trial is a function that returns [`Evidence`]. Whether a claim holds is not
 //! said here: the [ledger](crate::ledger) judges.
 
+#[cfg(feature = "book")]
 pub mod compare;
+#[cfg(feature = "book")]
 pub mod conditioned;
+#[cfg(feature = "book")]
 pub mod enclosed;
+#[cfg(feature = "book")]
 pub mod measured;
+#[cfg(feature = "book")]
 pub mod points;
+pub mod solve;
+#[cfg(feature = "book")]
 pub mod tolerances;
+#[cfg(feature = "book")]
+pub mod values;
 
+#[cfg(feature = "book")]
 pub mod anisotropic;
+#[cfg(feature = "book")]
 pub mod constant;
+#[cfg(feature = "book")]
 pub mod escape;
+#[cfg(feature = "book")]
 pub mod general;
+#[cfg(feature = "book")]
 pub mod periodic;
+#[cfg(feature = "book")]
 pub mod rest;
+#[cfg(feature = "book")]
 pub mod sinusoidal;
+#[cfg(feature = "book")]
 pub mod sphere;
+#[cfg(feature = "book")]
 pub mod turntable;
 
 use crate::evidence::{Change, Evidence, Kind};
@@ -71,6 +89,7 @@ pub struct Claim {
 
 impl Claim {
     /// What a row need not say: no conditions, no correction, no trials.
+    #[cfg(feature = "book")]
     const BLANK: Claim = Claim {
         id: "",
         section: "",
@@ -98,6 +117,7 @@ pub struct Topic {
 }
 
 /// All topics, in the paper's order.
+#[cfg(feature = "book")]
 pub static TOPICS: [Topic; 9] = [
     general::TOPIC,
     constant::TOPIC,
@@ -111,12 +131,14 @@ pub static TOPICS: [Topic; 9] = [
 ];
 
 /// All claims with their topics, in the order of the topics.
+#[cfg(feature = "book")]
 pub fn all() -> impl Iterator<Item = (&'static Topic, &'static Claim)> {
     let of = |topic: &'static Topic| topic.claims.iter().map(move |claim| (topic, claim));
     TOPICS.iter().flat_map(of)
 }
 
 /// The claim of this id, with its topic.
+#[cfg(feature = "book")]
 pub fn find(id: &str) -> Option<(&'static Topic, &'static Claim)> {
     all().find(|(_, claim)| claim.id == id)
 }

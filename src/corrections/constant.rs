@@ -21,10 +21,22 @@ pub fn speed<S: Scalar>(lambda: S, v0: S, theta0: S, r: S) -> S {
     v0 * (half.cos().squared() * r.pow(lambda - one) + half.sin().squared() * r.pow(lambda + one))
 }
 
+/// [`speed`] by ln r, for motions so long that r is below every number.
+pub fn speed_by_log(lambda: f64, v0: f64, theta0: f64, ln_r: f64) -> f64 {
+    let half = theta0 / 2.0;
+    v0 * (Scalar::cos(half).squared() * libm::exp((lambda - 1.0) * ln_r)
+        + Scalar::sin(half).squared() * libm::exp((lambda + 1.0) * ln_r))
+}
+
 /// The time at which tan(θ/2) has fallen to `r` times its initial value. For 0 < r ≤ 1.
 pub fn time(lambda: f64, a: f64, v0: f64, theta0: f64, r: f64) -> f64 {
+    time_by_log(lambda, a, v0, theta0, libm::log(r))
+}
+
+/// [`time`] by ln r.
+pub fn time_by_log(lambda: f64, a: f64, v0: f64, theta0: f64, ln_r: f64) -> f64 {
     let half = theta0 / 2.0;
-    let fall = |k: f64| power_fall(libm::log(r), k);
+    let fall = |k: f64| power_fall(ln_r, k);
     v0 / a
         * (Scalar::cos(half).squared() * fall(lambda - 1.0)
             + Scalar::sin(half).squared() * fall(lambda + 1.0))

@@ -54,6 +54,7 @@ mod raster;
 pub mod rest;
 pub mod sinusoidal;
 mod sketch;
+pub mod solve;
 pub mod sphere;
 mod svg;
 #[cfg(test)]

@@ -1,16 +1,20 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
+pub mod errata;
 mod record;
+mod row;
+#[cfg(feature = "book")]
+mod run;
 mod sheet;
 mod table;
 mod verdict;
 
 pub use record::{Difference, Record, RecordError};
+pub use row::{EvidenceRow, Row};
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
-use crate::claims::{self, Claim, Topic};
+use crate::claims::{Claim, Topic};
 use crate::evidence::{Evidence, Outcome, Route, Subject};
-use rayon::prelude::*;
 use std::collections::BTreeMap;
 
 /// One claim, tried and judged.
@@ -27,18 +31,6 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// Tries one claim and judges it.
-    pub fn try_claim(topic: &'static Topic, claim: &'static Claim) -> Self {
-        let evidence: Vec<_> = claim.trials.par_iter().map(|trial| trial()).collect();
-        let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
-        Entry {
-            claim,
-            topic,
-            evidence,
-            judgement,
-        }
-    }
-
     /// True for a claim that holds under a condition.
     pub fn is_conditional(&self) -> bool {
         self.judgement.verdict == Verdict::Conditional
@@ -79,20 +71,6 @@ impl Entry {
     }
 }
 
-/// Finds out whether an entry's judgement changes in view of the claims that depend on it.
-fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judgement)> {
-    move |(i, entry)| {
-        let follows = |e: &&Entry| e.claim.depends_on.contains(&entry.claim.id);
-        let dependents: Vec<_> = entries
-            .iter()
-            .filter(follows)
-            .map(|e| (e.claim.id, e.judgement.verdict))
-            .collect();
-        let judgement = in_view_of(entry.judgement.clone(), &dependents);
-        (judgement != entry.judgement).then_some((i, judgement))
-    }
-}
-
 /// Every claim, tried and judged, in the paper's order of topics.
 #[derive(Debug, Clone)]
 pub struct Ledger {
@@ -101,24 +79,6 @@ pub struct Ledger {
 }
 
 impl Ledger {
-    /// Tries every claim on all cores; calls `done` after each one.
-    pub fn try_all(done: impl Fn(&Claim) + Sync) -> Self {
-        let claims: Vec<_> = claims::all().collect();
-        let mut entries: Vec<_> = claims
-            .into_par_iter()
-            .map(|(topic, claim)| {
-                let entry = Entry::try_claim(topic, claim);
-                done(claim);
-                entry
-            })
-            .collect();
-        // A refutation may pass from claim to claim, against the order of derivation.
-        while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
-            entries[i].judgement = judgement;
-        }
-        Ledger { entries }
-    }
-
     /// The entry of the claim of this id.
     pub fn entry(&self, id: &str) -> Option<&Entry> {
         self.entries.iter().find(|entry| entry.claim.id == id)

@@ -5,8 +5,8 @@ use crate::claims::rest::boundary;
 use crate::figures::{Figure, rest as rest_figures};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::fate::rests;
+use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use std::f64::consts::PI;
 

@@ -9,6 +9,7 @@
 //! axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once, straight away from the axis.
 
 pub mod boundary;
+#[cfg(feature = "book")]
 pub mod ensemble;
 pub mod fate;
 pub mod inertial;

@@ -1,0 +1,63 @@
+//! The calculators against values from elsewhere: separate integrations of Newton's law in 30-digit arithmetic by
+//! extrapolation, and slips followed there from event to event.
+
+mod any;
+mod constant;
+mod driven;
+mod rest;
+mod sphere;
+mod turntable;
+
+use super::*;
+
+/// Each field agrees with a number, to ten digits of its size.
+#[track_caller]
+fn agrees<T: Fields + Clone>(answer: &Answer<T>, expected: &[(&str, f64)]) {
+    let fields = answer.best.fields();
+    for (name, wanted) in expected {
+        let field = fields.iter().find(|f| f.name == *name).expect("a field");
+        let Value::Number(found) = field.value else {
+            panic!("{name} is {:?}", field.value);
+        };
+        let size = wanted.abs().max(field.scale);
+        assert!(
+            (found - wanted).abs() <= 1e-12 * size,
+            "{name}: {found} {wanted}"
+        );
+    }
+    assert!(answer.digits >= Some(11), "{:?} digits", answer.digits);
+}
+
+#[track_caller]
+fn word<T: Fields + Clone>(answer: &Answer<T>) -> &'static str {
+    match answer.best.fields()[0].value {
+        Value::Word(word) => word,
+        other => panic!("{other:?}"),
+    }
+}
+
+#[test]
+fn an_answer_is_written_with_its_fields_first() {
+    let report = sinusoidal::Problem { lambda0: 2.0 }
+        .solve()
+        .unwrap()
+        .report("sinusoidal");
+    let text = serde_json::to_string(&report).unwrap();
+    let begins = r#"{"version":1,"problem":"sinusoidal","regime":"rest","positive_start":null,"#;
+    assert!(text.starts_with(begins), "{text}");
+    assert!(text.contains(r#""by_formula":{"regime":"rest","#));
+}
+
+#[test]
+fn digits_are_those_of_the_disagreement() {
+    for (error, expected) in [
+        (0.0, 15),
+        (3e-15, 14),
+        (1e-12, 12),
+        (2e-11, 10),
+        (0.5, 0),
+        (1.0, 0),
+    ] {
+        assert_eq!(digits(error), expected, "{error}");
+    }
+}

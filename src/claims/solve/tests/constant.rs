@@ -1,0 +1,166 @@
+//! Launched particles.
+
+use super::*;
+use crate::claims::solve::constant::{At, Problem};
+use std::f64::consts::PI;
+
+fn constant([lambda, v0, theta0, accel]: [f64; 4], at: At) -> Problem {
+    Problem {
+        lambda,
+        v0,
+        theta0,
+        accel,
+        at,
+    }
+}
+
+/// λ, v₀, θ₀, A, t; v, θ, v_x, v_y.
+const LAUNCHES: [([f64; 5], [f64; 4]); 5] = [
+    (
+        [0.5, 1.0, 1.0, 1.0, 2.0],
+        [
+            1.7219967700957113,
+            0.22314018240859393,
+            1.679303920820284,
+            0.3810658968442107,
+        ],
+    ),
+    (
+        [1.0, 2.0, 2.5, 1.5, 3.0],
+        [
+            0.19885638445306664,
+            8.28944641394507e-8,
+            0.19885638445306594,
+            1.6484093429945537e-8,
+        ],
+    ),
+    (
+        [1.7, 1.3, 2.0, 1.0, 0.5],
+        [
+            0.3707367520572657,
+            1.3151273023343835,
+            0.09375663399136318,
+            0.35868570212454814,
+        ],
+    ),
+    (
+        [0.0, 1.0, 2.0, 1.0, 1.0],
+        [
+            1.0806046117362795,
+            1.0,
+            0.5838531634528576,
+            0.9092974268256817,
+        ],
+    ),
+    (
+        [2.5, 3.0, 0.4, 0.7, 1.1],
+        [
+            1.7987891830501443,
+            0.28993912997248084,
+            1.7237100243832941,
+            0.5142628480638568,
+        ],
+    ),
+];
+
+#[test]
+fn launches_by_time_and_back_by_angle() {
+    for ([lambda, v0, theta0, accel, t], [v, theta, vx, vy]) in LAUNCHES {
+        let given = [lambda, v0, theta0, accel];
+        let answer = constant(given, At::Time(t)).solve().unwrap();
+        agrees(
+            &answer,
+            &[("v", v), ("theta", theta), ("t", t), ("vx", vx), ("vy", vy)],
+        );
+        let back = constant(given, At::Theta(answer.best.theta))
+            .solve()
+            .unwrap();
+        assert!((back.best.t - t).abs() < 1e-9 * t, "{} {t}", back.best.t);
+        assert_eq!(answer.best.stop_time.is_some(), lambda > 1.0);
+    }
+}
+
+#[test]
+fn launches_along_the_axis() {
+    let at = |lambda, theta0, at| constant([lambda, 2.0, theta0, 1.0], at).solve();
+    let ahead = at(0.5, 0.0, At::Time(3.0)).unwrap();
+    agrees(
+        &ahead,
+        &[("v", 3.5), ("theta", 0.0), ("vx", 3.5), ("vy", 0.0)],
+    );
+    agrees(
+        &at(3.0, 0.0, At::Time(0.5)).unwrap(),
+        &[("v", 1.0), ("stop_time", 1.0)],
+    );
+    agrees(&at(1.0, 0.0, At::Time(5.0)).unwrap(), &[("v", 2.0)]);
+    let back = at(0.5, PI, At::Time(1.0)).unwrap();
+    agrees(
+        &back,
+        &[("v", 0.5), ("theta", PI), ("vx", -0.5), ("vy", 0.0)],
+    );
+    assert_eq!(back.best.stop_time, None);
+    let turned = at(0.5, PI, At::Time(3.0)).unwrap();
+    agrees(&turned, &[("v", 0.5 * (3.0 - 4.0 / 3.0)), ("theta", 0.0)]);
+    agrees(
+        &at(0.5, PI, At::Theta(0.0)).unwrap(),
+        &[("v", 0.0), ("t", 4.0 / 3.0)],
+    );
+    agrees(
+        &at(1.0, PI, At::Time(7.0)).unwrap(),
+        &[("v", 0.0), ("theta", PI), ("stop_time", 1.0)],
+    );
+    agrees(
+        &at(2.0, PI, At::Theta(PI)).unwrap(),
+        &[("v", 2.0), ("t", 0.0)],
+    );
+    for (lambda, theta0, theta) in [
+        (0.5, 0.0, 0.1),
+        (2.0, PI, 0.0),
+        (0.5, PI, 1.0),
+        (0.5, 1.0, 0.0),
+        (0.5, 1.0, 2.0),
+        (2.0, 1.0, -0.5),
+    ] {
+        let error = at(lambda, theta0, At::Theta(theta)).unwrap_err();
+        assert!(
+            matches!(error, SolveError::Parameter { name: "theta", .. }),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn a_stopped_particle_keeps_the_angle_to_which_it_tended() {
+    let rest = constant([1.5, 1.0, 2.0, 1.0], At::Time(9.0))
+        .solve()
+        .unwrap();
+    agrees(
+        &rest,
+        &[
+            ("v", 0.0),
+            ("theta", 0.0),
+            ("t", 9.0),
+            ("stop_time", (1.5 + 2_f64.cos()) / 1.25),
+        ],
+    );
+}
+
+#[test]
+fn bad_parameters_are_named() {
+    let good = [0.5, 1.0, 1.0, 1.0];
+    for (i, name, bad) in [
+        (0, "lambda", -1.0),
+        (1, "v0", 0.0),
+        (2, "theta0", 4.0),
+        (3, "accel", f64::NAN),
+    ] {
+        let mut given = good;
+        given[i] = bad;
+        match constant(given, At::Time(1.0)).solve() {
+            Err(SolveError::Parameter { name: found, .. }) => assert_eq!(found, name),
+            other => panic!("{other:?}"),
+        }
+    }
+    let error = constant(good, At::Time(-1.0)).solve().unwrap_err();
+    assert_eq!(error.to_string(), "time = -1 must be between 0 and 1e40");
+}

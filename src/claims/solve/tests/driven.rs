@@ -1,0 +1,173 @@
+//! Periodic drives.
+
+use super::*;
+use crate::claims::solve::{anisotropic, periodic, sinusoidal};
+use std::f64::consts::{PI, TAU};
+
+#[test]
+fn sinusoidal_motions() {
+    let solve = |lambda0| sinusoidal::Problem { lambda0 }.solve().unwrap();
+    let small = solve(0.3);
+    assert_eq!(word(&small), "two-zeros");
+    agrees(
+        &small,
+        &[
+            ("positive_start", 1.0801014376309588),
+            ("positive_end", 1.0801014376309588 + PI),
+            ("rest_fraction", 0.0),
+        ],
+    );
+    let large = solve(0.7);
+    assert_eq!(word(&large), "two-rests");
+    let (start, length) = (0.7753974966107531, 2.444408227887561);
+    agrees(
+        &large,
+        &[
+            ("positive_start", start),
+            ("positive_end", start + length),
+            ("rest_fraction", 1.0 - length / PI),
+        ],
+    );
+    assert_eq!(word(&solve(1.0)), "rest");
+    assert_eq!(solve(2.0).best, sinusoidal::AT_REST);
+    assert_eq!(solve(0.5).best.regime, "two-zeros");
+    assert_eq!(solve(0.5371).best.regime, "two-rests");
+    assert!(sinusoidal::Problem { lambda0: 0.0 }.solve().is_err());
+}
+
+#[test]
+fn pulses() {
+    let solve = |eta, lambda0| periodic::Problem { eta, lambda0 }.solve().unwrap();
+    let small = solve(0.5, 0.3);
+    assert_eq!(word(&small), "two-zeros");
+    agrees(
+        &small,
+        &[
+            ("positive_start", 0.1 * PI),
+            ("positive_end", 1.1 * PI),
+            ("w_max", 0.7 * 0.4 * PI),
+        ],
+    );
+    let large = solve(0.5, 0.8);
+    assert_eq!(word(&large), "two-rests");
+    agrees(
+        &large,
+        &[
+            ("positive_start", 0.0),
+            ("positive_end", 0.625 * PI),
+            ("rest_fraction", 0.375),
+            ("w_max", 0.1 * PI),
+        ],
+    );
+    for (eta, lambda0, regime) in [
+        (1.0, 0.999, "two-zeros"),
+        (0.0, 0.1, "rest"),
+        (0.5, 1.0, "rest"),
+        (0.5, 0.5, "two-zeros"),
+        (1.0, 0.2, "two-zeros"),
+    ] {
+        assert_eq!(word(&solve(eta, lambda0)), regime, "{eta} {lambda0}");
+    }
+}
+
+#[test]
+fn anisotropic_motions() {
+    let solve = |q, lambda0| anisotropic::Problem { q, lambda0 }.solve().unwrap();
+    // q, λ₀, region, positive, negative, rests, drift.
+    let cases = [
+        (
+            1.0,
+            0.7,
+            "III",
+            [
+                2.444408227887561,
+                2.444408227887561,
+                0.6971844257022324,
+                0.6971844257022324,
+            ],
+            0.0,
+        ),
+        (
+            2.0,
+            0.1,
+            "I",
+            [4.188790204786391, TAU - 4.188790204786391, 0.0, 0.0],
+            3.71286231174724 - 0.6645241836666158,
+        ),
+        (
+            2.0,
+            0.45,
+            "III",
+            [
+                3.4970081203541707,
+                1.3626632794559084,
+                0.2975887091869604,
+                1.125925198182547,
+            ],
+            1.5540201867327503 - 0.045935176077484326,
+        ),
+        (
+            2.0,
+            0.7,
+            "IV",
+            [2.444408227887561, 0.0, TAU - 2.444408227887561, 0.0],
+            0.4324939397237737,
+        ),
+        (
+            6.0,
+            0.12,
+            "II",
+            [
+                4.9962362245447824,
+                0.6842276880270084,
+                0.0,
+                0.6027313846077953,
+            ],
+            4.501832338992746 - 0.017911380153432455,
+        ),
+        (2.0, 1.5, "V", [0.0, 0.0, TAU, 0.0], 0.0),
+        (
+            0.5,
+            0.5,
+            "I",
+            [TAU - 4.188790204786391, 4.188790204786391, 0.0, 0.0],
+            0.5455057581975032 - 3.0478766916761706,
+        ),
+        (
+            0.5,
+            1.4,
+            "IV",
+            [0.0, 2.444408227887561, 0.0, TAU - 2.444408227887561],
+            -0.4324939397237737,
+        ),
+    ];
+    for (q, lambda0, region, [positive, negative, after, before], drift) in cases {
+        let answer = solve(q, lambda0);
+        assert_eq!(word(&answer), region, "{q} {lambda0}");
+        agrees(
+            &answer,
+            &[
+                ("positive", positive),
+                ("negative", negative),
+                ("rest_after_positive", after),
+                ("rest_after_negative", before),
+                ("drift_per_period", drift),
+            ],
+        );
+        assert_eq!(answer.by_motion.unwrap().region, region);
+    }
+}
+
+#[test]
+fn formula_and_motion_name_the_same_region_all_over_the_plane() {
+    for i in 0..40 {
+        for j in 0..40 {
+            let (q, lambda0) = (
+                libm::exp(-1.2 + 0.09 * f64::from(i)),
+                0.0131 + 0.0333 * f64::from(j),
+            );
+            let answer = anisotropic::Problem { q, lambda0 }.solve().unwrap();
+            assert!(answer.digits >= Some(10), "{q} {lambda0}: {answer:?}");
+        }
+    }
+}

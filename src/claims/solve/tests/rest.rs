@@ -1,0 +1,32 @@
+//! The turntable's boundary.
+
+use crate::claims::solve::rest::Problem;
+
+#[test]
+fn the_boundary_by_bisection_and_near_the_corner() {
+    let solve = |alpha, psi| Problem { alpha, psi }.solve().unwrap();
+    assert_eq!(solve(0.0, 1.0).best.a, 1.0);
+    let near = solve(1e-7, 0.5);
+    assert!((near.best.a - (1.0 - 1e-7 * 0.25_f64.cos().powi(2))).abs() < 1e-13);
+    for (alpha, psi) in [
+        (1.1e-5, 0.0),
+        (0.1, 1.0),
+        (0.5, -2.0),
+        (1.0, 3.0),
+        (3.0, 0.3),
+        (12.0, 1.0),
+    ] {
+        let answer = solve(alpha, psi);
+        assert!(answer.digits >= Some(10), "{alpha} {psi}: {answer:?}");
+    }
+    assert!(solve(1e-3, 1.0).disagreement < Some(1e-8));
+    // From an extrapolating integrator in extended precision, bisected to 2e-12.
+    for (alpha, psi, a) in [
+        (0.1, 1.0, 0.931534356734),
+        (0.5, -2.0, 0.741161983501),
+        (3.0, 0.3, 0.0566688626136),
+    ] {
+        let found = solve(alpha, psi).best.a;
+        assert!((found - a).abs() < 3e-12 * a, "{found} {a}");
+    }
+}

@@ -1,0 +1,140 @@
+//! The search for a number among the known ones, digit by digit.
+
+use super::{Named, values};
+use crate::claims::compare::Failure;
+use serde::Serialize;
+
+/// A number found among those of the claims.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Match {
+    /// Its symbol.
+    pub symbol: &'static str,
+    /// Its value, to as many digits as are known.
+    pub value: String,
+    /// What it is.
+    pub meaning: &'static str,
+    /// Ids of the claims that carry it.
+    pub claims: &'static [&'static str],
+    /// How many of the given significant digits are right, from the first on.
+    pub right: usize,
+    /// Which significant digit is the first wrong one, counted from 1; nothing if all are right or beyond what is
+    /// known.
+    pub first_wrong: Option<usize>,
+    /// Where that digit stands in the number as it was given, counted from 0.
+    pub column: Option<usize>,
+}
+
+/// What cannot be searched for.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is no decimal number such as 0.537 or -4.6e0")]
+pub struct NotDecimal(String);
+
+/// Wrong numbers are graded if at least so many of their first digits are right.
+const ENOUGH: usize = 3;
+
+/// The numbers that agree with `given` to all of its digits; if there is none, those that begin like it, with the
+/// first wrong digit. The last digit given may be rounded or cut off.
+///
+/// # Errors
+/// A text that is no decimal number; and those of [`values`].
+pub fn find(given: &str) -> Result<Vec<Match>, Failure> {
+    let wanted = Digits::read(given).ok_or_else(|| NotDecimal(given.to_owned()))?;
+    let mut found: Vec<Match> = values()?
+        .into_iter()
+        .filter_map(|v| wanted.grade(v))
+        .collect();
+    if found.iter().any(|m| m.first_wrong.is_none()) {
+        found.retain(|m| m.first_wrong.is_none());
+    } else {
+        let most = found.iter().map(|m| m.right).max().unwrap_or(0);
+        found.retain(|m| m.right == most && most >= ENOUGH);
+    }
+    Ok(found)
+}
+
+/// A decimal number by its significant digits.
+struct Digits {
+    negative: bool,
+    /// From the first that is not zero on.
+    digits: Vec<u8>,
+    /// Where each stands in the text.
+    columns: Vec<usize>,
+    /// The power of ten of the first one.
+    power: i32,
+}
+
+impl Digits {
+    fn read(text: &str) -> Option<Self> {
+        let value: f64 = text.parse().ok().filter(|v: &f64| v.is_finite())?;
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let exponent: i32 = exponent.parse().ok()?;
+        let (mut digits, mut columns) = (Vec::new(), Vec::new());
+        let (mut power, mut after_point) = (exponent - 1, false);
+        for (column, c) in mantissa.chars().enumerate() {
+            let Some(digit) = c.to_digit(10) else {
+                after_point |= c == '.';
+                continue;
+            };
+            if digits.is_empty() && digit == 0 {
+                power -= i32::from(after_point);
+                continue;
+            }
+            digits.push(digit as u8);
+            columns.push(column);
+            power += i32::from(!after_point);
+        }
+        (!digits.is_empty()).then_some(Digits {
+            negative: value < 0.0,
+            digits,
+            columns,
+            power,
+        })
+    }
+
+    /// How far a value has these digits; nothing if not even sign and size are the same.
+    fn grade(&self, value: Named) -> Option<Match> {
+        let known = Digits::read(&value.decimals)?;
+        if known.negative != self.negative || known.power != self.power {
+            return None;
+        }
+        let given = self.digits.len();
+        let same = self
+            .digits
+            .iter()
+            .zip(&known.digits)
+            .take_while(|(a, b)| a == b)
+            .count();
+        // A number that ends, such as 7/2, is known to any length.
+        let settled = same == given.min(known.digits.len()) || self.rounds(&known.digits);
+        let right = if settled {
+            given.min(known.digits.len())
+        } else {
+            same
+        };
+        Some(Match {
+            symbol: value.symbol,
+            value: value.decimals,
+            meaning: value.meaning,
+            claims: value.claims,
+            right,
+            first_wrong: (!settled).then_some(same + 1),
+            column: (!settled).then(|| self.columns[same]),
+        })
+    }
+
+    /// Whether these digits are the first of the known ones, rounded up.
+    fn rounds(&self, known: &[u8]) -> bool {
+        let given = self.digits.len();
+        if given >= known.len() || known[given] < 5 {
+            return false;
+        }
+        let mut rounded = known[..given].to_vec();
+        for digit in rounded.iter_mut().rev() {
+            *digit = (*digit + 1) % 10;
+            if *digit != 0 {
+                break;
+            }
+        }
+        rounded == self.digits
+    }
+}

@@ -1,0 +1,59 @@
+//! The command `find`.
+
+use super::output::{Failure, Format, VERSION, csv, json, say};
+use crate::claims::values::{Match, find as matches};
+use std::fmt::Write;
+
+/// Finds the claims that carry a number.
+pub(super) fn find(number: &str, format: Format) -> Result<u8, Failure> {
+    let found = matches(number)?;
+    match format {
+        Format::Text => say(&text(number, &found))?,
+        Format::Json => json(&serde_json::json!({
+            "version": VERSION,
+            "number": number,
+            "matches": found,
+        }))?,
+        Format::Csv => csv(
+            &[
+                "symbol",
+                "value",
+                "right",
+                "first_wrong",
+                "claims",
+                "meaning",
+            ],
+            found.iter().map(|m| {
+                vec![
+                    m.symbol.to_owned(),
+                    m.value.clone(),
+                    m.right.to_string(),
+                    m.first_wrong.map_or(String::new(), |n| n.to_string()),
+                    m.claims.join(" "),
+                    m.meaning.to_owned(),
+                ]
+            }),
+        )?,
+    }
+    Ok(0)
+}
+
+fn text(number: &str, found: &[Match]) -> String {
+    if found.is_empty() {
+        return format!("no claim carries {number}, nor anything that begins like it");
+    }
+    let mut text = String::new();
+    for m in found {
+        let _ = writeln!(text, "{} = {}  {}", m.symbol, m.value, m.meaning);
+        let _ = writeln!(text, "    claims: {}", m.claims.join(", "));
+        let grade = match m.first_wrong {
+            None => format!("all {} digits given are right", m.right),
+            Some(n) => format!("{} digits are right, digit {n} is wrong", m.right),
+        };
+        let _ = writeln!(text, "    {grade}\n    {number}");
+        if let Some(column) = m.column {
+            let _ = writeln!(text, "    {}^", " ".repeat(column));
+        }
+    }
+    text
+}

@@ -1,0 +1,282 @@
+//! The commands that try claims: the main job, `verify`, `show`, `list` and `errata`.
+
+use super::output::{self, Failure, Format, VERSION, csv, json, say};
+use crate::claims::{self, Claim, TOPICS};
+use crate::ledger::errata;
+use crate::ledger::{Difference, Entry, Ledger, Record, Row, Verdict};
+use crate::{book, figures};
+use clap::ValueEnum;
+use clap::builder::PossibleValuesParser;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
+
+/// The verdicts by their slugs.
+pub(super) fn verdicts() -> PossibleValuesParser {
+    PossibleValuesParser::new(Verdict::ALL.map(Verdict::slug))
+}
+
+/// The sections of the paper.
+pub(super) fn sections() -> PossibleValuesParser {
+    let sections: BTreeSet<&str> = claims::all().map(|(_, claim)| claim.section).collect();
+    PossibleValuesParser::new(sections)
+}
+
+/// How errata are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ErrataFormat {
+    /// Plain text
+    Text,
+    /// The body of a LaTeX document
+    Latex,
+    /// As with --json
+    Json,
+}
+
+/// Claims as JSON.
+#[derive(Serialize)]
+struct Claims<'a> {
+    version: u32,
+    claims: Vec<Row<'a>>,
+    differences: Vec<DifferenceRow<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    book: Option<&'a Path>,
+}
+
+/// A claim whose verdict is not the recorded one.
+#[derive(Serialize)]
+struct DifferenceRow<'a> {
+    id: &'a str,
+    recorded: Option<&'a str>,
+    found: Option<&'a str>,
+}
+
+/// What a command that tries claims has at the end.
+struct Tried {
+    ledger: Ledger,
+    differences: Vec<Difference>,
+}
+
+impl Tried {
+    /// Tries all claims, or those of these ids.
+    fn new(ids: Option<&[&str]>) -> Result<Self, Failure> {
+        let record = Record::committed()?;
+        let ledger = with_progress(ids);
+        let mut differences = record.differences(&ledger);
+        if ids.is_some() {
+            differences.retain(|d| d.found.is_some());
+        }
+        Ok(Tried {
+            ledger,
+            differences,
+        })
+    }
+
+    fn code(&self) -> u8 {
+        u8::from(!self.differences.is_empty())
+    }
+
+    fn rows<'a>(&'a self, shown: &[&'a Entry], book: Option<&'a Path>) -> Claims<'a> {
+        let slug = |verdict: Option<Verdict>| verdict.map(Verdict::slug);
+        let difference = |d: &'a Difference| DifferenceRow {
+            id: &d.id,
+            recorded: slug(d.recorded),
+            found: slug(d.found),
+        };
+        Claims {
+            version: VERSION,
+            claims: shown.iter().map(|entry| entry.row()).collect(),
+            differences: self.differences.iter().map(difference).collect(),
+            book,
+        }
+    }
+
+    fn all(&self) -> Vec<&Entry> {
+        self.ledger.entries.iter().collect()
+    }
+
+    /// Table, differences and summary as text.
+    fn text(&self) -> String {
+        let words = |v: Option<Verdict>| v.map_or("no such claim", Verdict::words);
+        let mut text = self.ledger.table();
+        for d in &self.differences {
+            let (recorded, found) = (words(d.recorded), words(d.found));
+            let _ = writeln!(text, "{}: recorded as {recorded}, found {found}", d.id);
+        }
+        let _ = writeln!(text, "\n{}", self.ledger.summary());
+        text
+    }
+
+    /// How many claims are as recorded, in words.
+    fn as_recorded(&self) -> String {
+        let all = self.ledger.entries.len();
+        let differ = self.differences.iter().filter(|d| d.found.is_some());
+        format!("{} of {all} verdicts as recorded", all - differ.count())
+    }
+}
+
+/// Verifies everything and writes the book.
+pub(super) fn main_job(out: &Path, format: Format) -> Result<u8, Failure> {
+    let start = Instant::now();
+    book::check(out)?;
+    let (tried, figures) = rayon::join(|| Tried::new(None), figures::all);
+    let tried = tried?;
+    let first_page = book::write(&tried.ledger, &figures?, out)?;
+    match format {
+        Format::Text => say(&format!(
+            "{}{} comparisons in {:.1} s; {}\nThe book: {}",
+            tried.text(),
+            tried.ledger.points(),
+            start.elapsed().as_secs_f64(),
+            tried.as_recorded(),
+            first_page.display()
+        ))?,
+        Format::Json => json(&tried.rows(&tried.all(), Some(&first_page)))?,
+        Format::Csv => table(&tried.all())?,
+    }
+    Ok(tried.code())
+}
+
+/// Verifies the claims of these ids, or all.
+pub(super) fn verify(ids: &[String], format: Format) -> Result<u8, Failure> {
+    let known: Result<Vec<_>, _> = ids.iter().map(|id| known(id)).collect();
+    let known = known?;
+    let tried = Tried::new((!ids.is_empty()).then_some(&known))?;
+    match format {
+        Format::Text => say(&format!("{}{}", tried.text(), tried.as_recorded()))?,
+        Format::Json => json(&tried.rows(&tried.all(), None))?,
+        Format::Csv => table(&tried.all())?,
+    }
+    Ok(tried.code())
+}
+
+/// Shows one claim.
+pub(super) fn show(id: &str, format: Format) -> Result<u8, Failure> {
+    let tried = Tried::new(Some(&[known(id)?]))?;
+    match format {
+        Format::Text => {
+            let sheets = tried.ledger.entries.iter().map(Entry::sheet);
+            say(&sheets.collect::<String>())?;
+        }
+        Format::Json => json(&tried.rows(&tried.all(), None))?,
+        Format::Csv => table(&tried.all())?,
+    }
+    Ok(tried.code())
+}
+
+/// Lists the claims of a verdict and a section.
+pub(super) fn list(
+    verdict: Option<&str>,
+    section: Option<&str>,
+    format: Format,
+) -> Result<u8, Failure> {
+    let of_section: Option<Vec<_>> = section.map(|section| {
+        let there = claims::all().filter(|(_, claim)| claim.section == section);
+        there.map(|(_, claim)| claim.id).collect()
+    });
+    let tried = Tried::new(of_section.as_deref())?;
+    let fits = |e: &&Entry| verdict.is_none_or(|v| e.judgement.verdict.slug() == v);
+    let shown: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
+    match format {
+        Format::Text => say(&shown.iter().map(|e| line(e)).collect::<String>())?,
+        Format::Json => json(&tried.rows(&shown, None))?,
+        Format::Csv => table(&shown)?,
+    }
+    Ok(tried.code())
+}
+
+/// Prints the errata.
+pub(super) fn print_errata(kind: ErrataFormat, format: Format) -> Result<u8, Failure> {
+    let tried = Tried::new(None)?;
+    match (kind, format) {
+        (ErrataFormat::Json, _) | (_, Format::Json) => json(&serde_json::json!({
+            "version": VERSION,
+            "errata": errata::errata(&tried.ledger),
+        }))?,
+        (_, Format::Csv) => {
+            let row = |e: errata::Erratum| {
+                let id = e.id.to_owned();
+                vec![id, e.section.into(), e.printed.into(), e.corrected.into()]
+            };
+            let rows = errata::errata(&tried.ledger).into_iter().map(row);
+            csv(&["id", "section", "printed", "corrected"], rows)?;
+        }
+        (ErrataFormat::Latex, _) => say(&errata::latex(&tried.ledger))?,
+        (ErrataFormat::Text, _) => say(&errata::text(&tried.ledger))?,
+    }
+    Ok(tried.code())
+}
+
+/// The id of a claim, if there is one of this name.
+fn known(id: &str) -> Result<&'static str, Failure> {
+    match claims::find(id) {
+        Some((_, claim)) => Ok(claim.id),
+        None => Err(format!("there is no claim `{id}`: `slipbook list` names all").into()),
+    }
+}
+
+fn line(entry: &Entry) -> String {
+    let Claim {
+        id, section, title, ..
+    } = entry.claim;
+    let verdict = entry.judgement.verdict.words();
+    format!("{id:<31} {section:<4} {verdict:<26} {title}\n")
+}
+
+fn table(entries: &[&Entry]) -> Result<(), Failure> {
+    let headers = [
+        "id",
+        "section",
+        "equation",
+        "kind",
+        "verdict",
+        "formula",
+        "routes",
+        "points",
+        "worst",
+        "tolerance",
+    ];
+    let row = |entry: &&Entry| {
+        let (claim, worst) = (entry.claim, entry.worst());
+        let number = |x: Option<f64>| x.map_or(String::new(), output::number);
+        vec![
+            claim.id.to_owned(),
+            claim.section.to_owned(),
+            claim.equation.map_or(String::new(), |n| n.to_string()),
+            claim.kind.name().to_owned(),
+            entry.judgement.verdict.slug().to_owned(),
+            claim.plain.to_owned(),
+            entry.routes(),
+            entry
+                .evidence
+                .iter()
+                .map(|e| e.points)
+                .sum::<usize>()
+                .to_string(),
+            number(worst.map(|e| e.worst)),
+            number(worst.map(|e| e.tolerance.value)),
+        ]
+    };
+    csv(&headers, entries.iter().map(row))
+}
+
+/// Tries claims with a progress bar, which shows on a terminal only.
+fn with_progress(ids: Option<&[&str]>) -> Ledger {
+    let all = || TOPICS.iter().map(|topic| topic.claims.len()).sum();
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} claims  {msg}");
+    let bar = ProgressBar::new(ids.map_or_else(all, <[_]>::len) as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let done = |claim: &Claim| {
+        bar.set_message(claim.id);
+        bar.inc(1);
+    };
+    let ledger = match ids {
+        Some(ids) => Ledger::try_some(ids, done),
+        None => Ledger::try_all(done),
+    };
+    bar.finish_and_clear();
+    ledger
+}

@@ -1,0 +1,360 @@
+//! The command `solve`: the calculators of [`crate::claims::solve`].
+
+use super::output::{Failure, Format, csv, json, number, say};
+use super::plot;
+use crate::claims::solve::constant::At;
+use crate::claims::solve::{
+    Curve, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest, sinusoidal,
+    sphere, turntable,
+};
+use clap::{Args, Subcommand};
+use std::fmt::Write;
+use std::path::PathBuf;
+
+/// A calculator and whether to plot.
+#[derive(Args)]
+pub(super) struct Solve {
+    #[command(subcommand)]
+    problem: Problem,
+    /// Plot too: into an SVG file, or as text if no file is named
+    #[arg(long, global = true, value_name = "FILE", num_args = 0..=1)]
+    #[allow(clippy::option_option)]
+    plot: Option<Option<PathBuf>>,
+}
+
+#[derive(Subcommand)]
+enum Problem {
+    /// A particle launched on a plane of constant acceleration
+    #[command(after_help = "Examples:
+  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2
+  slipbook solve constant --lambda 1.5 --v0 1 --theta0 2 --theta 0.3 --json")]
+    Constant(Constant),
+    /// The large-time motion under a sinusoidal drive
+    #[command(after_help = "Example:\n  slipbook solve sinusoidal --lambda0 0.7 --plot")]
+    Sinusoidal {
+        /// λ₀ = μg/A₀, friction over the drive's amplitude
+        #[arg(long)]
+        lambda0: f64,
+    },
+    /// The large-time motion under a train of pulses
+    #[command(after_help = "Example:\n  slipbook solve pulse --eta 0.5 --lambda0 0.3")]
+    Pulse {
+        /// η, the share of a half period that a pulse fills, from 0 to 1
+        #[arg(long)]
+        eta: f64,
+        /// λ₀ = μg/A₀, friction over the drive's amplitude
+        #[arg(long)]
+        lambda0: f64,
+    },
+    /// The large-time motion with a friction that depends on the direction
+    #[command(after_help = "Example:\n  slipbook solve anisotropic --q 2 --lambda0 0.45")]
+    Anisotropic {
+        /// q, backward friction over forward friction
+        #[arg(long)]
+        q: f64,
+        /// λ₀, forward friction over the drive's amplitude
+        #[arg(long)]
+        lambda0: f64,
+    },
+    /// A sphere that starts without spin on a plane of constant acceleration
+    #[command(
+        after_help = "Example:\n  slipbook solve sphere --gamma 2 --u0 1 --theta0 1 --time 0.3"
+    )]
+    Sphere(Sphere),
+    /// A particle on a turntable: rest or escape, or its state at a time
+    #[command(after_help = "Examples:
+  slipbook solve turntable --rho 0.5 --p 0.3 --psi 1
+  slipbook solve turntable --A 0.8 --alpha 0.1 --psi 0.2 --plot path.svg
+  slipbook solve turntable --x 0.5 --y 0 --vx 0.1 --vy -0.2 --time 0.4")]
+    Turntable(Turntable),
+    /// Where rest and escape meet on a turntable
+    #[command(after_help = "Example:\n  slipbook solve turntable-boundary --alpha 0.5 --psi 1")]
+    TurntableBoundary {
+        /// α, with p = A sinh α and ρ = A cosh α
+        #[arg(long)]
+        alpha: f64,
+        /// ψ, the angle from the velocity to the position (radians)
+        #[arg(long, allow_hyphen_values = true)]
+        psi: f64,
+    },
+}
+
+#[derive(Args)]
+struct Constant {
+    /// λ = μg/A, friction over acceleration
+    #[arg(long)]
+    lambda: f64,
+    /// Initial speed
+    #[arg(long)]
+    v0: f64,
+    /// Initial angle of the velocity with the x axis, in (−π, π]
+    #[arg(long, allow_hyphen_values = true)]
+    theta0: f64,
+    /// The plane's acceleration A
+    #[arg(long, default_value_t = 1.0)]
+    accel: f64,
+    #[command(flatten)]
+    moment: Moment,
+}
+
+#[derive(Args)]
+struct Sphere {
+    /// γ = A/(μg)
+    #[arg(long)]
+    gamma: f64,
+    /// Initial slip
+    #[arg(long)]
+    u0: f64,
+    /// Initial angle of the slip with the x axis, in (−π, π]
+    #[arg(long, allow_hyphen_values = true)]
+    theta0: f64,
+    /// κ = I/(mR²): 0.4 for a solid sphere
+    #[arg(long, default_value_t = 0.4)]
+    kappa: f64,
+    #[command(flatten)]
+    moment: Moment,
+}
+
+/// The moment that is asked for.
+#[derive(Args)]
+#[group(required = true, multiple = false)]
+struct Moment {
+    /// When the angle has fallen to this (radians)
+    #[arg(long, allow_hyphen_values = true)]
+    theta: Option<f64>,
+    /// At this time
+    #[arg(long)]
+    time: Option<f64>,
+}
+
+impl Moment {
+    fn at(&self) -> At {
+        match (self.theta, self.time) {
+            (Some(theta), _) => At::Theta(theta),
+            (None, time) => At::Time(time.unwrap_or_default()),
+        }
+    }
+}
+
+#[derive(Args)]
+struct Turntable {
+    #[command(flatten)]
+    start: Start,
+    /// ψ, the angle from the velocity to the position, counterclockwise (radians)
+    #[arg(long, allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
+    psi: Option<f64>,
+    /// Speed p of a start by --rho
+    #[arg(long, requires = "rho")]
+    p: Option<f64>,
+    /// α of a start by --A
+    #[arg(long, requires = "A")]
+    alpha: Option<f64>,
+    /// Position y of a start by --x
+    #[arg(long, allow_hyphen_values = true, requires = "x")]
+    y: Option<f64>,
+    /// Velocity along x, relative to the table
+    #[arg(long, allow_hyphen_values = true, requires = "x")]
+    vx: Option<f64>,
+    /// Velocity along y, relative to the table
+    #[arg(long, allow_hyphen_values = true, requires = "x")]
+    vy: Option<f64>,
+    /// Ask for the state at this time
+    #[arg(long)]
+    time: Option<f64>,
+}
+
+/// The first coordinate of a start says how it is given.
+#[derive(Args)]
+#[group(required = true, multiple = false)]
+struct Start {
+    /// Distance ρ from the axis, with --p and --psi
+    #[arg(long, requires_all = ["p", "psi"])]
+    rho: Option<f64>,
+    /// A, with --alpha and --psi
+    #[arg(id = "A", long = "A", value_name = "A", requires_all = ["alpha", "psi"])]
+    a: Option<f64>,
+    /// Position x in the table's axes, with --y, --vx and --vy
+    #[arg(long, allow_hyphen_values = true, requires_all = ["y", "vx", "vy"])]
+    x: Option<f64>,
+}
+
+impl Turntable {
+    fn problem(&self) -> turntable::Problem {
+        // The options require one another: none is missing here.
+        let given = Option::unwrap_or_default;
+        match self.start {
+            Start { rho: Some(rho), .. } => turntable::Problem::Polar {
+                rho,
+                p: given(self.p),
+                psi: given(self.psi),
+            },
+            Start { a: Some(a), .. } => turntable::Problem::Hyperbolic {
+                a,
+                alpha: given(self.alpha),
+                psi: given(self.psi),
+            },
+            Start { x, .. } => turntable::Problem::Cartesian {
+                position: [given(x), given(self.y)],
+                velocity: [given(self.vx), given(self.vy)],
+            },
+        }
+    }
+}
+
+impl Problem {
+    fn report(&self) -> Result<Report, SolveError> {
+        Ok(match self {
+            Problem::Constant(given) => given.problem().solve()?.report("constant"),
+            Problem::Sinusoidal { lambda0 } => {
+                let lambda0 = *lambda0;
+                sinusoidal::Problem { lambda0 }
+                    .solve()?
+                    .report("sinusoidal")
+            }
+            Problem::Pulse { eta, lambda0 } => {
+                let (eta, lambda0) = (*eta, *lambda0);
+                periodic::Problem { eta, lambda0 }.solve()?.report("pulse")
+            }
+            Problem::Anisotropic { q, lambda0 } => {
+                let (q, lambda0) = (*q, *lambda0);
+                anisotropic::Problem { q, lambda0 }
+                    .solve()?
+                    .report("anisotropic")
+            }
+            Problem::Sphere(given) => given.problem().solve()?.report("sphere"),
+            Problem::Turntable(given) => match given.time {
+                Some(time) => given.problem().at(time)?.report("turntable"),
+                None => given.problem().fate()?.report("turntable"),
+            },
+            Problem::TurntableBoundary { alpha, psi } => {
+                let (alpha, psi) = (*alpha, *psi);
+                let boundary = rest::Problem { alpha, psi };
+                boundary.solve()?.report("turntable-boundary")
+            }
+        })
+    }
+
+    fn curve(&self) -> Result<Curve, SolveError> {
+        match self {
+            Problem::Constant(given) => given.problem().curve(),
+            Problem::Sinusoidal { lambda0 } => {
+                let lambda0 = *lambda0;
+                sinusoidal::Problem { lambda0 }.curve()
+            }
+            Problem::Pulse { eta, lambda0 } => {
+                let (eta, lambda0) = (*eta, *lambda0);
+                periodic::Problem { eta, lambda0 }.curve()
+            }
+            Problem::Anisotropic { q, lambda0 } => {
+                let (q, lambda0) = (*q, *lambda0);
+                anisotropic::Problem { q, lambda0 }.curve()
+            }
+            Problem::Sphere(given) => given.problem().curve(),
+            Problem::Turntable(given) => given.problem().curve(given.time),
+            Problem::TurntableBoundary { alpha, psi } => {
+                let (alpha, psi) = (*alpha, *psi);
+                rest::Problem { alpha, psi }.curve()
+            }
+        }
+    }
+}
+
+impl Constant {
+    fn problem(&self) -> constant::Problem {
+        constant::Problem {
+            lambda: self.lambda,
+            v0: self.v0,
+            theta0: self.theta0,
+            accel: self.accel,
+            at: self.moment.at(),
+        }
+    }
+}
+
+impl Sphere {
+    fn problem(&self) -> sphere::Problem {
+        sphere::Problem {
+            gamma: self.gamma,
+            u0: self.u0,
+            theta0: self.theta0,
+            kappa: self.kappa,
+            at: self.moment.at(),
+        }
+    }
+}
+
+impl Solve {
+    /// Answers, and plots if that is wanted.
+    pub(super) fn run(&self, format: Format) -> Result<u8, Failure> {
+        let report = self.problem.report()?;
+        let drawn = match &self.plot {
+            None => None,
+            Some(Some(file)) => {
+                plot::to_file(&self.problem.curve()?, file)?;
+                None
+            }
+            Some(None) if format == Format::Text => Some(plot::as_text(&self.problem.curve()?)),
+            Some(None) => return Err("--plot: beside JSON or CSV, name an SVG file".into()),
+        };
+        match format {
+            Format::Text => say(&(text(&report) + &drawn.unwrap_or_default()))?,
+            Format::Json => json(&report)?,
+            Format::Csv => table(&report)?,
+        }
+        Ok(0)
+    }
+}
+
+fn word(value: Value) -> String {
+    match value {
+        Value::Number(x) => number(x),
+        Value::Word(word) => word.to_owned(),
+        Value::Missing => "none".to_owned(),
+    }
+}
+
+/// The value of the n-th field of one of the two ways.
+fn beside(way: Option<&Vec<Field>>, n: usize) -> String {
+    way.and_then(|fields| fields.get(n))
+        .map_or(String::new(), |field| word(field.value))
+}
+
+fn text(report: &Report) -> String {
+    let mut text = format!("{:<20}  {:<24}{:<24}by motion\n", "", "", "by formula");
+    for (n, field) in report.fields.iter().enumerate() {
+        let line = format!(
+            "{:<20}  {:<24}{:<24}{}",
+            field.name,
+            word(field.value),
+            beside(report.by_formula.as_ref(), n),
+            beside(report.by_motion.as_ref(), n)
+        );
+        let _ = writeln!(text, "{}", line.trim_end());
+    }
+    if let Some(digits) = report.digits {
+        let _ = writeln!(text, "{:<20}  {digits}", "digits");
+    }
+    let _ = writeln!(text, "{:<20}  {}", "note", report.note);
+    text
+}
+
+fn table(report: &Report) -> Result<(), Failure> {
+    let empty = |value: Value| match value {
+        Value::Missing => String::new(),
+        value => word(value),
+    };
+    let rows = report.fields.iter().enumerate().map(|(n, field)| {
+        let way = |way: &Option<Vec<Field>>| {
+            let field = way.as_ref().and_then(|fields| fields.get(n));
+            field.map_or(String::new(), |field| empty(field.value))
+        };
+        let name = field.name.to_owned();
+        vec![
+            name,
+            empty(field.value),
+            way(&report.by_formula),
+            way(&report.by_motion),
+        ]
+    });
+    csv(&["quantity", "value", "by_formula", "by_motion"], rows)
+}

@@ -1,0 +1,84 @@
+//! Trying claims on all cores, and judging them in view of one another.
+
+use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
+use crate::claims::{self, Claim, Topic};
+use rayon::prelude::*;
+
+impl Entry {
+    /// Tries one claim and judges it.
+    pub fn try_claim(topic: &'static Topic, claim: &'static Claim) -> Self {
+        let evidence: Vec<_> = claim.trials.par_iter().map(|trial| trial()).collect();
+        let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
+        Entry {
+            claim,
+            topic,
+            evidence,
+            judgement,
+        }
+    }
+
+    /// Whether the verdict may change with that of `claim`: a misprint's, with what follows from it.
+    fn rests_on(&self, claim: &Claim) -> bool {
+        self.judgement.verdict == Verdict::Misprint && claim.depends_on.contains(&self.claim.id)
+    }
+}
+
+/// Tries claims on all cores.
+fn tried(
+    claims: Vec<(&'static Topic, &'static Claim)>,
+    done: &(impl Fn(&Claim) + Sync),
+) -> Vec<Entry> {
+    let try_one = |(topic, claim)| {
+        let entry = Entry::try_claim(topic, claim);
+        done(claim);
+        entry
+    };
+    claims.into_par_iter().map(try_one).collect()
+}
+
+/// Finds out whether an entry's judgement changes in view of the claims that depend on it.
+fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judgement)> {
+    move |(i, entry)| {
+        let follows = |e: &&Entry| e.claim.depends_on.contains(&entry.claim.id);
+        let dependents: Vec<_> = entries
+            .iter()
+            .filter(follows)
+            .map(|e| (e.claim.id, e.judgement.verdict))
+            .collect();
+        let judgement = in_view_of(entry.judgement.clone(), &dependents);
+        (judgement != entry.judgement).then_some((i, judgement))
+    }
+}
+
+impl Ledger {
+    /// Tries every claim on all cores; calls `done` after each one.
+    pub fn try_all(done: impl Fn(&Claim) + Sync) -> Self {
+        Self::of(tried(claims::all().collect(), &done))
+    }
+
+    /// Tries the claims of these ids; calls `done` after each one. A verdict may rest on those of the claims that
+    /// depend on it: they are tried too where that is so, and are no part of this ledger.
+    pub fn try_some(ids: &[&str], done: impl Fn(&Claim) + Sync) -> Self {
+        let mut wanted: Vec<_> = claims::all().filter(|(_, c)| ids.contains(&c.id)).collect();
+        let mut entries = Vec::new();
+        while !wanted.is_empty() {
+            entries.extend(tried(wanted, &done));
+            wanted = claims::all()
+                .filter(|(_, claim)| entries.iter().all(|e| e.claim.id != claim.id))
+                .filter(|(_, claim)| entries.iter().any(|e| e.rests_on(claim)))
+                .collect();
+        }
+        let mut ledger = Self::of(entries);
+        ledger.entries.retain(|e| ids.contains(&e.claim.id));
+        ledger
+    }
+
+    /// The entries, each judged in view of the others.
+    fn of(mut entries: Vec<Entry>) -> Self {
+        // A refutation may pass from claim to claim, against the order of derivation.
+        while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
+            entries[i].judgement = judgement;
+        }
+        Ledger { entries }
+    }
+}

@@ -1,0 +1,130 @@
+//! The book's page on JSON holds of what the commands write: every field is described, with its type, and every
+//! described field is written.
+
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
+
+const PAGE: &str = include_str!("../book/src/json.md");
+
+/// Paths of fields, each with the types that it has.
+type Shape = BTreeMap<String, BTreeSet<String>>;
+
+/// A section's commands and its table.
+struct Section {
+    heading: &'static str,
+    commands: Vec<&'static str>,
+    described: Shape,
+}
+
+fn sections() -> Vec<Section> {
+    let parts = PAGE.split("\n## ").skip(1);
+    let section = |part: &'static str| {
+        let row = |line: &str| {
+            let cells: Vec<_> = line.split('|').map(str::trim).collect();
+            let path = cells.get(1)?.strip_prefix('`')?.strip_suffix('`')?;
+            Some((
+                path.to_owned(),
+                cells[2].split(", ").map(str::to_owned).collect(),
+            ))
+        };
+        Section {
+            heading: part.lines().next().unwrap(),
+            commands: part
+                .lines()
+                .filter_map(|l| l.strip_prefix("slipbook "))
+                .collect(),
+            described: part.lines().filter_map(row).collect(),
+        }
+    };
+    parts.map(section).collect()
+}
+
+fn note(shape: &mut Shape, path: &str, value: &Value) {
+    let (kind, inside): (_, Vec<(String, &Value)>) = match value {
+        Value::Null => ("null", vec![]),
+        Value::Bool(_) => ("boolean", vec![]),
+        Value::Number(_) => ("number", vec![]),
+        Value::String(_) => ("string", vec![]),
+        Value::Array(list) => {
+            let objects = list.iter().filter_map(Value::as_object).flatten();
+            (
+                "array",
+                objects.map(|(k, v)| (format!("{path}[].{k}"), v)).collect(),
+            )
+        }
+        Value::Object(_) => ("object", vec![]),
+    };
+    shape
+        .entry(path.to_owned())
+        .or_default()
+        .insert(kind.to_owned());
+    for (path, value) in inside {
+        note(shape, &path, value);
+    }
+}
+
+fn written(command: &str) -> Value {
+    let output = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+        .args(command.split(' '))
+        .output()
+        .unwrap();
+    let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{command}: {complaint}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn every_field_is_described_and_every_described_field_is_written() {
+    let sections = sections();
+    let common = &sections
+        .iter()
+        .find(|s| s.commands.is_empty())
+        .unwrap()
+        .described;
+    for section in sections.iter().filter(|s| !s.commands.is_empty()) {
+        let mut described = section.described.clone();
+        let mut shape = Shape::new();
+        for command in &section.commands {
+            let value = written(command);
+            let object = value.as_object().unwrap();
+            object
+                .iter()
+                .for_each(|(name, value)| note(&mut shape, name, value));
+            if command.starts_with("solve") {
+                described.extend(common.clone());
+                let ways = ["by_formula", "by_motion"]
+                    .iter()
+                    .filter_map(|way| object[*way].as_object());
+                for way in ways {
+                    let names: BTreeSet<_> = way.keys().collect();
+                    assert_eq!(names, section.described.keys().collect(), "{command}");
+                }
+            }
+        }
+        for (path, kinds) in &described {
+            let found = shape.remove(path).unwrap_or_default();
+            let common = common.contains_key(path);
+            assert!(
+                !found.is_empty(),
+                "{}: {path} is never written",
+                section.heading
+            );
+            assert!(
+                found.is_subset(kinds),
+                "{}: {path} is {found:?}",
+                section.heading
+            );
+            assert!(
+                common || found == *kinds,
+                "{}: {path} is never all of {kinds:?}",
+                section.heading
+            );
+        }
+        assert!(
+            shape.is_empty(),
+            "{}: not described: {shape:?}",
+            section.heading
+        );
+    }
+}
