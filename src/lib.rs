@@ -10,8 +10,8 @@
 //! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
 //!
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
-//! proves identities. The [`ledger`] judges: evidence in, verdict out. [`figures`] draws, and [`book`] writes
-//! all of it down.
+//! proves identities. The [`ledger`] judges: evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the
+//! reader's hand, and [`book`] writes all of it down.
 //!
 //! ```
 //! use slipbook::claims;
@@ -28,6 +28,7 @@ pub mod claims;
 pub mod corrections;
 pub mod evidence;
 pub mod exact;
+pub mod explorers;
 pub mod figures;
 pub mod ledger;
 pub mod motion;
