@@ -6,6 +6,8 @@ use std::f64::consts::PI;
 
 /// How long a motion is followed that need not come to rest.
 const WHILE: f64 = 10.0;
+/// Places marked on a path, at most.
+const MARKS: u32 = 200;
 /// Directions of the portrait: every 30°.
 const DIRECTIONS: u32 = 12;
 
@@ -13,7 +15,7 @@ const DIRECTIONS: u32 = 12;
 ///
 /// Values: whether it comes to rest (1 or 0), the time at the end, v_x, v_y, x, y there. The end is the rest, or the
 /// time 10 where λ ≤ 1 and the particle still moves. Curves: the velocity, the path, and the places at the times
-/// 0, ½, 1, …
+/// 0, ½, 1, …, 100 at most.
 ///
 /// # Errors
 /// λ not 0 or between 10⁻²⁰ and 10²⁰, an angle out of range.
@@ -21,8 +23,8 @@ pub fn motion(lambda: f64, theta: f64) -> Result<Answer, ExplorerError> {
     let motion = followed(lambda, theta)?;
     let end = motion.end();
     let at = |t| motion.at(t);
-    let seconds = (0..=20).map(|i| 0.5 * f64::from(i));
-    let marks: Vec<State> = seconds
+    let halves = (0..=MARKS).map(|i| 0.5 * f64::from(i));
+    let marks: Vec<State> = halves
         .take_while(|t| *t <= end.t)
         .map(at)
         .collect::<Result<_, _>>()?;

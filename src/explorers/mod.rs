@@ -88,6 +88,3 @@ fn flag(truth: bool) -> f64 {
 fn spread(from: f64, to: f64, n: u32) -> impl Iterator<Item = f64> + Clone {
     (0..=n).map(move |i| from + (to - from) * (f64::from(i) / f64::from(n)))
 }
-
-#[cfg(test)]
-mod tests;

@@ -74,7 +74,7 @@ pub fn boundary(rho: f64) -> Result<Answer, ExplorerError> {
     let mut curve = Vec::new();
     if count > 0.0 {
         let [u, v] = middle.map(|sum| sum / count);
-        for angle in spread(0.0, TAU, 72) {
+        for angle in spread(0.0, TAU, 120) {
             let (sine, cosine) = libm::sincos(angle);
             let at = |p: f64| [u + p * cosine, v + p * sine];
             let from = |p| start(rho, at(p));
