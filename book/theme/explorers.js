@@ -49,13 +49,16 @@
                 <div><button type="button">As at first</button></div></div>
             <div class="plots"></div>`;
         const sliders = Object.fromEntries([...host.querySelectorAll('input')].map(slider => [slider.name, slider]));
+        let noted;
         // A number sets an input, a list of one number moves it by so many steps.
         const set = changes => {
             for (const [key, value] of Object.entries(changes)) {
                 state[key] = snap(key, Array.isArray(value) ? state[key] + value[0] * inputs[key].step : value);
             }
             draw();
-            history.replaceState(history.state, '', address());
+            // Browsers slow a page down that changes its address all the time.
+            clearTimeout(noted);
+            noted = setTimeout(() => history.replaceState(history.state, '', address()), 200);
         };
         const address = () => `#${host.id}?${keys.map(key => `${key}=${state[key]}`).join('&')}`;
         const panels = plots(set).map((options, i) => new SlipbookPlot(host.querySelector('.plots'), `${host.id}-${i}`, options));
@@ -63,6 +66,8 @@
 
         let due = false;
         const draw = () => {
+            // What is shown is no longer what is asked for.
+            delete host.dataset.shown;
             if (due) return;
             due = true;
             requestAnimationFrame(() => {
@@ -97,8 +102,6 @@
         // mdBook turns pages with the arrow keys.
         host.addEventListener('keydown', event => event.key.startsWith('Arrow') && event.stopPropagation());
         host.querySelector('button').addEventListener('click', () => set(Object.fromEntries(keys.map(key => [key, inputs[key].start]))));
-        addEventListener('hashchange', () => location.hash.slice(1).split('?')[0] === host.id && read());
-
         const figure = host.nextElementSibling;
         const still = document.createElement('details');
         still.className = 'explorer-static';
@@ -106,8 +109,14 @@
         figure.replaceWith(still);
         still.append(figure);
         addEventListener('beforeprint', () => { still.open = true; });
+        const unfold = () => { still.open ||= location.hash === `#${figure.id}`; };
+        addEventListener('hashchange', () => {
+            if (location.hash.slice(1).split('?')[0] === host.id) read();
+            unfold();
+        });
         host.hidden = false;
         read();
+        unfold();
     }
 
     // The page for printing keeps its still figures.
