@@ -10,8 +10,8 @@
 //! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
 //!
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
-//! proves identities. The [`ledger`] judges: evidence in, verdict out. [`figures`] draws, and [`book`] writes
-//! all of it down. [`cli`] is the command. For parameters of your own there are the calculators of
+//! proves identities. The [`ledger`] judges: evidence in, verdict out. [`figures`] draws, [`explorers`] answer to
+//! the reader's hand, and [`book`] writes all of it down. [`cli`] is the command. For parameters of your own there are the calculators of
 //! [`claims::solve`].
 //!
 //! With `default-features = false` there are the formulas, the motions, the calculators and the ledger's types
@@ -40,6 +40,8 @@ pub mod corrections;
 pub mod evidence;
 #[cfg(feature = "book")]
 pub mod exact;
+#[cfg(feature = "book")]
+pub mod explorers;
 #[cfg(feature = "book")]
 pub mod figures;
 pub mod ledger;

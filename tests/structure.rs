@@ -10,6 +10,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("evidence", &[]),
     ("numerics", &["scalar"]),
     ("motion", &["numerics", "scalar"]),
+    ("explorers", &["motion"]),
     ("paper", &["scalar"]),
     ("corrections", &["scalar"]),
     ("exact", &["scalar"]),

@@ -2,6 +2,7 @@
 
 use super::claim_box;
 use super::error::Fault;
+use super::explorers;
 use super::maths::Maths;
 use super::tables;
 use super::text::{count, escape, size};
@@ -63,6 +64,10 @@ impl<'a> Filler<'a> {
                 block(claim_box::claim_box(self, entry)?)
             }
             ["figure", id] => block(self.figure(id)?),
+            ["explorer"] => {
+                let none = || Fault::Placeholder("this page has no explorer".into());
+                block(explorers::place(page).ok_or_else(none)?)
+            }
             ["counts"] => block(tables::counts(self.ledger)),
             ["ledger"] => block(tables::whole_ledger(self)?),
             ["ledger", topic] => block(tables::topic(self, topic)?),

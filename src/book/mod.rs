@@ -6,6 +6,7 @@
 //! |---|---|
 //! | `{{claim eq-11}}` | the claim's box; every claim has one, on the page of its topic |
 //! | `{{figure fig-1}}` | the figure with its caption, text alternative and data |
+//! | `{{explorer}}` | the page's explorer, right before the figure that it answers for |
 //! | `{{counts}}` | a table of the verdicts with the number of claims |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
@@ -28,6 +29,7 @@ mod assets;
 mod claim_box;
 mod error;
 mod expand;
+mod explorers;
 mod fill;
 mod maths;
 mod pages;
@@ -94,6 +96,8 @@ fn write_pages(
     for figure in figures {
         files.push((fill::data_file(figure), figure.csv.clone()));
     }
+
+    files.extend(explorers::files());
 
     let staging = Staging::beside(out)?;
     let source = staging.path("source");

@@ -1,0 +1,242 @@
+// What each explorer asks and shows. `QUESTIONS` in src/explorers/mod.rs says what the questions answer.
+'use strict';
+
+window.slipbookExplorers = (() => {
+    const PHASES = [0, 2, 4, 6, 8].map(n => [n * Math.PI, n ? `${n}π` : '0']);
+    const REGIONS = ['none of the five', 'I', 'II', 'III', 'IV', 'V'];
+    const WAYS = { '1': 'forwards', '-1': 'backwards', '0': 'rest' };
+    const fixed = SlipbookPlot.fixed;
+    const pair = (x, y) => `(${fixed(x)}, ${fixed(y)})`;
+    const column = (points, k) => points.filter((_, i) => i % 2 === k);
+
+    // Ends of two axes that hold the points and the origin, in steps, so that they do not jump with every move.
+    function around(points, shape) {
+        const [xs, ys] = [column(points, 0), column(points, 1)];
+        const [left, right] = [Math.min(0, ...xs), Math.max(0, ...xs)];
+        const [low, high] = [Math.min(0, ...ys), Math.max(0, ...ys)];
+        const sizes = [0.2, 0.5, 1, 2, 5, 10, 20, 50, 100, 200];
+        const centred = (size, from, to) => {
+            const grid = size / 10;
+            const start = Math.round(((from + to) / 2 - size / 2) / grid) * grid;
+            return [start, start + size];
+        };
+        for (const size of sizes) {
+            const x = centred(size, left, right);
+            const y = centred(size * shape, low, high);
+            if (x[0] <= left && x[1] >= right && y[0] <= low && y[1] >= high) return { x, y };
+        }
+        return { x: [-100, 100], y: [-100 * shape, 100 * shape] };
+    }
+
+    // Each explorer: its inputs, its plots, and what to show at a state. `show` returns one drawing for each plot, the
+    // values by name, and a sentence.
+    return {
+        constant: {
+            name: 'Throw it yourself.',
+            hint: 'Choose the friction and the direction; drag the circle, or focus it and use the arrow keys.',
+            inputs: {
+                lambda: { label: 'friction λ', range: [0, 3], step: 0.01, start: 1.2 },
+                theta: { label: 'launch angle θ₀', unit: '°', range: [-179, 180], step: 1, start: 120 },
+            },
+            plots: set => [{
+                title: 'velocity (hodograph)',
+                label: 'The velocity in its plane: the motion from the chosen direction, and faintly those from other directions.',
+                x: { label: 'v_x/v_0', range: [-1.5, 2.5] }, y: { label: 'v_y/v_0', range: [-1.5, 1.5] }, equal: true,
+                hand: {
+                    label: 'launch angle in degrees', range: [-179, 180],
+                    move: (x, y) => set({ theta: Math.atan2(y, x) * 180 / Math.PI }),
+                    step: (dx, dy) => set({ theta: [dx + dy] }),
+                },
+            }, {
+                title: 'path, dots at equal times', label: 'The path of the particle on the plane.',
+                x: { label: 'Ax/v_0²' }, y: { label: 'Ay/v_0²' }, equal: true,
+            }, {
+                title: 'stopping time', label: 'The time until rest against the launch angle.',
+                x: { label: 'launch angle, either way', range: [0, 180], ticks: [0, 45, 90, 135, 180].map(t => [t, `${t}°`]) },
+                y: { label: 'AT/v_0' }, height: 234,
+            }],
+            show({ lambda, theta }, ask) {
+                const { values: [rests, t, vx, vy, x, y], curves: [velocity, path, times] } = ask(0, lambda, theta);
+                const [stops, ...others] = ask(1, lambda).curves;
+                const rest = rests ? [{ points: [0, 0], dots: 6 }] : [];
+                const top = [0.5, 1, 2, 5, 10, 20, 50, 100, 200].find(n => n >= Math.max(...column(stops, 1), 0.1));
+                const ends = rests ? `It comes to rest after T = ${fixed(t)} v₀/A`
+                    : `It is not at rest by ${fixed(t, 0)} v₀/A; then its velocity is ${pair(vx, vy)} v₀`;
+                return {
+                    draw: [{
+                        marks: [...others.map(points => ({ points, faint: true })), { points: velocity, series: 1 }, ...rest],
+                        hand: velocity.slice(0, 2),
+                        words: { now: theta, text: `${theta}°` },
+                    }, {
+                        ...around(path.slice(0, rests ? undefined : 140), 0.75),
+                        marks: [{ points: path, series: 1 }, { points: times, series: 1, dots: 3.5 }, ...(rests ? [{ points: [x, y], dots: 6 }] : [])],
+                    }, {
+                        y: [0, top || 1],
+                        marks: stops.length ? [{ points: stops, series: 1 }, { points: [Math.abs(theta), t], series: 2, dots: 6 }]
+                            : [{ points: [90, 0.5], text: 'λ ≤ 1: it need not stop' }],
+                    }],
+                    values: rests ? { 'T (v₀/A)': fixed(t), 'x there (v₀²/A)': fixed(x), 'y there (v₀²/A)': fixed(y) }
+                        : { 't (v₀/A)': fixed(t), 'v_x then (v₀)': fixed(vx), 'v_y then (v₀)': fixed(vy) },
+                    says: `λ = ${fixed(lambda, 2)}, θ₀ = ${fixed(theta, 0)}°. ${ends}.`,
+                };
+            },
+        },
+
+        anisotropic: {
+            name: 'Move through the map.',
+            hint: 'Drag the circle on the map, or focus it and use the arrow keys; the start velocity shows how the periodic motion is approached.',
+            inputs: {
+                q: { label: 'ratio q', range: [1, 7], step: 0.02, start: 2 },
+                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.45 },
+                w: { label: 'velocity at φ = 0', range: [-2, 2], step: 0.05, start: 1.5 },
+            },
+            plots: set => [{
+                title: 'regions, by the motion itself', label: 'The map of the regions I to V, with the chosen point.',
+                x: { label: 'q', range: [1, 7] }, y: { label: 'λ_0', range: [0, 1.2] }, height: 240,
+                hand: {
+                    label: 'friction at the chosen point of the map', range: [0.01, 1.2],
+                    move: (q, lambda) => set({ q, lambda }),
+                    step: (dx, dy) => set({ q: [dx], lambda: [dy] }),
+                },
+            }, {
+                title: '𝔴: from the start, and periodic (dashed)', label: 'Velocity against phase over four periods.',
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴' }, height: 240,
+            }, {
+                title: 'one period: + forth, − back, 0 rest', label: 'One period of the periodic motion, with its intervals.',
+                x: { label: 'φ since the first start' }, y: { label: '𝔴' }, height: 240,
+            }],
+            show({ q, lambda, w }, ask) {
+                const { values: [region, mean, largest, rest, count, ...list], curves: [shown, periodic] } = ask(2, q, lambda, w);
+                const borders = ask(3, 7).curves;
+                const intervals = Array.from({ length: count }, (_, i) => list.slice(3 * i, 3 * i + 3));
+                const order = intervals.map(([sign]) => ({ '1': '+', '-1': '−', '0': '0' })[sign]).join(' ');
+                const edges = [[1, 0, 7, 0], ...borders.map(curve => [...curve]), [1, 1.2, 7, 1.2]];
+                const back = points => [...Array(points.length / 2).keys()].reverse().flatMap(i => points.slice(2 * i, 2 * i + 2));
+                const areas = edges.slice(1).map((upper, i) => ({ points: [...edges[i], ...back(upper)], series: i + 1, fill: i === region - 1 ? 0.45 : 0.16 }));
+                const from = intervals[0][1];
+                const scale = size => [0.1, 0.2, 0.5, 1, 2, 3].find(n => n >= size) || 4;
+                const [high, higher] = [scale(1.05 * largest), scale(Math.max(...column(shown, 1).map(Math.abs)))];
+                const one = [];
+                for (let i = 0; i < periodic.length; i += 2) {
+                    if (periodic[i] >= from && periodic[i] <= from + 2 * Math.PI) one.push(periodic[i] - from, periodic[i + 1]);
+                }
+                return {
+                    draw: [{
+                        marks: [...areas, ...borders.map(points => ({ points })),
+                            ...[[1.3, 0.13, 1], [2.1, 0.31, 2], [1.25, 0.6, 3], [4, 0.6, 4], [4, 1.08, 5]]
+                                .map(([x, y, n]) => ({ points: [x, y], text: REGIONS[n] }))],
+                        hand: [q, lambda],
+                        words: { now: lambda, text: `q = ${fixed(q, 2)}, λ₀ = ${fixed(lambda, 3)}, region ${REGIONS[region]}` },
+                    }, {
+                        y: [-higher, higher],
+                        marks: [{ points: shown, series: 1 }, { points: periodic, series: 2, dash: true }],
+                    }, {
+                        x: [0, 2 * Math.PI], y: [-high, high],
+                        marks: [
+                            ...intervals.map(([sign, a, b]) => ({ band: [a - from, b - from], series: { '1': 1, '-1': 2, '0': undefined }[sign], fill: 0.15 })),
+                            { points: one, series: 2 },
+                            ...intervals.map(([sign, a, b]) => ({ points: [(a + b) / 2 - from, 0.86 * high], text: { '1': '+', '-1': '−', '0': '0' }[sign] })),
+                        ],
+                    }],
+                    values: { region: REGIONS[region], order, 'mean 𝔴': fixed(mean), 'largest |𝔴|': fixed(largest), 'share of rest': fixed(rest) },
+                    says: `q = ${fixed(q, 2)}, λ₀ = ${fixed(lambda, 3)}: region ${REGIONS[region]}, in each period ${intervals.map(([sign]) => WAYS[sign]).join(', ')}.`,
+                };
+            },
+        },
+
+        turntable: {
+            name: 'Rest or escape?',
+            hint: 'Drag the velocity in the first plot and the start in the second, or focus a circle and use the arrow keys.',
+            inputs: {
+                rho: { label: 'distance ρ from the axis', range: [0, 1.6], step: 0.01, start: 0.8 },
+                u: { label: 'velocity outwards', range: [-2, 2], step: 0.01, start: -0.6 },
+                v: { label: 'velocity along the turning', range: [-2.5, 1.5], step: 0.01, start: 0.4 },
+            },
+            plots: set => [{
+                title: 'velocity at the start: rest inside', equal: true,
+                label: 'The velocities at the start, relative to the table. From those inside the marked area the particle comes to rest.',
+                x: { label: 'outwards', range: [-2, 2] }, y: { label: 'along the turning', range: [-2.5, 1.5] },
+                hand: {
+                    label: 'velocity outwards, at the start', range: [-2, 2],
+                    move: (u, v) => set({ u, v }),
+                    step: (du, dv) => set({ u: [du], v: [dv] }),
+                },
+            }, {
+                title: 'on the table', label: 'The path on the table, with the circle inside which friction can hold the particle.', equal: true,
+                x: { label: 'Ω²x/(μg)', range: [-2.5, 2.5] }, y: { label: 'Ω²y/(μg)', range: [-2.5, 2.5] },
+                hand: {
+                    label: 'distance of the start from the axis', range: [0, 1.6],
+                    move: rho => set({ rho }),
+                    step: (dx, dy) => set({ rho: [dx + dy] }),
+                },
+            }, {
+                title: 'in the laboratory', label: 'The path in the laboratory.', equal: true,
+                x: { label: 'Ω²X/(μg)', range: [-2.5, 2.5] }, y: { label: 'Ω²Y/(μg)', range: [-2.5, 2.5] },
+            }],
+            show({ rho, u, v }, ask) {
+                const { values: [fate, sigma, tau], curves: [table, laboratory] } = ask(4, rho, u, v);
+                const [boundary, circle] = ask(5, rho).curves;
+                const series = fate === 1 ? 1 : 2;
+                const rest = fate === 1 ? [{ points: table.slice(-2), series: 1, dots: 6 }] : [];
+                const axis = { points: [0, 0], dots: 3 };
+                const words = {
+                    '1': `it comes to rest at the distance σ = ${fixed(sigma)} after τ = ${fixed(tau)}`,
+                    '0': `it goes away for ever, which is certain after τ = ${fixed(tau)}`,
+                    '-1': 'the start is so near the boundary that rounding decides',
+                };
+                const speed = { now: u, text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${words[fate]}` };
+                return {
+                    draw: [
+                        { marks: [{ points: boundary, series: 1, fill: 0.2 }, { points: boundary, series: 1 }], hand: [u, v], words: speed },
+                        { marks: [{ points: circle, dash: true, faint: true }, axis, { points: table, series }, ...rest], hand: [rho, 0], words: { now: rho, text: fixed(rho, 2) } },
+                        { marks: [axis, { points: laboratory, series }] },
+                    ],
+                    values: fate === 1 ? { fate: 'rest', 'σ (μg/Ω²)': fixed(sigma), 'τ (1/Ω)': fixed(tau) }
+                        : { fate: fate ? 'undecided' : 'escape', 'certain at τ (1/Ω)': fixed(tau) },
+                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}): ${words[fate]}.`,
+                };
+            },
+        },
+
+        sphere: {
+            name: 'Shake the ball.',
+            hint: 'Choose the friction and the ball; drag the slip at the start in the second plot, or focus the circle and use the arrow keys.',
+            inputs: {
+                lambda: { label: 'friction λ₀', range: [0.05, 1.5], step: 0.01, start: 0.75 },
+                kappa: { label: 'κ (0.40 solid, 0.67 hollow)', range: [0.05, 0.67], step: 0.01, start: 0.4 },
+                u: { label: 'slip along the swing', range: [-2, 2], step: 0.02, start: 0 },
+                v: { label: 'slip across', range: [-2, 2], step: 0.02, start: 1 },
+            },
+            plots: set => [{
+                title: 'slip w_x, centre v_x (dashed), grey: rolls',
+                label: 'Slip and velocity of the centre along the swing against the phase; where the ball rolls the ground is grey.',
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'velocity (A_0/ϖ)', range: [-2.5, 2.5] }, height: 240,
+            }, {
+                title: 'slip in the plane', label: 'The slip velocity in its plane.', equal: true,
+                x: { label: 'w_x', range: [-2.5, 2.5] }, y: { label: 'w_y', range: [-2, 2] },
+                hand: {
+                    label: 'slip along the swing, at the start', range: [-2, 2],
+                    move: (u, v) => set({ u, v }),
+                    step: (du, dv) => set({ u: [du], v: [dv] }),
+                },
+            }, {
+                title: 'path of the centre on the plane', label: 'The path of the centre, as seen from the plane.', equal: true,
+                x: { label: 'x (A_0/ϖ²)' }, y: { label: 'y (A_0/ϖ²)' },
+            }],
+            show({ lambda, kappa, u, v }, ask) {
+                const { values: [b, first, share, slip, count, ...list], curves: [along, centre, plane, path] } = ask(6, lambda, kappa, u, v);
+                const rolls = Array.from({ length: count }, (_, i) => list.slice(2 * i, 2 * i + 2));
+                const begins = first < 0 ? 'it does not roll within four periods' : `it first rolls at φ = ${fixed(first)}`;
+                return {
+                    draw: [
+                        { marks: [...rolls.map(band => ({ band, fill: 0.13 })), { points: along, series: 1 }, { points: centre, series: 2, dash: true }] },
+                        { marks: [{ points: plane, series: 1 }], hand: [u, v], words: { now: u, text: `along ${fixed(u, 2)}, across ${fixed(v, 2)}: ${begins}` } },
+                        { ...around(path, 0.8), marks: [{ points: path, series: 2 }, { points: [0, 0], dots: 4 }] },
+                    ],
+                    values: { b: fixed(b), 'first rolls at φ': first < 0 ? 'not within 8π' : fixed(first), 'share of rolling, last period': fixed(share), '|slip| at 8π': fixed(slip) },
+                    says: `λ₀ = ${fixed(lambda, 2)}, κ = ${fixed(kappa, 2)}: ${begins}; of the last of four periods it rolls ${fixed(100 * share, 1)} %.`,
+                };
+            },
+        },
+    };
+})();

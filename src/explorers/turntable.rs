@@ -1,0 +1,97 @@
+//! Section 4: a particle on a turntable. Lengths in units of μg/Ω², times in 1/Ω, speeds in μg/Ω.
+
+use super::{Answer, ExplorerError, spread};
+use crate::motion::turntable::boundary::between;
+use crate::motion::turntable::{Fate, Start, State, Table, fate, rotating};
+use std::f64::consts::TAU;
+
+/// Time between the points of a path.
+const STEP: f64 = 0.04;
+/// No path is followed longer, or farther out.
+const LONGEST: f64 = 60.0;
+const FARTHEST: f64 = 6.0;
+/// How long a path is followed after its escape is certain.
+const AFTER: f64 = 8.0;
+/// Steps along each side of the first survey of the velocities, and the largest of their components.
+const SURVEY: u32 = 14;
+const LARGEST: f64 = 3.0;
+
+/// The motion from the place (ρ, 0) with the given velocity relative to the table.
+///
+/// Values: the fate (1 rest, 0 escape, −1 undecided), the distance σ of the resting place from the axis (0 for an
+/// escape), and the time of the rest or the time by which the escape was certain. Curves: the path on the table and the
+/// path in the laboratory, of a particle at rest for one turn more.
+///
+/// # Errors
+/// Numbers that are not finite or above 10⁹, ρ negative.
+pub fn motion(rho: f64, v: [f64; 2]) -> Result<Answer, ExplorerError> {
+    let table = Table::default();
+    let fate = fate(&start(rho, v)?)?;
+    let (values, more) = match fate {
+        Fate::Rest { sigma, tau, .. } => (vec![1.0, sigma, tau], TAU),
+        Fate::Escape { tau, .. } => (vec![0.0, 0.0, tau], AFTER),
+        Fate::Undecided { tau, .. } => (vec![-1.0, 0.0, tau], 0.0),
+    };
+    let until = (values[2] + more).min(LONGEST);
+    let begin = State {
+        t: 0.0,
+        x: [rho, 0.0],
+        v,
+    };
+    let path = rotating::run(&table, &begin, until)?;
+    let (mut seen, mut here) = (Vec::new(), Vec::new());
+    for t in spread(0.0, until, (until / STEP) as u32 + 1) {
+        let state = path.at(t)?;
+        seen.push(state.x);
+        here.push(table.to_laboratory(&state).x);
+        if state.radius() > FARTHEST {
+            break;
+        }
+    }
+    Ok(Answer {
+        values,
+        curves: vec![seen, here],
+    })
+}
+
+/// The boundary between rest and escape among the velocities of a particle at the distance ρ from the axis.
+///
+/// Curves: the boundary, to 10⁻³, as seen from the middle of the velocities that lead to rest, empty if a survey finds
+/// none with both components below 3; and the circle within which friction holds a particle at rest.
+///
+/// # Errors
+/// ρ negative, not finite or above 10⁹.
+pub fn boundary(rho: f64) -> Result<Answer, ExplorerError> {
+    let (mut middle, mut count) = ([0.0; 2], 0.0);
+    for u in spread(-LARGEST, LARGEST, SURVEY) {
+        for v in spread(-LARGEST, LARGEST, SURVEY) {
+            if let Fate::Rest { .. } = fate(&start(rho, [u, v])?)? {
+                middle = [middle[0] + u, middle[1] + v];
+                count += 1.0;
+            }
+        }
+    }
+    let mut curve = Vec::new();
+    if count > 0.0 {
+        let [u, v] = middle.map(|sum| sum / count);
+        for angle in spread(0.0, TAU, 120) {
+            let (sine, cosine) = libm::sincos(angle);
+            let at = |p: f64| [u + p * cosine, v + p * sine];
+            let from = |p| start(rho, at(p));
+            curve.push(at(between(from, 0.0, 2.0 * LARGEST, 1e-3)?));
+        }
+    }
+    let length = Table::default().length();
+    let circle = spread(0.0, TAU, 72).map(|angle| {
+        let (sine, cosine) = libm::sincos(angle);
+        [length * cosine, length * sine]
+    });
+    Ok(Answer {
+        values: Vec::new(),
+        curves: vec![curve, circle.collect()],
+    })
+}
+
+fn start(rho: f64, v: [f64; 2]) -> Result<Start, crate::motion::MotionError> {
+    Start::cartesian([rho, 0.0], v)
+}

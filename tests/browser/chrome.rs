@@ -1,0 +1,320 @@
+//! A headless Chromium and its pages, by the DevTools protocol over two pipes: no port, no foreign library.
+
+use serde_json::{Value, json};
+use std::fmt::Display;
+use std::io::{BufRead, BufReader, Write};
+use std::path::{Path, PathBuf};
+use std::process::{Child, ChildStdin, Command, Stdio};
+use std::sync::mpsc::{self, Receiver};
+use std::time::{Duration, Instant};
+use std::{env, thread};
+
+/// What goes wrong, in words.
+pub type Failure = String;
+
+/// How long an answer or a condition may take before it counts as never coming.
+const PATIENCE: Duration = Duration::from_secs(60);
+
+/// The names under which a Chromium may be installed.
+const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
+
+/// The browser on this machine, if there is one that this test can talk to.
+pub fn find() -> Option<PathBuf> {
+    // The two pipes take a Unix shell.
+    let folders = cfg!(unix).then(|| env::var_os("PATH")).flatten()?;
+    let candidates =
+        env::split_paths(&folders).flat_map(|folder| NAMES.map(|name| folder.join(name)));
+    candidates.into_iter().find(|path| path.is_file())
+}
+
+/// A running browser.
+pub struct Browser {
+    child: Child,
+    requests: ChildStdin,
+    messages: Receiver<Value>,
+    /// Messages that nobody asked for, in order.
+    events: Vec<Value>,
+    last: u64,
+}
+
+impl Browser {
+    /// Starts the browser, with its own data in an empty folder.
+    pub fn start(path: &Path, data: &Path) -> Result<Self, Failure> {
+        // The browser reads from descriptor 3 and writes to 4; a standard command can only give 0 and 1.
+        let mut child = Command::new("sh")
+            .args([
+                "-c",
+                r#"exec "$@" 3<&0 4>&1 </dev/null >/dev/null 2>&1"#,
+                "sh",
+            ])
+            .arg(path)
+            .args([
+                "--headless=new",
+                "--remote-debugging-pipe",
+                // Only our own pages are opened, in containers too, where the sandbox has no rights.
+                "--no-sandbox",
+                "--disable-gpu",
+                "--disable-dev-shm-usage",
+                "--disable-background-networking",
+                "--no-first-run",
+                "--host-resolver-rules=MAP * ~NOTFOUND",
+            ])
+            .arg(format!("--user-data-dir={}", data.display()))
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .map_err(said)?;
+        let requests = child.stdin.take().ok_or("no pipe to the browser")?;
+        let answers = child.stdout.take().ok_or("no pipe from the browser")?;
+        let (sender, messages) = mpsc::channel();
+        thread::spawn(move || {
+            let parts = BufReader::new(answers).split(0).map_while(Result::ok);
+            for message in parts.filter_map(|part| serde_json::from_slice(&part).ok()) {
+                if sender.send(message).is_err() {
+                    break;
+                }
+            }
+        });
+        Ok(Browser {
+            child,
+            requests,
+            messages,
+            events: Vec::new(),
+            last: 0,
+        })
+    }
+
+    fn call(
+        &mut self,
+        session: Option<&str>,
+        method: &str,
+        params: Value,
+    ) -> Result<Value, Failure> {
+        self.last += 1;
+        let id = self.last;
+        let mut request = json!({ "id": id, "method": method, "params": params });
+        if let Some(session) = session {
+            request["sessionId"] = session.into();
+        }
+        write!(self.requests, "{request}\0").map_err(said)?;
+        loop {
+            let late = |_| format!("no answer to {method}");
+            let mut message = self.messages.recv_timeout(PATIENCE).map_err(late)?;
+            if message["id"] != id {
+                self.events.push(message);
+                continue;
+            }
+            return match message.get("error") {
+                Some(error) => Err(format!("{method}: {error}")),
+                None => Ok(message["result"].take()),
+            };
+        }
+    }
+
+    /// A new page, empty, of the size of a screen.
+    pub fn page(&mut self) -> Result<Page<'_>, Failure> {
+        let target = self.call(None, "Target.createTarget", json!({ "url": "about:blank" }))?;
+        let target = text(&target["targetId"]);
+        let attach = json!({ "targetId": target, "flatten": true });
+        let session = text(&self.call(None, "Target.attachToTarget", attach)?["sessionId"]);
+        self.events.clear();
+        let mut page = Page {
+            browser: self,
+            session,
+            target,
+        };
+        for domain in ["Page", "Runtime", "Log", "Network"] {
+            page.call(&format!("{domain}.enable"), json!({}))?;
+        }
+        page.resize(1400, 1000)?;
+        Ok(page)
+    }
+}
+
+impl Drop for Browser {
+    fn drop(&mut self) {
+        let closed = self.call(None, "Browser.close", json!({}));
+        if closed.is_err() {
+            // Whether it could be killed or is gone already is all the same now.
+            let _ = self.child.kill();
+        }
+        let _ = self.child.wait();
+    }
+}
+
+/// A tab of the browser.
+pub struct Page<'b> {
+    browser: &'b mut Browser,
+    session: String,
+    target: String,
+}
+
+impl Page<'_> {
+    pub fn call(&mut self, method: &str, params: Value) -> Result<Value, Failure> {
+        let session = self.session.clone();
+        self.browser.call(Some(&session), method, params)
+    }
+
+    pub fn resize(&mut self, width: u32, height: u32) -> Result<(), Failure> {
+        let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600 });
+        self.call("Emulation.setDeviceMetricsOverride", size)
+            .map(drop)
+    }
+
+    /// Opens an address and waits until the page, its fonts and its explorers are there.
+    pub fn open(&mut self, address: &str) -> Result<(), Failure> {
+        // From one fragment to another of the same page would load nothing.
+        self.call("Page.navigate", json!({ "url": "about:blank" }))?;
+        self.browser.events.clear();
+        let answer = self.call("Page.navigate", json!({ "url": address }))?;
+        if let Some(error) = answer.get("errorText") {
+            return Err(format!("{address}: {error}"));
+        }
+        self.wait_for(
+            "location.href !== 'about:blank' && document.readyState === 'complete' && document.fonts.status === 'loaded'
+             && [...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown
+                 || location.pathname.endsWith('/print.html'))",
+        )
+    }
+
+    /// The value of an expression in the page; a promise is waited for.
+    pub fn value(&mut self, expression: &str) -> Result<Value, Failure> {
+        let given =
+            json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
+        let mut answer = self.call("Runtime.evaluate", given)?;
+        match answer.get("exceptionDetails") {
+            Some(details) => Err(format!("{expression}: {details}")),
+            None => Ok(answer["result"]["value"].take()),
+        }
+    }
+
+    /// The strings in an array.
+    pub fn texts(&mut self, expression: &str) -> Result<Vec<String>, Failure> {
+        let value = self.value(expression)?;
+        let list = value.as_array().ok_or(format!("{expression} is no list"))?;
+        Ok(list.iter().map(text).collect())
+    }
+
+    /// Waits until a condition holds in the page.
+    pub fn wait_for(&mut self, condition: &str) -> Result<(), Failure> {
+        let start = Instant::now();
+        while start.elapsed() < PATIENCE {
+            // Between two pages there is nothing to ask.
+            if self
+                .value(condition)
+                .is_ok_and(|value| value == json!(true))
+            {
+                return Ok(());
+            }
+            thread::sleep(Duration::from_millis(10));
+        }
+        Err(format!("never true: {condition}"))
+    }
+
+    /// Presses a key, such as `ArrowUp`, on whatever has the focus.
+    pub fn press(&mut self, key: &str) -> Result<(), Failure> {
+        let code = match key {
+            "ArrowLeft" => 37,
+            "ArrowUp" => 38,
+            "ArrowRight" => 39,
+            "ArrowDown" => 40,
+            _ => return Err(format!("the code of {key} is not known here")),
+        };
+        for kind in ["keyDown", "keyUp"] {
+            let event =
+                json!({ "type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code });
+            self.call("Input.dispatchKeyEvent", event)?;
+        }
+        Ok(())
+    }
+
+    /// Types text into whatever has the focus.
+    pub fn write(&mut self, given: &str) -> Result<(), Failure> {
+        self.call("Input.insertText", json!({ "text": given }))
+            .map(drop)
+    }
+
+    /// Presses the mouse at the first place, moves it along the others, and lets go.
+    pub fn drag(&mut self, places: &[[f64; 2]]) -> Result<(), Failure> {
+        let (first, last) = match places {
+            [first, .., last] | [first @ last] => (first, last),
+            [] => return Ok(()),
+        };
+        let moves = places.iter().map(|place| ("mouseMoved", place));
+        let pressed = [("mouseMoved", first), ("mousePressed", first)];
+        for (kind, [x, y]) in pressed
+            .into_iter()
+            .chain(moves)
+            .chain([("mouseReleased", last)])
+        {
+            let event = json!({ "type": kind, "x": x, "y": y, "button": "left", "buttons": 1, "clickCount": 1 });
+            self.call("Input.dispatchMouseEvent", event)?;
+        }
+        Ok(())
+    }
+
+    /// Touches a place and lets go.
+    pub fn tap(&mut self, [x, y]: [f64; 2]) -> Result<(), Failure> {
+        self.call(
+            "Emulation.setTouchEmulationEnabled",
+            json!({ "enabled": true }),
+        )?;
+        for (kind, points) in [
+            ("touchStart", json!([{ "x": x, "y": y }])),
+            ("touchEnd", json!([])),
+        ] {
+            self.call(
+                "Input.dispatchTouchEvent",
+                json!({ "type": kind, "touchPoints": points }),
+            )?;
+        }
+        Ok(())
+    }
+
+    /// What the page has complained of since it was opened: errors in its scripts and its console, and requests to
+    /// anywhere but the disk.
+    pub fn complaints(&mut self) -> Vec<String> {
+        let session = self.session.clone();
+        let own = self
+            .browser
+            .events
+            .iter()
+            .filter(|event| event["sessionId"] == session);
+        own.filter_map(|event| {
+            let params = &event["params"];
+            let bad = match event["method"].as_str()? {
+                "Runtime.exceptionThrown" => true,
+                "Runtime.consoleAPICalled" => {
+                    ["error", "warning", "assert"].contains(&params["type"].as_str()?)
+                }
+                "Log.entryAdded" => params["entry"]["level"] == "error",
+                "Network.requestWillBeSent" => {
+                    let address = params["request"]["url"].as_str()?;
+                    !["file:", "data:", "blob:", "about:"]
+                        .iter()
+                        .any(|scheme| address.starts_with(scheme))
+                }
+                "Network.loadingFailed" => true,
+                _ => false,
+            };
+            bad.then(|| params.to_string())
+        })
+        .collect()
+    }
+}
+
+impl Drop for Page<'_> {
+    fn drop(&mut self) {
+        let target = json!({ "targetId": self.target });
+        // A tab that is gone already is closed.
+        let _ = self.browser.call(None, "Target.closeTarget", target);
+    }
+}
+
+fn text(value: &Value) -> String {
+    value.as_str().unwrap_or_default().to_owned()
+}
+
+fn said(error: impl Display) -> Failure {
+    error.to_string()
+}

@@ -1,0 +1,414 @@
+//! The explorers under a reader's hands; whatever they show is held against the crate.
+
+use crate::Book;
+use crate::chrome::{Failure, Page};
+use serde_json::{Value, json};
+use slipbook::explorers::answer;
+
+/// The pages with an explorer, which has the same name.
+pub const PAGES: [&str; 4] = ["constant", "anisotropic", "sphere", "turntable"];
+
+/// States to show, as they stand in the address; between them all that the explorer can say.
+const STATES: [(&str, &[&str]); 4] = [
+    (
+        "constant",
+        &[
+            "lambda=1.2&theta=120",
+            "lambda=1.01&theta=0",
+            "lambda=1&theta=90",
+            "lambda=1&theta=180",
+            "lambda=0&theta=-179",
+            "lambda=3&theta=-35",
+        ],
+    ),
+    (
+        "anisotropic",
+        &[
+            "q=2&lambda=0.45&w=1.5",
+            "q=1.2&lambda=0.1&w=0",
+            "q=2&lambda=0.38&w=-2",
+            "q=6.5&lambda=0.15&w=0.3",
+            "q=7&lambda=1.2&w=2",
+        ],
+    ),
+    (
+        "turntable",
+        &[
+            "rho=0.8&u=-0.6&v=0.4",
+            "rho=0.9&u=0.3&v=0.9",
+            "rho=0&u=0&v=0",
+            "rho=1.6&u=-1.1&v=-1.6",
+        ],
+    ),
+    (
+        "sphere",
+        &[
+            "lambda=0.75&kappa=0.4&u=0&v=1",
+            "lambda=0.3&kappa=0.67&u=0.5&v=1",
+            "lambda=1.5&kappa=0.05&u=0&v=0",
+        ],
+    ),
+];
+
+/// What an explorer must show at a state: the values, in order, from the crate.
+fn expected(name: &str, state: &[f64]) -> Result<Vec<String>, Failure> {
+    let mut given = [0.0; 4];
+    given[..state.len()].copy_from_slice(state);
+    let number = match name {
+        "constant" => 0,
+        "anisotropic" => 2,
+        "turntable" => 4,
+        _ => 6,
+    };
+    let values = answer(number, given)
+        .map_err(|error| error.to_string())?
+        .values;
+    let fixed = |x: f64| {
+        let text = format!("{x:.4}");
+        if text == "-0.0000" {
+            "0.0000".into()
+        } else {
+            text.replace('-', "−")
+        }
+    };
+    Ok(match (name, values.as_slice()) {
+        ("constant", [rests, t, vx, vy, x, y]) => {
+            let end = if *rests == 1.0 {
+                [t, x, y]
+            } else {
+                [t, vx, vy]
+            };
+            end.map(|value| fixed(*value)).into()
+        }
+        ("anisotropic", [region, mean, largest, rest, _, intervals @ ..]) => {
+            let sign = |i: &[f64]| ["−", "0", "+"][(i[0] + 1.0) as usize];
+            let order: Vec<_> = intervals.chunks(3).map(sign).collect();
+            let region = ["none of the five", "I", "II", "III", "IV", "V"][*region as usize];
+            let numbers = [mean, largest, rest].map(|value| fixed(*value));
+            [region.into(), order.join(" ")]
+                .into_iter()
+                .chain(numbers)
+                .collect()
+        }
+        ("turntable", [fate, sigma, tau]) => match fate {
+            1.0 => vec!["rest".into(), fixed(*sigma), fixed(*tau)],
+            0.0 => vec!["escape".into(), fixed(*tau)],
+            _ => vec!["undecided".into(), fixed(*tau)],
+        },
+        ("sphere", [b, first, share, slip, ..]) => {
+            let first = if *first < 0.0 {
+                "not within 8π".into()
+            } else {
+                fixed(*first)
+            };
+            vec![fixed(*b), first, fixed(*share), fixed(*slip)]
+        }
+        _ => return Err(format!("{name} shows {values:?}")),
+    })
+}
+
+/// An explorer as a reader has it before them.
+struct Explorer<'p, 'b> {
+    page: &'p mut Page<'b>,
+    name: &'static str,
+}
+
+impl<'p, 'b> Explorer<'p, 'b> {
+    fn open(
+        page: &'p mut Page<'b>,
+        book: &Book,
+        name: &'static str,
+        state: &str,
+    ) -> Result<Self, Failure> {
+        let query = if state.is_empty() {
+            String::new()
+        } else {
+            format!("#explore-{name}?{state}")
+        };
+        page.open(&format!("{}{query}", book.address(&format!("{name}.html"))))?;
+        Ok(Explorer { page, name })
+    }
+
+    /// A value of an expression in which `host` is the explorer.
+    fn value(&mut self, expression: &str) -> Result<Value, Failure> {
+        let name = self.name;
+        self.page.value(&format!(
+            "(host => {expression})(document.getElementById('explore-{name}'))"
+        ))
+    }
+
+    /// The inputs, once the picture has caught up with them.
+    fn state(&mut self) -> Result<Vec<f64>, Failure> {
+        let name = self.name;
+        self.page.wait_for(&format!(
+            "document.getElementById('explore-{name}').dataset.shown !== undefined"
+        ))?;
+        let state = self.value("[...host.querySelectorAll('input')].map(i => Number(i.value))")?;
+        let numbers = state
+            .as_array()
+            .map(|list| list.iter().filter_map(Value::as_f64).collect());
+        numbers.ok_or_else(|| format!("{name} has no inputs"))
+    }
+
+    /// Requires that all that is shown is what the crate says, and returns the state.
+    fn right(&mut self) -> Result<Vec<f64>, Failure> {
+        let (name, state) = (self.name, self.state()?);
+        let shown = self.page.texts(&format!(
+            "[...document.querySelectorAll('#explore-{name} dd')].map(e => e.textContent)"
+        ))?;
+        let expected = expected(name, &state)?;
+        if shown == expected {
+            Ok(state)
+        } else {
+            Err(format!(
+                "{name} at {state:?} shows {shown:?}, but the crate says {expected:?}"
+            ))
+        }
+    }
+
+    /// The curves of all plots, as drawn.
+    fn drawn(&mut self) -> Result<Value, Failure> {
+        self.value("[...host.querySelectorAll('.curve')].map(e => e.getAttribute('d'))")
+    }
+
+    /// The numbers of the plots that have a hand.
+    fn hands(&self) -> &'static [usize] {
+        match self.name {
+            "sphere" => &[1],
+            "turntable" => &[0, 1],
+            _ => &[0],
+        }
+    }
+
+    /// Brings a plot into view; the place of its hand and the corners of its frame on the screen.
+    fn places(&mut self, plot: usize) -> Result<[[f64; 2]; 3], Failure> {
+        let list = self.value(&format!(
+            "(plot => {{ plot.scrollIntoView({{ block: 'center', behavior: 'instant' }});
+                const [hand, frame] = [plot.querySelector('.hand circle'), plot.querySelector('.frame')].map(e => e.getBoundingClientRect());
+                return [[hand.x + hand.width / 2, hand.y + hand.height / 2], [frame.left, frame.bottom], [frame.right, frame.top]]; }})
+             (host.querySelectorAll('.explore-plot')[{plot}])"
+        ))?;
+        serde_json::from_value(list).map_err(|error| error.to_string())
+    }
+
+    /// Requires that the reader is still on the page and that it has not complained.
+    fn unharmed(&mut self) -> Result<(), Failure> {
+        let (name, complaints) = (self.name, self.page.complaints());
+        let here = self.page.value("location.pathname")?;
+        if !complaints.is_empty()
+            || !here
+                .as_str()
+                .is_some_and(|path| path.ends_with(&format!("{name}.html")))
+        {
+            return Err(format!("{name}: at {here} with complaints {complaints:?}"));
+        }
+        Ok(())
+    }
+}
+
+/// Opened at a state, each explorer shows what the crate says of it.
+pub fn values(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    for (name, states) in STATES {
+        for state in states {
+            let mut explorer = Explorer::open(page, book, name, state)?;
+            let found = explorer.right()?;
+            let asked: Vec<f64> = state
+                .split('&')
+                .filter_map(|part| part.split('=').nth(1)?.parse().ok())
+                .collect();
+            if found != asked {
+                return Err(format!(
+                    "{name} was asked for {asked:?} and shows {found:?}"
+                ));
+            }
+            explorer.unharmed()?;
+        }
+    }
+    Ok(())
+}
+
+/// The arrow keys move every hand, and no key turns the page.
+pub fn keyboard(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    for name in PAGES {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        for plot in 0..explorer.hands().len() {
+            explorer.value(&format!("host.querySelectorAll('.hand')[{plot}].focus()"))?;
+            for key in [
+                "ArrowRight",
+                "ArrowUp",
+                "ArrowLeft",
+                "ArrowLeft",
+                "ArrowDown",
+                "ArrowDown",
+            ] {
+                let (before, drawn) = (explorer.right()?, explorer.drawn()?);
+                explorer.page.press(key)?;
+                let after = explorer.right()?;
+                let moved = before.iter().zip(&after).filter(|(a, b)| a != b).count();
+                if moved != 1 || explorer.drawn()? == drawn {
+                    return Err(format!(
+                        "{name}, hand {plot}: {key} led from {before:?} to {after:?}"
+                    ));
+                }
+            }
+        }
+        explorer.unharmed()?;
+    }
+    Ok(())
+}
+
+/// The arrow keys move every slider.
+pub fn sliders(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    for name in PAGES {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        let count = explorer.state()?.len();
+        for i in 0..count {
+            let before = explorer.right()?;
+            explorer.value(&format!("host.querySelectorAll('input')[{i}].focus()"))?;
+            for key in ["ArrowLeft", "ArrowDown", "ArrowLeft"] {
+                explorer.page.press(key)?;
+            }
+            let after = explorer.right()?;
+            let moved = (0..count).all(|k| (before[k] != after[k]) == (k == i));
+            if !moved {
+                return Err(format!(
+                    "{name}: slider {i} led from {before:?} to {after:?}"
+                ));
+            }
+        }
+        explorer.value("host.querySelector('button').click()")?;
+        let first = explorer.right()?;
+        let afresh = Explorer::open(page, book, name, "")?.right()?;
+        if first != afresh {
+            return Err(format!(
+                "{name} starts at {afresh:?} but goes back to {first:?}"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// The mouse takes every hand along, on its way too.
+pub fn mouse(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    for name in PAGES {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        for &plot in explorer.hands() {
+            let (before, drawn) = (explorer.right()?, explorer.drawn()?);
+            let [hand, low, high] = explorer.places(plot)?;
+            let share = |s: f64, t: f64| {
+                [
+                    low[0] + s * (high[0] - low[0]),
+                    low[1] + t * (high[1] - low[1]),
+                ]
+            };
+            explorer
+                .page
+                .drag(&[hand, share(0.4, 0.4), share(0.6, 0.6)])?;
+            let after = explorer.right()?;
+            if after == before || explorer.drawn()? == drawn {
+                return Err(format!(
+                    "{name}: dragging the hand of plot {plot} does nothing at {before:?}"
+                ));
+            }
+            // The hand is where the mouse left it, but for the steps of the inputs and the axis to which it is bound.
+            let [hand, ..] = explorer.places(plot)?;
+            let off = [0, 1].map(|i| (hand[i] - share(0.6, 0.6)[i]).abs());
+            let free = match (name, plot) {
+                ("constant", _) => true,
+                ("turntable", 1) => off[0] < 3.0,
+                _ => off[0] < 3.0 && off[1] < 3.0,
+            };
+            if !free {
+                return Err(format!(
+                    "{name}: the hand of plot {plot} is {off:?} pixels from the mouse"
+                ));
+            }
+        }
+        explorer.unharmed()?;
+    }
+    Ok(())
+}
+
+/// On a phone, a tap moves the hand.
+pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.resize(390, 800)?;
+    for name in PAGES {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        for &plot in explorer.hands() {
+            let before = explorer.right()?;
+            let [_, low, high] = explorer.places(plot)?;
+            explorer
+                .page
+                .tap([0.3 * low[0] + 0.7 * high[0], 0.7 * low[1] + 0.3 * high[1]])?;
+            explorer.page.wait_for(&format!(
+                "[...document.querySelectorAll('#explore-{name} input')].some((input, i) => Number(input.value) !== {}[i])",
+                json!(before)
+            ))?;
+            explorer.right()?;
+        }
+        explorer.unharmed()?;
+    }
+    Ok(())
+}
+
+/// The id of the still figure that the explorer answers for.
+fn still(page: &mut Page) -> Result<String, Failure> {
+    let id = page.value("document.querySelector('.explorer-static figure').id")?;
+    id.as_str()
+        .map(str::to_owned)
+        .ok_or_else(|| "the still figure has no id".into())
+}
+
+/// The address follows the hand and leads back to the same view; the page's own fragments still lead to their places.
+pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    for name in PAGES {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        if explorer.page.value("location.hash")? != "" {
+            return Err(format!(
+                "{name}: the address changes before the reader does anything"
+            ));
+        }
+        explorer.value("host.querySelector('.hand').focus()")?;
+        explorer.page.press("ArrowLeft")?;
+        let state = explorer.right()?;
+        explorer.page.wait_for("location.hash !== ''")?;
+        let hash = explorer.page.value("location.hash")?;
+        let hash = hash.as_str().unwrap_or_default().to_owned();
+        page.open(&format!("{}{hash}", book.address(&format!("{name}.html"))))?;
+        page.wait_for(&format!("(box => box.top < innerHeight && box.bottom > 0)(document.getElementById('explore-{name}').getBoundingClientRect())"))?;
+        let again = Explorer { page, name }.right()?;
+        if again != state {
+            return Err(format!(
+                "{name}: {hash} shows {again:?} instead of {state:?}"
+            ));
+        }
+        // Nonsense in the address is not believed.
+        let mut explorer =
+            Explorer::open(page, book, name, "lambda=1e99&rho=&theta=x&q=-7&nonsense=1")?;
+        explorer.right()?;
+        explorer.unharmed()?;
+        // The still figure is behind a fold, which its own address opens.
+        let still = still(page)?;
+        page.open(&format!(
+            "{}#{still}",
+            book.address(&format!("{name}.html"))
+        ))?;
+        page.wait_for("document.querySelector('.explorer-static svg').checkVisibility()")?;
+        // An ordinary fragment, on the page itself and from outside.
+        let target = page.value("[...document.querySelectorAll('main h2[id]')].pop().id")?;
+        let target = target.as_str().unwrap_or_default().to_owned();
+        let seen = format!(
+            "location.hash === '#{target}' && (box => box.top > -5 && box.top < innerHeight)(document.getElementById('{target}').getBoundingClientRect())"
+        );
+        page.value(&format!(
+            "document.querySelector('a.header[href=\"#{target}\"]').click()"
+        ))?;
+        page.wait_for(&seen)?;
+        page.open(&format!(
+            "{}#{target}",
+            book.address(&format!("{name}.html"))
+        ))?;
+        page.wait_for(&seen)?;
+    }
+    Ok(())
+}

@@ -1,0 +1,165 @@
+//! The book in a real browser, opened from the disk as its readers open it.
+//!
+//! These tests need a Chromium on the search path. Without one they are skipped, and say so, unless the environment has
+//! `SLIPBOOK_BROWSER=require`, as `.ci/run` sets it.
+
+mod access;
+mod chrome;
+mod explorers;
+mod pages;
+
+use chrome::{Browser, Failure, Page};
+use libtest_mimic::{Arguments, Trial};
+use std::env;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+use std::sync::{Arc, Mutex, OnceLock};
+use tempfile::TempDir;
+
+/// A test: what it does in a fresh tab, with the book.
+type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
+
+const TESTS: [(&str, Test); 13] = [
+    (
+        "every_page_loads_without_a_complaint_or_a_request",
+        pages::load,
+    ),
+    (
+        "every_link_and_every_fragment_leads_somewhere",
+        pages::links,
+    ),
+    ("search_finds_equations_and_symbols", pages::search),
+    ("no_page_is_wider_than_a_phone", pages::narrow),
+    (
+        "without_scripts_the_still_figures_stand_in_their_places",
+        pages::without_scripts,
+    ),
+    (
+        "the_page_for_printing_keeps_the_still_figures",
+        pages::printing,
+    ),
+    ("explorers_show_the_numbers_of_the_crate", explorers::values),
+    ("explorers_move_by_keyboard", explorers::keyboard),
+    ("explorers_move_by_slider", explorers::sliders),
+    ("explorers_move_by_mouse", explorers::mouse),
+    ("explorers_move_by_touch", explorers::touch),
+    (
+        "a_view_can_be_linked_and_fragments_still_work",
+        explorers::addresses,
+    ),
+    ("pages_are_accessible", access::pages),
+];
+
+fn main() -> ExitCode {
+    // One after another: they share the browser, and the tab that is in front.
+    let arguments = Arguments {
+        test_threads: Some(1),
+        ..Arguments::from_args()
+    };
+    let required = env::var("SLIPBOOK_BROWSER").is_ok_and(|value| value == "require");
+    let path = chrome::find();
+    let skipped = path.is_none() && !required;
+    let shared = Arc::new(Shared {
+        path,
+        ..Shared::default()
+    });
+    let trials = TESTS.into_iter().map(|(name, test)| {
+        let shared = Arc::clone(&shared);
+        let trial = Trial::test(name, move || Ok(shared.run(test)?));
+        trial.with_ignored_flag(skipped)
+    });
+    let conclusion = libtest_mimic::run(&arguments, trials.collect());
+    if skipped {
+        println!(
+            "The tests in a browser were skipped: no Chromium on the search path. To run them, install Debian's \
+             package chromium or Google Chrome, then: cargo test --test browser\n"
+        );
+    }
+    conclusion.exit_code()
+}
+
+/// What the tests share; made when the first of them runs.
+#[derive(Default)]
+struct Shared {
+    path: Option<PathBuf>,
+    book: OnceLock<Result<Book, Failure>>,
+    browser: Mutex<Option<Running>>,
+}
+
+/// A browser with the folder of its data.
+struct Running {
+    browser: Browser,
+    _data: TempDir,
+}
+
+impl Shared {
+    fn run(&self, test: Test) -> Result<(), Failure> {
+        let book = self
+            .book
+            .get_or_init(Book::write)
+            .as_ref()
+            .map_err(Clone::clone)?;
+        let path = self.path.as_ref().ok_or("no Chromium on the search path")?;
+        let mut running = self.browser.lock().map_err(|error| error.to_string())?;
+        if running.is_none() {
+            let data = tempfile::tempdir().map_err(|error| error.to_string())?;
+            let browser = Browser::start(path, data.path())?;
+            *running = Some(Running {
+                browser,
+                _data: data,
+            });
+        }
+        let running = running.as_mut().ok_or("no browser")?;
+        test(&mut running.browser.page()?, book)
+    }
+}
+
+/// The book, written by the command.
+pub struct Book {
+    folder: TempDir,
+    /// Its pages, by file name.
+    pub pages: Vec<String>,
+}
+
+impl Book {
+    fn write() -> Result<Self, Failure> {
+        let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
+        let out = folder.path().join("book");
+        let mut command = Command::new(env!("CARGO_BIN_EXE_slipbook"));
+        let output = command
+            .arg("--out")
+            .arg(&out)
+            .output()
+            .map_err(|error| error.to_string())?;
+        if output.status.code() == Some(2) {
+            return Err(String::from_utf8_lossy(&output.stderr).into_owned());
+        }
+        let entries = fs::read_dir(&out).map_err(|error| error.to_string())?;
+        let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
+        let mut pages: Vec<_> = names.filter(|name| name.ends_with(".html")).collect();
+        pages.sort();
+        Ok(Book { folder, pages })
+    }
+
+    pub fn folder(&self) -> PathBuf {
+        self.folder.path().join("book")
+    }
+
+    /// The address of a page, with what may follow its name.
+    pub fn address(&self, page: &str) -> String {
+        address_of(&self.folder().join(page))
+    }
+
+    /// Those pages that a reader turns, without the one for printing and mdBook's own frame of the contents.
+    pub fn chapters(&self) -> impl Iterator<Item = &String> {
+        self.pages
+            .iter()
+            .filter(|page| !["print.html", "toc.html"].contains(&page.as_str()))
+    }
+}
+
+/// The address of a file.
+fn address_of(path: &Path) -> String {
+    format!("file://{}", path.display())
+}

@@ -1,0 +1,146 @@
+//! Pages, links, search, print.
+
+use crate::Book;
+use crate::chrome::{Failure, Page};
+use serde_json::json;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Every page loads, and neither complains nor asks anybody for anything.
+pub fn load(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let mut found = Vec::new();
+    for name in &book.pages {
+        page.open(&book.address(name))?;
+        found.extend(
+            page.complaints()
+                .into_iter()
+                .map(|complaint| format!("{name}: {complaint}")),
+        );
+    }
+    none(found)
+}
+
+/// Every address in a page, of a link or of a file, leads to a file of the book, every fragment to a place in it.
+pub fn links(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let root = book.address("");
+    let (mut places, mut used) = (BTreeMap::new(), Vec::new());
+    for name in &book.pages {
+        page.open(&book.address(name))?;
+        let ids =
+            page.texts("[...document.querySelectorAll('[id], a[name]')].map(e => e.id || e.name)")?;
+        places.insert(name.clone(), ids.into_iter().collect::<BTreeSet<_>>());
+        let addresses = page.texts("[...document.querySelectorAll('[href], [src]')].map(e => e.src || e.href).filter(a => typeof a === 'string')")?;
+        used.extend(addresses.into_iter().map(|address| (name, address)));
+    }
+    let mut dead = BTreeSet::new();
+    for (name, address) in used {
+        let path = address
+            .strip_prefix(&root)
+            .map(|path| path.split_once('#').unwrap_or((path, "")));
+        let good = match path {
+            _ if address.starts_with("data:") => true,
+            Some((file, fragment)) => {
+                let file = if file.is_empty() { "index.html" } else { file };
+                let inside = |ids: &BTreeSet<String>| fragment.is_empty() || ids.contains(fragment);
+                places.get(file).map_or(fragment.is_empty(), inside)
+                    && book.folder().join(file).is_file()
+            }
+            None => false,
+        };
+        if !good {
+            dead.insert(format!("{name}: {address}"));
+        }
+    }
+    none(dead.into_iter().collect())
+}
+
+/// What a reader may search for, and an address that must be among what is found.
+const SOUGHT: [(&str, &str); 2] = [("(37)", "sinusoidal.html#eq-37"), ("λc", "sinusoidal.html")];
+
+/// The search field finds equations by number and symbols.
+pub fn search(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let mut missing = Vec::new();
+    for (sought, address) in SOUGHT {
+        page.open(&book.address("index.html"))?;
+        page.value("document.getElementById('mdbook-search-toggle').click()")?;
+        page.wait_for("document.activeElement === document.getElementById('mdbook-searchbar')")?;
+        page.write(sought)?;
+        // The field waits for the index and for a pause in the typing; then its header says what came of it.
+        page.wait_for("/search results? for/.test(document.getElementById('mdbook-searchresults-header').textContent)")?;
+        let found = page
+            .texts("[...document.querySelectorAll('#mdbook-searchresults a')].map(a => a.href)")?;
+        // mdBook adds the words to be marked to the address.
+        let plain = |found: &String| {
+            let (file, rest) = found.split_once('?').unwrap_or((found, ""));
+            format!("{file}{}", rest.find('#').map_or("", |i| &rest[i..]))
+        };
+        if !found.iter().any(|found| plain(found).contains(address)) {
+            missing.push(format!(
+                "\"{sought}\" does not find {address} but {found:?}"
+            ));
+        }
+    }
+    none(missing)
+}
+
+/// On a screen of 390 pixels nothing sticks out at the side.
+pub fn narrow(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.resize(390, 800)?;
+    let mut wide = Vec::new();
+    for name in book.chapters() {
+        page.open(&book.address(name))?;
+        let width = page.value("document.documentElement.scrollWidth")?;
+        if width.as_f64().is_none_or(|width| width > 390.0) {
+            wide.push(format!("{name} is {width} wide"));
+        }
+    }
+    none(wide)
+}
+
+/// With scripts off, the figures are seen and the places of the explorers are not.
+pub fn without_scripts(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.call(
+        "Emulation.setScriptExecutionDisabled",
+        json!({ "value": true }),
+    )?;
+    let mut wrong = Vec::new();
+    for name in crate::explorers::PAGES {
+        page.call(
+            "Page.navigate",
+            json!({ "url": book.address(&format!("{name}.html")) }),
+        )?;
+        // No script of the page's own runs, but the browser's own eyes are open.
+        page.wait_for("document.readyState === 'complete'")?;
+        let seen = page.value(
+            "(() => { const host = document.querySelector('[data-explorer]');
+               return [host.checkVisibility(), host.nextElementSibling.querySelector('svg').checkVisibility()]; })()",
+        )?;
+        if seen != json!([false, true]) {
+            wrong.push(format!("{name}: explorer and figure are seen: {seen}"));
+        }
+    }
+    none(wrong)
+}
+
+/// The print page holds the figures, not the explorers.
+pub fn printing(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.open(&book.address("print.html"))?;
+    let seen = page.value(
+        "[...document.querySelectorAll('[data-explorer]')].map(host => [host.checkVisibility(),
+            host.nextElementSibling.querySelector('svg').checkVisibility()])",
+    )?;
+    let expected = json!(crate::explorers::PAGES.map(|_| [false, true]));
+    if seen == expected {
+        Ok(())
+    } else {
+        Err(format!("explorers and figures are seen: {seen}"))
+    }
+}
+
+/// Fails with a list of what was found, unless it is empty.
+pub fn none(found: Vec<String>) -> Result<(), Failure> {
+    if found.is_empty() {
+        Ok(())
+    } else {
+        Err(format!("{} found:\n{}", found.len(), found.join("\n")))
+    }
+}

@@ -1,0 +1,264 @@
+//! What the explorers show: the module in the pages gives the crate's own numbers, and these agree with what the claims
+//! found elsewhere.
+
+use slipbook::claims::anisotropic::runs::Curves;
+use slipbook::explorers::{Answer, anisotropic, answer, constant, sphere, turntable};
+use slipbook::motion::drive::Sign;
+use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
+use slipbook::paper;
+use std::f64::consts::TAU;
+use wasmi::{Engine, Linker, Memory, Module, Store, TypedFunc};
+
+type Ask = TypedFunc<(u32, f64, f64, f64, f64), u32>;
+
+/// The module as a page runs it.
+struct Page {
+    store: Store<()>,
+    memory: Memory,
+    ask: Ask,
+}
+
+impl Page {
+    fn open() -> Self {
+        let engine = Engine::default();
+        let module = Module::new(&engine, include_bytes!("../book/theme/explorers.wasm")).unwrap();
+        let mut store = Store::new(&engine, ());
+        let linker = Linker::new(&engine);
+        let instance = linker.instantiate_and_start(&mut store, &module).unwrap();
+        let memory = instance.get_memory(&store, "memory").unwrap();
+        let ask = instance.get_typed_func(&store, "ask").unwrap();
+        Page { store, memory, ask }
+    }
+
+    fn ask(&mut self, number: u32, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
+        let given = (number, a, b, c, d);
+        let start = self.ask.call(&mut self.store, given).unwrap() as usize;
+        let bytes = &self.memory.data(&self.store)[start..];
+        let number = |i: usize| f64::from_le_bytes(bytes[8 * i..][..8].try_into().unwrap());
+        (1..=number(0) as usize).map(number).collect()
+    }
+}
+
+/// Rebuild the module with `book/explorers/rebuild` where this fails.
+#[test]
+fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
+    let mut page = Page::open();
+    let questions: [(u32, &[[f64; 4]]); 7] = [
+        (
+            0,
+            &[
+                [1.2, 120.0, 0.0, 0.0],
+                [0.5, -179.0, 0.0, 0.0],
+                [1.0, 180.0, 0.0, 0.0],
+                [0.0, 90.0, 0.0, 0.0],
+                [3.0, 17.0, 0.0, 0.0],
+            ],
+        ),
+        (1, &[[0.7, 0.0, 0.0, 0.0], [1.01, 0.0, 0.0, 0.0]]),
+        (
+            2,
+            &[
+                [2.0, 0.45, 1.5, 0.0],
+                [1.0, 0.01, -2.0, 0.0],
+                [7.0, 1.2, 0.3, 0.0],
+                [5.5, 0.15, 0.0, 0.0],
+            ],
+        ),
+        (3, &[[2.0, 0.0, 0.0, 0.0]]),
+        (
+            4,
+            &[
+                [0.8, -0.6, 0.4, 0.0],
+                [1.6, -2.0, -2.5, 0.0],
+                [0.0, 0.0, 0.0, 0.0],
+            ],
+        ),
+        (5, &[[0.8, 0.0, 0.0, 0.0]]),
+        (
+            6,
+            &[
+                [0.75, 0.4, 0.0, 1.0],
+                [0.05, 0.67, -2.0, 0.02],
+                [1.5, 0.05, 0.0, 0.0],
+            ],
+        ),
+    ];
+    for (number, arguments) in questions {
+        for given in arguments {
+            let native = answer(number as usize, *given).unwrap().flat();
+            assert!(native.iter().all(|x| x.is_finite()));
+            // To the last bit: all functions are libm's on both sides.
+            assert!(page.ask(number, *given) == native, "{number} {given:?}");
+        }
+    }
+}
+
+#[test]
+fn what_has_no_answer_is_an_empty_list_in_the_module_and_a_named_error_in_the_crate() {
+    let mut page = Page::open();
+    for (number, given, named) in [
+        (0, [-1.0, 0.0, 0.0, 0.0], "λ"),
+        (0, [1.0, f64::NAN, 0.0, 0.0], "θ₀"),
+        (1, [f64::INFINITY, 0.0, 0.0, 0.0], "λ"),
+        (2, [1.0, -0.5, 0.0, 0.0], "lambda_plus"),
+        (2, [1.0, 0.5, f64::NAN, 0.0], "phi"),
+        (3, [f64::NAN, 0.0, 0.0, 0.0], "lambda_minus"),
+        (4, [-1.0, 0.0, f64::NAN, 0.0], "p = NaN"),
+        (5, [1e10, 0.0, 0.0, 0.0], "rho"),
+        (6, [0.0, 0.4, 0.0, 0.0], "lambda_0"),
+        (6, [1.0, 0.0, 0.0, 0.0], "inertia"),
+        (6, [1.0, 0.4, f64::NAN, 0.0], "v_x"),
+        (7, [0.0; 4], "question 7"),
+    ] {
+        let error = answer(number, given).unwrap_err().to_string();
+        assert!(error.contains(named), "{number} {given:?}: {error}");
+        assert!(page.ask(number as u32, given).is_empty());
+    }
+}
+
+#[test]
+fn a_throw_stops_when_the_claims_say() {
+    for (lambda, theta) in [(1.05, 30.0), (1.2, 120.0), (2.0, 180.0), (3.0, -60.0)] {
+        let Answer { values, curves } = constant::motion(lambda, theta).unwrap();
+        let printed = paper::constant::eq20_stop_time(lambda, 1.0, 1.0, theta.to_radians());
+        assert_eq!(values[0], 1.0);
+        assert!(
+            (values[1] / printed - 1.0).abs() < 1e-12,
+            "{lambda} {theta}"
+        );
+        assert_eq!(curves[0].last(), Some(&[0.0, 0.0]));
+        assert_eq!(curves[1].last().unwrap()[..], values[4..6]);
+        // The place at each half unit of time is on the path.
+        assert_eq!(curves[2].len(), 1 + (2.0 * values[1]) as usize);
+    }
+    assert_eq!(
+        constant::motion(0.99, 30.0).unwrap().values[..2],
+        [0.0, 10.0]
+    );
+    // At λ = 1 only the throw straight back stops.
+    assert_eq!(constant::motion(1.0, 180.0).unwrap().values[0], 1.0);
+    assert_eq!(constant::motion(1.0, 179.0).unwrap().values[0], 0.0);
+    assert!(constant::portrait(1.0).unwrap().curves[0].is_empty());
+}
+
+#[test]
+fn the_manners_are_those_of_the_regions() {
+    let letters = |manner: &[Sign]| -> String {
+        let letter = |sign: &Sign| ['-', '0', '+'][(sign.factor() + 1.0) as usize];
+        manner.iter().map(letter).collect()
+    };
+    assert_eq!(
+        anisotropic::MANNERS.map(letters),
+        paper::anisotropic::ORDERS
+    );
+}
+
+#[test]
+fn the_map_has_the_borders_that_the_claims_found() {
+    let curves = anisotropic::map(7.0).unwrap().curves;
+    for i in (0..curves[0].len()).step_by(7) {
+        let q = curves[0][i][0];
+        let corrected = Curves::at(q).unwrap().corrected;
+        let mut borders = vec![corrected.a, corrected.b_or_e];
+        // Beyond Y, III is not between II and IV.
+        borders.extend([corrected.c.unwrap_or(corrected.b_or_e), corrected.d]);
+        for (curve, border) in curves.iter().zip(borders) {
+            let found = curve[i][1];
+            assert!((found - border).abs() < 2e-4, "q = {q}: {found}, {border}");
+        }
+    }
+}
+
+#[test]
+fn the_periodic_motion_is_the_one_approached() {
+    let Answer { values, curves } = anisotropic::motion(2.0, 0.45, 1.5).unwrap();
+    assert_eq!(values[0], 3.0);
+    assert_eq!(values[4], 4.0);
+    let share: f64 = values[5..]
+        .chunks(3)
+        .filter(|i| i[0] == 0.0)
+        .map(|i| i[2] - i[1])
+        .sum();
+    assert!((share / TAU - values[3]).abs() < 1e-15);
+    // After the first rest both are the same.
+    let late = |curve: &[[f64; 2]]| {
+        *curve
+            .iter()
+            .find(|point| point[0] >= 3.0 * TAU + 2.0)
+            .unwrap()
+    };
+    let (from_start, periodic) = (late(&curves[0]), late(&curves[1]));
+    assert_eq!(from_start[0], periodic[0]);
+    assert!(periodic[1] > 0.1 && (from_start[1] - periodic[1]).abs() < 1e-12);
+}
+
+/// Starts tried at each distance from the axis.
+const POINTS: usize = 600;
+
+#[test]
+fn the_boundary_parts_rest_from_escape() {
+    for rho in [0.0, 0.3, 0.8, 0.9, 0.97, 1.0, 1.05, 1.3, 1.6] {
+        let curves = turntable::boundary(rho).unwrap().curves;
+        let boundary = &curves[0];
+        let mut generator = fastrand::Rng::with_seed(1);
+        let mut wrong = 0;
+        for _ in 0..POINTS {
+            let v = [generator.f64() * 6.0 - 3.0, generator.f64() * 6.0 - 3.0];
+            let rests = matches!(
+                fate(&Start::cartesian([rho, 0.0], v).unwrap()).unwrap(),
+                Fate::Rest { .. }
+            );
+            wrong += usize::from(rests != inside(boundary, v));
+        }
+        // A polygon cuts corners.
+        assert!(wrong <= POINTS / 200, "ρ = {rho}: {wrong} of {POINTS}");
+    }
+    let [speed, radius] = [critical_speed().unwrap(), critical_radius().unwrap()];
+    for [u, v] in &turntable::boundary(0.0).unwrap().curves[0] {
+        assert!((u.hypot(*v) - speed).abs() < 2e-3);
+    }
+    for (rho, rests) in [(radius - 0.01, 1.0), (radius + 0.01, 0.0)] {
+        assert_eq!(
+            turntable::motion(rho, [0.0, -rho]).unwrap().values[0],
+            rests
+        );
+    }
+}
+
+/// Whether a point lies inside a closed polygon: an odd number of sides lies to its right.
+fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let sides = polygon.windows(2).filter(|side| {
+        let ([a, b], [c, d]) = (side[0], side[1]);
+        (b > y) != (d > y) && x < a + (y - b) / (d - b) * (c - a)
+    });
+    sides.count() % 2 == 1
+}
+
+#[test]
+fn the_path_in_the_laboratory_is_the_one_on_the_table_turned() {
+    let Answer { values, curves } = turntable::motion(0.8, [-0.6, 0.4]).unwrap();
+    let [[x, y], [u, v]] = [&curves[0], &curves[1]].map(|curve| *curve.last().unwrap());
+    assert!((x.hypot(y) - values[1]).abs() < 1e-9 && (u.hypot(v) - values[1]).abs() < 1e-9);
+    assert_eq!(curves[0].len(), curves[1].len());
+}
+
+#[test]
+fn the_ball_rolls_where_the_particle_rests() {
+    // λ₀ = 0.75, no slip across: two rests a period, as the drive of section 2.2 has them.
+    let ball = sphere::motion(0.75, 0.4, [0.0, 0.0]).unwrap().values;
+    let particle = anisotropic::motion(1.0, 0.75, 0.0).unwrap().values;
+    assert!(
+        (ball[2] - particle[3]).abs() < 1e-12,
+        "{ball:?} {particle:?}"
+    );
+    // b = 1 + 1/κ, and the ball that swings less than friction can follow never slips.
+    assert_eq!(ball[0], 3.5);
+    assert_eq!(
+        sphere::motion(1.2, 0.4, [0.0, 0.0]).unwrap().values[1..3],
+        [0.0, 1.0]
+    );
+    assert_eq!(
+        sphere::motion(0.3, 0.4, [0.5, 1.0]).unwrap().values[1],
+        -1.0
+    );
+}
