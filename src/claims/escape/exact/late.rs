@@ -73,9 +73,7 @@ fn rates() -> [Expr; 3] {
 
 /// They are (107) to (109).
 fn rewritten(p: &mut Prover<'_>) -> Result<(), Obstacle> {
-    for id in ["eq-107", "eq-108", "eq-109"] {
-        turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
-    }
+    turntable::given(p, &["eq-107", "eq-108", "eq-109"])?;
     let [rho, u, delta] = symbols(["ρ", "u", "δ"]);
     let psi = Expr::pi() / Expr::int(2) - delta;
     let outwards = motion::eq108_rho_rate(rho - u, psi);

@@ -48,9 +48,7 @@ fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
 }
 
 fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
-    for id in ["eq-113", "eq-114", "eq-115"] {
-        turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
-    }
+    turntable::given(p, &["eq-113", "eq-114", "eq-115"])?;
     let ring = p.ring();
     p.note(
         "To be found",

@@ -100,9 +100,7 @@ fn with(known: &[Rational], next: &Rational, start: i64) -> Series {
 }
 
 fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
-    for id in ["eq-113", "eq-114", "eq-115"] {
-        turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
-    }
+    turntable::given(p, &["eq-113", "eq-114", "eq-115"])?;
     p.note("Small", "α, and ζ with α dζ/dα = ζ (2σ − 1)/(1 − σ)");
     let ring = p.ring();
     let (mut psi, mut a) = (Vec::new(), vec![ring.named("σ")?]);
