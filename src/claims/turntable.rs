@@ -584,6 +584,7 @@ const CLAIMS: &[Claim] = &[
             },
             rates::eq109,
             standstill::eq109,
+            standstill::eq109_on_the_axis,
         ],
         ..Claim::BLANK
     },

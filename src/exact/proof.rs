@@ -80,6 +80,23 @@ impl Proof {
         }
     }
 
+    /// Carries out steps that find something, for other proofs to start from; nothing is found where they fail.
+    pub fn finding<T>(
+        title: impl Into<String>,
+        ring: Result<Ring, ExactError>,
+        steps: impl FnOnce(&mut Prover<'_>) -> Result<T, Obstacle>,
+    ) -> (Option<T>, Self) {
+        let mut found = None;
+        let proof = match ring {
+            Err(error) => Proof::impossible(title, error),
+            Ok(ring) => Proof::of(title, &ring, |p| {
+                found = Some(steps(p)?);
+                Ok(())
+            }),
+        };
+        (found, proof)
+    }
+
     /// A proof that cannot even start, because its ring cannot be set up.
     pub fn impossible(title: impl Into<String>, error: ExactError) -> Self {
         Proof {

@@ -188,9 +188,7 @@ pub fn eq126(formula: Expr) -> Proof {
         ring
     };
     Proof::of("(126): dα/dτ near α = 0", &ring(), |p| {
-        for id in ["eq-114", "eq-124"] {
-            turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
-        }
+        turntable::given(p, &["eq-114", "eq-124"])?;
         let [a, alpha, psi] = ["A", "α", "ψ"].map(Expr::symbol);
         let small = Series::monomial(Rational::int(1), 1, 6);
         let values = [("α", &small)];
@@ -217,9 +215,7 @@ pub fn eq138(formula: Expr) -> Proof {
     ring.symbol("A");
     ring.hyperbolic("α");
     Proof::of("d(A²/2)/dτ = ds/dτ, whatever A and α are", &ring, |p| {
-        for id in ["eq-113"] {
-            turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
-        }
+        turntable::given(p, &["eq-113"])?;
         let [a, alpha] = ["A", "α"].map(Expr::symbol);
         let half = p.read("(138)", formula)?;
         let rate = p.read("dA/dτ by (113)", motion::eq113_a_rate(alpha))?;

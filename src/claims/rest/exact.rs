@@ -35,7 +35,7 @@ fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
 /// (139): no push starts a motion, dp/dτ ≤ 0 in every direction ψ, exactly where σ is not above the bound.
 pub fn eq139(bound: Expr) -> Proof {
     prove("(139): where a push starts no motion", |p| {
-        turntable::proof("eq-107").map_or(Ok(()), |proof| p.rests_on(&proof))?;
+        turntable::given(p, &["eq-107"])?;
         let [sigma, psi] = symbols(["σ", "ψ"]);
         let rate = p.read("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi))?;
         let excess = sigma - bound;

@@ -141,7 +141,7 @@ fn at_one(compared: &'static str, sides: fn([f64; 3]) -> (f64, f64, f64)) -> Evi
         let a = border(alpha, psi)?.a;
         let (stated, found, scale) = sides([a, alpha, psi]);
         Ok::<_, Failure>(Pair {
-            at: format!("σ = 1, α = {alpha}, ψ = {psi}"),
+            at: format!("σ = 1, α = {alpha:.3}, ψ = {psi:.6}"),
             stated,
             found,
             scale,

@@ -114,6 +114,19 @@ pub fn proof(id: &str) -> Option<Proof> {
     STATEMENTS.iter().find(|s| s.id == id).map(Statement::proof)
 }
 
+/// Rests a proof on those of the formulas with these ids.
+///
+/// # Errors
+/// [`Obstacle`] if one of them has no proof, or none that holds.
+pub fn given(p: &mut Prover<'_>, ids: &[&str]) -> Result<(), Obstacle> {
+    for id in ids {
+        let name = (*id).to_owned();
+        let known = proof(id).ok_or(ExactError::UnknownSymbol { name })?;
+        p.rests_on(&known)?;
+    }
+    Ok(())
+}
+
 type Formulas = fn() -> Vec<Expr>;
 type Attempt = fn(&[Expr]) -> Proof;
 

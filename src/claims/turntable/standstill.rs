@@ -193,13 +193,24 @@ pub fn eq107() -> Evidence {
     )
 }
 
-/// (109) at the moment of a start, and on the axis.
+/// (109) at the moment of a start.
 pub fn eq109() -> Evidence {
-    let compared = "(109) at a start from rest and on the axis with dψ/dτ";
-    let begins = &[Begin::Released, Begin::Launched];
+    eq109_from(
+        "(109) at a start from rest with dψ/dτ",
+        518,
+        &[Begin::Released],
+    )
+}
+
+/// (109) on the axis.
+pub fn eq109_on_the_axis() -> Evidence {
+    eq109_from("(109) on the axis with dψ/dτ", 522, &[Begin::Launched])
+}
+
+fn eq109_from(compared: &'static str, stream: u64, begins: &'static [Begin]) -> Evidence {
     first_moment(
         compared,
-        518,
+        stream,
         begins,
         |v| v.psi,
         |v| printed::eq109_psi_rate(v.p, v.rho, v.psi),

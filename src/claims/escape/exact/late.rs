@@ -44,7 +44,7 @@ pub struct Late {
 /// τ, ln τ as L, √2 and its root, b, and what is to be found.
 pub fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
-    for name in ["τ", "L", "b", "ρ", "u", "q", "A"].iter().chain(&UNKNOWN) {
+    for name in ["τ", "L", "b", "ρ", "u", "q"].iter().chain(&UNKNOWN) {
         ring.symbol(name);
     }
     ring.angle("δ");
@@ -73,9 +73,7 @@ fn rates() -> [Expr; 3] {
 
 /// They are (107) to (109).
 fn rewritten(p: &mut Prover<'_>) -> Result<(), Obstacle> {
-    for id in ["eq-107", "eq-108", "eq-109"] {
-        turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
-    }
+    turntable::given(p, &["eq-107", "eq-108", "eq-109"])?;
     let [rho, u, delta] = symbols(["ρ", "u", "δ"]);
     let psi = Expr::pi() / Expr::int(2) - delta;
     let outwards = motion::eq108_rho_rate(rho - u, psi);
@@ -255,19 +253,9 @@ fn finish(p: &mut Prover<'_>, [rho, u, delta]: &[Series; 3]) -> Result<Late, Obs
     })
 }
 
-static SOLUTION: LazyLock<(Option<Late>, Proof)> = LazyLock::new(|| {
-    let title = "the escape in powers of 1/τ and ln τ";
-    let ring = match ring() {
-        Ok(ring) => ring,
-        Err(error) => return (None, Proof::impossible(title, error)),
-    };
-    let mut late = None;
-    let proof = Proof::of(title, &ring, |p| {
-        late = Some(solve(p)?);
-        Ok(())
-    });
-    (late, proof)
-});
+/// The series, and how they were found.
+static SOLUTION: LazyLock<(Option<Late>, Proof)> =
+    LazyLock::new(|| Proof::finding("the escape in powers of 1/τ and ln τ", ring(), solve));
 
 /// A proof that starts from the series.
 pub fn from_series(

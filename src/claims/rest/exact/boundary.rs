@@ -48,9 +48,7 @@ fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
 }
 
 fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
-    for id in ["eq-113", "eq-114", "eq-115"] {
-        turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
-    }
+    turntable::given(p, &["eq-113", "eq-114", "eq-115"])?;
     let ring = p.ring();
     p.note(
         "To be found",
@@ -117,19 +115,9 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
     Ok(a)
 }
 
-static SOLUTION: LazyLock<(Option<Series>, Proof)> = LazyLock::new(|| {
-    let title = "the boundary in powers of α";
-    let ring = match ring() {
-        Ok(ring) => ring,
-        Err(error) => return (None, Proof::impossible(title, error)),
-    };
-    let mut series = None;
-    let proof = Proof::of(title, &ring, |p| {
-        series = Some(solve(p)?);
-        Ok(())
-    });
-    (series, proof)
-});
+/// The series, and how they were found.
+static SOLUTION: LazyLock<(Option<Series>, Proof)> =
+    LazyLock::new(|| Proof::finding("the boundary in powers of α", ring(), solve));
 
 /// A formula for A agrees with the boundary up to this power of α.
 pub fn prove(formula: Expr, order: i64) -> Proof {

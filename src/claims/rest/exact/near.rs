@@ -67,12 +67,6 @@ fn next(
     Ok(ring.put(&ansatz, &values)?)
 }
 
-/// The series of ψ, A, and dα/dτ, and how they were found.
-struct Solution {
-    series: Option<[Series; 3]>,
-    proof: Proof,
-}
-
 /// α d/dα of a series times dα/dτ over α, less a rate.
 fn imbalance(
     ring: &Ring,
@@ -100,9 +94,7 @@ fn with(known: &[Rational], next: &Rational, start: i64) -> Series {
 }
 
 fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
-    for id in ["eq-113", "eq-114", "eq-115"] {
-        turntable::proof(id).map_or(Ok(()), |proof| p.rests_on(&proof))?;
-    }
+    turntable::given(p, &["eq-113", "eq-114", "eq-115"])?;
     p.note("Small", "α, and ζ with α dζ/dα = ζ (2σ − 1)/(1 − σ)");
     let ring = p.ring();
     let (mut psi, mut a) = (Vec::new(), vec![ring.named("σ")?]);
@@ -166,25 +158,9 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
     Ok([psi, a, alpha_rate])
 }
 
-static SOLUTION: LazyLock<Solution> = LazyLock::new(|| {
-    let title = "the motions to rest in powers of α";
-    let ring = match ring() {
-        Ok(ring) => ring,
-        Err(error) => {
-            let proof = Proof::impossible(title, error);
-            return Solution {
-                series: None,
-                proof,
-            };
-        }
-    };
-    let mut series = None;
-    let proof = Proof::of(title, &ring, |p| {
-        series = Some(solve(p)?);
-        Ok(())
-    });
-    Solution { series, proof }
-});
+/// The series, and how they were found.
+static SOLUTION: LazyLock<(Option<[Series; 3]>, Proof)> =
+    LazyLock::new(|| Proof::finding("the motions to rest in powers of α", ring(), solve));
 
 /// Carries out a proof that starts from the series of ψ, A and dα/dτ.
 fn from_series(
@@ -194,8 +170,9 @@ fn from_series(
     match ring() {
         Err(error) => Proof::impossible(title, error),
         Ok(ring) => Proof::of(title, &ring, |p| {
-            p.carry_on(&SOLUTION.proof)?;
-            steps(p, SOLUTION.series.as_ref().ok_or(Obstacle::Empty)?)
+            let (series, proof) = &*SOLUTION;
+            p.carry_on(proof)?;
+            steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
         }),
     }
 }
