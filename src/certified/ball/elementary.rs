@@ -18,7 +18,7 @@ impl Ball {
         let [_, q, t] = chudnovsky(1, terms);
         let work = bits + 32;
         let root: UBig = (UBig::from(10005u32) << (2 * work)).sqrt();
-        let sum = IBig::from(q.clone()) * 13_591_409u32 + t;
+        let sum = &q * 13_591_409u32 + t;
         let mid: IBig = (IBig::from(root) * q * 426_880u32 / sum) >> (work - bits);
         Ball {
             mid,
