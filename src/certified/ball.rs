@@ -86,7 +86,7 @@ impl Ball {
         // 2⁻⁹⁰ of what is left would not show in an f64 of order one.
         let narrow = self.with_bits(self.bits.min(90));
         let [lo, hi] = narrow.bounds().map(|x| x.to_f64().value());
-        let unit = libm::exp2(-(narrow.bits as f64));
+        let unit = libm::ldexp(1.0, -(narrow.bits as i32));
         Interval::new((lo * unit).next_down(), (hi * unit).next_up())
     }
 

@@ -64,6 +64,9 @@ pub fn refine(
     for &bits in steps.iter().rev() {
         x = narrower(&x, bits)?;
     }
+    if !x.interval().inside(start) {
+        return Err(failed("the root may lie outside the box"));
+    }
     Ok(Root {
         unique_in: start,
         value: x.with_bits(bits),

@@ -241,7 +241,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"X=(q=1,\lambda_0=\lambda_\mathrm{c})",
         plain: "X = (q = 1, λ₀ = λ_c)",
         depends_on: &["eq-37", "eq-53", "eq-54"],
-        trials: &[exact::x, corners::x_root, certified::x_unique],
+        trials: &[exact::x, corners::x_root, certified::points::x_unique],
         ..Claim::BLANK
     },
     Claim {
@@ -253,7 +253,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"Y=(q=4.603,\lambda_0=0.217)",
         plain: "Y = (q = 4.603, λ₀ = 0.217)",
         depends_on: &["eq-54", "eq-55"],
-        trials: &[corners::y_decimals, corners::y_limit, certified::y_rounding],
+        trials: &[
+            corners::y_decimals,
+            corners::y_limit,
+            certified::points::y_rounding,
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -303,7 +307,7 @@ const CLAIMS: &[Claim] = &[
             regions::second_corrected_census,
             regions::second_corrected_ends,
             regions::between_e_and_c,
-            certified::no_way_back,
+            certified::points::no_way_back,
             certified::e_below_c,
         ],
         correction: Some(SECOND_REGION),
@@ -369,7 +373,7 @@ const CLAIMS: &[Claim] = &[
             exact::x,
             corners::x_root,
             corners::x_both,
-            certified::x_unique,
+            certified::points::x_unique,
         ],
         ..Claim::BLANK
     },
@@ -387,7 +391,7 @@ const CLAIMS: &[Claim] = &[
             corners::y_digits,
             corners::y_contact,
             corners::y_curvature,
-            certified::y_digits,
+            certified::points::y_digits,
         ],
         ..Claim::BLANK
     },

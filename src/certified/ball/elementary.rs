@@ -6,6 +6,9 @@ use crate::scalar::Scalar;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
 use dashu_int::{IBig, UBig};
 
+/// Of arguments from 2 to the power of this on, the sine and the cosine are not told.
+const LARGEST: usize = 32;
+
 impl Ball {
     /// The circle's ratio, by the series of the Chudnovskys,
     /// 1/π = 12 Σ (−1)ᵏ (6k)! (13591409 + 545140134 k) / ((3k)! k!³ 640320^(3k+3/2)).
@@ -15,7 +18,7 @@ impl Ball {
         let [_, q, t] = chudnovsky(1, terms);
         let work = bits + 32;
         let root: UBig = (UBig::from(10005u32) << (2 * work)).sqrt();
-        let sum = IBig::from(q.clone()) * 13_591_409u32 + t;
+        let sum = &q * 13_591_409u32 + t;
         let mid: IBig = (IBig::from(root) * q * 426_880u32 / sum) >> (work - bits);
         Ball {
             mid,
@@ -33,6 +36,14 @@ impl Ball {
             .unsigned_abs()
             .bit_len()
             .saturating_sub(self.bits);
+        if size > LARGEST {
+            let anything = Ball {
+                mid: IBig::ZERO,
+                rad: UBig::ONE << self.bits,
+                bits: self.bits,
+            };
+            return [anything.clone(), anything];
+        }
         let halvings = (self.bits as f64).sqrt() as usize / 3 + 3 + size;
         let work = self.bits + 2 * halvings + 16;
         let (mut s, mut miss) = sine_of_small(&self.mid << (work - self.bits - halvings), work);

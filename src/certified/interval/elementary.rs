@@ -105,7 +105,7 @@ fn exp_at(x: f64) -> Interval {
     for k in (1..=16).rev() {
         sum = ONE + r * sum / int(k);
     }
-    sum * Interval::point(libm::exp2(n))
+    sum * Interval::point(libm::ldexp(1.0, n as i32))
 }
 
 /// The natural logarithm of a single number, x > 0.

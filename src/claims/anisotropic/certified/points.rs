@@ -1,0 +1,125 @@
+//! X, Y, and a point where the list of regions fails: single points, proved.
+
+use super::{Sides, Two, on_a, prove_b, q_y};
+use crate::certified::drive::arc;
+use crate::certified::error::CertifiedError;
+use crate::certified::interval::{Interval, PI};
+use crate::certified::{krawczyk, values};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::enclosed::{DIGITS, certified, numbers, on_balls};
+use crate::claims::tolerances::NONE;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::exact::Expr;
+use crate::paper::anisotropic as printed;
+use crate::scalar::Scalar;
+
+/// X: (53) and (54) have one common root near (57).
+pub fn x_unique() -> Evidence {
+    let compared = "(57) with the only common root of (53) and (54) in 0.97 ≤ q ≤ 1.03, 0.525 ≤ λ₀ ≤ 0.55, enclosed to 1e-14";
+    let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
+    let stated = printed::eq57_x::<Interval>();
+    let proof = meeting.and_then(|root| {
+        let close = root
+            .iter()
+            .zip(stated)
+            .all(|(a, b)| a.meet(b).is_some() && a.width() < 1e-14);
+        let at = format!("{} × {}", root[0], root[1]);
+        if close {
+            Ok(1)
+        } else {
+            Err(CertifiedError::False { at })
+        }
+    });
+    certified(proof, Subject::Printed, compared)
+}
+
+fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
+    let curves = |[q, lambda0]: [Two; 2]| {
+        let [left, right] = a(printed::eq53_k(q), lambda0);
+        let [up, down] = b(lambda0, q * lambda0);
+        [left - right, up - down]
+    };
+    krawczyk::unique(
+        curves,
+        [Interval::new(0.97, 1.03), Interval::new(0.525, 0.55)],
+    )
+}
+
+/// The decimals of (58), to the last one.
+pub fn y_rounding() -> Evidence {
+    let compared = "(58) with the enclosure of Y, rounded to three decimals";
+    let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
+    let points = ["q-Y", "lambda-Y"].into_iter().zip(printed::eq58_y());
+    trial.over(points, |(name, stated)| {
+        let value = values::find(name).ok_or("no such value")?;
+        Ok::<_, Failure>(Pair {
+            at: format!("{name}, rounded"),
+            stated,
+            found: value.decimal(3)?.parse()?,
+            scale: 1.0,
+        })
+    })
+}
+
+/// (54) and (55) at Y.
+pub fn y_digits() -> Evidence {
+    let compared = "q = √(1 + x²) for the one x in (4.4, 4.6) with tan x = x, to 50 digits, with the sum of q and the difference of the sides of (54) on (55)";
+    numbers(["q-Y"], Subject::Printed, compared, |bits| {
+        let spare = bits + 32;
+        let y = values::find("q-Y").and_then(|value| value.ball(DIGITS + 8).ok());
+        let q = Expr::symbol("q");
+        let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), Expr::int(1));
+        [on_balls(q + left - right, spare, &|_| y.clone()).map(|ball| ball.with_bits(bits))]
+    })
+}
+
+/// A point of the printed region II where the drive never pulls the particle back.
+pub fn no_way_back() -> Evidence {
+    let compared = "the sign of 𝔴 at the last moment at which the drive could pull backward: −1 in the printed region II, whose forward motion is over by then, with that of the arc of Newton's law, at q = 9, λ₀ = 1/10";
+    let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
+    trial.over([(9, Interval::ratio(1, 10))], |(q, lambda0)| {
+        let q = Interval::int(q);
+        // There is no B beyond q_Y.
+        prove_b(printed::eq54_sides)?;
+        let in_second =
+            on_a(q).below(lambda0) && lambda0.below(printed::eq55_lambda0(q)) && q_y()?.below(q);
+        if !in_second {
+            return Err("the point is not proved to lie in the printed region II".into());
+        }
+        let last = Interval::int(2) * PI - (q * lambda0).asin();
+        let velocity = arc(lambda0.asin(), last, lambda0);
+        Ok::<_, Failure>(Pair {
+            at: "q = 9, λ₀ = 1/10".into(),
+            stated: -1.0,
+            found: velocity.sign().unwrap_or(f64::NAN),
+            scale: 1.0,
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_points_are_proved() {
+        for evidence in [x_unique(), y_rounding(), y_digits()] {
+            assert_eq!(
+                evidence.worst, 0.0,
+                "{}: {}",
+                evidence.compared, evidence.at
+            );
+        }
+        assert_eq!(no_way_back().worst, 2.0);
+    }
+
+    #[test]
+    fn mutated_points_are_refused() {
+        let off = prove_x(printed::eq53_sides, |l, u| {
+            let [left, right] = printed::eq54_sides(l, u);
+            [left, right + l / Two::int(1000)]
+        });
+        let stated = printed::eq57_x::<Interval>();
+        assert!(off.is_err() || off.is_ok_and(|root| root[1].meet(stated[1]).is_none()));
+    }
+}
