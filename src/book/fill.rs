@@ -2,7 +2,7 @@
 
 use super::claim_box;
 use super::error::Fault;
-use super::explorers;
+use super::explorer;
 use super::maths::Maths;
 use super::tables;
 use super::text::{count, escape, size};
@@ -66,7 +66,7 @@ impl<'a> Filler<'a> {
             ["figure", id] => block(self.figure(id)?),
             ["explorer"] => {
                 let none = || Fault::Placeholder("this page has no explorer".into());
-                block(explorers::place(page).ok_or_else(none)?)
+                block(explorer::place(page).ok_or_else(none)?)
             }
             ["counts"] => block(tables::counts(self.ledger)),
             ["ledger"] => block(tables::whole_ledger(self)?),

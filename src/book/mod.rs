@@ -29,7 +29,7 @@ mod assets;
 mod claim_box;
 mod error;
 mod expand;
-mod explorers;
+mod explorer;
 mod fill;
 mod maths;
 mod pages;
@@ -97,7 +97,7 @@ fn write_pages(
         files.push((fill::data_file(figure), figure.csv.clone()));
     }
 
-    files.extend(explorers::files());
+    files.extend(explorer::files());
 
     let staging = Staging::beside(out)?;
     let source = staging.path("source");

@@ -129,6 +129,16 @@ impl<'p, 'b> Explorer<'p, 'b> {
         Ok(Explorer { page, name })
     }
 
+    /// Follows an address on the same page.
+    fn go(&mut self, state: &str) -> Result<(), Failure> {
+        let hash = format!("#explore-{}?{state}", self.name);
+        self.page.value(&format!("location.hash = '{hash}'"))?;
+        let name = self.name;
+        self.page.wait_for(&format!(
+            "document.getElementById('explore-{name}').dataset.shown === '{hash}'"
+        ))
+    }
+
     /// A value of an expression in which `host` is the explorer.
     fn value(&mut self, expression: &str) -> Result<Value, Failure> {
         let name = self.name;
@@ -206,11 +216,12 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 }
 
-/// Opened at a state, each explorer shows what the crate says of it.
+/// Led to a state by its address, each explorer shows what the crate says of it.
 pub fn values(page: &mut Page, book: &Book) -> Result<(), Failure> {
     for (name, states) in STATES {
+        let mut explorer = Explorer::open(page, book, name, states[0])?;
         for state in states {
-            let mut explorer = Explorer::open(page, book, name, state)?;
+            explorer.go(state)?;
             let found = explorer.right()?;
             let asked: Vec<f64> = state
                 .split('&')
@@ -221,8 +232,8 @@ pub fn values(page: &mut Page, book: &Book) -> Result<(), Failure> {
                     "{name} was asked for {asked:?} and shows {found:?}"
                 ));
             }
-            explorer.unharmed()?;
         }
+        explorer.unharmed()?;
     }
     Ok(())
 }
@@ -351,14 +362,6 @@ pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The id of the still figure that the explorer answers for.
-fn still(page: &mut Page) -> Result<String, Failure> {
-    let id = page.value("document.querySelector('.explorer-static figure').id")?;
-    id.as_str()
-        .map(str::to_owned)
-        .ok_or_else(|| "the still figure has no id".into())
-}
-
 /// The address follows the hand and leads back to the same view; the page's own fragments still lead to their places.
 pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
     for name in PAGES {
@@ -382,33 +385,23 @@ pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
                 "{name}: {hash} shows {again:?} instead of {state:?}"
             ));
         }
+        // The still figure is behind a fold, which its own address opens.
+        page.value("location.hash = document.querySelector('.explorer-static figure').id")?;
+        page.wait_for("document.querySelector('.explorer-static svg').checkVisibility()")?;
+        // An ordinary fragment.
+        let target = page.value("[...document.querySelectorAll('main h2[id]')].pop().id")?;
+        let target = target.as_str().unwrap_or_default().to_owned();
+        page.value(&format!(
+            "document.querySelector('a.header[href=\"#{target}\"]').click()"
+        ))?;
+        page.wait_for(&format!(
+            "location.hash === '#{target}' && (box => box.top > -5 && box.top < innerHeight)(document.getElementById('{target}').getBoundingClientRect())"
+        ))?;
         // Nonsense in the address is not believed.
         let mut explorer =
             Explorer::open(page, book, name, "lambda=1e99&rho=&theta=x&q=-7&nonsense=1")?;
         explorer.right()?;
         explorer.unharmed()?;
-        // The still figure is behind a fold, which its own address opens.
-        let still = still(page)?;
-        page.open(&format!(
-            "{}#{still}",
-            book.address(&format!("{name}.html"))
-        ))?;
-        page.wait_for("document.querySelector('.explorer-static svg').checkVisibility()")?;
-        // An ordinary fragment, on the page itself and from outside.
-        let target = page.value("[...document.querySelectorAll('main h2[id]')].pop().id")?;
-        let target = target.as_str().unwrap_or_default().to_owned();
-        let seen = format!(
-            "location.hash === '#{target}' && (box => box.top > -5 && box.top < innerHeight)(document.getElementById('{target}').getBoundingClientRect())"
-        );
-        page.value(&format!(
-            "document.querySelector('a.header[href=\"#{target}\"]').click()"
-        ))?;
-        page.wait_for(&seen)?;
-        page.open(&format!(
-            "{}#{target}",
-            book.address(&format!("{name}.html"))
-        ))?;
-        page.wait_for(&seen)?;
     }
     Ok(())
 }

@@ -7,20 +7,23 @@ mod access;
 mod chrome;
 mod explorers;
 mod pages;
+mod visit;
 
 use chrome::{Browser, Failure, Page};
 use libtest_mimic::{Arguments, Trial};
+use std::collections::BTreeMap;
 use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::sync::{Arc, Mutex, OnceLock};
 use tempfile::TempDir;
+use visit::Visit;
 
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 13] = [
+const TESTS: [(&str, Test); 14] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -49,6 +52,7 @@ const TESTS: [(&str, Test); 13] = [
         explorers::addresses,
     ),
     ("pages_are_accessible", access::pages),
+    ("themes_are_accessible", access::themes),
 ];
 
 fn main() -> ExitCode {
@@ -120,6 +124,8 @@ pub struct Book {
     folder: TempDir,
     /// Its pages, by file name.
     pub pages: Vec<String>,
+    /// What was seen on them.
+    visits: OnceLock<Result<BTreeMap<String, Visit>, Failure>>,
 }
 
 impl Book {
@@ -139,7 +145,11 @@ impl Book {
         let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
         let mut pages: Vec<_> = names.filter(|name| name.ends_with(".html")).collect();
         pages.sort();
-        Ok(Book { folder, pages })
+        Ok(Book {
+            folder,
+            pages,
+            visits: OnceLock::new(),
+        })
     }
 
     pub fn folder(&self) -> PathBuf {
@@ -151,11 +161,9 @@ impl Book {
         address_of(&self.folder().join(page))
     }
 
-    /// Those pages that a reader turns, without the one for printing and mdBook's own frame of the contents.
-    pub fn chapters(&self) -> impl Iterator<Item = &String> {
-        self.pages
-            .iter()
-            .filter(|page| !["print.html", "toc.html"].contains(&page.as_str()))
+    /// Whether a page is one that a reader turns: not the one for printing, nor mdBook's own frame of the contents.
+    pub fn is_chapter(&self, page: &str) -> bool {
+        !["print.html", "toc.html"].contains(&page)
     }
 }
 

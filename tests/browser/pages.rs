@@ -2,55 +2,46 @@
 
 use crate::Book;
 use crate::chrome::{Failure, Page};
+use crate::visit::visits;
 use serde_json::json;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// Every page loads, and neither complains nor asks anybody for anything.
 pub fn load(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    let mut found = Vec::new();
-    for name in &book.pages {
-        page.open(&book.address(name))?;
-        found.extend(
-            page.complaints()
-                .into_iter()
-                .map(|complaint| format!("{name}: {complaint}")),
-        );
-    }
-    none(found)
+    let visits = visits(page, book)?.iter();
+    let found = visits.flat_map(|(name, visit)| {
+        visit
+            .complaints
+            .iter()
+            .map(move |complaint| format!("{name}: {complaint}"))
+    });
+    none(found.collect())
 }
 
 /// Every address in a page, of a link or of a file, leads to a file of the book, every fragment to a place in it.
 pub fn links(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    let root = book.address("");
-    let (mut places, mut used) = (BTreeMap::new(), Vec::new());
-    for name in &book.pages {
-        page.open(&book.address(name))?;
-        let ids =
-            page.texts("[...document.querySelectorAll('[id], a[name]')].map(e => e.id || e.name)")?;
-        places.insert(name.clone(), ids.into_iter().collect::<BTreeSet<_>>());
-        let addresses = page.texts("[...document.querySelectorAll('[href], [src]')].map(e => e.src || e.href).filter(a => typeof a === 'string')")?;
-        used.extend(addresses.into_iter().map(|address| (name, address)));
-    }
-    let mut dead = BTreeSet::new();
-    for (name, address) in used {
-        let path = address
-            .strip_prefix(&root)
-            .map(|path| path.split_once('#').unwrap_or((path, "")));
-        let good = match path {
-            _ if address.starts_with("data:") => true,
-            Some((file, fragment)) => {
-                let file = if file.is_empty() { "index.html" } else { file };
-                let inside = |ids: &BTreeSet<String>| fragment.is_empty() || ids.contains(fragment);
-                places.get(file).map_or(fragment.is_empty(), inside)
-                    && book.folder().join(file).is_file()
-            }
-            None => false,
+    let (root, visits) = (book.address(""), visits(page, book)?);
+    let leads = |address: &str| {
+        let Some(path) = address.strip_prefix(&root) else {
+            return address.starts_with("data:");
         };
-        if !good {
-            dead.insert(format!("{name}: {address}"));
-        }
-    }
-    none(dead.into_iter().collect())
+        let (file, fragment) = path.split_once('#').unwrap_or((path, ""));
+        let file = if file.is_empty() { "index.html" } else { file };
+        let place = fragment.is_empty()
+            || visits
+                .get(file)
+                .is_some_and(|visit| visit.places.contains(fragment));
+        place && book.folder().join(file).is_file()
+    };
+    let used = visits
+        .iter()
+        .flat_map(|(name, visit)| visit.addresses.iter().map(move |address| (name, address)));
+    let dead: BTreeSet<_> = used.filter(|(_, address)| !leads(address)).collect();
+    none(
+        dead.into_iter()
+            .map(|(name, address)| format!("{name}: {address}"))
+            .collect(),
+    )
 }
 
 /// What a reader may search for, and an address that must be among what is found.
@@ -84,16 +75,14 @@ pub fn search(page: &mut Page, book: &Book) -> Result<(), Failure> {
 
 /// On a screen of 390 pixels nothing sticks out at the side.
 pub fn narrow(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    page.resize(390, 800)?;
-    let mut wide = Vec::new();
-    for name in book.chapters() {
-        page.open(&book.address(name))?;
-        let width = page.value("document.documentElement.scrollWidth")?;
-        if width.as_f64().is_none_or(|width| width > 390.0) {
-            wide.push(format!("{name} is {width} wide"));
-        }
-    }
-    none(wide)
+    let visits = visits(page, book)?
+        .iter()
+        .filter(|(name, _)| book.is_chapter(name));
+    let wide = visits.filter(|(_, visit)| visit.width.as_f64().is_none_or(|width| width > 390.0));
+    none(
+        wide.map(|(name, visit)| format!("{name} is {} wide", visit.width))
+            .collect(),
+    )
 }
 
 /// With scripts off, the figures are seen and the places of the explorers are not.
