@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Both sides in one go: Slipbook's workloads and the peers', in turn, so that a busy machine slows both.
+
+    python3 -m venv /tmp/peers && /tmp/peers/bin/pip install -r benches/peers/requirements.txt
+    /tmp/peers/bin/python benches/peers/run.py --rounds 3 --out benches/results.json
+
+Ours is `cargo bench --bench workloads`, read from what criterion leaves; a peer is a script of this folder, which
+prints one line of JSON. Of all rounds the fastest counts, on both sides.
+"""
+import argparse
+import datetime
+import json
+import os
+import platform
+import subprocess
+import sys
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.dirname(os.path.dirname(HERE))
+PY = sys.executable
+
+# What is done, criterion's group and function, items in it, peer, its command, items that one of its counts stands for.
+ROWS = [
+    ("start on the turntable, one core", "w1-turntable", "one core, 99856", 99856, "heyoka, batches",
+     "w1_turntable.py --peer heyoka-raw-batch --m 316 --repeats 3"),
+    ("start on the turntable, two cores", "w1-turntable", "all cores, 99856", 99856, "heyoka, batches",
+     "w1_turntable.py --peer heyoka-raw-batch --m 316 --repeats 3 --threads 2"),
+    ("start on the turntable, one core", "w1-turntable", "one core, 99856", 99856, "numba, DOP853",
+     "w1_turntable.py --peer numba-dop853 --m 316 --repeats 3"),
+    ("pixel of the stick-slip plane", "w2-census", "one core", 1000000, "numba, loop by hand",
+     "w2_stickslip.py --peer numba-sim --repeats 2"),
+    ("pixel of the stick-slip plane", "w2-census", "one core", 1000000, "heyoka with events",
+     "w2_stickslip.py --peer heyoka-events --pixels 300"),
+    ("kind of a pixel, by formula", "w2-census", "kinds by the curves", 1000000, "numba, closed form",
+     "w2_stickslip.py --peer numba-smart --repeats 5"),
+    ("50 digits of Y", "w3-digits", "q-Y, 50", 1, "Arb", "w3_highprec.py --digits 50 --peer flint-arb"),
+    ("50 digits of Y", "w3-digits", "q-Y, 50", 1, "mpmath", "w3_highprec.py --digits 50 --peer mpmath-findroot"),
+    ("1000 digits of Y", "w3-digits", "q-Y, 1000", 1, "Arb", "w3_highprec.py --digits 1000 --peer flint-arb"),
+    ("1000 digits of Y", "w3-digits", "q-Y, 1000", 1, "mpmath", "w3_highprec.py --digits 1000 --peer mpmath-findroot"),
+    ("integral of A dt", "w4-quadrature", "integrals", 20000, "QUADPACK, SciPy",
+     "w4_quadrature.py --peer scipy-quad --repeats 2"),
+    ("integral of A dt", "w4-quadrature", "integrals", 20000, "numba, Gauss-Kronrod",
+     "w4_quadrature.py --peer numba-gk21 --repeats 3 --n 100000"),
+    ("integral of A dt", "w4-quadrature", "integrals", 20000, "quad-rs",
+     "run_rust_peers.py --workload w4 --peer quad-rs-gk21 --n 20000"),
+    ("proof of the four identities, cold", "w5-proofs", "from a cold start", 1, "SymPy, half angles",
+     "w5_symbolic.py --peer sympy-halfangle --repeats 3"),
+    ("everything, against five figures", "w6-everything", "main job", 1, "SciPy and matplotlib",
+     "w6_notebook.py --peer script --repeats 2"),
+]
+
+
+def ours(group, function, items):
+    command = ["cargo", "bench", "--quiet", "--bench", "workloads", "--", "--exact", f"{group}/{function}"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    accuracy = [line for line in done.stdout.splitlines() if line.startswith(group + ", accuracy")]
+    with open(os.path.join(ROOT, "target", "criterion", group, function, "new", "estimates.json")) as file:
+        nanoseconds = json.load(file)["median"]["point_estimate"]
+    return nanoseconds / items / 1e3, "; ".join(line.split(": ", 1)[0].split(", ", 1)[1] + ": " + line.split(": ", 1)[1] for line in accuracy)
+
+
+def theirs(command):
+    script, *rest = command.split()
+    done = subprocess.run([PY, script, *rest], cwd=HERE, capture_output=True, text=True, check=True)
+    line = json.loads([line for line in done.stdout.splitlines() if line.startswith("{")][-1])
+    seconds = line.get("seconds_min", line["seconds"])
+    return 1e6 * seconds / line["n"], line.get("accuracy", {})
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--rounds", type=int, default=3)
+    parser.add_argument("--only", default="", help="rows whose group begins so")
+    parser.add_argument("--out", default=os.path.join(os.path.dirname(HERE), "results.json"))
+    arguments = parser.parse_args()
+    rows = []
+    for work, group, function, items, peer, command in ROWS:
+        if not group.startswith(arguments.only):
+            continue
+        best = {"work": work, "peer": peer, "ours_us": float("inf"), "peer_us": float("inf"), "accuracy": ""}
+        try:
+            for _ in range(arguments.rounds):
+                mine, accuracy = ours(group, function, items)
+                other, _ = theirs(command)
+                best["ours_us"] = min(best["ours_us"], mine)
+                best["peer_us"] = min(best["peer_us"], other)
+                best["accuracy"] = accuracy
+        except (subprocess.CalledProcessError, OSError, IndexError, KeyError) as error:
+            print(f"{work}, {peer}: {error} {getattr(error, 'stderr', '')}", file=sys.stderr)
+            continue
+        best["ratio"] = float(f"{best['peer_us'] / best['ours_us']:.3g}")
+        for key in ("ours_us", "peer_us"):
+            best[key] = float(f"{best[key]:.3g}")
+        print(json.dumps(best), flush=True)
+        rows.append(best)
+    machine = f"{platform.machine()}, {os.cpu_count()} cores"
+    result = {"date": datetime.date.today().isoformat(), "machine": machine, "rounds": arguments.rounds, "rows": rows}
+    with open(arguments.out + ".part", "w") as file:
+        json.dump(result, file, indent=1)
+        file.write("\n")
+    os.replace(arguments.out + ".part", arguments.out)
+
+
+if __name__ == "__main__":
+    main()
