@@ -1,7 +1,7 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
 use super::error::Fault;
-use super::fill::{Filler, label, verdict};
+use super::fill::{Filler, verdict};
 use super::maths::Maths;
 use super::text::{counted, escape, sentence, size, value};
 use crate::claims::Claim;
@@ -36,7 +36,7 @@ pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fa
 
 /// `(11) Speed as a function of direction`, `Figure 1: Portraits of the velocity`.
 fn heading(claim: &Claim) -> String {
-    let label = label(claim);
+    let label = claim.name();
     let title = sentence(claim.title);
     match claim.kind {
         _ if title.is_empty() => label,

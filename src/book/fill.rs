@@ -5,8 +5,6 @@ use super::error::Fault;
 use super::maths::Maths;
 use super::tables;
 use super::text::{count, escape, size};
-use crate::claims::Claim;
-use crate::evidence::Kind;
 use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::BTreeSet;
@@ -102,7 +100,7 @@ impl<'a> Filler<'a> {
             "<a href=\"{}.html#{}\">{}</a>",
             entry.topic.stem,
             entry.claim.id,
-            self.maths.words(&label(entry.claim))?
+            self.maths.words(&entry.claim.name())?
         ))
     }
 
@@ -150,14 +148,4 @@ pub(super) fn verdict(verdict: Verdict) -> String {
         verdict.slug(),
         verdict.words()
     )
-}
-
-/// What a claim is called for short: `(11)`, or its title.
-pub(super) fn label(claim: &Claim) -> String {
-    match (claim.equation, claim.kind) {
-        (Some(number), _) => format!("({number})"),
-        (None, Kind::Figure) => format!("Figure {}", claim.id.trim_start_matches("fig-")),
-        (None, _) if claim.title.is_empty() => claim.id.to_owned(),
-        (None, _) => claim.title.to_owned(),
-    }
 }

@@ -3,6 +3,7 @@
 //! A claim is data; a trial is a function that returns [`Evidence`]. Whether a claim holds is not
 //! said here: the [ledger](crate::ledger) judges.
 
+pub mod by_hand;
 pub mod compare;
 pub mod conditioned;
 pub mod points;
@@ -82,6 +83,16 @@ impl Claim {
         correction: None,
         trials: &[],
     };
+
+    /// What the claim is called for short: `(11)`, `Figure 3`, or its title; formulas in `$…$`.
+    pub fn name(&self) -> String {
+        match (self.equation, self.kind) {
+            (Some(number), _) => format!("({number})"),
+            (None, Kind::Figure) => format!("Figure {}", self.id.trim_start_matches("fig-")),
+            (None, _) if self.title.is_empty() => self.id.to_owned(),
+            (None, _) => self.title.to_owned(),
+        }
+    }
 }
 
 /// A topic: a chapter of the book, and the stem of its files in every room.

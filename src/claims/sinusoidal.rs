@@ -6,7 +6,7 @@ mod exact;
 mod periodic;
 mod phases;
 pub mod pictures;
-mod runs;
+pub(super) mod runs;
 mod setup;
 mod slip;
 mod threshold;

@@ -1,10 +1,16 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
+mod errata;
+mod letter;
+mod plain;
 mod record;
 mod sheet;
 mod table;
 mod verdict;
 
+pub use errata::{ErrataError, Erratum};
+pub use letter::Format;
+pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
