@@ -14,6 +14,7 @@ macro_rules! files {
 pub(super) const THEME: &[(&str, &[u8])] = files![
     "theme/favicon.svg",
     "theme/slipbook.css",
+    "theme/slipbook.js",
     "theme/katex/katex.min.css",
     "theme/katex/NOTICE.txt",
     "theme/katex/LICENSE-MIT.txt",

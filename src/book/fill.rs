@@ -1,12 +1,13 @@
 //! What each placeholder stands for.
 
 use super::claim_box;
+use super::code::Code;
 use super::error::Fault;
 use super::maths::Maths;
-use super::tables;
+use super::{errata, map, symbols, tables, values};
 use super::text::{count, escape, size};
 use crate::figures::Figure;
-use crate::ledger::{Entry, Ledger, Verdict};
+use crate::ledger::{Entry, Erratum, Ledger, Verdict};
 use std::collections::BTreeSet;
 
 /// What stands in a placeholder's place.
@@ -21,15 +22,24 @@ pub(super) enum Filled {
 pub(super) struct Filler<'a> {
     ledger: &'a Ledger,
     figures: &'a [Figure],
+    errata: &'a [Erratum],
+    code: &'a Code,
     maths: Maths,
     boxed: BTreeSet<&'static str>,
 }
 
 impl<'a> Filler<'a> {
-    pub(super) fn new(ledger: &'a Ledger, figures: &'a [Figure]) -> Self {
+    pub(super) fn new(
+        ledger: &'a Ledger,
+        figures: &'a [Figure],
+        errata: &'a [Erratum],
+        code: &'a Code,
+    ) -> Self {
         Filler {
             ledger,
             figures,
+            errata,
+            code,
             maths: Maths::new(),
             boxed: BTreeSet::new(),
         }
@@ -37,6 +47,10 @@ impl<'a> Filler<'a> {
 
     pub(super) fn maths(&self) -> &Maths {
         &self.maths
+    }
+
+    pub(super) fn code(&self) -> &'a Code {
+        self.code
     }
 
     pub(super) fn ledger(&self) -> &'a Ledger {
@@ -64,6 +78,21 @@ impl<'a> Filler<'a> {
             ["counts"] => block(tables::counts(self.ledger)),
             ["ledger"] => block(tables::whole_ledger(self)?),
             ["ledger", topic] => block(tables::topic(self, topic)?),
+            ["sheet", id] => block(format!(
+                "<pre><code class=\"language-text\">{}</code></pre>\n",
+                // A blank line would end the block.
+                escape(&self.entry(id)?.sheet().replace('\n', "\u{1}")).replace('\u{1}', "&#10;")
+            )),
+            ["equations"] => block(tables::equations(self)?),
+            ["symbols"] => block(symbols::table_of(self)?),
+            ["values"] => block(values::table_of(self)?),
+            ["falls"] => block(map::what_falls(self)?),
+            ["map", "key"] => block(map::key()),
+            ["map", "list"] => block(map::list(self)?),
+            ["errata", slugs @ ..] => {
+                let verdicts: Result<Vec<_>, _> = slugs.iter().map(|slug| verdict_of(slug)).collect();
+                block(errata::list(self, self.errata, &verdicts?)?)
+            }
             ["routes"] => block(tables::routes(self.ledger)),
             ["tolerances"] => block(tables::tolerances(self)?),
             ["verdict", id] => inline(verdict(self.entry(id)?.judgement.verdict)),
@@ -78,12 +107,8 @@ impl<'a> Filler<'a> {
             ["ref", id] => inline(self.link(self.entry(id)?)?),
             ["count", "claims"] => inline(count(self.ledger.entries.len())),
             ["count", "points"] => inline(count(self.ledger.points())),
-            ["count", slug] => {
-                let verdict = Verdict::ALL.into_iter().find(|v| v.slug() == *slug);
-                let unknown = || Fault::Placeholder(format!("there is no verdict `{slug}`"));
-                let counts = self.ledger.counts();
-                inline(count(counts[&verdict.ok_or_else(unknown)?]))
-            }
+            ["value", id] => inline(values::shown(id)?),
+            ["count", slug] => inline(count(self.ledger.counts()[&verdict_of(slug)?])),
             _ => Err(Fault::Placeholder("there is no such placeholder".into())),
         }
     }
@@ -102,6 +127,18 @@ impl<'a> Filler<'a> {
             entry.claim.id,
             self.maths.words(&entry.claim.name())?
         ))
+    }
+
+    /// Links to claims' boxes.
+    pub(super) fn links(&self, ids: &[&str]) -> Result<String, Fault> {
+        let links: Result<Vec<_>, _> = ids.iter().map(|id| self.link(self.entry(id)?)).collect();
+        Ok(links?.join(", "))
+    }
+
+    /// Ids of the claims that depend on a claim directly.
+    pub(super) fn users(&self, id: &str) -> Vec<&'static str> {
+        let claims = self.ledger.entries.iter().map(|entry| entry.claim);
+        claims.filter(|other| other.depends_on.contains(&id)).map(|other| other.id).collect()
     }
 
     /// Notes that a claim is shown, once and on its own page: its address is permanent.
@@ -125,8 +162,13 @@ impl<'a> Filler<'a> {
         let Some(svg) = svg else {
             return Err(Fault::Placeholder("this figure is not an SVG".into()));
         };
+        // A drawing with links is not one picture to a screen reader.
+        let window = match svg.contains("<a ") {
+            true => "class=\"map-window\" role=\"group\"",
+            false => "role=\"img\"",
+        };
         Ok(format!(
-            "<figure class=\"plot\" id=\"plot-{id}\"><div role=\"img\" aria-label=\"{}\">{}</div>\
+            "<figure class=\"plot\" id=\"plot-{id}\"><div {window} aria-label=\"{}\">{}</div>\
              <figcaption>{} <a href=\"{}\" download>Data (CSV)</a></figcaption></figure>\n",
             escape(&figure.alt),
             svg.lines().map(str::trim).collect::<Vec<_>>().join(" "),
@@ -134,6 +176,12 @@ impl<'a> Filler<'a> {
             data_file(figure),
         ))
     }
+}
+
+/// The verdict of this slug.
+fn verdict_of(slug: &str) -> Result<Verdict, Fault> {
+    let found = Verdict::ALL.into_iter().find(|v| v.slug() == slug);
+    found.ok_or_else(|| Fault::Placeholder(format!("there is no verdict `{slug}`")))
 }
 
 /// Where a figure's data lies within the book.

@@ -36,7 +36,14 @@ written!(
     escape,
     rest,
     ledger,
-    methods
+    errata,
+    map,
+    equations,
+    symbols,
+    values,
+    methods,
+    snapshots,
+    adding
 );
 
 /// A page before its placeholders are filled.
@@ -64,8 +71,18 @@ const REFERENCE: &str = "Reference";
 pub(super) fn pages(figures: &[Figure]) -> Vec<Page> {
     let mut pages = vec![written_page("index", "Slipbook")];
     pages.extend(TOPICS.iter().map(|topic| topic_page(topic, figures)));
-    pages.push(written_page("ledger", "The ledger"));
-    pages.push(written_page("methods", "How a verdict comes about"));
+    let reference = [
+        ("ledger", "The ledger"),
+        ("errata", "Errata"),
+        ("map", "The map of claims"),
+        ("equations", "Index of equations"),
+        ("symbols", "Index of symbols"),
+        ("values", "Index of values"),
+        ("methods", "How a verdict comes about"),
+        ("snapshots", "How to read a snapshot"),
+        ("adding", "How to add a claim"),
+    ];
+    pages.extend(reference.map(|(stem, title)| written_page(stem, title)));
     pages
 }
 

@@ -10,12 +10,12 @@ use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A table, as a block of HTML. The cells are HTML.
-fn table<const N: usize>(
+pub(super) fn table<const N: usize>(
     class: &str,
     head: [&str; N],
     rows: impl IntoIterator<Item = [String; N]>,
 ) -> String {
-    let head: String = head.iter().map(|cell| format!("<th>{cell}</th>")).collect();
+    let head: String = head.iter().map(|cell| format!("<th scope=\"col\">{cell}</th>")).collect();
     let row = |cells: [String; N]| {
         let cells: String = cells
             .iter()
@@ -85,6 +85,25 @@ fn row(filler: &Filler<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
         _ => format!("{}; {}", routes.join(", "), counted(points, "point")),
     };
     Ok([claim, verdict(entry.judgement.verdict), tried])
+}
+
+/// The numbered equations: number, formula, verdict.
+pub(super) fn equations(filler: &Filler<'_>) -> Result<String, Fault> {
+    let numbered = filler.ledger().entries.iter().filter(|e| e.claim.equation.is_some());
+    let rows: Result<Vec<_>, Fault> = numbered
+        .map(|entry| {
+            let formula = match is_formula(entry.claim, entry.claim.latex) {
+                true => filler.maths().inline(entry.claim.latex)?,
+                false => filler.maths().words(entry.claim.latex)?,
+            };
+            Ok([
+                filler.link(entry)?,
+                format!("<div class=\"says\">{formula}</div>"),
+                verdict(entry.judgement.verdict),
+            ])
+        })
+        .collect();
+    Ok(table("equations", ["Number", "Formula as printed", "Verdict"], rows?))
 }
 
 /// All claims, topic by topic.

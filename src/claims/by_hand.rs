@@ -32,20 +32,28 @@ pub struct ByHand {
 }
 
 impl ByHand {
-    /// The case with its numbers, formulas in `$…$`.
+    /// The stated and the found number, as shown.
     ///
     /// # Errors
     /// A motion that cannot be followed.
-    pub fn words(&self) -> Result<String, Failure> {
+    pub fn numbers(&self) -> Result<[String; 2], Failure> {
         let shown = |value: f64| {
-            // No sign is left of a zero.
             let text = format!("{value:.*}", self.digits);
-            text.strip_prefix('-')
-                .filter(|size| size.parse() == Ok(0.0))
-                .map_or(text.clone(), str::to_owned)
+            // No sign is left of a zero.
+            let zero = text.strip_prefix('-').filter(|size| size.parse() == Ok(0.0));
+            zero.map_or(text.clone(), str::to_owned)
         };
-        let words = self.case.replace("{stated}", &shown((self.stated)()?));
-        Ok(words.replace("{found}", &shown((self.found)()?)))
+        Ok([shown((self.stated)()?), shown((self.found)()?)])
+    }
+
+    /// The case with its numbers, formulas in `$…$`.
+    ///
+    /// # Errors
+    /// As [`ByHand::numbers`].
+    pub fn words(&self) -> Result<String, Failure> {
+        let [stated, found] = self.numbers()?;
+        let words = self.case.replace("{stated}", &stated);
+        Ok(words.replace("{found}", &found))
     }
 }
 

@@ -8,6 +8,7 @@ pub mod compare;
 pub mod conditioned;
 pub mod points;
 pub mod tolerances;
+pub mod values;
 
 pub mod anisotropic;
 pub mod constant;

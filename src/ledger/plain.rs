@@ -301,7 +301,7 @@ mod tests {
             (r"\dot\alpha\approx1-\frac{1}{A}", "α̇ ≈ 1−1/A"),
             (
                 r"\left(\tan\frac{\theta}{2}\right)^{-\lambda}",
-                "(tan θ/2)^−λ",
+                "(tan θ/2)^-λ",
             ),
             (r"\bm{A}=-A \hat{\bm{x}}", "A = −A x̂"),
             (r"\tau\to\infty", "τ → ∞"),
