@@ -37,7 +37,7 @@ pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fa
 }
 
 /// `(11) Speed as a function of direction`, `Figure 1: Portraits of the velocity`.
-fn heading(claim: &Claim) -> String {
+pub(super) fn heading(claim: &Claim) -> String {
     let label = claim.name();
     let title = sentence(claim.title);
     match claim.kind {
@@ -93,11 +93,16 @@ fn statements(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
 
 /// Why the claim fails, and a case to check on paper.
 fn by_hand(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
-    let fails = matches!(entry.judgement.verdict, Verdict::Misprint | Verdict::Refuted);
+    let fails = matches!(
+        entry.judgement.verdict,
+        Verdict::Misprint | Verdict::Refuted
+    );
     let Some(case) = by_hand::of(entry.claim.id).filter(|_| fails) else {
         return Ok(String::new());
     };
-    let words = case.words().map_err(|failure| Fault::Placeholder(failure.to_string()))?;
+    let words = case
+        .words()
+        .map_err(|failure| Fault::Placeholder(failure.to_string()))?;
     Ok(format!(
         "<div class=\"by-hand\"><p><strong>Why:</strong> {}.</p><p><strong>By hand:</strong> {}.</p></div>",
         filler.maths().words(&sentence(case.reason))?,
@@ -130,7 +135,9 @@ fn trials(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
     }
     let code = filler.code().trials(entry.topic, entry.claim);
     let trials = entry.evidence.iter().enumerate();
-    let items: Result<String, Fault> = trials.map(|(i, e)| trial(filler.maths(), e, code.get(i))).collect();
+    let items: Result<String, Fault> = trials
+        .map(|(i, e)| trial(filler.maths(), e, code.get(i)))
+        .collect();
     Ok(format!(
         "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>",
         items?
@@ -163,7 +170,10 @@ fn trial(maths: &Maths, evidence: &Evidence, code: Option<&Place>) -> Result<Str
         route = evidence.route.name(),
         subject = evidence.subject.words(),
         compared = maths.words(&sentence(evidence.compared))?,
-        code = code.map_or(String::new(), |place| format!(" <a class=\"code\" href=\"{}\">Code</a>", place.address())),
+        code = code.map_or(String::new(), |place| format!(
+            " <a class=\"code\" href=\"{}\">Code</a>",
+            place.address()
+        )),
         points = counted(evidence.points, "point"),
         tolerance = size(evidence.tolerance.value),
         reason = maths.words(evidence.tolerance.reason)?,
@@ -216,7 +226,9 @@ fn code(filler: &Filler<'_>, entry: &Entry) -> String {
         ("motion", code.motion(topic)),
         ("claim", code.row(topic, claim)),
     ];
-    let links = places.into_iter().filter_map(|(word, place)| Some(format!("{word} {}", place?.link())));
+    let links = places
+        .into_iter()
+        .filter_map(|(word, place)| Some(format!("{word} {}", place?.link())));
     let links: Vec<_> = links.collect();
     format!("<p class=\"neighbours\">Code: {}</p>", links.join(", "))
 }

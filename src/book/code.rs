@@ -29,8 +29,16 @@ impl Place {
 
     /// A link, with the function's name or else the file's.
     pub(super) fn link(&self) -> String {
-        let words = if self.name.is_empty() { self.file } else { &self.name };
-        format!("<a href=\"{}\"><code>{}</code></a>", self.address(), escape(words))
+        let words = if self.name.is_empty() {
+            self.file
+        } else {
+            &self.name
+        };
+        format!(
+            "<a href=\"{}\"><code>{}</code></a>",
+            self.address(),
+            escape(words)
+        )
     }
 }
 
@@ -52,7 +60,9 @@ impl Code {
         while let Some(entry) = open.pop() {
             open.extend(entry.children());
             let path = entry.path().to_str().unwrap_or_default();
-            let shown = SHOWN.iter().any(|room| path.starts_with(&format!("{room}/")));
+            let shown = SHOWN
+                .iter()
+                .any(|room| path.starts_with(&format!("{room}/")));
             let text = entry.as_file().and_then(|file| file.contents_utf8());
             if let (true, Some(text)) = (shown, text) {
                 files.insert(path, text);
@@ -62,7 +72,11 @@ impl Code {
     }
 
     /// The sources of a topic in a room: `claims/escape.rs` and all in `claims/escape`.
-    fn of_topic(&self, room: &str, topic: &Topic) -> impl Iterator<Item = (&'static str, &'static str)> {
+    fn of_topic(
+        &self,
+        room: &str,
+        topic: &Topic,
+    ) -> impl Iterator<Item = (&'static str, &'static str)> {
         let stem = format!("{room}/{}", topic.stem);
         let files = self.files.iter().map(|(file, text)| (*file, *text));
         files.filter(move |(file, _)| {
@@ -117,7 +131,11 @@ impl Code {
         })
     }
 
-    fn row_text(&self, topic: &Topic, claim: &Claim) -> Option<(&'static str, &'static str, usize)> {
+    fn row_text(
+        &self,
+        topic: &Topic,
+        claim: &Claim,
+    ) -> Option<(&'static str, &'static str, usize)> {
         let start = format!("id: \"{}\"", claim.id);
         let mut files = self.of_topic("claims", topic);
         files.find_map(|(file, text)| Some((file, text, text.find(&start)?)))
@@ -133,9 +151,13 @@ impl Code {
             file: row,
             name: claim.id.to_owned(),
         };
-        let list = text[at..].split_once("trials: &[").map_or("", |(_, list)| list);
+        let list = text[at..]
+            .split_once("trials: &[")
+            .map_or("", |(_, list)| list);
         let items = items(list);
-        items.map(|item| self.function(topic, item).unwrap_or_else(in_row)).collect()
+        items
+            .map(|item| self.function(topic, item).unwrap_or_else(in_row))
+            .collect()
     }
 
     /// The function that a trial calls: `laws::size`, or what a closure calls first.
@@ -145,9 +167,19 @@ impl Code {
         let mut parts = path[..end.unwrap_or(path.len())].rsplit("::");
         let (name, module) = (parts.next()?, parts.next());
         let has = |text: &str| functions(text).any(|(_, function)| function == name);
-        let found: Vec<_> = self.of_topic("claims", topic).filter(|(_, text)| has(text)).collect();
-        let stem = |file: &str| file.trim_end_matches(".rs").rsplit('/').next().map(str::to_owned);
-        let named = found.iter().find(|(file, _)| stem(file).as_deref() == module);
+        let found: Vec<_> = self
+            .of_topic("claims", topic)
+            .filter(|(_, text)| has(text))
+            .collect();
+        let stem = |file: &str| {
+            file.trim_end_matches(".rs")
+                .rsplit('/')
+                .next()
+                .map(str::to_owned)
+        };
+        let named = found
+            .iter()
+            .find(|(file, _)| stem(file).as_deref() == module);
         let (file, _) = named.or(found.first())?;
         Some(Place {
             file,
@@ -157,7 +189,9 @@ impl Code {
 
     /// The pages: address within the book, and HTML.
     pub(super) fn pages(&self) -> impl Iterator<Item = (String, String)> {
-        self.files.iter().map(|(file, text)| (page(file), code_page(file, text)))
+        self.files
+            .iter()
+            .map(|(file, text)| (page(file), code_page(file, text)))
     }
 
     /// True if a word stands somewhere in the files shown.
@@ -207,7 +241,10 @@ fn items(list: &str) -> impl Iterator<Item = &str> {
             _ => {}
         }
     }
-    items.into_iter().map(str::trim).filter(|item| !item.is_empty())
+    items
+        .into_iter()
+        .map(str::trim)
+        .filter(|item| !item.is_empty())
 }
 
 fn code_page(file: &str, text: &str) -> String {
@@ -251,9 +288,9 @@ enum State {
 }
 
 const KEYWORDS: &[&str] = &[
-    "as", "break", "const", "continue", "crate", "else", "enum", "fn", "for", "if", "impl", "in", "let", "loop",
-    "match", "mod", "move", "mut", "pub", "ref", "return", "self", "Self", "static", "struct", "super", "trait",
-    "type", "use", "where", "while",
+    "as", "break", "const", "continue", "crate", "else", "enum", "fn", "for", "if", "impl", "in",
+    "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self", "Self", "static",
+    "struct", "super", "trait", "type", "use", "where", "while",
 ];
 
 /// One line of Rust as HTML: comments, strings and keywords are marked.
@@ -270,7 +307,14 @@ fn highlight(line: &str, mut state: State, out: &mut String) -> State {
         } else if c.is_alphabetic() || c == '_' {
             let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_'));
             let end = end.unwrap_or(rest.len());
-            (end, if KEYWORDS.contains(&&rest[..end]) { "k" } else { "" })
+            (
+                end,
+                if KEYWORDS.contains(&&rest[..end]) {
+                    "k"
+                } else {
+                    ""
+                },
+            )
         } else if rest.starts_with("'\"'") {
             (3, "s")
         } else {
@@ -313,13 +357,20 @@ mod tests {
         for (topic, claim) in claims::all() {
             let row = code.row(topic, claim);
             assert!(row.is_some(), "{}: no row", claim.id);
-            assert!(code.printed(topic, claim).is_some() == claim.equation.is_some(), "{}", claim.id);
+            assert!(
+                code.printed(topic, claim).is_some() == claim.equation.is_some(),
+                "{}",
+                claim.id
+            );
             assert!(code.motion(topic).is_some());
             let trials = code.trials(topic, claim);
             assert_eq!(trials.len(), claim.trials.len(), "{}", claim.id);
             for trial in trials {
                 let shown = code_page(trial.file, code.files[trial.file]);
-                assert!(shown.contains(&format!("<a id=\"{}\"></a>", trial.name)), "{trial:?}");
+                assert!(
+                    shown.contains(&format!("<a id=\"{}\"></a>", trial.name)),
+                    "{trial:?}"
+                );
             }
         }
     }
@@ -327,7 +378,9 @@ mod tests {
     #[test]
     fn rust_is_marked() {
         let mut out = String::new();
-        assert!(highlight("let a = \"b \\\" // c\"; // <d>", State::Plain, &mut out) == State::Plain);
+        assert!(
+            highlight("let a = \"b \\\" // c\"; // <d>", State::Plain, &mut out) == State::Plain
+        );
         assert_eq!(
             out,
             "<i class=\"k\">let</i> a = <i class=\"s\">&quot;b \\&quot; // c&quot;</i>; <i class=\"c\">// &lt;d&gt;</i>"

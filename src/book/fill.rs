@@ -4,8 +4,8 @@ use super::claim_box;
 use super::code::Code;
 use super::error::Fault;
 use super::maths::Maths;
-use super::{errata, map, symbols, tables, values};
 use super::text::{count, escape, size};
+use super::{errata, map, symbols, tables, values};
 use crate::figures::Figure;
 use crate::ledger::{Entry, Erratum, Ledger, Verdict};
 use std::collections::BTreeSet;
@@ -90,7 +90,8 @@ impl<'a> Filler<'a> {
             ["map", "key"] => block(map::key()),
             ["map", "list"] => block(map::list(self)?),
             ["errata", slugs @ ..] => {
-                let verdicts: Result<Vec<_>, _> = slugs.iter().map(|slug| verdict_of(slug)).collect();
+                let verdicts: Result<Vec<_>, _> =
+                    slugs.iter().map(|slug| verdict_of(slug)).collect();
                 block(errata::list(self, self.errata, &verdicts?)?)
             }
             ["routes"] => block(tables::routes(self.ledger)),
@@ -138,7 +139,10 @@ impl<'a> Filler<'a> {
     /// Ids of the claims that depend on a claim directly.
     pub(super) fn users(&self, id: &str) -> Vec<&'static str> {
         let claims = self.ledger.entries.iter().map(|entry| entry.claim);
-        claims.filter(|other| other.depends_on.contains(&id)).map(|other| other.id).collect()
+        claims
+            .filter(|other| other.depends_on.contains(&id))
+            .map(|other| other.id)
+            .collect()
     }
 
     /// Notes that a claim is shown, once and on its own page: its address is permanent.

@@ -30,24 +30,41 @@ fn fails(verdict: Verdict) -> bool {
 /// The figure.
 pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
     let entries = &ledger.entries;
-    let places: BTreeMap<_, _> = entries.iter().enumerate().map(|(i, e)| (e.claim.id, i)).collect();
+    let places: BTreeMap<_, _> = entries
+        .iter()
+        .enumerate()
+        .map(|(i, e)| (e.claim.id, i))
+        .collect();
     let failing = entries.iter().filter(|e| fails(e.judgement.verdict));
-    let shaken: BTreeSet<_> = failing.flat_map(|e| ledger.resting_on(e.claim.id)).collect();
+    let shaken: BTreeSet<_> = failing
+        .flat_map(|e| ledger.resting_on(e.claim.id))
+        .collect();
     let nodes = entries.iter().map(|entry| {
         let claim = entry.claim;
         let name = claim.name();
         let title = plain_words(claim.title);
         Node {
             id: claim.id,
-            name: if name == claim.title { String::new() } else { name },
+            name: if name == claim.title {
+                String::new()
+            } else {
+                name
+            },
             title,
             href: format!("{}.html#{}", entry.topic.stem, claim.id),
             class: entry.judgement.verdict.slug(),
             sign: sign(entry.judgement.verdict),
             words: entry.judgement.verdict.words(),
             shaken: shaken.contains(claim.id),
-            lane: TOPICS.iter().position(|topic| topic.stem == entry.topic.stem).unwrap_or(0),
-            on: claim.depends_on.iter().filter_map(|id| places.get(id).copied()).collect(),
+            lane: TOPICS
+                .iter()
+                .position(|topic| topic.stem == entry.topic.stem)
+                .unwrap_or(0),
+            on: claim
+                .depends_on
+                .iter()
+                .filter_map(|id| places.get(id).copied())
+                .collect(),
         }
     });
     map(&TOPICS.map(|topic| topic.title), &nodes.collect::<Vec<_>>())
@@ -76,7 +93,12 @@ pub(super) fn what_falls(filler: &Filler<'_>) -> Result<String, Fault> {
             filler.links(&standing)?,
         ]);
     }
-    let head = ["Claim", "Verdict", "Falls with it", "Rests on it and stands"];
+    let head = [
+        "Claim",
+        "Verdict",
+        "Falls with it",
+        "Rests on it and stands",
+    ];
     Ok(table("falls", head, rows))
 }
 

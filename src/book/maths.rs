@@ -91,11 +91,14 @@ impl Maths {
         if latex.trim().is_empty() {
             return Err(fault("there is nothing in it".into()));
         }
-        let html = render_to_string(&self.context, latex.trim(), settings)
+        let html = render_to_string(&self.context, &roots_in_braces(latex.trim()), settings)
             .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
         let mut set = self.set.borrow_mut();
         let number = set.forms.len();
-        set.forms.push((tidy(&without_annotation(&html), false), escape(&plain_formula(latex))));
+        set.forms.push((
+            tidy(&without_annotation(&html), false),
+            escape(&plain_formula(latex)),
+        ));
         set.numbers.insert(key, number);
         Ok(mark(number))
     }
@@ -123,6 +126,30 @@ impl Maths {
         }
         out
     }
+}
+
+/// Puts braces around what stands under a root: katex-rs loses the room for the sign before a bare symbol.
+fn roots_in_braces(latex: &str) -> String {
+    const ROOT: &str = r"\sqrt";
+    let mut parts = latex.split(ROOT);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let part = part.trim_start();
+        let end = match part.chars().next() {
+            None | Some('{' | '[') => 0,
+            Some('\\') => {
+                let name = part[1..].find(|c: char| !c.is_ascii_alphabetic());
+                name.map_or(part.len(), |end| end + 1)
+            }
+            Some(c) => c.len_utf8(),
+        };
+        out.push_str(ROOT);
+        match end {
+            0 => out.push_str(part),
+            end => out.push_str(&format!("{{{}}}{}", &part[..end], &part[end..])),
+        }
+    }
+    out
 }
 
 /// Leaves out the LaTeX source within the MathML: it would be read by the search as if it were text.
@@ -228,6 +255,19 @@ mod tests {
     #[test]
     fn an_empty_attribute_does_not_swallow_the_next() {
         assert_eq!(tidy("<a b=\"\" a=\"1\">", false), "<a a=\"1\" b=\"\">");
+    }
+
+    #[test]
+    fn a_root_has_room_for_its_sign() {
+        assert_eq!(
+            roots_in_braces(r"\sqrt2+\sqrt\pi x+\sqrt{y}"),
+            r"\sqrt{2}+\sqrt{\pi} x+\sqrt{y}"
+        );
+        let maths = Maths::new();
+        for latex in [r"\sqrt2", r"\sqrt{2}", r"\sqrt\pi"] {
+            let html = maths.with_formulas(&maths.inline(latex).unwrap());
+            assert!(html.contains("padding-left:0.833em"), "{latex}: {html}");
+        }
     }
 
     #[test]

@@ -139,7 +139,9 @@ fn write_pages(
 /// Puts the formulas into mdBook's pages, and our index in place of mdBook's.
 fn finish(book: &Path, pages: &[Page], maths: &Maths) -> Result<(), BookError> {
     let mut search = Search::new();
-    let written = pages.iter().map(|page| (format!("{}.html", page.stem), true));
+    let written = pages
+        .iter()
+        .map(|page| (format!("{}.html", page.stem), true));
     for (name, searched) in written.chain([("print.html".to_owned(), false)]) {
         let path = book.join(&name);
         let html = fs::read_to_string(&path).map_err(|reason| unwritable(&path, reason))?;
@@ -148,7 +150,9 @@ fn finish(book: &Path, pages: &[Page], maths: &Maths) -> Result<(), BookError> {
         }
         put(&path, maths.with_formulas(&html).as_bytes())?;
     }
-    let index = search.file().map_err(|error| BookError::Render(error.to_string()))?;
+    let index = search
+        .file()
+        .map_err(|error| BookError::Render(error.to_string()))?;
     put(&book.join("searchindex.js"), index.as_bytes())
 }
 

@@ -45,11 +45,16 @@ impl Language for Physics {
 fn words(text: &str) -> Vec<String> {
     let mut found = Vec::new();
     for word in text.split(|c: char| c.is_whitespace() || c == '-') {
-        let word = word.trim_matches(['.', ',', ';', ':', '!', '?', '"', '“', '”', '…']).to_lowercase();
+        let word = word
+            .trim_matches(['.', ',', ';', ':', '!', '?', '"', '“', '”', '…'])
+            .to_lowercase();
         let bare = word.trim_matches(['(', ')', '[', ']', '|', '=']).to_owned();
         let flat: String = bare.chars().filter(|c| *c != '_').map(flat_digit).collect();
         let parts = bare.split(['/', '·', '=']).map(str::to_owned);
-        let mut forms: Vec<_> = [word, bare.clone(), flat].into_iter().chain(parts).collect();
+        let mut forms: Vec<_> = [word, bare.clone(), flat]
+            .into_iter()
+            .chain(parts)
+            .collect();
         forms.retain(|form| !form.is_empty() && form.len() <= 80);
         forms.sort();
         forms.dedup();
@@ -68,7 +73,9 @@ fn flat_digit(c: char) -> char {
 
 impl Search {
     pub(super) fn new() -> Self {
-        Search { stretches: Vec::new() }
+        Search {
+            stretches: Vec::new(),
+        }
     }
 
     /// Adds a page: its file, and its HTML with words for formulas.
@@ -81,7 +88,10 @@ impl Search {
         let mut skipped: Option<(&str, usize)> = None;
         for part in main.split('<').skip(1) {
             let (tag, text) = part.split_once('>').unwrap_or((part, ""));
-            let name = tag.split([' ', '/']).find(|name| !name.is_empty()).unwrap_or("");
+            let name = tag
+                .split([' ', '/'])
+                .find(|name| !name.is_empty())
+                .unwrap_or("");
             let closes = tag.starts_with('/');
             if let Some((skip, depth)) = &mut skipped {
                 if name == *skip && !tag.ends_with('/') {
@@ -97,7 +107,9 @@ impl Search {
             }
             if let "h1" | "h2" | "h3" = name {
                 heading = !closes;
-                let id = tag.split_once("id=\"").and_then(|(_, rest)| rest.split_once('"'));
+                let id = tag
+                    .split_once("id=\"")
+                    .and_then(|(_, rest)| rest.split_once('"'));
                 if let (false, Some((id, _))) = (closes, id) {
                     self.stretches.push(Stretch {
                         address: format!("{file}#{id}"),
@@ -110,8 +122,15 @@ impl Search {
             if self.stretches.len() > first
                 && let Some(stretch) = self.stretches.last_mut()
             {
-                let to = if heading { &mut stretch.title } else { &mut stretch.body };
-                if !matches!(name, "em" | "strong" | "a" | "sub" | "sup" | "code" | "span") {
+                let to = if heading {
+                    &mut stretch.title
+                } else {
+                    &mut stretch.body
+                };
+                if !matches!(
+                    name,
+                    "em" | "strong" | "a" | "sub" | "sup" | "code" | "span"
+                ) {
                     to.push(' ');
                 }
                 to.push_str(&unescape(text));
@@ -156,7 +175,9 @@ impl Search {
         });
         let data = serde_json::to_string(&data)?;
         let quoted = data.replace('\\', "\\\\").replace('\'', "\\'");
-        Ok(format!("window.search = Object.assign(window.search, JSON.parse('{quoted}'));"))
+        Ok(format!(
+            "window.search = Object.assign(window.search, JSON.parse('{quoted}'));"
+        ))
     }
 }
 
@@ -183,7 +204,10 @@ mod tests {
             ("2/9 of", "2/9"),
             ("Stick-slip", "slip"),
         ] {
-            assert!(words(text).iter().any(|found| found == word), "{text}: {word}");
+            assert!(
+                words(text).iter().any(|found| found == word),
+                "{text}: {word}"
+            );
         }
     }
 
@@ -196,11 +220,23 @@ mod tests {
              <figure><svg><g><text>0.5</text></g></svg></figure>\
              <h3 id=\"eq-1\">(1) Law</h3><p>third</p><details class=\"latex\">hidden</details></main> footer",
         );
-        let found: Vec<_> = search.stretches.iter().map(|s| [&*s.address, &*s.title, &*s.body, &*s.path]).collect();
-        assert_eq!(found, [
-            ["a.html#a", "A page", "first & second", "A page"],
-            ["a.html#eq-1", "(1) Law", "third", "A page » (1) Law"],
-        ]);
-        assert!(search.file().unwrap().starts_with("window.search = Object.assign(window.search, JSON.parse('{"));
+        let found: Vec<_> = search
+            .stretches
+            .iter()
+            .map(|s| [&*s.address, &*s.title, &*s.body, &*s.path])
+            .collect();
+        assert_eq!(
+            found,
+            [
+                ["a.html#a", "A page", "first & second", "A page"],
+                ["a.html#eq-1", "(1) Law", "third", "A page » (1) Law"],
+            ]
+        );
+        assert!(
+            search
+                .file()
+                .unwrap()
+                .starts_with("window.search = Object.assign(window.search, JSON.parse('{")
+        );
     }
 }

@@ -15,7 +15,10 @@ pub(super) fn table<const N: usize>(
     head: [&str; N],
     rows: impl IntoIterator<Item = [String; N]>,
 ) -> String {
-    let head: String = head.iter().map(|cell| format!("<th scope=\"col\">{cell}</th>")).collect();
+    let head: String = head
+        .iter()
+        .map(|cell| format!("<th scope=\"col\">{cell}</th>"))
+        .collect();
     let row = |cells: [String; N]| {
         let cells: String = cells
             .iter()
@@ -89,7 +92,11 @@ fn row(filler: &Filler<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
 
 /// The numbered equations: number, formula, verdict.
 pub(super) fn equations(filler: &Filler<'_>) -> Result<String, Fault> {
-    let numbered = filler.ledger().entries.iter().filter(|e| e.claim.equation.is_some());
+    let numbered = filler
+        .ledger()
+        .entries
+        .iter()
+        .filter(|e| e.claim.equation.is_some());
     let rows: Result<Vec<_>, Fault> = numbered
         .map(|entry| {
             let formula = match is_formula(entry.claim, entry.claim.latex) {
@@ -103,7 +110,11 @@ pub(super) fn equations(filler: &Filler<'_>) -> Result<String, Fault> {
             ])
         })
         .collect();
-    Ok(table("equations", ["Number", "Formula as printed", "Verdict"], rows?))
+    Ok(table(
+        "equations",
+        ["Number", "Formula as printed", "Verdict"],
+        rows?,
+    ))
 }
 
 /// All claims, topic by topic.

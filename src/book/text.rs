@@ -179,6 +179,9 @@ mod tests {
             escape("<b a=\"'\">&\n"),
             "&lt;b a=&quot;&#39;&quot;&gt;&amp; "
         );
-        assert_eq!(unescape("&lt;b a=&quot;&#39;&quot;&gt;&amp; &x2; a&#x3c;"), "<b a=\"'\">& &x2; a<");
+        assert_eq!(
+            unescape("&lt;b a=&quot;&#39;&quot;&gt;&amp; &x2; a&#x3c;"),
+            "<b a=\"'\">& &x2; a<"
+        );
     }
 }

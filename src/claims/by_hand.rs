@@ -40,7 +40,9 @@ impl ByHand {
         let shown = |value: f64| {
             let text = format!("{value:.*}", self.digits);
             // No sign is left of a zero.
-            let zero = text.strip_prefix('-').filter(|size| size.parse() == Ok(0.0));
+            let zero = text
+                .strip_prefix('-')
+                .filter(|size| size.parse() == Ok(0.0));
             zero.map_or(text.clone(), str::to_owned)
         };
         Ok([shown((self.stated)()?), shown((self.found)()?)])

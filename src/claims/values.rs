@@ -57,55 +57,187 @@ const fn row(
 
 /// All numbers, in the paper's order.
 pub static VALUES: &[Value] = &[
-    row("lambda-c", "eq-37", 10, "$\\lambda_\\mathrm c$, the friction from which on the shaken particle rests", || {
-        Ok(sinusoidal::eq37_lambda_c())
+    row(
+        "lambda-c",
+        "eq-37",
+        10,
+        "$\\lambda_\\mathrm c$, the friction from which on the shaken particle rests",
+        || Ok(sinusoidal::eq37_lambda_c()),
+    ),
+    row(
+        "fig-3-start",
+        "eq-39",
+        4,
+        "$\\tilde\\phi_1$ at $\\lambda_0=1/\\pi$",
+        || Ok(sinusoidal::eq39_phi_t1(FRAC_1_PI)),
+    ),
+    row(
+        "fig-3-largest",
+        "fig-3",
+        3,
+        "largest $\\mathfrak w$ at $\\lambda_0=1/\\pi$",
+        || largest(FRAC_1_PI),
+    ),
+    row(
+        "fig-4-largest",
+        "fig-4",
+        4,
+        "largest $\\mathfrak w$ at $\\lambda_0=1/\\sqrt2$",
+        || largest(FRAC_1_SQRT_2),
+    ),
+    row("y-q-printed", "eq-58", 3, "$q$ of Y, as printed", || {
+        Ok(anisotropic::eq58_y::<f64>()[0])
     }),
-    row("fig-3-start", "eq-39", 4, "$\\tilde\\phi_1$ at $\\lambda_0=1/\\pi$", || {
-        Ok(sinusoidal::eq39_phi_t1(FRAC_1_PI))
+    row(
+        "y-lambda-printed",
+        "eq-58",
+        3,
+        "$\\lambda_0$ of Y, as printed",
+        || Ok(anisotropic::eq58_y::<f64>()[1]),
+    ),
+    row(
+        "y-q",
+        "s24-Y",
+        12,
+        "$q$ of Y, where B and C touch",
+        touching,
+    ),
+    row("y-lambda", "s24-Y", 12, "$\\lambda_0$ of Y", || {
+        Ok(1.0 / touching()?)
     }),
-    row("fig-3-largest", "fig-3", 3, "largest $\\mathfrak w$ at $\\lambda_0=1/\\pi$", || largest(FRAC_1_PI)),
-    row("fig-4-largest", "fig-4", 4, "largest $\\mathfrak w$ at $\\lambda_0=1/\\sqrt2$", || largest(FRAC_1_SQRT_2)),
-    row("y-q-printed", "eq-58", 3, "$q$ of Y, as printed", || Ok(anisotropic::eq58_y::<f64>()[0])),
-    row("y-lambda-printed", "eq-58", 3, "$\\lambda_0$ of Y, as printed", || Ok(anisotropic::eq58_y::<f64>()[1])),
-    row("y-q", "s24-Y", 12, "$q$ of Y, where B and C touch", touching),
-    row("y-lambda", "s24-Y", 12, "$\\lambda_0$ of Y", || Ok(1.0 / touching()?)),
-    row("contact", "s24-Y", 6, "how fast B leaves C at Y: $1/q-\\lambda_0$ over $(q-q_Y)^2$", || {
-        Ok(added::contact(touching()?))
-    }),
-    row("b-solid", "eq-67", 1, "$b$ of a solid sphere, $\\kappa=\\frac25$", || Ok(sphere::eq67_factor(0.4))),
-    row("b-hollow", "eq-67", 1, "$b$ of a thin shell, $\\kappa=\\frac23$", || Ok(sphere::eq67_factor(2.0 / 3.0))),
-    row("slip-end", "eq-82", 4, "the time $\\frac{14}{33}$ at which the sphere of the example ceases to slip", || {
-        Ok(14.0 / 33.0)
-    }),
-    row("a-printed", "eq-132", 6, "$A/\\tau^{3/2}$ in an escape, as printed: $2/\\sqrt{27}$", || {
-        Ok(escape::eq132_a(1.0))
-    }),
-    row("a", "eq-132", 6, "$A/\\tau^{3/2}$ in an escape: $\\frac13 2^{1/4}$", || Ok(laws::corrected_size())),
-    row("alpha-printed", "eq-133", 6, "$\\alpha-\\frac12\\ln\\tau$ in an escape, as printed: $\\frac12\\ln\\frac43$", || {
-        Ok(escape::eq133_alpha(1.0))
-    }),
-    row("alpha", "eq-133", 6, "$\\alpha-\\frac12\\ln\\tau$ in an escape: $\\frac14\\ln2$", || Ok(corrected::alpha(1.0))),
-    row("p-printed", "eq-135", 6, "$p/\\tau^2$ in an escape, as printed: $\\frac29$", || Ok(laws::printed_speed())),
-    row("p", "eq-135", 6, "$p/\\tau^2$ and $\\rho/\\tau^2$ in an escape: $1/(3\\sqrt2)$", || Ok(laws::corrected_speed())),
-    row("s-printed", "eq-137", 6, "$s/\\tau^3$ in an escape, as printed: $\\frac2{27}$", || Ok(escape::eq137_s(1.0))),
-    row("s", "eq-137", 6, "$s/\\tau^3$ in an escape: $1/(9\\sqrt2)$", || Ok(corrected::s(1.0))),
-    row("turn", "eq-136", 0, "the factor in $\\tau$ over which an escape goes once around the axis: $\\mathrm e^{2\\pi/\\sqrt2}$", || {
-        Ok(libm::exp(TAU / SQRT_2))
-    }),
-    row("delay", "eq-135", 6, "the lag of the escape's clock over $\\ln\\tau$: $\\frac34\\sqrt2$", || Ok(corrected::delay())),
-    row("critical-radius", "s4-rest-radius", 10, "how far from the axis a particle at rest in the laboratory may be put down and come to rest, over $\\mu g/\\Omega^2$", || {
-        Ok(turntable::critical_radius()?)
-    }),
-    row("critical-speed", "s4-rest-radius", 10, "how fast a particle may leave the axis and come to rest, over $\\mu g/\\Omega$", || {
-        Ok(turntable::critical_speed()?)
-    }),
-    row("envelope", "eq-147", 4, "$A$ on the printed boundary at $\\alpha=0.1$", || Ok(rest::eq147_a(0.1))),
-    row("boundary", "s4-envelope-is-boundary", 4, "$A$ on the boundary at $\\alpha=0.1$, $\\psi=0.2$", || {
-        Ok(turntable::boundary(0.1, 0.2)?)
-    }),
-    row("boundary-slope", "s4-envelope-is-boundary", 4, "$-\\mathrm dA/\\mathrm d\\alpha$ of the boundary at $\\alpha=0$, $\\psi=\\pi/2$", || {
-        Ok(boundary::boundary_slope(PI / 2.0))
-    }),
+    row(
+        "contact",
+        "s24-Y",
+        6,
+        "how fast B leaves C at Y: $1/q-\\lambda_0$ over $(q-q_Y)^2$",
+        || Ok(added::contact(touching()?)),
+    ),
+    row(
+        "b-solid",
+        "eq-67",
+        1,
+        "$b$ of a solid sphere, $\\kappa=\\frac25$",
+        || Ok(sphere::eq67_factor(0.4)),
+    ),
+    row(
+        "b-hollow",
+        "eq-67",
+        1,
+        "$b$ of a thin shell, $\\kappa=\\frac23$",
+        || Ok(sphere::eq67_factor(2.0 / 3.0)),
+    ),
+    row(
+        "slip-end",
+        "eq-82",
+        4,
+        "the time $\\frac{14}{33}$ at which the sphere of the example ceases to slip",
+        || Ok(14.0 / 33.0),
+    ),
+    row(
+        "a-printed",
+        "eq-132",
+        6,
+        "$A/\\tau^{3/2}$ in an escape, as printed: $2/\\sqrt{27}$",
+        || Ok(escape::eq132_a(1.0)),
+    ),
+    row(
+        "a",
+        "eq-132",
+        6,
+        "$A/\\tau^{3/2}$ in an escape: $\\frac13 2^{1/4}$",
+        || Ok(laws::corrected_size()),
+    ),
+    row(
+        "alpha-printed",
+        "eq-133",
+        6,
+        "$\\alpha-\\frac12\\ln\\tau$ in an escape, as printed: $\\frac12\\ln\\frac43$",
+        || Ok(escape::eq133_alpha(1.0)),
+    ),
+    row(
+        "alpha",
+        "eq-133",
+        6,
+        "$\\alpha-\\frac12\\ln\\tau$ in an escape: $\\frac14\\ln2$",
+        || Ok(corrected::alpha(1.0)),
+    ),
+    row(
+        "p-printed",
+        "eq-135",
+        6,
+        "$p/\\tau^2$ in an escape, as printed: $\\frac29$",
+        || Ok(laws::printed_speed()),
+    ),
+    row(
+        "p",
+        "eq-135",
+        6,
+        "$p/\\tau^2$ and $\\rho/\\tau^2$ in an escape: $1/(3\\sqrt2)$",
+        || Ok(laws::corrected_speed()),
+    ),
+    row(
+        "s-printed",
+        "eq-137",
+        6,
+        "$s/\\tau^3$ in an escape, as printed: $\\frac2{27}$",
+        || Ok(escape::eq137_s(1.0)),
+    ),
+    row(
+        "s",
+        "eq-137",
+        6,
+        "$s/\\tau^3$ in an escape: $1/(9\\sqrt2)$",
+        || Ok(corrected::s(1.0)),
+    ),
+    row(
+        "turn",
+        "eq-136",
+        0,
+        "the factor in $\\tau$ over which an escape goes once around the axis: $\\mathrm e^{2\\pi/\\sqrt2}$",
+        || Ok(libm::exp(TAU / SQRT_2)),
+    ),
+    row(
+        "delay",
+        "eq-135",
+        6,
+        "the lag of the escape's clock over $\\ln\\tau$: $\\frac34\\sqrt2$",
+        || Ok(corrected::delay()),
+    ),
+    row(
+        "critical-radius",
+        "s4-rest-radius",
+        10,
+        "how far from the axis a particle at rest in the laboratory may be put down and come to rest, over $\\mu g/\\Omega^2$",
+        || Ok(turntable::critical_radius()?),
+    ),
+    row(
+        "critical-speed",
+        "s4-rest-radius",
+        10,
+        "how fast a particle may leave the axis and come to rest, over $\\mu g/\\Omega$",
+        || Ok(turntable::critical_speed()?),
+    ),
+    row(
+        "envelope",
+        "eq-147",
+        4,
+        "$A$ on the printed boundary at $\\alpha=0.1$",
+        || Ok(rest::eq147_a(0.1)),
+    ),
+    row(
+        "boundary",
+        "s4-envelope-is-boundary",
+        4,
+        "$A$ on the boundary at $\\alpha=0.1$, $\\psi=0.2$",
+        || Ok(turntable::boundary(0.1, 0.2)?),
+    ),
+    row(
+        "boundary-slope",
+        "s4-envelope-is-boundary",
+        4,
+        "$-\\mathrm dA/\\mathrm d\\alpha$ of the boundary at $\\alpha=0$, $\\psi=\\pi/2$",
+        || Ok(boundary::boundary_slope(PI / 2.0)),
+    ),
 ];
 
 /// The largest velocity of the periodic motion under a sine.

@@ -1,6 +1,6 @@
 //! The figures of section 4, escape. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Stroke, Table};
+use super::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table};
 
 /// A quantity over its power of the time, with the printed and the corrected limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,5 +126,74 @@ pub fn paths(paths: &[Path]) -> Result<Figure, FigureError> {
         )
         .panel(on_table)
         .panel(in_laboratory)
+        .figure(table)
+}
+
+/// A particle put down on the table, and the way that it takes there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PutDown {
+    /// Distance from the axis.
+    pub rho: f64,
+    /// True if it comes to rest.
+    pub rests: bool,
+    /// (τ, x, y) on the table.
+    pub way: Vec<[f64; 3]>,
+}
+
+/// Particles put down at rest in the laboratory along a ray, and what becomes of them on the table; `critical` is the
+/// radius that parts them.
+///
+/// Fails as [`Plot::figure`] does.
+pub fn fan(ways: &[PutDown], critical: f64) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["rho_0", "fate", "tau", "x", "y"]);
+    let mut panel = Panel::new(
+        Axis::linear("x").range(-3.0, 3.0),
+        Axis::linear("y").range(-3.0, 2.0),
+    )
+    .equal();
+    let circle = (0..=180).map(|i| libm::sincos(std::f64::consts::PI * f64::from(i) / 90.0));
+    let circle = circle.map(|(s, c)| [critical * c, critical * s]);
+    panel = panel.curve(
+        Curve::new(circle)
+            .stroke(Stroke::Dotted)
+            .key("critical radius"),
+    );
+    for (rests, series, words) in [(true, 0, "rest"), (false, 1, "escape")] {
+        let ways = ways.iter().filter(|way| way.rests == rests);
+        for (n, way) in ways.clone().enumerate() {
+            let mut curve = Curve::new(way.way.iter().map(|&[_, x, y]| [x, y])).series(series);
+            if n == 0 {
+                curve = curve.key(words);
+            }
+            panel = panel.curve(curve);
+            for [tau, x, y] in &way.way {
+                table.row([
+                    way.rho.into(),
+                    words.into(),
+                    (*tau).into(),
+                    (*x).into(),
+                    (*y).into(),
+                ])?;
+            }
+        }
+        if rests {
+            let ends = ways
+                .filter_map(|way| way.way.last())
+                .map(|&[_, x, y]| [x, y]);
+            panel = panel.points(Points::new(ends).series(series).marker(Marker::Disc));
+        }
+    }
+    Plot::new("escape-fan", "Put down on a turning record")
+        .caption(
+            "Particles put down at rest on a turning table, at distances from 0.5 to 1.2 along a ray, and the ways \
+             that they take over it. Friction carries some along (dots: there they rest), the others slide off. A \
+             hair's breadth decides: next to the critical radius they linger before they part. Lengths in units of \
+             $\\mu g/\\Omega^2$.",
+        )
+        .alt(
+            "A fan of curves that all bend backwards from a ray. The inner ones end in dots near a dotted circle, the \
+             outer ones sweep around it in widening arcs and leave the picture.",
+        )
+        .panel(panel)
         .figure(table)
 }

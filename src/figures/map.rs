@@ -1,7 +1,9 @@
 //! The map of claims: a box for each, in lanes, and a line for each step of derivation.
 
 use super::axes::TEXT_SIZE;
+use super::plot::FACES;
 use super::svg::{escape, number};
+use super::text::width;
 use super::{Figure, FigureError, Table};
 use std::collections::BTreeMap;
 
@@ -34,8 +36,9 @@ const BOX: [f64; 2] = [150.0, 42.0];
 const STEP: [f64; 2] = [182.0, 52.0];
 const MARGIN: f64 = 12.0;
 const LANE_HEAD: f64 = 34.0;
-/// Letters of the small type that fit into a box.
-const LETTERS: usize = 24;
+/// Size of the small type, and the room for type in a box.
+const SMALL: f64 = 12.0;
+const ROOM: f64 = 136.0;
 
 /// Draws the map; lanes by their titles.
 ///
@@ -83,7 +86,11 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
             let [x0, y0] = corner(on);
             let (from, to) = ([x0 + BOX[0], y0 + BOX[1] / 2.0], [x, y + BOX[1] / 2.0]);
             let bend = ((to[0] - from[0]).abs() / 2.0).clamp(16.0, 60.0);
-            let class = if node.lane == nodes[on].lane { "step" } else { "step far" };
+            let class = if node.lane == nodes[on].lane {
+                "step"
+            } else {
+                "step far"
+            };
             body.push_str(&format!(
                 "<path class=\"{class}\" data-from=\"{on}\" data-to=\"{i}\" d=\"M{} {}C{} {} {} {} {} {}\"/>\n",
                 number(from[0]),
@@ -109,7 +116,7 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
                them. The list below says the same in words.";
     let svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
-         font-size=\"{TEXT_SIZE}\" fill=\"currentColor\">\n<title>{title}</title>\n{body}</svg>\n",
+         font-size=\"{TEXT_SIZE}\" fill=\"currentColor\" style=\"font-family:{FACES}\">\n<title>{title}</title>\n{body}</svg>\n",
         w = number(width),
         h = number(height),
     );
@@ -147,29 +154,20 @@ fn columns(nodes: &[Node]) -> Vec<usize> {
 
 /// A node's box with its two lines.
 fn drawn(node: &Node, i: usize, [x, y]: [f64; 2]) -> String {
-    let cut = |text: &str, room: usize| {
-        if text.chars().count() <= room {
-            (text.to_owned(), String::new())
-        } else {
-            let end = text.char_indices().nth(room).map_or(text.len(), |(at, _)| at);
-            let at = text[..end].rfind(' ').unwrap_or(end);
-            (text[..at].to_owned(), text[at..].trim().to_owned())
-        }
-    };
     let (first, rest) = match node.name.as_str() {
-        "" => cut(&node.title, LETTERS - 6),
-        name => (name.to_owned(), node.title.clone()),
+        "" => cut(&node.title, ROOM - 26.0, TEXT_SIZE),
+        name => (name, node.title.as_str()),
     };
-    let second = match cut(&rest, LETTERS) {
-        (line, left) if left.is_empty() => line,
-        _ => cut(&rest, LETTERS - 1).0 + "…",
+    let second = match cut(rest, ROOM, SMALL) {
+        (line, "") => line.to_owned(),
+        _ => cut(rest, ROOM - SMALL, SMALL).0.to_owned() + "…",
     };
     let shaken = if node.shaken { " shaken" } else { "" };
     let name = [node.name.as_str(), node.title.as_str()].join(" ");
     format!(
         "<a href=\"{href}\" class=\"node {class}{shaken}\" data-node=\"{i}\"><title>{title}</title>\
          <rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"6\"/>\
-         <text x=\"{tx}\" y=\"{t1}\">{sign} {first}</text><text class=\"small\" x=\"{tx}\" y=\"{t2}\">{second}</text></a>\n",
+         <text x=\"{tx}\" y=\"{t1}\">{sign} {first}</text><text font-size=\"{SMALL}\" x=\"{tx}\" y=\"{t2}\">{second}</text></a>\n",
         href = escape(&node.href),
         class = node.class,
         title = escape(&format!("{}: {}", name.trim(), node.words)),
@@ -181,9 +179,22 @@ fn drawn(node: &Node, i: usize, [x, y]: [f64; 2]) -> String {
         t1 = number(y + 18.0),
         t2 = number(y + 34.0),
         sign = node.sign,
-        first = escape(&first),
+        first = escape(first),
         second = escape(&second),
     )
+}
+
+/// As many words as fit, at least one, and the rest.
+fn cut(words: &str, room: f64, size: f64) -> (&str, &str) {
+    let ends = words
+        .match_indices(' ')
+        .map(|(at, _)| at)
+        .chain([words.len()]);
+    let fitting = ends
+        .filter(|end| width(&words[..*end], size) <= room)
+        .last();
+    let end = fitting.or(words.find(' ')).unwrap_or(words.len());
+    (&words[..end], words[end..].trim_start())
 }
 
 #[cfg(test)]
@@ -204,7 +215,12 @@ mod tests {
             lane,
             on: on.to_vec(),
         };
-        let nodes = [node("a", 0, &[2]), node("b", 1, &[0]), node("c", 0, &[]), node("d", 1, &[1, 0])];
+        let nodes = [
+            node("a", 0, &[2]),
+            node("b", 1, &[0]),
+            node("c", 0, &[]),
+            node("d", 1, &[1, 0]),
+        ];
         assert_eq!(columns(&nodes), [1, 0, 0, 1]);
         let figure = map(&["one", "two"], &nodes).unwrap();
         assert_eq!(figure.csv.lines().count(), 6);

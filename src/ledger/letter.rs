@@ -54,8 +54,9 @@ impl Ledger {
                 text += &style.item(&self.name(erratum.id), erratum);
                 if !erratum.fallen.is_empty() {
                     let names: Vec<_> = erratum.fallen.iter().map(|id| self.name(id)).collect();
-                    text += &style.entry("What falls with it", &names.join(", "));
+                    text += &style.entry("Falls with it", &names.join(", "));
                 }
+                text.push('\n');
             }
         }
         text + style.closing()
@@ -79,11 +80,15 @@ trait Style {
         if let Some(case) = &erratum.case {
             text += &self.entry("A case by hand", case);
         }
-        let telling = erratum
+        let outside = Subject::Outside.words();
+        for said in erratum
             .evidence
             .iter()
-            .filter(|said| !said.starts_with(Subject::Outside.words()));
-        text + &self.entry("Evidence", &telling.cloned().collect::<Vec<_>>().join("; "))
+            .filter(|said| !said.starts_with(outside))
+        {
+            text += &self.entry("Trial", said);
+        }
+        text
     }
 }
 

@@ -5,10 +5,10 @@ use crate::claims::escape::laws::{self, Quantity, lag, size, speed};
 use crate::claims::escape::runs::{Flight, Late, Launch};
 use crate::figures::{Figure, escape as escape_figures};
 use crate::motion::MotionError;
-use crate::motion::turntable::{State, Table, inertial};
+use crate::motion::turntable::{State, Table, critical_radius, inertial};
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
-    Ok(vec![compensated()?, paths()?])
+    Ok(vec![compensated()?, paths()?, fan()?])
 }
 
 /// Three escapes, over seven decades of the time.
@@ -90,4 +90,43 @@ fn paths() -> Result<Figure, AllFiguresError> {
         path(0.86, 14.0, "ρ_0 = 0.86: rest")?,
         path(0.89, 14.0, "ρ_0 = 0.89: escape")?,
     ])?)
+}
+
+/// Particles put down along a ray, the nearer to the critical radius the closer to each other.
+fn fan() -> Result<Figure, AllFiguresError> {
+    let critical = critical_radius()?;
+    let steps = [
+        -0.372, -0.27, -0.18, -0.11, -0.06, -0.03, -0.01, -0.001, -0.0001,
+    ];
+    let outward = [0.0001, 0.001, 0.01, 0.03, 0.06, 0.11, 0.18, 0.25, 0.33];
+    let ways = steps.into_iter().chain(outward).map(|step| {
+        let start = State {
+            t: 0.0,
+            x: [critical + step, 0.0],
+            v: [0.0; 2],
+        };
+        let until = 16.0;
+        let run = inertial::run(&Table::default(), &start, until)?;
+        let rests = run.resting_place().is_some();
+        // A particle at rest adds nothing to its way.
+        let end = if rests {
+            run.stops().last().map_or(until, |stop| stop.min(until))
+        } else {
+            until
+        };
+        let way: Result<_, MotionError> = (0..=160)
+            .map(|i| {
+                let t = end * f64::from(i) / 160.0;
+                let [x, y] = run.on_table(t)?.x;
+                Ok([t, x, y])
+            })
+            .collect();
+        Ok(escape_figures::PutDown {
+            rho: critical + step,
+            rests,
+            way: way?,
+        })
+    });
+    let ways = ways.collect::<Result<Vec<_>, MotionError>>()?;
+    Ok(escape_figures::fan(&ways, critical)?)
 }
