@@ -1,7 +1,7 @@
-//! Numbers and verdicts in the book's prose are the ledger's: a number stands in the index of values, in a case by
-//! hand, or in the code of the same page, which runs as a test; a verdict stands in a placeholder.
+//! Numbers and verdicts in the book's prose are the ledger's: a number stands in a claim, in the index of values, in a
+//! case by hand, or in the code of the same page, which runs as a test; a verdict stands in a placeholder.
 
-use slipbook::claims::{by_hand::CASES, values::VALUES};
+use slipbook::claims::{self, by_hand::CASES, values::VALUES};
 use std::fs;
 use std::path::Path;
 
@@ -74,6 +74,13 @@ fn vouched() -> Vec<f64> {
         let words = case.words().unwrap();
         numbers.extend(
             decimals(&words)
+                .iter()
+                .filter_map(|(number, _)| number.parse::<f64>().ok()),
+        );
+    }
+    for (_, claim) in claims::all() {
+        numbers.extend(
+            decimals(claim.plain)
                 .iter()
                 .filter_map(|(number, _)| number.parse::<f64>().ok()),
         );

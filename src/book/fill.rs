@@ -77,7 +77,7 @@ impl<'a> Filler<'a> {
             ["figure", id] => block(self.figure(id)?),
             ["counts"] => block(tables::counts(self.ledger)),
             ["ledger"] => block(tables::whole_ledger(self)?),
-            ["ledger", topic] => block(tables::topic(self, topic)?),
+            ["ledger", topic] => block(tables::folded_topic(self, topic)?),
             ["sheet", id] => block(format!(
                 "<pre><code class=\"language-text\">{}</code></pre>\n",
                 // A blank line would end the block.

@@ -185,7 +185,9 @@ impl Search {
 fn left_out(name: &str, tag: &str) -> bool {
     match name {
         "svg" | "script" | "style" | "button" => !tag.ends_with('/'),
-        "details" => tag.contains("class=\"latex\"") || tag.contains("class=\"samples\""),
+        "details" => ["contents", "latex", "samples"]
+            .iter()
+            .any(|class| tag.contains(class)),
         _ => false,
     }
 }

@@ -54,8 +54,28 @@ fn meaning(verdict: Verdict) -> &'static str {
     }
 }
 
+/// The claims of the topic of this stem, folded away behind their count.
+pub(super) fn folded_topic(filler: &Filler<'_>, stem: &str) -> Result<String, Fault> {
+    let table = topic(filler, stem)?;
+    let entries = filler
+        .ledger()
+        .entries
+        .iter()
+        .filter(|e| e.topic.stem == stem);
+    let verdicts: Vec<_> = entries.map(|e| e.judgement.verdict).collect();
+    let parts = Verdict::ALL.iter().filter_map(|v| {
+        let n = verdicts.iter().filter(|found| *found == v).count();
+        (n > 0).then(|| format!("{} {}", count(n), v.words()))
+    });
+    Ok(format!(
+        "<details class=\"contents\"><summary>{}: {}</summary>{table}</details>\n",
+        counted(verdicts.len(), "claim"),
+        parts.collect::<Vec<_>>().join(", ")
+    ))
+}
+
 /// The claims of the topic of this stem.
-pub(super) fn topic(filler: &Filler<'_>, stem: &str) -> Result<String, Fault> {
+fn topic(filler: &Filler<'_>, stem: &str) -> Result<String, Fault> {
     let of_topic = |entry: &&Entry| entry.topic.stem == stem;
     let entries: Vec<_> = filler.ledger().entries.iter().filter(of_topic).collect();
     if entries.is_empty() {

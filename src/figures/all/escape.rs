@@ -92,41 +92,39 @@ fn paths() -> Result<Figure, AllFiguresError> {
     ])?)
 }
 
-/// Particles put down along a ray, the nearer to the critical radius the closer to each other.
+/// Particles put down along a ray, on both sides of the critical radius.
 fn fan() -> Result<Figure, AllFiguresError> {
     let critical = critical_radius()?;
     let steps = [
-        -0.372, -0.27, -0.18, -0.11, -0.06, -0.03, -0.01, -0.001, -0.0001,
+        -0.5, -0.36, -0.24, -0.14, -0.06, -0.01, 0.001, 0.01, 0.05, 0.12, 0.24, 0.4,
     ];
-    let outward = [0.0001, 0.001, 0.01, 0.03, 0.06, 0.11, 0.18, 0.25, 0.33];
-    let ways = steps.into_iter().chain(outward).map(|step| {
+    let ways = steps.map(|step| -> Result<_, MotionError> {
+        let rho = critical + step;
         let start = State {
             t: 0.0,
-            x: [critical + step, 0.0],
+            x: [rho, 0.0],
             v: [0.0; 2],
         };
-        let until = 16.0;
-        let run = inertial::run(&Table::default(), &start, until)?;
+        let run = inertial::run(&Table::default(), &start, 16.0)?;
         let rests = run.resting_place().is_some();
-        // A particle at rest adds nothing to its way.
-        let end = if rests {
-            run.stops().last().map_or(until, |stop| stop.min(until))
-        } else {
-            until
-        };
-        let way: Result<_, MotionError> = (0..=160)
-            .map(|i| {
-                let t = end * f64::from(i) / 160.0;
-                let [x, y] = run.on_table(t)?.x;
-                Ok([t, x, y])
-            })
-            .collect();
-        Ok(escape_figures::PutDown {
-            rho: critical + step,
-            rests,
-            way: way?,
-        })
+        // What happens at rest, or outside the picture, adds nothing.
+        let end = run
+            .stops()
+            .last()
+            .copied()
+            .filter(|_| rests)
+            .unwrap_or(16.0);
+        let mut way = Vec::new();
+        for i in 0..=120 {
+            let t = end * f64::from(i) / 120.0;
+            let seen = run.on_table(t)?;
+            way.push([t, seen.x[0], seen.x[1]]);
+            if seen.radius() > 4.5 {
+                break;
+            }
+        }
+        Ok(escape_figures::PutDown { rho, rests, way })
     });
-    let ways = ways.collect::<Result<Vec<_>, MotionError>>()?;
+    let ways = ways.into_iter().collect::<Result<Vec<_>, _>>()?;
     Ok(escape_figures::fan(&ways, critical)?)
 }
