@@ -2,6 +2,7 @@
 //! case by hand, or in the code of the same page, which runs as a test; a verdict stands in a placeholder.
 
 use slipbook::claims::{self, by_hand::CASES, values::VALUES};
+use slipbook::ledger::{Format, Ledger, plain_words};
 use std::fs;
 use std::path::Path;
 
@@ -110,7 +111,7 @@ fn every_number_in_the_prose_has_a_source() {
     for (stem, prose, code) in pages() {
         for (number, before) in decimals(&prose) {
             let word = before
-                .rsplit([' ', '\n', '('])
+                .rsplit([' ', '\n', '(', '*'])
                 .next()
                 .unwrap_or_default()
                 .to_lowercase();
@@ -135,6 +136,22 @@ fn every_number_in_the_prose_has_a_source() {
         "numbers from nowhere:\n{}",
         without_source.join("\n")
     );
+}
+
+#[test]
+fn the_letters_can_be_sent() {
+    let ledger = Ledger::try_all(|_| {});
+    let [text, latex, json] =
+        [Format::Text, Format::Latex, Format::Json].map(|format| ledger.letter(format).unwrap());
+    for case in &CASES {
+        let name = plain_words(&ledger.name(case.claim));
+        assert!(text.contains(&name), "{name}");
+        assert!(json.contains(&format!("\"id\": \"{}\"", case.claim)));
+    }
+    assert!(text.lines().all(|line| line.chars().count() <= 78));
+    let foreign: Vec<_> = latex.chars().filter(|c| !c.is_ascii()).collect();
+    assert!(foreign.is_empty(), "no LaTeX for {foreign:?}");
+    assert!(!latex.contains("$$") && latex.matches('$').count() % 2 == 0);
 }
 
 #[test]

@@ -181,13 +181,20 @@ impl Search {
     }
 }
 
-/// What a reader would not search for: drawings, compared values, sources.
+/// What a reader would not search for: drawings, compared values, sources, and lists of what stands elsewhere.
 fn left_out(name: &str, tag: &str) -> bool {
+    let has = |words: &[&str]| words.iter().any(|word| tag.contains(word));
     match name {
         "svg" | "script" | "style" | "button" => !tag.ends_with('/'),
-        "details" => ["contents", "latex", "samples"]
-            .iter()
-            .any(|class| tag.contains(class)),
+        "a" => has(&["class=\"code\""]),
+        "details" => has(&["contents", "latex", "samples"]),
+        "div" => has(&[
+            "wrapper ledger",
+            "wrapper equations",
+            "wrapper falls",
+            "wrapper rests",
+        ]),
+        "section" => has(&["erratum"]),
         _ => false,
     }
 }

@@ -247,8 +247,8 @@ fn late(quantity: Quantity) -> Result<f64, Failure> {
 /// The factor by which ln v_y grows in a period at friction 1/π.
 fn growth_of_logarithm() -> Result<f64, Failure> {
     let motion = settled(FRAC_1_PI, ORIGIN)?;
-    let slips = motion.intervals().iter();
-    let slip = slips.filter(|i| i.sign == Sign::Positive).next_back();
+    let mut slips = motion.intervals().iter();
+    let slip = slips.rfind(|i| i.sign == Sign::Positive);
     let slip = slip.ok_or("no slip")?;
     let phi = 0.5 * (slip.start + slip.end);
     let start = PlanarState {

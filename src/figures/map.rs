@@ -186,13 +186,9 @@ fn drawn(node: &Node, i: usize, [x, y]: [f64; 2]) -> String {
 
 /// As many words as fit, at least one, and the rest.
 fn cut(words: &str, room: f64, size: f64) -> (&str, &str) {
-    let ends = words
-        .match_indices(' ')
-        .map(|(at, _)| at)
-        .chain([words.len()]);
-    let fitting = ends
-        .filter(|end| width(&words[..*end], size) <= room)
-        .last();
+    let mut ends = words.rmatch_indices(' ').map(|(at, _)| at);
+    let fits = |end: &usize| width(&words[..*end], size) <= room;
+    let fitting = Some(words.len()).filter(fits).or_else(|| ends.find(fits));
     let end = fitting.or(words.find(' ')).unwrap_or(words.len());
     (&words[..end], words[end..].trim_start())
 }

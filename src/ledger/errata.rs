@@ -195,6 +195,7 @@ fn reason_of_condition(entry: &Entry) -> String {
 fn said(e: &Evidence) -> String {
     let outcome = match e.outcome() {
         Outcome::Agrees if e.route.is_proof() => "proved".to_owned(),
+        Outcome::Agrees if e.tolerance.value == 0.0 => format!("agrees at {} points", e.points),
         Outcome::Agrees => format!("agrees to {:.0e} at {} points", e.tolerance.value, e.points),
         Outcome::Disagrees if e.route.is_proof() => "fails".to_owned(),
         Outcome::Disagrees if e.worst.is_infinite() => {

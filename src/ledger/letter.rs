@@ -3,7 +3,6 @@
 use super::errata::{ErrataError, Erratum};
 use super::plain::{self, plain_words};
 use super::{Ledger, Verdict};
-use crate::evidence::Subject;
 
 /// A form of the letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -80,12 +79,7 @@ trait Style {
         if let Some(case) = &erratum.case {
             text += &self.entry("A case by hand", case);
         }
-        let outside = Subject::Outside.words();
-        for said in erratum
-            .evidence
-            .iter()
-            .filter(|said| !said.starts_with(outside))
-        {
+        for said in &erratum.evidence {
             text += &self.entry("Trial", said);
         }
         text
@@ -139,7 +133,7 @@ fn wrapped(words: &str, indent: usize) -> String {
     let mut text = String::new();
     let mut line = " ".repeat(indent);
     for word in words.split_whitespace() {
-        if line.trim().len() > 0 && line.chars().count() + word.chars().count() >= 78 {
+        if !line.trim().is_empty() && line.chars().count() + word.chars().count() >= 78 {
             text += line.trim_end();
             text.push('\n');
             line = " ".repeat(indent + 2 * usize::from(indent > 0));
@@ -190,13 +184,12 @@ impl Style for Latex {
 
 /// Words with formulas in `$…$`, for LaTeX: what stands outside the formulas becomes formulas where it must.
 fn tex_words(words: &str) -> String {
-    let parts = words.split('$').enumerate();
-    parts
-        .map(|(i, part)| match i % 2 {
-            0 => part.chars().map(tex_char).collect(),
-            _ => format!("${part}$"),
-        })
-        .collect()
+    let parts = words.split('$').enumerate().map(|(i, part)| match i % 2 {
+        0 => part.chars().map(tex_char).collect(),
+        _ => format!("${part}$"),
+    });
+    // Neighbours join into one formula.
+    parts.collect::<String>().replace("$$", " ")
 }
 
 fn tex_char(c: char) -> String {
@@ -219,9 +212,9 @@ mod tests {
     fn words_become_tex() {
         assert_eq!(
             tex_words("λ₀ < 1 & $x_1$: 50 %"),
-            "$\\lambda$$_0$ $<$ 1 \\& $x_1$: 50 \\%"
+            r"$\lambda _0$ $<$ 1 \& $x_1$: 50 \%"
         );
-        assert_eq!(tex_words("√2 − 𝔴"), "$\\surd$2 $-$ $\\mathfrak w$");
+        assert_eq!(tex_words("√2 − 𝔴"), r"$\surd$2 $-$ $\mathfrak w$");
     }
 
     #[test]

@@ -126,6 +126,11 @@ const OTHERS: &[(char, &str)] = &[
     ('|', "|"),
     ('→', r"\to"),
     ('′', "'"),
+    ('⟨', r"\langle"),
+    ('⟩', r"\rangle"),
+    ('𝐫', r"\bm r"),
+    ('𝛒', r"\bm\rho"),
+    ('\u{303}', r"\tilde{}"),
 ];
 
 /// The LaTeX command, for use in a formula, of a character that is not ASCII.
