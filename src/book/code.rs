@@ -44,8 +44,15 @@ impl Place {
 
 /// What stands where.
 pub(super) struct Code {
-    /// Files shown, below `src`, with their text.
-    files: BTreeMap<&'static str, &'static str>,
+    /// Files shown, by their path below `src`.
+    files: BTreeMap<&'static str, Source>,
+}
+
+/// A file.
+struct Source {
+    text: &'static str,
+    /// Its functions, with their lines counted from 0.
+    functions: Vec<(usize, &'static str)>,
 }
 
 /// The page that shows a file.
@@ -65,20 +72,17 @@ impl Code {
                 .any(|room| path.starts_with(&format!("{room}/")));
             let text = entry.as_file().and_then(|file| file.contents_utf8());
             if let (true, Some(text)) = (shown, text) {
-                files.insert(path, text);
+                let functions = functions(text).collect();
+                files.insert(path, Source { text, functions });
             }
         }
         Code { files }
     }
 
     /// The sources of a topic in a room: `claims/escape.rs` and all in `claims/escape`.
-    fn of_topic(
-        &self,
-        room: &str,
-        topic: &Topic,
-    ) -> impl Iterator<Item = (&'static str, &'static str)> {
+    fn of_topic(&self, room: &str, topic: &Topic) -> impl Iterator<Item = (&'static str, &Source)> {
         let stem = format!("{room}/{}", topic.stem);
-        let files = self.files.iter().map(|(file, text)| (*file, *text));
+        let files = self.files.iter().map(|(file, source)| (*file, source));
         files.filter(move |(file, _)| {
             let rest = file.strip_prefix(stem.as_str());
             rest.is_some_and(|rest| rest == ".rs" || rest.starts_with('/'))
@@ -90,7 +94,7 @@ impl Code {
         let start = format!("eq{}_", claim.equation?);
         let mut functions = self
             .of_topic("paper", topic)
-            .flat_map(|(file, text)| functions(text).map(move |(_, name)| (file, name)));
+            .flat_map(|(file, source)| source.functions.iter().map(move |f| (file, f.1)));
         let (file, name) = functions.find(|(_, name)| name.starts_with(&start))?;
         Some(Place {
             file,
@@ -138,7 +142,7 @@ impl Code {
     ) -> Option<(&'static str, &'static str, usize)> {
         let start = format!("id: \"{}\"", claim.id);
         let mut files = self.of_topic("claims", topic);
-        files.find_map(|(file, text)| Some((file, text, text.find(&start)?)))
+        files.find_map(|(file, source)| Some((file, source.text, source.text.find(&start)?)))
     }
 
     /// Where each trial of a claim is written, in their order; a trial that is not a function of its own
@@ -166,20 +170,13 @@ impl Code {
         let end = path.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':'));
         let mut parts = path[..end.unwrap_or(path.len())].rsplit("::");
         let (name, module) = (parts.next()?, parts.next());
-        let has = |text: &str| functions(text).any(|(_, function)| function == name);
+        let has = |source: &Source| source.functions.iter().any(|(_, known)| *known == name);
         let found: Vec<_> = self
             .of_topic("claims", topic)
-            .filter(|(_, text)| has(text))
+            .filter(|(_, source)| has(source))
             .collect();
-        let stem = |file: &str| {
-            file.trim_end_matches(".rs")
-                .rsplit('/')
-                .next()
-                .map(str::to_owned)
-        };
-        let named = found
-            .iter()
-            .find(|(file, _)| stem(file).as_deref() == module);
+        let stem = |file: &'static str| file.trim_end_matches(".rs").rsplit('/').next();
+        let named = found.iter().find(|(file, _)| stem(file) == module);
         let (file, _) = named.or(found.first())?;
         Some(Place {
             file,
@@ -191,14 +188,14 @@ impl Code {
     pub(super) fn pages(&self) -> impl Iterator<Item = (String, String)> {
         self.files
             .iter()
-            .map(|(file, text)| (page(file), code_page(file, text)))
+            .map(|(file, source)| (page(file), code_page(file, source)))
     }
 
     /// True if a word stands somewhere in the files shown.
     #[cfg(test)]
     pub(super) fn names(&self, word: &str) -> bool {
         let is_word = |c: char| c.is_alphanumeric() || c == '_';
-        self.files.values().any(|text| {
+        self.files.values().any(|Source { text, .. }| {
             text.match_indices(word).any(|(at, _)| {
                 !text[..at].ends_with(is_word) && !text[at + word.len()..].starts_with(is_word)
             })
@@ -247,7 +244,8 @@ fn items(list: &str) -> impl Iterator<Item = &str> {
         .filter(|item| !item.is_empty())
 }
 
-fn code_page(file: &str, text: &str) -> String {
+fn code_page(file: &str, source: &Source) -> String {
+    let text = source.text;
     let up = "../".repeat(file.matches('/').count() + 1);
     let mut anchors = BTreeMap::new();
     let mut taken: Vec<&str> = Vec::new();
@@ -255,7 +253,7 @@ fn code_page(file: &str, text: &str) -> String {
         let id = line.trim_start().strip_prefix("id: \"")?;
         Some((i, id.split('"').next()?))
     });
-    for (line, name) in functions(text).chain(rows) {
+    for (line, name) in source.functions.iter().copied().chain(rows) {
         if !taken.contains(&name) {
             taken.push(name);
             anchors.insert(line, name);
@@ -366,7 +364,7 @@ mod tests {
             let trials = code.trials(topic, claim);
             assert_eq!(trials.len(), claim.trials.len(), "{}", claim.id);
             for trial in trials {
-                let shown = code_page(trial.file, code.files[trial.file]);
+                let shown = code_page(trial.file, &code.files[trial.file]);
                 assert!(
                     shown.contains(&format!("<a id=\"{}\"></a>", trial.name)),
                     "{trial:?}"

@@ -5,9 +5,10 @@ use super::compare::Failure;
 use super::escape::laws;
 use super::sinusoidal::runs::{ORIGIN, settled};
 use crate::corrections::{anisotropic as added, escape as corrected, rest as boundary};
-use crate::motion::turntable;
+use crate::motion::{MotionError, turntable};
 use crate::paper::{anisotropic, escape, rest, sinusoidal, sphere};
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, PI, SQRT_2, TAU};
+use std::sync::LazyLock;
 
 /// A number.
 #[derive(Debug, Clone, Copy)]
@@ -208,7 +209,7 @@ pub static VALUES: &[Value] = &[
         "s4-rest-radius",
         10,
         "how far from the axis a particle at rest in the laboratory may be put down and come to rest, over $\\mu g/\\Omega^2$",
-        || Ok(turntable::critical_radius()?),
+        || Ok(critical_radius()?),
     ),
     row(
         "critical-speed",
@@ -229,7 +230,7 @@ pub static VALUES: &[Value] = &[
         "s4-envelope-is-boundary",
         4,
         "$A$ on the boundary at $\\alpha=0.1$, $\\psi=0.2$",
-        || Ok(turntable::boundary(0.1, 0.2)?),
+        || Ok(boundary_example()?),
     ),
     row(
         "boundary-slope",
@@ -239,6 +240,24 @@ pub static VALUES: &[Value] = &[
         || Ok(boundary::boundary_slope(PI / 2.0)),
     ),
 ];
+
+/// The radius that parts rest from escape; computed once.
+///
+/// # Errors
+/// A motion that cannot be followed.
+pub fn critical_radius() -> Result<f64, MotionError> {
+    static RADIUS: LazyLock<Result<f64, MotionError>> = LazyLock::new(turntable::critical_radius);
+    RADIUS.clone()
+}
+
+/// A on the boundary at α = 0.1, ψ = 0.2; computed once.
+///
+/// # Errors
+/// A motion that cannot be followed.
+pub fn boundary_example() -> Result<f64, MotionError> {
+    static A: LazyLock<Result<f64, MotionError>> = LazyLock::new(|| turntable::boundary(0.1, 0.2));
+    A.clone()
+}
 
 /// The largest velocity of the periodic motion under a sine.
 fn largest(lambda: f64) -> Result<f64, Failure> {
