@@ -269,7 +269,7 @@ fn the_search_finds_numbers_and_symbols() {
     let files = written(&folder);
     let index = std::str::from_utf8(&files["searchindex.js"]).unwrap();
     for title in [
-        r#"\"title\":\"(37) "#,
+        r#""title":"(37) "#,
         "sinusoidal.html#eq-37",
         "λ_c = 2/(√(4+π²))",
         "refuted",

@@ -112,7 +112,7 @@ impl Style for Plain {
         } else {
             format!(", {title}")
         };
-        format!("Section {section}: {name}{about}: {verdict}\n")
+        wrapped(&format!("Section {section}: {name}{about}: {verdict}"), 0)
     }
     fn entry(&self, label: &str, words: &str) -> String {
         let text = wrapped(&format!("{label}: {}", plain_words(words)), 4);

@@ -319,11 +319,14 @@ mod tests {
 
     #[test]
     fn every_claim_can_be_read_so() {
-        for (_, claim) in claims::all() {
-            let text = match claim.latex.contains('$') {
-                true => plain_words(claim.latex),
-                false if claim.equation.is_some() => plain_formula(claim.latex),
-                false => claim.latex.to_owned(),
+        let forms = claims::all().flat_map(|(_, claim)| {
+            let latex = [Some(claim.latex), claim.correction.map(|c| c.latex)];
+            latex.into_iter().flatten().map(move |latex| (claim, latex))
+        });
+        for (claim, latex) in forms {
+            let text = match claim.equation {
+                Some(_) if !latex.contains('$') => plain_formula(latex),
+                _ => plain_words(latex),
             };
             for left in ["\\", "{}", "mathrm", "frac", "bm", "$"] {
                 assert!(!text.contains(left), "{}: {text}", claim.id);
