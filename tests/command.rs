@@ -126,7 +126,7 @@ fn the_number_of_threads_changes_nothing() {
 #[test]
 fn numbers_are_found_and_graded() {
     let first = |number: &str| json(&["find", number])["matches"][0].clone();
-    assert_eq!(first("0.54")["symbol"], "λ_c");
+    assert_eq!(first("0.54")["name"], "lambda-c");
     assert_eq!(first("0.537")["first_wrong"], Value::Null);
     let wrong = first("0.53701");
     assert_eq!(
@@ -135,8 +135,8 @@ fn numbers_are_found_and_graded() {
     );
     let marked = text(&slipbook(&["find", "0.53701"]).stdout);
     assert!(marked.contains("    0.53701\n          ^\n"), "{marked}");
-    assert_eq!(first("4.603")["claims"][0], "eq-58");
-    assert_eq!(first("5.37029e-1")["symbol"], "λ_c");
+    assert_eq!(first("4.603")["claim"], "eq-58");
+    assert_eq!(first("5.37029e-1")["name"], "lambda-c");
     assert_eq!(json(&["find", "77.7"])["matches"], Value::Array(Vec::new()));
     assert_eq!(slipbook(&["find", "twelve"]).status.code(), Some(2));
 }

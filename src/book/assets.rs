@@ -15,6 +15,7 @@ pub(super) const THEME: &[(&str, &[u8])] = files![
     "theme/favicon.svg",
     "theme/slipbook.css",
     "theme/access.css",
+    "theme/slipbook.js",
     "theme/katex/katex.min.css",
     "theme/katex/NOTICE.txt",
     "theme/katex/LICENSE-MIT.txt",

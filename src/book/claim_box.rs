@@ -1,10 +1,11 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
+use super::code::Place;
 use super::error::Fault;
-use super::fill::{Filler, label, verdict};
+use super::fill::{Filler, verdict};
 use super::maths::Maths;
 use super::text::{counted, escape, sentence, size, value};
-use crate::claims::Claim;
+use crate::claims::{Claim, by_hand};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Verdict};
 
@@ -15,7 +16,7 @@ pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fa
     let mut html = format!(
         "<article class=\"claim {slug}\" aria-labelledby=\"{id}\">\
          <h3 id=\"{id}\" class=\"claim-title\"><a class=\"header\" href=\"#{id}\">{heading}</a></h3>\
-         <p class=\"claim-place\">Section {section}, {kind}</p>\
+         <p class=\"claim-place\">Section {section}, {kind} <a class=\"permalink\" href=\"#{id}\">#{id}</a></p>\
          <p class=\"claim-verdict\">{verdict} {ground}</p>",
         slug = judgement.verdict.slug(),
         id = claim.id,
@@ -27,16 +28,17 @@ pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fa
     );
     html.push_str(&statements(filler, entry)?);
     html.push_str(&conditions(filler, claim)?);
-    html.push_str(&trials(filler.maths(), entry)?);
+    html.push_str(&trials(filler, entry)?);
     html.push_str(&neighbours(filler, claim)?);
+    html.push_str(&code(filler, entry));
     html.push_str(&source(claim));
     html.push_str("</article>\n");
     Ok(html)
 }
 
 /// `(11) Speed as a function of direction`, `Figure 1: Portraits of the velocity`.
-fn heading(claim: &Claim) -> String {
-    let label = label(claim);
+pub(super) fn heading(claim: &Claim) -> String {
+    let label = claim.name();
     let title = sentence(claim.title);
     match claim.kind {
         _ if title.is_empty() => label,
@@ -84,7 +86,27 @@ fn statements(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
         "<div class=\"claim-forms\">\
          <div class=\"printed\"><p class=\"claim-label\">As printed</p>{printed}</div>\
          <div class=\"corrected\"><p class=\"claim-label\">{heading}</p>{corrected}</div>\
-         </div>"
+         </div>{}",
+        by_hand(filler, entry)?
+    ))
+}
+
+/// Why the claim fails, and a case to check on paper.
+fn by_hand(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
+    let fails = matches!(
+        entry.judgement.verdict,
+        Verdict::Misprint | Verdict::Refuted
+    );
+    let Some(case) = by_hand::of(entry.claim.id).filter(|_| fails) else {
+        return Ok(String::new());
+    };
+    let words = case
+        .words()
+        .map_err(|failure| Fault::Placeholder(failure.to_string()))?;
+    Ok(format!(
+        "<div class=\"by-hand\"><p><strong>Why:</strong> {}.</p><p><strong>By hand:</strong> {}.</p></div>",
+        filler.maths().words(&sentence(case.reason))?,
+        filler.maths().words(&sentence(&words))?
     ))
 }
 
@@ -107,23 +129,32 @@ fn conditions(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
     Ok(html + "</ul>")
 }
 
-fn trials(maths: &Maths, entry: &Entry) -> Result<String, Fault> {
+fn trials(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
     if entry.evidence.is_empty() {
         return Ok(String::new());
     }
     // Proofs first: they outrank what is measured.
-    let (proofs, others): (Vec<_>, Vec<_>) =
-        entry.evidence.iter().partition(|e| e.route.is_proof());
+    let code = filler.code().trials(entry.topic, entry.claim);
+    let trials = entry.evidence.iter().enumerate();
+    let (proofs, others): (Vec<_>, Vec<_>) = trials.partition(|(_, e)| e.route.is_proof());
     let conditional = entry.is_conditional();
-    let items = proofs.into_iter().chain(others);
-    let items: Result<String, Fault> = items.map(|e| trial(maths, e, conditional)).collect();
+    let items: Result<String, Fault> = proofs
+        .into_iter()
+        .chain(others)
+        .map(|(i, e)| trial(filler.maths(), e, conditional, code.get(i)))
+        .collect();
     Ok(format!(
         "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>",
         items?
     ))
 }
 
-fn trial(maths: &Maths, evidence: &Evidence, conditional: bool) -> Result<String, Fault> {
+fn trial(
+    maths: &Maths,
+    evidence: &Evidence,
+    conditional: bool,
+    code: Option<&Place>,
+) -> Result<String, Fault> {
     let (class, outcome) = match evidence.outcome() {
         Outcome::Agrees if evidence.route.is_proof() => ("agrees", "proved"),
         Outcome::Disagrees if evidence.route.is_proof() => ("disagrees", "not proved"),
@@ -142,11 +173,15 @@ fn trial(maths: &Maths, evidence: &Evidence, conditional: bool) -> Result<String
     };
     Ok(format!(
         "<li class=\"{class}\"><p><strong>{route}</strong>, {subject}: <span class=\"outcome\">{outcome}</span>. \
-         {compared}.</p>{measure}{samples}</li>",
+         {compared}.{code}</p>{measure}{samples}</li>",
         route = evidence.route.name(),
         subject = evidence.subject.words(conditional),
         compared = maths.words(&sentence(evidence.compared))?,
         samples = samples(maths, evidence)?,
+        code = code.map_or(String::new(), |place| format!(
+            " <a class=\"code\" href=\"{}\">Code</a>",
+            place.address()
+        )),
     ))
 }
 
@@ -203,7 +238,7 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
         ));
     }
     Ok(format!(
-        "<details><summary>Some of the compared values</summary><div class=\"table-wrapper\"><table>\
+        "<details class=\"samples\"><summary>Some of the compared values</summary><div class=\"table-wrapper\"><table>\
          <thead><tr><th>at</th><th>stated</th><th>found</th></tr></thead><tbody>{rows}</tbody>\
          </table></div></details>"
     ))
@@ -211,28 +246,34 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
 
 /// What the claim depends on, and what depends on it.
 fn neighbours(filler: &Filler<'_>, claim: &Claim) -> Result<String, Fault> {
-    let links = |ids: &[&str]| -> Result<String, Fault> {
-        let links: Result<Vec<_>, _> = ids
-            .iter()
-            .map(|id| filler.link(filler.entry(id)?))
-            .collect();
-        Ok(links?.join(", "))
-    };
-    let entries = filler.ledger().entries.iter().map(|entry| entry.claim);
-    let users: Vec<_> = entries
-        .filter(|other| other.depends_on.contains(&claim.id))
-        .map(|other| other.id)
-        .collect();
+    let users = filler.users(claim.id);
     let mut html = String::new();
     for (word, ids) in [("Depends on", claim.depends_on), ("Used by", &users)] {
         if !ids.is_empty() {
             html.push_str(&format!(
                 "<p class=\"neighbours\">{word} {}</p>",
-                links(ids)?
+                filler.links(ids)?
             ));
         }
     }
     Ok(html)
+}
+
+/// Links to the code of both sides, and to where they meet.
+fn code(filler: &Filler<'_>, entry: &Entry) -> String {
+    let (code, topic, claim) = (filler.code(), entry.topic, entry.claim);
+    let corrections = claim.correction.and_then(|_| code.corrections(topic));
+    let places = [
+        ("printed", code.printed(topic, claim)),
+        ("corrected", corrections),
+        ("motion", code.motion(topic)),
+        ("claim", code.row(topic, claim)),
+    ];
+    let links = places
+        .into_iter()
+        .filter_map(|(word, place)| Some(format!("{word} {}", place?.link())));
+    let links: Vec<_> = links.collect();
+    format!("<p class=\"neighbours\">Code: {}</p>", links.join(", "))
 }
 
 /// The LaTeX, to copy; nothing where the statement has none.

@@ -1,5 +1,7 @@
 //! What can go wrong when the book is written.
 
+use crate::figures::FigureError;
+use crate::ledger::ErrataError;
 use std::io;
 use std::path::PathBuf;
 
@@ -76,6 +78,12 @@ pub enum BookError {
         /// The page where it belongs.
         page: String,
     },
+    /// The map of claims cannot be drawn.
+    #[error("the map of claims: {0}")]
+    Map(#[from] FigureError),
+    /// The errata have no numbers.
+    #[error(transparent)]
+    Errata(#[from] ErrataError),
     /// mdBook refused the pages or the settings.
     #[error("mdBook: {0}")]
     Render(String),

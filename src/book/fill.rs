@@ -1,15 +1,14 @@
 //! What each placeholder stands for.
 
 use super::claim_box;
+use super::code::Code;
 use super::error::Fault;
 use super::explorer;
 use super::maths::Maths;
-use super::tables;
 use super::text::{count, escape, size};
-use crate::claims::Claim;
-use crate::evidence::Kind;
+use super::{errata, map, symbols, tables, values};
 use crate::figures::Figure;
-use crate::ledger::{Entry, Ledger, Verdict};
+use crate::ledger::{Entry, Erratum, Ledger, Verdict};
 use std::collections::BTreeSet;
 
 /// What stands in a placeholder's place.
@@ -24,15 +23,24 @@ pub(super) enum Filled {
 pub(super) struct Filler<'a> {
     ledger: &'a Ledger,
     figures: &'a [Figure],
+    errata: &'a [Erratum],
+    code: &'a Code,
     maths: Maths,
     boxed: BTreeSet<&'static str>,
 }
 
 impl<'a> Filler<'a> {
-    pub(super) fn new(ledger: &'a Ledger, figures: &'a [Figure]) -> Self {
+    pub(super) fn new(
+        ledger: &'a Ledger,
+        figures: &'a [Figure],
+        errata: &'a [Erratum],
+        code: &'a Code,
+    ) -> Self {
         Filler {
             ledger,
             figures,
+            errata,
+            code,
             maths: Maths::new(),
             boxed: BTreeSet::new(),
         }
@@ -40,6 +48,10 @@ impl<'a> Filler<'a> {
 
     pub(super) fn maths(&self) -> &Maths {
         &self.maths
+    }
+
+    pub(super) fn code(&self) -> &'a Code {
+        self.code
     }
 
     pub(super) fn ledger(&self) -> &'a Ledger {
@@ -70,10 +82,26 @@ impl<'a> Filler<'a> {
             }
             ["counts"] => block(tables::counts(self.ledger)),
             ["ledger"] => block(tables::whole_ledger(self)?),
-            ["ledger", topic] => block(tables::topic(self, topic)?),
+            ["ledger", topic] => block(tables::folded_topic(self, topic)?),
             ["proofs"] => block(tables::proofs(self.ledger)),
             ["strongest"] => block(tables::strongest(self)?),
             ["measured"] => block(tables::measured(self)?),
+            ["sheet", id] => block(format!(
+                "<pre><code class=\"language-text\">{}</code></pre>\n",
+                // A blank line would end the block.
+                escape(&self.entry(id)?.sheet().replace('\n', "\u{1}")).replace('\u{1}', "&#10;")
+            )),
+            ["equations"] => block(tables::equations(self)?),
+            ["symbols"] => block(symbols::table_of(self)?),
+            ["values"] => block(values::table_of(self)?),
+            ["falls"] => block(map::what_falls(self)?),
+            ["map", "key"] => block(map::key()),
+            ["map", "list"] => block(map::list(self)?),
+            ["errata", slugs @ ..] => {
+                let verdicts: Result<Vec<_>, _> =
+                    slugs.iter().map(|slug| verdict_of(slug)).collect();
+                block(errata::list(self, self.errata, &verdicts?)?)
+            }
             ["routes"] => block(tables::routes(self.ledger)),
             ["tolerances"] => block(tables::tolerances(self)?),
             ["verdict", id] => inline(verdict(self.entry(id)?.judgement.verdict)),
@@ -92,12 +120,8 @@ impl<'a> Filler<'a> {
                 let entries = self.ledger.entries.iter();
                 inline(count(entries.filter(|e| e.is_proved()).count()))
             }
-            ["count", slug] => {
-                let verdict = Verdict::ALL.into_iter().find(|v| v.slug() == *slug);
-                let unknown = || Fault::Placeholder(format!("there is no verdict `{slug}`"));
-                let counts = self.ledger.counts();
-                inline(count(counts[&verdict.ok_or_else(unknown)?]))
-            }
+            ["value", id] => inline(values::shown(id)?),
+            ["count", slug] => inline(count(self.ledger.counts()[&verdict_of(slug)?])),
             _ => Err(Fault::Placeholder("there is no such placeholder".into())),
         }
     }
@@ -114,8 +138,23 @@ impl<'a> Filler<'a> {
             "<a href=\"{}.html#{}\">{}</a>",
             entry.topic.stem,
             entry.claim.id,
-            self.maths.words(&label(entry.claim))?
+            self.maths.words(&entry.claim.name())?
         ))
+    }
+
+    /// Links to claims' boxes.
+    pub(super) fn links(&self, ids: &[&str]) -> Result<String, Fault> {
+        let links: Result<Vec<_>, _> = ids.iter().map(|id| self.link(self.entry(id)?)).collect();
+        Ok(links?.join(", "))
+    }
+
+    /// Ids of the claims that depend on a claim directly.
+    pub(super) fn users(&self, id: &str) -> Vec<&'static str> {
+        let claims = self.ledger.entries.iter().map(|entry| entry.claim);
+        claims
+            .filter(|other| other.depends_on.contains(&id))
+            .map(|other| other.id)
+            .collect()
     }
 
     /// Notes that a claim is shown, once and on its own page: its address is permanent.
@@ -139,8 +178,13 @@ impl<'a> Filler<'a> {
         let Some(svg) = svg else {
             return Err(Fault::Placeholder("this figure is not an SVG".into()));
         };
+        // A drawing with links is not one picture to a screen reader.
+        let window = match svg.contains("<a ") {
+            true => "class=\"map-window\" role=\"group\"",
+            false => "role=\"img\"",
+        };
         Ok(format!(
-            "<figure class=\"plot\" id=\"plot-{id}\"><div role=\"img\" aria-label=\"{}\">{}</div>\
+            "<figure class=\"plot\" id=\"plot-{id}\"><div {window} aria-label=\"{}\">{}</div>\
              <figcaption>{} <a href=\"{}\" download>Data (CSV)</a></figcaption></figure>\n",
             escape(&figure.alt),
             svg.lines().map(str::trim).collect::<Vec<_>>().join(" "),
@@ -148,6 +192,12 @@ impl<'a> Filler<'a> {
             data_file(figure),
         ))
     }
+}
+
+/// The verdict of this slug.
+fn verdict_of(slug: &str) -> Result<Verdict, Fault> {
+    let found = Verdict::ALL.into_iter().find(|v| v.slug() == slug);
+    found.ok_or_else(|| Fault::Placeholder(format!("there is no verdict `{slug}`")))
 }
 
 /// Where a figure's data lies within the book.
@@ -162,14 +212,4 @@ pub(super) fn verdict(verdict: Verdict) -> String {
         verdict.slug(),
         verdict.words()
     )
-}
-
-/// What a claim is called for short: `(11)`, or its title.
-pub(super) fn label(claim: &Claim) -> String {
-    match (claim.equation, claim.kind) {
-        (Some(number), _) => format!("({number})"),
-        (None, Kind::Figure) => format!("Figure {}", claim.id.trim_start_matches("fig-")),
-        (None, _) if claim.title.is_empty() => claim.id.to_owned(),
-        (None, _) => claim.title.to_owned(),
-    }
 }

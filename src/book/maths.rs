@@ -2,18 +2,35 @@
 
 use super::error::Fault;
 use super::text::escape;
+use crate::ledger::plain_formula;
 use katex::macro_expander::MacroMap;
 use katex::macros::MacroDefinition;
 use katex::{KatexContext, Settings, render_to_string};
+use std::cell::RefCell;
+use std::collections::HashMap;
 
 /// KaTeX underlines where an error is by combining characters.
 const UNDERLINE: char = '\u{332}';
 
-/// Sets formulas.
+/// What stands for a formula until mdBook is done: mdBook then reads a tenth of the text, and the search
+/// can put words in its place.
+const MARK: (&str, &str) = ("<span data-formula=\"", "\"></span>");
+
+/// Sets formulas, each one once.
 pub(super) struct Maths {
     context: KatexContext,
     inline: Settings,
     display: Settings,
+    set: RefCell<Set>,
+}
+
+/// The formulas set so far.
+#[derive(Default)]
+struct Set {
+    /// Number of a formula, by its LaTeX and whether it stands on a line of its own.
+    numbers: HashMap<(String, bool), usize>,
+    /// HTML and plain text, by number.
+    forms: Vec<(String, String)>,
 }
 
 impl Maths {
@@ -29,6 +46,7 @@ impl Maths {
             context: KatexContext::default(),
             inline: settings(false),
             display: settings(true),
+            set: RefCell::default(),
         }
     }
 
@@ -59,7 +77,13 @@ impl Maths {
             .collect()
     }
 
+    /// The mark of a formula; sets it if it is new.
     fn set(&self, latex: &str, settings: &Settings) -> Result<String, Fault> {
+        let mark = |number: usize| format!("{}{number}{}", MARK.0, MARK.1);
+        let key = (latex.to_owned(), settings.display_mode);
+        if let Some(number) = self.set.borrow().numbers.get(&key) {
+            return Ok(mark(*number));
+        }
         let fault = |reason: String| Fault::Formula {
             formula: latex.to_owned(),
             reason,
@@ -67,10 +91,65 @@ impl Maths {
         if latex.trim().is_empty() {
             return Err(fault("there is nothing in it".into()));
         }
-        let html = render_to_string(&self.context, latex.trim(), settings)
+        let html = render_to_string(&self.context, &roots_in_braces(latex.trim()), settings)
             .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
-        Ok(tidy(&without_annotation(&html), false))
+        let mut set = self.set.borrow_mut();
+        let number = set.forms.len();
+        set.forms.push((
+            tidy(&without_annotation(&html), false),
+            escape(&plain_formula(latex)),
+        ));
+        set.numbers.insert(key, number);
+        Ok(mark(number))
     }
+
+    /// Puts the formulas in place of their marks.
+    pub(super) fn with_formulas(&self, html: &str) -> String {
+        self.replaced(html, |(html, _)| html)
+    }
+
+    /// Puts plain text in place of the marks.
+    pub(super) fn with_words(&self, html: &str) -> String {
+        self.replaced(html, |(_, plain)| plain)
+    }
+
+    fn replaced(&self, html: &str, form: impl Fn(&(String, String)) -> &String) -> String {
+        let set = self.set.borrow();
+        let mut out = String::with_capacity(html.len() * 8);
+        let mut parts = html.split(MARK.0);
+        out.push_str(parts.next().unwrap_or_default());
+        for part in parts {
+            let (number, after) = part.split_once(MARK.1).unwrap_or((part, ""));
+            let formula = number.parse().ok().and_then(|n: usize| set.forms.get(n));
+            out.push_str(formula.map_or("", |formula| form(formula)));
+            out.push_str(after);
+        }
+        out
+    }
+}
+
+/// Puts braces around what stands under a root: katex-rs loses the room for the sign before a bare symbol.
+fn roots_in_braces(latex: &str) -> String {
+    const ROOT: &str = r"\sqrt";
+    let mut parts = latex.split(ROOT);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let part = part.trim_start();
+        let end = match part.chars().next() {
+            None | Some('{' | '[') => 0,
+            Some('\\') => {
+                let name = part[1..].find(|c: char| !c.is_ascii_alphabetic());
+                name.map_or(part.len(), |end| end + 1)
+            }
+            Some(c) => c.len_utf8(),
+        };
+        out.push_str(ROOT);
+        match end {
+            0 => out.push_str(part),
+            end => out.push_str(&format!("{{{}}}{}", &part[..end], &part[end..])),
+        }
+    }
+    out
 }
 
 /// Leaves out the LaTeX source within the MathML: it would be read by the search as if it were text.
@@ -179,9 +258,25 @@ mod tests {
     }
 
     #[test]
+    fn a_root_has_room_for_its_sign() {
+        assert_eq!(
+            roots_in_braces(r"\sqrt2+\sqrt\pi x+\sqrt{y}"),
+            r"\sqrt{2}+\sqrt{\pi} x+\sqrt{y}"
+        );
+        let maths = Maths::new();
+        for latex in [r"\sqrt2", r"\sqrt{2}", r"\sqrt\pi"] {
+            let html = maths.with_formulas(&maths.inline(latex).unwrap());
+            assert!(html.contains("padding-left:0.833em"), "{latex}: {html}");
+        }
+    }
+
+    #[test]
     fn words_keep_their_text_and_need_paired_dollars() {
         let maths = Maths::new();
-        let html = maths.words("if $x<1$ & so on").unwrap();
+        let marked = maths.words("if $x<1$ & so on").unwrap();
+        assert_eq!(maths.words("if $x<1$ & so on").unwrap(), marked);
+        assert_eq!(maths.with_words(&marked), "if x &lt; 1 &amp; so on");
+        let html = maths.with_formulas(&marked);
         assert!(html.starts_with("if <span class=\"katex\">") && html.ends_with(" &amp; so on"));
         assert!(!html.contains('$') && !html.contains("annotation"));
         assert!(matches!(

@@ -13,11 +13,16 @@
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
 //! | `{{strongest}}` | a table of all claims with the strongest route of each |
 //! | `{{measured}}` | a table of the claims without a proof, by the reason |
+//! | `{{equations}}`, `{{symbols}}`, `{{values}}` | the indexes |
+//! | `{{errata misprint refuted}}` | the errata with these verdicts |
+//! | `{{map key}}`, `{{map list}}`, `{{falls}}` | the signs of the map of claims, and what it shows as tables |
 //! | `{{routes}}`, `{{tolerances}}` | tables of what the trials of this ledger use |
+//! | `{{sheet eq-20}}` | the claim's sheet, as the snapshots have it |
 //! | `{{verdict eq-11}}` | the verdict in word and colour |
 //! | `{{points eq-11}}` | how many points its trials compared |
 //! | `{{worst eq-11}}` | the disagreement that comes nearest to, or farthest beyond, its tolerance |
 //! | `{{ref eq-11}}` | a link to the claim's box |
+//! | `{{value lambda-c}}` | a number of the index of values, by its short name |
 //! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
 //! | `{{count proved}}` | the number of claims that are proved |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
@@ -27,26 +32,35 @@
 
 mod assets;
 mod claim_box;
+mod code;
+mod errata;
 mod error;
 mod expand;
 mod explorer;
 mod fill;
+mod map;
 mod maths;
 mod pages;
+mod search;
 mod swap;
+mod symbols;
 mod tables;
 #[cfg(test)]
 mod tests;
 mod text;
+mod values;
 
 pub use error::BookError;
 
 use crate::figures::Figure;
-use crate::ledger::Ledger;
+use crate::ledger::{Format, Ledger};
+use code::Code;
 use fill::Filler;
+use maths::Maths;
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
 use pages::Page;
+use search::Search;
 use std::fs;
 use std::path::{Path, PathBuf};
 use swap::{Staging, unwritable};
@@ -80,8 +94,11 @@ fn write_pages(
     figures: &[Figure],
     out: &Path,
 ) -> Result<PathBuf, BookError> {
-    let mut filler = Filler::new(ledger, figures);
-    let texts: Result<Vec<_>, _> = pages
+    let figures = [figures, &[map::figure(ledger)?]].concat();
+    let errata = ledger.errata()?;
+    let code = Code::new();
+    let mut filler = Filler::new(ledger, &figures, &errata, &code);
+    let texts: Result<Vec<_>, BookError> = pages
         .iter()
         .map(|page| Ok((page.file(), expand::expand(page, &mut filler)?)))
         .collect();
@@ -93,7 +110,7 @@ fn write_pages(
         });
     }
     files.push(("SUMMARY.md".into(), pages::summary(&pages)));
-    for figure in figures {
+    for figure in &figures {
         files.push((fill::data_file(figure), figure.csv.clone()));
     }
 
@@ -105,7 +122,7 @@ fn write_pages(
         put(&source.join("src").join(name), text.as_bytes())?;
     }
     for (name, bytes) in assets::THEME {
-        // mdBook takes style sheets and its theme from beside `src`, all other files from within it.
+        // mdBook takes style sheets, scripts and its theme from beside `src`, all other files from within it.
         let folder = if name.contains("katex") && !name.ends_with(".css") {
             source.join("src")
         } else {
@@ -115,9 +132,36 @@ fn write_pages(
     }
     let book = staging.path("book");
     render(&source, &book)?;
+    finish(&book, &pages, filler.maths())?;
+    for (name, format) in [("errata.txt", Format::Text), ("errata.tex", Format::Latex)] {
+        put(&book.join(name), ledger.letter(format)?.as_bytes())?;
+    }
+    for (name, html) in code.pages() {
+        put(&book.join(name), html.as_bytes())?;
+    }
     put(&book.join(swap::MARKER), swap::MARKER_TEXT)?;
     let out = staging.swap(&book)?;
     Ok(out.join("index.html"))
+}
+
+/// Puts the formulas into mdBook's pages, and our index in place of mdBook's.
+fn finish(book: &Path, pages: &[Page], maths: &Maths) -> Result<(), BookError> {
+    let mut search = Search::new();
+    let written = pages
+        .iter()
+        .map(|page| (format!("{}.html", page.stem), true));
+    for (name, searched) in written.chain([("print.html".to_owned(), false)]) {
+        let path = book.join(&name);
+        let html = fs::read_to_string(&path).map_err(|reason| unwritable(&path, reason))?;
+        if searched {
+            search.add(&name, &maths.with_words(&html));
+        }
+        put(&path, maths.with_formulas(&html).as_bytes())?;
+    }
+    let index = search
+        .file()
+        .map_err(|error| BookError::Render(error.to_string()))?;
+    put(&book.join("searchindex.js"), index.as_bytes())
 }
 
 /// Lets mdBook make `book` from `source`.

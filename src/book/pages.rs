@@ -37,7 +37,14 @@ written!(
     rest,
     ledger,
     proved,
+    errata,
+    map,
+    equations,
+    symbols,
+    values,
     methods,
+    snapshots,
+    adding,
     json
 );
 
@@ -66,10 +73,20 @@ const REFERENCE: &str = "Reference";
 pub(super) fn pages(figures: &[Figure]) -> Vec<Page> {
     let mut pages = vec![written_page("index", "Slipbook")];
     pages.extend(TOPICS.iter().map(|topic| topic_page(topic, figures)));
-    pages.push(written_page("ledger", "The ledger"));
-    pages.push(written_page("proved", "What is proved, what is measured"));
-    pages.push(written_page("methods", "How a verdict comes about"));
-    pages.push(written_page("json", "Answers as JSON"));
+    let reference = [
+        ("ledger", "The ledger"),
+        ("proved", "What is proved, what is measured"),
+        ("errata", "Errata"),
+        ("map", "The map of claims"),
+        ("equations", "Index of equations"),
+        ("symbols", "Index of symbols"),
+        ("values", "Index of values"),
+        ("methods", "How a verdict comes about"),
+        ("snapshots", "How to read a snapshot"),
+        ("adding", "How to add a claim"),
+        ("json", "Answers as JSON"),
+    ];
+    pages.extend(reference.map(|(stem, title)| written_page(stem, title)));
     pages
 }
 

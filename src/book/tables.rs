@@ -11,12 +11,15 @@ use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A table, as a block of HTML. The cells are HTML.
-fn table<const N: usize>(
+pub(super) fn table<const N: usize>(
     class: &str,
     head: [&str; N],
     rows: impl IntoIterator<Item = [String; N]>,
 ) -> String {
-    let head: String = head.iter().map(|cell| format!("<th>{cell}</th>")).collect();
+    let head: String = head
+        .iter()
+        .map(|cell| format!("<th scope=\"col\">{cell}</th>"))
+        .collect();
     let row = |cells: [String; N]| {
         let cells: String = cells
             .iter()
@@ -52,8 +55,28 @@ fn meaning(verdict: Verdict) -> &'static str {
     }
 }
 
+/// The claims of the topic of this stem, folded away behind their count.
+pub(super) fn folded_topic(filler: &Filler<'_>, stem: &str) -> Result<String, Fault> {
+    let table = topic(filler, stem)?;
+    let entries = filler
+        .ledger()
+        .entries
+        .iter()
+        .filter(|e| e.topic.stem == stem);
+    let verdicts: Vec<_> = entries.map(|e| e.judgement.verdict).collect();
+    let parts = Verdict::ALL.iter().filter_map(|v| {
+        let n = verdicts.iter().filter(|found| *found == v).count();
+        (n > 0).then(|| format!("{} {}", count(n), v.words()))
+    });
+    Ok(format!(
+        "<details class=\"contents\"><summary>{}: {}</summary>{table}</details>\n",
+        counted(verdicts.len(), "claim"),
+        parts.collect::<Vec<_>>().join(", ")
+    ))
+}
+
 /// The claims of the topic of this stem.
-pub(super) fn topic(filler: &Filler<'_>, stem: &str) -> Result<String, Fault> {
+fn topic(filler: &Filler<'_>, stem: &str) -> Result<String, Fault> {
     let of_topic = |entry: &&Entry| entry.topic.stem == stem;
     let entries: Vec<_> = filler.ledger().entries.iter().filter(of_topic).collect();
     if entries.is_empty() {
@@ -86,6 +109,33 @@ fn row(filler: &Filler<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
         _ => format!("{}; {}", routes.join(", "), counted(points, "point")),
     };
     Ok([claim, verdict(entry.judgement.verdict), tried])
+}
+
+/// The numbered equations: number, formula, verdict.
+pub(super) fn equations(filler: &Filler<'_>) -> Result<String, Fault> {
+    let numbered = filler
+        .ledger()
+        .entries
+        .iter()
+        .filter(|e| e.claim.equation.is_some());
+    let rows: Result<Vec<_>, Fault> = numbered
+        .map(|entry| {
+            let formula = match is_formula(entry.claim, entry.claim.latex) {
+                true => filler.maths().inline(entry.claim.latex)?,
+                false => filler.maths().words(entry.claim.latex)?,
+            };
+            Ok([
+                filler.link(entry)?,
+                format!("<div class=\"says\">{formula}</div>"),
+                verdict(entry.judgement.verdict),
+            ])
+        })
+        .collect();
+    Ok(table(
+        "equations",
+        ["Number", "Formula as printed", "Verdict"],
+        rows?,
+    ))
 }
 
 /// All claims, topic by topic.

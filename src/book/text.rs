@@ -17,6 +17,43 @@ pub(super) fn escape(text: &str) -> String {
     out
 }
 
+/// The text behind the character references of HTML.
+pub(super) fn unescape(html: &str) -> String {
+    let mut parts = html.split('&');
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let reference = part.split_once(';').and_then(|(name, after)| {
+            let c = match name {
+                "amp" => '&',
+                "lt" => '<',
+                "gt" => '>',
+                "quot" => '"',
+                "nbsp" => '\u{a0}',
+                name => {
+                    let number = name.strip_prefix('#')?;
+                    let number = match number.strip_prefix('x') {
+                        Some(hex) => u32::from_str_radix(hex, 16),
+                        None => number.parse(),
+                    };
+                    char::from_u32(number.ok()?)?
+                }
+            };
+            Some((c, after))
+        });
+        match reference {
+            Some((c, after)) => {
+                out.push(c);
+                out.push_str(after);
+            }
+            None => {
+                out.push('&');
+                out.push_str(part);
+            }
+        }
+    }
+    out
+}
+
 /// A count, its thousands parted.
 pub(super) fn count(n: usize) -> String {
     let digits = n.to_string();
@@ -141,6 +178,10 @@ mod tests {
         assert_eq!(
             escape("<b a=\"'\">&\n"),
             "&lt;b a=&quot;&#39;&quot;&gt;&amp; "
+        );
+        assert_eq!(
+            unescape("&lt;b a=&quot;&#39;&quot;&gt;&amp; &x2; a&#x3c;"),
+            "<b a=\"'\">& &x2; a<"
         );
     }
 }

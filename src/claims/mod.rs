@@ -4,6 +4,8 @@
 //! said here: the [ledger](crate::ledger) judges.
 
 #[cfg(feature = "book")]
+pub mod by_hand;
+#[cfg(feature = "book")]
 pub mod compare;
 #[cfg(feature = "book")]
 pub mod conditioned;
@@ -103,6 +105,16 @@ impl Claim {
         correction: None,
         trials: &[],
     };
+
+    /// What the claim is called for short: `(11)`, `Figure 3`, or its title; formulas in `$…$`.
+    pub fn name(&self) -> String {
+        match (self.equation, self.kind) {
+            (Some(number), _) => format!("({number})"),
+            (None, Kind::Figure) => format!("Figure {}", self.id.trim_start_matches("fig-")),
+            (None, _) if self.title.is_empty() => self.id.to_owned(),
+            (None, _) => self.title.to_owned(),
+        }
+    }
 }
 
 /// A topic: a chapter of the book, and the stem of its files in every room.

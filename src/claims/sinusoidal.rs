@@ -7,7 +7,7 @@ pub mod exact;
 mod periodic;
 mod phases;
 pub mod pictures;
-mod runs;
+pub(super) mod runs;
 mod setup;
 mod slip;
 mod threshold;

@@ -1,253 +1,359 @@
-//! The numbers that the paper's claims state or imply, and a search among them.
+//! The numbers by which a claim can be found: computed, each with the claim that it belongs to.
 
 mod search;
 
-pub use search::{Match, NotDecimal, find};
+pub use search::{Match, NotDecimal, search};
 
-use crate::claims::anisotropic::runs::touching;
-use crate::claims::compare::Failure;
-use crate::claims::solve::sinusoidal::Problem;
-use crate::corrections::{escape as corrected, sinusoidal as decay};
-use crate::motion::turntable::{critical_radius, critical_speed};
-use crate::paper::{escape, rest, sinusoidal as printed, sphere};
-use std::f64::consts::PI;
+use super::anisotropic::runs::touching;
+use super::compare::Failure;
+use super::escape::laws;
+use super::sinusoidal::runs::{ORIGIN, settled};
+use crate::corrections::{anisotropic as added, escape as corrected, rest as boundary};
+use crate::motion::{MotionError, turntable};
+use crate::paper::{anisotropic, escape, rest, sinusoidal, sphere};
+use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, PI, SQRT_2, TAU};
+use std::sync::LazyLock;
 
-/// A number that claims carry.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Named {
-    /// Its symbol.
-    pub symbol: &'static str,
-    /// What it is.
+/// A number.
+#[derive(Debug, Clone, Copy)]
+pub struct Value {
+    /// Short name for the pages: `lambda-c`.
+    pub id: &'static str,
+    /// What it is; formulas in `$…$`.
     pub meaning: &'static str,
-    /// Ids of the claims that state it or rest on it.
-    pub claims: &'static [&'static str],
-    /// Its value in decimals, to as many digits as are known, not rounded in the last one.
-    pub decimals: String,
+    /// Id of the claim.
+    pub claim: &'static str,
+    /// Decimals shown, all of them certain.
+    pub decimals: usize,
+    /// The number.
+    pub value: fn() -> Result<f64, Failure>,
 }
 
-/// Significant digits that a value computed in floating point is believed to have.
-const BELIEVED: usize = 14;
-/// The same for a value found by bisection on a motion.
-const BISECTED: usize = 11;
+impl Value {
+    /// The number as shown.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed.
+    pub fn shown(&self) -> Result<String, Failure> {
+        Ok(format!("{:.*}", self.decimals, (self.value)()?))
+    }
 
-/// All numbers, computed.
+    /// The number to [`KNOWN`] significant digits, cut off and not rounded.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed.
+    pub fn digits(&self) -> Result<String, Failure> {
+        let value = (self.value)()?;
+        let power = libm::floor(libm::log10(value.abs())) as i32;
+        let places = (KNOWN as i32 - 1 - power).max(0) as usize;
+        // Two digits more, so that rounding does not reach those that are kept.
+        let mut text = format!("{value:.*}", places + 2);
+        text.truncate(text.len() - 2);
+        Ok(text)
+    }
+}
+
+/// Significant digits that every value is good for: the least come from a bisection on a motion.
+const KNOWN: usize = 11;
+
+/// The number of this short name.
+pub fn find(id: &str) -> Option<&'static Value> {
+    VALUES.iter().find(|value| value.id == id)
+}
+
+const fn row(
+    id: &'static str,
+    claim: &'static str,
+    decimals: usize,
+    meaning: &'static str,
+    value: fn() -> Result<f64, Failure>,
+) -> Value {
+    Value {
+        id,
+        meaning,
+        claim,
+        decimals,
+        value,
+    }
+}
+
+/// All numbers, in the paper's order.
+pub static VALUES: &[Value] = &[
+    row(
+        "lambda-c",
+        "eq-37",
+        10,
+        "$\\lambda_\\mathrm c$, the friction from which on the shaken particle rests",
+        || Ok(sinusoidal::eq37_lambda_c()),
+    ),
+    row(
+        "fig-3-start",
+        "eq-39",
+        4,
+        "$\\tilde\\phi_1$ at $\\lambda_0=1/\\pi$",
+        || Ok(sinusoidal::eq39_phi_t1(FRAC_1_PI)),
+    ),
+    row(
+        "fig-3-largest",
+        "fig-3",
+        3,
+        "largest $\\mathfrak w$ at $\\lambda_0=1/\\pi$",
+        || largest(FRAC_1_PI),
+    ),
+    row(
+        "fig-4-largest",
+        "fig-4",
+        4,
+        "largest $\\mathfrak w$ at $\\lambda_0=1/\\sqrt2$",
+        || largest(FRAC_1_SQRT_2),
+    ),
+    row("y-q-printed", "eq-58", 3, "$q$ of Y, as printed", || {
+        Ok(anisotropic::eq58_y::<f64>()[0])
+    }),
+    row(
+        "y-lambda-printed",
+        "eq-58",
+        3,
+        "$\\lambda_0$ of Y, as printed",
+        || Ok(anisotropic::eq58_y::<f64>()[1]),
+    ),
+    row(
+        "y-q",
+        "s24-Y",
+        12,
+        "$q$ of Y, where B and C touch",
+        touching,
+    ),
+    row("y-lambda", "s24-Y", 12, "$\\lambda_0$ of Y", || {
+        Ok(1.0 / touching()?)
+    }),
+    row(
+        "contact",
+        "s24-Y",
+        6,
+        "how fast B leaves C at Y: $1/q-\\lambda_0$ over $(q-q_Y)^2$",
+        || Ok(added::contact(touching()?)),
+    ),
+    row(
+        "b-solid",
+        "eq-67",
+        1,
+        "$b$ of a solid sphere, $\\kappa=\\frac25$",
+        || Ok(sphere::eq67_factor(0.4)),
+    ),
+    row(
+        "b-hollow",
+        "eq-67",
+        1,
+        "$b$ of a thin shell, $\\kappa=\\frac23$",
+        || Ok(sphere::eq67_factor(2.0 / 3.0)),
+    ),
+    row(
+        "slip-end",
+        "eq-82",
+        4,
+        "the time $\\frac{14}{33}$ at which the sphere of the example ceases to slip",
+        || Ok(14.0 / 33.0),
+    ),
+    row(
+        "a-printed",
+        "eq-132",
+        6,
+        "$A/\\tau^{3/2}$ in an escape, as printed: $2/\\sqrt{27}$",
+        || Ok(escape::eq132_a(1.0)),
+    ),
+    row(
+        "a",
+        "eq-132",
+        6,
+        "$A/\\tau^{3/2}$ in an escape: $\\frac13 2^{1/4}$",
+        || Ok(laws::corrected_size()),
+    ),
+    row(
+        "alpha-printed",
+        "eq-133",
+        6,
+        "$\\alpha-\\frac12\\ln\\tau$ in an escape, as printed: $\\frac12\\ln\\frac43$",
+        || Ok(escape::eq133_alpha(1.0)),
+    ),
+    row(
+        "alpha",
+        "eq-133",
+        6,
+        "$\\alpha-\\frac12\\ln\\tau$ in an escape: $\\frac14\\ln2$",
+        || Ok(corrected::alpha(1.0)),
+    ),
+    row(
+        "p-printed",
+        "eq-135",
+        6,
+        "$p/\\tau^2$ in an escape, as printed: $\\frac29$",
+        || Ok(laws::printed_speed()),
+    ),
+    row(
+        "p",
+        "eq-135",
+        6,
+        "$p/\\tau^2$ and $\\rho/\\tau^2$ in an escape: $1/(3\\sqrt2)$",
+        || Ok(laws::corrected_speed()),
+    ),
+    row(
+        "s-printed",
+        "eq-137",
+        6,
+        "$s/\\tau^3$ in an escape, as printed: $\\frac2{27}$",
+        || Ok(escape::eq137_s(1.0)),
+    ),
+    row(
+        "s",
+        "eq-137",
+        6,
+        "$s/\\tau^3$ in an escape: $1/(9\\sqrt2)$",
+        || Ok(corrected::s(1.0)),
+    ),
+    row(
+        "turn",
+        "eq-136",
+        0,
+        "the factor in $\\tau$ over which an escape goes once around the axis: $\\mathrm e^{2\\pi/\\sqrt2}$",
+        || Ok(libm::exp(TAU / SQRT_2)),
+    ),
+    row(
+        "delay",
+        "eq-135",
+        6,
+        "the lag of the escape's clock over $\\ln\\tau$: $\\frac34\\sqrt2$",
+        || Ok(corrected::delay()),
+    ),
+    row(
+        "critical-radius",
+        "s4-rest-radius",
+        10,
+        "how far from the axis a particle at rest in the laboratory may be put down and come to rest, over $\\mu g/\\Omega^2$",
+        || Ok(critical_radius()?),
+    ),
+    row(
+        "critical-speed",
+        "s4-rest-radius",
+        10,
+        "how fast a particle may leave the axis and come to rest, over $\\mu g/\\Omega$",
+        || Ok(turntable::critical_speed()?),
+    ),
+    row(
+        "envelope",
+        "eq-147",
+        4,
+        "$A$ on the printed boundary at $\\alpha=0.1$",
+        || Ok(rest::eq147_a(0.1)),
+    ),
+    row(
+        "boundary",
+        "s4-envelope-is-boundary",
+        4,
+        "$A$ on the boundary at $\\alpha=0.1$, $\\psi=0.2$",
+        || Ok(boundary_example()?),
+    ),
+    row(
+        "boundary-slope",
+        "s4-envelope-is-boundary",
+        4,
+        "$-\\mathrm dA/\\mathrm d\\alpha$ of the boundary at $\\alpha=0$, $\\psi=\\pi/2$",
+        || Ok(boundary::boundary_slope(PI / 2.0)),
+    ),
+    row(
+        "phi-1",
+        "eq-27",
+        4,
+        "$\\phi_1$ at $\\lambda_0=1/\\sqrt2$",
+        || Ok(sinusoidal::eq27_phi1(FRAC_1_SQRT_2)),
+    ),
+    row(
+        "phi-2",
+        "eq-28",
+        4,
+        "$\\phi_2$ at $\\lambda_0=1/\\sqrt2$",
+        || Ok(sinusoidal::eq28_phi2(FRAC_1_SQRT_2)),
+    ),
+    row(
+        "phi-3",
+        "eq-29",
+        4,
+        "$\\phi_3$ at $\\lambda_0=1/\\sqrt2$",
+        || Ok(sinusoidal::eq29_phi3(FRAC_1_SQRT_2)),
+    ),
+    row(
+        "phi-4",
+        "eq-30",
+        4,
+        "$\\phi_4$ at $\\lambda_0=1/\\sqrt2$",
+        || Ok(sinusoidal::eq30_phi4(FRAC_1_SQRT_2)),
+    ),
+    row(
+        "fig-3-friction",
+        "fig-3",
+        4,
+        "$1/\\pi$, the friction of Figure 3",
+        || Ok(FRAC_1_PI),
+    ),
+    row(
+        "fig-4-friction",
+        "fig-4",
+        4,
+        "$1/\\sqrt2$, the friction of Figure 4",
+        || Ok(FRAC_1_SQRT_2),
+    ),
+    row(
+        "y-root",
+        "s24-Y",
+        12,
+        "$x$ of Y: the least positive root of $\\tan x=x$",
+        || touching().map(|q| libm::sqrt(q * q - 1.0)),
+    ),
+    row(
+        "boundary-curvature",
+        "s4-envelope-is-boundary",
+        4,
+        "the coefficient $\\frac76$ of $\\alpha^2$ on the boundary at $\\psi=0$",
+        || Ok(boundary::boundary_curvature(0.0)),
+    ),
+];
+
+/// The radius that parts rest from escape; computed once.
 ///
 /// # Errors
-/// An equation or a motion that cannot be solved, which does not happen.
-pub fn values() -> Result<Vec<Named>, Failure> {
-    let mut all = Vec::new();
-    let mut add = |symbol, value: f64, digits, meaning, claims| {
-        all.push(Named {
-            symbol,
-            meaning,
-            claims,
-            decimals: decimals(value, digits),
-        });
-    };
-    let mut exact = |symbol, value, meaning, claims| add(symbol, value, BELIEVED, meaning, claims);
-    let lambda_c: f64 = printed::eq37_lambda_c();
-    exact(
-        "λ_c",
-        lambda_c,
-        "critical friction of the sinusoidal drive",
-        &["eq-36", "eq-37", "eq-40", "eq-57", "s24-X"],
-    );
-    let [weak, strong] = [1.0 / PI, libm::sqrt(0.5)];
-    let swing = |lambda0| Problem { lambda0 }.solve().map(|answer| answer.best);
-    let (small, large) = (swing(weak)?, swing(strong)?);
-    exact("1/π", weak, "λ₀ of the small-friction figure", &["fig-3"]);
-    exact(
-        "φ̃₁(1/π)",
-        printed::eq39_phi_t1(weak),
-        "where forward motion begins at λ₀ = 1/π",
-        &["eq-39", "fig-3"],
-    );
-    exact(
-        "𝔴_max(1/π)",
-        small.w_max,
-        "largest velocity at λ₀ = 1/π",
-        &["eq-38", "fig-3"],
-    );
-    exact(
-        "1/√2",
-        strong,
-        "λ₀ of the large-friction figure; slope of the printed boundary",
-        &["fig-4", "eq-147"],
-    );
-    exact(
-        "φ₁(1/√2)",
-        printed::eq27_phi1(strong),
-        "where a rest ends at λ₀ = 1/√2",
-        &["eq-27", "fig-4"],
-    );
-    exact(
-        "φ₂(1/√2)",
-        printed::eq28_phi2(strong),
-        "where forward motion is fastest at λ₀ = 1/√2",
-        &["eq-28", "fig-4"],
-    );
-    exact(
-        "φ₃(1/√2)",
-        printed::eq29_phi3(strong),
-        "where the second rest ends at λ₀ = 1/√2",
-        &["eq-29", "fig-4"],
-    );
-    exact(
-        "φ₄(1/√2)",
-        printed::eq30_phi4(strong),
-        "the last phase at which drive and friction are equal at λ₀ = 1/√2",
-        &["eq-30", "fig-4"],
-    );
-    exact(
-        "φ̃₂(1/√2)",
-        large.positive_end.unwrap_or(f64::NAN),
-        "where forward motion ends at λ₀ = 1/√2",
-        &["eq-32", "eq-33", "fig-4"],
-    );
-    exact(
-        "𝔴_max(1/√2)",
-        large.w_max,
-        "largest velocity at λ₀ = 1/√2",
-        &["eq-31", "fig-4"],
-    );
-    exact(
-        "contraction(1/π)",
-        decay::contraction(weak),
-        "by what factor a distance to the motion at λ₀ = 1/π shrinks in a period",
-        &["eq-38", "s22-attractor-ignores-vy"],
-    );
-    let y = touching()?;
-    exact(
-        "q of Y",
-        y,
-        "where the curves B and C touch",
-        &["eq-58", "s24-Y", "eq-54", "eq-55"],
-    );
-    exact(
-        "λ₀ of Y",
-        1.0 / y,
-        "where the curves B and C touch",
-        &["eq-58", "s24-Y", "eq-54", "eq-55"],
-    );
-    exact(
-        "tan x = x",
-        libm::sqrt(y * y - 1.0),
-        "the root that gives Y",
-        &["eq-58", "s24-Y"],
-    );
-    exact(
-        "b, solid",
-        sphere::eq67_factor(0.4),
-        "friction factor of a solid sphere",
-        &["eq-67"],
-    );
-    exact(
-        "b, hollow",
-        sphere::eq67_factor(2.0 / 3.0),
-        "friction factor of a hollow sphere",
-        &["eq-67"],
-    );
-    exact(
-        "A/τ^(3/2), printed",
-        escape::eq132_a(1.0),
-        "prefactor of (132) as printed",
-        &["eq-132"],
-    );
-    exact(
-        "A/τ^(3/2)",
-        corrected::a(1.0),
-        "prefactor that replaces that of (132)",
-        &["eq-132"],
-    );
-    exact(
-        "e^2α/τ, printed",
-        libm::exp(2.0 * escape::eq133_alpha(1.0)),
-        "prefactor in (133) as printed",
-        &["eq-133"],
-    );
-    exact(
-        "√2",
-        corrected::winding(),
-        "prefactor in what replaces (133); windings per unit of ln τ",
-        &["eq-133", "eq-128"],
-    );
-    exact(
-        "(π/2 − ψ) τ",
-        corrected::lag(1.0),
-        "what replaces (134)",
-        &["eq-134"],
-    );
-    exact(
-        "√3",
-        escape::eq134_lag(1.0),
-        "prefactor of (134) as printed",
-        &["eq-134"],
-    );
-    exact(
-        "ρ/τ², printed",
-        escape::eq136_rho(1.0),
-        "prefactor of (135) and (136) as printed",
-        &["eq-135", "eq-136"],
-    );
-    exact(
-        "ρ/τ²",
-        corrected::amplitude(),
-        "prefactor that replaces that of (135) and (136)",
-        &["eq-135", "eq-136"],
-    );
-    exact(
-        "s/τ³, printed",
-        escape::eq137_s(1.0),
-        "prefactor of (137) as printed",
-        &["eq-137"],
-    );
-    exact(
-        "s/τ³",
-        corrected::s(1.0),
-        "prefactor that replaces that of (137)",
-        &["eq-137"],
-    );
-    exact(
-        "3√2/4",
-        corrected::delay(),
-        "cosh α cosh 2α over A at large times; lag of time per unit of ln τ",
-        &["eq-129"],
-    );
-    exact(
-        "A by (147) at α = 1",
-        rest::eq147_a(1.0),
-        "the printed boundary at α = 1",
-        &["eq-147"],
-    );
-    exact(
-        "7/6",
-        crate::corrections::rest::boundary_curvature(0.0),
-        "coefficient of α² on the boundary at ψ = 0",
-        &["eq-147", "s4-envelope-is-boundary"],
-    );
-    add(
-        "ρ_c",
-        critical_radius()?,
-        BISECTED,
-        "the largest distance at which a particle put down at rest comes to rest",
-        &["s4-rest-radius", "s4-envelope-is-boundary"],
-    );
-    add(
-        "p_c",
-        critical_speed()?,
-        BISECTED,
-        "the largest speed of a launch from the axis that comes to rest",
-        &["s4-rest-radius", "s4-envelope-is-boundary"],
-    );
-    Ok(all)
+/// A motion that cannot be followed.
+pub fn critical_radius() -> Result<f64, MotionError> {
+    static RADIUS: LazyLock<Result<f64, MotionError>> = LazyLock::new(turntable::critical_radius);
+    RADIUS.clone()
 }
 
-/// A value to so many significant digits, the rest cut off.
-fn decimals(value: f64, digits: usize) -> String {
-    let exponent = libm::floor(libm::log10(value.abs())) as i32;
-    let places = (digits as i32 - 1 - exponent).max(0) as usize;
-    // Two digits more, so that rounding does not reach those that are kept.
-    let mut text = format!("{value:.*}", places + 2);
-    text.truncate(text.len() - 2);
-    text
+/// A on the boundary at α = 0.1, ψ = 0.2; computed once.
+///
+/// # Errors
+/// A motion that cannot be followed.
+pub fn boundary_example() -> Result<f64, MotionError> {
+    static A: LazyLock<Result<f64, MotionError>> = LazyLock::new(|| turntable::boundary(0.1, 0.2));
+    A.clone()
+}
+
+/// The largest velocity of the periodic motion under a sine.
+fn largest(lambda: f64) -> Result<f64, Failure> {
+    Ok(settled(lambda, ORIGIN)?.largest().w.abs())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_value_belongs_to_a_claim() {
+        let ids: BTreeSet<_> = VALUES.iter().map(|value| value.id).collect();
+        assert_eq!(ids.len(), VALUES.len());
+        for value in VALUES {
+            assert!(claims::find(value.claim).is_some(), "{}", value.id);
+            assert!(value.shown().is_ok(), "{}", value.id);
+        }
+    }
 }

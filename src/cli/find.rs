@@ -1,12 +1,13 @@
 //! The command `find`.
 
 use super::output::{Failure, Format, VERSION, csv, json, say};
-use crate::claims::values::{Match, find as matches};
+use crate::claims::values::{Match, search};
+use crate::ledger::plain_words;
 use std::fmt::Write;
 
 /// Finds the claims that carry a number.
 pub(super) fn find(number: &str, format: Format) -> Result<u8, Failure> {
-    let found = matches(number)?;
+    let found = search(number)?;
     match format {
         Format::Text => say(&text(number, &found))?,
         Format::Json => json(&serde_json::json!({
@@ -15,22 +16,15 @@ pub(super) fn find(number: &str, format: Format) -> Result<u8, Failure> {
             "matches": found,
         }))?,
         Format::Csv => csv(
-            &[
-                "symbol",
-                "value",
-                "right",
-                "first_wrong",
-                "claims",
-                "meaning",
-            ],
+            &["name", "value", "right", "first_wrong", "claim", "meaning"],
             found.iter().map(|m| {
                 vec![
-                    m.symbol.to_owned(),
+                    m.name.to_owned(),
                     m.value.clone(),
                     m.right.to_string(),
                     m.first_wrong.map_or(String::new(), |n| n.to_string()),
-                    m.claims.join(" "),
-                    m.meaning.to_owned(),
+                    m.claim.to_owned(),
+                    plain_words(m.meaning),
                 ]
             }),
         )?,
@@ -44,8 +38,8 @@ fn text(number: &str, found: &[Match]) -> String {
     }
     let mut text = String::new();
     for m in found {
-        let _ = writeln!(text, "{} = {}  {}", m.symbol, m.value, m.meaning);
-        let _ = writeln!(text, "    claims: {}", m.claims.join(", "));
+        let _ = writeln!(text, "{} = {}  {}", m.name, m.value, plain_words(m.meaning));
+        let _ = writeln!(text, "    claim: {}", m.claim);
         let grade = match m.first_wrong {
             None => format!("all {} digits given are right", m.right),
             Some(n) => format!("{} digits are right, digit {n} is wrong", m.right),

@@ -2,8 +2,7 @@
 
 use super::output::{self, Failure, Format, VERSION, csv, json, say};
 use crate::claims::{self, Claim, TOPICS};
-use crate::ledger::errata;
-use crate::ledger::{Difference, Entry, Ledger, Record, Row, Verdict};
+use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
 use crate::{book, figures};
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
@@ -191,21 +190,19 @@ pub(super) fn list(
 /// Prints the errata.
 pub(super) fn print_errata(kind: ErrataFormat, format: Format) -> Result<u8, Failure> {
     let tried = Tried::new(None)?;
+    let letter = |format| tried.ledger.letter(format);
     match (kind, format) {
         (ErrataFormat::Json, _) | (_, Format::Json) => json(&serde_json::json!({
             "version": VERSION,
-            "errata": errata::errata(&tried.ledger),
+            "errata": tried.ledger.errata()?,
         }))?,
         (_, Format::Csv) => {
-            let row = |e: errata::Erratum| {
-                let id = e.id.to_owned();
-                vec![id, e.section.into(), e.printed.into(), e.corrected.into()]
-            };
-            let rows = errata::errata(&tried.ledger).into_iter().map(row);
+            let row = |e: ledger::Erratum| vec![e.id.to_owned(), e.section.into(), e.old, e.new];
+            let rows = tried.ledger.errata()?.into_iter().map(row);
             csv(&["id", "section", "printed", "corrected"], rows)?;
         }
-        (ErrataFormat::Latex, _) => say(&errata::latex(&tried.ledger))?,
-        (ErrataFormat::Text, _) => say(&errata::text(&tried.ledger))?,
+        (ErrataFormat::Latex, _) => say(&letter(ledger::Format::Latex)?)?,
+        (ErrataFormat::Text, _) => say(&letter(ledger::Format::Text)?)?,
     }
     Ok(tried.code())
 }

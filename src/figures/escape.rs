@@ -1,6 +1,7 @@
 //! The figures of section 4, escape. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Stroke, Table};
+use super::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table};
+use std::f64::consts::TAU;
 
 /// A quantity over its power of the time, with the printed and the corrected limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -126,5 +127,76 @@ pub fn paths(paths: &[Path]) -> Result<Figure, FigureError> {
         )
         .panel(on_table)
         .panel(in_laboratory)
+        .figure(table)
+}
+
+/// A particle put down on the table, and the way that it takes there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PutDown {
+    /// Distance from the axis.
+    pub rho: f64,
+    /// True if it comes to rest.
+    pub rests: bool,
+    /// (τ, x, y) on the table.
+    pub way: Vec<[f64; 3]>,
+}
+
+/// Rays along which the particles of [`fan`] are put down.
+const RAYS: u32 = 12;
+
+/// Particles put down at rest in the laboratory along rays, and what becomes of them on the table; `critical` is the
+/// radius that parts them. The ways are those along one ray; the others are the same, turned.
+///
+/// Fails as [`Plot::figure`] does.
+pub fn fan(ways: &[PutDown], critical: f64) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["rho_0", "fate", "tau", "x", "y"]);
+    let axis = |name| Axis::linear(name).range(-3.0, 3.0);
+    let turned = |[x, y]: [f64; 2], ray: u32| {
+        let (s, c) = libm::sincos(TAU * f64::from(ray) / f64::from(RAYS));
+        [c * x - s * y, s * x + c * y]
+    };
+    let circle = (0..=180).map(|i| libm::sincos(TAU * f64::from(i) / 180.0));
+    let circle = circle.map(|(s, c)| [critical * c, critical * s]);
+    let mut panel = Panel::new(axis("x"), axis("y")).equal().curve(
+        Curve::new(circle)
+            .ink()
+            .stroke(Stroke::Dotted)
+            .key("critical radius"),
+    );
+    let mut ends = Vec::new();
+    for (rests, words) in [(true, "rest"), (false, "escape")] {
+        for (n, way) in ways.iter().filter(|way| way.rests == rests).enumerate() {
+            for [tau, x, y] in &way.way {
+                let cells = [
+                    way.rho.into(),
+                    words.into(),
+                    (*tau).into(),
+                    (*x).into(),
+                    (*y).into(),
+                ];
+                table.row(cells)?;
+            }
+            for ray in 0..RAYS {
+                let points = way.way.iter().map(|&[_, x, y]| turned([x, y], ray));
+                let curve = Curve::new(points).series(usize::from(!rests));
+                let curve = curve.stroke(Stroke::Solid).width(1.3);
+                let first = n == 0 && ray == 0;
+                panel = panel.curve(if first { curve.key(words) } else { curve });
+                let end = way.way.last().filter(|_| rests);
+                ends.extend(end.map(|&[_, x, y]| turned([x, y], ray)));
+            }
+        }
+    }
+    Plot::new("escape-fan", "Put down on a turning record")
+        .caption(
+            "Particles put down at rest on a turning table, along twelve rays, and the ways that they take over it. \
+             Friction carries the inner ones along: where the dots are they rest. The outer ones slide off. Next to \
+             the critical radius a hair's breadth decides. Lengths in units of $\\mu g/\\Omega^2$.",
+        )
+        .alt(
+            "A wheel of twelve sheaves of curves. In each the inner curves are short and end in dots within a dotted \
+             circle, the outer ones sweep backwards around it in widening arcs and leave the picture.",
+        )
+        .panel(panel.points(Points::new(ends).series(0).marker(Marker::Disc).size(3.5)))
         .figure(table)
 }

@@ -45,6 +45,7 @@ pub mod constant;
 mod csv;
 pub mod escape;
 mod labels;
+pub mod map;
 mod marks;
 mod panel;
 mod path;

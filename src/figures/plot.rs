@@ -12,7 +12,7 @@ const KEY_LINE: f64 = 25.0;
 /// Sample of the key, with the space after it.
 const KEY_SAMPLE: f64 = 36.0;
 /// Typefaces: those of the formulas around, then what a machine has.
-const FACES: &str =
+pub(super) const FACES: &str =
     "KaTeX_Main, KaTeX_Math, 'Latin Modern Roman', 'STIX Two Text', 'Times New Roman', serif";
 
 /// A figure in the making.

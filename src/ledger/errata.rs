@@ -1,114 +1,220 @@
-//! The errata: what stands in the paper and is not so, with what is.
+//! The errata: what has to be changed in the paper, as data.
 
 use super::{Entry, Ledger, Verdict};
+use crate::claims::by_hand;
+use crate::claims::compare::Failure;
+use crate::evidence::{Evidence, Outcome, Subject};
 use serde::Serialize;
-use std::fmt::Write;
+use std::collections::BTreeSet;
 
-/// One entry of the errata.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+/// One claim that does not stand as printed.
+#[derive(Debug, Clone, Serialize)]
 pub struct Erratum {
-    /// The claim's id.
+    /// Id of the claim.
     pub id: &'static str,
-    /// Number of the equation, for a numbered one.
-    pub equation: Option<u16>,
     /// Section of the paper.
     pub section: &'static str,
+    /// Number of the equation, for a numbered one.
+    pub equation: Option<u16>,
+    /// What the claim is about.
+    pub title: &'static str,
     /// The verdict.
     pub verdict: Verdict,
-    /// The statement as printed, in LaTeX.
-    pub printed: &'static str,
-    /// What is right, in LaTeX.
-    pub corrected: &'static str,
-    /// The ground of the verdict.
+    /// What is printed; formulas in `$…$`.
+    pub old: String,
+    /// What should stand there; formulas in `$…$`.
+    pub new: String,
+    /// Why; formulas in `$…$`.
     pub reason: String,
-    /// Ids of the claims that depend on this one and fail too.
-    pub consequences: Vec<&'static str>,
-    /// The statement as printed and what is right, in plain text.
-    #[serde(skip)]
-    plain: [&'static str; 2],
+    /// A case that can be checked on paper, with its numbers; formulas in `$…$`.
+    pub case: Option<String>,
+    /// What was compared, and what came of it; one sentence a trial, formulas in `$…$`.
+    pub evidence: Vec<String>,
+    /// Ids of all claims that rest on this one, directly or not, and fall too.
+    pub fallen: Vec<&'static str>,
+    /// Ids of all others that rest on it, directly or not.
+    pub standing: Vec<&'static str>,
 }
 
-fn fails(entry: &Entry) -> bool {
-    matches!(
-        entry.judgement.verdict,
-        Verdict::Misprint | Verdict::Refuted
-    )
+/// Why there are no errata.
+#[derive(Debug, thiserror::Error)]
+pub enum ErrataError {
+    /// The numbers of a case cannot be had.
+    #[error("the case by hand of {claim}: {reason}")]
+    Case {
+        /// Id of the claim.
+        claim: &'static str,
+        /// What failed.
+        reason: Failure,
+    },
+    /// No JSON.
+    #[error("the errata as JSON: {0}")]
+    Json(#[from] serde_json::Error),
 }
 
-/// Every misprint and every refuted claim of the ledger, in its order.
-pub fn errata(ledger: &Ledger) -> Vec<Erratum> {
-    let erratum = |entry: &Entry| {
-        let claim = entry.claim;
-        let correction = claim.correction?;
-        let follows = |e: &&Entry| e.claim.depends_on.contains(&claim.id) && fails(e);
-        Some(Erratum {
-            id: claim.id,
-            equation: claim.equation,
-            section: claim.section,
-            verdict: entry.judgement.verdict,
-            printed: claim.latex,
-            corrected: correction.latex,
-            reason: entry.judgement.ground.clone(),
-            consequences: ledger
-                .entries
-                .iter()
-                .filter(follows)
-                .map(|e| e.claim.id)
-                .collect(),
-            plain: [claim.plain, correction.plain],
-        })
-    };
-    ledger
-        .entries
-        .iter()
-        .filter(|e| fails(e))
-        .filter_map(erratum)
-        .collect()
+impl Verdict {
+    /// True for a verdict that asks for a change in the paper.
+    pub fn asks_for_change(self) -> bool {
+        matches!(
+            self,
+            Verdict::Conditional | Verdict::Misprint | Verdict::Refuted
+        )
+    }
 }
 
-/// The errata as plain text.
-pub fn text(ledger: &Ledger) -> String {
-    let mut text = String::new();
-    for e in errata(ledger) {
-        let [printed, corrected] = e.plain;
-        let _ = writeln!(
-            text,
-            "{} (section {}): {}",
-            e.id,
-            e.section,
-            e.verdict.words()
-        );
-        let _ = writeln!(
-            text,
-            "    printed:    {printed}\n    instead:    {corrected}"
-        );
-        let _ = writeln!(text, "    because it {}", e.reason);
-        if !e.consequences.is_empty() {
-            let _ = writeln!(text, "    with it fall {}", e.consequences.join(", "));
+impl Ledger {
+    /// Ids of all claims that rest on a claim, directly or through others, in the ledger's order.
+    pub fn resting_on(&self, id: &str) -> Vec<&'static str> {
+        let mut found = BTreeSet::from([id]);
+        loop {
+            let before = found.len();
+            for entry in &self.entries {
+                if entry.claim.depends_on.iter().any(|on| found.contains(on)) {
+                    found.insert(entry.claim.id);
+                }
+            }
+            if found.len() == before {
+                break;
+            }
         }
-        text.push('\n');
+        let ids = self.entries.iter().map(|entry| entry.claim.id);
+        ids.filter(|other| *other != id && found.contains(other))
+            .collect()
     }
-    text
+
+    /// Every claim that does not stand as printed, in the paper's order.
+    ///
+    /// # Errors
+    /// [`ErrataError::Case`] if a motion cannot be followed.
+    pub fn errata(&self) -> Result<Vec<Erratum>, ErrataError> {
+        let entries = self.entries.iter();
+        let wrong = entries.filter(|entry| entry.judgement.verdict.asks_for_change());
+        wrong.map(|entry| self.erratum(entry)).collect()
+    }
+
+    fn erratum(&self, entry: &Entry) -> Result<Erratum, ErrataError> {
+        let claim = entry.claim;
+        let by_hand = by_hand::of(claim.id);
+        let case = by_hand.map(|case| case.words()).transpose();
+        let case = case.map_err(|reason| ErrataError::Case {
+            claim: claim.id,
+            reason,
+        })?;
+        let fails = |id: &&'static str| {
+            let entry = self.entry(id);
+            entry.is_some_and(|e| {
+                matches!(e.judgement.verdict, Verdict::Misprint | Verdict::Refuted)
+            })
+        };
+        let (fallen, standing) = self.resting_on(claim.id).into_iter().partition(fails);
+        Ok(Erratum {
+            id: claim.id,
+            section: claim.section,
+            equation: claim.equation,
+            title: claim.title,
+            verdict: entry.judgement.verdict,
+            old: statement(claim.latex, claim.equation),
+            new: new_text(entry),
+            reason: by_hand
+                .map_or_else(|| reason_of_condition(entry), |case| case.reason.to_owned()),
+            case,
+            evidence: entry
+                .evidence
+                .iter()
+                .map(|e| said(e, entry.is_conditional()))
+                .collect(),
+            fallen,
+            standing,
+        })
+    }
+
+    /// What a claim is called: `(82)`, `Figure 5`, or its title.
+    pub fn name(&self, id: &str) -> String {
+        let Some(entry) = self.entry(id) else {
+            return id.to_owned();
+        };
+        entry.claim.name()
+    }
 }
 
-/// The errata as the body of a LaTeX document.
-pub fn latex(ledger: &Ledger) -> String {
-    let mut text = String::from("\\begin{description}\n");
-    for e in errata(ledger) {
-        let name = e
-            .equation
-            .map_or(e.id.to_owned(), |n| format!("Equation ({n})"));
-        let set = |statement: &str| match statement.contains('$') {
-            true => statement.to_owned(),
-            false => format!("$\\displaystyle {statement}$"),
-        };
-        let _ = writeln!(
-            text,
-            "\\item[{name}] Section {}. Printed: {}. Instead: {}.",
-            e.section,
-            set(e.printed),
-            set(e.corrected)
-        );
+/// A statement with its formulas in `$…$`.
+fn statement(latex: &str, equation: Option<u16>) -> String {
+    match equation {
+        Some(_) if !latex.contains('$') => format!("${latex}$"),
+        _ => latex.to_owned(),
     }
-    text + "\\end{description}\n"
+}
+
+/// What should be printed: the correction, or what is printed with the missing conditions.
+fn new_text(entry: &Entry) -> String {
+    let claim = entry.claim;
+    let missing = claim
+        .conditions
+        .iter()
+        .filter(|c| !c.stated)
+        .map(|c| c.text);
+    let missing: Vec<_> = missing.collect();
+    if entry.judgement.verdict == Verdict::Conditional {
+        let general = claim.correction.map_or(String::new(), |c| {
+            format!(
+                ". A form that needs no condition: {}",
+                statement(c.latex, claim.equation)
+            )
+        });
+        return format!("add: {}{general}", missing.join("; "));
+    }
+    let Some(correction) = claim.correction else {
+        return String::new();
+    };
+    let new = statement(correction.latex, claim.equation);
+    match missing.is_empty() {
+        true => new,
+        false => format!("{new}, for {}", missing.join("; ")),
+    }
+}
+
+/// Why a condition is needed: what happens without it.
+fn reason_of_condition(entry: &Entry) -> String {
+    let outside = entry
+        .evidence
+        .iter()
+        .filter(|e| e.subject == Subject::Outside);
+    let fails = outside
+        .filter(|e| e.outcome() == Outcome::Disagrees)
+        .map(|e| {
+            let how = match e.worst.is_infinite() {
+                true => "no value where the motion has one".to_owned(),
+                false => format!("a disagreement of {:.1e}", e.worst),
+            };
+            let at = match e.at.as_str() {
+                "" => String::new(),
+                at => format!(", for instance at {at}"),
+            };
+            format!("without the condition ({}): {how}{at}", e.compared)
+        });
+    fails.collect::<Vec<_>>().join("; ")
+}
+
+/// A trial in one sentence.
+fn said(e: &Evidence, conditional: bool) -> String {
+    let outcome = match e.outcome() {
+        Outcome::Agrees if e.route.is_proof() => "proved".to_owned(),
+        Outcome::Agrees if e.tolerance.value == 0.0 => format!("agrees at {} points", e.points),
+        Outcome::Agrees => format!("agrees to {:.0e} at {} points", e.tolerance.value, e.points),
+        Outcome::Disagrees if e.route.is_proof() => "fails".to_owned(),
+        Outcome::Disagrees if e.worst.is_infinite() => {
+            "has no value where the motion has one".to_owned()
+        }
+        Outcome::Disagrees => format!(
+            "differs by up to {:.1e}, {:.0e} allowed, {} points",
+            e.worst, e.tolerance.value, e.points
+        ),
+        Outcome::NotANumber | Outcome::TooFewPoints => "open".to_owned(),
+    };
+    format!(
+        "{}, by {}: {}: {outcome}",
+        e.subject.words(conditional),
+        e.route.name(),
+        e.compared
+    )
 }

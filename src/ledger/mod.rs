@@ -1,6 +1,10 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
-pub mod errata;
+#[cfg(feature = "book")]
+mod errata;
+#[cfg(feature = "book")]
+mod letter;
+mod plain;
 mod record;
 mod row;
 #[cfg(feature = "book")]
@@ -9,6 +13,11 @@ mod sheet;
 mod table;
 mod verdict;
 
+#[cfg(feature = "book")]
+pub use errata::{ErrataError, Erratum};
+#[cfg(feature = "book")]
+pub use letter::Format;
+pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
 pub use row::{EvidenceRow, Row};
 pub use verdict::{Judgement, Verdict, in_view_of, judge};

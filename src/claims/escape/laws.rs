@@ -91,23 +91,23 @@ pub fn lag(l: &Late) -> f64 {
     l.state.lag() * l.tau
 }
 /// α − ⅓ ln A.
-fn alpha_by_a(l: &Late) -> f64 {
+pub fn alpha_by_a(l: &Late) -> f64 {
     alpha(&l.state) - libm::log(a(&l.state)) / 3.0
 }
 /// τ dα/dτ.
-fn alpha_rate(l: &Late) -> f64 {
+pub fn alpha_rate(l: &Late) -> f64 {
     l.tau * l.alpha_rate
 }
 /// dA/dτ over A^(1/3).
-fn a_rate(l: &Late) -> f64 {
+pub fn a_rate(l: &Late) -> f64 {
     l.a_rate / libm::cbrt(a(&l.state))
 }
 /// cosh α cosh 2α over A, where (129) has 1.
-fn product(l: &Late) -> f64 {
+pub fn product(l: &Late) -> f64 {
     printed::eq129_a(alpha(&l.state)) / a(&l.state)
 }
 /// (128) times τ.
-fn eq128(l: &Late) -> f64 {
+pub fn eq128(l: &Late) -> f64 {
     l.tau * printed::eq128_alpha_rate(alpha(&l.state), a(&l.state))
 }
 /// What replaces (128), times τ.

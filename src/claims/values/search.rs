@@ -1,20 +1,20 @@
 //! The search for a number among the known ones, digit by digit.
 
-use super::{Named, values};
+use super::{VALUES, Value};
 use crate::claims::compare::Failure;
 use serde::Serialize;
 
 /// A number found among those of the claims.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Match {
-    /// Its symbol.
-    pub symbol: &'static str,
+    /// Its short name.
+    pub name: &'static str,
     /// Its value, to as many digits as are known.
     pub value: String,
-    /// What it is.
+    /// What it is; formulas in `$…$`.
     pub meaning: &'static str,
-    /// Ids of the claims that carry it.
-    pub claims: &'static [&'static str],
+    /// Id of the claim that carries it.
+    pub claim: &'static str,
     /// How many of the given significant digits are right, from the first on.
     pub right: usize,
     /// Which significant digit is the first wrong one, counted from 1; nothing if all are right or beyond what is
@@ -36,13 +36,13 @@ const ENOUGH: usize = 3;
 /// first wrong digit. The last digit given may be rounded or cut off.
 ///
 /// # Errors
-/// A text that is no decimal number; and those of [`values`].
-pub fn find(given: &str) -> Result<Vec<Match>, Failure> {
+/// A text that is no decimal number, and a value that cannot be computed.
+pub fn search(given: &str) -> Result<Vec<Match>, Failure> {
     let wanted = Digits::read(given).ok_or_else(|| NotDecimal(given.to_owned()))?;
-    let mut found: Vec<Match> = values()?
-        .into_iter()
-        .filter_map(|v| wanted.grade(v))
-        .collect();
+    let mut found = Vec::new();
+    for value in VALUES {
+        found.extend(wanted.grade(value)?);
+    }
     if found.iter().any(|m| m.first_wrong.is_none()) {
         found.retain(|m| m.first_wrong.is_none());
     } else {
@@ -92,10 +92,11 @@ impl Digits {
     }
 
     /// How far a value has these digits; nothing if not even sign and size are the same.
-    fn grade(&self, value: Named) -> Option<Match> {
-        let known = Digits::read(&value.decimals)?;
+    fn grade(&self, value: &Value) -> Result<Option<Match>, Failure> {
+        let decimals = value.digits()?;
+        let known = Digits::read(&decimals).ok_or_else(|| NotDecimal(decimals.clone()))?;
         if known.negative != self.negative || known.power != self.power {
-            return None;
+            return Ok(None);
         }
         let given = self.digits.len();
         let same = self
@@ -111,15 +112,15 @@ impl Digits {
         } else {
             same
         };
-        Some(Match {
-            symbol: value.symbol,
-            value: value.decimals,
+        Ok(Some(Match {
+            name: value.id,
+            value: decimals,
             meaning: value.meaning,
-            claims: value.claims,
+            claim: value.claim,
             right,
             first_wrong: (!settled).then_some(same + 1),
             column: (!settled).then(|| self.columns[same]),
-        })
+        }))
     }
 
     /// Whether these digits are the first of the known ones, rounded up.

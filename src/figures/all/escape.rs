@@ -3,12 +3,13 @@
 use super::AllFiguresError;
 use crate::claims::escape::laws::{self, Quantity, lag, size, speed};
 use crate::claims::escape::runs::{Flight, Late, Launch};
+use crate::claims::values::critical_radius;
 use crate::figures::{Figure, escape as escape_figures};
 use crate::motion::MotionError;
 use crate::motion::turntable::{State, Table, inertial};
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
-    Ok(vec![compensated()?, paths()?])
+    Ok(vec![compensated()?, paths()?, fan()?])
 }
 
 /// Three escapes, over seven decades of the time.
@@ -90,4 +91,41 @@ fn paths() -> Result<Figure, AllFiguresError> {
         path(0.86, 14.0, "ρ_0 = 0.86: rest")?,
         path(0.89, 14.0, "ρ_0 = 0.89: escape")?,
     ])?)
+}
+
+/// Particles put down along a ray, on both sides of the critical radius.
+fn fan() -> Result<Figure, AllFiguresError> {
+    let critical = critical_radius()?;
+    let steps = [
+        -0.5, -0.36, -0.24, -0.14, -0.06, -0.01, 0.001, 0.01, 0.05, 0.12, 0.24, 0.4,
+    ];
+    let ways = steps.map(|step| -> Result<_, MotionError> {
+        let rho = critical + step;
+        let start = State {
+            t: 0.0,
+            x: [rho, 0.0],
+            v: [0.0; 2],
+        };
+        let run = inertial::run(&Table::default(), &start, 16.0)?;
+        let rests = run.resting_place().is_some();
+        // What happens at rest, or outside the picture, adds nothing.
+        let end = run
+            .stops()
+            .last()
+            .copied()
+            .filter(|_| rests)
+            .unwrap_or(16.0);
+        let mut way = Vec::new();
+        for i in 0..=120 {
+            let t = end * f64::from(i) / 120.0;
+            let seen = run.on_table(t)?;
+            way.push([t, seen.x[0], seen.x[1]]);
+            if seen.radius() > 4.5 {
+                break;
+            }
+        }
+        Ok(escape_figures::PutDown { rho, rests, way })
+    });
+    let ways = ways.into_iter().collect::<Result<Vec<_>, _>>()?;
+    Ok(escape_figures::fan(&ways, critical)?)
 }

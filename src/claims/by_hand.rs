@@ -1,0 +1,340 @@
+//! For each claim that fails: why, and a case in which a reader can see it with paper and pencil.
+//!
+//! The words are ours; the two numbers in them are computed, the stated one from the printed formula, the found one
+//! from the motion. The judge reads none of this.
+
+use super::anisotropic::runs::{self as drift, Curves};
+use super::compare::Failure;
+use super::escape::laws::{self, Quantity};
+use super::escape::runs::escapes;
+use super::sinusoidal::runs::{ORIGIN, drive, settled};
+use super::values::boundary_example;
+use crate::motion::drive::{PlanarState, Sign};
+use crate::motion::sphere::{Ball, Motion, Sphere};
+use crate::motion::{Plane, State, run};
+use crate::paper::{anisotropic, escape, rest, sphere, turntable as table};
+use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, SQRT_2, TAU};
+
+/// A case of a claim that fails.
+#[derive(Debug, Clone, Copy)]
+pub struct ByHand {
+    /// Id of the claim.
+    pub claim: &'static str,
+    /// Where the derivation goes wrong; formulas in `$…$`.
+    pub reason: &'static str,
+    /// The case; formulas in `$…$`, `{stated}` and `{found}` for the two numbers.
+    pub case: &'static str,
+    /// Digits shown of the numbers.
+    digits: usize,
+    /// The number by the claim as printed.
+    pub stated: fn() -> Result<f64, Failure>,
+    /// The number that the motion has.
+    pub found: fn() -> Result<f64, Failure>,
+}
+
+impl ByHand {
+    /// The stated and the found number, as shown.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed.
+    pub fn numbers(&self) -> Result<[String; 2], Failure> {
+        let shown = |value: f64| {
+            let text = format!("{value:.*}", self.digits);
+            // No sign is left of a zero.
+            let zero = text
+                .strip_prefix('-')
+                .filter(|size| size.parse() == Ok(0.0));
+            zero.map_or(text.clone(), str::to_owned)
+        };
+        Ok([shown((self.stated)()?), shown((self.found)()?)])
+    }
+
+    /// The case with its numbers, formulas in `$…$`.
+    ///
+    /// # Errors
+    /// As [`ByHand::numbers`].
+    pub fn words(&self) -> Result<String, Failure> {
+        let [stated, found] = self.numbers()?;
+        let words = self.case.replace("{stated}", &stated);
+        Ok(words.replace("{found}", &found))
+    }
+}
+
+/// The case of a claim, if it has one.
+pub fn of(claim: &str) -> Option<&'static ByHand> {
+    CASES.iter().find(|case| case.claim == claim)
+}
+
+/// All cases, in the paper's order.
+pub static CASES: [ByHand; 19] = [
+    ByHand {
+        claim: "s22-vy-two-stages",
+        reason: "An exponential needs a rate. Friction across the drive is $\\lambda_0v_y/v$, and at each zero of $v_x$ the divisor is $v_y$ itself: the smaller $v_y$, the more it loses there",
+        case: "Take $\\lambda_0=1/\\pi$, as in figure 3. By (39) $\\cos\\tilde\\phi_1=\\frac12$, so that $\\mathfrak w$ passes through zero with the slopes $s\\pm\\lambda_0$, $s=\\sqrt3/2$. Beside a zero $\\mathrm d\\ln v_y/\\mathrm d\\phi=-\\lambda_0/[(s\\pm\\lambda_0)\\lvert\\phi-\\tilde\\phi_1\\rvert]$, until $\\lvert\\mathfrak w\\rvert$ is as small as $v_y$: each passage multiplies $\\ln v_y$ by $(s+\\lambda_0)/(s-\\lambda_0)=2.162$, each period by its square. An exponential would multiply it by {stated} in the end; the motion multiplies it by {found}",
+        digits: 3,
+        stated: || Ok(1.0),
+        found: growth_of_logarithm,
+    },
+    ByHand {
+        claim: "s24-region-2",
+        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion",
+        case: "Take $q=9$, $\\lambda_0=0.1$: below C at $1/9$, and far above A. The drive can pull backward only while $\\sin\\phi<-0.9$, from $\\phi=4.261$ to $5.163$. The forward motion begins at $0.100$, and at $5.163$ its velocity is $0.995-0.436-0.1\\,(5.163-0.100)=0.053$, still positive. Backward intervals in a period: {stated} printed, {found} in the motion",
+        digits: 0,
+        stated: || Ok(backward(anisotropic::ORDERS[printed_region(9.0, 0.1)? - 1])),
+        found: || {
+            Ok(backward(&drift::order(
+                drift::attractor(9.0, 0.1)?.intervals(),
+            )))
+        },
+    },
+    ByHand {
+        claim: "fig-5",
+        reason: "The diagram lacks the border E of region II beyond Y, and there C separates nothing",
+        case: "Take $q=6.5$, $\\lambda_0=0.15$, just below C at $0.154$. The last moment at which the drive can pull backward, $\\sin\\phi=-0.975$, is $\\phi=4.936$; the forward motion, begun at $0.151$, has the velocity $0.989-0.222-0.15\\,(4.936-0.151)=0.049$ there, still positive. The diagram puts the point into region {stated}; the motion is that of region {found}",
+        digits: 0,
+        stated: || Ok(printed_region(6.5, 0.15)? as f64),
+        found: || Ok(drift::simulated(6.5, 0.15)? as f64),
+    },
+    ByHand {
+        claim: "eq-75",
+        reason: "A sign. By (61) and (71) $\\bm u-\\dot{\\bm\\rho}=\\hat{\\bm z}\\times\\bm\\zeta$, and $\\hat{\\bm z}\\times(\\hat{\\bm z}\\times\\bm\\zeta)=\\hat{\\bm z}\\zeta_3-\\bm\\zeta$",
+        case: "A sphere rolls towards $+\\hat{\\bm x}$ with $\\dot{\\bm\\rho}=\\hat{\\bm x}$, $\\bm u=0$. Its top goes forward, so it turns about $+\\hat{\\bm y}$. Printed: $\\zeta_y={stated}$. In the motion: $\\zeta_y={found}$",
+        digits: 3,
+        stated: || Ok(sphere::eq75_spin(0.0, [0.0; 3], [1.0, 0.0, 0.0])[1]),
+        found: || {
+            let end = thrown(0.0, 2.0)?.end();
+            Ok(end.omega[1] / end.v[0])
+        },
+    },
+    ByHand {
+        claim: "eq-82",
+        reason: "A factor. (13) contains $A$; in units of $\\mu g$ its place is taken by $\\gamma=A/(\\mu g)$, which is left out",
+        case: "A solid sphere, $b=\\frac72$, on a plane with $A=2\\mu g$: $\\gamma=2$, $\\lambda=\\frac74$. It is thrown across, $\\theta_0=\\pi/2$, without spin, with $u_0=1$. By (74) $\\lambda u+u_x$ changes at the rate $\\gamma(1-\\lambda^2)=-\\frac{33}8$, from $\\frac74$ to 0: the slip ends at $\\tau=\\frac{14}{33}$. Printed: {stated}. In the motion: {found}",
+        digits: 4,
+        stated: || Ok(sphere::eq82_time(1.75, 1.0, FRAC_PI_2, 1e-12)),
+        found: end_of_slip,
+    },
+    ByHand {
+        claim: "eq-83",
+        reason: "A factor. It follows from (82) as printed and lacks the same $\\gamma$",
+        case: "The same sphere at the end of its slip, $\\tau=\\frac{14}{33}$, $\\theta=0$. Printed: $u=[(1-\\frac{49}{16})\\frac{14}{33}+\\frac74]/(\\frac74+1)={stated}$. In the motion: $u={found}$",
+        digits: 4,
+        stated: || {
+            Ok(sphere::eq83_slip_at_time(
+                1.75,
+                1.0,
+                FRAC_PI_2,
+                0.0,
+                14.0 / 33.0,
+            ))
+        },
+        found: || {
+            let slip = thrown(2.0, 1.0)?.slip(end_of_slip()?)?;
+            Ok(libm::hypot(slip[0], slip[1]))
+        },
+    },
+    ByHand {
+        claim: "eq-106",
+        reason: "A factor. The length $s$ of (104) is $\\Omega^2/(\\mu g)$ times the way; multiplied by $m(\\mu g)^2/\\Omega^2$ it gives $m\\,\\mu g$ times the way, and the $\\mu$ is lost in print",
+        case: "Let the table turn so slowly that it may be at rest: $m=1$, $\\mu=\\frac12$, $g=10$, and a push of $v=5$. Friction slows at the rate $\\mu g=5$, over the way $s=v^2/(2\\mu g)=2.5$. The energy $\\frac12v^2$ that is gone must be made up by the last term. Printed: $mgs={stated}$. In the motion: {found}",
+        digits: 1,
+        stated: || Ok(-table::friction_work(1.0, 10.0, way()?)),
+        found: energy_lost,
+    },
+    ByHand {
+        claim: "s4-coriolis-no-work",
+        reason: "As in (106): the work of friction is $-m\\mu gs$. That the Coriolis force does no work is right",
+        case: "The same particle: $m=1$, $\\mu=\\frac12$, $g=10$, $v=5$, stopped after $s=2.5$. The work of friction, printed: $-mgs={stated}$. In the motion the kinetic energy changes by $-\\frac12v^2={found}$",
+        digits: 1,
+        stated: || Ok(table::friction_work(1.0, 10.0, way()?)),
+        found: || Ok(-energy_lost()?),
+    },
+    ByHand {
+        claim: "eq-128",
+        reason: "$\\psi$ is put at $\\psi_1$, where $\\dot\\psi=0$. But $\\psi_1$ moves as fast as $\\psi$ relaxes, and $\\cos\\psi$ stays $\\sqrt2$ times as large as $\\cos\\psi_1$",
+        case: "At late times $\\mathrm e^{2\\alpha}=\\sqrt2\\,\\tau$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$ (from the laboratory, see (136) and (132)). Then $1/\\cosh2\\alpha=\\sqrt2/\\tau$ and $\\cosh\\alpha/A=\\frac32/\\tau$. The printed right-hand side is $(\\sqrt2-\\frac32)/\\tau={stated}/\\tau$: $\\alpha$ would fall. In the motion $\\dot\\alpha={found}/\\tau$: it grows",
+        digits: 4,
+        stated: || late(laws::eq128),
+        found: || late(laws::alpha_rate),
+    },
+    ByHand {
+        claim: "eq-129",
+        reason: "$\\alpha$ is put where (128) vanishes. But $\\dot\\alpha=1/(2\\tau)$ is as large as either term of (128)",
+        case: "At late times $\\cosh\\alpha=\\frac12 2^{1/4}\\tau^{1/2}$, $\\cosh2\\alpha=\\tau/\\sqrt2$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, so that $\\cosh\\alpha\\cosh2\\alpha/A=\\frac3{2\\sqrt2}$. Printed: {stated}. In the motion: {found}",
+        digits: 4,
+        stated: || Ok(1.0),
+        found: || late(laws::product),
+    },
+    ByHand {
+        claim: "eq-130",
+        reason: "It is (129) for large $A$, and inherits its factor",
+        case: "$\\alpha-\\frac13\\ln A$ tends to $\\frac13\\ln4={stated}$ as printed. With $\\mathrm e^{2\\alpha}=\\sqrt2\\,\\tau$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$ it is $\\frac13\\ln(3\\sqrt2)$. In the motion: {found}",
+        digits: 4,
+        stated: || Ok(escape::eq130_alpha(1.0)),
+        found: || late(laws::alpha_by_a),
+    },
+    ByHand {
+        claim: "eq-131",
+        reason: "It is (113) with (130) put in, and inherits its factor",
+        case: "$\\dot A/A^{1/3}$ tends to $\\frac12 4^{1/3}={stated}$ as printed. With $A=\\frac13 2^{1/4}\\tau^{3/2}$ it is $\\frac12(3\\sqrt2)^{1/3}$. In the motion: {found}",
+        digits: 4,
+        stated: || Ok(escape::eq131_a_rate(1.0)),
+        found: || late(laws::a_rate),
+    },
+    ByHand {
+        claim: "eq-132",
+        reason: "It is the integral of (131). The power is right, the factor is not",
+        case: "By (104) $A^2/2=s$ up to a constant, and $s=\\int p\\,\\mathrm d\\tau=\\tau^3/(9\\sqrt2)$, see (136). So $A/\\tau^{3/2}$ tends to $\\frac13 2^{1/4}$. Printed: {stated}. In the motion: {found}",
+        digits: 4,
+        stated: || Ok(laws::printed_size()),
+        found: || late(laws::size),
+    },
+    ByHand {
+        claim: "eq-133",
+        reason: "It is (130) with (132) put in",
+        case: "$\\mathrm e^\\alpha=2p/A$ at large $\\alpha$. With $p=\\tau^2/(3\\sqrt2)$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, $\\alpha-\\frac12\\ln\\tau$ tends to $\\frac12\\ln\\sqrt2$. Printed: $\\frac12\\ln\\frac43={stated}$. In the motion: {found}",
+        digits: 4,
+        stated: || Ok(escape::eq133_alpha(1.0)),
+        found: || late(laws::excess),
+    },
+    ByHand {
+        claim: "eq-134",
+        reason: "For large $\\alpha$, $\\pi/2-\\psi_1=2\\mathrm e^{-2\\alpha}$; with (133) that is $\\frac3{2\\tau}$. The printed power is that of $\\mathrm e^{-\\alpha}$, and $\\psi$ is not $\\psi_1$",
+        case: "By (108) $\\dot\\rho=p\\cos\\psi$. If $p=\\rho=c\\tau^2$, then $2c\\tau=c\\tau^2\\cos\\psi$, whatever $c$ is: $\\cos\\psi=2/\\tau$. At $\\tau=1200$ that is an angle of $1/600$ short of $\\pi/2$. Printed: {stated}. By the motion's limit: {found}",
+        digits: 5,
+        stated: || Ok(escape::eq134_lag(1200.0)),
+        found: || Ok(late(laws::lag)? / 1200.0),
+    },
+    ByHand {
+        claim: "eq-135",
+        reason: "It is (111) with (132) and (133) put in. The power is right, the factor is not",
+        case: "In the laboratory friction is the only force, of size 1, across the position at late times. With $\\rho=p=c\\tau^2$ and the direction $\\vartheta$, the law along the position is $\\ddot\\rho=\\rho\\dot\\vartheta^2$, so $\\dot\\vartheta=\\sqrt2/\\tau$; across it, $\\rho\\ddot\\vartheta+2\\dot\\rho\\dot\\vartheta=3\\sqrt2\\,c$ must be the friction. The printed $c=\\frac29$ needs a friction of {stated}; it is {found}",
+        digits: 4,
+        stated: || Ok(3.0 * SQRT_2 * laws::printed_speed()),
+        found: || Ok(3.0 * SQRT_2 * late(laws::speed)?),
+    },
+    ByHand {
+        claim: "eq-136",
+        reason: "It is (112) with (132) and (133) put in. The power is right, the factor is not",
+        case: "In the laboratory friction is the only force, of size 1, across the position at late times. With $\\rho=c\\tau^2$ and the direction $\\vartheta$, $\\ddot\\rho=\\rho\\dot\\vartheta^2$ gives $\\dot\\vartheta=\\sqrt2/\\tau$, and $\\rho\\ddot\\vartheta+2\\dot\\rho\\dot\\vartheta=1$ gives $3\\sqrt2\\,c=1$. Printed: $c={stated}$. In the motion: $c={found}$",
+        digits: 4,
+        stated: || Ok(escape::eq136_rho(1.0)),
+        found: || late(laws::distance),
+    },
+    ByHand {
+        claim: "eq-137",
+        reason: "It is the integral of (135)",
+        case: "$s=\\int p\\,\\mathrm d\\tau$ is a third of $c\\tau^3$, with the $c$ of (136): $s/\\tau^3$ tends to $1/(9\\sqrt2)$. Printed: {stated}. In the motion: {found}",
+        digits: 5,
+        stated: || Ok(escape::eq137_s(1.0)),
+        found: || late(laws::way),
+    },
+    ByHand {
+        claim: "s4-envelope-is-boundary",
+        reason: "(145) holds for $\\alpha\\ll1-\\sigma$, and its envelope lies at $\\alpha=\\sqrt2(1-\\sigma)$, where it does not. A state has one future: surfaces of different $\\sigma$ never meet and have no envelope",
+        case: "Take $\\alpha=0.1$, $\\psi=0.2$. With $a=A-1$ small, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: the states on $a=-\\alpha$ just come to rest, and those below do too. So the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion: {found}. A start with $A=0.88$ is to go off, and comes to rest",
+        digits: 4,
+        stated: || Ok(rest::eq147_a(0.1)),
+        found: || Ok(boundary_example()?),
+    },
+];
+
+/// The limit of a quantity of an escape, which does not depend on the start.
+fn late(quantity: Quantity) -> Result<f64, Failure> {
+    let escape = escapes().next().ok_or("no escape")??;
+    Ok(laws::limit(escape, quantity)?.value)
+}
+
+/// The factor by which ln v_y grows in a period at friction 1/π.
+fn growth_of_logarithm() -> Result<f64, Failure> {
+    let motion = settled(FRAC_1_PI, ORIGIN)?;
+    let mut slips = motion.intervals().iter();
+    let slip = slips.rfind(|i| i.sign == Sign::Positive);
+    let slip = slip.ok_or("no slip")?;
+    let phi = 0.5 * (slip.start + slip.end);
+    let start = PlanarState {
+        phi,
+        w_x: motion.w(phi),
+        ln_w_y: -1e9,
+    };
+    let states = drive()?.planar(FRAC_1_PI, start, &[phi + TAU])?;
+    let end = states.first().ok_or("no state")?;
+    Ok(end.ln_w_y / start.ln_w_y)
+}
+
+/// The region that the printed list gives to a point.
+fn printed_region(q: f64, lambda0: f64) -> Result<usize, Failure> {
+    let region = anisotropic::region(lambda0, &Curves::at(q)?.printed);
+    Ok(region.ok_or("the point lies on a curve")?)
+}
+
+/// The number of backward intervals in the order of a period.
+fn backward(order: &str) -> f64 {
+    order.matches('-').count() as f64
+}
+
+/// A solid sphere thrown across with slip velocity 1 and no spin, on a plane with A = γμg, units of R and μg.
+fn thrown(gamma: f64, until: f64) -> Result<Motion, Failure> {
+    let start = match gamma {
+        // Nothing is across: along the x axis.
+        0.0 => [1.0, 0.0],
+        _ => [0.0, 1.0],
+    };
+    let start = Ball {
+        t: 0.0,
+        x: [0.0, 0.0],
+        v: start,
+        omega: [0.0; 3],
+    };
+    Ok(Sphere::with_kappa(0.4).run(&Plane::constant([-gamma, 0.0]), &start, until)?)
+}
+
+/// The time at which the sphere with γ = 2 begins to roll.
+fn end_of_slip() -> Result<f64, Failure> {
+    let motion = thrown(2.0, 1.0)?;
+    Ok(motion.transitions().first().ok_or("it slips on")?.t)
+}
+
+/// The motion of a particle that friction of 5 slows down from the velocity 5: its end.
+fn stopped() -> Result<State, Failure> {
+    let start = State {
+        t: 0.0,
+        v: [5.0, 0.0],
+        x: [0.0, 0.0],
+    };
+    Ok(run(&Plane::constant([0.0, 0.0]), 5.0, start, 2.0)?.end())
+}
+
+/// The way that it makes.
+fn way() -> Result<f64, Failure> {
+    Ok(stopped()?.x[0])
+}
+
+/// The kinetic energy that it loses, mass 1.
+fn energy_lost() -> Result<f64, Failure> {
+    let v = stopped()?.v[0];
+    Ok(0.5 * (25.0 - v * v))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims;
+
+    #[test]
+    fn every_case_shows_a_difference() {
+        for case in &CASES {
+            assert!(claims::find(case.claim).is_some(), "{}", case.claim);
+            let (stated, found) = ((case.stated)().unwrap(), (case.found)().unwrap());
+            let step = 0.1_f64.powi(case.digits as i32);
+            assert!(
+                (stated - found).abs() > 3.0 * step || case.digits == 0 && stated != found,
+                "{}: {stated}, {found}",
+                case.claim
+            );
+            let words = case.words().unwrap();
+            assert!(!words.contains("{stated}") && !words.contains("{found}"));
+            assert_eq!(words.matches('$').count() % 2, 0, "{words}");
+        }
+    }
+}
