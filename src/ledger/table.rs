@@ -23,7 +23,7 @@ impl Entry {
 }
 
 impl Ledger {
-    /// All claims by section: id, formula, verdict, worst disagreement unless it is proved, routes.
+    /// All claims by section: id, formula, verdict, that it is proved or else the worst disagreement, routes.
     pub fn table(&self) -> String {
         let mut sections: Vec<&str> = self.entries.iter().map(|e| e.claim.section).collect();
         sections.sort_unstable();
@@ -32,8 +32,13 @@ impl Ledger {
         for section in sections {
             let _ = writeln!(text, "\nSection {section}");
             for entry in self.entries.iter().filter(|e| e.claim.section == section) {
+                // Of a claim that fails, how badly it does is what matters here.
+                let fails = matches!(
+                    entry.judgement.verdict,
+                    Verdict::Misprint | Verdict::Refuted
+                );
                 let worst = match entry.worst() {
-                    _ if entry.is_proved() => "proved".to_owned(),
+                    _ if entry.is_proved() && !fails => "proved".to_owned(),
                     Some(e) => format!("{:.0e}", e.worst),
                     None => String::new(),
                 };
