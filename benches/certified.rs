@@ -26,8 +26,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+type Trial = fn() -> Evidence;
+
 /// The trials of the ledger, each once.
-const CERTIFICATES: [(&str, fn() -> Evidence); 14] = [
+const CERTIFICATES: [(&str, Trial); 14] = [
     ("λ_c to 50 digits", sinusoidal::certified::lambda_c),
     ("bracket of φ̃₂", sinusoidal::certified::bracket),
     ("one change in (35)", sinusoidal::certified::threshold),

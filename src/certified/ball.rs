@@ -148,9 +148,11 @@ impl Ball {
     /// Its decimals, correctly rounded to `digits` after the point; `None` if it is too wide to tell.
     pub fn decimal(&self, digits: usize) -> Option<String> {
         let ten = IBig::from(10).pow(digits);
-        // ⌊x 10ᵈ + 1/2⌋ at both bounds.
-        let half = IBig::ONE << (self.bits - 1);
-        let [lo, hi] = self.bounds().map(|x| (x * &ten + &half) >> self.bits);
+        // ⌊x 10ᵈ + 1/2⌋ at both bounds, twice over.
+        let half = IBig::ONE << self.bits;
+        let [lo, hi]: [IBig; 2] = self
+            .bounds()
+            .map(|x| (x * &ten * 2u8 + &half) >> (self.bits + 1));
         if lo != hi {
             return None;
         }

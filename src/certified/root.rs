@@ -55,7 +55,7 @@ pub fn refine(
     }
     // Each step doubles the bits, but for a few that the slope and rounding cost.
     let mut steps = vec![bits + 8];
-    while let Some(&least) = steps.last().filter(|&&bits| bits > 2 * x.known_bits() - 8) {
+    while let Some(&least) = steps.last().filter(|&&bits| bits + 8 > 2 * x.known_bits()) {
         if least / 2 + 8 >= least {
             break;
         }

@@ -84,6 +84,7 @@ pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, Certifie
 fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
     let mut state = start;
     let (mut rest, mut h) = (None, 1.0);
+    let resting = |sigma, steps| Fate::Rest { sigma, steps };
     for steps in 0..STEPS {
         match judge(&state) {
             Some(Judged::Escape) => return Ok(Fate::Escape { steps }),
@@ -92,15 +93,20 @@ fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
                 let closer = rest.map_or(Some(sigma), |known| sigma.meet(known));
                 let sigma = closer.ok_or_else(|| unsettled(&state))?;
                 if sigma.width() <= width || rest == Some(sigma) {
-                    return Ok(Fate::Rest { sigma, steps });
+                    return Ok(resting(sigma, steps));
                 }
                 rest = Some(sigma);
             }
             None => {}
         }
-        state = step(&Law, &state, &mut h)?;
+        state = match (step(&Law, &state, &mut h), rest) {
+            (Ok(next), _) => next,
+            (Err(_), Some(sigma)) => return Ok(resting(sigma, steps)),
+            (Err(error), None) => return Err(error),
+        };
     }
-    Err(unsettled(&start))
+    let known = rest.map(|sigma| resting(sigma, STEPS));
+    known.ok_or_else(|| unsettled(&start))
 }
 
 fn unsettled(state: &[Interval]) -> CertifiedError {

@@ -207,15 +207,13 @@ fn no_value(of: &Ball) -> CertifiedError {
 
 /// √(n/m).
 fn root_of_ratio(n: i64, m: i64, bits: usize) -> Result<Ball, CertifiedError> {
-    let (n, m) = (Ball::int(n, bits + 8), Ball::int(m, bits + 8));
-    let root = n.over(&m).and_then(|ratio| ratio.sqrt());
-    root.map(|root| root.with_bits(bits + 8))
-        .ok_or_else(|| no_value(&m))
+    let root = Ball::ratio(n, m, bits + 8).and_then(|ratio| ratio.sqrt());
+    root.ok_or_else(|| no_value(&Ball::int(m, 1)))
 }
 
+/// φ̃₂ at λ₀ = n/m.
 fn slip_end_at(n: i64, m: i64, near: f64, bits: usize) -> Result<Ball, CertifiedError> {
-    let (n, m) = (Ball::int(n, bits + 16), Ball::int(m, bits + 16));
-    let lambda = n.over(&m).ok_or_else(|| no_value(&m))?;
+    let lambda = Ball::ratio(n, m, bits + 16).ok_or_else(|| no_value(&Ball::int(m, 1)))?;
     let phi1 = lambda.asin();
     slip_end(&lambda, phi1, near, bits)
 }

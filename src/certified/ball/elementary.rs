@@ -93,7 +93,7 @@ impl Ball {
             .map(|root| root.value)
     }
 
-    /// Encloses n/m.
+    /// n/m; `None` for m = 0.
     pub fn ratio(n: i64, m: i64, bits: usize) -> Option<Self> {
         Self::int(n, bits).over(&Self::int(m, bits))
     }

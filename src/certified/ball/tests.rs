@@ -47,6 +47,7 @@ fn only_certain_decimals_are_given() {
     let small = Ball::ratio(1, 400, 60).unwrap();
     assert_eq!(small.decimal(4).unwrap(), "0.0025");
     assert_eq!(small.decimal(0).unwrap(), "0");
+    assert_eq!(Ball::int(-3, 0).decimal(2).unwrap(), "-3.00");
 }
 
 #[test]

@@ -141,19 +141,6 @@ fn growing(x: Interval, domain: Interval, at: fn(f64) -> Interval) -> Interval {
     Interval::new(bound(x.lo).lo, bound(x.hi).hi)
 }
 
-impl Interval {
-    /// The inverse tangent.
-    pub fn atan(self) -> Self {
-        let at = |x: f64| {
-            let x = Interval::point(x);
-            (x / (ONE + x.squared()).sqrt())
-                .meet(BOTH_SIDES)
-                .map_or(Self::WHOLE, Scalar::asin)
-        };
-        growing(self, Self::new(-1e100, 1e100), at)
-    }
-}
-
 /// Enclosures: the formulas of both wings can be evaluated on intervals.
 impl Scalar for Interval {
     fn int(n: i64) -> Self {

@@ -49,33 +49,35 @@ fn arc_to<S: Scalar>(edge: Edge, [q, beta]: [S; 2]) -> S {
     arc(lambda0.asin(), end, lambda0)
 }
 
-/// Whether the difference of an equation's sides is the arc, as far as can be seen in the middle of a part.
-fn is_arc(sides: Sides, edge: Edge, cell: &[Interval; 2]) -> bool {
+/// That the difference of an equation's sides is the arc, as far as can be seen in the middle of a part.
+fn is_arc(sides: Sides, edge: Edge, cell: &[Interval; 2]) -> Said {
     let middle = cell.map(|x| Interval::point(x.mid()));
     let [left, right] = {
         let [q, beta] = middle.map(Jet::constant);
         sides(beta.sin() / q, beta.sin())
     };
-    let difference = (left - right).value;
-    difference.meet(arc_to(edge, middle)).is_some()
+    let off = (left - right).value - arc_to(edge, middle);
+    if off.width() < 1e-6 {
+        Said::of_zero(off)
+    } else {
+        Said::Nothing
+    }
 }
 
 /// That the equation has one root β at most for each q, and that it is crossed in the direction of `way`.
 fn prove_single_root(sides: Sides, edge: Edge, way: f64) -> Outcome {
     let range = [ratios(), Interval::new(0.0, (PI / Interval::int(2)).hi())];
     everywhere(range, |cell| {
-        if !is_arc(sides, edge, cell) {
-            return Said::Fails;
-        }
         let jet = over(|x| arc_to(edge, x), cell);
         let falls = Said::of_sign(jet.slope[1], -1.0);
         if edge == Edge::End && cell[1].lo() == 0.0 {
             // The arc of E is 0 at β = 0: next to it, it falls, and is negative.
-            return falls;
+            return Said::all([is_arc(sides, edge, cell), falls]);
         }
         let crosses = Said::of_sign(jet.slope[1], way);
         let signs = [1.0, -1.0].map(|sign| Said::of_sign(jet.value, sign));
-        Said::any([crosses, signs[0], signs[1]])
+        let plain = Said::any([crosses, signs[0], signs[1]]);
+        Said::all([is_arc(sides, edge, cell), plain])
     })
 }
 
@@ -199,9 +201,12 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
 }
 
 fn prove_order(on_a: fn(Jet<1>) -> Jet<1>, on_c: fn(Jet<1>) -> Jet<1>) -> Outcome {
-    // C falls from 1, where D is.
+    // C falls from 1, where D is; and A is where the sides of (53) are equal, as far as can be seen.
     let c = everywhere([ratios()], |cell| {
-        Said::of_sign(over(|[q]| on_c(q), cell).slope[0], -1.0)
+        let q = Jet::constant(Interval::point(cell[0].mid()));
+        let [left, right] = printed::eq53_sides(printed::eq53_k(q), on_a(q));
+        let falls = Said::of_sign(over(|[q]| on_c(q), cell).slope[0], -1.0);
+        Said::all([Said::of_zero((left - right).value), falls])
     })?;
     let b = prove_b(printed::eq54_sides)?;
     Ok(c + b + prove_e(corrected::e_sides)? + prove_a_lowest(on_a)?)

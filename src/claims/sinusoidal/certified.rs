@@ -55,7 +55,7 @@ fn prove_bracket(phases: fn(One) -> [One; 3], left: fn(One, One, One) -> One) ->
         let allowed = low.hull(Interval::ratio(2, 3)).widened(1e-9);
         match value.meet(allowed) {
             None => Said::Fails,
-            Some(_) if value.width() < 1e-2 => Said::Holds,
+            Some(_) if value.width() < 0.1 => Said::Holds,
             Some(_) => Said::Nothing,
         }
     })?;
