@@ -59,7 +59,7 @@ window.slipbookExplorers = (() => {
                 const { values: [rests, t, vx, vy, x, y], curves: [velocity, path, times] } = ask(0, lambda, theta);
                 const [stops, ...others] = ask(1, lambda).curves;
                 const rest = rests ? [{ points: [0, 0], dots: 6 }] : [];
-                const top = [0.5, 1, 2, 5, 10, 20, 50, 100, 200].find(n => n >= Math.max(...column(stops, 1), 0.1));
+                const top = [0.5, 1, 2, 5, 10, 20, 50, 100, 200].find(n => n >= Math.max(...column(stops, 1))) || 1;
                 const ends = rests ? `It comes to rest after T = ${fixed(t)} v₀/A`
                     : `It is not at rest by ${fixed(t, 0)} v₀/A; then its velocity is ${pair(vx, vy)} v₀`;
                 return {
@@ -71,9 +71,9 @@ window.slipbookExplorers = (() => {
                         ...around(path.slice(0, rests ? undefined : 140), 0.75),
                         marks: [{ points: path, series: 1 }, { points: times, series: 1, dots: 3.5 }, ...(rests ? [{ points: [x, y], dots: 6 }] : [])],
                     }, {
-                        y: [0, top || 1],
+                        y: [0, top],
                         marks: stops.length ? [{ points: stops, series: 1 }, { points: [Math.abs(theta), t], series: 2, dots: 6 }]
-                            : [{ points: [90, 0.5], text: 'λ ≤ 1: it need not stop' }],
+                            : [{ points: [90, top / 2], text: 'λ ≤ 1: it need not stop' }],
                     }],
                     values: rests ? { 'T (v₀/A)': fixed(t), 'x there (v₀²/A)': fixed(x), 'y there (v₀²/A)': fixed(y) }
                         : { 't (v₀/A)': fixed(t), 'v_x then (v₀)': fixed(vx), 'v_y then (v₀)': fixed(vy) },
@@ -234,7 +234,7 @@ window.slipbookExplorers = (() => {
                         { ...around(path, 0.8), marks: [{ points: path, series: 2 }, { points: [0, 0], dots: 4 }] },
                     ],
                     values: { b: fixed(b), 'first rolls at φ': first < 0 ? 'not within 8π' : fixed(first), 'share of rolling, last period': fixed(share), '|slip| at 8π': fixed(slip) },
-                    says: `λ₀ = ${fixed(lambda, 2)}, κ = ${fixed(kappa, 2)}: ${begins}; of the last of four periods it rolls ${fixed(100 * share, 1)} %.`,
+                    says: `λ₀ = ${fixed(lambda, 2)}, κ = ${fixed(kappa, 2)}: ${begins}; in the last of four periods it rolls for ${fixed(100 * share, 1)} % of the time.`,
                 };
             },
         },

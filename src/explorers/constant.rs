@@ -63,7 +63,7 @@ pub fn portrait(lambda: f64) -> Result<Answer, ExplorerError> {
     let mut curves = vec![times];
     for k in 1..=DIRECTIONS {
         let theta = 360.0 * f64::from(k) / f64::from(DIRECTIONS) - 180.0;
-        let states = states(&followed(lambda, theta)?, 40)?;
+        let states = states(&followed(lambda, theta)?, 100)?;
         curves.push(states.iter().map(|s| s.v).collect());
     }
     Ok(Answer {

@@ -14,6 +14,7 @@ use libtest_mimic::{Arguments, Trial};
 use std::collections::BTreeMap;
 use std::env;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::sync::{Arc, Mutex, OnceLock};
@@ -122,7 +123,7 @@ impl Shared {
 /// The book, written by the command.
 pub struct Book {
     folder: TempDir,
-    /// Its pages, by file name.
+    /// Its pages, by their paths within it.
     pub pages: Vec<String>,
     /// What was seen on them.
     visits: OnceLock<Result<BTreeMap<String, Visit>, Failure>>,
@@ -141,9 +142,8 @@ impl Book {
         if output.status.code() == Some(2) {
             return Err(String::from_utf8_lossy(&output.stderr).into_owned());
         }
-        let entries = fs::read_dir(&out).map_err(|error| error.to_string())?;
-        let names = entries.filter_map(|entry| entry.ok()?.file_name().into_string().ok());
-        let mut pages: Vec<_> = names.filter(|name| name.ends_with(".html")).collect();
+        let mut pages = Vec::new();
+        pages_below(&out, "", &mut pages).map_err(|error| error.to_string())?;
         pages.sort();
         Ok(Book {
             folder,
@@ -161,10 +161,25 @@ impl Book {
         address_of(&self.folder().join(page))
     }
 
-    /// Whether a page is one that a reader turns: not the one for printing, nor mdBook's own frame of the contents.
+    /// Whether a page is one that a reader turns: not the one for printing, nor mdBook's own frame of the contents, nor a
+    /// source file.
     pub fn is_chapter(&self, page: &str) -> bool {
-        !["print.html", "toc.html"].contains(&page)
+        !page.contains('/') && !["print.html", "toc.html"].contains(&page)
     }
+}
+
+/// Collects the pages in a folder and in those below it.
+fn pages_below(folder: &Path, prefix: &str, pages: &mut Vec<String>) -> io::Result<()> {
+    for entry in fs::read_dir(folder)? {
+        let entry = entry?;
+        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
+        if entry.file_type()?.is_dir() {
+            pages_below(&entry.path(), &format!("{name}/"), pages)?;
+        } else if name.ends_with(".html") {
+            pages.push(name);
+        }
+    }
+    Ok(())
 }
 
 /// The address of a file.

@@ -14,9 +14,9 @@ pub struct Visit {
     pub places: BTreeSet<String>,
     /// All addresses, of links and of files, as the browser resolves them.
     pub addresses: Vec<String>,
-    /// Its width on a screen of 390 pixels.
+    /// Its width on a screen of 390 pixels, for a chapter.
     pub width: Value,
-    /// The rules of accessibility that it breaks; none for a page that is not a chapter.
+    /// The rules of accessibility that it breaks, if it is a chapter.
     pub broken: Vec<String>,
 }
 
@@ -32,7 +32,6 @@ pub fn visits<'b>(page: &mut Page, book: &'b Book) -> Result<&'b BTreeMap<String
 }
 
 fn visit(page: &mut Page, book: &Book, name: &str) -> Result<Visit, Failure> {
-    page.resize(1400, 1000)?;
     page.open(&book.address(name))?;
     let complaints = page.complaints();
     let places =
@@ -40,14 +39,13 @@ fn visit(page: &mut Page, book: &Book, name: &str) -> Result<Visit, Failure> {
     let addresses = page.texts(
         "[...document.querySelectorAll('[href], [src]')].map(e => e.src || e.href).filter(a => typeof a === 'string')",
     )?;
-    page.resize(390, 800)?;
-    let width = page.value("document.documentElement.scrollWidth")?;
-    page.resize(1400, 1000)?;
-    let broken = if book.is_chapter(name) {
-        all_broken(page)?
-    } else {
-        Vec::new()
-    };
+    let (mut width, mut broken) = (Value::Null, Vec::new());
+    if book.is_chapter(name) {
+        page.resize(390, 800)?;
+        width = page.value("document.documentElement.scrollWidth")?;
+        page.resize(1400, 1000)?;
+        broken = all_broken(page)?;
+    }
     Ok(Visit {
         complaints,
         places: places.into_iter().collect(),
