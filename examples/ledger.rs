@@ -18,6 +18,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
             reason: "six digits were read off",
         },
         samples: Vec::new(),
+        steps: Vec::new(),
     }
 }
 

@@ -97,8 +97,20 @@ fn resolve(out: &Path) -> io::Result<PathBuf> {
     }
 }
 
-/// Refuses a place that holds what is not a book of ours.
+/// Refuses a place that holds what is not a book of ours. While another run swaps its book in, this may look so for
+/// a moment: what is not ours stays so.
 fn check(out: &Path) -> Result<(), BookError> {
+    let mut found = look(out);
+    for _ in 1..ATTEMPTS {
+        if !matches!(found, Err(BookError::NotOurs { .. })) {
+            break;
+        }
+        found = look(out);
+    }
+    found
+}
+
+fn look(out: &Path) -> Result<(), BookError> {
     let mut content = match fs::read_dir(out) {
         Ok(content) => content,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(()),

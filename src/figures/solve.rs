@@ -3,7 +3,7 @@
 use super::{Axis, Figure, FigureError, Panel, Plot, Table};
 use crate::claims::solve;
 
-/// The curve of an answer, on plain axes.
+/// The curve of an answer, on plain axes: equally long units, if they are the same and there is room.
 ///
 /// Fails as [`Plot::figure`] does.
 pub fn figure(curve: &solve::Curve) -> Result<Figure, FigureError> {
@@ -13,7 +13,12 @@ pub fn figure(curve: &solve::Curve) -> Result<Figure, FigureError> {
     }
     let mut panel = Panel::new(Axis::linear(curve.x), Axis::linear(curve.y))
         .curve(super::Curve::new(curve.points.iter().copied()));
-    if curve.equal {
+    let span = |axis: usize| {
+        let values = || curve.points.iter().map(|p| p[axis]);
+        values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)
+    };
+    // A path that is nearly straight would be no more than a line.
+    if curve.equal && (0.2..=3.0).contains(&(span(1) / span(0))) {
         panel = panel.equal();
     }
     Plot::new("solve", curve.title)

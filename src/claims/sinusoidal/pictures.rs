@@ -136,7 +136,7 @@ pub fn fig2_limit() -> Evidence {
 /// Points (φ, 𝔴) of the large-time motion over two periods, as fig-3 and fig-4 show it.
 ///
 /// # Errors
-/// As [`settled`].
+/// A motion that does not settle.
 pub fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let attractor = settled(lambda, ORIGIN)?;
     let phase = |k: u32| 2.0 * TAU * f64::from(k) / 480.0;
@@ -218,7 +218,7 @@ pub fn critical() -> f64 {
 /// Points (λ₀, share of a period at rest) of the large-time motion.
 ///
 /// # Errors
-/// As [`settled`].
+/// A motion that does not settle.
 pub fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
     // Closer to 1, where the curve is steep.
     let close = (8..20).map(|k| 1.0 - libm::exp2(-f64::from(k)));

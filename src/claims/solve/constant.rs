@@ -1,6 +1,6 @@
 //! Constant acceleration: where a launched particle is in its velocity, at an angle or at a time.
 
-use super::{Answer, Curve, Field, Fields, SolveError, check, size};
+use super::{Answer, Curve, Field, Fields, SolveError, check, size, steps};
 use crate::corrections::constant as corrected;
 use crate::motion::trajectory::{Motion, PhaseKind};
 use crate::motion::{self, Launch};
@@ -90,9 +90,7 @@ impl Problem {
         let shown = answer.stop_time.unwrap_or(3.0 * self.v0 / self.accel);
         let motion = self.launch()?.motion(shown.max(answer.t))?;
         let end = motion.end().t;
-        let states: Result<Vec<_>, _> = (0..=200)
-            .map(|i| motion.at(end * f64::from(i) / 200.0))
-            .collect();
+        let states: Result<Vec<_>, _> = steps(end, 200).map(|t| motion.at(t)).collect();
         let mut states = states?;
         states.extend(motion.nodes());
         states.sort_by(|a, b| a.t.total_cmp(&b.t));

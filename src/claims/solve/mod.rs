@@ -316,3 +316,8 @@ pub struct Curve {
     /// The points, in order.
     pub points: Vec<[f64; 2]>,
 }
+
+/// From 0 to `end` in equal steps, both ends included.
+fn steps(end: f64, count: u32) -> impl Iterator<Item = f64> {
+    (0..=count).map(move |i| end * (f64::from(i) / f64::from(count)))
+}

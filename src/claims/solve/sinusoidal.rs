@@ -1,6 +1,6 @@
 //! A sinusoidal drive: the large-time motion.
 
-use super::{Answer, Curve, Field, Fields, SolveError, check};
+use super::{Answer, Curve, Field, Fields, SolveError, check, steps};
 use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Outcome, Sign, State};
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
@@ -149,15 +149,13 @@ pub(super) fn swing(motion: &Attractor<'_>) -> Swing {
 
 /// 𝔴 against φ over two periods.
 pub(super) fn two_periods(motion: &Attractor<'_>) -> Curve {
-    let point = |i: u32| {
-        let phi = 2.0 * TAU * f64::from(i) / 400.0;
-        [phi, motion.w(phi)]
-    };
     Curve {
         title: "The large-time motion",
         x: "φ",
         y: "𝔴",
         equal: false,
-        points: (0..=400).map(point).collect(),
+        points: steps(2.0 * TAU, 400)
+            .map(|phi| [phi, motion.w(phi)])
+            .collect(),
     }
 }

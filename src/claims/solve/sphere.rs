@@ -1,7 +1,7 @@
 //! A sphere under constant acceleration: its slip and its spin, at an angle of the slip or at a time.
 
 use super::constant::{At, Formulas, check_moment, unreached};
-use super::{Answer, Curve, Field, Fields, SolveError, check, size};
+use super::{Answer, Curve, Field, Fields, SolveError, check, size, steps};
 use crate::corrections::sphere as corrected;
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact, Motion, Sphere};
@@ -82,9 +82,7 @@ impl Problem {
         let shown = answer.rolls_at.unwrap_or(3.0 * self.u0 / self.gamma);
         let end = shown.max(answer.tau);
         let motion = self.motion(end)?;
-        let points: Result<Vec<_>, _> = (0..=400)
-            .map(|i| motion.slip(end * f64::from(i) / 400.0))
-            .collect();
+        let points: Result<Vec<_>, _> = steps(end, 400).map(|tau| motion.slip(tau)).collect();
         Ok(Curve {
             title: "The slip under constant acceleration",
             x: "u_x",

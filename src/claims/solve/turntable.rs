@@ -4,7 +4,7 @@
 //! in components along and across the velocity and in the table's axes, or in the table's axes and in the
 //! laboratory's.
 
-use super::{Answer, Curve, Field, Fields, SolveError, check};
+use super::{Answer, Curve, Field, Fields, SolveError, check, steps};
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
@@ -184,9 +184,8 @@ impl Problem {
             (None, None) => ESCAPE_SHOWN,
         };
         let path = self.path(until)?;
-        let points: Result<Vec<_>, _> = (0..=600)
-            .map(|i| path.on_table(until * f64::from(i) / 600.0).map(|s| s.x))
-            .collect();
+        let place = |tau| path.on_table(tau).map(|state| state.x);
+        let points: Result<Vec<_>, _> = steps(until, 600).map(place).collect();
         Ok(Curve {
             title: "The path on the table",
             x: "x",

@@ -1,4 +1,4 @@
-//! The boundary between rest and escape, by bisection on the [fate](super::fate).
+//! The boundary between rest and escape, by bisection on the [fate](mod@super::fate).
 
 use super::fate::rests;
 use super::intrinsic::Start;
@@ -52,7 +52,7 @@ const WIDTH: f64 = 1e-13;
 
 /// The A at which states p = A sinh α, ρ = A cosh α with the given α and ψ pass from rest to escape, to 10⁻¹²;
 /// everything dimensionless. Newton's law gives the bracket: where p + ρ = A exp(α) < 1 the particle rests, where
-/// ρ² − p² = A² ≥ 1 it does not (see [`fate`](super::fate)).
+/// ρ² − p² = A² ≥ 1 it does not (see [`fate`](mod@super::fate)).
 ///
 /// # Errors
 /// [`MotionError::Argument`] for α outside [10⁻⁶, 10] or ψ not finite.

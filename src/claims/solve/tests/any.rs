@@ -30,6 +30,8 @@ fn sound<T: Fields + Clone>(answer: Result<Answer<T>, SolveError>) -> bool {
 }
 
 proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
     #[test]
     fn whatever_is_given_there_are_numbers_or_an_error([a, b, c, d, e] in [any(), any(), any(), any(), any()], timed: bool) {
         let at = if timed { At::Time(e) } else { At::Theta(e) };
