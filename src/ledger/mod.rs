@@ -4,6 +4,7 @@
 mod errata;
 #[cfg(feature = "book")]
 mod letter;
+#[cfg(feature = "book")]
 mod plain;
 mod record;
 mod row;
@@ -17,6 +18,7 @@ mod verdict;
 pub use errata::{ErrataError, Erratum};
 #[cfg(feature = "book")]
 pub use letter::Format;
+#[cfg(feature = "book")]
 pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
 pub use row::{EvidenceRow, Row};
