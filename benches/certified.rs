@@ -18,7 +18,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     }
     let mut sum = 0.0;
     for (name, trial) in CERTIFICATES {
-        let milliseconds = each(10, || drop(black_box(trial())));
+        let milliseconds = each(50, || drop(black_box(trial())));
         println!("{name}: {milliseconds:.3} ms, {} parts", trial().points);
         sum += milliseconds;
     }

@@ -10,9 +10,9 @@
 //! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
 //!
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
-//! proves identities. The [`ledger`] judges: evidence in, verdict out. [`figures`] draws, [`explorers`] answer to
-//! the reader's hand, and [`book`] writes all of it down. [`cli`] is the command. For parameters of your own there are the calculators of
-//! [`claims::solve`].
+//! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
+//! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
+//! of it down. [`cli`] is the command. For parameters of your own there are the calculators of [`claims::solve`].
 //!
 //! With `default-features = false` there are the formulas, the motions, the calculators and the ledger's types
 //! alone, and a handful of dependencies; the feature `book` brings the trials and all that rests on them.
