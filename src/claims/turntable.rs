@@ -95,7 +95,7 @@ const ENERGY: Correction = Correction {
 /// The work of friction with the friction coefficient.
 const WORK: Correction = Correction {
     change: Change::Factor,
-    latex: r"-m\mu gs\text{ is the work of the friction; the Coriolis force does no work}",
+    latex: r"$-m\mu gs$ is the work of the friction; the Coriolis force does no work",
     plain: "−m μ g s is the work of the friction; the Coriolis force does no work",
 };
 
