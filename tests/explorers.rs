@@ -262,3 +262,17 @@ fn the_ball_rolls_where_the_particle_rests() {
         -1.0
     );
 }
+
+/// Without scripts the figure that follows takes the explorer's place.
+#[test]
+fn each_explorer_stands_before_a_figure() {
+    for page in [
+        include_str!("../book/src/constant.md"),
+        include_str!("../book/src/anisotropic.md"),
+        include_str!("../book/src/sphere.md"),
+        include_str!("../book/src/turntable.md"),
+    ] {
+        assert_eq!(page.matches("{{explorer}}").count(), 1);
+        assert!(page.contains("\n\n{{explorer}}\n\n{{figure "));
+    }
+}

@@ -32,8 +32,7 @@ window.SlipbookPlot = (() => {
         constructor(host, id, options) {
             this.options = options;
             this.id = id;
-            host.insertAdjacentHTML('beforeend', `<svg class="explore-plot" xmlns="http://www.w3.org/2000/svg">
-                <g class="back"></g></svg>`);
+            host.insertAdjacentHTML('beforeend', '<svg class="explore-plot"><g class="back"></g></svg>');
             this.svg = host.lastElementChild;
             this.svg.setAttribute('role', options.hand ? 'group' : 'img');
             this.svg.setAttribute('aria-label', options.label);

@@ -294,7 +294,7 @@ impl Page<'_> {
                         .iter()
                         .any(|scheme| address.starts_with(scheme))
                 }
-                "Network.loadingFailed" => true,
+                "Network.loadingFailed" => params["canceled"] != true,
                 _ => false,
             };
             bad.then(|| params.to_string())

@@ -100,12 +100,12 @@ struct Running {
 
 impl Shared {
     fn run(&self, test: Test) -> Result<(), Failure> {
+        let path = self.path.as_ref().ok_or("no Chromium on the search path")?;
         let book = self
             .book
             .get_or_init(Book::write)
             .as_ref()
             .map_err(Clone::clone)?;
-        let path = self.path.as_ref().ok_or("no Chromium on the search path")?;
         let mut running = self.browser.lock().map_err(|error| error.to_string())?;
         if running.is_none() {
             let data = tempfile::tempdir().map_err(|error| error.to_string())?;

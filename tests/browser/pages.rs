@@ -98,7 +98,9 @@ pub fn without_scripts(page: &mut Page, book: &Book) -> Result<(), Failure> {
             json!({ "url": book.address(&format!("{name}.html")) }),
         )?;
         // No script of the page's own runs, but the browser's own eyes are open.
-        page.wait_for("document.readyState === 'complete'")?;
+        page.wait_for(&format!(
+            "location.pathname.endsWith('/{name}.html') && document.readyState === 'complete'"
+        ))?;
         let seen = page.value(
             "(() => { const host = document.querySelector('[data-explorer]');
                return [host.checkVisibility(), host.nextElementSibling.querySelector('svg').checkVisibility()]; })()",
