@@ -17,6 +17,7 @@
 pub mod anisotropic;
 pub mod constant;
 pub mod periodic;
+mod report;
 pub mod rest;
 pub mod sinusoidal;
 pub mod sphere;
@@ -24,11 +25,11 @@ pub mod sphere;
 mod tests;
 pub mod turntable;
 
+pub use report::{Report, VERSION};
+
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
 use crate::numerics::NumericsError;
-use serde::ser::SerializeMap;
-use serde::{Serialize, Serializer};
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -224,82 +225,11 @@ impl<T: Fields + Clone> Answer<T> {
             note: note.into(),
         })
     }
-
-    /// The answer without its type, for output.
-    pub fn report(&self, problem: &'static str) -> Report {
-        Report {
-            problem,
-            fields: self.best.fields(),
-            by_formula: self.by_formula.as_ref().map(Fields::fields),
-            by_motion: self.by_motion.as_ref().map(Fields::fields),
-            disagreement: self.disagreement,
-            digits: self.digits,
-            note: self.note.clone(),
-        }
-    }
 }
 
 /// Significant digits that a relative error leaves.
 fn digits(error: f64) -> u32 {
     libm::floor(-libm::log10(error.clamp(ROUNDING, 1.0))) as u32
-}
-
-/// The version of the form in which answers are written.
-pub const VERSION: u32 = 1;
-
-/// An answer of any topic, as it is written as JSON: the fields at the top level, then the two ways.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Report {
-    /// The problem's name.
-    pub problem: &'static str,
-    /// The quantities.
-    pub fields: Vec<Field>,
-    /// See [`Answer::by_formula`].
-    pub by_formula: Option<Vec<Field>>,
-    /// See [`Answer::by_motion`].
-    pub by_motion: Option<Vec<Field>>,
-    /// See [`Answer::disagreement`].
-    pub disagreement: Option<f64>,
-    /// See [`Answer::digits`].
-    pub digits: Option<u32>,
-    /// See [`Answer::note`].
-    pub note: String,
-}
-
-impl Serialize for Value {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Value::Number(x) => serializer.serialize_f64(*x),
-            Value::Word(word) => serializer.serialize_str(word),
-            Value::Missing => serializer.serialize_none(),
-        }
-    }
-}
-
-/// Fields as an object.
-struct Object<'a>(&'a [Field]);
-
-impl Serialize for Object<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_map(self.0.iter().map(|field| (field.name, field.value)))
-    }
-}
-
-impl Serialize for Report {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("version", &VERSION)?;
-        map.serialize_entry("problem", self.problem)?;
-        for field in &self.fields {
-            map.serialize_entry(field.name, &field.value)?;
-        }
-        map.serialize_entry("by_formula", &self.by_formula.as_deref().map(Object))?;
-        map.serialize_entry("by_motion", &self.by_motion.as_deref().map(Object))?;
-        map.serialize_entry("disagreement", &self.disagreement)?;
-        map.serialize_entry("digits", &self.digits)?;
-        map.serialize_entry("note", &self.note)?;
-        map.end()
-    }
 }
 
 /// A curve that shows an answer.
