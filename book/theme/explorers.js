@@ -108,7 +108,6 @@
         still.innerHTML = '<summary>The same as a still figure, with its data</summary>';
         figure.replaceWith(still);
         still.append(figure);
-        addEventListener('beforeprint', () => { still.open = true; });
         const unfold = () => { still.open ||= location.hash === `#${figure.id}`; };
         addEventListener('hashchange', () => {
             if (location.hash.slice(1).split('?')[0] === host.id) read();
