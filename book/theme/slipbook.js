@@ -15,7 +15,7 @@
         }
     };
     const widths = new ResizeObserver(entries => entries.forEach(entry => reachable(entry.target)));
-    all('.katex-display, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
+    all('.katex-display, .claim-words, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
 
     // On paper nothing is folded away.
     let closed = [];
