@@ -10,8 +10,8 @@
 //! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
 //!
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
-//! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges: evidence in, verdict out. [`figures`] draws, and [`book`] writes
-//! all of it down.
+//! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`]
+//! judges: evidence in, verdict out. [`figures`] draws, and [`book`] writes all of it down.
 //!
 //! ```
 //! use slipbook::claims;
