@@ -20,11 +20,7 @@ pub const MEASURED: &[Measured] = &[
     },
     Measured {
         reason: "It is a picture: what can be read off it has the accuracy of a drawing.",
-        claims: &["fig-1", "fig-2", "fig-3", "fig-4", "fig-5", "fig-6"],
-    },
-    Measured {
-        reason: "It is a decimal number, the root of a transcendental equation. That root is no element of a ring of formulas; it can be enclosed, not zero-tested.",
-        claims: &["eq-58"],
+        claims: &["fig-1", "fig-2", "fig-3", "fig-4", "fig-6"],
     },
     Measured {
         reason: "It speaks about every acceleration of the plane as a function of time, or of every drive: there is no formula for the motion.",
@@ -53,12 +49,10 @@ pub const MEASURED: &[Measured] = &[
             "s21-small-friction-aligns",
             "s22-four-points",
             "s22-rest-ends",
-            "s22-phi2-bracket",
             "s22-rest-interval",
             "s22-no-rest-below",
             "s22-trichotomy",
             "s24-region-1",
-            "s24-region-2",
             "s24-region-3",
             "s24-region-4",
             "s24-region-5",

@@ -247,6 +247,13 @@ pub static VALUES: &[Value] = &[
         || Ok(rest::eq147_a(0.1)),
     ),
     row(
+        "envelope-far",
+        "eq-147",
+        4,
+        "$A$ on the printed boundary at $\\alpha=2.5$",
+        || Ok(rest::eq147_a(2.5)),
+    ),
+    row(
         "boundary",
         "s4-envelope-is-boundary",
         4,

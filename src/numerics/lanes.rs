@@ -113,12 +113,9 @@ impl<const L: usize> Number for Lanes<L> {
     }
     /// The largest over the lanes.
     fn magnitude(&self) -> f64 {
-        self.0.iter().map(Number::magnitude).fold(
-            0.0,
-            |a, b| {
-                if b.is_nan() { b } else { f64::max(a, b) }
-            },
-        )
+        let sizes = self.0.iter().map(Number::magnitude);
+        // A lane that is no number shows.
+        sizes.fold(0.0, |a, b| if a.is_nan() || a > b { a } else { b })
     }
     fn sqrt(&self) -> Self {
         self.map(|x| Number::sqrt(&x))

@@ -27,10 +27,8 @@ pub struct Horizon {
 pub enum End {
     /// It comes to rest.
     Rest {
-        /// Distance σ from the axis.
+        /// Distance σ from the axis, to 10⁻⁹.
         sigma: f64,
-        /// How far σ may be off.
-        error: f64,
     },
     /// It crosses the horizon's distance.
     Far {
@@ -194,7 +192,7 @@ impl Horizon {
             return Some(End::Late(start_of(&at(crossing(h, |h| late(&at(h)))))));
         }
         match judge(state)?.fate {
-            Fate::Rest { sigma, error, .. } if error <= RADIUS => Some(End::Rest { sigma, error }),
+            Fate::Rest { sigma, error, .. } if error <= RADIUS => Some(End::Rest { sigma }),
             _ => None,
         }
     }
@@ -248,8 +246,10 @@ mod tests {
         let (mut rests, mut far) = (0, 0);
         for (start, end) in starts.iter().zip(&ends) {
             match (*end, fate(start).unwrap()) {
-                (End::Rest { sigma, error }, Fate::Rest { sigma: exact, .. }) => {
-                    assert!(error <= RADIUS && (sigma - exact).abs() <= error + 1e-11);
+                (End::Rest { sigma }, Fate::Rest { sigma: exact, .. }) => {
+                    // Close to σ = 1 what a step loses grows; elsewhere it is far less.
+                    let allowed = if exact > 0.99 { 1e-9 } else { 2e-11 + RADIUS };
+                    assert!((sigma - exact).abs() <= allowed, "{start:?} {sigma}");
                     rests += 1;
                 }
                 (End::Far { tau }, Fate::Escape { .. }) => {
@@ -302,13 +302,7 @@ mod tests {
         let [end] = HORIZON.follow(&[still]).unwrap()[..] else {
             panic!()
         };
-        assert_eq!(
-            end,
-            End::Rest {
-                sigma: 0.7,
-                error: 0.0
-            }
-        );
+        assert_eq!(end, End::Rest { sigma: 0.7 });
         assert_eq!(HORIZON.follow(&[]).unwrap(), []);
         let loose = Start::polar(1.1, 0.0, 0.0).unwrap();
         let broken = Start {
