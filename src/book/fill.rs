@@ -6,7 +6,7 @@ use super::error::Fault;
 use super::explorer;
 use super::maths::Maths;
 use super::text::{count, escape, size};
-use super::{errata, map, symbols, tables, values};
+use super::{errata, map, speed, symbols, tables, values};
 use crate::figures::Figure;
 use crate::ledger::{Entry, Erratum, Ledger, Verdict};
 use std::collections::BTreeSet;
@@ -94,6 +94,8 @@ impl<'a> Filler<'a> {
             ["equations"] => block(tables::equations(self)?),
             ["symbols"] => block(symbols::table_of(self)?),
             ["values"] => block(values::table_of(self)?),
+            ["speed"] => block(speed::table_of()?),
+            ["measured-on"] => inline(speed::circumstances()?),
             ["falls"] => block(map::what_falls(self)?),
             ["map", "key"] => block(map::key()),
             ["map", "list"] => block(map::list(self)?),

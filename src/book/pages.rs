@@ -45,7 +45,8 @@ written!(
     methods,
     snapshots,
     adding,
-    json
+    json,
+    speed
 );
 
 /// A page before its placeholders are filled.
@@ -85,6 +86,7 @@ pub(super) fn pages(figures: &[Figure]) -> Vec<Page> {
         ("snapshots", "How to read a snapshot"),
         ("adding", "How to add a claim"),
         ("json", "Answers as JSON"),
+        ("speed", "How fast"),
     ];
     pages.extend(reference.map(|(stem, title)| written_page(stem, title)));
     pages

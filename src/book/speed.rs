@@ -1,0 +1,104 @@
+//! The table of the page "How fast", from the committed result file.
+
+use super::error::Fault;
+use super::tables::table;
+use super::text::escape;
+use serde::Deserialize;
+
+/// What `benches/peers/run.py` wrote.
+const RESULTS: &str = include_str!("../../benches/results.json");
+
+#[derive(Deserialize)]
+struct Results {
+    date: String,
+    machine: String,
+    rounds: u32,
+    rows: Vec<Row>,
+}
+
+/// One kind of work, by this program and by a peer.
+#[derive(Deserialize)]
+struct Row {
+    work: String,
+    peer: String,
+    ours_us: f64,
+    peer_us: f64,
+    ratio: f64,
+}
+
+fn results() -> Result<Results, Fault> {
+    serde_json::from_str(RESULTS)
+        .map_err(|error| Fault::Placeholder(format!("benches/results.json: {error}")))
+}
+
+/// Microseconds in the unit that reads best, three digits.
+fn time(microseconds: f64) -> String {
+    let (value, unit) = match microseconds {
+        t if t >= 1e6 => (t / 1e6, "s"),
+        t if t >= 1e3 => (t / 1e3, "ms"),
+        t if t >= 1.0 => (t, "µs"),
+        t => (t * 1e3, "ns"),
+    };
+    let decimals = (2 - libm::floor(libm::log10(value)) as i32).clamp(0, 2) as usize;
+    format!("{value:.decimals$} {unit}")
+}
+
+/// Ours beside theirs.
+pub(super) fn table_of() -> Result<String, Fault> {
+    let results = results()?;
+    let rows = results.rows.iter().map(|row| {
+        [
+            escape(&row.work),
+            time(row.ours_us),
+            escape(&row.peer),
+            time(row.peer_us),
+            format!("{}", row.ratio),
+        ]
+    });
+    let head = ["one", "here", "peer", "there", "there over here"];
+    Ok(table("speed", head, rows))
+}
+
+/// When and where it was measured.
+pub(super) fn circumstances() -> Result<String, Fault> {
+    let Results {
+        date,
+        machine,
+        rounds,
+        ..
+    } = results()?;
+    Ok(escape(&format!(
+        "{date}, {machine}, the fastest of {rounds} rounds"
+    )))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_read_well() {
+        for (microseconds, expected) in [
+            (0.0131, "13.1 ns"),
+            (1.9, "1.90 µs"),
+            (410.0, "410 µs"),
+            (5700.0, "5.70 ms"),
+            (2.7e6, "2.70 s"),
+        ] {
+            assert_eq!(time(microseconds), expected);
+        }
+    }
+
+    #[test]
+    fn the_ratio_is_that_of_the_times() {
+        let rows = results().unwrap().rows;
+        assert!(rows.len() >= 10);
+        for row in rows {
+            assert!(
+                (row.peer_us / row.ours_us / row.ratio - 1.0).abs() < 0.02,
+                "{}",
+                row.work
+            );
+        }
+    }
+}
