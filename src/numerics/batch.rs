@@ -50,8 +50,8 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
         for k in 0..N - 1 {
             let slope = system.derivative(k, &self.series, &mut work);
             let inverse = Lanes::all(1.0 / (k + 1) as f64);
-            for i in 0..D {
-                self.series[i][k + 1] = slope[i] * inverse;
+            for (x, d) in self.series.iter_mut().zip(slope) {
+                x[k + 1] = d * inverse;
             }
         }
     }
@@ -70,8 +70,8 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
     #[inline(always)]
     fn size(&self, k: usize) -> Lanes<L> {
         let mut largest = Lanes::all(TINY);
-        for i in 0..D {
-            largest = largest.max(self.series[i][k].abs());
+        for x in &self.series {
+            largest = largest.max(x[k].abs());
         }
         largest.map(log2)
     }
@@ -80,8 +80,8 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
     #[inline(always)]
     pub fn after(&self, h: &Lanes<L>) -> [Lanes<L>; D] {
         let mut states = [Lanes::all(0.0); D];
-        for i in 0..D {
-            states[i] = self.series[i][0] + change(&self.series[i], h);
+        for (state, x) in states.iter_mut().zip(&self.series) {
+            *state = x[0] + change(x, h);
         }
         states
     }

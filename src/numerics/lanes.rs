@@ -23,8 +23,8 @@ impl<const L: usize> Lanes<L> {
     pub fn map(self, f: impl Fn(f64) -> f64) -> Self {
         // A loop, since closures within library functions are not compiled for the wide registers.
         let mut out = [0.0; L];
-        for i in 0..L {
-            out[i] = f(self.0[i]);
+        for (out, x) in out.iter_mut().zip(self.0) {
+            *out = f(x);
         }
         Lanes(out)
     }
@@ -33,8 +33,8 @@ impl<const L: usize> Lanes<L> {
     #[inline(always)]
     pub fn with(self, other: Self, f: impl Fn(f64, f64) -> f64) -> Self {
         let mut out = [0.0; L];
-        for i in 0..L {
-            out[i] = f(self.0[i], other.0[i]);
+        for (out, (x, y)) in out.iter_mut().zip(self.0.into_iter().zip(other.0)) {
+            *out = f(x, y);
         }
         Lanes(out)
     }

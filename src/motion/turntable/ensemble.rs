@@ -143,15 +143,12 @@ impl Horizon {
             }
             batch.go(&states);
             for (lane, rider) in riders.iter_mut().enumerate() {
-                match rider {
-                    Some((index, steps)) => {
-                        *steps += 1;
-                        if *steps < STEPS {
-                            continue;
-                        }
-                        ends[*index] = End::Unfinished(start_of(&batch.state(lane)));
+                if let Some((index, steps)) = rider {
+                    *steps += 1;
+                    if *steps < STEPS {
+                        continue;
                     }
-                    None => {}
+                    ends[*index] = End::Unfinished(start_of(&batch.state(lane)));
                 }
                 *rider = board(lane, &mut batch);
             }
@@ -168,8 +165,8 @@ impl Horizon {
         let slow = *p * *p - Lanes::all(SLOW) * *w;
         let far = self.rho * self.rho;
         let mut over = [false; L];
-        for i in 0..L {
-            over[i] = slow.0[i] < 0.0 || square.0[i] > far || tau.0[i] > self.tau;
+        for (i, over) in over.iter_mut().enumerate() {
+            *over = slow.0[i] < 0.0 || square.0[i] > far || tau.0[i] > self.tau;
         }
         over
     }
