@@ -1,12 +1,13 @@
 //! Trials of where rest is possible, (139) and its words.
 
-use super::boundary::{census, resting_place};
+use super::boundary::census;
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NEAR_CORNER, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
+use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, inertial};
 use crate::paper::rest as printed;
 use std::sync::LazyLock;
@@ -73,6 +74,9 @@ fn riders() -> Evidence {
 /// One of so many resting starts of the census is followed to its place.
 const EVERY: usize = 3;
 
+/// Long after the last of them has come to rest.
+const LONG: f64 = 1e3;
+
 /// Where particles come to rest: never beyond σ = 1.
 pub fn resting_places() -> Evidence {
     let compared = "0 with the random starts that come to rest beyond σ = 1";
@@ -80,7 +84,10 @@ pub fn resting_places() -> Evidence {
     let resting = census().filter(|case| case.as_ref().map_or(true, |case| case.rests));
     trial.over(resting.step_by(EVERY), |case| {
         let [a, alpha, psi] = case?.start;
-        let sigma = resting_place(a, alpha, psi)?.unwrap_or(f64::NAN);
+        // The place itself: the fate's bounds make use of σ ≤ 1.
+        let sigma = Run::new(&Start::hyperbolic(a, alpha, psi)?, LONG)?
+            .end()
+            .rho();
         Ok::<_, MotionError>(Pair {
             at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
             stated: 0.0,
