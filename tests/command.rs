@@ -143,10 +143,10 @@ fn numbers_are_found_and_graded() {
 
 #[test]
 fn bad_input_says_what_is_wrong_and_writes_nothing() {
-    let cases: [(&str, &str); 12] = [
+    let cases: [(&str, &str); 13] = [
         (
             "solve constant --lambda -1 --v0 1 --theta0 1 --time 1",
-            "lambda",
+            "lambda = -1 must be",
         ),
         ("solve constant --lambda 1 --v0 1 --theta0 1", "--time"),
         (
@@ -161,6 +161,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
             "solve constant --lambda 0.5 --v0 nan --theta0 1 --time 2",
             "v0 = NaN",
         ),
+        ("solve anisotropic --q -2 --lambda0 0.3", "q = -2 must be"),
         ("solve sinusoidal --lambda0 0", "between 1e-6 and 1e6"),
         ("solve turntable --rho 1 --p 1", "--psi"),
         ("solve turntable --rho 1 --x 1 --y 1 --vx 1 --vy 1", "--rho"),

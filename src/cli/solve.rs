@@ -33,27 +33,27 @@ enum Problem {
     #[command(after_help = "Example:\n  slipbook solve sinusoidal --lambda0 0.7 --plot")]
     Sinusoidal {
         /// λ₀ = μg/A₀, friction over the drive's amplitude
-        #[arg(long)]
+        #[arg(long, allow_negative_numbers = true)]
         lambda0: f64,
     },
     /// The large-time motion under a train of pulses
     #[command(after_help = "Example:\n  slipbook solve pulse --eta 0.5 --lambda0 0.3")]
     Pulse {
         /// η, the share of a half period that a pulse fills, from 0 to 1
-        #[arg(long)]
+        #[arg(long, allow_negative_numbers = true)]
         eta: f64,
         /// λ₀ = μg/A₀, friction over the drive's amplitude
-        #[arg(long)]
+        #[arg(long, allow_negative_numbers = true)]
         lambda0: f64,
     },
     /// The large-time motion with a friction that depends on the direction
     #[command(after_help = "Example:\n  slipbook solve anisotropic --q 2 --lambda0 0.45")]
     Anisotropic {
         /// q, backward friction over forward friction
-        #[arg(long)]
+        #[arg(long, allow_negative_numbers = true)]
         q: f64,
         /// λ₀, forward friction over the drive's amplitude
-        #[arg(long)]
+        #[arg(long, allow_negative_numbers = true)]
         lambda0: f64,
     },
     /// A sphere that starts without spin on a plane of constant acceleration
@@ -71,7 +71,7 @@ enum Problem {
     #[command(after_help = "Example:\n  slipbook solve turntable-boundary --alpha 0.5 --psi 1")]
     TurntableBoundary {
         /// α, with p = A sinh α and ρ = A cosh α
-        #[arg(long)]
+        #[arg(long, allow_negative_numbers = true)]
         alpha: f64,
         /// ψ, the angle from the velocity to the position (radians)
         #[arg(long, allow_hyphen_values = true)]
@@ -82,10 +82,10 @@ enum Problem {
 #[derive(Args)]
 struct Constant {
     /// λ = μg/A, friction over acceleration
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     lambda: f64,
     /// Initial speed
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     v0: f64,
     /// Initial angle of the velocity with the x axis, in (−π, π]
     #[arg(long, allow_hyphen_values = true)]
@@ -100,10 +100,10 @@ struct Constant {
 #[derive(Args)]
 struct Sphere {
     /// γ = A/(μg)
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     gamma: f64,
     /// Initial slip
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     u0: f64,
     /// Initial angle of the slip with the x axis, in (−π, π]
     #[arg(long, allow_hyphen_values = true)]
@@ -123,7 +123,7 @@ struct Moment {
     #[arg(long, allow_hyphen_values = true)]
     theta: Option<f64>,
     /// At this time
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     time: Option<f64>,
 }
 
@@ -159,7 +159,7 @@ struct Turntable {
     #[arg(long, allow_hyphen_values = true, requires = "x")]
     vy: Option<f64>,
     /// Ask for the state at this time
-    #[arg(long)]
+    #[arg(long, allow_negative_numbers = true)]
     time: Option<f64>,
 }
 
