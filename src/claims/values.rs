@@ -83,7 +83,7 @@ pub static VALUES: &[Value] = &[
         "lambda-c",
         "eq-37",
         10,
-        "$\\lambda_\\mathrm c$, the friction from which on the shaken particle rests",
+        "$\\lambda_\\mathrm{c}$, the friction from which on the shaken particle rests",
         || Ok(sinusoidal::eq37_lambda_c()),
     ),
     row(
