@@ -1,7 +1,7 @@
 //! Taylor steps of several independent motions at once, one in each lane, each with a step length of its own.
 //!
 //! The [`System`] is that of a single motion. What a single motion's integrator does more carefully (sums with a
-//! carry, every component by itself) is left out here: a batch is for ten digits of many motions.
+//! carry, every component by itself) is left out here: a batch is for nine digits of many motions.
 
 use super::lanes::Lanes;
 use super::series::change;

@@ -1,4 +1,4 @@
-//! Many particles on the table at once, to ten digits: each is followed until it rests, until it is far out, or until
+//! Many particles on the table at once, to 10⁻⁹ in the place of rest: each is followed until it rests, until it is far out, or until
 //! its time is up.
 //!
 //! The law of motion is that of [`intrinsic`](super::intrinsic), the certainty of a rest that of
