@@ -29,9 +29,12 @@ pub(super) struct Maths {
 struct Set {
     /// Number of a formula, by its LaTeX and whether it stands on a line of its own.
     numbers: HashMap<(String, bool), usize>,
-    /// HTML and plain text, by number.
-    forms: Vec<(String, String)>,
+    forms: Forms,
 }
+
+/// HTML and plain text of the formulas, by number.
+#[derive(Clone, Default)]
+pub(super) struct Forms(Vec<(String, String)>);
 
 impl Maths {
     pub(super) fn new() -> Self {
@@ -94,8 +97,8 @@ impl Maths {
         let html = render_to_string(&self.context, &roots_in_braces(latex.trim()), settings)
             .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
         let mut set = self.set.borrow_mut();
-        let number = set.forms.len();
-        set.forms.push((
+        let number = set.forms.0.len();
+        set.forms.0.push((
             tidy(&without_annotation(&html), false),
             escape(&plain_formula(latex)),
         ));
@@ -103,6 +106,13 @@ impl Maths {
         Ok(mark(number))
     }
 
+    /// The formulas set so far.
+    pub(super) fn forms(&self) -> Forms {
+        self.set.borrow().forms.clone()
+    }
+}
+
+impl Forms {
     /// Puts the formulas in place of their marks.
     pub(super) fn with_formulas(&self, html: &str) -> String {
         self.replaced(html, |(html, _)| html)
@@ -114,13 +124,12 @@ impl Maths {
     }
 
     fn replaced(&self, html: &str, form: impl Fn(&(String, String)) -> &String) -> String {
-        let set = self.set.borrow();
         let mut out = String::with_capacity(html.len() * 8);
         let mut parts = html.split(MARK.0);
         out.push_str(parts.next().unwrap_or_default());
         for part in parts {
             let (number, after) = part.split_once(MARK.1).unwrap_or((part, ""));
-            let formula = number.parse().ok().and_then(|n: usize| set.forms.get(n));
+            let formula = number.parse().ok().and_then(|n: usize| self.0.get(n));
             out.push_str(formula.map_or("", |formula| form(formula)));
             out.push_str(after);
         }
@@ -265,7 +274,8 @@ mod tests {
         );
         let maths = Maths::new();
         for latex in [r"\sqrt2", r"\sqrt{2}", r"\sqrt\pi"] {
-            let html = maths.with_formulas(&maths.inline(latex).unwrap());
+            let marked = maths.inline(latex).unwrap();
+            let html = maths.forms().with_formulas(&marked);
             assert!(html.contains("padding-left:0.833em"), "{latex}: {html}");
         }
     }
@@ -275,8 +285,8 @@ mod tests {
         let maths = Maths::new();
         let marked = maths.words("if $x<1$ & so on").unwrap();
         assert_eq!(maths.words("if $x<1$ & so on").unwrap(), marked);
-        assert_eq!(maths.with_words(&marked), "if x &lt; 1 &amp; so on");
-        let html = maths.with_formulas(&marked);
+        assert_eq!(maths.forms().with_words(&marked), "if x &lt; 1 &amp; so on");
+        let html = maths.forms().with_formulas(&marked);
         assert!(html.starts_with("if <span class=\"katex\">") && html.ends_with(" &amp; so on"));
         assert!(!html.contains('$') && !html.contains("annotation"));
         assert!(matches!(

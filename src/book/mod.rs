@@ -58,10 +58,11 @@ use crate::figures::Figure;
 use crate::ledger::{Format, Ledger};
 use code::Code;
 use fill::Filler;
-use maths::Maths;
+use maths::Forms;
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
 use pages::Page;
+use rayon::prelude::*;
 use search::Search;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -134,7 +135,7 @@ fn write_pages(
     }
     let book = staging.path("book");
     render(&source, &book)?;
-    finish(&book, &pages, filler.maths())?;
+    finish(&book, &pages, &filler.maths().forms())?;
     for (name, format) in [("errata.txt", Format::Text), ("errata.tex", Format::Latex)] {
         put(&book.join(name), ledger.letter(format)?.as_bytes())?;
     }
@@ -147,23 +148,33 @@ fn write_pages(
 }
 
 /// Puts the formulas into mdBook's pages, and our index in place of mdBook's.
-fn finish(book: &Path, pages: &[Page], maths: &Maths) -> Result<(), BookError> {
-    let mut search = Search::new();
-    let written = pages
-        .iter()
-        .map(|page| (format!("{}.html", page.stem), true));
-    for (name, searched) in written.chain([("print.html".to_owned(), false)]) {
+fn finish(book: &Path, pages: &[Page], maths: &Forms) -> Result<(), BookError> {
+    let read = |name: String| {
         let path = book.join(&name);
-        let html = fs::read_to_string(&path).map_err(|reason| unwritable(&path, reason))?;
-        if searched {
-            search.add(&name, &maths.with_words(&html));
+        match fs::read_to_string(&path) {
+            Ok(html) => Ok((name, path, html)),
+            Err(reason) => Err(unwritable(&path, reason)),
         }
-        put(&path, maths.with_formulas(&html).as_bytes())?;
-    }
-    let index = search
-        .file()
-        .map_err(|error| BookError::Render(error.to_string()))?;
-    put(&book.join("searchindex.js"), index.as_bytes())
+    };
+    let searched = pages.len();
+    let names = pages.iter().map(|page| format!("{}.html", page.stem));
+    let written: Result<Vec<_>, _> = names.chain(["print.html".to_owned()]).map(read).collect();
+    let written = written?;
+    let index = || {
+        let mut search = Search::new();
+        for (name, _, html) in &written[..searched] {
+            search.add(name, &maths.with_words(html));
+        }
+        let index = search.file();
+        index.map_err(|error| BookError::Render(error.to_string()))
+    };
+    let formulas = || {
+        let pages = written.par_iter();
+        pages.try_for_each(|(_, path, html)| put(path, maths.with_formulas(html).as_bytes()))
+    };
+    let (index, set) = rayon::join(index, formulas);
+    set?;
+    put(&book.join("searchindex.js"), index?.as_bytes())
 }
 
 /// Lets mdBook make `book` from `source`.

@@ -10,7 +10,7 @@ use super::error::CertifiedError;
 use super::interval::Interval;
 use crate::numerics::number::Number;
 use crate::numerics::series::Series;
-use crate::numerics::taylor::{Control, Integrator, System};
+use crate::numerics::taylor::{Control, Integrator, Step, System};
 
 /// Coefficients of a series; the last one is that of the remainder.
 pub const TERMS: usize = 18;
@@ -103,7 +103,9 @@ fn series<S: System<Interval, 12, TERMS>>(
 ) -> Option<[Series<Interval, TERMS>; 12]> {
     let zero = Interval::from_f64(0.0);
     let mut integrator = Integrator::new(system, zero, *start, Control::Largest);
-    Some(integrator.expand().ok()?.series)
+    let mut step = Step::empty();
+    integrator.expand(&mut step).ok()?;
+    Some(step.series)
 }
 
 /// A box that no motion from `start` leaves within the time `h`.

@@ -37,10 +37,13 @@ impl<const D: usize> Clocked<D> {
             if left <= 0.0 || finished(&state) {
                 return Ok(Self { steps, end: state });
             }
-            if steps.len() >= limit {
+            let reached = steps.len();
+            if reached >= limit {
                 return Err(MotionError::Steps { limit, t: state[0] });
             }
-            let mut step = integrator.expand()?;
+            steps.push(Step::empty());
+            let step = &mut steps[reached];
+            integrator.expand(step)?;
             if step.h == f64::INFINITY {
                 // All series end: the clock is a polynomial whose first term alone brings it there.
                 step.h = 2.0 * left / step.series[0][1];
@@ -49,11 +52,9 @@ impl<const D: usize> Clocked<D> {
                 step.h = arrival(&step.series[0], left, step.h);
                 let mut end = step.at(&step.h);
                 end[0] = until;
-                steps.push(step);
                 return Ok(Self { steps, end });
             }
-            integrator.advance(&step);
-            steps.push(step);
+            integrator.advance(step);
         }
     }
 

@@ -90,6 +90,7 @@ fn check(
 }
 
 /// Vector product.
+#[inline(always)]
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [
         a[1] * b[2] - a[2] * b[1],
@@ -154,11 +155,12 @@ impl Sphere {
     }
 
     /// dv/dt and dω/dt by a horizontal force at the point of contact alone.
+    #[inline(always)]
     fn response(&self, force: [f64; 2]) -> ([f64; 2], [f64; 3]) {
-        let torque = cross(self.arm(), [force[0], force[1], 0.0]);
+        let [x, y, z] = cross(self.arm(), [force[0], force[1], 0.0]);
         (
-            force.map(|f| f / self.mass),
-            torque.map(|n| n / self.inertia),
+            [force[0] / self.mass, force[1] / self.mass],
+            [x / self.inertia, y / self.inertia, z / self.inertia],
         )
     }
 

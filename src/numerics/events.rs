@@ -64,7 +64,12 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
         *c /= size;
     }
     let slope = scaled.iter().enumerate().skip(1).map(|(k, c)| c * k as f64);
-    let mut nodes = PolyDyn::new(slope).roots_between(0.0, 1.0, f64::EPSILON);
+    let slope: Vec<f64> = slope.collect();
+    let mut nodes = if keeps_sign(&slope) {
+        Vec::new()
+    } else {
+        PolyDyn::new(slope).roots_between(0.0, 1.0, f64::EPSILON)
+    };
     nodes.retain(|u| *u > 0.0 && *u < 1.0);
     nodes.push(1.0);
     let at = |u: f64| value(&scaled, &u);
@@ -112,6 +117,29 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
 
 /// Relative size of last terms that no value notices.
 const NEGLIGIBLE: f64 = 1e-20;
+
+/// Whether the Bernstein coefficients of a polynomial on [0, 1] are all positive or all negative, by more than
+/// rounding: then so are its values. It may be so without this being seen.
+fn keeps_sign(polynomial: &[f64]) -> bool {
+    // b_j = Σ C(j, i)/C(n, i) a_i, i ≤ j: the sums of a triangle of a_i/C(n, i), row by row.
+    let n = polynomial.len().saturating_sub(1);
+    let mut choose = 1.0;
+    let mut triangle: Vec<f64> = Vec::with_capacity(polynomial.len());
+    for (i, a) in polynomial.iter().enumerate() {
+        triangle.push(a / choose);
+        choose *= (n - i) as f64 / (i + 1) as f64;
+    }
+    let size: f64 = polynomial.iter().map(|a| a.abs()).sum();
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for from in 0..triangle.len() {
+        (least, most) = (least.min(triangle[0]), most.max(triangle[0]));
+        for i in 0..triangle.len() - from - 1 {
+            triangle[i] += triangle[i + 1];
+        }
+    }
+    let rounding = n as f64 * f64::EPSILON * size;
+    least > rounding || most < -rounding
+}
 
 /// Bound for the rounding errors of the value at `u`.
 fn rounding(scaled: &[f64], u: f64) -> f64 {

@@ -70,6 +70,7 @@ fn symmetric<T: Number>(a: &[T]) -> T {
 }
 
 /// Coefficient `k` of r = √a, a₀ > 0.
+#[inline(always)]
 pub fn sqrt<T: Number>(a: &[T], r: &[T], k: usize) -> T {
     if k == 0 {
         return a[0].sqrt();
@@ -79,7 +80,11 @@ pub fn sqrt<T: Number>(a: &[T], r: &[T], k: usize) -> T {
 
 /// Σ j u_j f_{k−j} / k, j = 1 … k: the coefficient `k` of the function whose derivative is u′f. Here and in
 /// what builds on it, `u` may be shorter than k + 1: what it lacks is zero.
+#[inline(always)]
 fn chain<T: Number>(u: &[T], f: &[T], k: usize) -> T {
+    if let [_, slope] = u {
+        return slope.clone() * f[k - 1].clone() / T::from_f64(k as f64);
+    }
     let mut sum = T::from_f64(0.0);
     let mut weight = 0.0;
     for (u, f) in u.iter().skip(1).zip(f[..k].iter().rev()) {
@@ -90,6 +95,7 @@ fn chain<T: Number>(u: &[T], f: &[T], k: usize) -> T {
 }
 
 /// Coefficient `k` of s = sin u and of c = cos u.
+#[inline(always)]
 pub fn sin_cos<T: Number>(u: &[T], s: &[T], c: &[T], k: usize) -> (T, T) {
     if k == 0 {
         return u[0].sin_cos();
@@ -98,6 +104,7 @@ pub fn sin_cos<T: Number>(u: &[T], s: &[T], c: &[T], k: usize) -> (T, T) {
 }
 
 /// Coefficient `k` of e = exp u.
+#[inline(always)]
 pub fn exp<T: Number>(u: &[T], e: &[T], k: usize) -> T {
     if k == 0 {
         return u[0].exp();
@@ -106,6 +113,7 @@ pub fn exp<T: Number>(u: &[T], e: &[T], k: usize) -> T {
 }
 
 /// Coefficient `k` of p = u^`exponent`, u₀ > 0 (p′u = `exponent` u′p).
+#[inline(always)]
 pub fn power<T: Number>(u: &[T], exponent: f64, p: &[T], k: usize) -> T {
     if k == 0 {
         return u[0].pow(exponent);

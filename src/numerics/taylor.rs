@@ -7,6 +7,7 @@
 //! states are summed with a carry, so that long runs lose only what single steps lose.
 
 use super::error::NumericsError;
+use super::lanes::{Wide, widest};
 use super::number::Number;
 use super::series::{Series, change, value};
 
@@ -37,6 +38,41 @@ pub enum Control {
     Largest,
 }
 
+/// The work of a step: all coefficients, order by order.
+struct Expansion<'e, S, T, const D: usize, const N: usize>
+where
+    T: Number,
+    S: System<T, D, N>,
+{
+    system: &'e S,
+    state: &'e [T; D],
+    work: &'e mut S::Work,
+    series: &'e mut [Series<T, N>; D],
+}
+
+impl<S, T, const D: usize, const N: usize> Wide for Expansion<'_, S, T, D, N>
+where
+    T: Number,
+    S: System<T, D, N>,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn call(self) {
+        let series = self.series;
+        for (x, start) in series.iter_mut().zip(self.state) {
+            x[0] = start.clone();
+        }
+        for k in 0..N - 1 {
+            let slope = self.system.derivative(k, series, self.work);
+            let inverse = T::from_f64((k + 1) as f64);
+            for (x, d) in series.iter_mut().zip(slope) {
+                x[k + 1] = d / inverse.clone();
+            }
+        }
+    }
+}
+
 /// One step: the series of the state about its beginning.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step<T, const D: usize, const N: usize> {
@@ -49,6 +85,16 @@ pub struct Step<T, const D: usize, const N: usize> {
 }
 
 impl<T: Number, const D: usize, const N: usize> Step<T, D, N> {
+    /// A step to be [expanded](Integrator::expand).
+    pub fn empty() -> Self {
+        let zero = || T::from_f64(0.0);
+        Self {
+            t: zero(),
+            h: 0.0,
+            series: std::array::from_fn(|_| std::array::from_fn(|_| zero())),
+        }
+    }
+
     /// State at a distance from the beginning of the step (dense output): as good as the nodes for distances
     /// from 0 to `h`.
     pub fn at(&self, distance: &T) -> [T; D] {
@@ -120,24 +166,21 @@ where
         self.carry[component] = T::from_f64(0.0);
     }
 
-    /// The series about the present state, and the length (positive) over which it holds.
+    /// Fills a step, empty or no longer needed, with the series about the present state and the length (positive)
+    /// over which it holds.
     ///
     /// # Errors
     /// [`NumericsError::NotFinite`] when the state or a coefficient is infinite or NaN.
-    pub fn expand(&mut self) -> Result<Step<T, D, N>, NumericsError> {
+    pub fn expand(&mut self, step: &mut Step<T, D, N>) -> Result<(), NumericsError> {
         self.system.begin(&self.t, &self.state, &mut self.work);
-        let mut series: [Series<T, N>; D] =
-            std::array::from_fn(|_| std::array::from_fn(|_| T::from_f64(0.0)));
-        for (x, start) in series.iter_mut().zip(&self.state) {
-            x[0] = start.clone();
-        }
-        for k in 0..N - 1 {
-            let slope = self.system.derivative(k, &series, &mut self.work);
-            let inverse = T::from_f64((k + 1) as f64);
-            for (x, d) in series.iter_mut().zip(slope) {
-                x[k + 1] = d / inverse.clone();
-            }
-        }
+        step.t = self.t.clone();
+        let series = &mut step.series;
+        widest(Expansion {
+            system: self.system,
+            state: &self.state,
+            work: &mut self.work,
+            series,
+        });
         // Every one, without a look in between.
         let finite = |fine, c: &T| fine & c.magnitude().is_finite();
         if !series.iter().flatten().fold(true, finite) {
@@ -146,7 +189,7 @@ where
                 at: self.t.magnitude(),
             });
         }
-        let h = libm::exp2(match self.control {
+        step.h = libm::exp2(match self.control {
             Control::Each => series
                 .iter()
                 .map(|x| log2_reach(x))
@@ -158,11 +201,7 @@ where
                 log2_reach(&largest)
             }
         });
-        Ok(Step {
-            t: self.t.clone(),
-            h,
-            series,
-        })
+        Ok(())
     }
 
     /// Goes the distance `step.h` (finite, either sign) along a step that [`expand`](Self::expand) has just
@@ -184,34 +223,32 @@ pub fn reach<T: Number>(x: &[T]) -> f64 {
 }
 
 /// Binary logarithm of the [`reach`].
+#[inline(always)]
 fn log2_reach<T: Number>(x: &[T]) -> f64 {
+    // The exponent field of zero stands for −∞; no quotient with it is the largest.
     let first: [f64; 4] = std::array::from_fn(|k| x.get(k).map_or(f64::NEG_INFINITY, log2));
     let mut least = f64::INFINITY;
     for (n, c) in x.iter().enumerate().skip(x.len().saturating_sub(2).max(4)) {
         let last = log2(c);
-        if last == f64::NEG_INFINITY {
-            continue;
+        let mut best = f64::NEG_INFINITY;
+        for (k, size) in first.iter().enumerate() {
+            let room = (TOLERANCE_LOG2 + size - last) / (n - k) as f64;
+            best = if room > best { room } else { best };
         }
-        let best = first
-            .iter()
-            .enumerate()
-            .map(|(k, size)| (TOLERANCE_LOG2 + size - last) / (n - k) as f64)
-            .fold(f64::NEG_INFINITY, f64::max);
-        if best > f64::NEG_INFINITY {
-            least = least.min(best);
+        if last > f64::NEG_INFINITY && best > f64::NEG_INFINITY && best < least {
+            least = best;
         }
     }
     least
 }
 
 /// Binary logarithm of the magnitude to within 0.09, from the bits of the number; −∞ for zero.
+#[inline(always)]
 fn log2<T: Number>(x: &T) -> f64 {
     let bits = x.magnitude().to_bits();
-    if bits == 0 {
-        return f64::NEG_INFINITY;
-    }
     // So few bits that the sum is exact: a power of two as a factor then changes nothing else.
-    (bits >> 32) as f64 / (1u64 << 20) as f64 - 1023.0
+    let log2 = f64::from((bits >> 32) as i32) / f64::from(1 << 20) - 1023.0;
+    if bits == 0 { f64::NEG_INFINITY } else { log2 }
 }
 
 /// A finished integration: its steps in order.
@@ -284,7 +321,8 @@ pub fn integrate<S: System<f64, D, N>, const D: usize, const N: usize>(
                 at,
             });
         }
-        let mut step = integrator.expand()?;
+        let mut step = Step::empty();
+        integrator.expand(&mut step)?;
         let last = step.h >= left.abs();
         step.h = if last { left } else { step.h.copysign(left) };
         integrator.advance(&step);

@@ -3,12 +3,12 @@
 //! Each equation is tried in two ways: where what it leaves out is below the tolerance (p = 10⁻²⁰), and where it is
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
-use super::boundary::border;
+use super::boundary::{Border, border};
 use super::runs::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::escape::runs::{alpha, rates};
+use crate::claims::escape::runs::{Shared, alpha, rates, shared};
 use crate::claims::escape::straight::{StraightIn, within_one};
 use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
@@ -19,6 +19,7 @@ use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
 use crate::paper::{rest as printed, turntable as law};
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// What an equation says and what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> (f64, f64, f64);
@@ -132,13 +133,22 @@ fn eq145_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
     (printed::eq145_a(sigma, 1.0) - sigma, found, found.abs())
 }
 
-/// At σ = 1, where the motion takes for ever: on the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
+/// On the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
+fn borders_near_one() -> impl Iterator<Item = Result<&'static Border, MotionError>> {
+    static BORDERS: Shared<Border> = LazyLock::new(|| {
+        let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
+        alphas
+            .map(|alpha| border(alpha, 2.0 * alpha + 2.0 * alpha * alpha))
+            .collect()
+    });
+    shared(&BORDERS)
+}
+
+/// At σ = 1, where the motion takes for ever: on the boundary.
 fn at_one(compared: &'static str, sides: fn([f64; 3]) -> (f64, f64, f64)) -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Outside, compared, BOUNDARY);
-    trial.over(0..20, |i| {
-        let alpha = 0.005 * f64::from(i + 1);
-        let psi = 2.0 * alpha + 2.0 * alpha * alpha;
-        let a = border(alpha, psi)?.a;
+    trial.over(borders_near_one(), |border| {
+        let Border { alpha, psi, a } = *border?;
         let (stated, found, scale) = sides([a, alpha, psi]);
         Ok::<_, Failure>(Pair {
             at: format!("σ = 1, α = {alpha:.3}, ψ = {psi:.6}"),

@@ -7,7 +7,7 @@ use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, fate};
 use crate::numerics::roots::root;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 /// A motion that ends at rest.
 #[derive(Debug)]
@@ -18,6 +18,8 @@ pub struct Approach {
     pub sigma: f64,
     /// The motion.
     pub run: Run,
+    /// The moments that were asked for, by speed.
+    moments: Mutex<Vec<(f64, Close)>>,
 }
 
 /// A moment just before rest.
@@ -73,6 +75,7 @@ impl Approach {
             start,
             sigma: end.rho(),
             run,
+            moments: Mutex::default(),
         }))
     }
 
@@ -87,6 +90,16 @@ impl Approach {
     /// # Errors
     /// Those of the motion.
     pub fn close(&self, speed: f64) -> Result<Close, Failure> {
+        let mut moments = self.moments.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, close)) = moments.iter().find(|(of, _)| *of == speed) {
+            return Ok(*close);
+        }
+        let close = self.close_at(speed)?;
+        moments.push((speed, close));
+        Ok(close)
+    }
+
+    fn close_at(&self, speed: f64) -> Result<Close, Failure> {
         let node = self.run.nodes().find(|s| s.p() < speed);
         let node = node.ok_or("the speed does not fall so low")?;
         // A clock of its own, so that tiny times keep their digits.

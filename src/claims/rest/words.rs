@@ -72,7 +72,7 @@ fn riders() -> Evidence {
 }
 
 /// One of so many resting starts of the census is followed to its place.
-const EVERY: usize = 3;
+const EVERY: usize = 8;
 
 /// Long after the last of them has come to rest.
 const LONG: f64 = 1e3;

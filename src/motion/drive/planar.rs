@@ -17,7 +17,7 @@ use super::{Drive, DriveError, Friction, State};
 use crate::numerics::NumericsError;
 use crate::numerics::piecewise::Piece;
 use crate::numerics::series::{Series, arrival, convolution, exp};
-use crate::numerics::taylor::{Control, Integrator, System, TERMS};
+use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
 use std::f64::consts::TAU;
 
 /// Below this logarithm of the speed the phase does not advance any more.
@@ -133,6 +133,7 @@ impl System<f64, 3, TERMS> for Layer<'_> {
         work.partial = vec![[0.0; TERMS]; work.h.len()];
     }
 
+    #[inline(always)]
     fn derivative(&self, k: usize, x: &[Series<f64, TERMS>; 3], work: &mut Work) -> [f64; 3] {
         let [s, a, b] = x;
         for (e, u) in work.exponentials.iter_mut().zip([a, b]) {
@@ -259,7 +260,8 @@ impl<'d> Flight<'d> {
             lambda: self.lambda,
         };
         let mut integrator = Integrator::new(&system, 0.0, self.state, Control::Each);
-        let mut step = integrator.expand()?;
+        let mut step = Step::empty();
+        integrator.expand(&mut step)?;
         let steepest = step.series[1][1].abs().max(step.series[2][1].abs());
         step.h = step.h.min(LONGEST / steepest.max(f64::MIN_POSITIVE));
         let reaches = step.at(&step.h)[0] >= end;

@@ -9,7 +9,7 @@ use super::super::acceleration::Coefficients;
 use super::super::trajectory::{Arc, Piece, State};
 use super::{MotionError, Run};
 use crate::numerics::series::{convolution, product, sqrt, square};
-use crate::numerics::taylor::{Control, Integrator, System, TERMS};
+use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
 
 /// The equations of motion, about a time at which the acceleration is known.
 struct Sliding {
@@ -45,13 +45,17 @@ impl System<f64, 5, TERMS> for Sliding {
         }
     }
 
+    #[inline(always)]
     fn derivative(&self, k: usize, state: &[Coefficients; 5], work: &mut Work) -> [f64; 5] {
         let [vx, vy, t, ..] = state;
         let [ax, ay] = if self.terms > 1 {
             work.speed_squared[k] = square(vx, k) + square(vy, k);
             work.speed[k] = sqrt(&work.speed_squared, &work.speed, k);
             self.compose(k, t, work);
-            [0, 1].map(|i| product(&work.a[i], &work.speed, k) + self.friction * state[i][k])
+            [
+                product(&work.a[0], &work.speed, k) + self.friction * vx[k],
+                product(&work.a[1], &work.speed, k) + self.friction * vy[k],
+            ]
         } else {
             self.constant_pull(k, [vx, vy], work)
         };
@@ -72,6 +76,7 @@ impl Sliding {
     /// (μg − |A|) v; so, with ± the sign of the larger component w of v, u the smaller, and a, b those components
     /// of A, it is computed as a e + (μg ± a) w, where e = |v| − |w| = u²/(|v| + |w|) obeys
     /// de/ds = (±a − μg) e − b u.
+    #[inline(always)]
     fn constant_pull(&self, k: usize, v: [&Coefficients; 2], work: &mut Work) -> [f64; 2] {
         let larger = usize::from(v[1][0].abs() > v[0][0].abs());
         let (w, u) = (v[larger], v[1 - larger]);
@@ -90,6 +95,7 @@ impl Sliding {
     }
 
     /// Coefficient `k` in s of A(t(s)), by the powers of t − t₀ up to `k`.
+    #[inline(always)]
     fn compose(&self, k: usize, t: &Coefficients, work: &mut Work) {
         if k == 0 {
             (work.a[0][0], work.a[1][0]) = (self.a[0][0], self.a[1][0]);
@@ -139,7 +145,8 @@ impl Run<'_> {
             let unit = unit(size.max(self.friction).max(speed / local.left).min(FASTEST));
             sliding.prepare(&local.a, self.friction, unit);
             let mut integrator = Integrator::resume(&sliding, start, carried, Control::Each);
-            let mut step = integrator.expand()?;
+            let mut step = Box::new(Step::empty());
+            integrator.expand(&mut step)?;
             // In no case further than a constant speed would take it four times.
             step.h = step.h.min(4.0 * local.left * unit / speed);
             let mut landing = None;
@@ -155,7 +162,7 @@ impl Run<'_> {
             drop_negligible(&mut state, &mut carry);
             let [vx, vy, t, x, y] = state;
             self.push(
-                Piece::Slide(Box::new(step)),
+                Piece::Slide(step),
                 State {
                     t,
                     v: [vx, vy],
@@ -222,12 +229,13 @@ impl Run<'_> {
 impl Sliding {
     /// Takes the acceleration about the beginning of a step, in units of `unit`.
     fn prepare(&mut self, a: &[Coefficients; 2], friction: f64, unit: f64) {
-        self.a = a.map(|series| series.map(|c| c / unit));
+        // A power of two: its inverse is exact.
+        self.slowness = 1.0 / unit;
+        self.a = a.map(|series| series.map(|c| c * self.slowness));
         let last =
             |series: &Coefficients| series.iter().rposition(|c| *c != 0.0).map_or(0, |k| k + 1);
         self.terms = last(&a[0]).max(last(&a[1]));
-        self.friction = friction / unit;
-        self.slowness = 1.0 / unit;
+        self.friction = friction * self.slowness;
     }
 }
 

@@ -6,7 +6,7 @@ use super::slide::Sliding;
 use super::{Ball, Contact, Motion, MotionError, PARTS, Piece, Sphere, Transition, check};
 use crate::numerics::events::{Way, roots};
 use crate::numerics::series::{arrival, change, square, value};
-use crate::numerics::taylor::{Control, Integrator, TERMS, reach};
+use crate::numerics::taylor::{Control, Integrator, Step, TERMS, reach};
 
 /// Steps that a motion may take.
 const STEPS: usize = 50_000;
@@ -177,7 +177,8 @@ impl Run<'_> {
             let mut state = [self.t; 10];
             state[1..].copy_from_slice(&self.parts);
             let mut integrator = Integrator::resume(&sliding, state, carry, Control::Each);
-            let mut step = integrator.expand()?;
+            let mut step = Box::new(Step::empty());
+            integrator.expand(&mut step)?;
             step.h = step.h.min(4.0 * local.left / self.slip());
             let mut landing = None;
             if change(&step.series[0], &step.h) >= local.left {
@@ -191,10 +192,7 @@ impl Run<'_> {
             (state, carry) = integrator.finish();
             self.t = state[0];
             self.parts.copy_from_slice(&state[1..]);
-            self.pieces.push(Piece::Slide {
-                step: Box::new(step),
-                to: self.t,
-            });
+            self.pieces.push(Piece::Slide { step, to: self.t });
             for (i, j) in [(7, 8), (8, 7)] {
                 if self.parts[i].abs() < NEGLIGIBLE * self.parts[j].abs() {
                     (self.parts[i], carry[i + 1]) = (0.0, 0.0);

@@ -25,6 +25,7 @@ impl<'a> Sliding<'a> {
     }
 
     /// Coefficient `k` in s of A(t(s)), by the powers of t − t₀.
+    #[inline(always)]
     fn acceleration(&self, k: usize, t: &Coefficients, work: &mut Work) {
         let mut sum = [0, 1].map(|i| if k == 0 { self.a[i][0] } else { 0.0 });
         for j in 1..=k.min(self.terms.saturating_sub(1)) {
@@ -59,6 +60,7 @@ impl System<f64, 10, TERMS> for Sliding<'_> {
         work.powers = vec![[0.0; TERMS]; self.terms];
     }
 
+    #[inline(always)]
     fn derivative(&self, k: usize, state: &[Coefficients; 10], work: &mut Work) -> [f64; 10] {
         let [t, _, _, vx, vy, _, _, _, cx, cy] = state;
         work.squared[k] = square(cx, k) + square(cy, k);
@@ -67,7 +69,15 @@ impl System<f64, 10, TERMS> for Sliding<'_> {
         let friction = self.sphere.friction();
         // The force times |c|.
         let (by_force, spin) = self.sphere.response([-friction * cx[k], -friction * cy[k]]);
-        let dv = [0, 1].map(|i| by_force[i] - product(&work.a[i], &work.rate, k));
+        let pull = if self.terms > 1 {
+            [
+                product(&work.a[0], &work.rate, k),
+                product(&work.a[1], &work.rate, k),
+            ]
+        } else {
+            [self.a[0][0] * work.rate[k], self.a[1][0] * work.rate[k]]
+        };
+        let dv = [by_force[0] - pull[0], by_force[1] - pull[1]];
         let turning = cross(spin, self.sphere.arm());
         [
             work.rate[k],

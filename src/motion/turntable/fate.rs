@@ -27,7 +27,7 @@
 
 use super::intrinsic::{Law, Start, check};
 use crate::motion::error::MotionError;
-use crate::numerics::taylor::{Control, Integrator};
+use crate::numerics::taylor::{Control, Integrator, Step};
 
 /// What becomes of a particle on the dimensionless table.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -107,6 +107,7 @@ fn follow(start: &Start, closely: bool) -> Result<Fate, MotionError> {
     check(start)?;
     let state = [0.0, start.p, 1.0 - start.xi, start.zeta];
     let mut integrator = Integrator::<_, _, 4, ORDER>::new(&Law, 0.0, state, Control::Each);
+    let mut step = Step::empty();
     let mut refined = 0;
     for _ in 0..STEPS {
         match judge(integrator.state()) {
@@ -116,7 +117,7 @@ fn follow(start: &Start, closely: bool) -> Result<Fate, MotionError> {
             Some(_) => refined += 1,
             None => {}
         }
-        let step = integrator.expand()?;
+        integrator.expand(&mut step)?;
         integrator.advance(&step);
     }
     let [tau, p, ..] = *integrator.state();

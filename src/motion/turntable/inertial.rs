@@ -40,6 +40,7 @@ impl System<f64, 5, TERMS> for Laboratory {
 
     fn begin(&self, _: &f64, _: &[f64; 5], _: &mut Self::Work) {}
 
+    #[inline(always)]
     fn derivative(&self, k: usize, state: &[[f64; TERMS]; 5], work: &mut Self::Work) -> [f64; 5] {
         let [_, x, y, u, v] = state;
         let [wx, wy, squared, rate] = work;

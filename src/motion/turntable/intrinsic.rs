@@ -181,6 +181,7 @@ impl System<f64, 6, TERMS> for Tracked {
 
     fn begin(&self, _: &f64, _: &[f64; 6], (): &mut ()) {}
 
+    #[inline(always)]
     fn derivative(&self, k: usize, x: &[[f64; TERMS]; 6], (): &mut ()) -> [f64; 6] {
         let [_, p, w, zeta, _, _] = x;
         let [time, speed, deficit, forward] = derivatives(k, p, w, zeta);

@@ -28,6 +28,7 @@ impl System<f64, 5, TERMS> for Table {
 
     fn begin(&self, _: &f64, _: &[f64; 5], _: &mut Self::Work) {}
 
+    #[inline(always)]
     fn derivative(&self, k: usize, x: &[[f64; TERMS]; 5], work: &mut Self::Work) -> [f64; 5] {
         let [_, x, y, u, v] = x;
         let [squared, rate, along_x, along_y] = work;

@@ -2,6 +2,7 @@
 
 use super::PiecewiseError;
 use std::f64::consts::PI;
+use std::sync::LazyLock;
 
 /// Interpolation points per part.
 pub(super) const POINTS: usize = 16;
@@ -13,6 +14,10 @@ const RESOLVED: f64 = 1e-15;
 const ARGUMENT: f64 = 4.5e-16;
 /// Places between the interpolation points, as shares of the part, where the fit is checked.
 const CHECKS: [f64; 4] = [0.004, 0.171, 0.463, 0.921];
+
+/// cos(πn/2N) for a full turn, N the number of points.
+static COSINES: LazyLock<[f64; 4 * POINTS]> =
+    LazyLock::new(|| std::array::from_fn(|n| libm::cos(PI * n as f64 / (2 * POINTS) as f64)));
 
 /// One part and its polynomial.
 pub(super) struct Fit {
@@ -34,10 +39,11 @@ pub(super) fn interpolate(
     size: f64,
 ) -> Result<Fit, PiecewiseError> {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
-    let angle = |j: usize| PI * (j as f64 + 0.5) / POINTS as f64;
+    let cosines = &*COSINES;
+    let node = |j: usize| cosines[2 * j + 1];
     let mut values = [0.0; POINTS];
     for (j, value) in values.iter_mut().enumerate() {
-        *value = function((middle + half * libm::cos(angle(j))).clamp(a, b))?;
+        *value = function((middle + half * node(j)).clamp(a, b))?;
     }
     let flat = values.iter().all(|v| *v == values[0]);
     let mut series = [0.0; POINTS];
@@ -46,18 +52,14 @@ pub(super) fn interpolate(
     } else {
         for (k, coefficient) in series.iter_mut().enumerate() {
             let sum: f64 = (0..POINTS)
-                .map(|j| {
-                    // cos(k·angle) with the angle brought into [0, 2π) while it is still a whole number.
-                    let turn = k * (2 * j + 1) % (4 * POINTS);
-                    values[j] * libm::cos(PI * turn as f64 / (2 * POINTS) as f64)
-                })
+                .map(|j| values[j] * cosines[k * (2 * j + 1) % cosines.len()])
                 .sum();
             *coefficient = sum * if k == 0 { 1.0 } else { 2.0 } / POINTS as f64;
         }
     }
     let steepest = (1..POINTS)
         .map(|j| {
-            let width = half * (libm::cos(angle(j - 1)) - libm::cos(angle(j)));
+            let width = half * (node(j - 1) - node(j));
             (values[j] - values[j - 1]).abs() / width
         })
         .fold(0.0, f64::max);
