@@ -42,15 +42,17 @@ pub fn corrected() -> Evidence {
     let sides = [-1.0, 0.2, 2.0]
         .into_iter()
         .flat_map(|psi| [(psi, -0.03), (psi, 0.03)]);
-    trial.over(sides, |(psi, off)| {
-        let alpha = 0.1;
-        let border = corrected_a(alpha, psi);
-        let a = border + off;
-        if !is_clear(a, alpha, psi) {
-            return Err("too close to the boundary".into());
-        }
-        proved([a, alpha, psi], border)
-    })
+    trial
+        .over(sides, |(psi, off)| {
+            let alpha = 0.1;
+            let border = corrected_a(alpha, psi);
+            let a = border + off;
+            if !is_clear(a, alpha, psi) {
+                return Err("too close to the boundary".into());
+            }
+            proved([a, alpha, psi], border)
+        })
+        .of_a_part()
 }
 
 #[cfg(test)]
