@@ -58,7 +58,10 @@ pub fn corrected() -> Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certified::error::CertifiedError;
+    use crate::certified::turntable::{fate_launched, fate_put_down};
     use crate::claims::rest::boundary::resting_place;
+    use crate::motion::turntable::{critical_radius, critical_speed};
 
     #[test]
     fn the_simulated_radius_lies_in_the_proved_interval() {
@@ -84,6 +87,21 @@ mod tests {
                 let pair = proved([border + off, 0.1, psi], border + 1.5 * off).unwrap();
                 assert_eq!(pair.disagreement(), 1.0);
             }
+        }
+    }
+
+    #[test]
+    fn the_critical_launches_lie_between_proved_fates() {
+        let off = 1e-5;
+        type Of = fn(Interval, f64) -> Result<Fate, CertifiedError>;
+        let launches: [(Of, f64); 2] = [
+            (fate_put_down, critical_radius().unwrap()),
+            (fate_launched, critical_speed().unwrap()),
+        ];
+        for (fate, critical) in launches {
+            let [below, above] = [-off, off].map(|off| fate(Interval::point(critical + off), ANY));
+            assert!(matches!(below, Ok(Fate::Rest { .. })), "{below:?}");
+            assert!(matches!(above, Ok(Fate::Escape { .. })), "{above:?}");
         }
     }
 }
