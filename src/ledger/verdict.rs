@@ -242,6 +242,7 @@ impl<'a> Weighed<'a> {
         let (proofs, others): (BTreeSet<_>, BTreeSet<_>) =
             self.distinct().into_iter().partition(|r| r.is_proof());
         let whole = match (proofs.is_empty(), others.is_empty()) {
+            (true, true) => "is not tried as a whole".to_owned(),
             (true, _) => format!("holds by {}", list(&others)),
             (_, true) => format!("is proved ({})", list(&proofs)),
             _ => {

@@ -23,12 +23,16 @@ pub fn x_unique() -> Evidence {
 
 /// That the stated point may be the root, which is known to 1e-14.
 fn prove_stated(root: [Interval; 2], stated: [Interval; 2]) -> Result<usize, CertifiedError> {
-    let mut sides = root.iter().zip(stated);
-    if sides.all(|(a, b)| a.meet(b).is_some() && a.width() < 1e-14) {
-        return Ok(1);
-    }
     let at = format!("{} × {}", root[0], root[1]);
-    Err(CertifiedError::False { at })
+    let mut sides = root.iter().zip(stated);
+    if sides.any(|(a, b)| a.meet(b).is_none()) {
+        return Err(CertifiedError::False { at });
+    }
+    if root.iter().any(|side| side.width() >= 1e-14) {
+        let why = "the root is not known well enough";
+        return Err(CertifiedError::NotProved { why, at });
+    }
+    Ok(1)
 }
 
 fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
