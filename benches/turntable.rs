@@ -5,6 +5,7 @@ use rayon::prelude::*;
 use slipbook::claims::points::Points;
 use slipbook::claims::rest::boundary::is_clear;
 use slipbook::corrections::rest as corrected;
+use slipbook::motion::MotionError;
 use slipbook::motion::turntable::boundary::between;
 use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use slipbook::paper::rest as printed;
@@ -106,24 +107,41 @@ fn census(name: &str, list: &[Launch]) {
     );
 }
 
-/// A on the boundary to 10⁻¹⁰, with what (147) says and the second-order remainder.
+/// The boundary to 10⁻¹⁰ in A for 24 values of ψ over (−π, π]: how far (147) is from it, and the second-order remainder
+/// over α³.
 fn boundary() -> Result<(), Failure> {
-    println!("α      ψ       A           (147)       [A − second order]/α³");
-    for alpha in [0.3, 0.1, 0.03, 0.01, 0.003, 0.001] {
-        for psi in [0.0, PI / 2.0, 2.5, PI, -PI / 2.0] {
+    const ALPHAS: [f64; 6] = [0.3, 0.1, 0.03, 0.01, 0.003, 0.001];
+    let begin = Instant::now();
+    let angles: Vec<_> = (1..=24).map(|k| PI * (f64::from(k) / 12.0 - 1.0)).collect();
+    let row = |&psi: &f64| -> Result<_, MotionError> {
+        let mut row = ALPHAS.map(|alpha| [alpha, 0.0]);
+        for entry in &mut row {
+            let alpha = entry[0];
             let least = (1.0 - 1e-9) * libm::exp(-alpha);
-            let a = between(
-                |a| Start::hyperbolic(a, alpha, psi),
-                least,
-                1.0 + 1e-9,
-                1e-10,
-            )?;
-            let remainder = (a - corrected::boundary_a(alpha, psi)) / (alpha * alpha * alpha);
-            println!(
-                "{alpha:<5} {psi:>7.4}  {a:.10} {:.10} {remainder:>8.4}",
-                printed::eq147_a(alpha)
-            );
+            let start = |a| Start::hyperbolic(a, alpha, psi);
+            let a = between(start, least, 1.0 + 1e-9, 1e-10)?;
+            let second = (a - corrected::boundary_a(alpha, psi)) / (alpha * alpha * alpha);
+            *entry = [a - printed::eq147_a(alpha), second];
         }
+        Ok(row)
+    };
+    let rows = angles.par_iter().map(row).collect::<Result<Vec<_>, _>>()?;
+    let seconds = begin.elapsed().as_secs_f64();
+    println!(
+        "boundary at {} points, to 1e-10 in A, in {seconds:.2} s; [A − second order]/α³ at α = {ALPHAS:?}",
+        angles.len() * ALPHAS.len()
+    );
+    for (psi, row) in angles.iter().zip(&rows) {
+        let remainders = row.map(|[_, remainder]| format!("{remainder:>8.3}"));
+        println!("ψ = {psi:>7.4}:{}", remainders.concat());
+    }
+    for (i, alpha) in ALPHAS.iter().enumerate() {
+        let largest = |k: usize| rows.iter().map(|row| row[i][k].abs()).fold(0.0, f64::max);
+        println!(
+            "α = {alpha}: largest |A − (147)| {:.3e}, largest |A − second order|/α³ {:.3}",
+            largest(0),
+            largest(1)
+        );
     }
     Ok(())
 }

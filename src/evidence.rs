@@ -169,6 +169,8 @@ pub struct Evidence {
     pub samples: Vec<Sample>,
     /// The steps of a proof, in order, as plain text; none for a measurement.
     pub steps: Vec<String>,
+    /// True if it covers a part of the claim only: it can speak against the claim, but not for the whole of it.
+    pub partial: bool,
 }
 
 /// What a piece of evidence says by itself.
@@ -185,6 +187,30 @@ pub enum Outcome {
 }
 
 impl Evidence {
+    /// The same evidence, about a part of the claim only.
+    pub fn of_a_part(self) -> Self {
+        Evidence {
+            partial: true,
+            ..self
+        }
+    }
+
+    /// Which form of the claim it is about, and whether about the whole of it, in words; `conditional` as in
+    /// [`Subject::words`].
+    pub fn about(&self, conditional: bool) -> String {
+        let part = if self.partial { ", a part of it" } else { "" };
+        format!("{}{part}", self.subject.words(conditional))
+    }
+
+    /// What became of a proof, in one word or two; `None` for a measurement.
+    pub fn proof_words(&self) -> Option<&'static str> {
+        self.route.is_proof().then(|| match self.outcome() {
+            Outcome::Agrees => "proved",
+            Outcome::Disagrees => "disproved",
+            Outcome::NotANumber | Outcome::TooFewPoints => "not proved",
+        })
+    }
+
     /// Reads the evidence by its own tolerance.
     pub fn outcome(&self) -> Outcome {
         if self.worst.is_nan() || !self.tolerance.value.is_finite() {

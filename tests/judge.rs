@@ -17,6 +17,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         },
         samples: vec![],
         steps: vec![],
+        partial: false,
     }
 }
 
@@ -203,4 +204,25 @@ fn a_misprint_from_which_a_refuted_claim_follows_is_refuted() {
     assert_eq!(seen(Verdict::Misprint, &unharmed), Verdict::Misprint);
     let ground = in_view_of(own(Verdict::Misprint), &fallen).ground;
     assert!(ground.ends_with("falls too: b"), "{ground}");
+}
+
+#[test]
+fn a_proof_of_a_part_proves_no_claim() {
+    let part = evidence(Route::Certified, Subject::Printed, 0.0).of_a_part();
+    let census = evidence(Route::Census, Subject::Printed, 0.0);
+    let root = evidence(Route::Root, Subject::Printed, GOOD);
+    let alone = [part.clone(), census.clone()];
+    assert_eq!(verdict(Kind::Equation, None, &alone), Verdict::Undecided);
+    let judged = judge(Kind::Equation, None, &[part, census, root]);
+    assert_eq!(judged.verdict, Verdict::Confirmed);
+    assert_eq!(
+        judged.ground,
+        "holds by root, census; a part of it is proved (certified)"
+    );
+    let against = evidence(Route::Certified, Subject::Printed, f64::INFINITY).of_a_part();
+    assert_eq!(against.proof_words(), Some("disproved"));
+    assert_eq!(
+        verdict(Kind::Equation, None, &[against]),
+        Verdict::Undecided
+    );
 }

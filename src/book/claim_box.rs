@@ -156,8 +156,6 @@ fn trial(
     code: Option<&Place>,
 ) -> Result<String, Fault> {
     let (class, outcome) = match evidence.outcome() {
-        Outcome::Agrees if evidence.route.is_proof() => ("agrees", "proved"),
-        Outcome::Disagrees if evidence.route.is_proof() => ("disagrees", "not proved"),
         Outcome::Agrees => ("agrees", "agrees"),
         Outcome::Disagrees if evidence.subject == Subject::Outside => {
             ("matters", "disagrees, so the condition matters")
@@ -166,16 +164,17 @@ fn trial(
         Outcome::NotANumber => ("open", "gave no number"),
         Outcome::TooFewPoints => ("open", "has too few points"),
     };
-    let measure = if evidence.route.is_proof() {
-        proof(evidence)
-    } else {
-        measure(maths, evidence)?
+    let proved = evidence.proof_words();
+    let measure = match proved {
+        Some(_) => proof(evidence),
+        None => measure(maths, evidence)?,
     };
     Ok(format!(
-        "<li class=\"{class}\"><p><strong>{route}</strong>, {subject}: <span class=\"outcome\">{outcome}</span>. \
+        "<li class=\"{class}\"><p><strong>{route}</strong>, {about}: <span class=\"outcome\">{outcome}</span>. \
          {compared}.{code}</p>{measure}{samples}</li>",
         route = evidence.route.name(),
-        subject = evidence.subject.words(conditional),
+        about = evidence.about(conditional),
+        outcome = proved.unwrap_or(outcome),
         compared = maths.words(&sentence(evidence.compared))?,
         samples = samples(maths, evidence)?,
         code = code.map_or(String::new(), |place| format!(

@@ -56,6 +56,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         } else {
             Vec::new()
         },
+        partial: false,
     }
 }
 

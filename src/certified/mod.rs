@@ -8,7 +8,7 @@
 //! - [`cover`]: an inequality, or the sign of a slope, holds on a whole range;
 //! - [`flow`]: all motions from a box of starts, by an integrator that bounds what it leaves out.
 //!
-//! [`jet`] differentiates formulas on the way. [`drive`] and [`turntable`] put Newton's law to these tools: they know
+//! [`jet`] differentiates formulas on the way, [`taylor`] more than once. [`drive`] and [`turntable`] put Newton's law to these tools: they know
 //! arcs and polynomial equations of motion, and nothing of the paper. [`values`] lists the numbers.
 //!
 //! ```
@@ -30,5 +30,6 @@ pub mod interval;
 pub mod jet;
 pub mod krawczyk;
 pub mod root;
+pub mod taylor;
 pub mod turntable;
 pub mod values;

@@ -13,6 +13,8 @@
 //!   r = 1 − ρ, and, since ξ never falls, S ≥ p²/(2w). As (ρ² − p²)˙ = 2p, the radius is σ² = ρ² − p² + 2S.
 //! - ρ² − p² > 1: no rest, since it never falls, and is σ² ≤ 1 at rest.
 //! - w < 0: no rest, since p′ = −p w > 0, and w never rises.
+//! - ζ < −p, w < p: no rest. While w ≥ 0, (ζ + p)′ = −2pw ≤ 0 where ζ = −p, so that ζ ≤ −p stays; then (p² − w²)′ =
+//!   2w (ζ² − p²) ≥ 0 keeps p² above w² by a fixed amount, and w′ = −ζ² ≤ −p² makes w negative.
 //!
 //! A particle that never rests goes away for ever: within bounds ρ² − p² would converge, and with it the way and the
 //! place, where the pull would have to be balanced for good.
@@ -81,6 +83,25 @@ pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, Certifie
     follow([p, w, p - rho * psi.sin()], width)
 }
 
+/// The fate of a particle put down at rest in the laboratory at the distance `r` from the axis, with the
+/// radius at rest as for [`fate`].
+///
+/// # Errors
+/// As [`fate`].
+pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
+    // Against the table it moves across the radius with the speed r.
+    follow([r, Interval::int(1), Interval::int(0)], width)
+}
+
+/// The fate of a particle launched from the axis with the speed `u`, with the radius at rest as for [`fate`].
+///
+/// # Errors
+/// As [`fate`].
+pub fn fate_launched(u: Interval, width: f64) -> Result<Fate, CertifiedError> {
+    // On the axis the table does not move.
+    follow([u, Interval::int(1), u], width)
+}
+
 fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
     let mut state = start;
     let (mut rest, mut h) = (None, 1.0);
@@ -126,7 +147,8 @@ fn judge(&[p, w, zeta]: &[Interval; 3]) -> Option<Judged> {
     let one = Interval::int(1);
     let xi = one - w;
     let energy = xi.squared() + zeta * (zeta - p - p);
-    if w.sign() == Some(-1.0) || one.below(energy) {
+    let ahead = zeta.below(-p) && w.below(p);
+    if w.sign() == Some(-1.0) || one.below(energy) || ahead {
         return Some(Judged::Escape);
     }
     let rho = (xi.squared() + (p - zeta).squared()).sqrt();

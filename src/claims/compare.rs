@@ -85,6 +85,7 @@ impl Trial {
             tolerance: self.tolerance,
             samples: Vec::new(),
             steps: Vec::new(),
+            partial: false,
         };
         for point in points {
             let pair = match pair(point) {
@@ -160,5 +161,6 @@ pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Eviden
         tolerance: tolerances::NONE,
         samples: Vec::new(),
         steps: proof.steps().iter().map(Step::to_string).collect(),
+        partial: false,
     }
 }

@@ -32,6 +32,7 @@ pub fn certified(
         tolerance: tolerances::NONE,
         samples: Vec::new(),
         steps: Vec::new(),
+        partial: false,
     }
 }
 

@@ -59,6 +59,10 @@ pub const MEASURED: &[Measured] = &[
         ],
     },
     Measured {
+        reason: "A part of it is proved: the order of the curves between which the regions lie, and that between E and C nothing moves backward. Which motion belongs to which region is counted at many points.",
+        claims: &["s24-region-2", "fig-5"],
+    },
+    Measured {
         reason: "It carries over to the sphere what is measured of the particle; the step itself, that the slip velocity moves as a particle's velocity does, is proved.",
         claims: &["s32-rolling-trichotomy", "s33-pulse", "s34-anisotropic"],
     },

@@ -197,11 +197,9 @@ fn reason_of_condition(entry: &Entry) -> String {
 
 /// A trial in one sentence.
 fn said(e: &Evidence, conditional: bool) -> String {
-    let outcome = match e.outcome() {
-        Outcome::Agrees if e.route.is_proof() => "proved".to_owned(),
+    let measured = match e.outcome() {
         Outcome::Agrees if e.tolerance.value == 0.0 => format!("agrees at {} points", e.points),
         Outcome::Agrees => format!("agrees to {:.0e} at {} points", e.tolerance.value, e.points),
-        Outcome::Disagrees if e.route.is_proof() => "fails".to_owned(),
         Outcome::Disagrees if e.worst.is_infinite() => {
             "has no value where the motion has one".to_owned()
         }
@@ -211,9 +209,10 @@ fn said(e: &Evidence, conditional: bool) -> String {
         ),
         Outcome::NotANumber | Outcome::TooFewPoints => "open".to_owned(),
     };
+    let outcome = e.proof_words().map_or(measured, str::to_owned);
     format!(
         "{}, by {}: {}: {outcome}",
-        e.subject.words(conditional),
+        e.about(conditional),
         e.route.name(),
         e.compared
     )

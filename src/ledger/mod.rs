@@ -47,8 +47,8 @@ impl Entry {
         self.judgement.verdict == Verdict::Conditional
     }
 
-    /// The strongest route by which it holds what the verdict rests on: the claim, or what is right in its
-    /// place. Proofs come before measurements.
+    /// The strongest route by which it holds what the verdict rests on: the whole of the claim, or of what is right
+    /// in its place. Proofs come before measurements.
     pub fn strongest(&self) -> Option<Route> {
         let corrected = match self.judgement.verdict {
             Verdict::Misprint | Verdict::Refuted => true,
@@ -60,7 +60,7 @@ impl Entry {
             Subject::Corrected => corrected,
             Subject::Outside => false,
         };
-        let evidence = self.evidence.iter().filter(counts);
+        let evidence = self.evidence.iter().filter(counts).filter(|e| !e.partial);
         let agrees = evidence.filter(|e| e.outcome() == Outcome::Agrees);
         agrees.map(|e| e.route).min()
     }

@@ -52,6 +52,10 @@ pub struct EvidenceRow<'a> {
     pub tolerance: f64,
     /// Where the tolerance comes from.
     pub reason: &'a str,
+    /// What became of a proof: proved, disproved, not proved; nothing for a measurement.
+    pub proof: Option<&'a str>,
+    /// True if it covers a part of the claim only.
+    pub partial: bool,
 }
 
 impl Entry {
@@ -85,5 +89,7 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
         worst: e.worst,
         tolerance: e.tolerance.value,
         reason: e.tolerance.reason,
+        proof: e.proof_words(),
+        partial: e.partial,
     }
 }

@@ -41,21 +41,19 @@ impl Entry {
 fn trial(text: &mut String, e: &Evidence, conditional: bool) {
     let tolerance = e.tolerance.value;
     let said = match e.outcome() {
-        Outcome::Agrees if e.route.is_proof() => "proved".into(),
-        Outcome::Disagrees if e.route.is_proof() => "not proved".into(),
         Outcome::Agrees => format!("agrees to {tolerance:.0e}"),
         Outcome::Disagrees => format!("differs by more than {tolerance:.0e}"),
         Outcome::NotANumber => "gave no number".into(),
         Outcome::TooFewPoints => "has too few points".into(),
     };
-    let (route, subject) = (e.route.name(), e.subject.words(conditional));
-    let _ = writeln!(text, "\ntrial by {route}, {subject}: {}", e.compared);
-    if e.route.is_proof() {
+    let (route, about) = (e.route.name(), e.about(conditional));
+    let _ = writeln!(text, "\ntrial by {route}, {about}: {}", e.compared);
+    if let Some(proof) = e.proof_words() {
         let steps = match e.steps.len() {
             0 => String::new(),
             n => format!(" in {n} steps"),
         };
-        let _ = writeln!(text, "    {said}{steps}");
+        let _ = writeln!(text, "    {proof}{steps}");
     } else {
         let _ = writeln!(text, "    {} points, {said}", e.points);
     }

@@ -218,8 +218,10 @@ impl<'a> Weighed<'a> {
         self.agree.is_empty() && self.against.is_empty()
     }
 
+    /// The routes by which the whole holds.
     fn distinct(&self) -> BTreeSet<Route> {
-        self.agree.iter().map(|e| e.route).collect()
+        let whole = self.agree.iter().filter(|e| !e.partial);
+        whole.map(|e| e.route).collect()
     }
 
     fn is_proved(&self) -> bool {
@@ -231,21 +233,31 @@ impl<'a> Weighed<'a> {
         self.distinct().len() >= 2 || self.is_proved()
     }
 
-    /// How it holds: proofs first.
+    /// How it holds: proofs first, those of a part last.
     fn standing(&self) -> String {
-        let (proofs, others): (Vec<Route>, Vec<Route>) =
-            self.distinct().into_iter().partition(|r| r.is_proof());
-        let list = |routes: &[Route]| {
+        let list = |routes: &BTreeSet<Route>| {
             let names: Vec<_> = routes.iter().map(|r| r.name()).collect();
             names.join(", ")
         };
-        match (proofs.as_slice(), others.as_slice()) {
-            ([], others) => format!("holds by {}", list(others)),
-            (proofs, []) => format!("is proved ({})", list(proofs)),
-            (proofs, others) => {
-                let (proofs, others) = (list(proofs), list(others));
+        let (proofs, others): (BTreeSet<_>, BTreeSet<_>) =
+            self.distinct().into_iter().partition(|r| r.is_proof());
+        let whole = match (proofs.is_empty(), others.is_empty()) {
+            (true, true) => "is not tried as a whole".to_owned(),
+            (true, _) => format!("holds by {}", list(&others)),
+            (_, true) => format!("is proved ({})", list(&proofs)),
+            _ => {
+                let (proofs, others) = (list(&proofs), list(&others));
                 format!("is proved ({proofs}) and holds by {others}")
             }
+        };
+        let parts = self
+            .agree
+            .iter()
+            .filter(|e| e.partial && e.route.is_proof());
+        let parts: BTreeSet<_> = parts.map(|e| e.route).collect();
+        match proofs.is_empty() && !parts.is_empty() {
+            true => format!("{whole}; a part of it is proved ({})", list(&parts)),
+            false => whole,
         }
     }
 }

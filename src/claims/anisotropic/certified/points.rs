@@ -15,22 +15,24 @@ use crate::scalar::Scalar;
 
 /// X: (53) and (54) have one common root near (57).
 pub fn x_unique() -> Evidence {
-    let compared = "(57) with the only common root of (53) and (54) in 0.97 ≤ q ≤ 1.03, 0.525 ≤ λ₀ ≤ 0.55, enclosed to 1e-14";
+    let compared = "(57) with the only common root of (53) and (54) in 0.97 ≤ q ≤ 1.03, 0.525 ≤ λ₀ ≤ 0.55, enclosed to 1e-14, so that its λ₀ is positive";
     let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
-    let stated = printed::eq57_x::<Interval>();
-    let proof = meeting.and_then(|root| {
-        let close = root
-            .iter()
-            .zip(stated)
-            .all(|(a, b)| a.meet(b).is_some() && a.width() < 1e-14);
-        let at = format!("{} × {}", root[0], root[1]);
-        if close {
-            Ok(1)
-        } else {
-            Err(CertifiedError::False { at })
-        }
-    });
+    let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
     certified(proof, Subject::Printed, compared)
+}
+
+/// That the stated point may be the root, which is known to 1e-14.
+fn prove_stated(root: [Interval; 2], stated: [Interval; 2]) -> Result<usize, CertifiedError> {
+    let at = format!("{} × {}", root[0], root[1]);
+    let mut sides = root.iter().zip(stated);
+    if sides.any(|(a, b)| a.meet(b).is_none()) {
+        return Err(CertifiedError::False { at });
+    }
+    if root.iter().any(|side| side.width() >= 1e-14) {
+        let why = "the root is not known well enough";
+        return Err(CertifiedError::NotProved { why, at });
+    }
+    Ok(1)
 }
 
 fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
@@ -119,7 +121,11 @@ mod tests {
             let [left, right] = printed::eq54_sides(l, u);
             [left, right + l / Two::int(1000)]
         });
-        let stated = printed::eq57_x::<Interval>();
-        assert!(off.is_err() || off.is_ok_and(|root| root[1].meet(stated[1]).is_none()));
+        let stated = printed::eq57_x();
+        assert!(off.and_then(|root| prove_stated(root, stated)).is_err());
+        // The exact proof knows λ₀ by its square only; here its sign counts.
+        let root = prove_x(printed::eq53_sides, printed::eq54_sides).unwrap();
+        let [q, lambda0] = stated;
+        assert!(prove_stated(root, [q, -lambda0]).is_err());
     }
 }
