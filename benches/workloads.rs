@@ -4,9 +4,9 @@
 use criterion::{BenchmarkGroup, Criterion, Throughput, measurement::WallTime};
 use rayon::prelude::*;
 use slipbook::certified::values;
-use slipbook::claims::anisotropic::runs::Curves;
 use slipbook::claims::constant::exact::proof;
 use slipbook::claims::points::Points;
+use slipbook::claims::solve::anisotropic::row::{Arcs, Column, Row};
 use slipbook::motion::drive::{Attractor, Drive, Friction, Sign, State};
 use slipbook::motion::turntable::ensemble::{End, Horizon};
 use slipbook::motion::turntable::intrinsic::Run;
@@ -100,7 +100,7 @@ fn ends_against_single(horizon: &Horizon, starts: &[Start]) -> Result<(), Failur
 /// Cells along each side of the plane of parameters.
 const SIDE: usize = 1000;
 
-/// The periodic motion at every pixel of 1 < q < 7, 0 < λ₀ < 1; and its kind alone, by the curves.
+/// The periodic motion at every pixel of 1 < q < 7, 0 < λ₀ < 1, by simulation and by the formulas.
 fn census(c: &mut Criterion) -> Result<(), Failure> {
     let q = |i: usize| 1.0 + 6.0 * (i as f64 + 0.5) / SIDE as f64;
     let lambda = |j: usize| (j as f64 + 0.5) / SIDE as f64;
@@ -130,38 +130,59 @@ fn census(c: &mut Criterion) -> Result<(), Failure> {
     group.bench_function("all cores", |b| {
         b.iter(|| frictions.par_iter().map(intervals).sum::<usize>());
     });
-    group.bench_function("kinds by the curves", |b| {
-        b.iter(|| -> Result<usize, Failure> {
-            let mut sum = 0;
-            for i in 0..SIDE {
-                let curves = Curves::at(q(i))
-                    .map_err(|error| error.to_string())?
-                    .corrected;
-                let kind = |j| slipbook::corrections::anisotropic::region(lambda(j), &curves);
-                sum += (0..SIDE).filter_map(kind).sum::<usize>();
-            }
-            Ok(sum)
-        });
-    });
+    let columns: Vec<Column> = (0..SIDE)
+        .map(|i| Column::new(q(i)))
+        .collect::<Result<_, _>>()?;
+    let mut arcs = Vec::with_capacity(frictions.len());
+    let by_formula = |arcs: &mut Vec<Arcs>| -> Result<(), Failure> {
+        arcs.clear();
+        for j in 0..SIDE {
+            let mut row = Row::new(lambda(j))?;
+            arcs.extend(columns.iter().map(|column| row.at(column)));
+        }
+        Ok(())
+    };
+    by_formula(&mut arcs)?;
+    let worst = frictions.iter().zip(&arcs).map(|(f, arcs)| missed(f, arcs));
+    println!(
+        "w2-formula, accuracy on all: ends of the intervals to {:.1e}",
+        worst.fold(0.0, f64::max)
+    );
+    group.finish();
+    let mut group = self::group(c, "w2-formula", frictions.len());
+    group.bench_function("one core", |b| b.iter(|| by_formula(&mut arcs)));
     Ok(())
 }
 
 /// By how much the ends of the intervals miss the zeros of w, from ∫sin in closed form and the slope there.
 fn miss(attractor: &Attractor<'_>) -> f64 {
     let friction = attractor.friction();
-    let of = |sign, start: f64, end: f64| {
-        let level = match sign {
-            Sign::Positive => friction.plus(),
-            Sign::Negative => -friction.minus(),
-            Sign::Rest => return 0.0,
-        };
-        let gained = libm::cos(start) - libm::cos(end) - level * (end - start);
-        (gained / (libm::sin(end) - level)).abs()
-    };
     let list = attractor.intervals();
     list.iter()
-        .map(|i| of(i.sign, i.start, i.end))
+        .map(|i| end_missed(&friction, i.sign, i.start, i.end))
         .fold(0.0, f64::max)
+}
+
+/// The same for what the formulas give.
+fn missed(friction: &Friction, arcs: &Arcs) -> f64 {
+    let of = |sign, [start, end]: [f64; 2]| {
+        if start < end {
+            end_missed(friction, sign, start, end)
+        } else {
+            0.0
+        }
+    };
+    of(Sign::Positive, arcs.forward).max(of(Sign::Negative, arcs.backward))
+}
+
+fn end_missed(friction: &Friction, sign: Sign, start: f64, end: f64) -> f64 {
+    let level = match sign {
+        Sign::Positive => friction.plus(),
+        Sign::Negative => -friction.minus(),
+        Sign::Rest => return 0.0,
+    };
+    let gained = libm::cos(start) - libm::cos(end) - level * (end - start);
+    (gained / (libm::sin(end) - level)).abs()
 }
 
 /// Digits that are certain: to be read, they would have to be right in all places.

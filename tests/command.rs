@@ -297,3 +297,116 @@ fn without_room_or_interrupted_the_earlier_book_stays() {
         }
     }
 }
+
+#[test]
+fn an_ensemble_ends_as_its_particles_do() {
+    let grid = [
+        "ensemble",
+        "--rho",
+        "0.5",
+        "--p",
+        "0.2:1.4:3",
+        "--psi=-1:2:2",
+    ];
+    let output = slipbook(&[&grid[..], &["--csv"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let rows = text(&output.stdout);
+    let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split(',').collect()).collect();
+    assert_eq!(rows[0], ["rho", "p", "psi", "outcome", "sigma", "tau"]);
+    assert_eq!(rows.len(), 7);
+    for row in &rows[1..] {
+        let single = slipbook(&[
+            "solve",
+            "turntable",
+            "--rho",
+            row[0],
+            "--p",
+            row[1],
+            "--psi",
+            row[2],
+            "--json",
+        ]);
+        let single: Value = serde_json::from_slice(&single.stdout).unwrap();
+        match row[3] {
+            "rest" => {
+                let sigma: f64 = row[4].parse().unwrap();
+                assert!(
+                    (sigma - single["sigma"].as_f64().unwrap()).abs() < 1e-9,
+                    "{row:?}"
+                );
+            }
+            outcome => assert_eq!(
+                (outcome, single["outcome"].as_str()),
+                ("far", Some("escape"))
+            ),
+        }
+    }
+    assert!(rows.iter().any(|row| row[3] == "rest") && rows.iter().any(|row| row[3] == "far"));
+    let output = slipbook(&[&grid[..], &["--json"]].concat());
+    let whole: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(whole["ends"].as_array().unwrap().len(), 6);
+    assert_eq!((&whole["done"], &whole["of"]), (&6.into(), &6.into()));
+}
+
+#[test]
+fn an_ensemble_names_what_is_out_of_range() {
+    for (wrong, named) in [
+        ("-1", "rho"),
+        ("1:2", "LOW:HIGH:COUNT"),
+        ("1:1e10:5", "rho"),
+    ] {
+        let rho = format!("--rho={wrong}");
+        let output = slipbook(&["ensemble", &rho, "--p", "1", "--psi", "0"]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(
+            text(&output.stderr).contains(named),
+            "{}",
+            text(&output.stderr)
+        );
+        assert!(output.stdout.is_empty());
+    }
+}
+
+/// Ctrl-C is a signal only where there are signals.
+#[cfg(unix)]
+#[test]
+fn an_ensemble_stops_in_good_order() {
+    use std::io::{BufRead, BufReader, Read};
+    use std::process::Stdio;
+
+    let mut child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+        .args([
+            "ensemble",
+            "--rho",
+            "0.5",
+            "--p",
+            "0:1.5:100000",
+            "--psi=-3:3:100000",
+            "--json",
+        ])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut out = BufReader::new(child.stdout.take().unwrap());
+    let mut said = String::new();
+    for _ in 0..10 {
+        out.read_line(&mut said).unwrap();
+    }
+    let interrupted = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status();
+    assert!(interrupted.unwrap().success());
+    out.read_to_string(&mut said).unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130));
+    let whole: Value = serde_json::from_str(&said).unwrap();
+    let rows = whole["ends"].as_array().unwrap().len();
+    assert!(
+        rows > 0 && whole["done"] == rows,
+        "{rows} {}",
+        whole["done"]
+    );
+    assert_eq!(whole["of"], 10_000_000_000_u64);
+    assert!(text(&output.stderr).contains(&format!("stopped after {rows} of 10000000000 starts")));
+}

@@ -31,7 +31,7 @@ ROWS = [
      "w2_stickslip.py --peer numba-sim --repeats 2"),
     ("pixel of the stick-slip plane", "w2-census", "one core", 1000000, "heyoka with events",
      "w2_stickslip.py --peer heyoka-events --pixels 300"),
-    ("kind of a pixel, by formula", "w2-census", "kinds by the curves", 1000000, "numba, closed form",
+    ("pixel of the stick-slip plane, by formula", "w2-formula", "one core", 1000000, "numba, closed form",
      "w2_stickslip.py --peer numba-smart --repeats 5"),
     ("50 digits of Y", "w3-digits", "q-Y, 50", 1, "Arb", "w3_highprec.py --digits 50 --peer flint-arb"),
     ("50 digits of Y", "w3-digits", "q-Y, 50", 1, "mpmath", "w3_highprec.py --digits 50 --peer mpmath-findroot"),
@@ -57,6 +57,10 @@ def ours(group, function, items):
     with open(os.path.join(ROOT, "target", "criterion", group, function, "new", "estimates.json")) as file:
         nanoseconds = json.load(file)["median"]["point_estimate"]
     return nanoseconds / items / 1e3, "; ".join(line.split(": ", 1)[0].split(", ", 1)[1] + ": " + line.split(": ", 1)[1] for line in accuracy)
+
+
+# The ensemble on one core, from a thousand starts to a million: what one costs must not grow.
+GROWTH = [1024, 10000, 99856, 1000000]
 
 
 def theirs(command):
@@ -93,8 +97,14 @@ def main():
             best[key] = float(f"{best[key]:.3g}")
         print(json.dumps(best), flush=True)
         rows.append(best)
+    growth = []
+    if "w1".startswith(arguments.only[:2]):
+        for starts in GROWTH:
+            times = [ours("w1-turntable", f"one core, {starts}", starts)[0] for _ in range(arguments.rounds)]
+            growth.append({"starts": starts, "each_us": float(f"{min(times):.3g}")})
+            print(json.dumps(growth[-1]), flush=True)
     machine = f"{platform.machine()}, {os.cpu_count()} cores"
-    result = {"date": datetime.date.today().isoformat(), "machine": machine, "rounds": arguments.rounds, "rows": rows}
+    result = {"date": datetime.date.today().isoformat(), "machine": machine, "rounds": arguments.rounds, "rows": rows, "growth": growth}
     with open(arguments.out + ".part", "w") as file:
         json.dump(result, file, indent=1)
         file.write("\n")

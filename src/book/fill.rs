@@ -95,6 +95,7 @@ impl<'a> Filler<'a> {
             ["symbols"] => block(symbols::table_of(self)?),
             ["values"] => block(values::table_of(self)?),
             ["speed"] => block(speed::table_of()?),
+            ["growth"] => block(speed::growth()?),
             ["measured-on"] => inline(speed::circumstances()?),
             ["falls"] => block(map::what_falls(self)?),
             ["map", "key"] => block(map::key()),

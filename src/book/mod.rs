@@ -16,7 +16,7 @@
 //! | `{{equations}}`, `{{symbols}}`, `{{values}}` | the indexes |
 //! | `{{errata misprint refuted}}` | the errata with these verdicts |
 //! | `{{map key}}`, `{{map list}}`, `{{falls}}` | the signs of the map of claims, and what it shows as tables |
-//! | `{{speed}}`, `{{measured-on}}` | the committed timings beside those of others, and when and where they were taken |
+//! | `{{speed}}`, `{{growth}}`, `{{measured-on}}` | the committed timings beside those of others, by the number of starts, and when and where they were taken |
 //! | `{{routes}}`, `{{tolerances}}` | tables of what the trials of this ledger use |
 //! | `{{sheet eq-20}}` | the claim's sheet, as the snapshots have it |
 //! | `{{verdict eq-11}}` | the verdict in word and colour |

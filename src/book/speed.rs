@@ -14,6 +14,14 @@ struct Results {
     machine: String,
     rounds: u32,
     rows: Vec<Row>,
+    growth: Vec<Growth>,
+}
+
+/// What one start of an ensemble costs when there are so many.
+#[derive(Deserialize)]
+struct Growth {
+    starts: u64,
+    each_us: f64,
 }
 
 /// One kind of work, by this program and by a peer.
@@ -59,6 +67,15 @@ pub(super) fn table_of() -> Result<String, Fault> {
     Ok(table("speed", head, rows))
 }
 
+/// The cost of a start by their number.
+pub(super) fn growth() -> Result<String, Fault> {
+    let growth = results()?.growth;
+    let rows = growth
+        .iter()
+        .map(|row| [row.starts.to_string(), time(row.each_us)]);
+    Ok(table("speed", ["starts", "each"], rows))
+}
+
 /// When and where it was measured.
 pub(super) fn circumstances() -> Result<String, Fault> {
     let Results {
@@ -87,6 +104,14 @@ mod tests {
         ] {
             assert_eq!(time(microseconds), expected);
         }
+    }
+
+    #[test]
+    fn a_start_costs_the_same_among_a_thousand_and_a_million() {
+        let growth = results().unwrap().growth;
+        let (first, last) = (growth.first().unwrap(), growth.last().unwrap());
+        assert!(last.starts >= 900 * first.starts);
+        assert!(last.each_us < 1.2 * first.each_us);
     }
 
     #[test]

@@ -1,8 +1,10 @@
 //! The command line: what a reader may ask, and how the answer is printed.
 //!
 //! The exit code is 0 when every verdict that was computed is the recorded one, 1 when one differs, 2 for bad usage,
-//! bad input or a failure. After a failure there is nothing on standard output.
+//! bad input or a failure. After a failure there is nothing on standard output, but for `ensemble`, which writes as it
+//! goes.
 
+mod ensemble;
 mod find;
 mod ledger;
 mod output;
@@ -105,6 +107,12 @@ enum Command {
         after_help = "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot"
     )]
     Solve(solve::Solve),
+    /// Follow many particles on a turntable and say where each ends; rows come while the work goes on
+    #[command(
+        after_help = "Example:\n  slipbook ensemble --rho 0.5 --p 0:1.5:1000 --psi=-3.14:3.14:1000 --csv > ends.csv\n\n\
+                      Ctrl-C ends it after the present piece of work: the rows so far are whole, the exit code is 130."
+    )]
+    Ensemble(ensemble::Ensemble),
     /// Print a script that completes the command line in a shell
     #[command(after_help = "Example:\n  slipbook completions bash > slipbook.bash")]
     Completions {
@@ -147,6 +155,7 @@ fn answer(arguments: &Arguments) -> Result<u8, Failure> {
         Command::Errata { format: kind } => ledger::print_errata(*kind, format),
         Command::Find { number } => find::find(number, format),
         Command::Solve(solve) => solve.run(format),
+        Command::Ensemble(ensemble) => ensemble.run(format),
         Command::Completions { shell } => completions(*shell, format),
     }
 }

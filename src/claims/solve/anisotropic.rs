@@ -1,5 +1,7 @@
 //! Anisotropic friction under a sinusoidal drive: the large-time motion and its region.
 
+pub mod row;
+
 use super::sinusoidal::{friction, settle, two_periods};
 use super::{Answer, Curve, Field, Fields, SolveError, check};
 use crate::motion::drive::{Attractor, Drive, Friction, Sign};
