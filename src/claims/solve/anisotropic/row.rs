@@ -18,10 +18,11 @@ pub struct Arcs {
 #[derive(Debug, Clone, Copy)]
 pub struct Column {
     q: f64,
-    /// K of (53), with its sine and cosine.
+    /// K of (53), with its sine and cosine, and K/sin K.
     k: f64,
     sin: f64,
     cos: f64,
+    ratio: f64,
 }
 
 impl Column {
@@ -33,7 +34,13 @@ impl Column {
         check("q", q, (1.0..=1e3).contains(&q), "between 1 and 1e3")?;
         let k = printed::eq53_k(q);
         let (sin, cos) = libm::sincos(k);
-        Ok(Self { q, k, sin, cos })
+        Ok(Self {
+            q,
+            k,
+            sin,
+            cos,
+            ratio: k / sin,
+        })
     }
 }
 
@@ -78,8 +85,14 @@ impl Row {
         })
     }
 
+    /// The motions at the columns, one after the other, are put behind what is in `arcs`.
+    pub fn fill(&mut self, columns: &[Column], arcs: &mut Vec<Arcs>) {
+        arcs.extend(columns.iter().map(|column| self.at(column)));
+    }
+
     /// The motion at a column.
-    pub fn at(&mut self, column: &Column) -> Arcs {
+    #[inline(always)]
+    fn at(&mut self, column: &Column) -> Arcs {
         let (plus, minus) = (self.lambda0, column.q * self.lambda0);
         let [_, end] = self.forward;
         let one_way = Arcs {
@@ -122,8 +135,10 @@ impl Row {
 
 /// Region I, as in [`super::without_rest`], with the addition theorem in place of sines of its phases.
 fn without_rest(plus: f64, minus: f64, column: &Column) -> Option<Arcs> {
-    let Column { k, sin, cos, .. } = *column;
-    let sine = plus * k / sin;
+    let Column {
+        k, sin, cos, ratio, ..
+    } = *column;
+    let sine = plus * ratio;
     if sine > 1.0 {
         return None;
     }
@@ -139,7 +154,7 @@ fn without_rest(plus: f64, minus: f64, column: &Column) -> Option<Arcs> {
 }
 
 /// Where a slip under `lambda` ends that begins from rest at `start`, whose cosine is `cos`: the root of (32) between
-/// the phase at which it is fastest and one period after its start, by Newton's method in that bracket.
+/// the phase at which it is fastest and one period after its start, by Halley's method in that bracket.
 fn slip_end(lambda: f64, start: f64, cos: f64, guess: f64) -> f64 {
     let (mut low, mut high) = (start, start + TAU);
     let mut x = guess;
@@ -157,17 +172,19 @@ fn slip_end(lambda: f64, start: f64, cos: f64, guess: f64) -> f64 {
         } else {
             high = x;
         }
-        let by = w / slope;
-        x -= by;
-        // The error after a step is of the order of its square.
-        if by * by < CLOSE && slope < 0.0 {
+        let newton = w / slope;
+        let bend = 0.5 * cosine / slope;
+        x -= newton / (1.0 - newton * bend);
+        // The error after a step is of the order of its third power.
+        let next = newton * bend;
+        if slope < 0.0 && (newton * next * next).abs() < CLOSE {
             return x;
         }
     }
     x
 }
 
-/// Square of a step after which the next would be below rounding.
+/// A step after which the next would be below rounding.
 const CLOSE: f64 = 1e-17;
 /// Steps after which every other one halves the bracket, and steps in all.
 const BRACKET: usize = 8;
@@ -198,8 +215,12 @@ mod tests {
         for j in 0..50 {
             let lambda0 = 0.011 + 0.0211 * f64::from(j);
             let mut row = Row::new(lambda0).unwrap();
-            for (q, column) in &columns {
-                let arcs = row.at(column);
+            let mut found = Vec::new();
+            row.fill(
+                &columns.iter().map(|(_, c)| *c).collect::<Vec<_>>(),
+                &mut found,
+            );
+            for ((q, _), arcs) in columns.iter().zip(found) {
                 let friction = Friction::new(lambda0, q * lambda0).unwrap();
                 let outcome = drive.attractor(friction, State { phi: 0.0, w: 0.0 }, 1000);
                 let motion = outcome.unwrap().settled().unwrap();
