@@ -5,6 +5,7 @@
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::measured::MEASURED;
+use slipbook::claims::variants::{self, SURVIVORS};
 use slipbook::claims::{Claim, TOPICS};
 use slipbook::ledger::{Ledger, Record};
 use std::collections::BTreeSet;
@@ -35,6 +36,8 @@ fn main() {
     trials.push(Trial::test("verdicts", move || {
         same_as_snapshot("", "verdicts", &record)
     }));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("variants", move || wrong_variants(&whole)));
     let without: BTreeSet<_> = ledger
         .entries
         .iter()
@@ -56,6 +59,35 @@ fn main() {
         ledger.summary()
     );
     conclusion.exit();
+}
+
+/// Of every formula, every wrong variant is rejected but those for which a reason is given.
+fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
+    let variants = variants::all();
+    let rejected = ledger.rejected(&variants);
+    let mut record = String::new();
+    let mut survivors = Vec::new();
+    for entry in &ledger.entries {
+        let of_claim = || {
+            variants
+                .iter()
+                .zip(&rejected)
+                .filter(|(v, _)| v.claim == entry.claim.id)
+        };
+        let (tried, survive) = (of_claim().count(), of_claim().filter(|(_, yes)| !**yes));
+        let survive: Vec<_> = survive
+            .map(|(v, _)| (v.claim.as_str(), v.text.as_str()))
+            .collect();
+        if tried > 0 {
+            record += &format!("{}: {} of {tried}\n", entry.claim.id, tried - survive.len());
+        }
+        survivors.extend(survive);
+    }
+    let excused: Vec<_> = SURVIVORS.iter().map(|s| (s.claim, s.text)).collect();
+    if survivors != excused {
+        return Err(format!("{survivors:#?} survive, a reason is given for {excused:#?}").into());
+    }
+    same_as_snapshot("", "variants", &record)
 }
 
 /// The claims without a proof are those for which a reason is given, each once.

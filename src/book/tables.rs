@@ -6,6 +6,7 @@ use super::fill::{Filler, verdict};
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
 use crate::claims::measured::{MEASURED, Measured};
+use crate::claims::variants::{SURVIVORS, Survivor};
 use crate::evidence::{Kind, Route};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
@@ -313,4 +314,18 @@ pub(super) fn measured(filler: &Filler<'_>) -> Result<String, Fault> {
         ["Why there is no proof", "Claims"],
         rows?,
     ))
+}
+
+/// The wrong variants that are not rejected.
+pub(super) fn survivors(filler: &Filler<'_>) -> Result<String, Fault> {
+    let row = |survivor: &Survivor| {
+        Ok([
+            filler.link(filler.entry(survivor.claim)?)?,
+            format!("<code>{}</code>", escape(survivor.text)),
+            filler.maths().words(survivor.reason)?,
+        ])
+    };
+    let rows: Result<Vec<_>, Fault> = SURVIVORS.iter().map(row).collect();
+    let head = ["Claim", "Wrong variant", "Why it stands"];
+    Ok(table("survivors", head, rows?))
 }

@@ -12,6 +12,9 @@ mod row;
 mod run;
 mod sheet;
 mod table;
+mod tally;
+#[cfg(feature = "book")]
+mod variants;
 mod verdict;
 
 #[cfg(feature = "book")]
@@ -22,6 +25,7 @@ pub use letter::Format;
 pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
 pub use row::{EvidenceRow, Row};
+pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
 use crate::claims::{Claim, Topic};
