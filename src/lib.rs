@@ -9,7 +9,7 @@
 //! - [`paper`] holds the formulas as printed, errors included; [`corrections`] what replaces those that fail.
 //! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
 //!
-//! In both a mistake can be [`seeded`], to see that it is noticed.
+//! In a formula of [`paper`] or [`corrections`] a mistake can be [`seeded`], to see that its trials notice.
 //!
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
 //! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:

@@ -7,8 +7,9 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::measured::MEASURED;
 use slipbook::claims::variants::{self, SURVIVORS};
 use slipbook::claims::{Claim, TOPICS};
+use slipbook::evidence::Outcome;
 use slipbook::ledger::{Ledger, Record};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -38,6 +39,13 @@ fn main() {
     }));
     let whole = Arc::clone(&ledger);
     trials.push(Trial::test("variants", move || wrong_variants(&whole)));
+    let slack = stale_tolerances(&ledger);
+    trials.push(Trial::test("tolerances", move || {
+        let none: &[String] = &[];
+        (slack == none)
+            .then_some(())
+            .ok_or_else(|| format!("too loose: {slack:#?}").into())
+    }));
     let without: BTreeSet<_> = ledger
         .entries
         .iter()
@@ -59,6 +67,28 @@ fn main() {
         ledger.summary()
     );
     conclusion.exit();
+}
+
+/// How many times looser a tolerance may be than the worst disagreement that it admits.
+const SLACK: f64 = 10.0;
+
+/// The tolerances that are looser, by their reasons, with the worst disagreement of the trials that agree within them.
+fn stale_tolerances(ledger: &Ledger) -> Vec<String> {
+    let mut worst = BTreeMap::<(&str, u64), f64>::new();
+    let evidence = ledger.entries.iter().flat_map(|entry| &entry.evidence);
+    for e in evidence.filter(|e| !e.route.is_proof() && e.outcome() == Outcome::Agrees) {
+        let key = (e.tolerance.reason, e.tolerance.value.to_bits());
+        let so_far = worst.entry(key).or_default();
+        *so_far = so_far.max(e.worst);
+    }
+    let loose = worst
+        .into_iter()
+        .filter(|((_, bits), worst)| f64::from_bits(*bits) > SLACK * worst);
+    loose
+        .map(|((reason, bits), worst)| {
+            format!("{:e} for {worst:e}: {reason}", f64::from_bits(bits))
+        })
+        .collect()
 }
 
 /// Of every formula, every wrong variant is rejected but those for which a reason is given.

@@ -92,6 +92,7 @@ impl<'a> Filler<'a> {
             ["proofs"] => block(tables::proofs(self.ledger)),
             ["strongest"] => block(tables::strongest(self)?),
             ["measured"] => block(tables::measured(self)?),
+            ["accuracy"] => block(tables::accuracy(self)?),
             ["survivors"] => block(tables::survivors(self)?),
             ["sheet", id] => block(format!(
                 "<pre><code class=\"language-text\">{}</code></pre>\n",

@@ -316,6 +316,34 @@ pub(super) fn measured(filler: &Filler<'_>) -> Result<String, Fault> {
     ))
 }
 
+/// Of every claim that was measured, the comparison that came closest to its tolerance.
+pub(super) fn accuracy(filler: &Filler<'_>) -> Result<String, Fault> {
+    let row = |entry: &Entry| {
+        let Some(closest) = entry.closest() else {
+            return Ok(None);
+        };
+        Ok(Some([
+            filler.link(entry)?,
+            closest.route.name().to_owned(),
+            closest.subject.words(entry.is_conditional()).to_owned(),
+            count(closest.points),
+            size(closest.worst),
+            size(closest.tolerance.value),
+        ]))
+    };
+    let rows = filler.ledger().entries.iter().map(row);
+    let rows: Result<Vec<_>, Fault> = rows.filter_map(Result::transpose).collect();
+    let head = [
+        "Claim",
+        "By",
+        "What",
+        "Points",
+        "Worst disagreement",
+        "Tolerance",
+    ];
+    Ok(table("accuracy", head, rows?))
+}
+
 /// The wrong variants that are not rejected.
 pub(super) fn survivors(filler: &Filler<'_>) -> Result<String, Fault> {
     let row = |survivor: &Survivor| {

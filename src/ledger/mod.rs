@@ -74,6 +74,18 @@ impl Entry {
         self.strongest().is_some_and(Route::is_proof)
     }
 
+    /// Of the measurements that agree, the one whose worst disagreement is closest to its tolerance.
+    pub fn closest(&self) -> Option<&Evidence> {
+        let agrees = |e: &&Evidence| !e.route.is_proof() && e.outcome() == Outcome::Agrees;
+        let excess = |e: &Evidence| match e.tolerance.value {
+            // Nothing may differ, and nothing does.
+            0.0 => 0.0,
+            tolerance => e.worst / tolerance,
+        };
+        let measured = self.evidence.iter().filter(agrees);
+        measured.max_by(|a, b| excess(a).total_cmp(&excess(b)))
+    }
+
     /// The largest disagreement that was measured inside the conditions, by its tolerance.
     pub fn worst(&self) -> Option<&Evidence> {
         self.evidence
