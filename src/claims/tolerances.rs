@@ -46,7 +46,7 @@ pub const ESCAPE_CORRECTION: Tolerance = Tolerance {
 
 /// What a quantity tends to as a particle escapes.
 pub const ESCAPE_LIMIT: Tolerance = Tolerance {
-    value: 5e-12,
+    value: 3e-12,
     reason: "fits with the known form of the corrections over τ from 1e5 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12",
 };
 
@@ -82,7 +82,7 @@ pub const FIRST_STAGE: Tolerance = Tolerance {
 
 /// What the inertial frame's foreign integrator and ours may differ by.
 pub const FOREIGN: Tolerance = Tolerance {
-    value: 4e-12,
+    value: 2e-12,
     reason: "the second integrator, of order 8, is asked for 1e-13 a step",
 };
 
