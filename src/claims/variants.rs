@@ -18,6 +18,13 @@ pub struct Variant {
     pub text: String,
 }
 
+impl Variant {
+    /// True if the formula is one of the paper's, false if it replaces one.
+    pub fn is_printed(&self) -> bool {
+        self.seed.formula.contains("::paper::")
+    }
+}
+
 /// A wrong variant that no trial rejects, and why none has to.
 #[derive(Debug, Clone, Copy)]
 pub struct Survivor {

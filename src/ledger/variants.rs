@@ -3,7 +3,7 @@
 use super::{Entry, Ledger, Verdict, judge};
 use crate::claims::variants::Variant;
 use crate::evidence::{Evidence, Outcome, Subject};
-use crate::seeded::{self, Seed};
+use crate::seeded;
 use rayon::ThreadPoolBuilder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{available_parallelism, scope};
@@ -23,7 +23,7 @@ impl Ledger {
                 variants.get(i).map(|variant| (i, variant))
             } {
                 let entry = self.entry(&variant.claim);
-                let rejects = || entry.is_some_and(|entry| entry.rejects(variant.seed));
+                let rejects = || entry.is_some_and(|entry| entry.rejects(variant));
                 found.push((i, pool.install(rejects)));
             }
             found
@@ -42,19 +42,18 @@ impl Ledger {
 }
 
 impl Entry {
-    /// True if the claim, tried with the mistake, does not get its verdict. A printed formula that fails as it stands
+    /// True if the claim, tried with the variant, does not get its verdict. A printed formula that fails as it stands
     /// has to fail again.
-    fn rejects(&self, seed: Seed) -> bool {
+    fn rejects(&self, variant: &Variant) -> bool {
         let claim = self.claim;
         let change = claim.correction.map(|c| c.change);
         let verdict_of = |evidence: &[Evidence]| judge(claim.kind, change, evidence).verdict;
         let verdict = verdict_of(&self.evidence);
-        let fails = matches!(verdict, Verdict::Misprint | Verdict::Refuted)
-            && seed.formula.contains("::paper::");
+        let fails = matches!(verdict, Verdict::Misprint | Verdict::Refuted) && variant.is_printed();
         let mut order: Vec<_> = (0..claim.trials.len()).collect();
         order.sort_by_key(|i| self.evidence[*i].points);
         order.into_iter().any(|i| {
-            let now = seeded::with(seed, claim.trials[i]);
+            let now = seeded::with(variant.seed, claim.trials[i]);
             let outcome = now.outcome();
             if fails {
                 let printed = matches!(now.subject, Subject::Printed | Subject::Within);
