@@ -9,6 +9,8 @@
 //! - [`paper`] holds the formulas as printed, errors included; [`corrections`] what replaces those that fail.
 //! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
 //!
+//! In a formula of [`paper`] or [`corrections`] a mistake can be [`seeded`], to see that its trials notice.
+//!
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
 //! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
 //! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
@@ -49,3 +51,4 @@ pub mod motion;
 pub mod numerics;
 pub mod paper;
 pub mod scalar;
+pub mod seeded;

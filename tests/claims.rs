@@ -5,9 +5,11 @@
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::measured::MEASURED;
+use slipbook::claims::variants::{self, SURVIVORS};
 use slipbook::claims::{Claim, TOPICS};
+use slipbook::evidence::Outcome;
 use slipbook::ledger::{Ledger, Record};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
@@ -35,6 +37,15 @@ fn main() {
     trials.push(Trial::test("verdicts", move || {
         same_as_snapshot("", "verdicts", &record)
     }));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("variants", move || wrong_variants(&whole)));
+    let slack = stale_tolerances(&ledger);
+    trials.push(Trial::test("tolerances", move || {
+        let none: &[String] = &[];
+        (slack == none)
+            .then_some(())
+            .ok_or_else(|| format!("too loose: {slack:#?}").into())
+    }));
     let without: BTreeSet<_> = ledger
         .entries
         .iter()
@@ -56,6 +67,57 @@ fn main() {
         ledger.summary()
     );
     conclusion.exit();
+}
+
+/// How many times looser a tolerance may be than the worst disagreement that it admits.
+const SLACK: f64 = 10.0;
+
+/// The tolerances that are looser, by their reasons, with the worst disagreement of the trials that agree within them.
+fn stale_tolerances(ledger: &Ledger) -> Vec<String> {
+    let mut worst = BTreeMap::<(&str, u64), f64>::new();
+    let evidence = ledger.entries.iter().flat_map(|entry| &entry.evidence);
+    for e in evidence.filter(|e| !e.route.is_proof() && e.outcome() == Outcome::Agrees) {
+        let key = (e.tolerance.reason, e.tolerance.value.to_bits());
+        let so_far = worst.entry(key).or_default();
+        *so_far = so_far.max(e.worst);
+    }
+    let loose = worst
+        .into_iter()
+        .filter(|((_, bits), worst)| f64::from_bits(*bits) > SLACK * worst);
+    loose
+        .map(|((reason, bits), worst)| {
+            format!("{:e} for {worst:e}: {reason}", f64::from_bits(bits))
+        })
+        .collect()
+}
+
+/// Of every formula, every wrong variant is rejected but those for which a reason is given.
+fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
+    let variants = variants::all();
+    let rejected = ledger.rejected(&variants);
+    let mut record = String::new();
+    let mut survivors = Vec::new();
+    for entry in &ledger.entries {
+        let of_claim = || {
+            variants
+                .iter()
+                .zip(&rejected)
+                .filter(|(v, _)| v.claim == entry.claim.id)
+        };
+        let (tried, survive) = (of_claim().count(), of_claim().filter(|(_, yes)| !**yes));
+        let survive: Vec<_> = survive
+            .map(|(v, _)| (v.claim.as_str(), v.text.as_str()))
+            .collect();
+        if tried > 0 {
+            record += &format!("{}: {} of {tried}\n", entry.claim.id, tried - survive.len());
+        }
+        survivors.extend(survive);
+    }
+    let excused: Vec<_> = SURVIVORS.iter().map(|s| (s.claim, s.text)).collect();
+    if survivors != excused {
+        return Err(format!("{survivors:#?} survive, a reason is given for {excused:#?}").into());
+    }
+    same_as_snapshot("", "variants", &record)
 }
 
 /// The claims without a proof are those for which a reason is given, each once.

@@ -7,12 +7,13 @@ use std::path::{Path, PathBuf};
 /// Each room with the rooms that it may name.
 const MAY_NAME: &[(&str, &[&str])] = &[
     ("scalar", &[]),
+    ("seeded", &["scalar"]),
     ("evidence", &[]),
     ("numerics", &["scalar"]),
     ("motion", &["numerics", "scalar"]),
     ("explorers", &["motion"]),
-    ("paper", &["scalar"]),
-    ("corrections", &["scalar"]),
+    ("paper", &["scalar", "seeded"]),
+    ("corrections", &["scalar", "seeded"]),
     ("exact", &["scalar"]),
     ("certified", &["numerics", "scalar"]),
     (
@@ -26,9 +27,10 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "corrections",
             "exact",
             "certified",
+            "seeded",
         ],
     ),
-    ("ledger", &["evidence", "claims"]),
+    ("ledger", &["evidence", "claims", "seeded"]),
     ("figures", &["claims", "motion"]),
     ("book", &["evidence", "claims", "ledger", "figures"]),
     ("cli", &["claims", "ledger", "figures", "book"]),

@@ -7,7 +7,7 @@ use super::maths::Maths;
 use super::text::{counted, escape, sentence, size, value};
 use crate::claims::{Claim, by_hand};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
-use crate::ledger::{Entry, Verdict};
+use crate::ledger::{Entry, Tally, Verdict};
 
 /// The box of one claim, as a block of HTML.
 pub(super) fn claim_box(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
@@ -143,8 +143,16 @@ fn trials(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
         .chain(others)
         .map(|(i, e)| trial(filler.maths(), e, conditional, code.get(i)))
         .collect();
+    let Tally { rejected, tried } = entry.tally();
+    let variants = match tried {
+        0 => String::new(),
+        _ => format!(
+            "<p>Of {} of the formula, {rejected} are <a href=\"proved.html#variants\">rejected</a>.</p>",
+            counted(tried, "wrong variant")
+        ),
+    };
     Ok(format!(
-        "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>",
+        "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>{variants}",
         items?
     ))
 }

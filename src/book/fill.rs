@@ -8,7 +8,7 @@ use super::maths::Maths;
 use super::text::{count, escape, size};
 use super::{errata, map, speed, symbols, tables, values};
 use crate::figures::Figure;
-use crate::ledger::{Entry, Erratum, Ledger, Verdict};
+use crate::ledger::{Entry, Erratum, Ledger, Tally, Verdict};
 use std::collections::BTreeSet;
 
 /// What stands in a placeholder's place.
@@ -58,6 +58,12 @@ impl<'a> Filler<'a> {
         self.ledger
     }
 
+    /// The sum of something over all tallies of wrong variants.
+    fn tallies(&self, of: fn(Tally) -> usize) -> usize {
+        let entries = self.ledger.entries.iter();
+        entries.map(|entry| of(entry.tally())).sum()
+    }
+
     /// The first claim that no page has shown so far.
     pub(super) fn without_box(&self) -> Option<&'a Entry> {
         let mut entries = self.ledger.entries.iter();
@@ -86,6 +92,8 @@ impl<'a> Filler<'a> {
             ["proofs"] => block(tables::proofs(self.ledger)),
             ["strongest"] => block(tables::strongest(self)?),
             ["measured"] => block(tables::measured(self)?),
+            ["accuracy"] => block(tables::accuracy(self)?),
+            ["survivors"] => block(tables::survivors(self)?),
             ["sheet", id] => block(format!(
                 "<pre><code class=\"language-text\">{}</code></pre>\n",
                 // A blank line would end the block.
@@ -119,6 +127,8 @@ impl<'a> Filler<'a> {
             ["ref", id] => inline(self.link(self.entry(id)?)?),
             ["count", "claims"] => inline(count(self.ledger.entries.len())),
             ["count", "points"] => inline(count(self.ledger.points())),
+            ["count", "variants"] => inline(count(self.tallies(|tally| tally.tried))),
+            ["count", "rejected"] => inline(count(self.tallies(|tally| tally.rejected))),
             ["count", "proved"] => {
                 let entries = self.ledger.entries.iter();
                 inline(count(entries.filter(|e| e.is_proved()).count()))

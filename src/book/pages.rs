@@ -37,6 +37,7 @@ written!(
     rest,
     ledger,
     proved,
+    accuracy,
     errata,
     map,
     equations,
@@ -77,6 +78,7 @@ pub(super) fn pages(figures: &[Figure]) -> Vec<Page> {
     let reference = [
         ("ledger", "The ledger"),
         ("proved", "What is proved, what is measured"),
+        ("accuracy", "How accurately it was measured"),
         ("errata", "Errata"),
         ("map", "The map of claims"),
         ("equations", "Index of equations"),

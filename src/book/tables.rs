@@ -6,6 +6,7 @@ use super::fill::{Filler, verdict};
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
 use crate::claims::measured::{MEASURED, Measured};
+use crate::claims::variants::{SURVIVORS, Survivor};
 use crate::evidence::{Kind, Route};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
@@ -313,4 +314,46 @@ pub(super) fn measured(filler: &Filler<'_>) -> Result<String, Fault> {
         ["Why there is no proof", "Claims"],
         rows?,
     ))
+}
+
+/// Of every claim that was measured, the comparison that came closest to its tolerance.
+pub(super) fn accuracy(filler: &Filler<'_>) -> Result<String, Fault> {
+    let row = |entry: &Entry| {
+        let Some(closest) = entry.closest() else {
+            return Ok(None);
+        };
+        Ok(Some([
+            filler.link(entry)?,
+            closest.route.name().to_owned(),
+            closest.subject.words(entry.is_conditional()).to_owned(),
+            count(closest.points),
+            size(closest.worst),
+            size(closest.tolerance.value),
+        ]))
+    };
+    let rows = filler.ledger().entries.iter().map(row);
+    let rows: Result<Vec<_>, Fault> = rows.filter_map(Result::transpose).collect();
+    let head = [
+        "Claim",
+        "By",
+        "What",
+        "Points",
+        "Worst disagreement",
+        "Tolerance",
+    ];
+    Ok(table("accuracy", head, rows?))
+}
+
+/// The wrong variants that are not rejected.
+pub(super) fn survivors(filler: &Filler<'_>) -> Result<String, Fault> {
+    let row = |survivor: &Survivor| {
+        Ok([
+            filler.link(filler.entry(survivor.claim)?)?,
+            format!("<code>{}</code>", escape(survivor.text)),
+            filler.maths().words(survivor.reason)?,
+        ])
+    };
+    let rows: Result<Vec<_>, Fault> = SURVIVORS.iter().map(row).collect();
+    let head = ["Claim", "Wrong variant", "Why it stands"];
+    Ok(table("survivors", head, rows?))
 }

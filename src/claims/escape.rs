@@ -290,6 +290,7 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: &[
             laws::eq134_exponent,
+            laws::eq134_limit,
             || exact::evidence("eq-134"),
             laws::corrected134_exponent,
             laws::corrected134_limit,

@@ -14,8 +14,7 @@ pub const MEASURED: &[Measured] = &[
     Measured {
         reason: "It gives a name to something, and no equation that is proved decides whether it is the right one; it is tried by its dimensions and by the use made of it.",
         claims: &[
-            "eq-42", "eq-43", "eq-61", "eq-62", "eq-67", "eq-68", "eq-69", "eq-70", "eq-71",
-            "eq-72", "eq-76", "eq-80", "eq-84", "eq-85", "eq-105",
+            "eq-42", "eq-43", "eq-61", "eq-67", "eq-76", "eq-80", "eq-84", "eq-85", "eq-105",
         ],
     },
     Measured {

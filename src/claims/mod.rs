@@ -20,6 +20,8 @@ pub mod solve;
 pub mod tolerances;
 #[cfg(feature = "book")]
 pub mod values;
+#[cfg(feature = "book")]
+pub mod variants;
 
 #[cfg(feature = "book")]
 pub mod anisotropic;

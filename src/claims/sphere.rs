@@ -131,7 +131,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless moment of inertia",
         latex: r"\kappa=\frac{I}{m R^2}",
         plain: "κ = I/(m R²)",
-        trials: &[scaling::eq62],
+        trials: &[|| exact::evidence("eq-62", Subject::Printed), scaling::eq62],
         ..Claim::BLANK
     },
     Claim {
@@ -206,7 +206,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless position",
         latex: r"\bm{\rho}=\frac{\bm{r}}{R}",
         plain: "𝛒 = 𝐫/R",
-        trials: &[scaling::eq68],
+        trials: &[|| exact::evidence("eq-68", Subject::Printed), scaling::eq68],
         ..Claim::BLANK
     },
     Claim {
@@ -217,7 +217,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless time",
         latex: r"\tau=\sqrt{\frac{\mu g}{R}} t",
         plain: "τ = √(μ g/R) t",
-        trials: &[scaling::eq69],
+        trials: &[|| exact::evidence("eq-69", Subject::Printed), scaling::eq69],
         ..Claim::BLANK
     },
     Claim {
@@ -228,7 +228,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless angular velocity",
         latex: r"\bm{\zeta}=\sqrt{\frac{R}{\mu g}} \bm{\omega}",
         plain: "𝛇 = √(R/(μ g)) 𝛚",
-        trials: &[scaling::eq70],
+        trials: &[|| exact::evidence("eq-70", Subject::Printed), scaling::eq70],
         ..Claim::BLANK
     },
     Claim {
@@ -240,7 +240,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{u}=\frac{1}{\sqrt{\mu g R}} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)",
         plain: "𝐮 = (d𝐫/dt + 𝛚 × 𝐑)/√(μ g R)",
         depends_on: &["eq-61"],
-        trials: &[scaling::eq71],
+        trials: &[|| exact::evidence("eq-71", Subject::Printed), scaling::eq71],
         ..Claim::BLANK
     },
     Claim {
@@ -251,7 +251,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless acceleration",
         latex: r"\bm{\gamma}=\frac{\bm{A}}{\mu g}",
         plain: "𝛄 = 𝐀/(μ g)",
-        trials: &[scaling::eq72],
+        trials: &[|| exact::evidence("eq-72", Subject::Printed), scaling::eq72],
         ..Claim::BLANK
     },
     Claim {

@@ -4,7 +4,7 @@ use crate::evidence::Tolerance;
 
 /// A factor per period against its limit near the periodic motion.
 pub const APPROACH: Tolerance = Tolerance {
-    value: 1e-5,
+    value: 5e-6,
     reason: "taken where the distance to the periodic motion is 1e-6, of which the next term of the factor is a small multiple",
 };
 
@@ -28,7 +28,7 @@ pub const CONTACT: Tolerance = Tolerance {
 
 /// A rate against differences of the motion.
 pub const DIFFERENCES: Tolerance = Tolerance {
-    value: 1e-9,
+    value: 5e-10,
     reason: "differences of fourth order over a thousandth of the time scale, and the rounding that they enlarge",
 };
 
@@ -46,7 +46,7 @@ pub const ESCAPE_CORRECTION: Tolerance = Tolerance {
 
 /// What a quantity tends to as a particle escapes.
 pub const ESCAPE_LIMIT: Tolerance = Tolerance {
-    value: 1e-11,
+    value: 3e-12,
     reason: "fits with the known form of the corrections over τ from 1e5 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12",
 };
 
@@ -56,10 +56,16 @@ pub const EXPONENTIAL: Tolerance = Tolerance {
     reason: "falls that are equal up to a tenth would still count as equal",
 };
 
-/// An asymptotic form against what it is the limit of.
-pub const FAR: Tolerance = Tolerance {
+/// Curve A far out against what it is the limit of.
+pub const FAR_A: Tolerance = Tolerance {
+    value: 1e-8,
+    reason: "the first term left out on A is about 9 q⁻⁴: 6e-9 at the smallest q, 200",
+};
+
+/// Curve E far out against what it is the limit of.
+pub const FAR_E: Tolerance = Tolerance {
     value: 2e-6,
-    reason: "the first term left out is about 1700 q⁻⁴ on E and less on A: 1e-6 at the smallest q, 200",
+    reason: "the first term left out on E is about 1700 q⁻⁴: 1e-6 at the smallest q, 200",
 };
 
 /// A difference in units of a hundred times the first order that is left out.
@@ -70,13 +76,13 @@ pub const FIRST_OMITTED: Tolerance = Tolerance {
 
 /// A slope to leading order in a small ratio.
 pub const FIRST_STAGE: Tolerance = Tolerance {
-    value: 1e-7,
-    reason: "the correction is half the square of the ratio of the velocities, below 3e-8",
+    value: 1e-8,
+    reason: "the correction is half the square of the ratio of the velocities, which is at most 1e-4",
 };
 
 /// What the inertial frame's foreign integrator and ours may differ by.
 pub const FOREIGN: Tolerance = Tolerance {
-    value: 1e-10,
+    value: 2e-12,
     reason: "the second integrator, of order 8, is asked for 1e-13 a step",
 };
 
@@ -88,14 +94,14 @@ pub const FORGOTTEN: Tolerance = Tolerance {
 
 /// A motion on the turntable found in one frame against the same found in another.
 pub const FRAMES: Tolerance = Tolerance {
-    value: 1e-11,
-    reason: "the integrators in the frame of the table and in the laboratory agree to 1e-11 through many turns",
+    value: 1e-14,
+    reason: "the integrators in the frame of the table and in the laboratory agree to a few units of rounding of the largest term",
 };
 
 /// A velocity that dies faster than any exponential.
 pub const GONE: Tolerance = Tolerance {
-    value: 1e-12,
-    reason: "it falls as the exponential of an exponential, or is zero after a finite time",
+    value: 0.0,
+    reason: "it falls as the exponential of an exponential and below every number, or is zero after a finite time",
 };
 
 /// An angle that is to follow another one, in units of what that one has left.
@@ -106,32 +112,32 @@ pub const LAG: Tolerance = Tolerance {
 
 /// A time to leading order in a small velocity.
 pub const LAST_STAGE: Tolerance = Tolerance {
-    value: 1e-4,
-    reason: "the drive changes by less than 1e-6 within the last stage, and friction exceeds it by at least a hundredth",
+    value: 2e-5,
+    reason: "what the drive changes by within the last stage, over what friction exceeds it by: at most 2e-5 at the points tried",
 };
 
 /// An angle that tends to zero as a power of the time, or faster.
 pub const LATE_ANGLE: Tolerance = Tolerance {
-    value: 1e-7,
+    value: 5e-8,
     reason: "the slowest case, without friction, has 1e-8 left at a hundred million times v₀/A",
 };
 
 /// The width of a narrow range of friction, over its expected width.
 pub const LIMIT_OF_WIDTH: Tolerance = Tolerance {
-    value: 1e-6,
+    value: 5e-10,
     reason: "the jumps of h are known to 4e-16, and the least width, 1e-3, divides that twice",
 };
 
 /// A factor of very large logarithms.
 pub const LOGARITHM: Tolerance = Tolerance {
-    value: 1e-7,
+    value: 1e-8,
     reason: "terms that stay bounded, beside a logarithm of 1e9",
 };
 
 /// A formula against the integrated motion.
 pub const MOTION: Tolerance = Tolerance {
-    value: 1e-12,
-    reason: "the motion is good to 1e-12 where the problem is well conditioned; the scale is what the formula can resolve",
+    value: 2e-13,
+    reason: "the motion is good to about 1e-13 where the problem is well conditioned; the scale is what the formula can resolve",
 };
 
 /// A place on the boundary close to A = 1, α = 0.
@@ -142,13 +148,13 @@ pub const NEAR_CORNER: Tolerance = Tolerance {
 
 /// A coefficient of an expansion about rest.
 pub const NEAR_REST: Tolerance = Tolerance {
-    value: 1e-6,
-    reason: "at the levels chosen the terms left out are below 1e-7, and rounding as well",
+    value: 5e-8,
+    reason: "at the levels chosen the terms left out are below 1e-8, and rounding as well",
 };
 
 /// An exponent of an expansion about rest.
 pub const NEAR_REST_EXPONENT: Tolerance = Tolerance {
-    value: 1e-6,
+    value: 5e-7,
     reason: "at the levels chosen the terms left out are below 1e-7 of the one measured",
 };
 
@@ -160,19 +166,19 @@ pub const NONE: Tolerance = Tolerance {
 
 /// The friction at which rests appear, found by bisection on the motion.
 pub const ONSET: Tolerance = Tolerance {
-    value: 1e-12,
+    value: 2e-14,
     reason: "the bisection ends at neighbouring numbers; rests shorter than 1e-14 are not listed",
 };
 
 /// A factor of logarithms across a passage through zero.
 pub const PASSAGE: Tolerance = Tolerance {
-    value: 1e-4,
+    value: 1e-5,
     reason: "what stays bounded stands beside a logarithm of at least 1e5; what is linear in the distance, beside 1e-5",
 };
 
 /// A formula against a quadrature.
 pub const QUADRATURE: Tolerance = Tolerance {
-    value: 1e-12,
+    value: 5e-13,
     reason: "the quadrature is asked for 1e-13",
 };
 
@@ -184,7 +190,7 @@ pub const RELAXED: Tolerance = Tolerance {
 
 /// A root of a formula against the integrated motion.
 pub const ROOT: Tolerance = Tolerance {
-    value: 1e-11,
+    value: 3e-13,
     reason: "the root is found to 1e-15; the formula's own rounding is divided by its slope",
 };
 
@@ -202,20 +208,20 @@ pub const SHORT_PUSH: Tolerance = Tolerance {
 
 /// A logarithmic slope against its limit.
 pub const SLOPE: Tolerance = Tolerance {
-    value: 1e-6,
+    value: 2e-11,
     reason: "taken where the speed is below 1e-12 of the initial one; the angle's correction falls with it",
 };
 
 /// The angle at which a rate, found by differences of the motion, is zero.
 pub const STANDS_STILL: Tolerance = Tolerance {
-    value: 1e-8,
-    reason: "differences are good to 1e-9 and are divided by the slope of the rate, which is above 0.5",
+    value: 3e-9,
+    reason: "differences are good to 5e-10 and are divided by the slope of the rate, which is above 0.5",
 };
 
 /// A velocity that has settled.
 pub const TERMINAL: Tolerance = Tolerance {
-    value: 1e-12,
-    reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; the motion is good to 1e-12",
+    value: 2e-15,
+    reason: "the rest falls as exp(−A t/v_x(∞)) and is below 1e-25; what remains is rounding",
 };
 
 /// The third-order term of the boundary, in units of 1000 α³.
@@ -238,6 +244,6 @@ pub const THRESHOLD: Tolerance = Tolerance {
 
 /// A velocity that vanishes as a power of the time.
 pub const VANISHES: Tolerance = Tolerance {
-    value: 1e-6,
+    value: 4e-8,
     reason: "under twice the friction, the slowest case, v⊥ falls as the inverse of the time, which is 1e8 at the end",
 };

@@ -15,6 +15,9 @@
 //! the drive could have pulled backwards, and rest follows until the next forward motion.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// Curve E: the two sides, equal on the curve, from λ₀ and the product qλ₀. For q ≥ q_Y, 0 < λ₀ ≤ 1/q; λ₀ = 0
 /// solves it too and is no part of E.
@@ -50,6 +53,8 @@ pub fn e_far<S: Scalar>(q: S) -> S {
     let two_pi = S::int(2) * S::pi();
     let correction = (two_pi / (q + S::int(7) / S::int(3))).squared();
     S::int(2) * two_pi / (q + S::int(1)).squared() * (S::int(1) - correction)
+}
+
 }
 
 /// Where the curves stand at one q.

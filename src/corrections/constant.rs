@@ -13,12 +13,17 @@
 //! terms is left, in which r is just the parameter along the motion.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// The speed where tan(θ/2) has fallen to `r` times its initial value; (length/time). For 0 < r ≤ 1.
 pub fn speed<S: Scalar>(lambda: S, v0: S, theta0: S, r: S) -> S {
     let one = S::int(1);
     let half = theta0 / S::int(2);
     v0 * (half.cos().squared() * r.pow(lambda - one) + half.sin().squared() * r.pow(lambda + one))
+}
+
 }
 
 /// [`speed`] by ln r, for motions so long that r is below every number.

@@ -31,6 +31,9 @@
 //! which lags ever further behind τ. The constant b is the start's; what oscillates falls as τ^(−5/2).
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// k: the angle by which the particle circles the axis, in the laboratory, is k ln τ.
 pub fn winding<S: Scalar>() -> S {
@@ -100,4 +103,6 @@ pub fn rho<S: Scalar>(tau: S) -> S {
 /// In place of (137): s at large times.
 pub fn s<S: Scalar>(tau: S) -> S {
     amplitude::<S>() / S::int(3) * tau.pow(S::int(3))
+}
+
 }

@@ -31,6 +31,7 @@
 //! f₁ = C²,  f₂ = (7/6) C⁴ + 2SC³ − S²C² + (2/3) S³C − S⁴/4.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
 
 /// In place of (143): ψ near rest, without a singular point at σ = 1/2; `c` is the constant C.
 pub fn psi(sigma: f64, c: f64, alpha: f64) -> f64 {
@@ -43,6 +44,8 @@ pub fn psi(sigma: f64, c: f64, alpha: f64) -> f64 {
     };
     2.0 * alpha * (sigma / (1.0 - sigma) * fall + c * libm::exp(e * l))
 }
+
+formulas! {
 
 /// dα/dτ on the way into a stop with ψ → π.
 pub fn alpha_rate_straight_in<S: Scalar>(sigma: S) -> S {
@@ -71,4 +74,6 @@ pub fn boundary_curvature<S: Scalar>(psi: S) -> S {
 /// In place of (147): A on the boundary between rest and escape, to second order in α, for every ψ.
 pub fn boundary_a<S: Scalar>(alpha: S, psi: S) -> S {
     S::int(1) - alpha * boundary_slope(psi) + alpha.squared() * boundary_curvature(psi)
+}
+
 }

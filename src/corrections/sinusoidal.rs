@@ -18,6 +18,9 @@
 //! zero in a finite time.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// s = sin φ̃₁: the size of the drive where the periodic motion without rest passes through zero. Dimensionless; real
 /// for λ₀ ≤ 2/π, and above λ₀ for λ₀ < λ_c.
@@ -47,4 +50,6 @@ pub fn first_stage_lean<S: Scalar>(w: S) -> S {
 /// stops, to leading order in `w_y`.
 pub fn last_stage<S: Scalar>(lambda0: S, h: S, w_y: S) -> S {
     lambda0 * w_y / (lambda0.squared() - h.squared())
+}
+
 }

@@ -22,6 +22,9 @@
 //! [`time`](super::constant::time) of section 2.1, with A = γ, have.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// (75) with the right sign: ζ, dimensionless.
 pub fn spin<S: Scalar>(zeta3: S, u: [S; 3], rho_rate: [S; 3]) -> [S; 3] {
@@ -43,4 +46,6 @@ pub fn time<S: Scalar>(lambda: S, gamma: S, u0: S, theta0: S, theta: S) -> S {
 pub fn slip_at_time<S: Scalar>(lambda: S, gamma: S, u0: S, theta0: S, theta: S, tau: S) -> S {
     let gained = (S::int(1) - lambda.squared()) * gamma * tau;
     (gained + u0 * (lambda + theta0.cos())) / (lambda + theta.cos())
+}
+
 }

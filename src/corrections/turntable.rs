@@ -9,6 +9,9 @@
 //! factor μ of the last term is missing: as printed it would hold only for μ = 1.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// The energy that keeps its value: kinetic, centrifugal, and what friction has taken along the way `s` (a length).
 pub fn constant<S: Scalar>(m: S, mu: S, g: S, omega: S, r: [S; 2], v: [S; 2], s: S) -> S {
@@ -19,4 +22,6 @@ pub fn constant<S: Scalar>(m: S, mu: S, g: S, omega: S, r: [S; 2], v: [S; 2], s:
 /// The work of the friction along a way of length `s`.
 pub fn friction_work<S: Scalar>(m: S, mu: S, g: S, s: S) -> S {
     -(m * mu * g * s)
+}
+
 }

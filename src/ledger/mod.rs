@@ -12,6 +12,9 @@ mod row;
 mod run;
 mod sheet;
 mod table;
+mod tally;
+#[cfg(feature = "book")]
+mod variants;
 mod verdict;
 
 #[cfg(feature = "book")]
@@ -22,6 +25,7 @@ pub use letter::Format;
 pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
 pub use row::{EvidenceRow, Row};
+pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
 use crate::claims::{Claim, Topic};
@@ -68,6 +72,18 @@ impl Entry {
     /// True if what the verdict rests on is proved.
     pub fn is_proved(&self) -> bool {
         self.strongest().is_some_and(Route::is_proof)
+    }
+
+    /// Of the measurements that agree, the one whose worst disagreement is closest to its tolerance.
+    pub fn closest(&self) -> Option<&Evidence> {
+        let agrees = |e: &&Evidence| !e.route.is_proof() && e.outcome() == Outcome::Agrees;
+        let excess = |e: &Evidence| match e.tolerance.value {
+            // Nothing may differ, and nothing does.
+            0.0 => 0.0,
+            tolerance => e.worst / tolerance,
+        };
+        let measured = self.evidence.iter().filter(agrees);
+        measured.max_by(|a, b| excess(a).total_cmp(&excess(b)))
     }
 
     /// The largest disagreement that was measured inside the conditions, by its tolerance.

@@ -31,6 +31,10 @@ pub struct Row<'a> {
     pub depends_on: &'a [&'a str],
     /// What replaces it, in LaTeX, where it fails.
     pub corrected: Option<&'a str>,
+    /// How many wrong variants of its formula, and of what replaces it, were tried.
+    pub variants: usize,
+    /// How many of them its trials reject.
+    pub rejected: usize,
     /// What its trials brought.
     pub evidence: Vec<EvidenceRow<'a>>,
 }
@@ -62,6 +66,7 @@ impl Entry {
     /// The entry as a row.
     pub fn row(&self) -> Row<'_> {
         let claim = self.claim;
+        let tally = self.tally();
         Row {
             id: claim.id,
             equation: claim.equation,
@@ -75,6 +80,8 @@ impl Entry {
             conditions: claim.conditions,
             depends_on: claim.depends_on,
             corrected: claim.correction.map(|c| c.latex),
+            variants: tally.tried,
+            rejected: tally.rejected,
             evidence: self.evidence.iter().map(evidence).collect(),
         }
     }

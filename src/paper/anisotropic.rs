@@ -4,6 +4,9 @@
 //! by what factor the friction is larger while 𝔴 < 0; `phi` φ, the phase (radians).
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// (47): λ₊, from the friction coefficient μ₊ of forward motion, gravity g and the drive's amplitude A₀.
 pub fn eq47_lambda_plus<S: Scalar>(mu_plus: S, g: S, a0: S) -> S {
@@ -79,6 +82,8 @@ pub fn eq57_x<S: Scalar>() -> [S; 2] {
 pub fn eq58_y<S: Scalar>() -> [S; 2] {
     let thousand = S::int(1000);
     [S::int(4603) / thousand, S::int(217) / thousand]
+}
+
 }
 
 /// Where the curves A to D stand at one q.

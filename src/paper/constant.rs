@@ -5,6 +5,9 @@
 //! the velocity with the x axis (radians).
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// (3): the plane's acceleration vector, (A_x, A_y).
 pub fn eq3_acceleration<S: Scalar>(a: S) -> [S; 2] {
@@ -100,6 +103,8 @@ pub fn eq19_vy_limit<S: Scalar>() -> S {
 /// (20), λ > 1: the time T at which the particle stops.
 pub fn eq20_stop_time<S: Scalar>(lambda: S, a: S, v0: S, theta0: S) -> S {
     v0 * (lambda + theta0.cos()) / (a * (lambda * lambda - S::int(1)))
+}
+
 }
 
 fn half_tan<S: Scalar>(theta: S) -> S {

@@ -5,6 +5,9 @@
 //! the table; `a` and `alpha` stand for A and α with p = A sinh α, ρ = A cosh α, where p < ρ; `tau` is the time τ.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// (126): dα/dτ near α = 0.
 pub fn eq126_alpha_rate<S: Scalar>(a: S) -> S {
@@ -69,4 +72,6 @@ pub fn eq137_s<S: Scalar>(tau: S) -> S {
 /// (138): s at large times, by A.
 pub fn eq138_s<S: Scalar>(a: S) -> S {
     a.squared() / S::int(2)
+}
+
 }

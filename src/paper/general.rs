@@ -4,6 +4,9 @@
 //! `g` the gravity acceleration (length/time²), `velocity` 𝐯 relative to the plane (length/time), not zero.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// (1): d𝐯/dt of a sliding particle, seen from the plane.
 pub fn eq1_velocity_rate<S: Scalar>(acceleration: [S; 2], mu: S, g: S, velocity: [S; 2]) -> [S; 2] {
@@ -17,6 +20,8 @@ pub fn eq2_speed_rate<S: Scalar>(acceleration: [S; 2], mu: S, g: S, velocity: [S
     let [ax, ay] = acceleration;
     let [vx, vy] = velocity;
     -(ax * (vx / v) + ay * (vy / v)) - mu * g
+}
+
 }
 
 fn length<S: Scalar>([x, y]: [S; 2]) -> S {

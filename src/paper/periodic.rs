@@ -4,14 +4,18 @@
 //! [0, 1], the share of a half period that a pulse fills.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
 
-/// (42): h in the first half period, 0 ≤ φ < π; at a jump, which the paper leaves open, the value after it.
-pub fn eq42_h(eta: f64, phi: f64) -> f64 {
-    if phi < eta * std::f64::consts::PI {
-        1.0
-    } else {
-        0.0
-    }
+formulas! {
+
+/// (42): h in its two cases, for 0 ≤ φ < ηπ and for ηπ ≤ φ < π.
+pub fn eq42_cases<S: Scalar>() -> [S; 2] {
+    [S::int(1), S::int(0)]
+}
+
+/// (42): the phase where the first case ends, in radians.
+pub fn eq42_end<S: Scalar>(eta: S) -> S {
+    eta * S::pi()
 }
 
 /// (43): h(π + φ), from h(φ).
@@ -35,12 +39,6 @@ pub fn eq44_ends<S: Scalar>(lambda: S, eta: S) -> [S; 2] {
     [eta * S::pi(), eta * S::pi() / lambda]
 }
 
-/// (44): which case holds at φ, counted from 0; between two cases, the later one.
-pub fn eq44_case(lambda: f64, eta: f64, phi: f64) -> usize {
-    let ends = eq44_ends(lambda, eta);
-    ends.iter().filter(|end| phi >= **end).count()
-}
-
 /// (45): w(π + φ), from w(φ).
 pub fn eq45_w<S: Scalar>(w: S) -> S {
     -w
@@ -49,4 +47,18 @@ pub fn eq45_w<S: Scalar>(w: S) -> S {
 /// (46): λ_c.
 pub fn eq46_lambda_c<S: Scalar>(eta: S) -> S {
     eta
+}
+
+}
+
+/// (42): h in the first half period, 0 ≤ φ < π; at a jump, which the paper leaves open, the value after it.
+pub fn eq42_h(eta: f64, phi: f64) -> f64 {
+    let [pulse, gap] = eq42_cases();
+    if phi < eq42_end(eta) { pulse } else { gap }
+}
+
+/// (44): which case holds at φ, counted from 0; between two cases, the later one.
+pub fn eq44_case(lambda: f64, eta: f64, phi: f64) -> usize {
+    let ends = eq44_ends(lambda, eta);
+    ends.iter().filter(|end| phi >= **end).count()
 }

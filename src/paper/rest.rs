@@ -5,6 +5,9 @@
 //! of (143).
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// (139): the largest σ.
 pub fn eq139_largest_sigma<S: Scalar>() -> S {
@@ -69,4 +72,6 @@ pub fn eq146_right<S: Scalar>(sigma: S, alpha: S) -> S {
 /// (147): A on the envelope.
 pub fn eq147_a<S: Scalar>(alpha: S) -> S {
     (S::int(1) - alpha / S::int(2).sqrt()).squared()
+}
+
 }

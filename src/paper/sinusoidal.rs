@@ -6,6 +6,9 @@
 //! rest and where a forward slip ends. Of an inequality, the sides as printed, left and right.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
 
 /// (21): the plane's acceleration vector at time `t`, (A_x, A_y).
 pub fn eq21_acceleration<S: Scalar>(a0: S, varpi: S, t: S) -> [S; 2] {
@@ -131,4 +134,6 @@ pub fn eq40_sides<S: Scalar>(lambda0: S) -> [S; 2] {
 /// (41): left > right.
 pub fn eq41_sides<S: Scalar>(phi_t1: S, phi1: S) -> [S; 2] {
     [phi_t1, phi1]
+}
+
 }

@@ -6,6 +6,7 @@
 //! From (68) on all is dimensionless, a dot is d/dτ.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
 
 /// A vector (x, y, z).
 pub type Vector<S> = [S; 3];
@@ -48,6 +49,8 @@ fn direction<S: Scalar>(a: Vector<S>) -> Vector<S> {
 pub fn slip<S: Scalar>(velocity: Vector<S>, omega: Vector<S>, contact: Vector<S>) -> Vector<S> {
     plus(velocity, cross(omega, contact))
 }
+
+formulas! {
 
 /// (59): m d²r/dt², under the friction force `force`.
 pub fn eq59_momentum_rate<S: Scalar>(m: S, a: Vector<S>, force: Vector<S>) -> Vector<S> {
@@ -211,6 +214,8 @@ pub fn eq84_lambda<S: Scalar>(b: S, mu: S, g: S, a0: S) -> S {
 /// (85): λ₀ under a drive of the amplitude `a0`, with the friction coefficient `mu_plus` μ₊ for slip towards +x.
 pub fn eq85_lambda<S: Scalar>(b: S, mu_plus: S, g: S, a0: S) -> S {
     b * mu_plus * g / a0
+}
+
 }
 
 fn half_tan<S: Scalar>(angle: S) -> S {

@@ -8,6 +8,7 @@
 //! for p > ρ.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
 
 fn dot<S: Scalar>(a: [S; 2], b: [S; 2]) -> S {
     a[0] * b[0] + a[1] * b[1]
@@ -26,6 +27,8 @@ fn cross_z<S: Scalar>(a: [S; 2]) -> [S; 2] {
 fn length<S: Scalar>(a: [S; 2]) -> S {
     dot(a, a).sqrt()
 }
+
+formulas! {
 
 /// (86): d²𝐫/dt². No value at rest.
 pub fn eq86_acceleration<S: Scalar>(omega: S, mu: S, g: S, r: [S; 2], v: [S; 2]) -> [S; 2] {
@@ -246,4 +249,6 @@ pub fn eq124_psi1<S: Scalar>(alpha: S) -> S {
 /// (125): the second quasi-fixed point ψ₂.
 pub fn eq125_psi2<S: Scalar>(alpha: S) -> S {
     S::pi() - (S::int(2) * alpha).tanh().asin()
+}
+
 }

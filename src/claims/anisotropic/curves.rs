@@ -3,7 +3,7 @@
 use super::rows::{Row, far_rows, rows};
 use super::runs::{Curves, simulated};
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::tolerances::{FAR, NONE, ROOT};
+use crate::claims::tolerances::{FAR_A, FAR_E, NONE, ROOT};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::anisotropic as printed;
@@ -119,7 +119,7 @@ pub fn eq53_census() -> Evidence {
 /// (53) for large q: its own asymptotic form.
 pub fn eq53_limit() -> Evidence {
     let compared = "π/(q + 1)² (1 − π²/(3 (q + 2)²)), to which (53) tends, with the λ₀ at which a rest appears, q from 200 to 20,000";
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, FAR);
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, FAR_A);
     over(
         &trial,
         far_rows(),
@@ -196,7 +196,7 @@ pub fn e_census() -> Evidence {
 /// E for large q.
 pub fn e_limit() -> Evidence {
     let compared = "4π/(q + 1)² (1 − 4π²/(q + 7/3)²), to which E tends, with the λ₀ at which direct reversals end, q from 200 to 20,000";
-    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, FAR);
+    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, FAR_E);
     over(
         &trial,
         far_rows(),

@@ -231,14 +231,14 @@ pub fn corrected129_limit() -> Evidence {
 pub fn eq130_limit() -> Evidence {
     let compared = "(130) − ⅓ ln A with α − ⅓ ln A of the motion, for τ → ∞";
     against(Subject::Printed, compared, alpha_by_a, |_| {
-        Ok(printed::eq130_alpha(1.0))
+        Ok(printed::eq130_alpha(LATE) - libm::log(LATE) / 3.0)
     })
 }
 /// The same of what replaces it.
 pub fn corrected130_limit() -> Evidence {
     let compared = "⅓ ln(3√2) with α − ⅓ ln A of the motion, for τ → ∞";
     against(Subject::Corrected, compared, alpha_by_a, |_| {
-        Ok(corrected::alpha_by_a(1.0))
+        Ok(corrected::alpha_by_a(LATE) - libm::log(LATE) / 3.0)
     })
 }
 /// (131): the factor of A^(1/3).
@@ -286,13 +286,20 @@ pub fn eq133_limit() -> Evidence {
 pub fn corrected133_limit() -> Evidence {
     let compared = "½ ln √2 with α − ½ ln τ of the motion, for τ → ∞";
     against(Subject::Corrected, compared, excess, |_| {
-        Ok(corrected::alpha(1.0))
+        Ok(corrected::alpha(LATE) - 0.5 * libm::log(LATE))
     })
 }
 /// (134): the exponent of π/2 − ψ.
 pub fn eq134_exponent() -> Evidence {
     let compared = "the exponent of τ in π/2 − ψ by (134) with that of the motion";
     powers(Subject::Printed, compared, lag, -1.0, printed::eq134_lag)
+}
+/// (134) as a whole, late.
+pub fn eq134_limit() -> Evidence {
+    let compared = "(134) times τ, at τ = 10⁸, with (π/2 − ψ) τ of the motion, for τ → ∞";
+    against(Subject::Printed, compared, lag, |_| {
+        Ok(printed::eq134_lag(LATE) * LATE)
+    })
 }
 /// The exponent of what replaces it.
 pub fn corrected134_exponent() -> Evidence {

@@ -22,7 +22,7 @@ use std::sync::LazyLock;
 pub struct Turn {
     sphere: Sphere,
     a: f64,
-    /// λ by (80).
+    /// λ: by how much friction slows the slip, over A.
     pub lambda: f64,
     /// γ = A/(μg).
     pub gamma: f64,
@@ -47,10 +47,7 @@ impl Turn {
     ) -> Result<Self, Failure> {
         let sphere = sphere(i, points);
         let (radius, mu, g) = (sphere.radius, sphere.mu, sphere.g);
-        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, radius);
-        let b = printed::eq67_factor(kappa);
-        // (80) is solved for A by its own value at A = 1.
-        let a = printed::eq80_lambda(b, mu, g, 1.0) / lambda;
+        let a = (1.0 + 1.0 / sphere.kappa()) * mu * g / lambda;
         let gamma = printed::eq72_acceleration(mu, g, [a, 0.0, 0.0])[0];
         let u0 = points.log_uniform(0.1, 10.0);
         let unit = 1.0 / printed::eq71_slip(radius, mu, g, [1.0, 0.0, 0.0])[0];
@@ -205,7 +202,11 @@ pub fn eq80() -> Evidence {
             [1.0, 0.0, 0.0],
         )[0];
         let t = turn.a * turn.tau / clock * unit / turn.u0;
-        let particle = run(&Plane::constant([-1.0, 0.0]), turn.lambda, start, t)?;
+        let sphere = turn.sphere;
+        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
+        let b = printed::eq67_factor(kappa);
+        let lambda = printed::eq80_lambda(b, sphere.mu, sphere.g, turn.a);
+        let particle = run(&Plane::constant([-1.0, 0.0]), lambda, start, t)?;
         Ok::<_, Failure>(Pair {
             at: turn.at(),
             stated: turn.u / turn.u0,

@@ -27,16 +27,18 @@ struct Swing {
     lambda: f64,
 }
 
+/// By how much friction slows the slip: Newton's law for the centre and Euler's for the turning, added.
+fn braking(sphere: &Sphere) -> f64 {
+    (1.0 + 1.0 / sphere.kappa()) * sphere.mu * sphere.g
+}
+
 impl Swing {
-    /// The swing in which λ₀ of (84) is `lambda`.
+    /// The swing in which λ₀ is `lambda`.
     fn new(i: usize, points: &mut Points, lambda: f64) -> Self {
         let sphere = sphere(i, points);
-        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
-        let b = printed::eq67_factor(kappa);
-        let a0 = printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda;
         Swing {
             sphere,
-            a0,
+            a0: braking(&sphere) / lambda,
             frequency: points.uniform(0.5, 4.0),
             lambda,
         }
@@ -214,11 +216,8 @@ pub fn eq84() -> Evidence {
 
 /// The sphere with μ₋ = qμ₊, and λ₀ of (85).
 fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Directed) {
-    let mut swing = Swing::new(i, points, lambda);
+    let swing = Swing::new(i, points, lambda);
     let sphere = swing.sphere;
-    let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
-    let b = printed::eq67_factor(kappa);
-    swing.a0 = printed::eq85_lambda(b, sphere.mu, sphere.g, 1.0) / lambda;
     (
         swing,
         Directed {
@@ -238,6 +237,10 @@ pub fn eq85() -> Evidence {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
         let phi = points.uniform(1.0, 15.0);
+        let sphere = swing.sphere;
+        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
+        let b = printed::eq67_factor(kappa);
+        let lambda = printed::eq85_lambda(b, sphere.mu, sphere.g, swing.a0);
         let friction = Friction::new(lambda, q * lambda)?;
         let stated = sine_drive()?
             .advance(friction, State { phi: 0.0, w }, phi)?
@@ -538,14 +541,9 @@ pub fn anisotropic_motion() -> Evidence {
 /// Two late periods of a solid sphere.
 pub(super) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
     let sphere = Sphere::with_kappa(0.4);
-    let b = printed::eq67_factor(printed::eq62_kappa(
-        sphere.inertia,
-        sphere.mass,
-        sphere.radius,
-    ));
     let swing = Swing {
         sphere,
-        a0: printed::eq84_lambda(b, sphere.mu, sphere.g, 1.0) / lambda,
+        a0: braking(&sphere) / lambda,
         frequency: 1.0,
         lambda,
     };

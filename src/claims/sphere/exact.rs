@@ -46,10 +46,16 @@ const fn statement(
 pub const STATEMENTS: &[Statement] = &[
     statement("eq-59", laws::eq59, laws::prove_eq59),
     statement("eq-60", laws::eq60, laws::prove_eq60),
+    statement("eq-62", body::eq62, body::prove_eq62),
     statement("eq-63", body::eq63, body::prove_eq63),
     statement("eq-64", body::eq64, body::prove_eq64),
     statement("eq-65", body::eq65, body::prove_eq65),
     statement("eq-66", body::eq66, body::prove_eq66),
+    statement("eq-68", body::eq68, body::prove_eq68),
+    statement("eq-69", body::eq69, body::prove_eq69),
+    statement("eq-70", body::eq70, body::prove_eq70),
+    statement("eq-71", body::eq71, body::prove_eq71),
+    statement("eq-72", body::eq72, body::prove_eq72),
     statement("eq-73", body::eq73, body::prove_eq73),
     statement("eq-74", body::eq74, body::prove_eq74),
     statement("eq-75", body::eq75, body::prove_eq75),
@@ -80,6 +86,12 @@ pub fn evidence(id: &str, subject: Subject) -> Evidence {
     let compared = match id {
         "eq-59" => "the formula with Newton's law in the laboratory, where friction alone acts",
         "eq-60" => "the formula with Newton's law for six point masses that move as one body",
+        "eq-62" => "(64), with κ by the definition, with Euler's law for the sphere",
+        "eq-68" => "(73), with ρ by the definition, with Newton's law for the sphere",
+        "eq-69" | "eq-71" | "eq-72" => {
+            "(74), with the quantity by the definition, with the laws of Newton and Euler for the sphere"
+        }
+        "eq-70" => "ζ dτ, with τ by (69), with ω dt",
         "eq-81" | "eq-82" | "eq-83" | "corrected-82" | "corrected-83" => {
             "the formula with (11), (13), (14), proved from (1), with γ for A, b for μg and τ for t, as (74) has them"
         }

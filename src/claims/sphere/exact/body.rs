@@ -36,7 +36,7 @@ impl Body {
         let [ax, ay] = ["A_x", "A_y"].map(|name| ring.symbol(name));
         let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
         let [wx, wy, _] = ["ω_x", "ω_y", "ω_z"].map(|name| ring.symbol(name));
-        for name in ["ν_x", "ν_y", "c_x", "c_y"] {
+        for name in ["ν_x", "ν_y", "c_x", "c_y", "t"] {
             ring.symbol(name);
         }
         // k stands for μg; the roots of k and R serve (69) to (71).
@@ -303,6 +303,7 @@ pub(super) fn eq79() -> Components {
 }
 /// Both sides change alike under any friction force, so that they differ by a constant.
 pub(super) fn prove_eq79(printed: Components) -> Proof {
+    let along_z = printed[2];
     prove("(79): dρ/dτ", Friction::Any, |p, body| {
         for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed) {
             let own = p.read(&format!("dρ/dτ {axis}"), own)?;
@@ -312,8 +313,103 @@ pub(super) fn prove_eq79(printed: Components) -> Proof {
                 p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
             p.equal("The two", &own, &rate)?;
         }
+        upright(p, along_z)
+    })
+}
+
+pub(super) fn eq62() -> Components {
+    let [inertia, m, radius] = symbols(["I", "m", "R"]);
+    vec![paper::eq62_kappa(inertia, m, radius)]
+}
+/// κ makes (64) the law for the spin.
+pub(super) fn prove_eq62(kappa: Components) -> Proof {
+    let factor = kappa[0] * Expr::symbol("R").squared();
+    let title = "(62): κ in κ R² dω/dt by (64)";
+    rates(title, Friction::Sliding, omega(), factor, eq64())
+}
+
+pub(super) fn eq68() -> Components {
+    paper::eq68_position(Expr::symbol("R"), velocity()).into()
+}
+/// A quantity has no component along z.
+fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
+    let along_z = p.read("Along z", along_z)?;
+    p.zero("Nothing moves", &along_z)
+}
+
+/// dρ/dτ, which has the form of (68) by its linearity, makes (73) the law for the centre.
+pub(super) fn prove_eq68(rate: Components) -> Proof {
+    let rho_rate = [0, 1, 2].map(|i| rate[i] / tau_rate());
+    prove("(68): d²ρ/dτ² by (73)", Friction::Sliding, |p, body| {
+        for ((axis, rate), stated) in AXES.iter().zip(rho_rate).zip(eq73()) {
+            let rate = p.read(&format!("dρ/dτ {axis}"), rate)?;
+            let change = p.derivative("Its rate", &rate, &body.motion)?;
+            let clock = p.read("over dτ/dt", tau_rate())?;
+            let stated = p.read("(73)", stated)?;
+            p.equal("The two", &change, &(stated * clock))?;
+        }
+        upright(p, rate[2])
+    })
+}
+
+pub(super) fn eq69() -> Components {
+    let [mu, g, radius] = mu_g_radius();
+    vec![paper::eq69_time(radius, mu, g, Expr::symbol("t"))]
+}
+/// τ makes (74) the law for the slip.
+pub(super) fn prove_eq69(tau: Components) -> Proof {
+    prove(
+        "(69): du/dt over dτ/dt by (74)",
+        Friction::Sliding,
+        |p, body| {
+            let tau = p.read("τ", tau[0])?;
+            let clock = p.derivative("dτ/dt", &tau, &p.ring().by("t")?)?;
+            for ((axis, u), stated) in AXES.iter().zip(u()).zip(eq74()) {
+                let u = p.read(&format!("u {axis}"), u)?;
+                let rate = p.derivative("du/dt", &u, &body.motion)?;
+                let stated = p.read("(74)", stated)?;
+                p.equal("du/dt against (74) times dτ/dt", &rate, &(stated * &clock))?;
+            }
+            Ok(())
+        },
+    )
+}
+
+pub(super) fn eq70() -> Components {
+    zeta().into()
+}
+/// ζ is the rate of turning in the time τ.
+pub(super) fn prove_eq70(zeta: Components) -> Proof {
+    prove("(70): ζ dτ = ω dt", Friction::Any, |p, _| {
+        for ((axis, zeta), omega) in AXES.iter().zip(zeta).zip(omega()) {
+            let turned = p.read(&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate())?;
+            let omega = p.read("ω", omega)?;
+            p.equal("The two", &turned, &omega)?;
+        }
         Ok(())
     })
+}
+
+pub(super) fn eq71() -> Components {
+    u().into()
+}
+/// u makes (74) the law for the slip.
+pub(super) fn prove_eq71(slip: Components) -> Proof {
+    let u = [0, 1, 2].map(|i| slip[i]);
+    let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u).into();
+    let title = "(71): du/dτ by (74)";
+    rates(title, Friction::Sliding, u, per_tau(), stated)
+}
+
+pub(super) fn eq72() -> Components {
+    gamma().into()
+}
+/// γ makes (74) the law for the slip.
+pub(super) fn prove_eq72(pull: Components) -> Proof {
+    let gamma = [0, 1, 2].map(|i| pull[i]);
+    let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma, u()).into();
+    let title = "(72): γ in du/dτ by (74)";
+    rates(title, Friction::Sliding, u(), per_tau(), stated)
 }
 
 /// dv/dt of a particle with the velocity w and the friction coefficient bμ, by (1).

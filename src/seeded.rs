@@ -1,0 +1,152 @@
+//! Seeded mistakes: a formula evaluated with one place changed, to see that its trials reject it.
+//!
+//! A formula written inside `formulas!` is what stands there, except on a thread on which [`with`] has seeded a
+//! mistake in it. Then its arguments become [`Seeded`] numbers, which count the places that the evaluation passes
+//! and change the chosen one. So a mistake reaches every kind of [`Scalar`](crate::scalar::Scalar) alike, numbers
+//! and trees, and a trial cannot tell it from a misprint.
+
+#[cfg(feature = "book")]
+mod number;
+#[cfg(feature = "book")]
+mod parts;
+
+#[cfg(feature = "book")]
+pub use number::{Seeded, evaluate};
+#[cfg(feature = "book")]
+pub use parts::{Formula, Parts, symbols};
+
+#[cfg(feature = "book")]
+use std::cell::{Cell, RefCell};
+
+/// What is changed at a place.
+#[cfg(feature = "book")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mistake {
+    /// The sign.
+    Sign,
+    /// A factor of 2.
+    Factor,
+    /// An argument, for the one of this number.
+    Symbol(usize),
+    /// An exponent or a whole number, by one; sin for cos and the like; a product for a quotient.
+    Exponent,
+}
+
+/// A place that an evaluation passes: where an argument is read, or what an operation gives.
+#[cfg(feature = "book")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The argument of this number is read.
+    Argument(usize),
+    /// An operation; true if it has something like an exponent.
+    Operation(bool),
+}
+
+/// A mistake at a place of a formula.
+#[cfg(feature = "book")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Seed {
+    /// The formula's path: `slipbook::paper::constant::eq13_time`.
+    pub formula: &'static str,
+    /// The number of the place, in the order of evaluation.
+    pub place: usize,
+    /// The mistake.
+    pub mistake: Mistake,
+}
+
+#[cfg(feature = "book")]
+thread_local! {
+    static SEED: Cell<Option<Seed>> = const { Cell::new(None) };
+    static PLACES: RefCell<Vec<Place>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Calls `f` with the mistake seeded on this thread, and on no other.
+#[cfg(feature = "book")]
+pub fn with<T>(seed: Seed, f: impl FnOnce() -> T) -> T {
+    struct Before(Option<Seed>);
+    impl Drop for Before {
+        fn drop(&mut self) {
+            SEED.set(self.0);
+        }
+    }
+    let _before = Before(SEED.replace(Some(seed)));
+    f()
+}
+
+/// True if a mistake is seeded in the formula of this path.
+#[cfg(feature = "book")]
+pub fn is_in(formula: &str) -> bool {
+    SEED.get().is_some_and(|seed| seed.formula == formula)
+}
+
+/// The places that `evaluation` of the formula of this path passes, in order.
+#[cfg(feature = "book")]
+pub fn places(formula: &'static str, evaluation: impl FnOnce()) -> Vec<Place> {
+    let nowhere = Seed {
+        formula,
+        place: usize::MAX,
+        mistake: Mistake::Sign,
+    };
+    with(nowhere, evaluation);
+    PLACES.take()
+}
+
+/// Passes a place: the mistake to make there, if any.
+#[cfg(feature = "book")]
+fn pass(place: Place) -> Option<Mistake> {
+    PLACES.with_borrow_mut(|places| {
+        places.push(place);
+        let here = |seed: &Seed| places.len().checked_sub(1) == Some(seed.place);
+        SEED.get().filter(here).map(|seed| seed.mistake)
+    })
+}
+
+/// Formulas in which a mistake can be seeded, and `formulas()`, the list of them. Each is generic over `S: Scalar`,
+/// its arguments and its value are of type `S` or arrays of `S`.
+macro_rules! formulas {
+    ($(
+        $(#[$about:meta])*
+        pub fn $name:ident<S: Scalar>($($argument:ident: $type:ty),* $(,)?) -> $value:ty $body:block
+    )*) => {
+        $(
+            $(#[$about])*
+            pub fn $name<S: Scalar>($($argument: $type),*) -> $value {
+                fn written<S: Scalar>($($argument: $type),*) -> $value $body
+                #[cfg(feature = "book")]
+                if $crate::seeded::is_in(concat!(module_path!(), "::", stringify!($name))) {
+                    use $crate::seeded;
+                    let arguments: Vec<S> = [Vec::new(), $(seeded::Parts::parts($argument)),*].concat();
+                    return seeded::evaluate(&arguments, |_next| {
+                        written::<seeded::Seeded<'_, S>>($({ let $argument = seeded::Parts::of(_next); $argument }),*)
+                    });
+                }
+                written($($argument),*)
+            }
+        )*
+
+        /// The formulas of this file.
+        #[cfg(feature = "book")]
+        pub fn formulas<S: Scalar>() -> Vec<$crate::seeded::Formula<S>> {
+            use $crate::seeded::{Formula, Parts, symbols};
+            vec![$(Formula {
+                path: concat!(module_path!(), "::", stringify!($name)),
+                name: stringify!($name),
+                symbols: [Vec::new(), $(symbols(
+                    <$type as Parts<S>>::COUNT,
+                    stringify!($argument),
+                    &[
+                        concat!(stringify!($argument), "₁"),
+                        concat!(stringify!($argument), "₂"),
+                        concat!(stringify!($argument), "₃"),
+                    ],
+                )),*].concat(),
+                value: |_arguments| {
+                    let mut _arguments = _arguments.iter().copied();
+                    let _next = &mut || _arguments.next().expect("one for each symbol");
+                    Parts::parts($name::<S>($({ let $argument = Parts::of(_next); $argument }),*))
+                },
+            }),*]
+        }
+    };
+}
+pub(crate) use formulas;

@@ -1,0 +1,230 @@
+//! A number that counts the places of a formula, and makes a mistake at one of them.
+
+use super::{Mistake, PLACES, Parts, Place, pass};
+use crate::scalar::Scalar;
+use std::ops::{Add, Div, Mul, Neg, Sub};
+
+/// A number on its way through a formula.
+#[derive(Debug, Clone, Copy)]
+pub struct Seeded<'a, S> {
+    value: S,
+    /// Its own number among the arguments, if it is one, and all of them.
+    argument: Option<(usize, &'a [S])>,
+}
+
+/// The value of a formula at these arguments, with the mistake that is seeded on this thread. `written` evaluates it
+/// on the numbers that it is given one after the other.
+pub fn evaluate<'a, S: Scalar, V: Parts<Seeded<'a, S>>, R: Parts<S>>(
+    arguments: &'a [S],
+    written: impl FnOnce(&mut dyn FnMut() -> Seeded<'a, S>) -> V,
+) -> R {
+    PLACES.with_borrow_mut(Vec::clear);
+    let mut given = arguments.iter().enumerate().map(|(i, value)| Seeded {
+        value: *value,
+        argument: Some((i, arguments)),
+    });
+    let value = written(&mut || given.next().expect("one for each argument"));
+    let mut parts = value.parts().into_iter().map(Seeded::read);
+    R::of(&mut || parts.next().expect("as many as were written"))
+}
+
+impl<S: Scalar> Seeded<'_, S> {
+    /// The value, as it enters an operation or the result.
+    fn read(self) -> S {
+        let Some((i, arguments)) = self.argument else {
+            return self.value;
+        };
+        match pass(Place::Argument(i)) {
+            None => self.value,
+            Some(Mistake::Sign) => -self.value,
+            Some(Mistake::Factor) => S::int(2) * self.value,
+            Some(Mistake::Symbol(other)) => arguments[other],
+            Some(Mistake::Exponent) => self.value.squared(),
+        }
+    }
+
+    /// What an operation gives; `instead` is what it gives with an exponent off by one.
+    fn from(value: S, instead: Option<&dyn Fn() -> S>) -> Self {
+        let value = match (pass(Place::Operation(instead.is_some())), instead) {
+            (Some(Mistake::Sign), _) => -value,
+            (Some(Mistake::Factor), _) => S::int(2) * value,
+            (Some(Mistake::Exponent), Some(instead)) => instead(),
+            _ => value,
+        };
+        Seeded {
+            value,
+            argument: None,
+        }
+    }
+
+    fn call(self, f: fn(S) -> S, instead: Option<fn(S) -> S>) -> Self {
+        let x = self.read();
+        match instead {
+            Some(g) => Self::from(f(x), Some(&|| g(x))),
+            None => Self::from(f(x), None),
+        }
+    }
+}
+
+impl<S: Scalar> Add for Seeded<'_, S> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self::from(self.read() + other.read(), None)
+    }
+}
+
+impl<S: Scalar> Sub for Seeded<'_, S> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self::from(self.read() - other.read(), None)
+    }
+}
+
+impl<S: Scalar> Mul for Seeded<'_, S> {
+    type Output = Self;
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "the mistake is made on purpose"
+    )]
+    fn mul(self, other: Self) -> Self {
+        let (x, y) = (self.read(), other.read());
+        Self::from(x * y, Some(&|| x / y))
+    }
+}
+
+impl<S: Scalar> Div for Seeded<'_, S> {
+    type Output = Self;
+    #[expect(
+        clippy::suspicious_arithmetic_impl,
+        reason = "the mistake is made on purpose"
+    )]
+    fn div(self, other: Self) -> Self {
+        let (x, y) = (self.read(), other.read());
+        Self::from(x / y, Some(&|| x * y))
+    }
+}
+
+impl<S: Scalar> Neg for Seeded<'_, S> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::from(-self.read(), None)
+    }
+}
+
+impl<S: Scalar> Scalar for Seeded<'_, S> {
+    fn int(n: i64) -> Self {
+        Self::from(S::int(n), Some(&|| S::int(n + 1)))
+    }
+    fn pi() -> Self {
+        Self::from(S::pi(), Some(&|| S::pi().squared()))
+    }
+    fn sin(self) -> Self {
+        self.call(S::sin, Some(S::cos))
+    }
+    fn cos(self) -> Self {
+        self.call(S::cos, Some(S::sin))
+    }
+    fn asin(self) -> Self {
+        self.call(S::asin, Some(S::acos))
+    }
+    fn acos(self) -> Self {
+        self.call(S::acos, Some(S::asin))
+    }
+    fn sinh(self) -> Self {
+        self.call(S::sinh, Some(S::cosh))
+    }
+    fn cosh(self) -> Self {
+        self.call(S::cosh, Some(S::sinh))
+    }
+    fn exp(self) -> Self {
+        self.call(S::exp, None)
+    }
+    fn ln(self) -> Self {
+        self.call(S::ln, None)
+    }
+    fn sqrt(self) -> Self {
+        self.call(S::sqrt, Some(|x| x))
+    }
+    fn pow(self, exponent: Self) -> Self {
+        let (x, n) = (self.read(), exponent.read());
+        Self::from(x.pow(n), Some(&|| x.pow(n + S::int(1))))
+    }
+    fn tan(self) -> Self {
+        self.call(S::tan, Some(S::cot))
+    }
+    fn cot(self) -> Self {
+        self.call(S::cot, Some(S::tan))
+    }
+    fn tanh(self) -> Self {
+        self.call(S::tanh, Some(S::coth))
+    }
+    fn coth(self) -> Self {
+        self.call(S::coth, Some(S::tanh))
+    }
+    fn squared(self) -> Self {
+        self.call(S::squared, Some(|x| x.squared() * x))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Mistake, Place, Seed, formulas, places, with};
+    use crate::scalar::Scalar;
+
+    formulas! {
+
+    pub fn energy<S: Scalar>(m: S, v: [S; 2]) -> S {
+        m * (v[0].squared() + v[1].squared()) / S::int(2)
+    }
+
+    }
+
+    fn seed(place: usize, mistake: Mistake) -> Seed {
+        let formula = formulas::<f64>()[0].path;
+        Seed {
+            formula,
+            place,
+            mistake,
+        }
+    }
+
+    #[test]
+    fn a_mistake_is_made_in_its_place_while_it_is_seeded() {
+        assert_eq!(formulas::<f64>()[0].symbols, ["m", "v₁", "v₂"]);
+        let value = || energy(2.0, [3.0, 5.0]);
+        for (place, mistake, wrong) in [
+            (0, Mistake::Symbol(2), 25.0 + 25.0),
+            (0, Mistake::Exponent, 81.0 + 25.0),
+            (3, Mistake::Sign, 9.0 - 25.0),
+            (4, Mistake::Factor, 68.0),
+            (6, Mistake::Exponent, 2.0 / 34.0 / 2.0),
+            (7, Mistake::Exponent, 68.0 / 3.0),
+            (8, Mistake::Sign, -34.0),
+            (9, Mistake::Sign, 34.0),
+        ] {
+            assert_eq!(
+                with(seed(place, mistake), value),
+                wrong,
+                "{mistake:?} at {place}"
+            );
+            assert_eq!(value(), 34.0);
+        }
+    }
+
+    #[test]
+    fn a_mistake_is_made_on_one_thread() {
+        let value = || energy(2.0, [3.0, 5.0]);
+        with(seed(8, Mistake::Factor), || {
+            assert_eq!(std::thread::spawn(value).join().unwrap(), 34.0);
+            assert_eq!(value(), 68.0);
+        });
+    }
+
+    #[test]
+    fn every_place_is_passed() {
+        let formula = &formulas::<f64>()[0];
+        let passed = places(formula.path, || drop((formula.value)(&[1.0, 2.0, 3.0])));
+        let arguments = passed.iter().filter(|p| matches!(p, Place::Argument(_)));
+        assert_eq!((passed.len(), arguments.count()), (9, 3));
+    }
+}
