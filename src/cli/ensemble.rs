@@ -2,8 +2,7 @@
 //! their way.
 
 use super::output::{Failure, Format, VERSION, number};
-use crate::motion::turntable::Start;
-use crate::motion::turntable::ensemble::{End, Horizon};
+use crate::claims::solve::turntable::{End, Horizon, Start};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;

@@ -4,10 +4,15 @@
 //! in components along and across the velocity and in the table's axes, or in the table's axes and in the
 //! laboratory's.
 
+/// Where one of them starts.
+pub use crate::motion::turntable::Start;
+/// Many particles at once, by the motion alone.
+pub use crate::motion::turntable::ensemble::{End, Horizon};
+
 use super::{Answer, Curve, Field, Fields, SolveError, check, steps};
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
+use crate::motion::turntable::{Fate, Path, State, Table, fate, inertial, rotating};
 use crate::paper::turntable as printed;
 
 /// A start on the table, in the paper's units and in axes that turn with the table.
