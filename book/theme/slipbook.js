@@ -3,6 +3,23 @@
     'use strict';
     const all = (selector, within = document) => [...within.querySelectorAll(selector)];
 
+    // mdBook's bar is a landmark, and what opens the contents a button: a label is none to the keyboard.
+    document.getElementById('mdbook-menu-bar')?.setAttribute('role', 'banner');
+    all('label#mdbook-sidebar-toggle').forEach(label => {
+        const box = document.getElementById(label.htmlFor);
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.className = label.className;
+        button.innerHTML = label.innerHTML;
+        ['title', 'aria-label', 'aria-controls'].forEach(name => button.setAttribute(name, label.getAttribute(name)));
+        const tell = () => button.setAttribute('aria-expanded', box.checked);
+        button.addEventListener('click', () => label.click());
+        box.addEventListener('change', tell);
+        tell();
+        label.style.display = 'none';
+        label.after(button);
+    });
+
     // A formula or table wider than its place scrolls: then it can be reached by keyboard.
     const reachable = box => {
         const scrolls = box.scrollWidth > box.clientWidth + 1;
@@ -17,10 +34,10 @@
     const widths = new ResizeObserver(entries => entries.forEach(entry => reachable(entry.target)));
     all('.katex-display, .claim-words, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
 
-    // On paper nothing is folded away.
+    // On paper answers and lists are not folded away, for browsers whose styles cannot say so.
     let closed = [];
     addEventListener('beforeprint', () => {
-        closed = all('details:not([open])');
+        closed = all('details:not([class]):not([open])');
         closed.forEach(box => { box.open = true; });
     });
     addEventListener('afterprint', () => closed.forEach(box => { box.open = false; }));

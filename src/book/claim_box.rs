@@ -4,6 +4,7 @@ use super::code::Place;
 use super::error::Fault;
 use super::fill::{Filler, verdict};
 use super::maths::Maths;
+use super::plain;
 use super::text::{counted, escape, sentence, size, value};
 use crate::claims::{Claim, by_hand};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
@@ -198,11 +199,11 @@ fn proof(evidence: &Evidence) -> String {
     if !evidence.at.is_empty() {
         html.push_str(&format!(
             "<p class=\"measure\">{}.</p>",
-            escape(&sentence(&evidence.at))
+            plain::set(&sentence(&evidence.at))
         ));
     }
     if !evidence.steps.is_empty() {
-        let step = |step: &String| format!("<li>{}</li>", escape(step));
+        let step = |step: &String| format!("<li>{}</li>", plain::set(step));
         let steps: String = evidence.steps.iter().map(step).collect();
         html.push_str(&format!(
             "<details class=\"proof\"><summary>The proof, {}</summary><ol>{steps}</ol></details>",

@@ -1,6 +1,7 @@
 //! Formulas: from LaTeX to HTML and MathML, when the book is built.
 
 use super::error::Fault;
+use super::plain;
 use super::text::escape;
 use crate::ledger::plain_formula;
 use katex::macro_expander::MacroMap;
@@ -15,6 +16,9 @@ const UNDERLINE: char = '\u{332}';
 /// What stands for a formula until mdBook is done: mdBook then reads a tenth of the text, and the search
 /// can put words in its place.
 const MARK: (&str, &str) = ("<span data-formula=\"", "\"></span>");
+
+/// A formula with so few letters as plain text may keep together with what follows.
+const SHORT: usize = 14;
 
 /// Sets formulas, each one once.
 pub(super) struct Maths {
@@ -74,7 +78,7 @@ impl Maths {
         let parts = text.split('$').enumerate();
         parts
             .map(|(i, part)| match i % 2 {
-                0 => Ok(escape(part)),
+                0 => Ok(plain::set(part)),
                 _ => self.inline(part),
             })
             .collect()
@@ -115,23 +119,44 @@ impl Maths {
 impl Forms {
     /// Puts the formulas in place of their marks.
     pub(super) fn with_formulas(&self, html: &str) -> String {
-        self.replaced(html, |(html, _)| html)
+        self.replaced(html, |(html, plain), after, out| {
+            // Browsers break a line between a formula and the full stop behind it.
+            let short = plain.chars().count() <= SHORT;
+            let ends = short && after.starts_with(['.', ',', ';', ':', '?', '!', ')']);
+            if ends {
+                out.push_str(&format!(
+                    "<span class=\"whole\">{html}{}</span>",
+                    &after[..1]
+                ));
+            } else {
+                out.push_str(html);
+            }
+            usize::from(ends)
+        })
     }
 
     /// Puts plain text in place of the marks.
     pub(super) fn with_words(&self, html: &str) -> String {
-        self.replaced(html, |(_, plain)| plain)
+        self.replaced(html, |(_, plain), _, out| {
+            out.push_str(plain);
+            0
+        })
     }
 
-    fn replaced(&self, html: &str, form: impl Fn(&(String, String)) -> &String) -> String {
+    /// Lets `put` write each form, given what follows its mark; it says how much of that it has written, too.
+    fn replaced(
+        &self,
+        html: &str,
+        put: impl Fn(&(String, String), &str, &mut String) -> usize,
+    ) -> String {
         let mut out = String::with_capacity(html.len() * 8);
         let mut parts = html.split(MARK.0);
         out.push_str(parts.next().unwrap_or_default());
         for part in parts {
             let (number, after) = part.split_once(MARK.1).unwrap_or((part, ""));
             let formula = number.parse().ok().and_then(|n: usize| self.0.get(n));
-            out.push_str(formula.map_or("", |formula| form(formula)));
-            out.push_str(after);
+            let done = formula.map_or(0, |formula| put(formula, after, &mut out));
+            out.push_str(&after[done..]);
         }
         out
     }

@@ -42,6 +42,7 @@ mod fill;
 mod map;
 mod maths;
 mod pages;
+mod plain;
 mod search;
 mod speed;
 mod swap;

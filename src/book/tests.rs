@@ -328,7 +328,7 @@ fn a_box_shows_all_and_data_stays_data() {
         "1,234 points",
         "1\u{a0}×\u{a0}10<sup>−10</sup> (ten digits of &lt;both&gt;)",
         "<td class=\"number\">0.25</td><td class=\"number\">no value</td>",
-        "θ₀ &lt; 1 &amp; v|0 = 2",
+        "θ₀ &lt; 1 &amp; v|0\u{a0}=\u{a0}2",
         "Depends on <a href=\"constant.html#eq-11\">(11)</a>",
         "a_1*b_2",
         "<math",

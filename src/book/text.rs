@@ -121,6 +121,13 @@ pub(super) fn value(x: f64) -> String {
     }
 }
 
+/// `3.20e-13` as 3.2 × 10⁻¹³ and `1e-13` as 10⁻¹³, as in running text.
+pub(super) fn scientific(number: &str) -> String {
+    let html = power_of_ten(number);
+    let bare = html.strip_prefix("1\u{a0}×\u{a0}").map(str::to_owned);
+    bare.unwrap_or(html)
+}
+
 /// `3.20e-13` as 3.2 × 10⁻¹³.
 fn power_of_ten(scientific: &str) -> String {
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));

@@ -1,11 +1,13 @@
 //! A headless Chromium and its pages, by the DevTools protocol over two pipes: no port, no foreign library.
 
 use serde_json::{Value, json};
+use std::collections::HashMap;
 use std::fmt::Display;
 use std::io::{BufRead, BufReader, Write};
 use std::path::{Path, PathBuf};
 use std::process::{Child, ChildStdin, Command, Stdio};
-use std::sync::mpsc::{self, Receiver};
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 use std::{env, thread};
 
@@ -27,14 +29,57 @@ pub fn find() -> Option<PathBuf> {
     candidates.into_iter().find(|path| path.is_file())
 }
 
-/// A running browser.
+/// A running browser, for several threads with a tab each.
 pub struct Browser {
     child: Child,
-    requests: ChildStdin,
-    messages: Receiver<Value>,
-    /// Messages that nobody asked for, in order.
-    events: Vec<Value>,
-    last: u64,
+    requests: Mutex<ChildStdin>,
+    inbox: Arc<Inbox>,
+    last: AtomicU64,
+}
+
+/// What the browser has said.
+#[derive(Default)]
+struct Inbox {
+    messages: Mutex<Messages>,
+    news: Condvar,
+}
+
+#[derive(Default)]
+struct Messages {
+    /// Answers that nobody has taken yet, by the number of the request.
+    answers: HashMap<u64, Value>,
+    /// What nobody asked for, by session, in order.
+    events: HashMap<String, Vec<Value>>,
+}
+
+impl Inbox {
+    fn lock(&self) -> MutexGuard<'_, Messages> {
+        // A test that failed has harmed no message.
+        self.messages.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn put(&self, message: Value) {
+        let mut messages = self.lock();
+        if let Some(id) = message["id"].as_u64() {
+            messages.answers.insert(id, message);
+        } else if let Some(session) = message["sessionId"].as_str() {
+            let events = messages.events.entry(session.to_owned()).or_default();
+            events.push(message);
+        }
+        self.news.notify_all();
+    }
+
+    /// Waits for something among the messages.
+    fn wait<T>(&self, mut find: impl FnMut(&mut Messages) -> Option<T>) -> Option<T> {
+        let mut found = None;
+        let waiting = |messages: &mut Messages| {
+            found = find(messages);
+            found.is_none()
+        };
+        // What counts is whether it was found, not why the waiting ended.
+        drop(self.news.wait_timeout_while(self.lock(), PATIENCE, waiting));
+        found
+    }
 }
 
 impl Browser {
@@ -66,66 +111,59 @@ impl Browser {
             .map_err(said)?;
         let requests = child.stdin.take().ok_or("no pipe to the browser")?;
         let answers = child.stdout.take().ok_or("no pipe from the browser")?;
-        let (sender, messages) = mpsc::channel();
+        let inbox = Arc::<Inbox>::default();
+        let filled = Arc::clone(&inbox);
         thread::spawn(move || {
             let parts = BufReader::new(answers).split(0).map_while(Result::ok);
             for message in parts.filter_map(|part| serde_json::from_slice(&part).ok()) {
-                if sender.send(message).is_err() {
-                    break;
-                }
+                filled.put(message);
             }
         });
         Ok(Browser {
             child,
-            requests,
-            messages,
-            events: Vec::new(),
-            last: 0,
+            requests: Mutex::new(requests),
+            inbox,
+            last: AtomicU64::new(0),
         })
     }
 
-    fn call(
-        &mut self,
-        session: Option<&str>,
-        method: &str,
-        params: Value,
-    ) -> Result<Value, Failure> {
-        self.last += 1;
-        let id = self.last;
+    fn call(&self, session: Option<&str>, method: &str, params: Value) -> Result<Value, Failure> {
+        let id = self.last.fetch_add(1, Ordering::Relaxed) + 1;
         let mut request = json!({ "id": id, "method": method, "params": params });
         if let Some(session) = session {
             request["sessionId"] = session.into();
         }
-        write!(self.requests, "{request}\0").map_err(said)?;
-        loop {
-            let late = |_| format!("no answer to {method}");
-            let mut message = self.messages.recv_timeout(PATIENCE).map_err(late)?;
-            if message["id"] != id {
-                self.events.push(message);
-                continue;
-            }
-            return match message.get("error") {
-                Some(error) => Err(format!("{method}: {error}")),
-                None => Ok(message["result"].take()),
-            };
+        write!(self.requests.lock().map_err(said)?, "{request}\0").map_err(said)?;
+        let answer = self.inbox.wait(|messages| messages.answers.remove(&id));
+        let mut answer = answer.ok_or_else(|| format!("no answer to {method}"))?;
+        match answer.get("error") {
+            Some(error) => Err(format!("{method}: {error}")),
+            None => Ok(answer["result"].take()),
         }
     }
 
-    /// A new page, empty, of the size of a screen.
-    pub fn page(&mut self) -> Result<Page<'_>, Failure> {
-        let target = self.call(None, "Target.createTarget", json!({ "url": "about:blank" }))?;
-        let target = text(&target["targetId"]);
+    /// A new page, empty, of the size of a screen, in a window of its own that shares no settings with others.
+    pub fn page(&self) -> Result<Page<'_>, Failure> {
+        let context = self.call(None, "Target.createBrowserContext", json!({}))?;
+        let context = text(&context["browserContextId"]);
+        let create =
+            json!({ "url": "about:blank", "browserContextId": context, "newWindow": true });
+        let target = text(&self.call(None, "Target.createTarget", create)?["targetId"]);
         let attach = json!({ "targetId": target, "flatten": true });
         let session = text(&self.call(None, "Target.attachToTarget", attach)?["sessionId"]);
-        self.events.clear();
         let mut page = Page {
             browser: self,
             session,
-            target,
+            context,
         };
         for domain in ["Page", "Runtime", "Log", "Network"] {
             page.call(&format!("{domain}.enable"), json!({}))?;
         }
+        // Each has the keyboard to itself.
+        page.call(
+            "Emulation.setFocusEmulationEnabled",
+            json!({ "enabled": true }),
+        )?;
         page.resize(1400, 1000)?;
         Ok(page)
     }
@@ -144,15 +182,14 @@ impl Drop for Browser {
 
 /// A tab of the browser.
 pub struct Page<'b> {
-    browser: &'b mut Browser,
+    pub browser: &'b Browser,
     session: String,
-    target: String,
+    context: String,
 }
 
 impl Page<'_> {
     pub fn call(&mut self, method: &str, params: Value) -> Result<Value, Failure> {
-        let session = self.session.clone();
-        self.browser.call(Some(&session), method, params)
+        self.browser.call(Some(&self.session), method, params)
     }
 
     pub fn resize(&mut self, width: u32, height: u32) -> Result<(), Failure> {
@@ -163,15 +200,25 @@ impl Page<'_> {
 
     /// Opens an address and waits until the page, its fonts and its explorers are there.
     pub fn open(&mut self, address: &str) -> Result<(), Failure> {
-        // From one fragment to another of the same page would load nothing.
-        self.call("Page.navigate", json!({ "url": "about:blank" }))?;
-        self.browser.events.clear();
+        self.browser.inbox.lock().events.remove(&self.session);
         let answer = self.call("Page.navigate", json!({ "url": address }))?;
         if let Some(error) = answer.get("errorText") {
             return Err(format!("{address}: {error}"));
         }
+        // From one fragment to another of the same page nothing is loaded.
+        if answer.get("loaderId").is_none() {
+            self.call("Page.reload", json!({}))?;
+        }
+        let loaded = |messages: &mut Messages| {
+            let mut events = messages.events.get(&self.session)?.iter();
+            events
+                .any(|event| event["method"] == "Page.loadEventFired")
+                .then_some(())
+        };
+        let late = || format!("{address} is not loaded");
+        self.browser.inbox.wait(loaded).ok_or_else(late)?;
         self.wait_for(
-            "location.href !== 'about:blank' && document.readyState === 'complete' && document.fonts.status === 'loaded'
+            "document.fonts.status === 'loaded'
              && [...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown
                  || location.pathname.endsWith('/print.html'))",
         )
@@ -214,6 +261,7 @@ impl Page<'_> {
     /// Presses a key, such as `ArrowUp`, on whatever has the focus.
     pub fn press(&mut self, key: &str) -> Result<(), Failure> {
         let code = match key {
+            "Enter" => 13,
             "ArrowLeft" => 37,
             "ArrowUp" => 38,
             "ArrowRight" => 39,
@@ -221,8 +269,11 @@ impl Page<'_> {
             _ => return Err(format!("the code of {key} is not known here")),
         };
         for kind in ["keyDown", "keyUp"] {
-            let event =
+            let mut event =
                 json!({ "type": kind, "key": key, "code": key, "windowsVirtualKeyCode": code });
+            if key == "Enter" {
+                event["text"] = "\r".into();
+            }
             self.call("Input.dispatchKeyEvent", event)?;
         }
         Ok(())
@@ -274,12 +325,8 @@ impl Page<'_> {
     /// What the page has complained of since it was opened: errors in its scripts and its console, and requests to
     /// anywhere but the disk.
     pub fn complaints(&mut self) -> Vec<String> {
-        let session = self.session.clone();
-        let own = self
-            .browser
-            .events
-            .iter()
-            .filter(|event| event["sessionId"] == session);
+        let messages = self.browser.inbox.lock();
+        let own = messages.events.get(&self.session).into_iter().flatten();
         own.filter_map(|event| {
             let params = &event["params"];
             let bad = match event["method"].as_str()? {
@@ -305,9 +352,12 @@ impl Page<'_> {
 
 impl Drop for Page<'_> {
     fn drop(&mut self) {
-        let target = json!({ "targetId": self.target });
-        // A tab that is gone already is closed.
-        let _ = self.browser.call(None, "Target.closeTarget", target);
+        let context = json!({ "browserContextId": self.context });
+        // A window that is gone already is closed.
+        let _ = self
+            .browser
+            .call(None, "Target.disposeBrowserContext", context);
+        self.browser.inbox.lock().events.remove(&self.session);
     }
 }
 

@@ -129,11 +129,14 @@ impl<'p, 'b> Explorer<'p, 'b> {
         Ok(Explorer { page, name })
     }
 
-    /// Follows an address on the same page.
+    /// Follows an address on the same page, once the last state is noted in the present one.
     fn go(&mut self, state: &str) -> Result<(), Failure> {
         let hash = format!("#explore-{}?{state}", self.name);
-        self.page.value(&format!("location.hash = '{hash}'"))?;
         let name = self.name;
+        self.page.wait_for(&format!(
+            "document.getElementById('explore-{name}').dataset.shown === location.hash"
+        ))?;
+        self.page.value(&format!("location.hash = '{hash}'"))?;
         self.page.wait_for(&format!(
             "document.getElementById('explore-{name}').dataset.shown === '{hash}'"
         ))
@@ -216,83 +219,89 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 }
 
-/// Led to a state by its address, each explorer shows what the crate says of it.
-pub fn values(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    for (name, states) in STATES {
-        let mut explorer = Explorer::open(page, book, name, states[0])?;
-        for state in states {
-            explorer.go(state)?;
-            let found = explorer.right()?;
-            let asked: Vec<f64> = state
-                .split('&')
-                .filter_map(|part| part.split('=').nth(1)?.parse().ok())
-                .collect();
-            if found != asked {
-                return Err(format!(
-                    "{name} was asked for {asked:?} and shows {found:?}"
-                ));
-            }
+/// Whatever a reader at a desk does with it, each explorer shows what the crate says.
+pub fn desk(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    for name in PAGES {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        let first = explorer.right()?;
+        keyboard(&mut explorer)?;
+        mouse(&mut explorer)?;
+        explorer.value("host.querySelector('button').click()")?;
+        let again = explorer.right()?;
+        if first != again {
+            return Err(format!(
+                "{name} starts at {first:?} but goes back to {again:?}"
+            ));
         }
+        sliders(&mut explorer)?;
+        states(&mut explorer)?;
         explorer.unharmed()?;
+    }
+    Ok(())
+}
+
+/// Led to a state by its address, it shows that state.
+fn states(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+    let name = explorer.name;
+    let states = STATES.iter().find(|(of, _)| *of == name);
+    for state in states.ok_or("no states")?.1 {
+        explorer.go(state)?;
+        let found = explorer.right()?;
+        let asked: Vec<f64> = state
+            .split('&')
+            .filter_map(|part| part.split('=').nth(1)?.parse().ok())
+            .collect();
+        if found != asked {
+            return Err(format!(
+                "{name} was asked for {asked:?} and shows {found:?}"
+            ));
+        }
     }
     Ok(())
 }
 
 /// The arrow keys move every hand, and no key turns the page.
-pub fn keyboard(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    for name in PAGES {
-        let mut explorer = Explorer::open(page, book, name, "")?;
-        for plot in 0..explorer.hands().len() {
-            explorer.value(&format!("host.querySelectorAll('.hand')[{plot}].focus()"))?;
-            for key in [
-                "ArrowRight",
-                "ArrowUp",
-                "ArrowLeft",
-                "ArrowLeft",
-                "ArrowDown",
-                "ArrowDown",
-            ] {
-                let (before, drawn) = (explorer.right()?, explorer.drawn()?);
-                explorer.page.press(key)?;
-                let after = explorer.right()?;
-                let moved = before.iter().zip(&after).filter(|(a, b)| a != b).count();
-                if moved != 1 || explorer.drawn()? == drawn {
-                    return Err(format!(
-                        "{name}, hand {plot}: {key} led from {before:?} to {after:?}"
-                    ));
-                }
+fn keyboard(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+    let name = explorer.name;
+    for plot in 0..explorer.hands().len() {
+        explorer.value(&format!("host.querySelectorAll('.hand')[{plot}].focus()"))?;
+        for key in [
+            "ArrowRight",
+            "ArrowUp",
+            "ArrowLeft",
+            "ArrowLeft",
+            "ArrowDown",
+            "ArrowDown",
+        ] {
+            let (before, drawn) = (explorer.right()?, explorer.drawn()?);
+            explorer.page.press(key)?;
+            let after = explorer.right()?;
+            let moved = before.iter().zip(&after).filter(|(a, b)| a != b).count();
+            if moved != 1 || explorer.drawn()? == drawn {
+                return Err(format!(
+                    "{name}, hand {plot}: {key} led from {before:?} to {after:?}"
+                ));
             }
         }
-        explorer.unharmed()?;
     }
     Ok(())
 }
 
-/// The arrow keys move every slider.
-pub fn sliders(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    for name in PAGES {
-        let mut explorer = Explorer::open(page, book, name, "")?;
-        let count = explorer.state()?.len();
-        for i in 0..count {
-            let before = explorer.right()?;
-            explorer.value(&format!("host.querySelectorAll('input')[{i}].focus()"))?;
-            for key in ["ArrowLeft", "ArrowDown", "ArrowLeft"] {
-                explorer.page.press(key)?;
-            }
-            let after = explorer.right()?;
-            let moved = (0..count).all(|k| (before[k] != after[k]) == (k == i));
-            if !moved {
-                return Err(format!(
-                    "{name}: slider {i} led from {before:?} to {after:?}"
-                ));
-            }
+/// The arrow keys move every slider, and no other.
+fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+    let name = explorer.name;
+    let count = explorer.state()?.len();
+    for i in 0..count {
+        let before = explorer.right()?;
+        explorer.value(&format!("host.querySelectorAll('input')[{i}].focus()"))?;
+        for key in ["ArrowLeft", "ArrowDown", "ArrowLeft"] {
+            explorer.page.press(key)?;
         }
-        explorer.value("host.querySelector('button').click()")?;
-        let first = explorer.right()?;
-        let afresh = Explorer::open(page, book, name, "")?.right()?;
-        if first != afresh {
+        let after = explorer.right()?;
+        let moved = (0..count).all(|k| (before[k] != after[k]) == (k == i));
+        if !moved {
             return Err(format!(
-                "{name} starts at {afresh:?} but goes back to {first:?}"
+                "{name}: slider {i} led from {before:?} to {after:?}"
             ));
         }
     }
@@ -300,42 +309,39 @@ pub fn sliders(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// The mouse takes every hand along, on its way too.
-pub fn mouse(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    for name in PAGES {
-        let mut explorer = Explorer::open(page, book, name, "")?;
-        for &plot in explorer.hands() {
-            let (before, drawn) = (explorer.right()?, explorer.drawn()?);
-            let [hand, low, high] = explorer.places(plot)?;
-            let share = |s: f64, t: f64| {
-                [
-                    low[0] + s * (high[0] - low[0]),
-                    low[1] + t * (high[1] - low[1]),
-                ]
-            };
-            explorer
-                .page
-                .drag(&[hand, share(0.4, 0.4), share(0.6, 0.6)])?;
-            let after = explorer.right()?;
-            if after == before || explorer.drawn()? == drawn {
-                return Err(format!(
-                    "{name}: dragging the hand of plot {plot} does nothing at {before:?}"
-                ));
-            }
-            // The hand is where the mouse left it, but for the steps of the inputs and the axis to which it is bound.
-            let [hand, ..] = explorer.places(plot)?;
-            let off = [0, 1].map(|i| (hand[i] - share(0.6, 0.6)[i]).abs());
-            let free = match (name, plot) {
-                ("constant", _) => true,
-                ("turntable", 1) => off[0] < 3.0,
-                _ => off[0] < 3.0 && off[1] < 3.0,
-            };
-            if !free {
-                return Err(format!(
-                    "{name}: the hand of plot {plot} is {off:?} pixels from the mouse"
-                ));
-            }
+fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+    let name = explorer.name;
+    for &plot in explorer.hands() {
+        let (before, drawn) = (explorer.right()?, explorer.drawn()?);
+        let [hand, low, high] = explorer.places(plot)?;
+        let share = |s: f64, t: f64| {
+            [
+                low[0] + s * (high[0] - low[0]),
+                low[1] + t * (high[1] - low[1]),
+            ]
+        };
+        explorer
+            .page
+            .drag(&[hand, share(0.4, 0.4), share(0.6, 0.6)])?;
+        let after = explorer.right()?;
+        if after == before || explorer.drawn()? == drawn {
+            return Err(format!(
+                "{name}: dragging the hand of plot {plot} does nothing at {before:?}"
+            ));
         }
-        explorer.unharmed()?;
+        // The hand is where the mouse left it, but for the steps of the inputs and the axis to which it is bound.
+        let [hand, ..] = explorer.places(plot)?;
+        let off = [0, 1].map(|i| (hand[i] - share(0.6, 0.6)[i]).abs());
+        let free = match (name, plot) {
+            ("constant", _) => true,
+            ("turntable", 1) => off[0] < 3.0,
+            _ => off[0] < 3.0 && off[1] < 3.0,
+        };
+        if !free {
+            return Err(format!(
+                "{name}: the hand of plot {plot} is {off:?} pixels from the mouse"
+            ));
+        }
     }
     Ok(())
 }

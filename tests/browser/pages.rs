@@ -73,6 +73,20 @@ pub fn search(page: &mut Page, book: &Book) -> Result<(), Failure> {
     none(missing)
 }
 
+/// The contents are opened and closed without a mouse.
+pub fn contents(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.open(&book.address("index.html"))?;
+    page.value("document.querySelector('button[aria-controls=mdbook-sidebar]').focus()")?;
+    for open in [false, true] {
+        page.press("Enter")?;
+        page.wait_for(&format!(
+            "document.documentElement.classList.contains('sidebar-visible') === {open}
+             && document.activeElement.getAttribute('aria-expanded') === '{open}'"
+        ))?;
+    }
+    Ok(())
+}
+
 /// On a screen of 390 pixels nothing sticks out at the side.
 pub fn narrow(page: &mut Page, book: &Book) -> Result<(), Failure> {
     let visits = visits(page, book)?
@@ -114,13 +128,10 @@ pub fn without_scripts(page: &mut Page, book: &Book) -> Result<(), Failure> {
 
 /// The print page holds the figures, not the explorers.
 pub fn printing(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    page.open(&book.address("print.html"))?;
-    let seen = page.value(
-        "[...document.querySelectorAll('[data-explorer]')].map(host => [host.checkVisibility(),
-            host.nextElementSibling.querySelector('svg').checkVisibility()])",
-    )?;
+    let visit = visits(page, book)?.get("print.html");
+    let seen = &visit.ok_or("no page for printing")?.explorers;
     let expected = json!(crate::explorers::PAGES.map(|_| [false, true]));
-    if seen == expected {
+    if *seen == expected {
         Ok(())
     } else {
         Err(format!("explorers and figures are seen: {seen}"))

@@ -1,10 +1,12 @@
 //! One visit to every page, and what was seen there.
 
-use crate::Book;
 use crate::access::all_broken;
 use crate::chrome::{Failure, Page};
+use crate::{Book, TABS};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 /// What was seen on a page.
 pub struct Visit {
@@ -14,19 +16,33 @@ pub struct Visit {
     pub places: BTreeSet<String>,
     /// All addresses, of links and of files, as the browser resolves them.
     pub addresses: Vec<String>,
+    /// For each explorer, whether it is seen, and whether the still figure is.
+    pub explorers: Value,
     /// Its width on a screen of 390 pixels, for a chapter.
     pub width: Value,
     /// The rules of accessibility that it breaks, if it is a chapter.
     pub broken: Vec<String>,
 }
 
-/// The visits, made when they are first asked for.
-pub fn visits<'b>(page: &mut Page, book: &'b Book) -> Result<&'b BTreeMap<String, Visit>, Failure> {
+/// The visits, made when they are first asked for, in several tabs.
+pub fn visits<'b>(page: &Page, book: &'b Book) -> Result<&'b BTreeMap<String, Visit>, Failure> {
+    let next = AtomicUsize::new(0);
+    let some = || {
+        let (mut page, mut some) = (page.browser.page()?, Vec::new());
+        while let Some(name) = book.pages.get(next.fetch_add(1, Ordering::Relaxed)) {
+            some.push((name.clone(), visit(&mut page, book, name)?));
+        }
+        Ok::<_, Failure>(some)
+    };
     let all = || {
-        book.pages
-            .iter()
-            .map(|name| Ok((name.clone(), visit(page, book, name)?)))
-            .collect()
+        thread::scope(|scope| {
+            let tabs = [(); TABS].map(|()| scope.spawn(some));
+            let mut all = BTreeMap::new();
+            for tab in tabs {
+                all.extend(tab.join().map_err(|_| "a visit broke off")??);
+            }
+            Ok(all)
+        })
     };
     book.visits.get_or_init(all).as_ref().map_err(Clone::clone)
 }
@@ -39,6 +55,10 @@ fn visit(page: &mut Page, book: &Book, name: &str) -> Result<Visit, Failure> {
     let addresses = page.texts(
         "[...document.querySelectorAll('[href], [src]')].map(e => e.src || e.href).filter(a => typeof a === 'string')",
     )?;
+    let explorers = page.value(
+        "[...document.querySelectorAll('[data-explorer]')].map(host => [host.checkVisibility(),
+            host.nextElementSibling.querySelector('svg').checkVisibility()])",
+    )?;
     let (mut width, mut broken) = (Value::Null, Vec::new());
     if book.is_chapter(name) {
         page.resize(390, 800)?;
@@ -50,6 +70,7 @@ fn visit(page: &mut Page, book: &Book, name: &str) -> Result<Visit, Failure> {
         complaints,
         places: places.into_iter().collect(),
         addresses,
+        explorers,
         width,
         broken,
     })

@@ -14,8 +14,8 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![resting()?, census()?, around()?, space()?])
 }
 
-/// Angles at which the level lines of the boundary are found.
-const ANGLES: i32 = 48;
+/// Angles at which the level lines of the boundary are found: enough that no corner is seen.
+const ANGLES: i32 = 192;
 
 /// Largest α of the picture of the phase space.
 const REACH: f64 = 0.75;
@@ -45,7 +45,7 @@ fn space() -> Result<Figure, AllFiguresError> {
         let rests = matches!(fate(&start)?, Fate::Rest { .. });
         let run = Run::new(&start, 8.0)?;
         let there = |tau: f64| run.at(tau).map(|x| x.alpha().map(|alpha| [alpha, x.psi()]));
-        let way = (0..=160).map(|i| there(0.05 * f64::from(i)));
+        let way = (0..=800).map(|i| there(0.01 * f64::from(i)));
         let way: Vec<_> = way.collect::<Result<_, _>>()?;
         // Angle and α of a particle at rest are no more.
         let way = way.into_iter().flatten().filter(|[alpha, _]| *alpha > 1e-4);
