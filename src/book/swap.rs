@@ -43,29 +43,43 @@ impl Staging {
     /// Puts the finished `book` in place; returns where that is. Of two runs that do so at once, the later one wins.
     pub(super) fn swap(self, book: &Path) -> Result<PathBuf, BookError> {
         let mut reason = io::Error::from(io::ErrorKind::AlreadyExists);
+        let mut moved: Option<String> = None;
         for attempt in 0..ATTEMPTS {
-            check(&self.out)?;
-            let old = self.path(&format!("old-{attempt}"));
-            let moved = match fs::rename(&self.out, &old) {
-                Ok(()) => true,
-                Err(error) if error.kind() == io::ErrorKind::NotFound => false,
+            if let Err(refusal) = check(&self.out) {
+                return Err(match moved {
+                    None => refusal,
+                    Some(old) => self.displaced(&old, reason),
+                });
+            }
+            let old = format!("old-{attempt}");
+            match fs::rename(&self.out, self.path(&old)) {
+                Ok(()) => moved = Some(old),
+                Err(error) if error.kind() == io::ErrorKind::NotFound => {}
                 Err(error) => return Err(unwritable(&self.out, error)),
-            };
+            }
             match fs::rename(book, &self.out) {
                 Ok(()) => return Ok(self.out),
                 Err(error) => reason = error,
             }
             // Another run has put its book there in between: take that one away too.
-            if self.out.join(MARKER).is_file() {
+            use io::ErrorKind::{AlreadyExists, DirectoryNotEmpty};
+            if matches!(reason.kind(), AlreadyExists | DirectoryNotEmpty) {
                 continue;
             }
-            if moved && fs::rename(&old, &self.out).is_err() {
-                let kept = self.folder.keep().join(format!("old-{attempt}"));
-                return Err(BookError::Displaced { kept, reason });
-            }
-            break;
+            return Err(match moved {
+                Some(old) if fs::rename(self.path(&old), &self.out).is_err() => {
+                    self.displaced(&old, reason)
+                }
+                _ => unwritable(&self.out, reason),
+            });
         }
         Err(unwritable(&self.out, reason))
+    }
+
+    /// The earlier book could not be put back: it stays where it is.
+    fn displaced(self, old: &str, reason: io::Error) -> BookError {
+        let kept = self.folder.keep().join(old);
+        BookError::Displaced { kept, reason }
     }
 }
 
