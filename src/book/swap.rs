@@ -104,10 +104,10 @@ fn bare(error: io::Error) -> io::Error {
 
 /// The absolute path, links followed where the folder exists.
 fn resolve(out: &Path) -> io::Result<PathBuf> {
-    if out.exists() {
-        out.canonicalize()
-    } else {
-        std::path::absolute(out)
+    // Not asked for first: another run may take it away between the question and the answer.
+    match out.canonicalize() {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => std::path::absolute(out),
+        found => found,
     }
 }
 
