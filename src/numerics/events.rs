@@ -150,6 +150,18 @@ fn rounding(scaled: &[f64], u: f64) -> f64 {
 mod tests {
     use super::*;
 
+    #[test]
+    fn a_polynomial_with_a_zero_does_not_keep_its_sign() {
+        for zero in [1e-9, 0.3, 0.5, 1.0 - 1e-9] {
+            for others in [&[][..], &[2.0], &[-1.0, 3.0], &[zero]] {
+                let roots = [&[zero], others].concat();
+                assert!(!keeps_sign(&with_roots(&roots)), "{roots:?}");
+            }
+        }
+        assert!(keeps_sign(&with_roots(&[-0.1, 1.1])));
+        assert!(keeps_sign(&[-1.0, -0.5, 0.2]));
+    }
+
     /// Coefficients of the product of (u − r) over the given roots.
     fn with_roots(given: &[f64]) -> Vec<f64> {
         given.iter().fold(vec![1.0], |p, r| {

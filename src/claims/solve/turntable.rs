@@ -4,9 +4,9 @@
 //! in components along and across the velocity and in the table's axes, or in the table's axes and in the
 //! laboratory's.
 
-/// Where one of them starts.
+/// Where a particle of an ensemble starts.
 pub use crate::motion::turntable::Start;
-/// Many particles at once, by the motion alone.
+/// An ensemble of particles, by the motion alone.
 pub use crate::motion::turntable::ensemble::{End, Horizon};
 
 use super::{Answer, Curve, Field, Fields, SolveError, check, steps};
