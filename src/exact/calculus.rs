@@ -38,10 +38,10 @@ impl Ring {
                 let raised = Rational::from(generator.pow(whole * degree));
                 x = &x * &raised * inverse.pow(whole);
             }
-            let parts = x.numerator().coefficients_in(g);
-            if parts.keys().all(|k| k < degree) {
+            if x.numerator().degree_in(g) < *degree {
                 continue;
             }
+            let parts = x.numerator().coefficients_in(g);
             let mut reduced = Rational::int(0);
             for (k, part) in parts {
                 let low = &Rational::from(part) * &Rational::generator(g).pow(k % degree);

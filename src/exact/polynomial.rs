@@ -1,19 +1,26 @@
 //! Sparse polynomials in several generators with whole coefficients.
 
 use dashu_int::IBig;
-use dashu_int::ops::{Abs, Gcd};
+use dashu_int::ops::{Abs, DivRem, Gcd};
+use smallvec::SmallVec;
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::fmt::Write;
 use std::ops::{Add, Mul, Neg, Sub};
 
 /// Exponents of the generators 0, 1, 2, …; trailing zeros left out. Ordered lexicographically, which is an
-/// order that multiplication respects.
-type Monomial = Vec<u32>;
+/// order that multiplication respects. Up to twenty stand in place: most rings have no more generators.
+type Monomial = SmallVec<[u32; 20]>;
+
+/// A monomial with its coefficient.
+type Term = (Monomial, IBig);
 
 /// A polynomial over ℤ in generators that are known by their index. Exact; zero only if it has no terms.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Polynomial {
-    terms: BTreeMap<Monomial, IBig>,
+    /// In ascending order, each monomial once, no coefficient 0.
+    terms: Vec<Term>,
 }
 
 impl Polynomial {
@@ -29,16 +36,14 @@ impl Polynomial {
 
     /// A constant.
     pub fn constant(value: IBig) -> Self {
-        let mut p = Self::zero();
-        p.add_term(Vec::new(), value);
-        p
+        Self::collect(vec![(Monomial::new(), value)])
     }
 
     /// The generator of this index, to the first power.
     pub fn generator(index: usize) -> Self {
-        let mut monomial = vec![0; index + 1];
+        let mut monomial = Monomial::from_elem(0, index + 1);
         monomial[index] = 1;
-        let terms = BTreeMap::from([(monomial, IBig::ONE)]);
+        let terms = vec![(monomial, IBig::ONE)];
         Polynomial { terms }
     }
 
@@ -49,9 +54,9 @@ impl Polynomial {
 
     /// The value, if no generator occurs.
     pub fn as_constant(&self) -> Option<IBig> {
-        match self.terms.len() {
-            0 => Some(IBig::ZERO),
-            1 => self.terms.get(&Vec::new()).cloned(),
+        match self.terms.as_slice() {
+            [] => Some(IBig::ZERO),
+            [(m, c)] => m.is_empty().then(|| c.clone()),
             _ => None,
         }
     }
@@ -73,7 +78,7 @@ impl Polynomial {
 
     /// The coefficient of each generator, if the polynomial is a sum of multiples of generators.
     pub fn as_linear(&self) -> Option<Vec<(usize, IBig)>> {
-        let linear = |(m, c): (&Monomial, &IBig)| {
+        let linear = |(m, c): &Term| {
             let single = m.iter().sum::<u32>() == 1;
             single.then(|| (m.len() - 1, c.clone()))
         };
@@ -82,16 +87,16 @@ impl Polynomial {
 
     /// The greatest common divisor of the coefficients, with the sign of the leading one; 0 of 0.
     pub fn content(&self) -> IBig {
-        let Some((_, leading)) = self.terms.last_key_value() else {
+        let Some(((_, leading), others)) = self.terms.split_last() else {
             return IBig::ZERO;
         };
-        let gcd = self.terms.values().fold(IBig::ZERO, |gcd, c| {
-            if gcd == IBig::ZERO {
-                c.clone().abs()
-            } else {
-                (&gcd).gcd(c).into()
+        let mut gcd = leading.clone().abs();
+        for (_, c) in others {
+            if gcd == IBig::ONE {
+                break;
             }
-        });
+            gcd = (&gcd).gcd(c).into();
+        }
         if *leading < IBig::ZERO { -gcd } else { gcd }
     }
 
@@ -113,16 +118,21 @@ impl Polynomial {
 
     /// The partial derivative with respect to a generator.
     pub fn partial(&self, generator: usize) -> Self {
-        let mut p = Self::zero();
-        for (m, c) in &self.terms {
-            let Some(&k) = m.get(generator).filter(|k| **k > 0) else {
-                continue;
-            };
+        let lower = |(m, c): &Term| {
+            let k = *m.get(generator).filter(|k| **k > 0)?;
             let mut lower = m.clone();
             lower[generator] -= 1;
-            p.add_term(trim(lower), c * IBig::from(k));
-        }
-        p
+            Some((trim(lower), c * IBig::from(k)))
+        };
+        // One power less of the same generator keeps the order.
+        let terms = self.terms.iter().filter_map(lower).collect();
+        Polynomial { terms }
+    }
+
+    /// The highest power of a generator.
+    pub fn degree_in(&self, generator: usize) -> u32 {
+        let powers = self.terms.iter().filter_map(|(m, _)| m.get(generator));
+        powers.max().copied().unwrap_or(0)
     }
 
     /// The coefficients of the powers of one generator, as polynomials in the others.
@@ -131,7 +141,8 @@ impl Polynomial {
         for (m, c) in &self.terms {
             let mut rest = m.clone();
             let k = rest.get_mut(generator).map_or(0, std::mem::take);
-            parts.entry(k).or_default().add_term(trim(rest), c.clone());
+            let part = parts.entry(k).or_default();
+            part.terms.push((trim(rest), c.clone()));
         }
         parts
     }
@@ -139,7 +150,7 @@ impl Polynomial {
     /// The indices of the generators that occur, each with its highest power.
     pub fn degrees(&self) -> BTreeMap<usize, u32> {
         let mut degrees = BTreeMap::new();
-        for m in self.terms.keys() {
+        for (m, _) in &self.terms {
             for (g, &k) in m.iter().enumerate().filter(|(_, k)| **k > 0) {
                 let highest = degrees.entry(g).or_insert(0);
                 *highest = k.max(*highest);
@@ -150,9 +161,13 @@ impl Polynomial {
 
     /// The largest power of each generator that divides the polynomial.
     pub fn monomial_divisor(&self) -> Vec<u32> {
-        let mut keys = self.terms.keys();
-        let first = keys.next().cloned().unwrap_or_default();
-        trim(keys.fold(first, |common, m| {
+        self.common().into_vec()
+    }
+
+    fn common(&self) -> Monomial {
+        let mut monomials = self.terms.iter().map(|(m, _)| m);
+        let first = monomials.next().cloned().unwrap_or_default();
+        trim(monomials.fold(first, |common, m| {
             let shared = common.iter().zip(m).map(|(a, b)| *a.min(b));
             shared.collect()
         }))
@@ -160,8 +175,7 @@ impl Polynomial {
 
     /// A number times powers of generators, and what is left when that is divided out.
     pub fn split_monomial(&self) -> (Polynomial, Polynomial) {
-        let terms = BTreeMap::from([(self.monomial_divisor(), self.content())]);
-        let monomial = Polynomial { terms };
+        let monomial = Self::collect(vec![(self.common(), self.content())]);
         match self.divide_exact(&monomial) {
             Some(rest) => (monomial, rest),
             None => (Self::one(), self.clone()),
@@ -170,33 +184,48 @@ impl Polynomial {
 
     /// The quotient, if `divisor` divides the polynomial without a remainder; `None` also for divisor 0.
     pub fn divide_exact(&self, divisor: &Polynomial) -> Option<Polynomial> {
-        let (lead, lead_c) = divisor.terms.last_key_value()?;
-        if let (Some((lowest, _)), Some((low, _))) = (
-            self.terms.first_key_value(),
-            divisor.terms.first_key_value(),
-        ) {
-            quotient(lowest, low)?;
+        let ((lead, lead_c), below) = divisor.terms.split_last()?;
+        let over_lead = |(m, c): (&Monomial, &IBig)| {
+            let (factor, rest) = c.div_rem(lead_c);
+            (rest == IBig::ZERO).then_some((quotient(m, lead)?, factor))
+        };
+        if below.is_empty() {
+            let terms = self.terms.iter().map(|(m, c)| over_lead((m, c)));
+            let terms = terms.collect::<Option<_>>()?;
+            return Some(Polynomial { terms });
         }
-        let mut rest = self.clone();
-        let mut result = Self::zero();
-        while let Some((m, c)) = rest.terms.last_key_value() {
-            let q = quotient(m, lead)?;
-            if c % lead_c != IBig::ZERO {
-                return None;
-            }
-            let factor = c / lead_c;
-            for (n, d) in &divisor.terms {
-                rest.add_term(product(n, &q), -(d * &factor));
-            }
-            result.add_term(q, factor);
+        if let (Some((lowest, _)), Some((highest, _))) = (self.terms.first(), self.terms.last()) {
+            quotient(lowest, &below[0].0)?;
+            quotient(highest, lead)?;
         }
-        Some(result)
+        let mut rest: BTreeMap<_, _> = self.terms.iter().cloned().collect();
+        let mut terms = Vec::new();
+        while let Some((m, c)) = rest.pop_last() {
+            let (q, factor) = over_lead((&m, &c))?;
+            for (n, d) in below {
+                let change = -(d * &factor);
+                match rest.entry(product(n, &q)) {
+                    Entry::Vacant(free) => {
+                        free.insert(change);
+                    }
+                    Entry::Occupied(mut taken) => {
+                        *taken.get_mut() += change;
+                        if *taken.get() == IBig::ZERO {
+                            taken.remove();
+                        }
+                    }
+                }
+            }
+            terms.push((q, factor));
+        }
+        terms.reverse();
+        Some(Polynomial { terms })
     }
 
     /// The value where generator `g` has the value `at[g]`, in floating point: for tests against numbers.
     #[cfg(test)]
     pub fn value(&self, at: &[f64]) -> f64 {
-        let term = |(m, c): (&Monomial, &IBig)| {
+        let term = |(m, c): &Term| {
             let powers = m.iter().zip(at).map(|(k, x)| libm::pow(*x, f64::from(*k)));
             c.to_f64().value() * powers.product::<f64>()
         };
@@ -234,22 +263,18 @@ impl Polynomial {
         if text.is_empty() { "0".into() } else { text }
     }
 
-    fn add_term(&mut self, monomial: Monomial, coefficient: IBig) {
-        use std::collections::btree_map::Entry;
-        if coefficient == IBig::ZERO {
-            return;
-        }
-        match self.terms.entry(monomial) {
-            Entry::Vacant(free) => {
-                free.insert(coefficient);
+    /// The sum of terms in any order.
+    fn collect(mut terms: Vec<Term>) -> Self {
+        terms.sort_unstable_by(|(m, _), (n, _)| m.cmp(n));
+        terms.dedup_by(|(m, c), (n, sum)| {
+            let like = m == n;
+            if like {
+                *sum += &*c;
             }
-            Entry::Occupied(mut taken) => {
-                *taken.get_mut() += coefficient;
-                if *taken.get() == IBig::ZERO {
-                    taken.remove();
-                }
-            }
-        }
+            like
+        });
+        terms.retain(|(_, c)| *c != IBig::ZERO);
+        Polynomial { terms }
     }
 }
 
@@ -262,7 +287,7 @@ fn trim(mut monomial: Monomial) -> Monomial {
 
 fn product(a: &[u32], b: &[u32]) -> Monomial {
     let (long, short) = if a.len() < b.len() { (b, a) } else { (a, b) };
-    let mut m = long.to_vec();
+    let mut m = Monomial::from_slice(long);
     for (k, j) in m.iter_mut().zip(short) {
         *k += j;
     }
@@ -273,7 +298,7 @@ fn quotient(a: &[u32], b: &[u32]) -> Option<Monomial> {
     if a.len() < b.len() {
         return None;
     }
-    let mut m = a.to_vec();
+    let mut m = Monomial::from_slice(a);
     for (k, j) in m.iter_mut().zip(b) {
         *k = k.checked_sub(*j)?;
     }
@@ -283,11 +308,28 @@ fn quotient(a: &[u32], b: &[u32]) -> Option<Monomial> {
 impl Add for &Polynomial {
     type Output = Polynomial;
     fn add(self, other: Self) -> Polynomial {
-        let mut sum = self.clone();
-        for (m, c) in &other.terms {
-            sum.add_term(m.clone(), c.clone());
+        let mut terms = Vec::with_capacity(self.len() + other.len());
+        let (mut left, mut right) = (self.terms.as_slice(), other.terms.as_slice());
+        while let ([(m, c), later @ ..], [(n, d), after @ ..]) = (left, right) {
+            let order = m.cmp(n);
+            let (monomial, sum) = match order {
+                Ordering::Less => (m, c.clone()),
+                Ordering::Greater => (n, d.clone()),
+                Ordering::Equal => (m, c + d),
+            };
+            if sum != IBig::ZERO {
+                terms.push((monomial.clone(), sum));
+            }
+            if order.is_le() {
+                left = later;
+            }
+            if order.is_ge() {
+                right = after;
+            }
         }
-        sum
+        terms.extend_from_slice(left);
+        terms.extend_from_slice(right);
+        Polynomial { terms }
     }
 }
 
@@ -308,13 +350,17 @@ impl Sub for &Polynomial {
 impl Mul for &Polynomial {
     type Output = Polynomial;
     fn mul(self, other: Self) -> Polynomial {
-        let mut p = Polynomial::zero();
-        for (m, c) in &self.terms {
-            for (n, d) in &other.terms {
-                p.add_term(product(m, n), c * d);
-            }
+        let times = |(m, c): &Term| {
+            let (m, c) = (m.clone(), c.clone());
+            let with = move |(n, d): &Term| (product(&m, n), &c * d);
+            other.terms.iter().map(with)
+        };
+        let terms: Vec<_> = self.terms.iter().flat_map(times).collect();
+        if self.len().min(other.len()) == 1 {
+            // One term keeps the order.
+            return Polynomial { terms };
         }
-        p
+        Polynomial::collect(terms)
     }
 }
 

@@ -178,6 +178,9 @@ impl Rational {
         }
         if self.number != IBig::ONE {
             let gcd: IBig = (&self.number).gcd(&self.numerator.content()).into();
+            if gcd == IBig::ONE {
+                return;
+            }
             self.number = &self.number / &gcd;
             if let Some(reduced) = self.numerator.divide_exact(&Polynomial::constant(gcd)) {
                 self.numerator = reduced;

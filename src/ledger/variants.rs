@@ -43,7 +43,7 @@ impl Ledger {
 
 impl Entry {
     /// True if the claim, tried with the variant, does not get its verdict. A printed formula that fails as it stands
-    /// has to fail again.
+    /// has to fail again, in a trial that notices the variant.
     fn rejects(&self, variant: &Variant) -> bool {
         let claim = self.claim;
         let change = claim.correction.map(|c| c.change);
@@ -57,7 +57,7 @@ impl Entry {
             let outcome = now.outcome();
             if fails {
                 let printed = matches!(now.subject, Subject::Printed | Subject::Within);
-                return printed && outcome != Outcome::Agrees;
+                return printed && outcome != Outcome::Agrees && now != self.evidence[i];
             }
             outcome != self.evidence[i].outcome() && {
                 let mut evidence = self.evidence.clone();
