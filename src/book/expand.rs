@@ -41,19 +41,32 @@ pub(super) fn expand(page: &Page, filler: &mut Filler<'_>) -> Result<String, Boo
     Ok(out)
 }
 
-/// Code and formulas of a page, by place; read with the options that mdBook uses.
-fn pieces(page: &Page) -> Result<Vec<(Range<usize>, Piece)>, BookError> {
-    let options = Options::ENABLE_TABLES
+/// The formulas of a written page, each with whether it stands on a line of its own.
+pub(super) fn formulas(text: &str) -> impl Iterator<Item = (String, bool)> {
+    Parser::new_ext(text, options()).filter_map(|event| match event {
+        Event::InlineMath(latex) => Some((latex.into_string(), false)),
+        Event::DisplayMath(latex) => Some((latex.into_string(), true)),
+        _ => None,
+    })
+}
+
+/// The options that mdBook uses.
+fn options() -> Options {
+    Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
         | Options::ENABLE_STRIKETHROUGH
         | Options::ENABLE_TASKLISTS
         | Options::ENABLE_HEADING_ATTRIBUTES
         | Options::ENABLE_DEFINITION_LIST
         | Options::ENABLE_GFM
-        | Options::ENABLE_MATH;
+        | Options::ENABLE_MATH
+}
+
+/// Code and formulas of a page, by place.
+fn pieces(page: &Page) -> Result<Vec<(Range<usize>, Piece)>, BookError> {
     let mut pieces = Vec::new();
     let mut heading_without_id = false;
-    for (event, range) in Parser::new_ext(&page.text, options).into_offset_iter() {
+    for (event, range) in Parser::new_ext(&page.text, options()).into_offset_iter() {
         let formula = |latex: String, display| Piece::Formula { latex, display };
         match event {
             Event::Start(Tag::Heading { id, .. }) => {

@@ -1,14 +1,16 @@
 //! Formulas: from LaTeX to HTML and MathML, when the book is built.
 
 use super::error::Fault;
-use super::plain;
 use super::text::escape;
+use super::{expand, pages, plain};
+use crate::claims::{self, Claim};
 use crate::ledger::plain_formula;
 use katex::macro_expander::MacroMap;
 use katex::macros::MacroDefinition;
 use katex::{KatexContext, Settings, render_to_string};
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::sync::LazyLock;
 
 /// KaTeX underlines where an error is by combining characters.
 const UNDERLINE: char = '\u{332}';
@@ -22,17 +24,54 @@ const SHORT: usize = 14;
 
 /// Sets formulas, each one once.
 pub(super) struct Maths {
+    setter: Setter,
+    set: RefCell<Set>,
+}
+
+/// KaTeX with its settings.
+struct Setter {
     context: KatexContext,
     inline: Settings,
     display: Settings,
-    set: RefCell<Set>,
 }
+
+/// LaTeX, and whether it stands on a line of its own.
+type Key = (String, bool);
+
+/// The formulas that are known before anything is tried: those of the pages and the claims. The first use sets them.
+pub(super) static KNOWN: LazyLock<HashMap<Key, (String, String)>> = LazyLock::new(|| {
+    let maths = Setter::new();
+    let parts = |text: &'static str| text.split('$').skip(1).step_by(2);
+    let words = |claim: &'static Claim| {
+        let conditions = claim.conditions.iter().map(|condition| condition.text);
+        [claim.title, claim.latex].into_iter().chain(conditions)
+    };
+    let inline = claims::all().flat_map(|(_, claim)| words(claim));
+    let inline = inline
+        .flat_map(parts)
+        .map(|latex| (latex.to_owned(), false));
+    let alone = claims::all().filter(|(_, claim)| !claim.latex.contains('$'));
+    let alone = alone.flat_map(|(_, claim)| [true, false].map(|d| (claim.latex.to_owned(), d)));
+    let written = pages::WRITTEN
+        .iter()
+        .flat_map(|(_, text)| expand::formulas(text));
+    let mut known = HashMap::new();
+    for key in inline.chain(alone).chain(written) {
+        // What cannot be set is reported where it is met.
+        if !known.contains_key(&key)
+            && let Ok(form) = maths.form(&key.0, key.1)
+        {
+            known.insert(key, form);
+        }
+    }
+    known
+});
 
 /// The formulas set so far.
 #[derive(Default)]
 struct Set {
-    /// Number of a formula, by its LaTeX and whether it stands on a line of its own.
-    numbers: HashMap<(String, bool), usize>,
+    /// Number of a formula.
+    numbers: HashMap<Key, usize>,
     forms: Forms,
 }
 
@@ -40,8 +79,8 @@ struct Set {
 #[derive(Clone, Default)]
 pub(super) struct Forms(Vec<(String, String)>);
 
-impl Maths {
-    pub(super) fn new() -> Self {
+impl Setter {
+    fn new() -> Self {
         let settings = |display| {
             let mut macros = MacroMap::default();
             // The paper uses it, KaTeX does not know it.
@@ -49,22 +88,48 @@ impl Maths {
             let settings = Settings::builder().macros(macros).display_mode(display);
             settings.build()
         };
-        Maths {
+        Setter {
             context: KatexContext::default(),
             inline: settings(false),
             display: settings(true),
+        }
+    }
+
+    /// A formula as HTML and as plain text.
+    fn form(&self, latex: &str, display: bool) -> Result<(String, String), Fault> {
+        let fault = |reason: String| Fault::Formula {
+            formula: latex.to_owned(),
+            reason,
+        };
+        if latex.trim().is_empty() {
+            return Err(fault("there is nothing in it".into()));
+        }
+        let settings = if display { &self.display } else { &self.inline };
+        let html = render_to_string(&self.context, &roots_in_braces(latex.trim()), settings)
+            .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
+        Ok((
+            tidy(&without_annotation(&html), false),
+            escape(&plain_formula(latex)),
+        ))
+    }
+}
+
+impl Maths {
+    pub(super) fn new() -> Self {
+        Maths {
+            setter: Setter::new(),
             set: RefCell::default(),
         }
     }
 
     /// A formula within a line.
     pub(super) fn inline(&self, latex: &str) -> Result<String, Fault> {
-        self.set(latex, &self.inline)
+        self.set(latex, false)
     }
 
     /// A formula on a line of its own.
     pub(super) fn display(&self, latex: &str) -> Result<String, Fault> {
-        self.set(latex, &self.display)
+        self.set(latex, true)
     }
 
     /// Words with formulas in `$…$`, as HTML.
@@ -85,27 +150,19 @@ impl Maths {
     }
 
     /// The mark of a formula; sets it if it is new.
-    fn set(&self, latex: &str, settings: &Settings) -> Result<String, Fault> {
+    fn set(&self, latex: &str, display: bool) -> Result<String, Fault> {
         let mark = |number: usize| format!("{}{number}{}", MARK.0, MARK.1);
-        let key = (latex.to_owned(), settings.display_mode);
+        let key = (latex.to_owned(), display);
         if let Some(number) = self.set.borrow().numbers.get(&key) {
             return Ok(mark(*number));
         }
-        let fault = |reason: String| Fault::Formula {
-            formula: latex.to_owned(),
-            reason,
+        let form = match KNOWN.get(&key) {
+            Some(form) => form.clone(),
+            None => self.setter.form(latex, display)?,
         };
-        if latex.trim().is_empty() {
-            return Err(fault("there is nothing in it".into()));
-        }
-        let html = render_to_string(&self.context, &roots_in_braces(latex.trim()), settings)
-            .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
         let mut set = self.set.borrow_mut();
         let number = set.forms.0.len();
-        set.forms.0.push((
-            tidy(&without_annotation(&html), false),
-            escape(&plain_formula(latex)),
-        ));
+        set.forms.0.push(form);
         set.numbers.insert(key, number);
         Ok(mark(number))
     }

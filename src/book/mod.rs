@@ -67,6 +67,7 @@ use rayon::prelude::*;
 use search::Search;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 use swap::{Staging, unwritable};
 
 /// Writes the book into the folder `out` and returns the path of its first page.
@@ -81,6 +82,11 @@ use swap::{Staging, unwritable};
 /// fit the ledger.
 pub fn write(ledger: &Ledger, figures: &[Figure], out: &Path) -> Result<PathBuf, BookError> {
     write_pages(pages::pages(figures), ledger, figures, out)
+}
+
+/// Sets the formulas that are known before anything is tried; [`write()`] then has less to do. It may be left out.
+pub fn prepare() {
+    LazyLock::force(&maths::KNOWN);
 }
 
 /// Finds out whether a book can be written into `out`, before the work is done; changes nothing but for

@@ -121,7 +121,8 @@ impl Tried {
 pub(super) fn main_job(out: &Path, format: Format) -> Result<u8, Failure> {
     let start = Instant::now();
     book::check(out)?;
-    let (tried, figures) = rayon::join(|| Tried::new(None), figures::all);
+    let drawn = || rayon::join(figures::all, book::prepare).0;
+    let (tried, figures) = rayon::join(|| Tried::new(None), drawn);
     let tried = tried?;
     let first_page = book::write(&tried.ledger, &figures?, out)?;
     match format {

@@ -7,10 +7,10 @@ use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
 use std::sync::LazyLock;
 
-/// Cells of the census along q, sixty for each unit.
-pub const COLUMNS: usize = 660;
+/// Cells of the census along q, forty for each unit.
+pub const COLUMNS: usize = 440;
 /// Cells of the census along λ₀.
-pub const ROWS: usize = 400;
+pub const ROWS: usize = 270;
 /// The ends of the census along q.
 pub const Q: (f64, f64) = (1.0, 12.0);
 /// The ends of the census along λ₀.

@@ -245,14 +245,14 @@ pub fn corrected130_limit() -> Evidence {
 pub fn eq131_limit() -> Evidence {
     let compared = "(131)/A^(1/3) with (dA/dτ)/A^(1/3) of the motion, for τ → ∞";
     against(Subject::Printed, compared, a_rate, |_| {
-        Ok(printed::eq131_a_rate(1.0))
+        Ok(printed::eq131_a_rate(LATE) / libm::cbrt(LATE))
     })
 }
 /// The same of what replaces it.
 pub fn corrected131_limit() -> Evidence {
     let compared = "(3√2)^(1/3)/2 with (dA/dτ)/A^(1/3) of the motion, for τ → ∞";
     against(Subject::Corrected, compared, a_rate, |_| {
-        Ok(corrected::a_rate(1.0))
+        Ok(corrected::a_rate(LATE) / libm::cbrt(LATE))
     })
 }
 /// (132): the prefactor.
@@ -279,7 +279,7 @@ pub fn corrected132_delay() -> Evidence {
 pub fn eq133_limit() -> Evidence {
     let compared = "(133) − ½ ln τ with α − ½ ln τ of the motion, for τ → ∞";
     against(Subject::Printed, compared, excess, |_| {
-        Ok(printed::eq133_alpha(1.0))
+        Ok(printed::eq133_alpha(LATE) - 0.5 * libm::log(LATE))
     })
 }
 /// The same of what replaces it.

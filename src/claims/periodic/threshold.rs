@@ -75,7 +75,7 @@ fn rests(name: &str, drive: &Drive, lambda: f64, expected: bool) -> Result<Pair,
 fn admitted() -> Result<Vec<Named>, DriveError> {
     let mut points = Points::stream(220);
     let mut list: Vec<Named> = named()?.into_iter().filter(|d| d.generic).collect();
-    for _ in 0..100 {
+    for _ in 0..40 {
         list.push(Named {
             name: "three harmonics at random",
             drive: Harmonics::random(&mut points)?.drive()?,

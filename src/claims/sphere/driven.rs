@@ -18,6 +18,11 @@ use std::sync::LazyLock;
 /// Periods after which the motion counts as settled.
 const SETTLED: f64 = 10.0;
 
+/// The same under the drive sin φ with the friction `lambda`: a motion forgets its start in its first rest.
+fn settled_after(lambda: f64) -> f64 {
+    if lambda > 0.6 { 3.0 } else { SETTLED }
+}
+
 /// A sphere on a plane that swings along x with the angular frequency ϖ: A = −A₀ h(ϖ t) x̂.
 #[derive(Debug, Clone, Copy)]
 struct Swing {
@@ -290,10 +295,8 @@ pub fn trichotomy_census() -> Evidence {
         let (i, lambda, lambda_c) = case?;
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
-        let (from, to) = (
-            swing.t(SETTLED * TAU + 0.1),
-            swing.t((SETTLED + 1.0) * TAU + 0.1),
-        );
+        let late = settled_after(lambda) * TAU + 0.1;
+        let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
         Ok::<_, Failure>(Pair {
             at: swing.at(),
@@ -324,7 +327,8 @@ pub fn trichotomy_motion() -> Evidence {
         let swing = Swing::new(i, &mut points, lambda);
         let mut start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
         start.v[1] = points.uniform(-1.0, 1.0) * swing.a0 / swing.frequency;
-        let (from, to) = (swing.t(SETTLED * TAU), swing.t((SETTLED + 1.0) * TAU));
+        let late = settled_after(lambda) * TAU;
+        let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
         let attractor = settled(sine_drive()?, Friction::new(lambda, lambda)?)?;
         let rests = attractor
