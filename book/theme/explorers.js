@@ -58,7 +58,9 @@
             draw();
             // Browsers slow a page down that changes its address all the time.
             clearTimeout(noted);
-            noted = setTimeout(() => history.replaceState(history.state, '', address()), 200);
+            const from = location.href;
+            // A link that is followed meanwhile leads elsewhere: its address stays.
+            noted = setTimeout(() => location.href === from && history.replaceState(history.state, '', address()), 200);
         };
         const address = () => `#${host.id}?${keys.map(key => `${key}=${state[key]}`).join('&')}`;
         const panels = plots(set).map((options, i) => new SlipbookPlot(host.querySelector('.plots'), `${host.id}-${i}`, options));

@@ -48,7 +48,8 @@ fn time(microseconds: f64) -> String {
         t => (t * 1e3, "ns"),
     };
     let decimals = (2 - libm::floor(libm::log10(value)) as i32).clamp(0, 2) as usize;
-    format!("{value:.decimals$} {unit}")
+    // Not torn at the end of a line.
+    format!("{value:.decimals$}\u{a0}{unit}")
 }
 
 /// Ours beside theirs.
@@ -96,11 +97,11 @@ mod tests {
     #[test]
     fn times_read_well() {
         for (microseconds, expected) in [
-            (0.0131, "13.1 ns"),
-            (1.9, "1.90 µs"),
-            (410.0, "410 µs"),
-            (5700.0, "5.70 ms"),
-            (2.7e6, "2.70 s"),
+            (0.0131, "13.1\u{a0}ns"),
+            (1.9, "1.90\u{a0}µs"),
+            (410.0, "410\u{a0}µs"),
+            (5700.0, "5.70\u{a0}ms"),
+            (2.7e6, "2.70\u{a0}s"),
         ] {
             assert_eq!(time(microseconds), expected);
         }

@@ -1,5 +1,7 @@
 //! Text and numbers for HTML.
 
+use crate::ledger::decimal;
+
 /// Data as text in HTML, on one line.
 pub(super) fn escape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
@@ -73,12 +75,16 @@ pub(super) fn counted(n: usize, noun: &str) -> String {
     format!("{} {noun}{plural}", count(n))
 }
 
+/// Functions that a phrase may begin with.
+const FUNCTIONS: &[&str] = &["sin", "cos", "tan", "exp", "ln", "min", "max"];
+
 /// A phrase as the beginning of a sentence, without a full stop.
 pub(super) fn sentence(phrase: &str) -> String {
     let phrase = phrase.trim().trim_end_matches('.');
-    let word = phrase.split(' ').next().unwrap_or_default();
-    // A symbol stays as it is: `v(t)`, `T`.
-    let is_word = word == "a" || word.chars().take(2).filter(|c| c.is_alphabetic()).count() == 2;
+    let end = phrase.find(|c: char| !c.is_alphabetic());
+    let word = &phrase[..end.unwrap_or(phrase.len())];
+    // A symbol or a function stays as it is: `v(t)`, `pξ`, `sin φ`.
+    let is_word = word == "a" || word.len() > 1 && word.is_ascii() && !FUNCTIONS.contains(&word);
     let mut letters = phrase.chars();
     match letters.next() {
         Some(first) if is_word => first.to_uppercase().chain(letters).collect(),
@@ -128,17 +134,17 @@ pub(super) fn scientific(number: &str) -> String {
     bare.unwrap_or(html)
 }
 
-/// `3.20e-13` as 3.2 × 10⁻¹³.
+/// `3.20e-13` as 3.2 × 10⁻¹³, `3.20e-1` as 0.32.
 fn power_of_ten(scientific: &str) -> String {
+    if let Some(decimal) = decimal(scientific) {
+        return decimal.replace('-', "−");
+    }
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((scientific, "0"));
     let mantissa = trimmed(mantissa).replace('-', "−");
-    match exponent {
-        "0" => mantissa,
-        exponent => format!(
-            "{mantissa}\u{a0}×\u{a0}10<sup>{}</sup>",
-            exponent.replace('-', "−")
-        ),
-    }
+    format!(
+        "{mantissa}\u{a0}×\u{a0}10<sup>{}</sup>",
+        exponent.replace('-', "−")
+    )
 }
 
 fn trimmed(decimal: &str) -> &str {
@@ -163,6 +169,9 @@ mod tests {
         assert_eq!(size(3.21e-13), "3.2\u{a0}×\u{a0}10<sup>−13</sup>");
         assert_eq!(size(1e-10), "1\u{a0}×\u{a0}10<sup>−10</sup>");
         assert_eq!(size(2.0), "2");
+        assert_eq!(size(0.034), "0.034");
+        assert_eq!(size(230.0), "230");
+        assert_eq!(size(2300.0), "2.3\u{a0}×\u{a0}10<sup>3</sup>");
         assert_eq!(size(f64::INFINITY), "∞");
         assert_eq!(value(0.1 + 0.2), "0.3");
         assert_eq!(value(-1234.5), "−1234.5");
@@ -177,6 +186,9 @@ mod tests {
         assert_eq!(sentence("a constant"), "A constant");
         assert_eq!(sentence("v(t) of (11)"), "v(t) of (11)");
         assert_eq!(sentence("$v$ at rest"), "$v$ at rest");
+        assert_eq!(sentence("sin of (27)"), "sin of (27)");
+        assert_eq!(sentence("sine of (27)"), "Sine of (27)");
+        assert_eq!(sentence("pξ, by components"), "pξ, by components");
         assert_eq!(sentence(""), "");
     }
 

@@ -1,6 +1,7 @@
 //! The errata as a letter that can be sent: plain text, LaTeX, or data as JSON.
 
 use super::errata::{ErrataError, Erratum};
+use super::pieces::{Piece, decimal, pieces};
 use super::plain::{self, plain_words};
 use super::{Ledger, Verdict};
 
@@ -175,7 +176,14 @@ impl Style for Latex {
         )
     }
     fn entry(&self, label: &str, words: &str) -> String {
-        format!("\\emph{{{label}:}} {}\n\n", tex_words(words))
+        // A formula alone may be too wide for a line with its label.
+        let alone = words
+            .strip_prefix('$')
+            .and_then(|rest| rest.strip_suffix('$'));
+        match alone.filter(|formula| !formula.contains('$')) {
+            Some(formula) => format!("\\emph{{{label}:}}\n\\[{formula}\\]\n\n"),
+            None => format!("\\emph{{{label}:}} {}\n\n", tex_words(words)),
+        }
     }
     fn closing(&self) -> &'static str {
         "\\end{document}\n"
@@ -185,11 +193,41 @@ impl Style for Latex {
 /// Words with formulas in `$…$`, for LaTeX: what stands outside the formulas becomes formulas where it must.
 fn tex_words(words: &str) -> String {
     let parts = words.split('$').enumerate().map(|(i, part)| match i % 2 {
-        0 => part.chars().map(tex_char).collect(),
+        0 => tex_plain(part),
         _ => format!("${part}$"),
     });
     // Neighbours join into one formula.
     parts.collect::<String>().replace("$$", " ")
+}
+
+/// Words without formulas, for LaTeX.
+fn tex_plain(words: &str) -> String {
+    let mut out = String::new();
+    for piece in pieces(words) {
+        match piece {
+            Piece::Text(text) => out.extend(text.chars().map(tex_char)),
+            Piece::Index(index) => out += &format!("$_{{{}}}$", tex_inside(&index.to_string())),
+            Piece::Power(power) => out += &format!("$^{{{}}}$", tex_inside(power)),
+            Piece::Minus => out += "$-$",
+            Piece::Equals => {
+                out.pop();
+                out += "~=~";
+            }
+            Piece::Scientific(number) => {
+                let (mantissa, exponent) = number.split_once('e').unwrap_or((number, "0"));
+                out += &decimal(number).unwrap_or_else(|| match mantissa {
+                    "1" => format!("$10^{{{exponent}}}$"),
+                    _ => format!("${mantissa}\\times10^{{{exponent}}}$"),
+                });
+            }
+        }
+    }
+    out
+}
+
+/// Words as a part of a formula: their own parts are no formulas for themselves.
+fn tex_inside(words: &str) -> String {
+    tex_plain(words).replace('$', " ")
 }
 
 fn tex_char(c: char) -> String {
@@ -215,6 +253,11 @@ mod tests {
             r"$\lambda _0$ $<$ 1 \& $x_1$: 50 \%"
         );
         assert_eq!(tex_words("√2 − 𝔴"), r"$\surd$2 $-$ $\mathfrak w$");
+        assert_eq!(
+            tex_words("𝔴_y, v_x to 2.3e4 of 1e-8, 2.3e2"),
+            r"$\mathfrak w _{y}$, v$_{x}$ to $2.3\times10^{4}$ of $10^{-8}$, 230"
+        );
+        assert_eq!(tex_words("A/τ^(3/2) = -5"), r"A/$\tau ^{3/2}$~=~$-$5");
     }
 
     #[test]

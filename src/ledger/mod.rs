@@ -5,6 +5,8 @@ mod errata;
 #[cfg(feature = "book")]
 mod letter;
 #[cfg(feature = "book")]
+mod pieces;
+#[cfg(feature = "book")]
 mod plain;
 mod record;
 mod row;
@@ -21,6 +23,8 @@ mod verdict;
 pub use errata::{ErrataError, Erratum};
 #[cfg(feature = "book")]
 pub use letter::Format;
+#[cfg(feature = "book")]
+pub use pieces::{Piece, decimal, pieces};
 #[cfg(feature = "book")]
 pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};

@@ -11,6 +11,7 @@ mod visit;
 
 use chrome::{Browser, Failure, Page};
 use libtest_mimic::{Arguments, Trial};
+use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::env;
 use std::fs;
@@ -18,6 +19,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::sync::{Arc, OnceLock};
+use std::thread;
 use tempfile::TempDir;
 use visit::Visit;
 
@@ -114,13 +116,15 @@ impl Running {
 impl Shared {
     fn run(&self, test: Test) -> Result<(), Failure> {
         let path = self.path.as_ref().ok_or("no Chromium on the search path")?;
-        let book = self
-            .book
-            .get_or_init(Book::write)
-            .as_ref()
-            .map_err(Clone::clone)?;
-        let running = self.browser.get_or_init(|| Running::start(path));
-        let running = running.as_ref().map_err(Clone::clone)?;
+        // The browser starts while the book is written.
+        let (book, running) = thread::scope(|scope| {
+            let browser = || self.browser.get_or_init(|| Running::start(path));
+            let starting = scope.spawn(browser);
+            let book = self.book.get_or_init(Book::write).as_ref();
+            drop(starting.join());
+            (book, browser().as_ref())
+        });
+        let (book, running) = (book.map_err(Clone::clone)?, running.map_err(Clone::clone)?);
         test(&mut running.browser.page()?, book)
     }
 }
@@ -149,7 +153,9 @@ impl Book {
         }
         let mut pages = Vec::new();
         pages_below(&out, "", &mut pages).map_err(|error| error.to_string())?;
-        pages.sort();
+        // The longest first, so that no tab is left alone with one in the end.
+        let length = |page: &String| fs::metadata(out.join(page)).map_or(0, |file| file.len());
+        pages.sort_by_cached_key(|page| (Reverse(length(page)), page.clone()));
         Ok(Book {
             folder,
             pages,
