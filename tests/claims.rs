@@ -54,6 +54,10 @@ fn main() {
         .collect();
     trials.push(Trial::test("measured", move || reasons(&without)));
     trials.push(Trial::test("no_snapshot_without_a_claim", stale));
+    let first = ledger.entries[0].sheet();
+    trials.push(Trial::test("a_snapshot_edited_by_hand", move || {
+        edited(&first)
+    }));
     let conclusion = libtest_mimic::run(&arguments, trials);
     let tried = ledger
         .entries
@@ -150,9 +154,36 @@ fn stale() -> Result<(), Failed> {
     Ok(())
 }
 
+/// A snapshot in which one letter was changed is named; so that nothing here is touched, it lies elsewhere.
+fn edited(sheet: &str) -> Result<(), Failed> {
+    let folder = tempfile::tempdir()?;
+    let header = "---\nsource: tests/claims.rs\n---\n";
+    for (text, wrong) in [
+        (sheet.to_owned(), false),
+        (sheet.replacen('e', "o", 1), true),
+    ] {
+        fs::write(folder.path().join("sheet.snap"), format!("{header}{text}"))?;
+        let told = same_as(folder.path(), "sheet", sheet)
+            .map_err(|failed| failed.message().unwrap_or("").to_owned());
+        if told
+            .as_ref()
+            .is_err_and(|message| message.contains("sheet differs"))
+            != wrong
+        {
+            return Err(format!("edited: {wrong}, told: {told:?}").into());
+        }
+    }
+    Ok(())
+}
+
 fn same_as_snapshot(folder: &str, name: &str, text: &str) -> Result<(), Failed> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    same_as(&root.join("snapshots").join(folder), name, text)
+}
+
+fn same_as(folder: &Path, name: &str, text: &str) -> Result<(), Failed> {
     let mut settings = Settings::clone_current();
-    settings.set_snapshot_path(format!("{}/snapshots/{folder}", env!("CARGO_MANIFEST_DIR")));
+    settings.set_snapshot_path(folder);
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     let same = || settings.bind(|| assert_snapshot!(name, text));

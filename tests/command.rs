@@ -2,8 +2,9 @@
 
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::time::Duration;
 
 fn slipbook(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_slipbook"));
@@ -272,10 +273,7 @@ fn without_room_or_interrupted_the_earlier_book_stays() {
         ("ulimit -c 0; ulimit -f 16; exec \"$0\" --out \"$1\"", None),
     ] {
         let folder = tempfile::tempdir().unwrap();
-        let out = folder.path().join("book");
-        fs::create_dir(&out).unwrap();
-        fs::write(out.join(".slipbook"), "").unwrap();
-        fs::write(out.join("index.html"), "the earlier book").unwrap();
+        let out = earlier_book(folder.path());
         let program = env!("CARGO_BIN_EXE_slipbook");
         let output = Command::new("bash")
             .args(["-c", script, program, out.to_str().unwrap()])
@@ -295,6 +293,80 @@ fn without_room_or_interrupted_the_earlier_book_stays() {
             );
             assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         }
+    }
+}
+
+/// A place for a book with an earlier one in it.
+fn earlier_book(folder: &Path) -> PathBuf {
+    let out = folder.join("book");
+    fs::create_dir(&out).unwrap();
+    fs::write(out.join(".slipbook"), "").unwrap();
+    fs::write(out.join("index.html"), "the earlier book").unwrap();
+    out
+}
+
+#[test]
+fn a_killed_run_leaves_the_earlier_book_and_the_next_run_cleans_up() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = earlier_book(folder.path());
+    let mut child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+        .args(["--out", out.to_str().unwrap()])
+        .stdout(Stdio::null())
+        .spawn()
+        .unwrap();
+    // Half-written: a page is there, and the run is still under way.
+    let half_written = || {
+        let entries = fs::read_dir(folder.path()).unwrap();
+        let mut places = entries.map(|entry| entry.unwrap().path().join("book"));
+        places.any(|place| place.join("index.html").exists())
+    };
+    while !half_written() {
+        assert!(child.try_wait().unwrap().is_none(), "it ended too early");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+    child.kill().unwrap();
+    child.wait().unwrap();
+    let page = fs::read_to_string(out.join("index.html")).unwrap();
+    assert_eq!(page, "the earlier book");
+    assert_eq!(fs::read_dir(&out).unwrap().count(), 2);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    slipbook::book::check(&out).unwrap();
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[test]
+fn two_runs_at_once_leave_one_whole_book() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = earlier_book(folder.path());
+    let run = || slipbook(&["--out", out.to_str().unwrap()]);
+    std::thread::scope(|scope| {
+        for output in [scope.spawn(run), scope.spawn(run)].map(|run| run.join().unwrap()) {
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        }
+    });
+    assert!(out.join("errata.html").exists() && out.join(".slipbook").exists());
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_answer_that_cannot_be_written_is_a_failure() {
+    for command in [
+        "find 0.537",
+        "verify eq-11 --json",
+        "solve sinusoidal --lambda0 0.3 --csv",
+        "ensemble --rho 0.5 --p 0.3 --psi 1",
+        "completions bash",
+    ] {
+        let full = fs::OpenOptions::new().write(true).open("/dev/full");
+        let output = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+            .args(command.split(' '))
+            .stdout(full.unwrap())
+            .output()
+            .unwrap();
+        assert_eq!(output.status.code(), Some(2), "{command}");
+        let complaint = text(&output.stderr);
+        assert!(complaint.contains("slipbook: No space left"), "{complaint}");
     }
 }
 
@@ -372,7 +444,6 @@ fn an_ensemble_names_what_is_out_of_range() {
 #[test]
 fn an_ensemble_stops_in_good_order() {
     use std::io::{BufRead, BufReader, Read};
-    use std::process::Stdio;
 
     let mut child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
         .args([

@@ -1,7 +1,7 @@
 //! Nothing half-written: the book is made beside its place and changes places with what is there.
 
 use super::error::BookError;
-use std::fs;
+use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
@@ -13,8 +13,16 @@ pub(super) const MARKER: &str = ".slipbook";
 pub(super) const MARKER_TEXT: &[u8] =
     b"A book written by slipbook. The next run replaces this folder as a whole.\n";
 
+/// How the name of a temporary folder begins.
+const PREFIX: &str = ".slipbook-";
+
+/// The file in a temporary folder that its run keeps locked. The system ends the lock with the run, however that ends.
+const LOCK: &str = "lock";
+
 /// A temporary folder on the same file system as the book's place.
 pub(super) struct Staging {
+    // Closed before the folder goes, as some systems want it.
+    _lock: File,
     folder: TempDir,
     out: PathBuf,
 }
@@ -28,11 +36,17 @@ impl Staging {
         let parent = out.parent().ok_or_else(|| unwritable(&out, no_parent()))?;
         check(&out)?;
         fs::create_dir_all(parent).map_err(|reason| unwritable(parent, reason))?;
+        sweep(parent);
         let folder = tempfile::Builder::new()
-            .prefix(".slipbook-")
+            .prefix(PREFIX)
             .tempdir_in(parent)
             .map_err(|reason| unwritable(parent, bare(reason)))?;
-        Ok(Staging { folder, out })
+        let lock = lock(folder.path()).map_err(|reason| unwritable(folder.path(), reason))?;
+        Ok(Staging {
+            _lock: lock,
+            folder,
+            out,
+        })
     }
 
     /// A path within the temporary folder.
@@ -51,7 +65,7 @@ impl Staging {
                     Some(old) => self.displaced(&old, reason),
                 });
             }
-            let old = format!("old-{attempt}");
+            let old = old(attempt);
             match fs::rename(&self.out, self.path(&old)) {
                 Ok(()) => moved = Some(old),
                 Err(error) if error.kind() == io::ErrorKind::NotFound => {}
@@ -81,6 +95,36 @@ impl Staging {
         let kept = self.folder.keep().join(old);
         BookError::Displaced { kept, reason }
     }
+}
+
+/// Locks a new temporary folder. The lock has its name only once it is held, so that no other run finds it free.
+fn lock(folder: &Path) -> io::Result<File> {
+    let making = folder.join("locking");
+    let file = File::create(&making)?;
+    // A file system without locks has none that could be found free, either.
+    if file.lock().is_ok() {
+        fs::rename(making, folder.join(LOCK))?;
+    }
+    Ok(file)
+}
+
+/// Removes what killed runs have left in `parent`: temporary folders whose lock nobody holds. One that holds an
+/// earlier book stays, and so does one that cannot be removed: neither is in the way.
+fn sweep(parent: &Path) {
+    let entries = fs::read_dir(parent).into_iter().flatten().flatten();
+    for entry in entries.filter(|e| e.file_name().to_string_lossy().starts_with(PREFIX)) {
+        let folder = entry.path();
+        let free = File::open(folder.join(LOCK)).is_ok_and(|lock| lock.try_lock().is_ok());
+        let keeps = (0..ATTEMPTS).any(|attempt| folder.join(old(attempt)).exists());
+        if free && !keeps {
+            let _ = fs::remove_dir_all(folder);
+        }
+    }
+}
+
+/// Where an earlier book is put in the temporary folder.
+fn old(attempt: usize) -> String {
+    format!("old-{attempt}")
 }
 
 /// How often another run may come in between.
@@ -171,6 +215,28 @@ mod tests {
         let left = fs::read_to_string(out.join("index.html")).unwrap();
         assert!(left.parse::<u32>().unwrap() < 8);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_a_killed_run_has_left_goes_with_the_next_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        let left = |name: &str, file: &str| {
+            let left = folder.path().join(format!("{PREFIX}{name}"));
+            fs::create_dir_all(left.join("source")).unwrap();
+            fs::write(left.join(file), "").unwrap();
+            left
+        };
+        let alive = Staging::beside(&out).unwrap();
+        let (killed, foreign) = (left("killed", LOCK), left("foreign", "thesis.tex"));
+        let with_a_book = left("book", LOCK);
+        fs::create_dir(with_a_book.join("old-0")).unwrap();
+        let (next, book) = staged(&out, "next");
+        assert!(!killed.exists());
+        assert!(alive.path("").exists() && foreign.exists() && with_a_book.exists());
+        next.swap(&book).unwrap();
+        drop(alive);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
     }
 
     #[test]

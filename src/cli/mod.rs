@@ -121,6 +121,11 @@ enum Command {
     },
 }
 
+/// What the command line may say: commands, options, their values and help.
+pub fn command() -> clap::Command {
+    Arguments::command()
+}
+
 /// Runs the command line of this process.
 pub fn run() -> ExitCode {
     let arguments = Arguments::parse();
@@ -162,7 +167,7 @@ fn answer(arguments: &Arguments) -> Result<u8, Failure> {
 
 fn completions(shell: Shell, format: Format) -> Result<u8, Failure> {
     let mut script = Vec::new();
-    clap_complete::generate(shell, &mut Arguments::command(), "slipbook", &mut script);
+    clap_complete::generate(shell, &mut command(), "slipbook", &mut script);
     let script = String::from_utf8(script)?;
     match format {
         Format::Text => output::say(&script)?,

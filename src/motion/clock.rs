@@ -5,6 +5,7 @@
 //! one more component of the state, by convention the first.
 
 use super::error::MotionError;
+use crate::numerics::NumericsError;
 use crate::numerics::series::{arrival, change};
 use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
 
@@ -74,6 +75,14 @@ impl<const D: usize> Clocked<D> {
     /// # Errors
     /// [`MotionError::Numerics`] for a time that is not a number.
     pub fn at(&self, t: f64) -> Result<[f64; D], MotionError> {
+        if t.is_nan() {
+            return Err(NumericsError::Argument {
+                name: "t",
+                value: t,
+                range: "a number",
+            }
+            .into());
+        }
         if t >= self.end[0] {
             return Ok(self.end);
         }

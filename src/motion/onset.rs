@@ -31,7 +31,7 @@ const THRESHOLD: f64 = 1e-12;
 /// The drive at m = 0 must not be zero.
 ///
 /// # Errors
-/// [`NumericsError::NotFinite`] when a coefficient is.
+/// [`NumericsError::NotFinite`] when a coefficient or the velocity is not.
 pub fn onset(
     limit: f64,
     mut drive: impl FnMut(usize, &[Coefficients; 2]) -> [f64; 2],
@@ -99,7 +99,14 @@ pub fn onset(
     {
         h = 0.5 * stop.at;
     }
-    Ok(Onset { velocity, h })
+    let onset = Onset { velocity, h };
+    if h.is_finite() && onset.at(h).iter().any(|c| !c.is_finite()) {
+        return Err(NumericsError::NotFinite {
+            what: "the first velocity of sliding",
+            at: h,
+        });
+    }
+    Ok(onset)
 }
 
 impl Onset {

@@ -25,7 +25,8 @@ pub struct Fit {
 ///
 /// # Errors
 /// [`NumericsError::NotFinite`] for a datum or a value of a basis function that is not finite,
-/// [`NumericsError::Rank`] for fewer data than functions or functions that the data cannot tell apart.
+/// [`NumericsError::Rank`] for fewer data than functions or functions that the data cannot tell apart,
+/// [`NumericsError::Library`] where squares of the data are beyond floating point.
 pub fn fit(data: &[(f64, f64)], basis: &[&dyn Fn(f64) -> f64]) -> Result<Fit, NumericsError> {
     let (rows, columns) = (data.len(), basis.len());
     let undetermined = |rank| NumericsError::Rank {
@@ -93,12 +94,21 @@ pub fn fit(data: &[(f64, f64)], basis: &[&dyn Fn(f64) -> f64]) -> Result<Fit, Nu
             .sum();
         libm::sqrt(variance * spread) / scales[i]
     };
-    Ok(Fit {
+    let fit = Fit {
         coefficients: (0..columns).map(|j| solution[(j, 0)] / scales[j]).collect(),
         errors: (0..columns).map(error).collect(),
         residual: libm::sqrt(squares / rows as f64),
         worst: residuals.iter().fold(0.0, |worst, e| worst.max(e.abs())),
-    })
+    };
+    let mut numbers = fit.coefficients.iter().chain(&fit.errors);
+    if numbers.all(|x| x.is_finite()) && fit.residual.is_finite() {
+        Ok(fit)
+    } else {
+        Err(NumericsError::Library {
+            method: "least squares",
+            message: "the data are too large or too small".to_owned(),
+        })
+    }
 }
 
 /// A column whose part not in the span of those before it is shorter than this counts as dependent on them.

@@ -18,8 +18,8 @@ use std::f64::consts::TAU;
 /// Why a function could not be represented.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum PiecewiseError {
-    /// The function has no finite value.
-    #[error("the function must be finite on the whole period, but it is {value} at {at}")]
+    /// The function has no finite value, or one whose integrals and coefficients might have none.
+    #[error("the function must be finite, at most 1e100 in size, but it is {value} at {at}")]
     NotFinite {
         /// Where, in [0, 2π).
         at: f64,
@@ -44,6 +44,8 @@ pub enum PiecewiseError {
 const SHORTEST: f64 = 1e-12;
 /// Most parts that a function may need; one that needs more oscillates too fast, or is noise.
 const MOST_PARTS: usize = 1 << 14;
+/// Largest value: high divided differences of it, on the shortest part, are still numbers.
+const LARGEST: f64 = 1e100;
 /// Breaks closer than this (radians) count as one.
 const SAME_BREAK: f64 = 1e-13;
 /// Points per part at which the size of the function is first estimated.
@@ -65,13 +67,13 @@ impl Piecewise {
     /// `breaks` lists its jumps and kinks, in any order, modulo 2π; a jump or kink at 0 need not be listed.
     ///
     /// # Errors
-    /// A value or a break that is not finite; a function that even on 1e-12 of the period is no
+    /// A value or a break that is not finite, a value beyond 1e100; a function that even on 1e-12 of the period is no
     /// polynomial (an unlisted jump or kink, a pole, a root-like edge, noise).
     pub fn fit(function: impl Fn(f64) -> f64, breaks: &[f64]) -> Result<Self, PiecewiseError> {
         let edges = edges(breaks)?;
         let finite = |at: f64| {
             let value = function(at);
-            if value.is_finite() {
+            if value.abs() <= LARGEST {
                 Ok(value)
             } else {
                 Err(PiecewiseError::NotFinite { at, value })

@@ -63,7 +63,8 @@ pub fn integral_within(
         });
     }
     let integral = smooth(&f, low, high);
-    if integral.error <= absolute.max(RELATIVE * integral.value.abs()) {
+    if integral.value.is_finite() && integral.error <= absolute.max(RELATIVE * integral.value.abs())
+    {
         return Ok(integral);
     }
     let config = IntegratorConfig::default()

@@ -114,7 +114,8 @@ pub fn falling_root(
     guess: f64,
     function: impl Fn(f64) -> (f64, f64),
 ) -> f64 {
-    let mut x = guess.clamp(low, high);
+    // Not `clamp`, which panics at ends in the wrong order.
+    let mut x = guess.max(low).min(high);
     let mut last_step = f64::INFINITY;
     let mut last = None;
     for _ in 0..STEPS {

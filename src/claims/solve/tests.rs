@@ -1,7 +1,6 @@
 //! The calculators against values from elsewhere: separate integrations of Newton's law in 30-digit arithmetic by
 //! extrapolation, and slips followed there from event to event.
 
-mod any;
 mod constant;
 mod driven;
 mod rest;

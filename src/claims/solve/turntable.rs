@@ -7,6 +7,7 @@
 /// Where a particle of an ensemble starts.
 pub use crate::motion::turntable::Start;
 /// An ensemble of particles, by the motion alone.
+#[cfg(feature = "book")]
 pub use crate::motion::turntable::ensemble::{End, Horizon};
 
 use super::{Answer, Curve, Field, Fields, SolveError, check, steps};

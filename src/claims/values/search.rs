@@ -60,14 +60,14 @@ struct Digits {
     /// Where each stands in the text.
     columns: Vec<usize>,
     /// The power of ten of the first one.
-    power: i32,
+    power: i64,
 }
 
 impl Digits {
     fn read(text: &str) -> Option<Self> {
         let value: f64 = text.parse().ok().filter(|v: &f64| v.is_finite())?;
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
-        let exponent: i32 = exponent.parse().ok()?;
+        let exponent: i64 = exponent.parse::<i32>().ok()?.into();
         let (mut digits, mut columns) = (Vec::new(), Vec::new());
         let (mut power, mut after_point) = (exponent - 1, false);
         for (column, c) in mantissa.chars().enumerate() {
@@ -76,12 +76,12 @@ impl Digits {
                 continue;
             };
             if digits.is_empty() && digit == 0 {
-                power -= i32::from(after_point);
+                power -= i64::from(after_point);
                 continue;
             }
             digits.push(digit as u8);
             columns.push(column);
-            power += i32::from(!after_point);
+            power += i64::from(!after_point);
         }
         (!digits.is_empty()).then_some(Digits {
             negative: value < 0.0,

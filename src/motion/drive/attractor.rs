@@ -311,6 +311,9 @@ impl<'d> Attractor<'d> {
 
     /// Largest error of w that the residual and rounding allow; infinite for a neutral motion.
     pub fn uncertainty(&self) -> f64 {
+        if self.contraction >= 1.0 {
+            return f64::INFINITY;
+        }
         (self.residual + ROUNDING * self.drive.shape().size()) / (1.0 - self.contraction)
     }
 

@@ -455,13 +455,6 @@ proptest! {
     #![proptest_config(ProptestConfig::with_cases(200))]
 
     #[test]
-    fn whatever_the_bits(a in any::<[f64; 2]>(), friction in any::<f64>(), v in any::<[f64; 2]>(), until in any::<f64>()) {
-        if let Ok(motion) = run(&Plane::constant(a), friction, moving(v), until) {
-            prop_assert!(finite(motion.end()) && motion.nodes().all(finite));
-        }
-    }
-
-    #[test]
     fn any_reasonable_motion_exists(
         a in prop::array::uniform2(-3.0..3.0),
         frequency in -5.0..5.0,

@@ -6,6 +6,7 @@
 use super::super::acceleration::{Acceleration, Coefficients};
 use super::super::error::MotionError;
 use super::{Sphere, check};
+use crate::numerics::NumericsError;
 use crate::numerics::events::{Way, roots};
 use crate::numerics::series::value;
 use crate::numerics::taylor::{TERMS, reach};
@@ -201,6 +202,13 @@ impl Directed {
             omega,
             slip: if stopped || way == 0 { 0.0 } else { at(slip) },
         };
+        if !(v.is_finite() && omega.is_finite() && state.slip.is_finite()) {
+            return Err(NumericsError::NotFinite {
+                what: "the motion",
+                at: state.t,
+            }
+            .into());
+        }
         Ok((way, next))
     }
 }

@@ -86,14 +86,14 @@ impl Table {
     /// Checks the parameters.
     ///
     /// # Errors
-    /// [`MotionError::Argument`] for Ω not finite, μ negative, g or m not positive.
+    /// [`MotionError::Argument`] for Ω not finite, μ negative, g or m not positive, and for any above 10⁵⁰.
     pub fn check(&self) -> Result<(), MotionError> {
-        argument("omega", self.omega, self.omega.is_finite(), "finite")?;
-        let allowed = self.mu.is_finite() && self.mu >= 0.0;
-        argument("mu", self.mu, allowed, "finite and not negative")?;
+        size("omega", self.omega)?;
+        let allowed = (0.0..=LARGEST).contains(&self.mu);
+        argument("mu", self.mu, allowed, "finite, between 0 and 1e50")?;
         for (name, value) in [("g", self.g), ("mass", self.mass)] {
-            let allowed = value.is_finite() && value > 0.0;
-            argument(name, value, allowed, "finite and positive")?;
+            let allowed = value > 0.0 && value <= LARGEST;
+            argument(name, value, allowed, "finite and positive, at most 1e50")?;
         }
         Ok(())
     }
@@ -145,6 +145,15 @@ impl Table {
     }
 }
 
+/// Largest size of what is given: products of several are still numbers.
+const LARGEST: f64 = 1e50;
+
+/// A number of either sign in its range.
+fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
+    let range = "finite, at most 1e50 in absolute value";
+    argument(name, value, value.abs() <= LARGEST, range)
+}
+
 /// A typed error unless `allowed`.
 fn argument(
     name: &'static str,
@@ -169,8 +178,8 @@ fn check_start(start: &State, until: f64) -> Result<(), MotionError> {
         ("vy", start.v[1]),
     ];
     for (name, value) in parts {
-        argument(name, value, value.is_finite(), "finite")?;
+        size(name, value)?;
     }
-    let allowed = until.is_finite() && until >= start.t;
-    argument("until", until, allowed, "finite and not before the start")
+    size("until", until)?;
+    argument("until", until, until >= start.t, "not before the start")
 }

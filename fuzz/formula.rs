@@ -1,0 +1,10 @@
+//! Any formula, or words with formulas, put into plain text.
+#![no_main]
+
+use libfuzzer_sys::fuzz_target;
+use slipbook::ledger::{plain_formula, plain_words};
+
+fuzz_target!(|text: &str| {
+    plain_formula(text);
+    plain_words(text);
+});

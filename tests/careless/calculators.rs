@@ -1,0 +1,81 @@
+//! The calculators, and what the book's figures that move compute.
+
+use crate::{config, dear, each, finite};
+use proptest::prelude::*;
+use slipbook::claims::solve::constant::At;
+use slipbook::claims::solve::*;
+use slipbook::explorers::{QUESTIONS, answer};
+
+/// All numbers of an answer are finite.
+fn sound<T: Fields>(answer: Result<Answer<T>, SolveError>) -> bool {
+    let Ok(answer) = answer else { return true };
+    let numbers = answer
+        .best
+        .fields()
+        .into_iter()
+        .filter_map(|f| match f.value {
+            Value::Number(x) => Some(x),
+            _ => None,
+        });
+    let all: Vec<_> = numbers.chain(answer.disagreement).collect();
+    finite(&all)
+}
+
+/// All points of a curve are finite.
+fn drawn(curve: Result<Curve, SolveError>) -> bool {
+    curve.is_err() || curve.is_ok_and(|curve| finite(curve.points.as_flattened()))
+}
+
+proptest! {
+    #![proptest_config(config())]
+
+    #[test]
+    fn a_launch_or_a_ball_has_numbers([a, b, c, d, e] in each(), timed: bool) {
+        let at = if timed { At::Time(e) } else { At::Theta(e) };
+        let (lambda, v0, theta0, accel) = (a, b, c, d);
+        for accel in [accel, 1.0] {
+            let launch = constant::Problem { lambda, v0, theta0, accel, at };
+            prop_assert!(sound(launch.solve()) && drawn(launch.curve()), "{launch:?}");
+        }
+        for kappa in [d, 0.4] {
+            let ball = sphere::Problem { gamma: a, u0: b, theta0: c, kappa, at };
+            prop_assert!(sound(ball.solve()) && drawn(ball.curve()), "{ball:?}");
+        }
+    }
+
+    #[test]
+    fn a_drive_has_numbers([a, b] in each()) {
+        let sine = sinusoidal::Problem { lambda0: a };
+        prop_assert!(sound(sine.solve()) && drawn(sine.curve()), "{sine:?}");
+        let pulse = periodic::Problem { eta: b, lambda0: a };
+        prop_assert!(sound(pulse.solve()) && drawn(pulse.curve()), "{pulse:?}");
+        let uneven = anisotropic::Problem { q: b, lambda0: a };
+        prop_assert!(sound(uneven.solve()) && drawn(uneven.curve()), "{uneven:?}");
+    }
+
+    #[test]
+    fn a_figure_that_moves_shows_numbers(number in 0..QUESTIONS.len() + 1, arguments in each()) {
+        if let Ok(answer) = answer(number, arguments) {
+            prop_assert!(finite(&answer.flat()), "{answer:?}");
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(dear())]
+
+    #[test]
+    fn a_turntable_has_numbers([a, b, c, d, e] in each()) {
+        for start in [
+            turntable::Problem::Polar { rho: a, p: b, psi: c },
+            turntable::Problem::Hyperbolic { a, alpha: b, psi: c },
+            turntable::Problem::Cartesian { position: [a, b], velocity: [c, d] },
+        ] {
+            prop_assert!(sound(start.fate()), "{start:?}");
+            prop_assert!(sound(start.at(e)) && sound(start.at(1.0)), "{start:?} {e}");
+            prop_assert!(drawn(start.curve(Some(e))) && drawn(start.curve(None)), "{start:?} {e}");
+        }
+        let boundary = rest::Problem { alpha: a, psi: b };
+        prop_assert!(sound(boundary.solve()) && drawn(boundary.curve()), "{boundary:?}");
+    }
+}
