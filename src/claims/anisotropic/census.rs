@@ -164,8 +164,8 @@ mod tests {
     fn the_printed_list_fails_in_one_place_only() {
         let total = count(f64::INFINITY).unwrap();
         println!("{total:?}, on the figure's axes {:?}", count(7.0).unwrap());
-        assert!(total.points >= 250_000 && total.blurred < 3, "{total:?}");
-        assert!(total.printed_wrong > 1000, "{total:?}");
+        assert!(total.points >= 100_000 && total.blurred < 3, "{total:?}");
+        assert!(total.printed_wrong > 500, "{total:?}");
         assert_eq!(total.corrected_wrong, 0);
         for point in points().unwrap() {
             let Curves {
