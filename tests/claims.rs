@@ -8,7 +8,7 @@ use slipbook::claims::measured::MEASURED;
 use slipbook::claims::variants::{self, SURVIVORS};
 use slipbook::claims::{Claim, TOPICS};
 use slipbook::evidence::Outcome;
-use slipbook::ledger::{Ledger, Record};
+use slipbook::ledger::{Entry, Ledger, Record};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -36,6 +36,10 @@ fn main() {
     let record = Record::text_of(&ledger);
     trials.push(Trial::test("verdicts", move || {
         same_as_snapshot("", "verdicts", &record)
+    }));
+    let depends: String = ledger.entries.iter().map(depends_on).collect();
+    trials.push(Trial::test("dependencies", move || {
+        same_as_snapshot("", "dependencies", &depends)
     }));
     let whole = Arc::clone(&ledger);
     trials.push(Trial::test("variants", move || wrong_variants(&whole)));
@@ -75,6 +79,11 @@ fn main() {
 
 /// How many times looser a tolerance may be than the worst disagreement that it admits.
 const SLACK: f64 = 10.0;
+
+/// What a claim is derived from or refers to, on a line.
+fn depends_on(entry: &Entry) -> String {
+    format!("{}: {}\n", entry.claim.id, entry.claim.depends_on.join(" "))
+}
 
 /// The tolerances that are looser, by their reasons, with the worst disagreement of the trials that agree within them.
 fn stale_tolerances(ledger: &Ledger) -> Vec<String> {
