@@ -75,7 +75,11 @@ proptest! {
             prop_assert!(sound(start.at(e)) && sound(start.at(1.0)), "{start:?} {e}");
             prop_assert!(drawn(start.curve(Some(e))) && drawn(start.curve(None)), "{start:?} {e}");
         }
-        let boundary = rest::Problem { alpha: a, psi: b };
+    }
+
+    #[test]
+    fn the_boundary_of_rest_has_numbers([alpha, psi] in each()) {
+        let boundary = rest::Problem { alpha, psi };
         prop_assert!(sound(boundary.solve()) && drawn(boundary.curve()), "{boundary:?}");
     }
 }
