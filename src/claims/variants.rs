@@ -130,7 +130,8 @@ pub fn all() -> Vec<Variant> {
     both.flat_map(|(tree, number)| of(tree, number)).collect()
 }
 
-fn formulas<S: Scalar>() -> Vec<Formula<S>> {
+/// Every formula of the paper, and every one that replaces one or adds to it.
+pub fn formulas<S: Scalar>() -> Vec<Formula<S>> {
     [
         paper::general::formulas(),
         paper::constant::formulas(),

@@ -5,33 +5,8 @@ use proptest::prelude::*;
 use slipbook::certified::ball::Ball;
 use slipbook::certified::interval::Interval;
 use slipbook::certified::values::values;
+use slipbook::claims::variants::formulas;
 use slipbook::scalar::Scalar;
-use slipbook::seeded::Formula;
-use slipbook::{corrections, paper};
-
-fn formulas() -> Vec<Formula<f64>> {
-    [
-        paper::general::formulas(),
-        paper::constant::formulas(),
-        paper::sinusoidal::formulas(),
-        paper::periodic::formulas(),
-        paper::anisotropic::formulas(),
-        paper::sphere::formulas(),
-        paper::turntable::formulas(),
-        paper::escape::formulas(),
-        paper::rest::formulas(),
-        corrections::constant::formulas(),
-        corrections::sinusoidal::formulas(),
-        corrections::anisotropic::formulas(),
-        corrections::sphere::formulas(),
-        corrections::turntable::formulas(),
-        corrections::escape::formulas(),
-        corrections::rest::formulas(),
-    ]
-    .into_iter()
-    .flatten()
-    .collect()
-}
 
 /// A pair of bounds in order, or the whole line.
 fn bounded(x: Interval) -> bool {
@@ -43,7 +18,7 @@ proptest! {
 
     #[test]
     fn a_formula_has_a_value_or_is_no_number(arguments in prop::collection::vec(any(), 40)) {
-        for formula in formulas() {
+        for formula in formulas::<f64>() {
             (formula.value)(&arguments[..formula.symbols.len()]);
         }
     }
