@@ -66,10 +66,7 @@ fn decimals(text: &str) -> Vec<(&str, &str)> {
 
 /// All numbers that the claims vouch for.
 fn vouched() -> Vec<f64> {
-    let mut numbers: Vec<f64> = VALUES
-        .iter()
-        .map(|value| (value.value)().unwrap())
-        .collect();
+    let mut numbers: Vec<f64> = VALUES.iter().map(|value| value.number().unwrap()).collect();
     for case in &CASES {
         numbers.extend([(case.stated)().unwrap(), (case.found)().unwrap()]);
         let words = case.words().unwrap();

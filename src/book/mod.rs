@@ -55,6 +55,7 @@ mod values;
 
 pub use error::BookError;
 
+use crate::claims::values::VALUES;
 use crate::figures::Figure;
 use crate::ledger::{Format, Ledger};
 use code::Code;
@@ -84,9 +85,14 @@ pub fn write(ledger: &Ledger, figures: &[Figure], out: &Path) -> Result<PathBuf,
     write_pages(pages::pages(figures), ledger, figures, out)
 }
 
-/// Sets the formulas that are known before anything is tried; [`write()`] then has less to do. It may be left out.
+/// Sets the formulas and computes the numbers that do not depend on a verdict; [`write()`] then has less to do. It may
+/// be left out.
 pub fn prepare() {
     LazyLock::force(&maths::KNOWN);
+    for value in &VALUES {
+        // A failure shows where the number is used.
+        let _ = value.number();
+    }
 }
 
 /// Finds out whether a book can be written into `out`, before the work is done; changes nothing but for
@@ -142,13 +148,17 @@ fn write_pages(
     }
     let book = staging.path("book");
     render(&source, &book)?;
-    finish(&book, &pages, &filler.maths().forms())?;
-    for (name, format) in [("errata.txt", Format::Text), ("errata.tex", Format::Latex)] {
-        put(&book.join(name), ledger.letter(format)?.as_bytes())?;
-    }
-    for (name, html) in code.pages() {
-        put(&book.join(name), html.as_bytes())?;
-    }
+    let forms = filler.maths().forms();
+    let beside = || {
+        for (name, format) in [("errata.txt", Format::Text), ("errata.tex", Format::Latex)] {
+            put(&book.join(name), ledger.letter(format)?.as_bytes())?;
+        }
+        let mut pages = code.pages();
+        pages.try_for_each(|(name, html)| put(&book.join(name), html.as_bytes()))
+    };
+    let (finished, written) = rayon::join(|| finish(&book, &pages, &forms), beside);
+    finished?;
+    written?;
     put(&book.join(swap::MARKER), swap::MARKER_TEXT)?;
     let out = staging.swap(&book)?;
     Ok(out.join("index.html"))

@@ -16,6 +16,15 @@ struct Stretch {
     body: String,
 }
 
+/// What mdBook's searcher reads.
+#[derive(serde::Serialize)]
+struct Searched<'a> {
+    results_options: serde_json::Value,
+    search_options: serde_json::Value,
+    doc_urls: &'a [&'a str],
+    index: &'a Index,
+}
+
 /// The index in the making.
 pub(super) struct Search {
     stretches: Vec<Stretch>,
@@ -163,17 +172,16 @@ impl Search {
         }
         let addresses: Vec<_> = self.stretches.iter().map(|s| s.address.as_str()).collect();
         // The title counts most: "(37)" is to find the equation before what refers to it.
-        let data = json!({
-            "results_options": { "limit_results": 30, "teaser_word_count": 30 },
-            "search_options": {
+        let data = serde_json::to_string(&Searched {
+            results_options: json!({ "limit_results": 30, "teaser_word_count": 30 }),
+            search_options: json!({
                 "bool": "AND",
                 "expand": true,
                 "fields": { "title": { "boost": 4 }, "body": { "boost": 1 }, "breadcrumbs": { "boost": 1 } }
-            },
-            "doc_urls": addresses,
-            "index": index,
-        });
-        let data = serde_json::to_string(&data)?;
+            }),
+            doc_urls: &addresses,
+            index: &index,
+        })?;
         let quoted = data.replace('\\', "\\\\").replace('\'', "\\'");
         Ok(format!(
             "window.search = Object.assign(window.search, JSON.parse('{quoted}'));"

@@ -39,7 +39,7 @@ pub(super) fn table_of(filler: &Filler<'_>) -> Result<String, Fault> {
         rows.push((number, [known, all, meaning, link]));
         Ok(())
     };
-    for value in VALUES {
+    for value in &VALUES {
         let text = value.shown().map_err(|failure| no_number(&failure))?;
         add(text, filler.maths().words(value.meaning)?, value.claim)?;
     }
@@ -50,7 +50,7 @@ pub(super) fn table_of(filler: &Filler<'_>) -> Result<String, Fault> {
             // Nobody looks a whole number up; and those above need no second row.
             let known = VALUES.iter().filter(|v| v.claim == case.claim);
             let known = known
-                .filter_map(|v| (v.value)().ok())
+                .filter_map(|v| v.number().ok())
                 .any(|v| (v - value).abs() < 1e-4);
             if value.fract() != 0.0 && !known {
                 add(text, format!("the case by hand, {whose}"), case.claim)?;

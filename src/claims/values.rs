@@ -14,8 +14,8 @@ use crate::paper::{anisotropic, escape, rest, sinusoidal, sphere};
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 use std::sync::LazyLock;
 
-/// A number.
-#[derive(Debug, Clone, Copy)]
+/// A number, computed when it is first asked for.
+#[derive(Debug)]
 pub struct Value {
     /// Short name for the pages: `lambda-c`.
     pub id: &'static str,
@@ -25,17 +25,25 @@ pub struct Value {
     pub claim: &'static str,
     /// Decimals shown, all of them certain.
     pub decimals: usize,
-    /// The number.
-    pub value: fn() -> Result<f64, Failure>,
+    number: LazyLock<Result<f64, Failure>>,
 }
 
 impl Value {
+    /// The number.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed.
+    pub fn number(&self) -> Result<f64, Failure> {
+        let failed = |error: &Failure| error.to_string().into();
+        self.number.as_ref().copied().map_err(failed)
+    }
+
     /// The number as shown.
     ///
     /// # Errors
     /// A motion that cannot be followed.
     pub fn shown(&self) -> Result<String, Failure> {
-        Ok(format!("{:.*}", self.decimals, (self.value)()?))
+        Ok(format!("{:.*}", self.decimals, self.number()?))
     }
 
     /// The number to [`KNOWN`] significant digits, cut off and not rounded.
@@ -43,7 +51,7 @@ impl Value {
     /// # Errors
     /// A motion that cannot be followed.
     pub fn digits(&self) -> Result<String, Failure> {
-        let value = (self.value)()?;
+        let value = self.number()?;
         let power = libm::floor(libm::log10(value.abs())) as i32;
         let places = (KNOWN as i32 - 1 - power).max(0) as usize;
         // Two digits more, so that rounding does not reach those that are kept.
@@ -66,19 +74,19 @@ const fn row(
     claim: &'static str,
     decimals: usize,
     meaning: &'static str,
-    value: fn() -> Result<f64, Failure>,
+    number: fn() -> Result<f64, Failure>,
 ) -> Value {
     Value {
         id,
         meaning,
         claim,
         decimals,
-        value,
+        number: LazyLock::new(number),
     }
 }
 
 /// All numbers, in the paper's order.
-pub static VALUES: &[Value] = &[
+pub static VALUES: [Value; 36] = [
     row(
         "lambda-c",
         "eq-37",
@@ -230,7 +238,7 @@ pub static VALUES: &[Value] = &[
         "s4-rest-radius",
         10,
         "how far from the axis a particle at rest in the laboratory may be put down and come to rest, over $\\mu g/\\Omega^2$",
-        || Ok(critical_radius()?),
+        || Ok(turntable::critical_radius()?),
     ),
     row(
         "critical-speed",
@@ -325,15 +333,6 @@ pub static VALUES: &[Value] = &[
     ),
 ];
 
-/// The radius that parts rest from escape; computed once.
-///
-/// # Errors
-/// A motion that cannot be followed.
-pub fn critical_radius() -> Result<f64, MotionError> {
-    static RADIUS: LazyLock<Result<f64, MotionError>> = LazyLock::new(turntable::critical_radius);
-    RADIUS.clone()
-}
-
 /// A on the boundary at α = 0.1, ψ = 0.2; computed once.
 ///
 /// # Errors
@@ -358,7 +357,7 @@ mod tests {
     fn every_value_belongs_to_a_claim() {
         let ids: BTreeSet<_> = VALUES.iter().map(|value| value.id).collect();
         assert_eq!(ids.len(), VALUES.len());
-        for value in VALUES {
+        for value in &VALUES {
             assert!(claims::find(value.claim).is_some(), "{}", value.id);
             assert!(value.shown().is_ok(), "{}", value.id);
         }

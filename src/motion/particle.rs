@@ -152,8 +152,8 @@ impl<'a> Run<'a> {
         let a = self.plane.coefficients(t);
         let size = libm::hypot(a[0][0], a[1][0]);
         check("|A|", size, size <= LARGEST, "finite, at most 1e50")?;
-        for c in a.iter().flatten() {
-            check("a Taylor coefficient of A", *c, c.is_finite(), "finite")?;
+        if let Some(c) = a.iter().flatten().find(|c| !c.is_finite()) {
+            check("a Taylor coefficient of A", *c, false, "finite")?;
         }
         let landing = self
             .plane

@@ -76,7 +76,7 @@ impl Signal {
             Self::Polynomial(given) => {
                 // Horner's scheme for the polynomial in (t + τ).
                 for a in given.iter().rev() {
-                    for k in (1..TERMS).rev() {
+                    for k in (1..given.len().min(TERMS)).rev() {
                         c[k] = c[k] * t + c[k - 1];
                     }
                     c[0] = c[0] * t + a;

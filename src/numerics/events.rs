@@ -63,6 +63,9 @@ pub fn roots(series: &[f64], h: f64) -> Result<Vec<Root>, NumericsError> {
     for c in &mut scaled {
         *c /= size;
     }
+    if keeps_sign(&scaled) {
+        return Ok(Vec::new());
+    }
     let slope = scaled.iter().enumerate().skip(1).map(|(k, c)| c * k as f64);
     let slope: Vec<f64> = slope.collect();
     let mut nodes = if keeps_sign(&slope) {

@@ -61,18 +61,28 @@ fn phases(start: f64, ends: [f64; 2]) -> impl Iterator<Item = f64> {
     grid.chain(ends.into_iter().filter(inside))
 }
 
-/// The pair at the phase where the two differ most.
-fn worst(pairs: impl Iterator<Item = Pair>) -> Result<Pair, Failure> {
-    let worse = |a: Pair, b: Pair| {
-        if a.disagreement() >= b.disagreement() {
+/// The pair at the phase where the two differ most, from (phase, stated, found).
+fn worst(
+    point: (f64, f64),
+    scale: f64,
+    values: impl Iterator<Item = [f64; 3]>,
+) -> Result<Pair, Failure> {
+    let apart = |[_, stated, found]: [f64; 3]| (stated - found).abs();
+    // What is no number is worse than all that are.
+    let worse = |a: [f64; 3], b: [f64; 3]| {
+        if apart(a) >= apart(b) || apart(a).is_nan() {
             a
         } else {
             b
         }
     };
-    pairs
-        .reduce(worse)
-        .ok_or_else(|| "no phase to compare at".into())
+    let [phi, stated, found] = values.reduce(worse).ok_or("no phase to compare at")?;
+    Ok(Pair {
+        at: format!("{}, φ = {phi:.6}", at(point)),
+        stated,
+        found,
+        scale,
+    })
 }
 
 /// (44) at φ in [0, π].
@@ -141,13 +151,10 @@ pub fn eq44_motion() -> Evidence {
     trial.over(above(), |point| {
         with_motion(point, |motion| {
             let ends = printed::eq44_ends(point.1, point.0);
-            worst(phases(0.0, ends).map(|phi| Pair {
-                at: format!("{}, φ = {phi:.6}", at(point)),
-                stated: eq44(point, phi),
-                found: motion.w(phi),
-                // No term of (44) is larger.
-                scale: point.0 * PI,
-            }))
+            // No term of (44) is larger.
+            let scale = point.0 * PI;
+            let values = phases(0.0, ends).map(|phi| [phi, eq44(point, phi), motion.w(phi)]);
+            worst(point, scale, values)
         })
     })
 }
@@ -159,13 +166,9 @@ pub fn eq45_motion() -> Evidence {
     trial.over(above(), |point| {
         with_motion(point, |motion| {
             let ends = printed::eq44_ends(point.1, point.0);
-            worst(phases(0.0, ends).map(|phi| Pair {
-                at: format!("{}, φ = {phi:.6}", at(point)),
-                stated: printed::eq45_w(eq44(point, phi)),
-                found: motion.w(PI + phi),
-                // π + φ is known to the spacing of numbers near 2π.
-                scale: PI,
-            }))
+            let value = |phi| [phi, printed::eq45_w(eq44(point, phi)), motion.w(PI + phi)];
+            // π + φ is known to the spacing of numbers near 2π.
+            worst(point, PI, phases(0.0, ends).map(value))
         })
     })
 }
@@ -234,16 +237,12 @@ pub fn below_motion() -> Evidence {
         with_motion((eta, lambda), |motion| {
             let start = supplied::small_friction_start(lambda, eta);
             let ends = supplied::small_friction_ends(eta);
-            worst(phases(start, ends).flat_map(|phi| {
+            let values = phases(start, ends).flat_map(|phi| {
                 let case = supplied::small_friction_case(eta, phi);
                 let w = supplied::small_friction_cases(lambda, eta, phi)[case];
-                [(phi, w), (PI + phi, -w)].map(|(phi, w)| Pair {
-                    at: format!("{}, φ = {phi:.6}", at((eta, lambda))),
-                    stated: w,
-                    found: motion.w(phi),
-                    scale: PI,
-                })
-            }))
+                [(phi, w), (PI + phi, -w)].map(|(phi, w)| [phi, w, motion.w(phi)])
+            });
+            worst((eta, lambda), PI, values)
         })
     })
 }

@@ -40,7 +40,7 @@ const ENOUGH: usize = 3;
 pub fn search(given: &str) -> Result<Vec<Match>, Failure> {
     let wanted = Digits::read(given).ok_or_else(|| NotDecimal(given.to_owned()))?;
     let mut found = Vec::new();
-    for value in VALUES {
+    for value in &VALUES {
         found.extend(wanted.grade(value)?);
     }
     if found.iter().any(|m| m.first_wrong.is_none()) {

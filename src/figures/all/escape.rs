@@ -3,10 +3,9 @@
 use super::AllFiguresError;
 use crate::claims::escape::laws::{self, Quantity, lag, size, speed};
 use crate::claims::escape::runs::{Flight, Late, Launch};
-use crate::claims::values::critical_radius;
 use crate::figures::{Figure, escape as escape_figures};
 use crate::motion::MotionError;
-use crate::motion::turntable::{State, Table, inertial};
+use crate::motion::turntable::{State, Table, critical_radius, inertial};
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![compensated()?, paths()?, fan()?])

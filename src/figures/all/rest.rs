@@ -4,8 +4,7 @@ use super::AllFiguresError;
 use crate::claims::rest::boundary;
 use crate::figures::{Figure, rest as rest_figures};
 use crate::motion::MotionError;
-use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::fate::rests;
+use crate::motion::turntable::ensemble::rests;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use std::f64::consts::PI;
@@ -20,26 +19,61 @@ const ANGLES: i32 = 192;
 /// Largest α of the picture of the phase space.
 const REACH: f64 = 0.75;
 
+/// Steps in α from rest, one of which goes across a level line.
+const STEP: f64 = 0.05;
+const STEPS: i32 = 30;
+
+/// Halvings of such a step.
+const HALVINGS: i32 = 9;
+
+/// The level line of the boundary at this A: for each angle the first α from which the particle escapes.
+fn level(a: f64) -> Result<rest_figures::Level, AllFiguresError> {
+    let angle = |k: i32| 2.0 * PI * f64::from(k) / f64::from(ANGLES) - PI;
+    let angles: Vec<f64> = (0..=ANGLES).map(angle).collect();
+    let escapes = |alphas: &[f64]| -> Result<Vec<bool>, MotionError> {
+        let start = |(alpha, psi): (&f64, &f64)| Start::hyperbolic(a, *alpha, *psi);
+        let starts: Result<Vec<_>, _> = alphas.iter().zip(&angles).map(start).collect();
+        Ok(rests(&starts?)?
+            .iter()
+            .map(|rests| *rests == Some(false))
+            .collect())
+    };
+    // A particle at rest (α = 0) stays so for A < 1.
+    let mut alphas = vec![f64::NAN; angles.len()];
+    for step in 1..=STEPS {
+        let alpha = STEP * f64::from(step);
+        let all = vec![alpha; angles.len()];
+        for (first, escapes) in alphas.iter_mut().zip(escapes(&all)?) {
+            if escapes && first.is_nan() {
+                *first = alpha;
+            }
+        }
+    }
+    if alphas.iter().any(|alpha| alpha.is_nan()) {
+        return Err(AllFiguresError::Data(format!(
+            "A = {a}: no particle escapes"
+        )));
+    }
+    for halving in 1..=HALVINGS {
+        let width = STEP / f64::from(1 << halving);
+        let below: Vec<f64> = alphas.iter().map(|alpha| alpha - width).collect();
+        for ((alpha, below), escapes) in alphas.iter_mut().zip(&below).zip(escapes(&below)?) {
+            if escapes {
+                *alpha = *below;
+            }
+        }
+    }
+    Ok(rest_figures::Level {
+        a,
+        found: std::iter::zip(alphas, angles)
+            .map(|(alpha, psi)| [alpha, psi])
+            .collect(),
+        printed: boundary::printed_alpha(a),
+    })
+}
+
 /// The phase space from above: level lines of the boundary, and motions.
 fn space() -> Result<Figure, AllFiguresError> {
-    let level = |a: f64| -> Result<_, MotionError> {
-        let start = |alpha, psi| Start::hyperbolic(a, alpha, psi);
-        let found = |psi| {
-            // The first α, in steps, from which the particle escapes; a particle at rest (α = 0) stays so for A < 1.
-            for step in 1..=30 {
-                let alpha = 0.05 * f64::from(step);
-                if matches!(fate(&start(alpha, psi)?)?, Fate::Escape { .. }) {
-                    let alpha = between(|alpha| start(alpha, psi), alpha - 0.05, alpha, 1e-4)?;
-                    return Ok([alpha, psi]);
-                }
-            }
-            Ok([f64::NAN, psi])
-        };
-        let angles = (0..=ANGLES).map(|k| 2.0 * PI * f64::from(k) / f64::from(ANGLES) - PI);
-        let printed = boundary::printed_alpha(a);
-        let found = angles.map(found).collect::<Result<_, MotionError>>()?;
-        Ok(rest_figures::Level { a, found, printed })
-    };
     let motion = |[a, alpha, psi]: [f64; 3]| -> Result<_, MotionError> {
         let start = Start::hyperbolic(a, alpha, psi)?;
         let rests = matches!(fate(&start)?, Fate::Rest { .. });
@@ -54,7 +88,8 @@ fn space() -> Result<Figure, AllFiguresError> {
             way: way.take_while(|[alpha, _]| *alpha < REACH).collect(),
         })
     };
-    let levels: Result<Vec<_>, _> = [0.9, 0.8, 0.7, 0.6].into_iter().map(level).collect();
+    let levels: Result<Vec<_>, AllFiguresError> =
+        [0.9, 0.8, 0.7, 0.6].into_iter().map(level).collect();
     let starts = [
         [0.7, 0.6, 2.4],
         [0.7, 0.6, 1.2],
@@ -72,10 +107,10 @@ fn census() -> Result<Figure, AllFiguresError> {
     let (alphas, sizes) = ((0.0, 0.3), (0.6, 1.05));
     let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / SIDE as f64;
     let one = |(name, psi): (&'static str, f64)| -> Result<_, AllFiguresError> {
-        let cell = |k: usize| {
-            let start = Start::hyperbolic(at(sizes, k / SIDE), at(alphas, k % SIDE), psi)?;
-            rests(&start)?.ok_or_else(|| AllFiguresError::Data("rounding decides a cell".into()))
-        };
+        let start = |k: usize| Start::hyperbolic(at(sizes, k / SIDE), at(alphas, k % SIDE), psi);
+        let starts: Result<Vec<_>, _> = (0..SIDE * SIDE).map(start).collect();
+        let certain: Option<Vec<bool>> = rests(&starts?)?.into_iter().collect();
+        let undecided = || AllFiguresError::Data("the fate of a cell is not certain".into());
         let line = |f: &dyn Fn(f64) -> f64| {
             let alphas = (0..=60).map(|i| 0.005 * f64::from(i));
             alphas.map(|alpha| [alpha, f(alpha)]).collect()
@@ -83,9 +118,7 @@ fn census() -> Result<Figure, AllFiguresError> {
         Ok(rest_figures::Census {
             psi: name,
             side: SIDE,
-            rests: (0..SIDE * SIDE)
-                .map(cell)
-                .collect::<Result<_, AllFiguresError>>()?,
+            rests: certain.ok_or_else(undecided)?,
             alpha: alphas,
             a: sizes,
             printed: line(&boundary::printed_a),

@@ -13,7 +13,7 @@ use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
 
 /// The equations of motion, about a time at which the acceleration is known.
 struct Sliding {
-    /// A/g about the beginning of the step, as series in t.
+    /// A/g about the beginning of the step, as series in t with as many coefficients as `terms` says.
     a: [Coefficients; 2],
     /// Number of coefficients of `a` up to the last that is not zero.
     terms: usize,
@@ -231,10 +231,15 @@ impl Sliding {
     fn prepare(&mut self, a: &[Coefficients; 2], friction: f64, unit: f64) {
         // A power of two: its inverse is exact.
         self.slowness = 1.0 / unit;
-        self.a = a.map(|series| series.map(|c| c * self.slowness));
         let last =
             |series: &Coefficients| series.iter().rposition(|c| *c != 0.0).map_or(0, |k| k + 1);
         self.terms = last(&a[0]).max(last(&a[1]));
+        // The others are not looked at.
+        for (scaled, a) in self.a.iter_mut().zip(a) {
+            for (scaled, c) in scaled.iter_mut().zip(a).take(self.terms.max(1)) {
+                *scaled = c * self.slowness;
+            }
+        }
         self.friction = friction * self.slowness;
     }
 }

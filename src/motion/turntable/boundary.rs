@@ -3,6 +3,7 @@
 use super::fate::rests;
 use super::intrinsic::Start;
 use crate::motion::error::MotionError;
+use std::sync::LazyLock;
 
 /// Bisects `start` between a value from which the particle rests and one from which it escapes, until they are
 /// neighbours to `width`, or rounding decides.
@@ -73,18 +74,23 @@ pub fn boundary(alpha: f64, psi: f64) -> Result<f64, MotionError> {
 }
 
 /// The largest distance from the axis (in units of μg/Ω²) from which a particle put down at rest in the laboratory
-/// comes to rest on the table.
+/// comes to rest on the table; computed once.
 ///
 /// # Errors
 /// None that is known; those of the integration.
 pub fn critical_radius() -> Result<f64, MotionError> {
-    between(Start::put_down, 0.1, 10.0, WIDTH)
+    static RADIUS: LazyLock<Result<f64, MotionError>> =
+        LazyLock::new(|| between(Start::put_down, 0.1, 10.0, WIDTH));
+    RADIUS.clone()
 }
 
-/// The largest speed (in units of μg/Ω) with which a particle launched from the axis comes to rest on the table.
+/// The largest speed (in units of μg/Ω) with which a particle launched from the axis comes to rest on the table;
+/// computed once.
 ///
 /// # Errors
 /// None that is known; those of the integration.
 pub fn critical_speed() -> Result<f64, MotionError> {
-    between(Start::launched, 0.1, 10.0, WIDTH)
+    static SPEED: LazyLock<Result<f64, MotionError>> =
+        LazyLock::new(|| between(Start::launched, 0.1, 10.0, WIDTH));
+    SPEED.clone()
 }

@@ -93,13 +93,32 @@ impl Horizon {
         }
         Ok(())
     }
+}
 
-    fn piece(&self, starts: &[Start]) -> Vec<End> {
-        struct Piece<'a>(&'a Horizon, &'a [Start]);
-        impl Wide for Piece<'_> {
-            type Output = Vec<End>;
+/// What ends a particle's way.
+trait Watch {
+    /// How it ends.
+    type End: Clone;
+
+    /// Whether a motion may have come to its end, for the states after a step.
+    fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L];
+
+    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end.
+    fn end(&self, series: &[[f64; TERMS]; 4], h: f64, state: &[f64; 4]) -> Option<Self::End>;
+
+    /// The end of a motion that is given up in this state.
+    fn unfinished(&self, state: &[f64; 4]) -> Self::End;
+
+    /// The ends of some particles' ways, on one core.
+    fn piece(&self, starts: &[Start]) -> Vec<Self::End>
+    where
+        Self: Sized,
+    {
+        struct Piece<'a, W>(&'a W, &'a [Start]);
+        impl<W: Watch> Wide for Piece<'_, W> {
+            type Output = Vec<W::End>;
             #[inline(always)]
-            fn call(self) -> Vec<End> {
+            fn call(self) -> Vec<W::End> {
                 self.0.run::<LANES>(self.1)
             }
         }
@@ -107,8 +126,8 @@ impl Horizon {
     }
 
     #[inline(always)]
-    fn run<const L: usize>(&self, starts: &[Start]) -> Vec<End> {
-        let mut ends = vec![End::Far { tau: f64::NAN }; starts.len()];
+    fn run<const L: usize>(&self, starts: &[Start]) -> Vec<Self::End> {
+        let mut ends = vec![self.unfinished(&[0.0; 4]); starts.len()];
         let mut waiting = starts.iter().enumerate();
         let mut batch = Batch::<4, TERMS, L>::new();
         let mut riders: [Option<(usize, u32)>; L] = [None; L];
@@ -148,15 +167,18 @@ impl Horizon {
                     if *steps < STEPS {
                         continue;
                     }
-                    ends[*index] = End::Unfinished(start_of(&batch.state(lane)));
+                    ends[*index] = self.unfinished(&batch.state(lane));
                 }
                 *rider = board(lane, &mut batch);
             }
         }
         ends
     }
+}
 
-    /// Whether a motion may have come to its end.
+impl Watch for Horizon {
+    type End = End;
+
     #[inline(always)]
     fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L] {
         let [tau, p, w, zeta] = states;
@@ -171,7 +193,6 @@ impl Horizon {
         over
     }
 
-    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end.
     fn end(&self, series: &[[f64; TERMS]; 4], h: f64, state: &[f64; 4]) -> Option<End> {
         let excess = |[_, p, w, zeta]: &[f64; 4]| {
             let (xi, eta) = (1.0 - w, p - zeta);
@@ -193,6 +214,42 @@ impl Horizon {
             _ => None,
         }
     }
+
+    fn unfinished(&self, state: &[f64; 4]) -> End {
+        End::Unfinished(start_of(state))
+    }
+}
+
+/// Follows a particle until its [fate](mod@super::fate) is certain.
+struct Certain;
+
+impl Watch for Certain {
+    /// Whether it comes to rest; nothing where [`STEPS`] steps do not tell.
+    type End = Option<bool>;
+
+    #[inline(always)]
+    fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L] {
+        std::array::from_fn(|lane| judge(&states.map(|x| x.0[lane])).is_some())
+    }
+
+    fn end(&self, _: &[[f64; TERMS]; 4], _: f64, state: &[f64; 4]) -> Option<Option<bool>> {
+        let fate = judge(state)?.fate;
+        Some(Some(matches!(fate, Fate::Rest { .. })))
+    }
+
+    fn unfinished(&self, _: &[f64; 4]) -> Option<bool> {
+        None
+    }
+}
+
+/// Whether each of these particles comes to rest, as [`fate::rests`](super::fate::rests) finds for one, at a tenth of
+/// the time: good for pictures, since a start within about 10⁻⁹ of the boundary may be told wrongly. On one core.
+///
+/// # Errors
+/// [`MotionError::Argument`] for a start that no constructor of [`Start`] gives.
+pub fn rests(starts: &[Start]) -> Result<Vec<Option<bool>>, MotionError> {
+    starts.iter().try_for_each(check)?;
+    Ok(Certain.piece(starts))
 }
 
 /// Where a function that is positive at `h` was zero before, by Newton's rule from its value and slope.
@@ -258,6 +315,21 @@ mod tests {
             }
         }
         assert!(rests > 50 && far > 50);
+    }
+
+    #[test]
+    fn fates_of_many_are_those_of_each() {
+        let starts = starts();
+        let alone = starts.iter().map(|start| fate::rests(start).unwrap());
+        assert_eq!(rests(&starts).unwrap(), alone.collect::<Vec<_>>());
+        let broken = Start {
+            p: f64::NAN,
+            ..starts[0]
+        };
+        assert!(matches!(
+            rests(&[broken]),
+            Err(MotionError::Argument { .. })
+        ));
     }
 
     #[test]
