@@ -7,7 +7,7 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::measured::MEASURED;
 use slipbook::claims::variants::{self, SURVIVORS};
 use slipbook::claims::{Claim, TOPICS};
-use slipbook::evidence::Outcome;
+use slipbook::evidence::{Evidence, Outcome};
 use slipbook::ledger::{Entry, Ledger, Record};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -40,6 +40,10 @@ fn main() {
     let depends: String = ledger.entries.iter().map(depends_on).collect();
     trials.push(Trial::test("dependencies", move || {
         same_as_snapshot("", "dependencies", &depends)
+    }));
+    let points: String = ledger.entries.iter().map(points).collect();
+    trials.push(Trial::test("points", move || {
+        same_as_snapshot("", "points", &points)
     }));
     let whole = Arc::clone(&ledger);
     trials.push(Trial::test("variants", move || wrong_variants(&whole)));
@@ -83,6 +87,19 @@ const SLACK: f64 = 10.0;
 /// What a claim is derived from or refers to, on a line.
 fn depends_on(entry: &Entry) -> String {
     format!("{}: {}\n", entry.claim.id, entry.claim.depends_on.join(" "))
+}
+
+/// How many points each trial tries, on a line each, with a fingerprint of where they are and of their scales.
+fn points(entry: &Entry) -> String {
+    let measured = entry.evidence.iter().filter(|e| e.fingerprint != 0);
+    let line = |e: &Evidence| {
+        let (id, route) = (entry.claim.id, e.route.name());
+        format!(
+            "{id}, {route}: {} points, {:016x}\n",
+            e.points, e.fingerprint
+        )
+    };
+    measured.map(line).collect()
 }
 
 /// The tolerances that are looser, by their reasons, with the worst disagreement of the trials that agree within them.

@@ -5,6 +5,7 @@ use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     Evidence {
+        fingerprint: 0,
         route,
         subject,
         compared: "a with b",

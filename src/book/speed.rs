@@ -35,7 +35,11 @@ struct Row {
 }
 
 fn results() -> Result<Results, Fault> {
-    serde_json::from_str(RESULTS)
+    read(RESULTS)
+}
+
+fn read(text: &str) -> Result<Results, Fault> {
+    serde_json::from_str(text)
         .map_err(|error| Fault::Placeholder(format!("benches/results.json: {error}")))
 }
 
@@ -104,6 +108,23 @@ mod tests {
             (2.7e6, "2.70\u{a0}s"),
         ] {
             assert_eq!(time(microseconds), expected);
+        }
+    }
+
+    #[test]
+    fn a_damaged_file_is_named_with_the_place() {
+        let (whole, cut) = (RESULTS.trim_end(), RESULTS.len() / 2);
+        for damaged in [
+            "",
+            &whole[..cut],
+            &whole.replace("ours_us", "ours"),
+            &whole.replacen(": ", ": ?", 1),
+        ] {
+            let Err(Fault::Placeholder(message)) = read(damaged) else {
+                panic!("read: {damaged}")
+            };
+            assert!(message.contains("benches/results.json"), "{message}");
+            assert!(message.contains("line"), "{message}");
         }
     }
 

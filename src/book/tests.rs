@@ -36,6 +36,7 @@ static FULL: Claim = Claim {
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     Evidence {
+        fingerprint: 0,
         route,
         subject,
         compared: "<script>alert(1)</script> against the *motion*",

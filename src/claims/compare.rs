@@ -76,6 +76,7 @@ impl Trial {
         mut pair: impl FnMut(P) -> Result<Pair, E>,
     ) -> Evidence {
         let mut evidence = Evidence {
+            fingerprint: 0,
             route: self.route,
             subject: self.subject,
             compared: self.compared,
@@ -97,6 +98,7 @@ impl Trial {
                 }
             };
             evidence.points += 1;
+            evidence.fingerprint = mixed(evidence.fingerprint, &pair);
             let disagreement = pair.disagreement();
             if disagreement.is_nan() {
                 evidence.worst = f64::NAN;
@@ -117,6 +119,19 @@ impl Trial {
         }
         evidence
     }
+}
+
+/// A fingerprint with one more pair in it: where it was, and the first digits of its scale. Values do not count: what is
+/// zero but for rounding has no digits of its own.
+fn mixed(fingerprint: u64, pair: &Pair) -> u64 {
+    let letter = |word: u64, byte: &u8| word << 8 | u64::from(*byte);
+    let text = pair.at.as_bytes().chunks(8);
+    let words = text.map(|chunk| chunk.iter().fold(0, letter));
+    // Six binary digits after the first.
+    let scale = pair.scale.to_bits() >> 46;
+    words.chain([scale]).fold(fingerprint, |sum, word| {
+        (sum.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95)
+    })
 }
 
 /// How many compared pairs are kept for readers: the first ones, so that they do not depend on last bits.
@@ -145,6 +160,7 @@ pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 /// Evidence from a proof, with its steps: it holds or it does not.
 pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Evidence {
     Evidence {
+        fingerprint: 0,
         route: Route::Exact,
         subject,
         compared,

@@ -23,6 +23,7 @@ pub fn certified(
         Err(error @ CertifiedError::NotProved { .. }) => (1, f64::NAN, error.to_string()),
     };
     Evidence {
+        fingerprint: 0,
         route: Route::Certified,
         subject,
         compared,

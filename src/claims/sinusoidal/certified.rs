@@ -56,6 +56,7 @@ fn resting_on(
         steps.push(format!("The rest by subdivision: {parts} parts decide"));
     }
     Evidence {
+        fingerprint: 0,
         steps,
         ..certified(outcome, Subject::Printed, compared)
     }
