@@ -366,6 +366,16 @@ mod tests {
     }
 
     #[test]
+    fn a_short_formula_keeps_its_brackets() {
+        let maths = Maths::new();
+        let marked = maths.words("soon ($x<1$), or ($x$ small)").unwrap();
+        let html = maths.forms().with_formulas(&marked);
+        assert!(html.starts_with("soon <span class=\"whole\">(<span class=\"katex\">"));
+        assert!(html.contains("</span>)</span>, or <span class=\"whole\">("));
+        assert!(html.ends_with("</span></span> small)"));
+    }
+
+    #[test]
     fn words_keep_their_text_and_need_paired_dollars() {
         let maths = Maths::new();
         let marked = maths.words("if $x<1$ & so on").unwrap();

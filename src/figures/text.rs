@@ -186,7 +186,9 @@ mod tests {
     #[test]
     fn quantities_are_italic_and_words_are_not() {
         let italic = |label: &str| -> String {
-            let runs = runs(label).into_iter().filter(|run| run.face == Face::Italic);
+            let runs = runs(label)
+                .into_iter()
+                .filter(|run| run.face == Face::Italic);
             runs.map(|run| run.text).collect()
         };
         assert_eq!(italic("sin φ_1"), "ϕ");
