@@ -8,8 +8,8 @@ window.SlipbookPlot = (() => {
     const escape = text => String(text).replace(/&/g, '&amp;').replace(/</g, '&lt;');
     const colour = series => series === undefined ? 'currentColor' : `var(--explore-${series})`;
 
-    // A label in which `_x` is a subscript.
-    const label = text => escape(text).replace(/_(.)/g, '<tspan dy="4" font-size="12">$1</tspan><tspan dy="-4">​</tspan>');
+    // A label in which `_x` is a subscript; few systems have a `𝔴`, the formulas' face has it in the place of the w.
+    const label = text => escape(text).replace(/𝔴/g, '<tspan font-family="KaTeX_Fraktur">w</tspan>').replace(/_(.)/g, '<tspan dy="4" font-size="12">$1</tspan><tspan dy="-4">​</tspan>');
 
     // Round numbers between two ends, about five of them.
     function ticks([from, to]) {

@@ -19,8 +19,8 @@ const UNDERLINE: char = '\u{332}';
 /// can put words in its place.
 const MARK: (&str, &str) = ("<span data-formula=\"", "\"></span>");
 
-/// A formula with so few letters as plain text may keep together with what follows.
-const SHORT: usize = 14;
+/// A formula with so few letters as plain text may keep together with a sign before or behind it.
+const SHORT: usize = 20;
 
 /// Sets formulas, each one once.
 pub(super) struct Maths {
@@ -177,13 +177,16 @@ impl Forms {
     /// Puts the formulas in place of their marks.
     pub(super) fn with_formulas(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), after, out| {
-            // Browsers break a line between a formula and the full stop behind it.
+            // Browsers break a line between a formula and the full stop behind it or the bracket before it.
             let short = plain.chars().count() <= SHORT;
             let ends = short && after.starts_with(['.', ',', ';', ':', '?', '!', ')']);
-            if ends {
+            let begins = short && out.ends_with('(');
+            if begins || ends {
+                let bracket = if begins { out.pop() } else { None };
+                let open: String = bracket.into_iter().collect();
                 out.push_str(&format!(
-                    "<span class=\"whole\">{html}{}</span>",
-                    &after[..1]
+                    "<span class=\"whole\">{open}{html}{}</span>",
+                    &after[..usize::from(ends)]
                 ));
             } else {
                 out.push_str(html);
@@ -360,6 +363,16 @@ mod tests {
             let html = maths.forms().with_formulas(&marked);
             assert!(html.contains("padding-left:0.833em"), "{latex}: {html}");
         }
+    }
+
+    #[test]
+    fn a_short_formula_keeps_its_brackets() {
+        let maths = Maths::new();
+        let marked = maths.words("soon ($x<1$), or ($x$ small)").unwrap();
+        let html = maths.forms().with_formulas(&marked);
+        assert!(html.starts_with("soon <span class=\"whole\">(<span class=\"katex\">"));
+        assert!(html.contains("</span>)</span>, or <span class=\"whole\">("));
+        assert!(html.ends_with("</span></span> small)"));
     }
 
     #[test]

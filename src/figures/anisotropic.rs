@@ -464,7 +464,7 @@ pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
         plot = plot.panel(
             Panel::new(
                 Axis::linear("φ").range(0.0, 4.0 * PI).ticks(ticks),
-                Axis::linear("'𝔴'").range(-1.0, 1.0),
+                Axis::linear("𝔴").range(-1.0, 1.0),
             )
             .title(title)
             .height(120.0)

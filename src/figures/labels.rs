@@ -63,6 +63,11 @@ impl Canvas {
         )
     }
 
+    /// True if nobody has taken any of a box.
+    pub fn is_free(&self, frame: Frame) -> bool {
+        self.taken(frame, 0).0 == 0
+    }
+
     /// How many cells of a box are taken by anyone, and by others than `owner`.
     fn taken(&self, frame: Frame, owner: u16) -> (usize, usize) {
         let (i0, j0) = self.cell([frame.left, frame.top]);

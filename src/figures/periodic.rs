@@ -1,6 +1,6 @@
 //! The figures of section 2.3: any periodic acceleration.
 //!
-//! All dimensionless: φ is the phase in radians, w the velocity, h the drive with max |h| = 1, λ₀ the
+//! All dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| = 1, λ₀ the
 //! friction, η the share of a half period that a pulse fills.
 
 use super::{Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Stroke, Table};
@@ -108,7 +108,7 @@ pub struct Wave {
     pub lambda: f64,
     /// Rests per period.
     pub rests: usize,
-    /// (φ, h, w) from φ = 0 to 4π.
+    /// (φ, h, 𝔴) from φ = 0 to 4π.
     pub points: Vec<[f64; 3]>,
 }
 
@@ -160,7 +160,7 @@ pub fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureError> {
     );
     for wave in waves {
         let top = wave.points.iter().map(|p| p[2].abs()).fold(0.0, f64::max) * 1.15;
-        let mut panel = Panel::new(phases("φ"), Axis::linear("w").range(-top, top)).height(200.0);
+        let mut panel = Panel::new(phases("φ"), Axis::linear("𝔴").range(-top, top)).height(200.0);
         for half in 0..4 {
             let start = PI * f64::from(half);
             let (end, height) = (start + eta * PI, if half % 2 == 0 { top } else { -top });
@@ -191,7 +191,7 @@ pub fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
         let top = wave.points.iter().map(|p| p[2].abs()).fold(0.0, f64::max) * 1.15;
         let drive = wave.points.iter().map(|p| [p[0], 0.8 * top * p[1]]);
         let path = wave.points.iter().map(|p| [p[0], p[2]]);
-        let panel = Panel::new(phases("φ"), Axis::linear("w").range(-top, top))
+        let panel = Panel::new(phases("φ"), Axis::linear("𝔴").range(-top, top))
             .height(150.0)
             .title(rests(wave))
             .curve(Curve::new(drive).ink().stroke(Stroke::Dotted).width(1.2))

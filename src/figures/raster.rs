@@ -114,6 +114,13 @@ impl Raster {
         }
     }
 
+    /// The class of the cell in this column and row, if there is such a cell.
+    pub(super) fn class_at(&self, column: i64, row: i64) -> Option<usize> {
+        let (column, row) = (usize::try_from(column).ok()?, usize::try_from(row).ok()?);
+        let known = column < self.columns && row < self.rows;
+        known.then(|| usize::from(self.cells[row * self.columns + column]))
+    }
+
     fn is(&self, class: u8, column: usize, row: usize) -> bool {
         column < self.columns && row < self.rows && self.cells[row * self.columns + column] == class
     }

@@ -1,6 +1,6 @@
 //! The figures of section 2.2: a sinusoidal drive.
 //!
-//! Without units throughout: φ is the phase in radians, 𝔴 (here w) the velocity along the drive, w_y the one across it,
+//! Without units throughout: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one across it,
 //! λ₀ the friction over the drive's amplitude.
 
 use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
@@ -11,9 +11,9 @@ use std::f64::consts::PI;
 pub struct Transient {
     /// λ₀.
     pub lambda: f64,
-    /// w_y at the start.
+    /// 𝔴_y at the start.
     pub w_y: f64,
-    /// (φ, w) in order.
+    /// (φ, 𝔴) in order.
     pub points: Vec<[f64; 2]>,
 }
 
@@ -27,7 +27,7 @@ fn multiples_of_pi(last: i32) -> Vec<(f64, String)> {
     (0..=last).map(|k| (PI * f64::from(k), label(k))).collect()
 }
 
-/// fig-2: w against φ, one panel for each λ₀, one curve for each initial w_y.
+/// fig-2: 𝔴 against φ, one panel for each λ₀, one curve for each initial 𝔴_y.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
 pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> {
@@ -46,7 +46,7 @@ pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> 
             Axis::linear("φ")
                 .range(0.0, 8.0 * PI)
                 .ticks(multiples_of_pi(8)),
-            Axis::linear("w"),
+            Axis::linear("𝔴"),
         )
         .title(title.clone())
         .height(210.0);
@@ -54,7 +54,7 @@ pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> 
             for [phi, w] in &curve.points {
                 table.row([curve.lambda.into(), curve.w_y.into(), phi.into(), w.into()])?;
             }
-            let key = format!("w_y = {}", curve.w_y);
+            let key = format!("𝔴_y = {}", curve.w_y);
             panel = panel.curve(Curve::new(curve.points.iter().copied()).series(n).key(key));
         }
         plot = plot.panel(panel);
@@ -69,7 +69,7 @@ pub struct TwoPeriods<'a> {
     pub id: &'static str,
     /// λ₀ in words: `1/π`.
     pub lambda: &'static str,
-    /// Upper end of the axis of w; the lower one is its negative.
+    /// Upper end of the axis of 𝔴; the lower one is its negative.
     pub top: f64,
     /// The mark that the paper puts on it.
     pub mark: f64,
@@ -101,7 +101,7 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
         Axis::linear("φ")
             .range(0.0, 4.0 * PI)
             .ticks(multiples_of_pi(4)),
-        Axis::linear("w").range(-top, top).ticks(marks),
+        Axis::linear("𝔴").range(-top, top).ticks(marks),
     )
     .curve(Curve::new(points.iter().copied()).series(0));
     let rests = points.windows(2).any(|p| p[0][1] == 0.0 && p[1][1] == 0.0);
@@ -128,23 +128,23 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
         .figure(table)
 }
 
-/// How ln w_y falls, for one λ₀.
+/// How ln 𝔴_y falls, for one λ₀.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decay {
     /// λ₀.
     pub lambda: f64,
-    /// (periods, −ln w_y) at whole periods, as long as w_y is not zero.
+    /// (periods, −ln 𝔴_y) at whole periods, as long as 𝔴_y is not zero.
     pub points: Vec<[f64; 2]>,
 }
 
-/// The growth of −ln w_y, period by period, on a logarithmic axis.
+/// The growth of −ln 𝔴_y, period by period, on a logarithmic axis.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
 pub fn decay(decays: &[Decay]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "periods", "-ln w_y"]);
     let mut panel = Panel::new(
         Axis::linear("'periods'").range(0.0, 20.0),
-        Axis::log("−ln w_y").range(1.0, 1e20),
+        Axis::log("−ln 𝔴_y").range(1.0, 1e20),
     );
     for (n, decay) in decays.iter().enumerate() {
         for [period, depth] in &decay.points {
@@ -213,7 +213,7 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
 pub struct Periodic {
     /// λ₀.
     pub lambda: f64,
-    /// (φ, w) over a period.
+    /// (φ, 𝔴) over a period.
     pub points: Vec<[f64; 2]>,
 }
 
@@ -226,7 +226,7 @@ pub fn family(motions: &[Periodic]) -> Result<Figure, FigureError> {
         Axis::linear("φ")
             .range(0.0, 2.0 * PI)
             .ticks(multiples_of_pi(2)),
-        Axis::linear("w").range(-1.1, 1.1),
+        Axis::linear("𝔴").range(-1.1, 1.1),
     );
     for (n, motion) in motions.iter().enumerate() {
         for [phi, w] in &motion.points {

@@ -19,6 +19,14 @@ struct Wanted<'a> {
     owner: u16,
 }
 
+/// A raster's class whose name wants room inside it.
+struct Region<'a> {
+    raster: &'a Raster,
+    class: usize,
+    /// The middle of its largest square.
+    at: Place,
+}
+
 /// The inner part of a panel in the making.
 pub(super) struct Sketch<'a> {
     x: &'a Scale,
@@ -28,6 +36,7 @@ pub(super) struct Sketch<'a> {
     below: String,
     above: String,
     words: String,
+    regions: Vec<Region<'a>>,
     wanted: Vec<Wanted<'a>>,
 }
 
@@ -48,6 +57,7 @@ impl<'a> Sketch<'a> {
             below: String::new(),
             above: String::new(),
             words: String::new(),
+            regions: Vec::new(),
             wanted: Vec::new(),
         }
     }
@@ -125,7 +135,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Draws the cells of a raster and names the classes that have room.
-    pub fn raster(&mut self, raster: &Raster) {
+    pub fn raster(&mut self, raster: &'a Raster) {
         let cells = cells(raster, self.x, self.y);
         let corners = [[raster.x.0, raster.y.0], [raster.x.1, raster.y.1]];
         if corners
@@ -146,12 +156,33 @@ impl<'a> Sketch<'a> {
                  viewBox=\"{x} {y} {w} {h}\" overflow=\"hidden\">\n{cells}</svg>\n"
             ));
         }
-        for (n, class) in raster.classes.iter().enumerate() {
-            let at = inside(raster, n, self.x, self.y);
+        for class in 0..raster.classes.len() {
+            let at = inside(raster, class, self.x, self.y);
             if let Some(at) = at.filter(|&at| self.frame.contains(at)) {
-                self.write(at, &class.label, Align::Middle);
+                self.regions.push(Region { raster, class, at });
             }
         }
+    }
+
+    /// The name of a class off all curves: as near to the middle of its largest square as that can be.
+    fn name(&mut self, region: &Region) -> String {
+        let words = &region.raster.classes[region.class].label;
+        let free = |&at: &Place| {
+            let room = room(at, words, Align::Middle).grown(3.0);
+            self.frame.contains([room.left, room.top])
+                && self.frame.contains([room.right, room.bottom])
+                && self.canvas.is_free(room)
+                && covers(region.raster, region.class, &room, self.x, self.y)
+        };
+        let off = |at: &Place| libm::hypot(at[0] - region.at[0], at[1] - region.at[1]);
+        let steps = || (-40..=40).map(|k| 4.0 * f64::from(k));
+        let at = steps()
+            .flat_map(|dx| steps().map(move |dy| [region.at[0] + dx, region.at[1] + dy]))
+            .filter(free)
+            .min_by(|a, b| off(a).total_cmp(&off(b)))
+            .unwrap_or(region.at);
+        self.canvas.take(room(at, words, Align::Middle), u16::MAX);
+        label(at, words, Colour::Ink)
     }
 
     /// Writes a note.
@@ -175,17 +206,12 @@ impl<'a> Sketch<'a> {
 
     /// Everything, with axes, and with labels where there is room for them.
     pub fn finish(mut self) -> String {
-        let mut labels = String::new();
+        let regions = std::mem::take(&mut self.regions);
+        let mut labels: String = regions.iter().map(|region| self.name(region)).collect();
         for wanted in &self.wanted {
             let words = &wanted.label.text;
             if let Some(at) = self.canvas.place(words, &wanted.anchors, wanted.owner) {
-                labels.push_str(&format!(
-                    "<text x=\"{}\" y=\"{}\" style=\"fill:{}\">{}</text>\n",
-                    number(at[0]),
-                    number(at[1] + 5.0),
-                    wanted.colour.css(),
-                    markup(words)
-                ));
+                labels.push_str(&label(at, words, wanted.colour));
             }
         }
         let group = |attributes: &str, content: &str| {
@@ -207,6 +233,17 @@ impl<'a> Sketch<'a> {
             + &group(&ink, &self.words)
             + &group(&rimmed, &labels)
     }
+}
+
+/// Words around a place, in a colour.
+fn label(at: Place, words: &str, colour: Colour) -> String {
+    format!(
+        "<text x=\"{}\" y=\"{}\" style=\"fill:{}\">{}</text>\n",
+        number(at[0]),
+        number(at[1] + 5.0),
+        colour.css(),
+        markup(words)
+    )
 }
 
 /// Path data of an arrowhead.
@@ -345,6 +382,19 @@ pub(super) fn inside(raster: &Raster, class: usize, x: &Scale, y: &Scale) -> Opt
     let room = [2.0 * half * cell[0].abs(), 2.0 * half * cell[1].abs()];
     let fits = width(label, TEXT_SIZE) + 6.0 <= room[0] && 1.4 * TEXT_SIZE <= room[1];
     (fits && !label.is_empty()).then_some(at)
+}
+
+/// True if all of a box is inside a raster's class.
+fn covers(raster: &Raster, class: usize, room: &Frame, x: &Scale, y: &Scale) -> bool {
+    let (columns, rows) = raster.shape();
+    let cell = |at: f64, (from, to): (f64, f64), count: usize| {
+        libm::floor((at - from) / (to - from) * count as f64) as i64
+    };
+    let across = (x.at(raster.x.0), x.at(raster.x.1));
+    let upwards = (y.at(raster.y.0), y.at(raster.y.1));
+    let [left, right] = [room.left, room.right].map(|at| cell(at, across, columns));
+    let [bottom, top] = [room.bottom, room.top].map(|at| cell(at, upwards, rows));
+    (left..=right).all(|i| (bottom..=top).all(|j| raster.class_at(i, j) == Some(class)))
 }
 
 /// The box around a point.

@@ -390,6 +390,33 @@ fn a_diagonal_runs_from_the_lower_left_to_the_upper_right() {
     assert!((2.0 * m[0] - (x1 - x0)).abs() < 0.11 && (m[3] + 200.0).abs() < 1e-6);
 }
 
+/// The words of a class stood in the middle of its largest square, whatever ran through it.
+#[test]
+fn the_name_of_a_class_stands_off_the_curves() {
+    let height_of_name = |curve: Option<[[f64; 2]; 2]>| {
+        let raster = Raster::new(2, 2, (0.0, 1.0), (0.0, 1.0), vec![0; 4])
+            .unwrap()
+            .class("name", 0, 0.3);
+        let axis = |label: &str| Axis::linear(label).range(0.0, 1.0);
+        let mut panel = Panel::new(axis("x"), axis("y")).raster(raster);
+        if let Some(points) = curve {
+            panel = panel.curve(Curve::new(points));
+        }
+        let figure = Plot::new("named", "Named").panel(panel);
+        let svg = figure.figure(Table::new(&["x"])).unwrap().svg;
+        let line = svg.lines().find(|line| line.contains(">name<")).unwrap();
+        let (_, y) = line.split_once(" y=\"").unwrap();
+        y.split_once('"').unwrap().0.parse::<f64>().unwrap()
+    };
+    let alone = height_of_name(None);
+    assert_eq!(height_of_name(Some([[0.0, 0.9], [1.0, 0.9]])), alone);
+    let beside = height_of_name(Some([[0.0, 0.5], [1.0, 0.5]]));
+    assert!(
+        (12.0..40.0).contains(&(beside - alone).abs()),
+        "{alone}, {beside}"
+    );
+}
+
 #[test]
 fn a_raster_beyond_the_axes_is_cut_off() {
     let inner_drawings = |to: f64| {

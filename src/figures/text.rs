@@ -2,7 +2,8 @@
 //!
 //! A lone Latin letter or a small Greek one is a quantity and set in italics; a longer word, a
 //! digit, a capital Greek letter are upright, as is anything between single quotes (`'I'`). `_` and
-//! `^` lower and raise the next character or the next `{…}`. Scripts do not nest.
+//! `^` lower and raise the next character or the next `{…}`. Scripts do not nest. `𝔴` and `φ` look as
+//! `\mathfrak w` and `\phi` do in the formulas around.
 
 use super::svg::escape;
 
@@ -28,10 +29,17 @@ impl Level {
     }
 }
 
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Face {
+    Upright,
+    Italic,
+    Fraktur,
+}
+
 #[derive(Debug, Clone, PartialEq)]
 struct Run {
     text: String,
-    italic: bool,
+    face: Face,
     level: Level,
 }
 
@@ -42,9 +50,11 @@ pub(super) fn markup(label: &str) -> String {
     for run in runs(label) {
         let text = escape(&run.text);
         let mut attributes = String::new();
-        if run.italic {
-            attributes.push_str(" font-style=\"italic\"");
-        }
+        attributes.push_str(match run.face {
+            Face::Upright => "",
+            Face::Italic => " font-style=\"italic\"",
+            Face::Fraktur => " font-family=\"KaTeX_Fraktur\"",
+        });
         if run.level != Level::Base {
             attributes.push_str(" font-size=\"70%\"");
         }
@@ -94,7 +104,7 @@ fn runs(label: &str) -> Vec<Run> {
             '^' => Level::Sup,
             '\'' => {
                 let end = position(&chars, i + 1, '\'');
-                push(&mut out, &chars[i + 1..end], false, Level::Base);
+                push(&mut out, &chars[i + 1..end], Face::Upright, Level::Base);
                 i = end + 1;
                 continue;
             }
@@ -142,19 +152,28 @@ fn words(out: &mut Vec<Run>, chars: &[char], level: Level) {
         while end < chars.len() && matches!(chars[end], '\u{300}'..='\u{36f}') {
             end += 1;
         }
-        push(out, &chars[i..end], letters == 1 || greek, level);
+        match chars[i] {
+            // Few systems have this letter; the formulas' own face has it in the place of a Latin one.
+            '𝔴' => push(out, &['w'], Face::Fraktur, level),
+            'φ' => {
+                push(out, &['ϕ'], Face::Italic, level);
+                push(out, &chars[i + 1..end], Face::Italic, level);
+            }
+            _ if letters == 1 || greek => push(out, &chars[i..end], Face::Italic, level),
+            _ => push(out, &chars[i..end], Face::Upright, level),
+        }
         i = end;
     }
 }
 
 /// Adds to the last run where the style is the same.
-fn push(out: &mut Vec<Run>, chars: &[char], italic: bool, level: Level) {
+fn push(out: &mut Vec<Run>, chars: &[char], face: Face, level: Level) {
     match out.last_mut() {
-        Some(last) if last.italic == italic && last.level == level => last.text.extend(chars),
+        Some(last) if last.face == face && last.level == level => last.text.extend(chars),
         _ if chars.is_empty() => {}
         _ => out.push(Run {
             text: chars.iter().collect(),
-            italic,
+            face,
             level,
         }),
     }
@@ -167,15 +186,18 @@ mod tests {
     #[test]
     fn quantities_are_italic_and_words_are_not() {
         let italic = |label: &str| -> String {
-            let runs = runs(label).into_iter().filter(|run| run.italic);
+            let runs = runs(label)
+                .into_iter()
+                .filter(|run| run.face == Face::Italic);
             runs.map(|run| run.text).collect()
         };
-        assert_eq!(italic("sin φ_1"), "φ");
+        assert_eq!(italic("sin φ_1"), "ϕ");
         assert_eq!(italic("A t/v_0"), "Atv");
         assert_eq!(italic("time T"), "T");
         assert_eq!(italic("v_x"), "vx");
         assert_eq!(italic("region 'I'"), "");
-        assert_eq!(italic("φ̃_2"), "φ̃");
+        assert_eq!(italic("φ̃_2"), "ϕ̃");
+        assert_eq!(italic("−ln 𝔴_y"), "y");
     }
 
     #[test]
@@ -184,6 +206,14 @@ mod tests {
             markup("10^{-3} m"),
             "10<tspan font-size=\"70%\" dy=\"-0.54em\">-3</tspan><tspan dy=\"0.38em\"> </tspan>\
              <tspan font-style=\"italic\">m</tspan>"
+        );
+    }
+
+    #[test]
+    fn a_letter_of_fraktur_is_in_the_face_of_the_formulas() {
+        assert_eq!(
+            markup("−ln 𝔴"),
+            "−ln <tspan font-family=\"KaTeX_Fraktur\">w</tspan>"
         );
     }
 

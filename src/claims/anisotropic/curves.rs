@@ -91,7 +91,7 @@ fn beyond_y(row: &Row) -> bool {
     !before_y(row)
 }
 
-const SIDES: &str = "the printed list's region (1 to 5) at 1e-3, 1e-6 and 1e-9 on both sides of the curve with the simulated one";
+const SIDES: &str = "the printed list's region, 1 to 5, at 1e-3, 1e-6 and 1e-9 on both sides of the curve with the simulated one";
 
 /// (53) with the onset of rest.
 pub fn eq53_root() -> Evidence {
@@ -183,7 +183,7 @@ pub fn e_root() -> Evidence {
 
 /// B and E on both sides, with the corrected list, over the whole range of q.
 pub fn e_census() -> Evidence {
-    let compared = "the corrected list's region (1 to 5) at 1e-3, 1e-6 and 1e-9 on both sides of B and E with the simulated one";
+    let compared = "the corrected list's region, 1 to 5, at 1e-3, 1e-6 and 1e-9 on both sides of B and E with the simulated one";
     sides(
         Subject::Corrected,
         compared,

@@ -54,7 +54,7 @@ pub fn integration() -> Evidence {
 
 /// The order of the intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
 pub fn census() -> Evidence {
-    let compared = "the corrected list's region (1 to 5) at (1/q, qλ₀) with the order of the simulated intervals at (q, λ₀), forward and backward exchanged";
+    let compared = "the corrected list's region, 1 to 5, at (1/q, qλ₀) with the order of the simulated intervals at (q, λ₀), forward and backward exchanged";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(313);
     trial.over(0..2000, |_| {

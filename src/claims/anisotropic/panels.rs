@@ -142,7 +142,7 @@ pub fn motion(panel: usize, start: State) -> Result<Attractor<'static>, Failure>
 
 /// The order of the intervals in each panel, and whether the motion stays on the axes, from several starts.
 pub fn census() -> Evidence {
-    let compared = "the panel's region (1 to 5) with the order of the simulated intervals, and 0 with the part of |𝔴| beyond 1, from eight starts";
+    let compared = "the panel's region, 1 to 5, with the order of the simulated intervals, and 0 with the part of |𝔴| beyond 1, from eight starts";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(314);
     let mut cases = Vec::new();

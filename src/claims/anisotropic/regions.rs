@@ -42,8 +42,8 @@ fn census(
 /// One point in so many is put first.
 const GENERIC: usize = 997;
 
-const BY_REGION: &str = "the region (1 to 5) with the order of the simulated intervals, wherever the printed list has this region";
-const BY_CORRECTED_REGION: &str = "the region (1 to 5) with the order of the simulated intervals, wherever the corrected list has this region";
+const BY_REGION: &str = "the region, 1 to 5, with the order of the simulated intervals, wherever the printed list has this region";
+const BY_CORRECTED_REGION: &str = "the region, 1 to 5, with the order of the simulated intervals, wherever the corrected list has this region";
 
 fn printed_census(region: usize) -> Evidence {
     census(Subject::Printed, BY_REGION, Point::printed, |point| {
@@ -227,7 +227,7 @@ pub const LARGEST_Q: f64 = 7.0;
 
 /// The printed diagram at the points of the census.
 pub fn diagram() -> Evidence {
-    let compared = "the region (1 to 5) in the printed diagram with the order of the simulated intervals, all over the diagram's axes";
+    let compared = "the region, 1 to 5, in the printed diagram with the order of the simulated intervals, all over the diagram's axes";
     census(Subject::Printed, compared, Point::printed, |point| {
         point.curves.q <= LARGEST_Q
     })
@@ -235,7 +235,7 @@ pub fn diagram() -> Evidence {
 
 /// The corrected diagram at all points of the census.
 pub fn corrected_diagram() -> Evidence {
-    let compared = "the region (1 to 5) in the corrected diagram with the order of the simulated intervals, for q from 1 to 12";
+    let compared = "the region, 1 to 5, in the corrected diagram with the order of the simulated intervals, for q from 1 to 12";
     census(Subject::Corrected, compared, Point::corrected, |_| true)
 }
 

@@ -38,7 +38,7 @@ pub fn small_friction_census() -> Evidence {
 
 /// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
 pub fn small_friction_outside() -> Evidence {
-    let compared = "motion (1) with 1 for sliding and 0 for rest, at A t/v₀ = 100";
+    let compared = "1, for motion, with 1 for sliding and 0 for rest, at A t/v₀ = 100";
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.over(held(), |launch: Turn| {
         let late = launch.motion(100.0 * launch.v0 / launch.a)?.end();

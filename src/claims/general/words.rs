@@ -105,7 +105,7 @@ pub fn rest_integration() -> Evidence {
 
 /// A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
 pub fn rest_outside() -> Evidence {
-    let compared = "motion (1) with the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0";
+    let compared = "1, for motion, with the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0";
     let trial = Trial::by(Route::Limit, Subject::Outside, compared, SHORT_PUSH);
     let mut points = Points::stream(30);
     trial.over(0..40, |_| {

@@ -16,7 +16,7 @@ fn symbols() -> [Expr; 3] {
 
 fn ring() -> Ring {
     let mut ring = Ring::new();
-    for name in ["λ₀", "η", "φ", "h", "w"] {
+    for name in ["λ₀", "η", "φ", "h", "𝔴"] {
         ring.symbol(name);
     }
     ring
@@ -43,7 +43,7 @@ impl Chain {
         let by = p.ring().by("φ")?;
         let friction = p.ring().named("λ₀")?;
         for (w, h) in self.cases.iter().zip(self.drive) {
-            let w = p.read("While w > 0 the velocity is", *w)?;
+            let w = p.read("While 𝔴 > 0 the velocity is", *w)?;
             let slope = p.derivative("Its rate", &w, &by)?;
             let force = Rational::int(*h) - friction.clone();
             p.equal("Against h − λ₀", &slope, &force)?;
@@ -88,15 +88,15 @@ pub fn eq45_mirror(mirrored: Expr) -> Proof {
     Proof::of("(45): the second half period", &ring, |p| {
         let [h, friction] = ["h", "λ₀"].map(Expr::symbol);
         let force = p.ring().read(h - friction)?;
-        let motion = p.ring().along(&[("w", force)])?;
+        let motion = p.ring().along(&[("𝔴", force)])?;
         let w = p.read("The printed velocity there", mirrored)?;
-        let rate = p.derivative("Its rate, with w' = h − λ₀", &w, &motion)?;
+        let rate = p.derivative("Its rate, with 𝔴' = h − λ₀", &w, &motion)?;
         let other = p.read(
             "The force there, for negative velocity and h of (43)",
             printed::eq43_h(h) + friction,
         )?;
         p.equal("The two", &rate, &other)?;
-        let zero = p.read("At w = 0", mirrored.with("w", Expr::int(0)))?;
+        let zero = p.read("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))?;
         p.zero("It", &zero)
     })
 }
@@ -139,7 +139,7 @@ fn small_friction_chain(cases: [Expr; 3]) -> Proof {
     .prove()
 }
 
-const COMPARED: &str = "the printed formula with w' = h − λ₀ case by case, and the cases with each other where they meet";
+const COMPARED: &str = "the printed formula with 𝔴' = h − λ₀ case by case, and the cases with each other where they meet";
 
 /// Evidence on (44).
 pub fn eq44() -> Evidence {
@@ -150,7 +150,7 @@ pub fn eq44() -> Evidence {
 
 /// Evidence on (45).
 pub fn eq45() -> Evidence {
-    let proof = eq45_mirror(printed::eq45_w(Expr::symbol("w")));
+    let proof = eq45_mirror(printed::eq45_w(Expr::symbol("𝔴")));
     let compared = "the rate of the mirrored motion with the mirrored force, of opposite friction";
     proved(&proof, Subject::Printed, compared)
 }
@@ -168,7 +168,7 @@ pub fn proof(id: &str) -> Option<Proof> {
     let [lambda, eta, phi] = symbols();
     match id {
         "eq-44" => Some(eq44_chain(printed::eq44_cases(lambda, eta, phi))),
-        "eq-45" => Some(eq45_mirror(printed::eq45_w(Expr::symbol("w")))),
+        "eq-45" => Some(eq45_mirror(printed::eq45_w(Expr::symbol("𝔴")))),
         "eq-46" => Some(eq46_meeting(printed::eq46_lambda_c(eta))),
         "small-friction" => Some(small_friction()),
         _ => None,
@@ -215,7 +215,7 @@ mod tests {
             let cases = supplied::small_friction_cases(lambda, eta, phi);
             tried += every_mutant_fails(cases[i], |m| small_friction_chain(with(cases, m)));
         }
-        tried += every_mutant_fails(printed::eq45_w(Expr::symbol("w")), eq45_mirror);
+        tried += every_mutant_fails(printed::eq45_w(Expr::symbol("𝔴")), eq45_mirror);
         tried += every_mutant_fails(printed::eq46_lambda_c(eta), eq46_meeting);
         assert!(tried > 60, "{tried}");
     }

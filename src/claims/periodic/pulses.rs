@@ -106,7 +106,7 @@ fn with_motion<T>(
 /// (42): a smooth particle gains what the printed pulse gives until φ.
 pub fn eq42() -> Evidence {
     let trial = consistency(
-        "min(φ, η π), the area of the pulse, with w of a smooth particle that starts at rest under (42)",
+        "min(φ, η π), the area of the pulse, with 𝔴 of a smooth particle that starts at rest under (42)",
     );
     gains(&trial, |eta, phi| (phi, phi.min(eta * PI)))
 }
@@ -114,7 +114,7 @@ pub fn eq42() -> Evidence {
 /// (43): the second half takes back what the first has given.
 pub fn eq43() -> Evidence {
     let trial =
-        consistency("η π − min(φ, η π) with w of a smooth particle at π + φ under (42) and (43)");
+        consistency("η π − min(φ, η π) with 𝔴 of a smooth particle at π + φ under (42) and (43)");
     gains(&trial, |eta, phi| (PI + phi, eta * PI - phi.min(eta * PI)))
 }
 
@@ -146,7 +146,7 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
 /// (44) with the simulated motion, over half a period.
 pub fn eq44_motion() -> Evidence {
     let compared =
-        "(44) with w of the motion, at the phase of the first half period where they differ most";
+        "(44) with 𝔴 of the motion, at the phase of the first half period where they differ most";
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
@@ -161,7 +161,7 @@ pub fn eq44_motion() -> Evidence {
 
 /// (45), with (44) in it, with the simulated motion over the other half.
 pub fn eq45_motion() -> Evidence {
-    let compared = "(45) of (44) with w of the motion, at the phase of the second half period where they differ most";
+    let compared = "(45) of (44) with 𝔴 of the motion, at the phase of the second half period where they differ most";
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
@@ -231,7 +231,7 @@ pub fn eq46_census() -> Evidence {
 
 /// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
 pub fn below_motion() -> Evidence {
-    let compared = "the motion without rest for λ₀ below (46), from our own derivation, with w of the motion, where they differ most";
+    let compared = "the motion without rest for λ₀ below (46), from our own derivation, with 𝔴 of the motion, where they differ most";
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(below(), |(eta, lambda)| {
         with_motion((eta, lambda), |motion| {

@@ -19,12 +19,12 @@ fn friction(points: &mut Points) -> f64 {
 
 fn at(name: &str, lambda: f64, start: State) -> String {
     let State { phi, w } = start;
-    format!("{name}: λ₀ = {lambda:.6}, φ₀ = {phi:.6}, w₀ = {w:.6}")
+    format!("{name}: λ₀ = {lambda:.6}, φ₀ = {phi:.6}, 𝔴₀ = {w:.6}")
 }
 
 /// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
 pub fn within_time() -> Evidence {
-    let compared = "0 with |w| of the motion a millionth later than |w₀|/(λ₀ − 1) after any start, and with how long it moves after that";
+    let compared = "0 with |𝔴| of the motion a millionth later than |𝔴₀|/(λ₀ − 1) after any start, and with how long it moves after that";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(210);
     let drives = named();
@@ -52,7 +52,7 @@ pub fn within_time() -> Evidence {
 /// When it comes to rest: the motion's first rest with the root of the equation's integral.
 pub fn stopping_time() -> Evidence {
     let compared =
-        "the root of |w₀| + ∫(±h − λ₀) dφ with the phase at which the motion comes to rest";
+        "the root of |𝔴₀| + ∫(±h − λ₀) dφ with the phase at which the motion comes to rest";
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     let mut points = Points::stream(211);
     trial.over(0..60, |_| {

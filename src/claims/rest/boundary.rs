@@ -190,7 +190,7 @@ fn counted(case: &Case, rests: bool) -> Pair {
 
 /// Who comes to rest by (147), and who does.
 pub fn printed_census() -> Evidence {
-    let compared = "rest (1) or not (0) by (147) with what the motion does";
+    let compared = "1 for rest, 0 for escape, by (147) with what the motion does";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(census(), |case| {
         let case = case?;
@@ -201,7 +201,7 @@ pub fn printed_census() -> Evidence {
 
 /// Who comes to rest by the second-order boundary, farther from it than the terms left out, and who does.
 pub fn corrected_census() -> Evidence {
-    let compared = "rest (1) or not (0) by 1 − α f₁(ψ) + α² f₂(ψ) with what the motion does, where A is farther from it than 6α³";
+    let compared = "1 for rest, 0 for escape, by 1 − α f₁(ψ) + α² f₂(ψ) with what the motion does, where A is farther from it than 6α³";
     let trial = Trial::by(Route::Census, Subject::Corrected, compared, NONE);
     let wanted = |case: &Result<&Case, MotionError>| {
         case.as_ref().map_or(true, |case| {

@@ -30,14 +30,14 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
 
 /// (147) with proved fates.
 pub fn printed() -> Evidence {
-    let compared = "rest (1) or escape (0) by (147) with the fate by validated integration";
+    let compared = "1 for rest, 0 for escape, by (147) with the fate by validated integration";
     let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
     trial.over(WRONG, |start| proved(start, printed_a(start[1])))
 }
 
 /// The second-order boundary with proved fates on both sides of it.
 pub fn corrected() -> Evidence {
-    let compared = "rest (1) or escape (0) by 1 − α f₁(ψ) + α² f₂(ψ) with the fate by validated integration, 0.03 on both sides at α = 0.1";
+    let compared = "1 for rest, 0 for escape, by 1 − α f₁(ψ) + α² f₂(ψ) with the fate by validated integration, 0.03 on both sides at α = 0.1";
     let trial = Trial::by(Route::Certified, Subject::Corrected, compared, NONE);
     let sides = [-1.0, 0.2, 2.0]
         .into_iter()

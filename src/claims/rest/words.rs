@@ -36,7 +36,7 @@ pub fn eq139_stays() -> Evidence {
 }
 
 fn riders() -> Evidence {
-    let compared = "stays (1) or not (0) by (139) with a particle that rides with the table, seen from the laboratory";
+    let compared = "1 if it stays, 0 if not, by (139) with a particle that rides with the table, seen from the laboratory";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(641);
     trial.over(0..30, |i| {

@@ -71,11 +71,11 @@ fn units() -> [Expr; 4] {
 fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -> Proof {
     let ring = || {
         let mut ring = Ring::new();
-        for name in ["A₀", "ϖ", "t", "μ", "g", "v_x", "w"] {
+        for name in ["A₀", "ϖ", "t", "μ", "g", "v_x", "𝔴"] {
             ring.symbol(name);
         }
         ring.angle("φ");
-        let w = ring.named("w")?;
+        let w = ring.named("𝔴")?;
         ring.root_is(&(&w * &w), 2, &(&w * &Rational::int(sign)))?;
         ring.define("λ₀", ring.read(friction)?)?;
         Ok(ring)
@@ -102,7 +102,7 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
 }
 
 fn eq26_rate() -> Expr {
-    let [lambda0, phi, w] = symbols(["λ₀", "φ", "w"]);
+    let [lambda0, phi, w] = symbols(["λ₀", "φ", "𝔴"]);
     paper::eq26_rate(lambda0, phi, w)
 }
 

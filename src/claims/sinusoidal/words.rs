@@ -93,7 +93,7 @@ fn frictions() -> Vec<f64> {
 
 /// The three kinds, over more than 2000 frictions.
 pub fn trichotomy_census() -> Evidence {
-    let compared = "2 zeros below λ_c, 2 rests (20) above, rest throughout (−1) above 1, with the same of the simulated list of intervals";
+    let compared = "zeros plus ten times the rests in a period: 2 below λ_c, 20 above, −1 for rest throughout above 1, with the same of the simulated list of intervals";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     trial.over(
         frictions().into_iter().zip(starts().into_iter().cycle()),

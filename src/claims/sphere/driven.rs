@@ -185,7 +185,7 @@ fn lambda_c() -> Result<f64, Failure> {
 
 /// (84): the slip obeys the drive of section 2.2 with this λ₀.
 pub fn eq84() -> Evidence {
-    let compared = "w of the one-dimensional drive with λ₀ by (84) with ϖ w_x/A₀ of the sphere's slip velocity w";
+    let compared = "𝔴 of the one-dimensional drive with λ₀ by (84) with ϖ w_x/A₀ of the sphere's slip velocity w";
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(410);
     trial.over(0..60, |i| {
@@ -211,7 +211,7 @@ pub fn eq84() -> Evidence {
             .run(&swing.sine(), &swing.start(w, share), swing.t(phi))?;
         let found = motion.slip(swing.t(phi))?[0] * swing.frequency / swing.a0;
         Ok::<_, Failure>(Pair {
-            at: format!("{}, w = {w:.6}, φ = {phi:.6}", swing.at()),
+            at: format!("{}, 𝔴 = {w:.6}, φ = {phi:.6}", swing.at()),
             stated,
             found,
             scale: 1.0 + w.abs(),
@@ -234,7 +234,7 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
 
 /// (85): the slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
 pub fn eq85() -> Evidence {
-    let compared = "w of the drive with λ₊ = λ₀ of (85), λ₋ = qλ₀, with ϖ w_x/A₀ of the sphere's slip velocity w";
+    let compared = "𝔴 of the drive with λ₊ = λ₀ of (85), λ₋ = qλ₀, with ϖ w_x/A₀ of the sphere's slip velocity w";
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(411);
     trial.over(0..60, |i| {
@@ -259,7 +259,7 @@ pub fn eq85() -> Evidence {
             swing.t(phi),
         )?;
         Ok::<_, Failure>(Pair {
-            at: format!("{}, q = {q:.6}, w = {w:.6}, φ = {phi:.6}", swing.at()),
+            at: format!("{}, q = {q:.6}, 𝔴 = {w:.6}, φ = {phi:.6}", swing.at()),
             stated,
             found: motion.end.slip * swing.frequency / swing.a0,
             scale: 1.0 + w.abs(),
@@ -281,7 +281,7 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
 
 /// Every kind: with a start along x.
 pub fn trichotomy_census() -> Evidence {
-    let compared = "2 zeros below λ_c, 2 rests (20) above, rest throughout (−1) above 1, with the changes between sliding and rolling of a sphere in a late period";
+    let compared = "zeros plus ten times the rests in a period: 2 below λ_c, 20 above, −1 for rest throughout above 1, with the changes between sliding and rolling of a sphere in a late period";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let mut points = Points::stream(412);
     let cases = lambda_c().map(|c| {
@@ -347,7 +347,7 @@ pub fn trichotomy_motion() -> Evidence {
 /// λ₀ = 0: the slip of a fast sphere never changes its sign.
 pub fn trichotomy_outside() -> Evidence {
     let compared =
-        "2 with the zeros in a period of a slip without friction, of starts with w > 0 at φ = 0";
+        "2 with the zeros in a period of a slip without friction, of starts with 𝔴 > 0 at φ = 0";
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(414);
     trial.over(0..24, |_| {
@@ -356,7 +356,7 @@ pub fn trichotomy_outside() -> Evidence {
             sine_drive()?.attractor(Friction::new(0.0, 0.0)?, State { phi: 0.0, w }, 100)?;
         let attractor = outcome.settled().ok_or("the drive does not settle")?;
         Ok::<_, Failure>(Pair {
-            at: format!("λ₀ = 0, w = {w:.6} at φ = 0"),
+            at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
             stated: 2.0,
             found: listed(attractor.intervals()),
             scale: 1.0,
@@ -403,7 +403,7 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The pulse train: kinds on both sides of λ₀ = η.
 pub fn pulse_census() -> Evidence {
-    let compared = "2 zeros for λ₀ < η, 2 rests (20) for λ₀ > η, rest throughout (−1) above 1, with a sphere's late period under the pulses";
+    let compared = "zeros plus ten times the rests in a period: 2 for λ₀ < η, 20 for λ₀ > η, −1 for rest throughout above 1, with a sphere's late period under the pulses";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(416);
     let all = pulse_points(&mut points, 32);
@@ -493,7 +493,7 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The order of forward slip, backward slip and rolling in a period, as the particle has it.
 pub fn anisotropic_census() -> Evidence {
-    let compared = "the order of forward, backward and no motion in a period of the drive with λ₀ of (85) (1) with that of the sphere's slip (1 if the same)";
+    let compared = "1 with 1 where the order of forward, backward and no motion in a period of the drive, λ₀ by (85), is that of the sphere's slip";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(418);
     let all = map_points(&mut points, 80);

@@ -115,7 +115,7 @@ fn number(sign: f64) -> impl Fn(&str) -> Option<f64> {
             "μ" => 0.43,
             "g" => 9.1,
             "v_x" => 0.57,
-            "w" => 0.7 * sign,
+            "𝔴" => 0.7 * sign,
             _ => return None,
         })
     }
