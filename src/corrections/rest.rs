@@ -77,3 +77,28 @@ pub fn boundary_a<S: Scalar>(alpha: S, psi: S) -> S {
 }
 
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_angle_near_rest_obeys_its_equation_on_both_sides_of_one_half_and_there() {
+        // (σ − 1)/σ · dψ/dα = 2 (1 − ψ/(2α)), the equation before the solution.
+        for sigma in [0.2, 0.45, 0.5, 0.55, 0.8] {
+            for (c, alpha) in [(0.0, 0.01), (1.3, 0.1), (-0.7, 0.4)] {
+                let h = 1e-3 * alpha;
+                let slope =
+                    |h: f64| (psi(sigma, c, alpha + h) - psi(sigma, c, alpha - h)) / (2.0 * h);
+                let slope = (4.0 * slope(h) - slope(2.0 * h)) / 3.0;
+                let right = 2.0 * (1.0 - psi(sigma, c, alpha) / (2.0 * alpha));
+                assert!(
+                    ((sigma - 1.0) / sigma * slope - right).abs() < 1e-9,
+                    "{sigma} {c} {alpha}"
+                );
+                // The constant is what is left at α = 1.
+                assert!((psi(sigma, c, 1.0) - 2.0 * c).abs() < 1e-14);
+            }
+        }
+    }
+}

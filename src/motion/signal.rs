@@ -233,6 +233,27 @@ mod tests {
     }
 
     #[test]
+    fn a_bump_is_cut_off_where_it_is_nothing() {
+        let bump = Signal::Gaussian {
+            centre: 3.0,
+            width: 0.5,
+        };
+        for (t, expected) in [
+            (-2.99, 144.0 * (5.99 / 6.0) * (5.99 / 6.0)),
+            (3.5, 1.0),
+            (8.99, 144.0 * (5.99 / 6.0) * (5.99 / 6.0)),
+        ] {
+            let ratio = libm::log(bump.coefficients(t)[0]) / -expected;
+            assert!((ratio - 1.0).abs() < 1e-12, "{t}: {ratio}");
+        }
+        for t in [-3.01, 9.0, 9.01] {
+            assert_eq!(bump.coefficients(t), [0.0; TERMS], "{t}");
+        }
+        let breaks = [-9.0, -3.0, 3.0, 9.0].map(|t| bump.next_break(t));
+        assert_eq!(breaks, [Some(-3.0), Some(9.0), Some(9.0), None]);
+    }
+
+    #[test]
     fn breaks_are_met_one_by_one() {
         let square = Signal::Square {
             start: 0.1,

@@ -109,3 +109,28 @@ fn the_extremes_of_the_sine_are_seen() {
     assert_eq!(range(3.0..4.0).cos().lo(), -1.0);
     assert_eq!(range(0.0..7.0).cos(), Interval::new(-1.0, 1.0));
 }
+
+#[test]
+fn quotients_hold_all_that_the_signs_allow() {
+    let of = |lo: f64, hi: f64| Interval::new(lo, hi);
+    let all = f64::INFINITY;
+    for (a, b, [lo, hi]) in [
+        (of(1.0, 2.0), of(4.0, 8.0), [0.125, 0.5]),
+        (of(-2.0, -1.0), of(4.0, 8.0), [-0.5, -0.125]),
+        (of(-1.0, 2.0), of(4.0, 8.0), [-0.25, 0.5]),
+        (of(1.0, 2.0), of(-8.0, -4.0), [-0.5, -0.125]),
+        (of(-2.0, -1.0), of(-8.0, -4.0), [0.125, 0.5]),
+        (of(-1.0, 2.0), of(-8.0, -4.0), [-0.5, 0.25]),
+        (of(1.0, 2.0), of(0.0, 4.0), [0.25, all]),
+        (of(-2.0, -1.0), of(0.0, 4.0), [-all, -0.25]),
+        (of(1.0, 2.0), of(-4.0, 0.0), [-all, -0.25]),
+        (of(-2.0, -1.0), of(-4.0, 0.0), [0.25, all]),
+        (of(-1.0, 2.0), of(0.0, 4.0), [-all, all]),
+        (of(1.0, 2.0), of(-4.0, 4.0), [-all, all]),
+        (of(1.0, 2.0), of(0.0, 0.0), [-all, all]),
+        (of(-2.0, -1.0), of(0.0, 0.0), [-all, all]),
+    ] {
+        let quotient = a / b;
+        assert_eq!([quotient.lo(), quotient.hi()], [lo, hi], "{a:?} / {b:?}");
+    }
+}

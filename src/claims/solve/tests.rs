@@ -2,6 +2,7 @@
 //! extrapolation, and slips followed there from event to event.
 
 mod constant;
+mod curves;
 mod driven;
 mod rest;
 mod sphere;

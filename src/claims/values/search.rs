@@ -139,3 +139,83 @@ impl Digits {
         rounded == self.digits
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Names, digits that are right, and the place and column of the first wrong one.
+    fn found(given: &str) -> Vec<(&'static str, usize, Option<usize>, Option<usize>)> {
+        let found = search(given).unwrap();
+        found
+            .iter()
+            .map(|m| (m.name, m.right, m.first_wrong, m.column))
+            .collect()
+    }
+
+    #[test]
+    fn a_number_is_found_however_it_is_written() {
+        // λ_c = 0.53702927…
+        for given in [
+            "0.537", ".537", "0.5370", "+5.37e-1", "537e-3", "0.0537E1", "0.54", "0.53703",
+        ] {
+            let [("lambda-c", right, None, None)] = found(given)[..] else {
+                panic!("{given}: {:?}", found(given))
+            };
+            let digits = given.split(['e', 'E']).next().unwrap();
+            let digits = digits.chars().filter(char::is_ascii_digit);
+            assert_eq!(right, digits.skip_while(|c| *c == '0').count(), "{given}");
+        }
+    }
+
+    #[test]
+    fn the_first_wrong_digit_is_marked_where_it_stands() {
+        assert_eq!(found("0.53701"), [("lambda-c", 4, Some(5), Some(6))]);
+        assert_eq!(found("5371e-4"), [("lambda-c", 3, Some(4), Some(3))]);
+    }
+
+    #[test]
+    fn sign_and_size_have_to_be_right() {
+        for given in ["-0.537", "5.37", "0.0537", "537"] {
+            assert!(found(given).iter().all(|m| m.0 != "lambda-c"), "{given}");
+        }
+    }
+
+    #[test]
+    fn digits_are_rounded_with_a_carry() {
+        let known = |text: &str| Digits::read(text).unwrap();
+        for (given, all, rounds) in [
+            ("0.54", "0.537", true),
+            ("0.53", "0.537", false),
+            ("0.40", "0.397", true),
+            ("0.54", "0.534", false),
+            ("0.537", "0.537", false),
+            ("0.535", "0.5345", true),
+            ("0.56", "0.537", false),
+        ] {
+            assert_eq!(
+                known(given).rounds(&known(all).digits),
+                rounds,
+                "{given} {all}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_no_decimal_number_is_refused() {
+        for given in [
+            "",
+            "twelve",
+            "0",
+            "0.00",
+            "nan",
+            "inf",
+            "1e",
+            "0x1",
+            "1e-2147483649",
+        ] {
+            let refused = search(given).unwrap_err();
+            assert_eq!(refused.to_string(), NotDecimal(given.into()).to_string());
+        }
+    }
+}

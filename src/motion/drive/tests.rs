@@ -557,3 +557,78 @@ proptest! {
         }
     }
 }
+
+/// The margins from a fine sampling of a motion: the least length, the least local minimum of |w|, the least excess of
+/// |h| over the friction at a change of sign, and the room that the extrema of h in a rest leave.
+fn sampled(found: &Attractor, drive: &Drive, [plus, minus]: [f64; 2]) -> [f64; 4] {
+    let [mut shortest, mut dip, mut crossing, mut hold] = [f64::INFINITY; 4];
+    let list = found.intervals();
+    for (k, now) in list.iter().enumerate() {
+        if list.len() > 1 {
+            shortest = shortest.min(now.end - now.start);
+        }
+        let (before, h) = (
+            list[(k + list.len() - 1) % list.len()].sign,
+            drive.h(now.start),
+        );
+        if before == Negative && now.sign == Positive {
+            crossing = crossing.min(h - plus);
+        } else if before == Positive && now.sign == Negative {
+            crossing = crossing.min(-h - minus);
+        }
+        let count = 20_000;
+        let at = |i: i32| now.start + (now.end - now.start) * f64::from(i) / f64::from(count);
+        for i in 2..count - 1 {
+            let three = [-1, 0, 1].map(|d| at(i + d));
+            let (w, h) = (
+                three.map(|phi| found.w(phi).abs()),
+                three.map(|phi| drive.h(phi)),
+            );
+            if now.sign != Rest && w[1] < w[0] && w[1] <= w[2] {
+                dip = dip.min(w[1]);
+            }
+            if now.sign == Rest && (h[1] - h[0]) * (h[2] - h[1]) <= 0.0 {
+                hold = hold.min((plus - h[1]).min(minus + h[1]));
+            }
+        }
+    }
+    [shortest, dip, crossing, hold]
+}
+
+#[test]
+fn margins_are_those_of_a_fine_sampling() {
+    let mut seen = [0; 4];
+    for p in [0.0, 0.4, 1.1, 2.0, 2.9] {
+        let drive = Drive::new(
+            move |x| (libm::sin(x) + 0.8 * libm::sin(3.0 * x + p)) / 1.8,
+            &[],
+        )
+        .unwrap();
+        for [plus, minus] in [
+            [0.05, 0.05],
+            [0.15, 0.3],
+            [0.3, 0.1],
+            [0.4, 0.9],
+            [0.8, 0.5],
+            [0.6, 0.6],
+            [0.95, 0.98],
+        ] {
+            let found = settle(&drive, plus, minus, ORIGIN);
+            let margins = found.margins();
+            let ours = [
+                margins.shortest,
+                margins.dip,
+                margins.crossing,
+                margins.hold,
+            ];
+            let sampled = sampled(&found, &drive, [plus, minus]);
+            for ((ours, sampled), seen) in ours.iter().zip(sampled).zip(&mut seen) {
+                let same = ours == &sampled || (ours - sampled).abs() < 1e-6;
+                assert!(same, "p = {p}, {plus}, {minus}: {margins:?} {sampled}");
+                *seen += i32::from(sampled < f64::INFINITY);
+            }
+        }
+    }
+    // Of every kind some.
+    assert!(seen.iter().all(|count| *count >= 5), "{seen:?}");
+}

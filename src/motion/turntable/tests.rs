@@ -411,3 +411,47 @@ proptest::proptest! {
         }
     }
 }
+
+#[test]
+fn the_last_moments_before_a_rest_are_steadily_braked() {
+    use super::path::{Frame, Leg, Path};
+    let table = slow();
+    let state = State {
+        t: 1.0,
+        x: [0.3, 0.4],
+        v: [0.2, -0.1],
+    };
+    let (to, place) = (1.5, [0.35, 0.375]);
+    let path = |frame| Path {
+        table,
+        frame,
+        legs: vec![Leg::Stopping { state, to }, Leg::Rest { from: to, place }],
+        stops: vec![to],
+        start: 1.0,
+        end: 2.5,
+    };
+    let turning = path(Frame::Table);
+    assert_eq!((turning.end(), turning.stops()), (2.5, &[1.5][..]));
+    assert_eq!(turning.resting_place(), Some(place));
+    // v falls in proportion to the time left, from (0.2, −0.1) in half a unit of time.
+    for (t, x, v) in [
+        (1.0, [0.3, 0.4], [0.2, -0.1]),
+        (1.125, [0.321875, 0.3890625], [0.15, -0.075]),
+        (1.25, [0.3375, 0.38125], [0.1, -0.05]),
+        (1.5, place, [0.0; 2]),
+        (2.5, place, [0.0; 2]),
+    ] {
+        let expected = State { t, x, v };
+        assert!(apart(&turning.at(t).unwrap(), &expected) < 1e-15, "{t}");
+        let laboratory = path(Frame::Laboratory);
+        let seen = laboratory.at(t).unwrap();
+        assert!(apart(&seen, &table.to_laboratory(&expected)) < 1e-14, "{t}");
+        assert!(
+            apart(&laboratory.on_table(t).unwrap(), &expected) < 1e-14,
+            "{t}"
+        );
+    }
+    for t in [0.999, 2.501, f64::NAN] {
+        assert!(turning.at(t).is_err());
+    }
+}
