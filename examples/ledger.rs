@@ -11,6 +11,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         subject,
         compared: "a formula with a measurement",
         points: 100,
+        fingerprint: 0,
         worst,
         at: "x = 1".into(),
         tolerance: Tolerance {
