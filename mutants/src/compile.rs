@@ -34,7 +34,7 @@ pub fn until_it_compiles(mutants: &[Mutant], scratch: &Path) -> Result<BTreeMap<
 fn check(copy: &Path) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
     let made = Command::new("nice")
         .args(["-n", "10", "cargo", "check", "-j2", "--lib", "--message-format=json"])
-        .env("CARGO_TARGET_DIR", fs::canonicalize("target")?)
+        .env("CARGO_TARGET_DIR", std::path::absolute("target/mutants/target")?)
         .current_dir(copy)
         .output()?;
     let mut rejected = BTreeMap::new();

@@ -1,7 +1,7 @@
 //! The copy of the crate with all changes in it.
 
 use crate::list::Mutant;
-use crate::sites::{self, Row, Site};
+use crate::sites::{self, Kind, Row, Site};
 use crate::write::instrumented;
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
@@ -12,6 +12,8 @@ use std::process::Command;
 /// Why a change is not in the copy.
 pub const CONSTANT: &str = "in a constant";
 pub const CHAIN: &str = "does not compile: || after let";
+/// The files that are written in another way.
+const OWN: [&str; 3] = ["Cargo.toml", "src/lib.rs", "src/book/map.rs"];
 pub const HIDDEN: &str = "not as a branch: hidden type";
 pub const LOST: &str = "its place was not found";
 
@@ -28,6 +30,9 @@ pub fn write(mutants: &[Mutant], out: &BTreeMap<u32, String>, copy: &Path) -> Re
         }
         let here: Vec<_> = mutants.iter().filter(|m| m.file == file).collect();
         if here.is_empty() {
+            if OWN.contains(&file) {
+                continue;
+            }
             put(&copy.join(file), &fs::read(file)?)?;
             continue;
         }
@@ -45,7 +50,8 @@ pub fn write(mutants: &[Mutant], out: &BTreeMap<u32, String>, copy: &Path) -> Re
         rows.extend(found.rows);
         let kept = found.sites.into_iter().filter_map(|site| {
             let ids: Vec<_> = site.ids.into_iter().filter(|(id, _)| !out.contains_key(id)).collect();
-            (!ids.is_empty()).then(|| Site { ids, ..site })
+            let stays = !ids.is_empty() || matches!(site.kind, Kind::Text(_));
+            stays.then(|| Site { ids, ..site })
         });
         texts.insert(file.to_owned(), instrumented(&text, kept.collect()));
     }
@@ -59,10 +65,8 @@ pub fn write(mutants: &[Mutant], out: &BTreeMap<u32, String>, copy: &Path) -> Re
     let switch = include_str!("../copy/switch.rs").replace("COUNT]", &format!("{}]", mutants.len() + 1));
     let allow = "#![allow(warnings, arithmetic_overflow, unconditional_panic, clippy::all)]\n";
     put(&copy.join("src/lib.rs"), format!("{allow}{library}{switch}").as_bytes())?;
-    for file in ["src/book/map.rs", "tests/claims.rs"] {
-        let text = fs::read_to_string(file)?.replace("in &TOPICS", "in TOPICS.iter()");
-        put(&copy.join(file), text.as_bytes())?;
-    }
+    let map = fs::read_to_string("src/book/map.rs")?.replace("in &TOPICS", "in TOPICS.iter()");
+    put(&copy.join("src/book/map.rs"), map.as_bytes())?;
     put(&copy.join("tests/mutants.rs"), include_bytes!("../copy/claims.rs"))?;
     let manifest = fs::read_to_string("Cargo.toml")?;
     let target = "\n[[test]]\nname = \"mutants\"\nharness = false\n\n[workspace]\n";

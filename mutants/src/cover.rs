@@ -32,6 +32,13 @@ impl Unit {
         name.is_some_and(|n| n.starts_with("mutants-"))
     }
 
+    /// The name of its file among the kept ones.
+    fn file(&self) -> String {
+        let program = self.program.file_name().map(|n| n.to_string_lossy().into_owned());
+        let name = self.name.replace([':', '/'], "_");
+        format!("{}_{name}", program.unwrap_or_default())
+    }
+
     /// What the program is told, to run it for at most so long.
     pub fn argument(&self, limit: f64) -> String {
         if self.asks() { format!("{}={limit}", self.name) } else { self.name.clone() }
@@ -63,7 +70,7 @@ pub fn build(copy: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     let made = Command::new("nice")
         .args(["-n", "10", "cargo", "test", "-j2", "--release", "--no-run", "--message-format=json"])
         .args(tests)
-        .env("CARGO_TARGET_DIR", fs::canonicalize("target")?)
+        .env("CARGO_TARGET_DIR", std::path::absolute("target/mutants/target")?)
         .current_dir(copy)
         .stderr(Stdio::inherit())
         .output()?;
@@ -112,7 +119,7 @@ pub fn cover(programs: &[PathBuf], ids: &[String], copy: &Path, scratch: &Path) 
             if i.is_multiple_of(50) {
                 eprintln!("{i} of {} tests run alone", units.len());
             }
-            found.push((i, alone(unit, &folder.join(i.to_string()), copy)));
+            found.push((i, alone(unit, &folder.join(unit.file()), copy)));
         }
     };
     let found: Vec<_> = thread::scope(|scope| {
@@ -144,9 +151,22 @@ fn alone(unit: &Unit, file: &Path, copy: &Path) -> Result<(f64, Vec<u8>, String)
         }
         Ok((start.elapsed().as_secs_f64(), String::from_utf8_lossy(&output.stdout).into_owned()))
     };
-    run("SLIPBOOK_REACHED", &file.to_string_lossy())?;
-    let reached = fs::read(file).map_err(|e| format!("{}: {e}", unit.name))?;
-    let (seconds, said) = run("SLIPBOOK_TABLE", "1")?;
+    let kept = file.with_extension("said");
+    let before = fs::read_to_string(&kept).unwrap_or_default();
+    let whole = before.split_once('\n').filter(|(_, text)| text.ends_with("done\n"));
+    let (seconds, said) = match whole.and_then(|(t, said)| Some((t.parse().ok()?, said.to_owned()))) {
+        Some(before) => before,
+        None => {
+            if !file.exists() {
+                run("SLIPBOOK_REACHED", &file.to_string_lossy())?;
+            }
+            let (seconds, said) = run("SLIPBOOK_TABLE", "1")?;
+            fs::write(kept, format!("{seconds}\n{said}\ndone\n")).map_err(|e| e.to_string())?;
+            (seconds, said)
+        }
+    };
+    // A test that comes to no change leaves no file.
+    let reached = fs::read(file).unwrap_or_default();
     let worst = said.lines().filter_map(|l| l.strip_prefix("worst "));
     Ok((seconds, reached, worst.map(|l| format!("{l}\n")).collect()))
 }

@@ -20,7 +20,7 @@ use std::fs;
 use std::path::Path;
 
 /// For how many seconds a change is tried in the first round, and in the second.
-const ROUNDS: [f64; 2] = [30.0, f64::INFINITY];
+const ROUNDS: [f64; 2] = [4.0, f64::INFINITY];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scratch = Path::new("target/mutants");

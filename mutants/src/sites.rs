@@ -30,6 +30,8 @@ pub enum Kind {
     Guard,
     /// The value of a field, where another struct gives the rest.
     Field { name: String, rest: String, shorthand: bool },
+    /// Other text: a constant with changes in it becomes a function.
+    Text(String),
     /// A `match` some of whose arms can be taken out; nothing changes there.
     Match,
 }
@@ -70,6 +72,8 @@ struct Finder<'a> {
     /// The changes of the file by place.
     open: BTreeMap<(Place, bool), Vec<&'a Mutant>>,
     constant: bool,
+    /// The constants that became functions.
+    lifted: Vec<String>,
     found: Found,
 }
 
@@ -83,9 +87,12 @@ pub fn find<'a>(text: &'a str, mutants: &[&'a Mutant]) -> syn::Result<(Found, Ve
         text,
         open,
         constant: false,
+        lifted: Vec::new(),
         found: Found::default(),
     };
-    finder.visit_file(&syn::parse_file(text)?);
+    let file = syn::parse_file(text)?;
+    finder.visit_file(&file);
+    Uses { names: &finder.lifted, sites: &mut finder.found.sites }.visit_file(&file);
     let left = finder.open.into_values().flatten().collect();
     Ok((finder.found, left))
 }
@@ -201,7 +208,27 @@ impl<'ast> Visit<'ast> for Finder<'_> {
     }
 
     fn visit_item_const(&mut self, c: &'ast syn::ItemConst) {
-        self.within(true, |me| visit::visit_item_const(me, c));
+        let lines = c.expr.span().start().line..=c.expr.span().end().line;
+        let changes = self.open.keys().any(|((line, _), _)| lines.contains(line));
+        let private = matches!(c.vis, syn::Visibility::Inherited);
+        let ty = &self.text[bytes(&c.ty)];
+        let lift = changes && private && !self.constant && !ty.contains('&') && !ty.contains("Statement");
+        if lift {
+            self.lifted.push(c.ident.to_string());
+            let text = |range: Range<usize>, text: String| Site {
+                kind: Kind::Text(text),
+                range,
+                holes: vec![],
+                ids: vec![],
+            };
+            let until = bytes(&c.expr).start;
+            self.found.sites.extend([
+                text(bytes(&c.const_token), "fn".into()),
+                text(bytes(&c.colon_token).start..until, format!("() -> {ty} {{ ")),
+                text(bytes(&c.semi_token), " }".into()),
+            ]);
+        }
+        self.within(!lift, |me| visit::visit_item_const(me, c));
     }
 
     fn visit_impl_item_const(&mut self, c: &'ast syn::ImplItemConst) {
@@ -315,5 +342,25 @@ impl<'ast> Visit<'ast> for Finder<'_> {
             }
         }
         visit::visit_expr_struct(self, s);
+    }
+}
+
+/// The uses of constants that became functions.
+struct Uses<'a> {
+    names: &'a [String],
+    sites: &'a mut Vec<Site>,
+}
+
+impl<'ast> Visit<'ast> for Uses<'_> {
+    fn visit_expr_path(&mut self, p: &'ast syn::ExprPath) {
+        let name = p.path.get_ident().map(ToString::to_string);
+        if let Some(name) = name.filter(|n| self.names.contains(n)) {
+            self.sites.push(Site {
+                kind: Kind::Text(format!("{name}()")),
+                range: bytes(p),
+                holes: vec![],
+                ids: vec![],
+            });
+        }
     }
 }

@@ -46,6 +46,10 @@ fn part(text: &str, range: Range<usize>, sites: &[Site]) -> String {
 }
 
 fn written(out: &mut String, site: &Site, holes: &[String]) {
+    if let Kind::Text(text) = &site.kind {
+        *out += text;
+        return;
+    }
     let numbers: Vec<_> = site.ids.iter().map(|(id, _)| id.to_string()).collect();
     let letter = match site.kind {
         Kind::Match => "m",
@@ -136,5 +140,6 @@ fn inside(out: &mut String, site: &Site, holes: &[String]) {
             );
         }
         Kind::Match => *out += hole(0),
+        Kind::Text(text) => *out += text,
     }
 }
