@@ -1,6 +1,7 @@
 
 /// True if the change of this number is on: the one that `SLIPBOOK_MUTANT` names. With `SLIPBOOK_REACHED` all are off,
-/// and a file of this name tells at the end which were asked for.
+/// and a file of
+/// this name and the process's number tells at the end which were asked for.
 #[doc(hidden)]
 #[inline]
 pub fn mutant(id: u32) -> bool {
@@ -26,7 +27,8 @@ mod mutants {
     extern "C" fn tell() {
         let asked: Vec<u8> = ASKED.iter().map(|a| a.load(Relaxed)).collect();
         if let Ok(name) = std::env::var("SLIPBOOK_REACHED") {
-            let _ = std::fs::write(name, asked);
+            // A test may start the command, which asks too.
+            let _ = std::fs::write(format!("{name}.{}", std::process::id()), asked);
         }
     }
 
