@@ -31,6 +31,9 @@ struct Stretch {
     w0: f64,
 }
 
+/// Phases (radians) that differ by no more differ by rounding alone.
+const ROUNDED: f64 = 1e-14;
+
 impl Attractor<'_> {
     /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0.
     pub fn largest(&self) -> State {
@@ -106,18 +109,25 @@ impl Attractor<'_> {
             let (h0, h1) = (piece.value(stretch.s0), piece.value(stretch.s1));
             if interval.sign == Sign::Rest {
                 let next = &pieces[(stretch.piece + 1) % pieces.len()];
-                let inside = stretch.s1 == piece.length();
+                let inside = piece.length() - stretch.s1 <= ROUNDED;
                 let ahead = next.right() - next.left();
-                let turns =
-                    (h1 - h0) * ahead <= 0.0 || (next.left() - h1).abs() > self.drive.resolution();
-                if inside && turns {
-                    let hold = (self.friction.plus() - h1).min(self.friction.minus() + h1);
-                    margins.hold = margins.hold.min(hold.max(0.0));
+                let jumps = (next.left() - h1).abs() > self.drive.resolution();
+                let room = |h: f64| (self.friction.plus() - h).min(self.friction.minus() + h);
+                if inside && (jumps || (h1 - h0) * ahead <= 0.0) {
+                    margins.hold = margins.hold.min(room(h1).max(0.0));
+                }
+                // After a jump the rest goes on, or it ended there.
+                if inside && jumps && room(next.left()) >= 0.0 {
+                    margins.hold = margins.hold.min(room(next.left()));
                 }
                 return;
             }
             let level = self.level(interval.sign);
             let side = interval.sign.factor();
+            if side * stretch.w0 <= 0.0 {
+                // It sets out from rest, and slows down here by rounding alone.
+                return;
+            }
             let w_at =
                 |s: f64| stretch.w0 + (s - stretch.s0) * (piece.secant(stretch.s0).mean(s) - level);
             if side * (h0 - level) < -self.drive.resolution() && side * (h1 - level) > 0.0 {

@@ -1,0 +1,279 @@
+//! The calculators: their curves are those of the motion that they answer for, and their answers say how they were found.
+
+use slipbook::claims::solve::{
+    Curve, SolveError, anisotropic, constant, periodic, rest, sinusoidal, sphere, turntable,
+};
+use slipbook::motion::turntable::{Fate, Start, fate};
+use std::f64::consts::{PI, TAU};
+
+#[track_caller]
+fn assert_near([x, y]: [f64; 2], [a, b]: [f64; 2], within: f64) {
+    assert!(
+        (x - a).abs() < within && (y - b).abs() < within,
+        "({x}, {y}) and ({a}, {b})"
+    );
+}
+
+/// From the launch to rest, or for three times as long as the speed would last at the acceleration alone.
+#[test]
+fn the_velocity_is_shown_from_the_launch_to_its_end() {
+    for (lambda, v0, theta0, accel) in [
+        (1.5, 2.0, 2.5, 0.5),
+        (0.4, 2.0, 1.0, 5.0),
+        (1.0, 3.0, -2.0, 0.7),
+    ] {
+        let at = |t| constant::Problem {
+            lambda,
+            v0,
+            theta0,
+            accel,
+            at: constant::At::Time(t),
+        };
+        let answer = at(0.0).solve().unwrap();
+        let points = at(0.0).curve().unwrap().points;
+        assert_near(
+            points[0],
+            [v0 * libm::cos(theta0), v0 * libm::sin(theta0)],
+            1e-9,
+        );
+        let end = answer.best.stop_time.unwrap_or(3.0 * v0 / accel);
+        let last = at(end).solve().unwrap().best;
+        assert_near(points[points.len() - 1], [last.vx, last.vy], 1e-6);
+        assert_eq!(answer.best.stop_time.is_some(), lambda > 1.0);
+        // A moment after that is shown too.
+        let later = at(end + 1.0).curve().unwrap().points;
+        let then = at(end + 1.0).solve().unwrap().best;
+        assert_near(later[later.len() - 1], [then.vx, then.vy], 1e-6);
+    }
+}
+
+#[test]
+fn the_slip_is_shown_from_the_start_to_its_end() {
+    for (gamma, u0, theta0) in [(0.3, 2.0, 2.0), (9.0, 3.0, 1.0)] {
+        let at = |tau| sphere::Problem {
+            gamma,
+            u0,
+            theta0,
+            kappa: 0.4,
+            at: constant::At::Time(tau),
+        };
+        let answer = at(0.0).solve().unwrap();
+        let points = at(0.0).curve().unwrap().points;
+        assert_near(
+            points[0],
+            [u0 * libm::cos(theta0), u0 * libm::sin(theta0)],
+            1e-9,
+        );
+        let end = answer.best.rolls_at.unwrap_or(3.0 * u0 / gamma);
+        let last = at(end).solve().unwrap().best;
+        assert_near(points[points.len() - 1], last.slip, 1e-6);
+        // In equal steps of time.
+        let half = at(0.5 * end).solve().unwrap().best;
+        assert_near(points[points.len() / 2], half.slip, 1e-9);
+    }
+}
+
+/// Over two periods from φ = 0: from point to point w changes as h − λ₊ or h + λ₋ make it, or it rests.
+fn obeys(curve: &Curve, h: impl Fn(f64) -> f64, plus: f64, minus: f64) {
+    assert_eq!((curve.points[0][0], curve.points.len()), (0.0, 401));
+    assert!((curve.points[400][0] - 2.0 * TAU).abs() < 1e-12);
+    let mut moves = 0;
+    for pair in curve.points.windows(2) {
+        let ([from, w], [to, next]) = (pair[0], pair[1]);
+        let step = to - from;
+        assert!((step - 2.0 * TAU / 400.0).abs() < 1e-12);
+        let rate = match (w, next) {
+            (w, next) if w > 0.0 && next > 0.0 => -plus,
+            (w, next) if w < 0.0 && next < 0.0 => minus,
+            _ => continue,
+        };
+        moves += 1;
+        let middle = (h(from + 1e-9) + 4.0 * h(0.5 * (from + to)) + h(to - 1e-9)) / 6.0;
+        // A jump of the drive within a step.
+        let jump = (h(to - 1e-9) - h(from + 1e-9)).abs() > 0.5;
+        assert!(
+            jump || (next - w - (middle + rate) * step).abs() < 1e-6,
+            "at {from}: {w}, {next}"
+        );
+    }
+    assert!(moves > 100);
+}
+
+#[test]
+fn a_driven_motion_is_shown_for_two_periods() {
+    for lambda0 in [0.2, 0.7] {
+        let curve = sinusoidal::Problem { lambda0 }.curve().unwrap();
+        obeys(&curve, libm::sin, lambda0, lambda0);
+        for eta in [0.0, 0.3, 0.7, 1.0] {
+            let h = |phi: f64| {
+                let phi = phi.rem_euclid(TAU);
+                let (sign, phi) = if phi < PI {
+                    (1.0, phi)
+                } else {
+                    (-1.0, phi - PI)
+                };
+                if phi < eta * PI { sign } else { 0.0 }
+            };
+            let curve = periodic::Problem { eta, lambda0 }.curve().unwrap();
+            if eta == 0.0 {
+                assert!(curve.points.iter().all(|p| p[1] == 0.0));
+            } else {
+                obeys(&curve, h, lambda0, lambda0);
+            }
+        }
+        for q in [0.5, 1.2] {
+            let curve = anisotropic::Problem { q, lambda0 }.curve().unwrap();
+            obeys(&curve, libm::sin, lambda0, q * lambda0);
+        }
+    }
+}
+
+/// Anisotropic friction the other way round makes the mirror image, half a period later.
+#[test]
+fn a_plane_that_is_rougher_forward_moves_as_one_that_is_rougher_backward_does() {
+    for (q, lambda0) in [
+        (2.0, 0.1),
+        (2.0, 0.3),
+        (2.0, 0.45),
+        (6.0, 0.12),
+        (3.0, 0.9),
+        (2.0, 1.2),
+    ] {
+        let there = anisotropic::Problem { q, lambda0 }.solve().unwrap();
+        let back = anisotropic::Problem {
+            q: 1.0 / q,
+            lambda0: q * lambda0,
+        }
+        .solve()
+        .unwrap();
+        let (a, b) = (there.best, back.best);
+        assert_eq!(a.region, b.region);
+        assert!((a.positive - b.negative).abs() < 1e-9 && (a.negative - b.positive).abs() < 1e-9);
+        assert!(
+            (a.drift_per_period + b.drift_per_period).abs() < 1e-9,
+            "{a:?} {b:?}"
+        );
+        assert!(back.note.contains("exchanged") && !there.note.contains("exchanged"));
+        // Above E and below C the paper's list has another name for it.
+        let lacks = a.region == "IV" && q * lambda0 < 1.0;
+        assert_eq!(
+            there.note.contains("lacks the curve E"),
+            lacks,
+            "{q} {lambda0}: {}",
+            there.note
+        );
+    }
+    let beyond_y = anisotropic::Problem {
+        q: 9.0,
+        lambda0: 0.1,
+    }
+    .solve()
+    .unwrap();
+    assert_eq!(beyond_y.best.region, "IV");
+    assert!(beyond_y.note.contains("lacks the curve E"));
+}
+
+#[test]
+fn the_boundary_is_where_the_fate_changes_and_is_shown_as_it_is() {
+    for (alpha, psi) in [(1e-3, 0.5), (0.3, -1.0), (1.0, 2.0), (1.7, 0.4)] {
+        let problem = rest::Problem { alpha, psi };
+        let answer = problem.solve().unwrap();
+        let digits = i32::try_from(answer.digits.unwrap()).unwrap();
+        assert!((3..=15).contains(&digits), "{digits} digits");
+        let a = answer.best.a;
+        let fate_at = |a| fate(&Start::hyperbolic(a, alpha, psi).unwrap()).unwrap();
+        let width = libm::pow(10.0, -f64::from(digits));
+        assert!(matches!(fate_at(a * (1.0 - width)), Fate::Rest { .. }));
+        assert!(matches!(fate_at(a * (1.0 + width)), Fate::Escape { .. }));
+        assert_eq!(answer.by_motion.map(|m| m.a), Some(a));
+        // The expansion is for small α; with it there is something to compare.
+        let formula = answer.by_formula.map(|f| f.a);
+        assert_eq!(formula.is_some(), alpha <= 1.0, "α = {alpha}");
+        let differs = formula.map(|f| (f - a).abs() / f.abs().max(a.abs()));
+        assert_eq!(answer.disagreement, differs);
+        let points = problem.curve().unwrap().points;
+        assert_eq!(
+            (points.len(), points[0], points[40][0]),
+            (41, [0.0, 1.0], alpha.max(1.0))
+        );
+        for [alpha, a] in [points[1], points[20], points[40]] {
+            let exact = rest::Problem { alpha, psi }.solve().unwrap().best.a;
+            assert!((a - exact).abs() < 2e-4 * exact, "{alpha}: {a}, {exact}");
+        }
+    }
+    // So near to rest the expansion is better than any bisection.
+    let near = rest::Problem {
+        alpha: 1e-6,
+        psi: 0.5,
+    }
+    .solve()
+    .unwrap();
+    let formula = near.by_formula.map(|f| f.a);
+    assert_eq!(
+        (formula, near.by_motion, near.disagreement),
+        (Some(near.best.a), None, None)
+    );
+}
+
+#[test]
+fn the_path_on_the_table_is_shown_until_rest_or_for_the_time_asked() {
+    let resting = turntable::Problem::Polar {
+        rho: 0.2,
+        p: 0.4,
+        psi: 1.0,
+    };
+    let answer = resting.fate().unwrap();
+    let (sigma, time) = (answer.best.sigma.unwrap(), answer.best.tau_rest.unwrap());
+    assert!(answer.disagreement.is_some_and(|d| d < 1e-9) && answer.by_motion == Some(answer.best));
+    let points = resting.curve(None).unwrap().points;
+    let [x, y] = points[points.len() - 1];
+    assert!((libm::hypot(x, y) - sigma).abs() < 1e-9);
+    for (k, point) in points.iter().enumerate().step_by(150) {
+        let moment = resting.at(time * k as f64 / 600.0).unwrap().best;
+        assert_near(*point, moment.position, 1e-9);
+    }
+    let escaping = turntable::Problem::Polar {
+        rho: 1.5,
+        p: 1.0,
+        psi: 0.2,
+    };
+    let answer = escaping.fate().unwrap();
+    assert_eq!(
+        (answer.best.outcome, answer.best.sigma, answer.best.tau_rest),
+        ("escape", None, None)
+    );
+    assert_eq!((answer.disagreement, answer.digits), (None, None));
+    let points = escaping.curve(Some(2.0)).unwrap().points;
+    assert_near(points[600], escaping.at(2.0).unwrap().best.position, 1e-9);
+    assert!(matches!(
+        escaping.at(-1.0),
+        Err(SolveError::Parameter { .. })
+    ));
+}
+
+/// The two ways of an answer differ by what is said, relative to the larger of the two.
+#[test]
+fn the_disagreement_of_an_answer_is_that_of_its_two_ways() {
+    for lambda0 in [0.1, 0.3, 0.6, 0.8] {
+        let answer = sinusoidal::Problem { lambda0 }.solve().unwrap();
+        let (a, b) = (answer.by_formula.unwrap(), answer.by_motion.unwrap());
+        let relative = |a: f64, b: f64| {
+            if a == b {
+                0.0
+            } else {
+                (a - b).abs() / a.abs().max(b.abs())
+            }
+        };
+        let worst = [
+            relative(a.positive_start.unwrap(), b.positive_start.unwrap()),
+            relative(a.positive_end.unwrap(), b.positive_end.unwrap()),
+            relative(a.rest_fraction, b.rest_fraction),
+            relative(a.w_max, b.w_max),
+        ];
+        let worst = worst.into_iter().fold(0.0, f64::max);
+        assert_eq!(answer.disagreement, Some(worst));
+        let digits = libm::floor(-libm::log10(worst.max(1e-15)));
+        assert_eq!(answer.digits.map(f64::from), Some(digits));
+        assert!(digits >= 9.0, "{lambda0}: {digits} digits");
+    }
+}

@@ -1,0 +1,198 @@
+//! How near a periodic motion is to one of another kind, held against the motion itself, looked at phase by phase.
+
+use slipbook::motion::drive::{Attractor, Drive, Friction, Interval, Margins, Sign, State};
+use std::f64::consts::PI;
+
+type Shape = fn(f64) -> f64;
+
+/// Drives with one hump or several, with and without jumps and kinks; of each the jumps and kinks.
+const SHAPES: [(&str, Shape, &[f64]); 7] = [
+    ("sine", |x| libm::sin(x), &[]),
+    (
+        "two sines",
+        |x| libm::sin(x) + 0.8 * libm::sin(3.0 * x + 0.4),
+        &[],
+    ),
+    ("square", |x| if x < PI { 1.0 } else { -1.0 }, &[PI]),
+    (
+        "sawtooth",
+        |x| if x < PI { 1.0 - x / PI } else { x / PI - 2.0 },
+        &[PI],
+    ),
+    (
+        "steps",
+        |x| [0.91, -0.23, 0.68, -0.84, 0.13, -0.69][(x / PI * 3.0) as usize % 6],
+        &[PI / 3.0, 2.0 * PI / 3.0, PI, 4.0 * PI / 3.0, 5.0 * PI / 3.0],
+    ),
+    (
+        "rising steps",
+        |x| {
+            if x < 2.0 {
+                0.2 + 0.3 * x
+            } else if x < 4.0 {
+                -0.9 + 0.1 * x
+            } else {
+                0.4 - 0.2 * x
+            }
+        },
+        &[2.0, 4.0],
+    ),
+    (
+        "pulses",
+        |x| {
+            if x < 1.0 {
+                1.0
+            } else if (PI..PI + 1.0).contains(&x) {
+                -1.0
+            } else {
+                0.0
+            }
+        },
+        &[1.0, PI, PI + 1.0],
+    ),
+];
+
+const FRICTIONS: [(f64, f64); 9] = [
+    (0.05, 0.05),
+    (0.1, 0.3),
+    (0.3, 0.1),
+    (0.5, 0.5),
+    (0.7, 0.4),
+    (0.4, 0.7),
+    (0.95, 0.95),
+    (1.3, 0.2),
+    (1.9, 2.0),
+];
+
+/// How finely an interval is looked at.
+const STEPS: usize = 20_000;
+
+/// What no drive here rises by from one phase looked at to the next, but at a jump.
+const JUMP: f64 = 1e-2;
+
+/// The margins by their definition.
+fn seen(drive: &Drive, found: &Attractor) -> Margins {
+    let (list, friction) = (found.intervals(), found.friction());
+    let mut margins = Margins {
+        shortest: f64::INFINITY,
+        dip: f64::INFINITY,
+        crossing: f64::INFINITY,
+        hold: f64::INFINITY,
+    };
+    let phases = |i: &Interval| -> Vec<f64> {
+        (1..STEPS)
+            .map(|k| i.start + i.length() * k as f64 / STEPS as f64)
+            .collect()
+    };
+    for (k, interval) in list.iter().enumerate() {
+        if list.len() > 1 {
+            margins.shortest = margins.shortest.min(interval.length());
+        }
+        let before = list[if k == 0 { list.len() - 1 } else { k - 1 }].sign;
+        // Just after the change: where it happens at a jump, the side of the new motion counts.
+        let pull = drive.h(interval.start + 1e-9);
+        let excess = match (before, interval.sign) {
+            (Sign::Negative, Sign::Positive) => pull - friction.plus(),
+            (Sign::Positive, Sign::Negative) => -pull - friction.minus(),
+            _ => f64::INFINITY,
+        };
+        margins.crossing = margins.crossing.min(excess);
+        let side = match interval.sign {
+            Sign::Positive => 1.0,
+            Sign::Negative => -1.0,
+            Sign::Rest => 0.0,
+        };
+        let value = |phi: &f64| {
+            if side == 0.0 {
+                drive.h(*phi)
+            } else {
+                side * found.w(*phi)
+            }
+        };
+        // A rest may end where the drive jumps: the last value before counts.
+        let after = (side == 0.0).then_some(interval.end + 1e-9);
+        let mut values: Vec<_> = phases(interval).iter().chain(&after).map(value).collect();
+        if list.len() == 1 {
+            // Past the end of a rest for ever it begins again.
+            values.extend_from_within(..2);
+        }
+        for three in values.windows(3) {
+            let (up, down) = (three[1] - three[0], three[2] - three[1]);
+            if side == 0.0 && (up * down < 0.0 || (up == 0.0) != (down == 0.0) || down.abs() > JUMP)
+            {
+                let room = (friction.plus() - three[1]).min(friction.minus() + three[1]);
+                margins.hold = margins.hold.min(room.max(0.0));
+            } else if side != 0.0 && up < 0.0 && down >= 0.0 {
+                margins.dip = margins.dip.min(three[1].max(0.0));
+            }
+        }
+    }
+    margins
+}
+
+#[test]
+fn the_margins_are_those_of_the_motion_looked_at() {
+    let mut kinds = [0; 4];
+    for (name, shape, breaks) in SHAPES {
+        let drive = Drive::new(shape, breaks).unwrap();
+        for (plus, minus) in FRICTIONS {
+            let friction = Friction::new(plus, minus).unwrap();
+            let start = State { phi: 0.3, w: 0.1 };
+            let Some(found) = drive.attractor(friction, start, 400).unwrap().settled() else {
+                continue;
+            };
+            let (told, seen) = (found.margins(), seen(&drive, &found));
+            let pairs = [
+                ("shortest", told.shortest, seen.shortest),
+                ("dip", told.dip, seen.dip),
+                ("crossing", told.crossing, seen.crossing),
+                ("hold", told.hold, seen.hold),
+            ];
+            for (i, (margin, told, seen)) in pairs.into_iter().enumerate() {
+                let same = told == seen || (told - seen).abs() < 1e-3;
+                assert!(
+                    same,
+                    "{name}, λ₊ = {plus}, λ₋ = {minus}: {margin} {told}, seen {seen}; {:?}",
+                    found.intervals()
+                );
+                kinds[i] += usize::from(seen.is_finite());
+            }
+        }
+    }
+    assert!(kinds.iter().all(|n| *n >= 5), "{kinds:?}");
+}
+
+/// Seen from the other side the plane is pulled backward where it was pulled forward.
+#[test]
+fn a_motion_and_its_mirror_image_have_the_same_margins() {
+    for (name, shape, breaks) in SHAPES {
+        let (drive, mirror) = (
+            Drive::new(shape, breaks).unwrap(),
+            Drive::new(|x| -shape(x), breaks).unwrap(),
+        );
+        for (plus, minus) in FRICTIONS {
+            let of = |drive: &Drive, plus, minus, w| {
+                let friction = Friction::new(plus, minus).unwrap();
+                let outcome = drive
+                    .attractor(friction, State { phi: 0.3, w }, 400)
+                    .unwrap();
+                outcome.settled().map(|found| found.margins())
+            };
+            let (a, b) = (of(&drive, plus, minus, 0.1), of(&mirror, minus, plus, -0.1));
+            let (Some(a), Some(b)) = (a, b) else {
+                assert_eq!(a, b, "{name}, {plus}, {minus}");
+                continue;
+            };
+            let pairs = [
+                (a.shortest, b.shortest),
+                (a.dip, b.dip),
+                (a.crossing, b.crossing),
+                (a.hold, b.hold),
+            ];
+            let same = pairs
+                .into_iter()
+                .all(|(a, b)| a == b || (a - b).abs() < 1e-9);
+            assert!(same, "{name}, {plus}, {minus}: {a:?}, {b:?}");
+        }
+    }
+}
