@@ -2,7 +2,6 @@
 //! extrapolation, and slips followed there from event to event.
 
 mod constant;
-mod curves;
 mod driven;
 mod rest;
 mod sphere;
