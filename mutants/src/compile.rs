@@ -10,7 +10,10 @@ use std::path::Path;
 use std::process::Command;
 
 /// Writes and checks the copy; the changes that are not in it, with the reasons.
-pub fn until_it_compiles(mutants: &[Mutant], scratch: &Path) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
+pub fn until_it_compiles(
+    mutants: &[Mutant],
+    scratch: &Path,
+) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
     let kept = scratch.join("out.json");
     let mut out: BTreeMap<u32, String> = match fs::read(&kept) {
         Ok(text) => serde_json::from_slice(&text)?,
@@ -20,9 +23,16 @@ pub fn until_it_compiles(mutants: &[Mutant], scratch: &Path) -> Result<BTreeMap<
     loop {
         let all = copy::write(mutants, &out, &crate_of)?;
         let rejected = check(&crate_of)?;
-        eprintln!("{} changes written, {} rejected", mutants.len() - all.len(), rejected.len());
+        eprintln!(
+            "{} changes written, {} rejected",
+            mutants.len() - all.len(),
+            rejected.len()
+        );
         if rejected.is_empty() {
-            fs::write(scratch.join("absent.json"), serde_json::to_vec_pretty(&json!(all))?)?;
+            fs::write(
+                scratch.join("absent.json"),
+                serde_json::to_vec_pretty(&json!(all))?,
+            )?;
             return Ok(all);
         }
         out.extend(rejected);
@@ -33,8 +43,19 @@ pub fn until_it_compiles(mutants: &[Mutant], scratch: &Path) -> Result<BTreeMap<
 /// What the compiler rejects, with its reasons.
 fn check(copy: &Path) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
     let made = Command::new("nice")
-        .args(["-n", "10", "cargo", "check", "-j2", "--lib", "--message-format=json"])
-        .env("CARGO_TARGET_DIR", std::path::absolute("target/mutants/target")?)
+        .args([
+            "-n",
+            "10",
+            "cargo",
+            "check",
+            "-j2",
+            "--lib",
+            "--message-format=json",
+        ])
+        .env(
+            "CARGO_TARGET_DIR",
+            std::path::absolute("target/mutants/target")?,
+        )
         .current_dir(copy)
         .output()?;
     let mut rejected = BTreeMap::new();
@@ -64,7 +85,11 @@ fn check(copy: &Path) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
                 continue;
             };
             // An iterator over something else is no branch’s fault.
-            let why = if own || code == "E0271" { format!("does not compile: {words}") } else { format!("not as a branch: {words}") };
+            let why = if own || code == "E0271" {
+                format!("does not compile: {words}")
+            } else {
+                format!("not as a branch: {words}")
+            };
             rejected.extend(ids.into_iter().map(|id| (id, why.clone())));
             found = true;
             break;
@@ -77,7 +102,10 @@ fn check(copy: &Path) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
         let said = String::from_utf8_lossy(&made.stderr).into_owned();
         return Err(format!("{}\n{said}", unknown.join("\n")).into());
     }
-    unknown.iter().take(5).for_each(|u| eprintln!("elsewhere: {u}"));
+    unknown
+        .iter()
+        .take(5)
+        .for_each(|u| eprintln!("elsewhere: {u}"));
     Ok(rejected)
 }
 
@@ -97,7 +125,12 @@ fn around(text: &str, at: usize, arms: bool) -> Option<(bool, Vec<u32>)> {
         }
         rest = end;
     }
-    let numbers = |mark: &str| mark[1..].split(',').filter_map(|n| n.parse().ok()).collect();
+    let numbers = |mark: &str| {
+        mark[1..]
+            .split(',')
+            .filter_map(|n| n.parse().ok())
+            .collect()
+    };
     let fits = |mark: &&&str| mark.starts_with('m') == arms;
     let mark = open.iter().rev().find(fits)?;
     let mut ids: Vec<u32> = numbers(mark);
@@ -110,6 +143,11 @@ fn around(text: &str, at: usize, arms: bool) -> Option<(bool, Vec<u32>)> {
 
 /// The changes of the marks within a text.
 fn within(text: &str) -> Vec<u32> {
-    let marks = text.split("/*<g").skip(1).filter_map(|rest| rest.split(">*/").next());
-    marks.flat_map(|mark| mark.split(',').filter_map(|n| n.parse().ok())).collect()
+    let marks = text
+        .split("/*<g")
+        .skip(1)
+        .filter_map(|rest| rest.split(">*/").next());
+    marks
+        .flat_map(|mark| mark.split(',').filter_map(|n| n.parse().ok()))
+        .collect()
 }

@@ -18,13 +18,20 @@ pub const HIDDEN: &str = "not as a branch: hidden type";
 pub const LOST: &str = "its place was not found";
 
 /// Writes the copy without the changes that were given up before; adds those that cannot be in it.
-pub fn write(mutants: &[Mutant], out: &BTreeMap<u32, String>, copy: &Path) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
+pub fn write(
+    mutants: &[Mutant],
+    out: &BTreeMap<u32, String>,
+    copy: &Path,
+) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
     let mut given_up = out.clone();
     let files = Command::new("git").args(["ls-files"]).output()?.stdout;
     let files = String::from_utf8(files)?;
     let mut rows = Vec::new();
     let mut texts = BTreeMap::new();
-    for file in files.lines().filter(|f| !f.starts_with("mutants/") && !f.starts_with("fuzz/")) {
+    for file in files
+        .lines()
+        .filter(|f| !f.starts_with("mutants/") && !f.starts_with("fuzz/"))
+    {
         if Path::new(file).is_symlink() || !Path::new(file).exists() {
             continue;
         }
@@ -49,28 +56,47 @@ pub fn write(mutants: &[Mutant], out: &BTreeMap<u32, String>, copy: &Path) -> Re
         note(&mut left.iter().map(|m| m.id), LOST);
         rows.extend(found.rows);
         let kept = found.sites.into_iter().filter_map(|site| {
-            let ids: Vec<_> = site.ids.into_iter().filter(|(id, _)| !out.contains_key(id)).collect();
+            let ids: Vec<_> = site
+                .ids
+                .into_iter()
+                .filter(|(id, _)| !out.contains_key(id))
+                .collect();
             let stays = !ids.is_empty() || matches!(site.kind, Kind::Text(_));
             stays.then(|| Site { ids, ..site })
         });
         texts.insert(file.to_owned(), instrumented(&text, kept.collect()));
     }
-    let rows: Vec<_> = rows.into_iter().filter(|r| !out.contains_key(&r.id)).collect();
-    let claims = texts.get_mut("src/claims/mod.rs").ok_or("no list of topics")?;
+    let rows: Vec<_> = rows
+        .into_iter()
+        .filter(|r| !out.contains_key(&r.id))
+        .collect();
+    let claims = texts
+        .get_mut("src/claims/mod.rs")
+        .ok_or("no list of topics")?;
     *claims = topics(claims, &rows)?;
     for (file, text) in &texts {
         put(&copy.join(file), text.as_bytes())?;
     }
     let library = fs::read_to_string("src/lib.rs")?;
-    let switch = include_str!("../copy/switch.rs").replace("COUNT]", &format!("{}]", mutants.len() + 1));
+    let switch =
+        include_str!("../copy/switch.rs").replace("COUNT]", &format!("{}]", mutants.len() + 1));
     let allow = "#![allow(warnings, arithmetic_overflow, unconditional_panic, clippy::all)]\n";
-    put(&copy.join("src/lib.rs"), format!("{allow}{library}{switch}").as_bytes())?;
+    put(
+        &copy.join("src/lib.rs"),
+        format!("{allow}{library}{switch}").as_bytes(),
+    )?;
     let map = fs::read_to_string("src/book/map.rs")?.replace("in &TOPICS", "in TOPICS.iter()");
     put(&copy.join("src/book/map.rs"), map.as_bytes())?;
-    put(&copy.join("tests/mutants.rs"), include_bytes!("../copy/claims.rs"))?;
+    put(
+        &copy.join("tests/mutants.rs"),
+        include_bytes!("../copy/claims.rs"),
+    )?;
     let manifest = fs::read_to_string("Cargo.toml")?;
     let target = "\n[[test]]\nname = \"mutants\"\nharness = false\n\n[workspace]\n";
-    put(&copy.join("Cargo.toml"), format!("{manifest}{target}").as_bytes())?;
+    put(
+        &copy.join("Cargo.toml"),
+        format!("{manifest}{target}").as_bytes(),
+    )?;
     Ok(given_up)
 }
 
@@ -87,11 +113,20 @@ fn put(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
 fn topics(text: &str, rows: &[Row]) -> Result<String, Box<dyn Error>> {
     let (begin, end) = ("pub static TOPICS: [Topic; 9] = [", "\n];");
     let at = text.find(begin).ok_or("no list of topics")?;
-    let length = text[at..].find(end).ok_or("the list of topics has no end")?;
+    let length = text[at..]
+        .find(end)
+        .ok_or("the list of topics has no end")?;
     let list = &text[at + begin.len()..at + length];
     let changes: BTreeSet<_> = rows
         .iter()
-        .map(|r| format!("    ({}, {:?}, |c| c.{f} = Claim::BLANK.{f}),\n", r.id, r.claim, f = r.field))
+        .map(|r| {
+            format!(
+                "    ({}, {:?}, |c| c.{f} = Claim::BLANK.{f}),\n",
+                r.id,
+                r.claim,
+                f = r.field
+            )
+        })
         .collect();
     let changes: String = changes.into_iter().collect();
     let made = format!(
@@ -112,7 +147,11 @@ fn topics(text: &str, rows: &[Row]) -> Result<String, Box<dyn Error>> {
 const CHANGES: &[(u32, &str, fn(&mut Claim))] = &[
 {changes}];"
     );
-    Ok(format!("{}{made}{}", &text[..at], &text[at + length + end.len()..]))
+    Ok(format!(
+        "{}{made}{}",
+        &text[..at],
+        &text[at + length + end.len()..]
+    ))
 }
 
 /// The changes in rows of claims.
@@ -130,5 +169,7 @@ pub fn rows(mutants: &[Mutant]) -> Result<Vec<Row>, Box<dyn Error>> {
 pub fn claims() -> Result<Vec<String>, Box<dyn Error>> {
     let text = fs::read_to_string("snapshots/dependencies.snap")?;
     let rows = text.splitn(3, "---\n").nth(2).unwrap_or("").lines();
-    Ok(rows.filter_map(|l| Some(l.split_once(':')?.0.to_owned())).collect())
+    Ok(rows
+        .filter_map(|l| Some(l.split_once(':')?.0.to_owned()))
+        .collect())
 }

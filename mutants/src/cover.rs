@@ -13,8 +13,22 @@ use std::time::Instant;
 pub const WORKERS: usize = 2;
 
 /// The tests besides those of the modules. `structure` reads the sources, `browser` needs one.
-const TESTS: [&str; 11] = [
-    "mutants", "judge", "drive", "claims_list", "same", "json", "command", "pages", "readme", "explorers", "careless",
+const TESTS: [&str; 15] = [
+    "mutants",
+    "judge",
+    "drive",
+    "claims_list",
+    "same",
+    "json",
+    "command",
+    "pages",
+    "readme",
+    "explorers",
+    "careless",
+    "attractors",
+    "calculators",
+    "certified",
+    "motions",
 ];
 
 /// A test that can be run by itself.
@@ -33,20 +47,30 @@ pub struct Unit {
 impl Unit {
     /// True for a question of `copy/claims.rs`.
     pub fn asks(&self) -> bool {
-        let name = self.program.file_name().map(|n| n.to_string_lossy().into_owned());
+        let name = self
+            .program
+            .file_name()
+            .map(|n| n.to_string_lossy().into_owned());
         name.is_some_and(|n| n.starts_with("mutants-"))
     }
 
     /// The name of its file among the kept ones.
     fn file(&self) -> String {
-        let program = self.program.file_name().map(|n| n.to_string_lossy().into_owned());
+        let program = self
+            .program
+            .file_name()
+            .map(|n| n.to_string_lossy().into_owned());
         let name = self.name.replace([':', '/'], "_");
         format!("{}_{name}", program.unwrap_or_default())
     }
 
     /// What the program is told, to run it for at most so long.
     pub fn argument(&self, limit: f64) -> String {
-        if self.asks() { format!("{}={limit}", self.name) } else { self.name.clone() }
+        if self.asks() {
+            format!("{}={limit}", self.name)
+        } else {
+            self.name.clone()
+        }
     }
 }
 
@@ -54,7 +78,16 @@ impl Unit {
 pub fn command(program: &Path, asks: bool, names: &[String], copy: &Path) -> Command {
     let mut command = Command::new("nice");
     // No more than 6 GB.
-    command.args(["-n", "10", "sh", "-c", "ulimit -v 6000000; exec \"$@\"", "sh"]).arg(program);
+    command
+        .args([
+            "-n",
+            "10",
+            "sh",
+            "-c",
+            "ulimit -v 6000000; exec \"$@\"",
+            "sh",
+        ])
+        .arg(program);
     if !asks {
         command.args(["--test-threads=1", "--exact"]);
     }
@@ -73,10 +106,22 @@ pub fn command(program: &Path, asks: bool, names: &[String], copy: &Path) -> Com
 pub fn build(copy: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     let tests = TESTS.iter().flat_map(|t| ["--test", t]);
     let made = Command::new("nice")
-        .args(["-n", "10", "cargo", "test", "-j2", "--release", "--no-run", "--message-format=json"])
+        .args([
+            "-n",
+            "10",
+            "cargo",
+            "test",
+            "-j2",
+            "--release",
+            "--no-run",
+            "--message-format=json",
+        ])
         .arg("--lib")
         .args(tests)
-        .env("CARGO_TARGET_DIR", std::path::absolute("target/mutants/target")?)
+        .env(
+            "CARGO_TARGET_DIR",
+            std::path::absolute("target/mutants/target")?,
+        )
         .current_dir(copy)
         .stderr(Stdio::inherit())
         .output()?;
@@ -87,13 +132,23 @@ pub fn build(copy: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     for line in String::from_utf8(made.stdout)?.lines() {
         let message: Value = serde_json::from_str(line)?;
         let test = message["profile"]["test"] == true;
-        programs.extend(message["executable"].as_str().filter(|_| test).map(PathBuf::from));
+        programs.extend(
+            message["executable"]
+                .as_str()
+                .filter(|_| test)
+                .map(PathBuf::from),
+        );
     }
     Ok(programs)
 }
 
 /// Every unit of the programs, by time. `ids` are those of the claims. Kept in `scratch` once it is made.
-pub fn cover(programs: &[PathBuf], ids: &[String], copy: &Path, scratch: &Path) -> Result<Vec<Unit>, Box<dyn Error>> {
+pub fn cover(
+    programs: &[PathBuf],
+    ids: &[String],
+    copy: &Path,
+    scratch: &Path,
+) -> Result<Vec<Unit>, Box<dyn Error>> {
     let unit = |program: &PathBuf, name: String| Unit {
         program: program.clone(),
         name,
@@ -107,9 +162,15 @@ pub fn cover(programs: &[PathBuf], ids: &[String], copy: &Path, scratch: &Path) 
             units.extend(ids.iter().map(|id| unit(program, format!("v:{id}"))));
             units.extend(["d:", "n:"].map(|q| unit(program, q.into())));
         } else {
-            let list = Command::new(program).args(["--list", "--format", "terse"]).output()?;
+            let list = Command::new(program)
+                .args(["--list", "--format", "terse"])
+                .output()?;
             let list = String::from_utf8(list.stdout)?;
-            units.extend(list.lines().filter_map(|l| l.strip_suffix(": test")).map(|n| unit(program, n.into())));
+            units.extend(
+                list.lines()
+                    .filter_map(|l| l.strip_suffix(": test"))
+                    .map(|n| unit(program, n.into())),
+            );
         }
     }
     let folder = fs::canonicalize(scratch)?.join("reached");
@@ -130,7 +191,10 @@ pub fn cover(programs: &[PathBuf], ids: &[String], copy: &Path, scratch: &Path) 
     };
     let found: Vec<_> = thread::scope(|scope| {
         let workers: Vec<_> = (0..WORKERS).map(|_| scope.spawn(work)).collect();
-        workers.into_iter().flat_map(|w| w.join().unwrap_or_default()).collect()
+        workers
+            .into_iter()
+            .flat_map(|w| w.join().unwrap_or_default())
+            .collect()
     });
     let mut table = String::new();
     for (i, run) in found {
@@ -153,18 +217,26 @@ fn alone(unit: &Unit, file: &Path, copy: &Path) -> Result<(f64, Vec<u8>, String)
     let names = [unit.argument(1000.0)];
     let run = |variable: &str, value: &str| {
         let start = Instant::now();
-        let output = command(&unit.program, unit.asks(), &names, copy).env(variable, value).output();
+        let output = command(&unit.program, unit.asks(), &names, copy)
+            .env(variable, value)
+            .output();
         let output = output.map_err(|e| e.to_string())?;
         if !output.status.success() {
             let said = String::from_utf8_lossy(&output.stdout).into_owned();
             return Err(format!("{} fails without a change: {said}", unit.name));
         }
-        Ok((start.elapsed().as_secs_f64(), String::from_utf8_lossy(&output.stdout).into_owned()))
+        Ok((
+            start.elapsed().as_secs_f64(),
+            String::from_utf8_lossy(&output.stdout).into_owned(),
+        ))
     };
     let kept = file.with_extension("said");
     let before = fs::read_to_string(&kept).unwrap_or_default();
-    let whole = before.split_once('\n').filter(|(_, text)| text.ends_with("done\n"));
-    let (seconds, said) = match whole.and_then(|(t, said)| Some((t.parse().ok()?, said.to_owned()))) {
+    let whole = before
+        .split_once('\n')
+        .filter(|(_, text)| text.ends_with("done\n"));
+    let (seconds, said) = match whole.and_then(|(t, said)| Some((t.parse().ok()?, said.to_owned())))
+    {
         Some(before) => before,
         None => {
             run("SLIPBOOK_REACHED", &file.to_string_lossy())?;
@@ -180,7 +252,9 @@ fn alone(unit: &Unit, file: &Path, copy: &Path) -> Result<(f64, Vec<u8>, String)
 
 /// Which changes the processes of a test came to; none if it left no file.
 fn all_of(file: &Path) -> std::io::Result<Vec<u8>> {
-    let own = |path: &Path| path.with_extension("") == file && path.extension().is_some_and(|e| e != "said");
+    let own = |path: &Path| {
+        path.with_extension("") == file && path.extension().is_some_and(|e| e != "said")
+    };
     let mut all = Vec::new();
     for entry in fs::read_dir(file.parent().unwrap_or(file))? {
         let path = entry?.path();

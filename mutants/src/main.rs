@@ -31,8 +31,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let programs = cover::build(&copy)?;
     let ids = copy::claims()?;
     let units = cover::cover(&programs, &ids, &copy, scratch)?;
-    let own: BTreeMap<_, _> = copy::rows(&mutants)?.into_iter().map(|r| (r.id, r.claim)).collect();
-    let present: Vec<_> = mutants.iter().filter(|m| !absent.contains_key(&m.id)).collect();
+    let own: BTreeMap<_, _> = copy::rows(&mutants)?
+        .into_iter()
+        .map(|r| (r.id, r.claim))
+        .collect();
+    let present: Vec<_> = mutants
+        .iter()
+        .filter(|m| !absent.contains_key(&m.id))
+        .collect();
     for round in ROUNDS {
         run::run_all(&present, &own, &units, &copy, scratch, round)?;
         println!("{}", table::table(&mutants, &absent, scratch)?);

@@ -29,7 +29,11 @@ pub enum Kind {
     /// A guard. The first numbers are of the arm itself.
     Guard,
     /// The value of a field, where another struct gives the rest.
-    Field { name: String, rest: String, shorthand: bool },
+    Field {
+        name: String,
+        rest: String,
+        shorthand: bool,
+    },
     /// Other text: a constant with changes in it becomes a function.
     Text(String),
     /// A `match` some of whose arms can be taken out; nothing changes there.
@@ -81,7 +85,9 @@ struct Finder<'a> {
 pub fn find<'a>(text: &'a str, mutants: &[&'a Mutant]) -> syn::Result<(Found, Vec<&'a Mutant>)> {
     let mut open = BTreeMap::<_, Vec<_>>::new();
     for m in mutants {
-        open.entry((m.start, m.genre == "FnValue")).or_default().push(*m);
+        open.entry((m.start, m.genre == "FnValue"))
+            .or_default()
+            .push(*m);
     }
     let mut finder = Finder {
         text,
@@ -92,7 +98,11 @@ pub fn find<'a>(text: &'a str, mutants: &[&'a Mutant]) -> syn::Result<(Found, Ve
     };
     let file = syn::parse_file(text)?;
     finder.visit_file(&file);
-    Uses { names: &finder.lifted, sites: &mut finder.found.sites }.visit_file(&file);
+    Uses {
+        names: &finder.lifted,
+        sites: &mut finder.found.sites,
+    }
+    .visit_file(&file);
     let left = finder.open.into_values().flatten().collect();
     Ok((finder.found, left))
 }
@@ -118,19 +128,32 @@ impl<'a> Finder<'a> {
         let Some(here) = self.open.remove(&key) else {
             return Vec::new();
         };
-        let (mine, other): (Vec<_>, Vec<_>) = here.into_iter().partition(|m| genres.contains(&m.genre.as_str()));
+        let (mine, other): (Vec<_>, Vec<_>) = here
+            .into_iter()
+            .partition(|m| genres.contains(&m.genre.as_str()));
         if !other.is_empty() {
             self.open.insert(key, other);
         }
         mine.iter().map(|m| (m.id, m.replacement.clone())).collect()
     }
 
-    fn add(&mut self, kind: Kind, range: Range<usize>, holes: Vec<Range<usize>>, ids: Vec<(u32, String)>) {
+    fn add(
+        &mut self,
+        kind: Kind,
+        range: Range<usize>,
+        holes: Vec<Range<usize>>,
+        ids: Vec<(u32, String)>,
+    ) {
         if ids.is_empty() {
         } else if self.constant {
             self.found.constant.extend(ids.iter().map(|(id, _)| id));
         } else {
-            self.found.sites.push(Site { kind, range, holes, ids });
+            self.found.sites.push(Site {
+                kind,
+                range,
+                holes,
+                ids,
+            });
         }
     }
 
@@ -142,7 +165,10 @@ impl<'a> Finder<'a> {
         let at = first.span().byte_range().start;
         let end = block.brace_token.span.close().byte_range().start;
         let (some, inside) = match output {
-            syn::ReturnType::Type(_, t) => (matches!(**t, syn::Type::ImplTrait(_)), self.text[bytes(t)].contains("impl ")),
+            syn::ReturnType::Type(_, t) => (
+                matches!(**t, syn::Type::ImplTrait(_)),
+                self.text[bytes(t)].contains("impl "),
+            ),
             syn::ReturnType::Default => (false, false),
         };
         if inside && !some {
@@ -163,7 +189,10 @@ impl<'a> Finder<'a> {
     fn row(&self, s: &syn::ExprStruct, ids: &[(u32, String)], field: &str) -> Vec<Row> {
         let named = |f: &&syn::FieldValue| matches!(&f.member, syn::Member::Named(n) if n == "id");
         let claim = s.fields.iter().find(named).and_then(|f| match &f.expr {
-            Expr::Lit(syn::ExprLit { lit: syn::Lit::Str(text), .. }) => Some(text.value()),
+            Expr::Lit(syn::ExprLit {
+                lit: syn::Lit::Str(text),
+                ..
+            }) => Some(text.value()),
             _ => None,
         });
         let of_claim = s.path.is_ident("Claim") && self.constant;
@@ -212,7 +241,8 @@ impl<'ast> Visit<'ast> for Finder<'_> {
         let changes = self.open.keys().any(|((line, _), _)| lines.contains(line));
         let private = matches!(c.vis, syn::Visibility::Inherited);
         let ty = &self.text[bytes(&c.ty)];
-        let lift = changes && private && !self.constant && !ty.contains('&') && !ty.contains("Statement");
+        let lift =
+            changes && private && !self.constant && !ty.contains('&') && !ty.contains("Statement");
         if lift {
             self.lifted.push(c.ident.to_string());
             let text = |range: Range<usize>, text: String| Site {
@@ -224,7 +254,10 @@ impl<'ast> Visit<'ast> for Finder<'_> {
             let until = bytes(&c.expr).start;
             self.found.sites.extend([
                 text(bytes(&c.const_token), "fn".into()),
-                text(bytes(&c.colon_token).start..until, format!("() -> {ty} {{ ")),
+                text(
+                    bytes(&c.colon_token).start..until,
+                    format!("() -> {ty} {{ "),
+                ),
                 text(bytes(&c.semi_token), " }".into()),
             ]);
         }
@@ -277,9 +310,12 @@ impl<'ast> Visit<'ast> for Finder<'_> {
         let op = self.text[bytes(&b.op)].to_owned();
         let kind = match b.op {
             BinOp::And(_) | BinOp::Or(_) => Kind::Logic { and: op == "&&" },
-            BinOp::Eq(_) | BinOp::Ne(_) | BinOp::Lt(_) | BinOp::Le(_) | BinOp::Gt(_) | BinOp::Ge(_) => {
-                Kind::Comparison(op)
-            }
+            BinOp::Eq(_)
+            | BinOp::Ne(_)
+            | BinOp::Lt(_)
+            | BinOp::Le(_)
+            | BinOp::Gt(_)
+            | BinOp::Ge(_) => Kind::Comparison(op),
             _ if op.ends_with('=') => Kind::Assignment(op),
             _ => Kind::Arithmetic(op),
         };

@@ -8,10 +8,23 @@ use std::fs;
 use std::path::Path;
 
 /// The outcomes, in the order of the columns.
-const WORDS: [&str; 8] = ["caught", "crashed", "slow", "missed", "unreached", "capped", "absent", "unviable"];
+const WORDS: [&str; 8] = [
+    "caught",
+    "crashed",
+    "slow",
+    "missed",
+    "unreached",
+    "capped",
+    "absent",
+    "unviable",
+];
 
 /// Counts by sort and by folder; those that no test caught are listed in `missed.txt`.
-pub fn table(mutants: &[Mutant], absent: &BTreeMap<u32, String>, scratch: &Path) -> Result<String, Box<dyn Error>> {
+pub fn table(
+    mutants: &[Mutant],
+    absent: &BTreeMap<u32, String>,
+    scratch: &Path,
+) -> Result<String, Box<dyn Error>> {
     let known = known(&scratch.join("results.tsv"));
     let mut counts = BTreeMap::<(u8, String), BTreeMap<&str, usize>>::new();
     let mut missed = String::new();
@@ -34,7 +47,11 @@ pub fn table(mutants: &[Mutant], absent: &BTreeMap<u32, String>, scratch: &Path)
         }
     }
     fs::write(scratch.join("missed.txt"), missed)?;
-    let mut out = format!("| |{}|\n|---|{}\n", WORDS.join("|"), "---:|".repeat(WORDS.len()));
+    let mut out = format!(
+        "| |{}|\n|---|{}\n",
+        WORDS.join("|"),
+        "---:|".repeat(WORDS.len())
+    );
     for ((_, name), row) in counts {
         let cells = WORDS.map(|w| row.get(w).copied().unwrap_or(0).to_string());
         out += &format!("|{name}|{}|\n", cells.join("|"));

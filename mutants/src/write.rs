@@ -27,7 +27,9 @@ fn part(text: &str, range: Range<usize>, sites: &[Site]) -> String {
     while i < sites.len() {
         let site = &sites[i];
         let inner = sites[i + 1..].iter();
-        let count = inner.take_while(|s| s.range.start < site.range.end && s.range.end <= site.range.end).count();
+        let count = inner
+            .take_while(|s| s.range.start < site.range.end && s.range.end <= site.range.end)
+            .count();
         let within = &sites[i + 1..i + 1 + count];
         i += 1 + count;
         if site.range.start < at || site.range.end > range.end {
@@ -65,7 +67,10 @@ fn written(out: &mut String, site: &Site, holes: &[String]) {
 fn branches(out: &mut String, site: &Site, put: impl Fn(&str) -> String) {
     for (id, replacement) in &site.ids {
         let put = put(replacement);
-        let _ = write!(out, "if crate::mutant({id}) {{ /*<a{id}>*/{put}/*</a>*/ }} else ");
+        let _ = write!(
+            out,
+            "if crate::mutant({id}) {{ /*<a{id}>*/{put}/*</a>*/ }} else "
+        );
     }
 }
 
@@ -73,12 +78,22 @@ fn inside(out: &mut String, site: &Site, holes: &[String]) {
     let hole = |i: usize| holes.get(i).map_or("", String::as_str);
     match &site.kind {
         Kind::Arithmetic(op) => {
-            let _ = write!(out, "(match (({}), ({})) {{ (__l, __r) => ", hole(0), hole(1));
+            let _ = write!(
+                out,
+                "(match (({}), ({})) {{ (__l, __r) => ",
+                hole(0),
+                hole(1)
+            );
             branches(out, site, |other| format!("__l {other} __r"));
             let _ = write!(out, "{{ __l {op} __r }} }})");
         }
         Kind::Comparison(op) => {
-            let _ = write!(out, "(match (&({}), &({})) {{ (__l, __r) => ", hole(0), hole(1));
+            let _ = write!(
+                out,
+                "(match (&({}), &({})) {{ (__l, __r) => ",
+                hole(0),
+                hole(1)
+            );
             branches(out, site, |other| format!("*__l {other} *__r"));
             let _ = write!(out, "{{ *__l {op} *__r }} }})");
         }
@@ -108,10 +123,15 @@ fn inside(out: &mut String, site: &Site, holes: &[String]) {
         }
         Kind::Iterator => {
             // Every change has a type of its own; the first of n is One, the second Two(One), the body Two(Two(…)).
-            let two = |n: usize, what: &str| format!("{}{what}{}", "crate::Either::Two(".repeat(n), ")".repeat(n));
+            let two = |n: usize, what: &str| {
+                format!("{}{what}{}", "crate::Either::Two(".repeat(n), ")".repeat(n))
+            };
             for (n, (id, replacement)) in site.ids.iter().enumerate() {
                 let value = two(n, &format!("crate::Either::One({replacement})"));
-                let _ = write!(out, "if crate::mutant({id}) {{ /*<a{id}>*/return {value};/*</a>*/ }}");
+                let _ = write!(
+                    out,
+                    "if crate::mutant({id}) {{ /*<a{id}>*/return {value};/*</a>*/ }}"
+                );
             }
             *out += &two(site.ids.len(), &format!("{{ {} }}", hole(0)));
         }
@@ -128,7 +148,11 @@ fn inside(out: &mut String, site: &Site, holes: &[String]) {
             }
             *out += &guard;
         }
-        Kind::Field { name, rest, shorthand } => {
+        Kind::Field {
+            name,
+            rest,
+            shorthand,
+        } => {
             if *shorthand {
                 let _ = write!(out, "{name}: ");
             }

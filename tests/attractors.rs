@@ -1,7 +1,7 @@
-//! How near a periodic motion is to one of another kind, held against the motion itself, looked at phase by phase.
+//! What is said of a periodic motion, held against the motion itself, looked at phase by phase.
 
 use slipbook::motion::drive::{Attractor, Drive, Friction, Interval, Margins, Sign, State};
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 type Shape = fn(f64) -> f64;
 
@@ -195,4 +195,135 @@ fn a_motion_and_its_mirror_image_have_the_same_margins() {
             assert!(same, "{name}, {plus}, {minus}: {a:?}, {b:?}");
         }
     }
+}
+
+/// Every motion that the shapes and frictions here settle to, from this phase.
+fn settled(phi: f64) -> Vec<(String, Vec<Interval>)> {
+    let mut all = Vec::new();
+    for (name, shape, breaks) in SHAPES {
+        let drive = Drive::new(shape, breaks).unwrap();
+        for (plus, minus) in FRICTIONS {
+            let friction = Friction::new(plus, minus).unwrap();
+            let outcome = drive
+                .attractor(friction, State { phi, w: 0.1 }, 400)
+                .unwrap();
+            if let Some(found) = outcome.settled() {
+                let name = format!("{name}, λ₊ = {plus}, λ₋ = {minus}, from {phi}");
+                all.push((name, found.intervals().to_vec()));
+            }
+        }
+    }
+    all
+}
+
+#[test]
+fn a_period_is_listed_once_from_where_it_is_said_to_begin() {
+    for (name, list) in settled(0.3) {
+        let (first, last) = (&list[0], &list[list.len() - 1]);
+        assert!((0.0..TAU).contains(&first.start), "{name}: {list:?}");
+        assert!(
+            (last.end - first.start - TAU).abs() < 1e-13,
+            "{name}: {list:?}"
+        );
+        for pair in list.windows(2) {
+            assert!(
+                (pair[0].end - pair[1].start).abs() < 1e-13 && pair[0].sign != pair[1].sign,
+                "{name}: {list:?}"
+            );
+        }
+        if list.len() == 1 {
+            continue;
+        }
+        // Where it begins there is no better place: a rest before forward motion, a rest, w rising.
+        let rank = |i: usize| match (list[(i + list.len() - 1) % list.len()].sign, list[i].sign) {
+            (Sign::Rest, Sign::Positive) => 0,
+            (Sign::Rest, _) => 1,
+            (Sign::Negative, Sign::Positive) => 2,
+            _ => 3,
+        };
+        let place = |i: usize| (rank(i), list[i].start.rem_euclid(TAU));
+        let best = (0..list.len())
+            .map(place)
+            .min_by(|a, b| a.partial_cmp(b).unwrap());
+        assert_eq!(best, Some(place(0)), "{name}: {list:?}");
+    }
+}
+
+#[test]
+fn the_list_of_a_period_does_not_depend_on_where_the_motion_was_begun() {
+    let from_the_start = settled(0.3);
+    for phi in [0.0, 1.7, 2.6, 4.0, 5.9] {
+        for ((name, a), (_, b)) in settled(phi).iter().zip(&from_the_start) {
+            let signs = |list: &[Interval]| list.iter().map(|i| i.sign).collect::<Vec<_>>();
+            assert_eq!(signs(a), signs(b), "{name}: {a:?}, {b:?}");
+            for (a, b) in a.iter().zip(b) {
+                // A motion that is not at rest in the period settles only in the limit.
+                assert!(
+                    (a.start - b.start).abs() < 1e-9 && (a.end - b.end).abs() < 1e-9,
+                    "{name}: {a:?}, {b:?}"
+                );
+            }
+        }
+    }
+}
+
+/// h = 1, then −b on [1, 2], 1 again to 3, then −1, with λ₊ = 0.3: w at 2 is 0.4 − b.
+#[test]
+fn a_motion_grazes_where_it_just_touches_zero() {
+    for (b, grazes) in [
+        (0.4, true),
+        (0.4 - 1e-6, false),
+        (0.4 + 1e-6, false),
+        (0.2, false),
+    ] {
+        let h = move |x: f64| match x {
+            x if x < 1.0 => 1.0,
+            x if x < 2.0 => -b,
+            x if x < 3.0 => 1.0,
+            _ => -1.0,
+        };
+        let drive = Drive::new(h, &[1.0, 2.0, 3.0]).unwrap();
+        let friction = Friction::new(0.3, 1.5).unwrap();
+        let found = drive
+            .attractor(friction, State { phi: 0.0, w: 0.0 }, 200)
+            .unwrap();
+        assert_eq!(found.settled().unwrap().grazes(), grazes, "b = {b}");
+    }
+}
+
+/// What is left to go of a motion that has been followed for long is not more than what is said to be uncertain.
+#[test]
+fn a_settled_motion_is_as_certain_as_it_says() {
+    let drive = Drive::new(libm::sin, &[]).unwrap();
+    for lambda in [0.05, 0.2, 0.4] {
+        let friction = Friction::new(lambda, 1.1 * lambda).unwrap();
+        let from = |w| {
+            drive
+                .attractor(friction, State { phi: 0.0, w }, 1000)
+                .unwrap()
+                .settled()
+                .unwrap()
+        };
+        let (a, b) = (from(3.0), from(-3.0));
+        let apart =
+            (0..100).map(|k| (a.w(0.0628 * f64::from(k)) - b.w(0.0628 * f64::from(k))).abs());
+        let apart = apart.fold(0.0, f64::max);
+        assert!(
+            apart <= a.uncertainty() + b.uncertainty(),
+            "{lambda}: {apart:e}"
+        );
+        assert!(
+            a.uncertainty() < 1e-11 && a.uncertainty() > 0.0,
+            "{lambda}: {:e}",
+            a.uncertainty()
+        );
+    }
+    // Nothing draws a motion without friction to another one.
+    let free = Friction::new(0.0, 0.0).unwrap();
+    let found = drive
+        .attractor(free, State { phi: 0.0, w: 0.7 }, 100)
+        .unwrap()
+        .settled()
+        .unwrap();
+    assert_eq!(found.uncertainty(), f64::INFINITY);
 }
