@@ -1,14 +1,14 @@
 //! What `tests/claims.rs` asks, claim by claim: each process asks what it is told, in that order, until the first failure.
 //!
-//! `s:ID=LIMIT` compares a claim's sheet with its snapshot, `v:ID=LIMIT` tries its formulas' wrong variants, `d:=LIMIT`
+//! `s:ID=LIMIT` compares a claim's sheet and the points of its trials with the snapshots, `v:ID=LIMIT` tries its formulas' wrong variants, `d:=LIMIT`
 //! compares the dependencies, `n:=LIMIT` looks for snapshots without a claim, and `t:TABLE=LIMIT` asks whether a
 //! tolerance is too loose, with the worst disagreements of the claims tried here and, of the others, those in the
 //! table. A limit is in seconds. What the verdicts, the reasons for a measurement and the snapshot edited by hand are
 //! compared with stands in the sheets.
 
 use slipbook::claims::{self, TOPICS, variants};
-use slipbook::evidence::Outcome;
-use slipbook::ledger::Ledger;
+use slipbook::evidence::{Evidence, Outcome};
+use slipbook::ledger::{Entry, Ledger};
 use std::collections::BTreeMap;
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -96,7 +96,17 @@ fn sheet(id: &str, worst: &mut Worst) -> bool {
         let so_far = worst.entry(key).or_default();
         *so_far = so_far.max(e.worst);
     }
-    same(&format!("{}/{id}", entry.topic.stem), &entry.sheet())
+    same(&format!("{}/{id}", entry.topic.stem), &entry.sheet()) && points(entry)
+}
+
+/// Whether the claim's trials look where they looked.
+fn points(entry: &Entry) -> bool {
+    let id = entry.claim.id;
+    let tried = entry.evidence.iter().filter(|e| e.fingerprint != 0);
+    let line = |e: &Evidence| format!("{id}, {}: {} points, {:016x}", e.route.name(), e.points, e.fingerprint);
+    let snapshot = fs::read_to_string(format!("{SNAPSHOTS}/points.snap")).unwrap();
+    let recorded = snapshot.lines().filter(|l| l.starts_with(&format!("{id}, ")));
+    recorded.eq(tried.map(line).collect::<Vec<_>>())
 }
 
 fn wrong_variants(id: &str) -> bool {
