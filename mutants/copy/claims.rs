@@ -1,9 +1,9 @@
 //! What `tests/claims.rs` asks, claim by claim: each process asks what it is told, in that order, until the first failure.
 //!
-//! `s:ID=LIMIT` compares a claim's sheet and the points of its trials with the snapshots, `v:ID=LIMIT` tries its formulas' wrong variants, `d:=LIMIT`
-//! compares the dependencies, `n:=LIMIT` looks for snapshots without a claim, and `t:TABLE=LIMIT` asks whether a
-//! tolerance is too loose, with the worst disagreements of the claims tried here and, of the others, those in the
-//! table. A limit is in seconds. What the verdicts, the reasons for a measurement and the snapshot edited by hand are
+//! `s:ID=LIMIT` compares a claim's sheet and the points of its trials with the snapshots, `v:ID=LIMIT` tries its
+//! formulas' wrong variants, `d:=LIMIT` compares the dependencies, `n:=LIMIT` looks for snapshots without a claim, and
+//! `t:TABLE=LIMIT` asks whether a tolerance is too loose, with the worst disagreements of the claims tried here and, of
+//! the others, those in the table. A limit is in seconds. What the verdicts, the reasons for a measurement and the snapshot edited by hand are
 //! compared with stands in the sheets.
 
 use slipbook::claims::{self, TOPICS, variants};
