@@ -227,6 +227,7 @@ fn an_operation_loses_few_bits() {
 /// What is proved of all starts in a box holds for each of them, and says little more than they do.
 #[test]
 fn the_radius_at_rest_of_a_box_of_starts_is_that_of_its_motions() {
+    type Place = fn(f64) -> Start;
     type Put = fn(Interval, f64) -> Result<turntable::Fate, CertifiedError>;
     let down = |r| Start {
         p: r,
@@ -239,7 +240,7 @@ fn the_radius_at_rest_of_a_box_of_starts_is_that_of_its_motions() {
         zeta: u,
     };
     // A launch along the axis has two equal components; as a box these are any two, and the radius is that much wider.
-    let cases: [(Put, fn(f64) -> Start, f64); 2] =
+    let cases: [(Put, Place, f64); 2] =
         [(fate_put_down, down, 2.0), (fate_launched, launched, 8.0)];
     for (enclosed, start, wider) in cases {
         for from in [0.1, 0.25, 0.4] {

@@ -62,7 +62,7 @@ pub fn write(
                 .filter(|(id, _)| !out.contains_key(id))
                 .collect();
             let stays = !ids.is_empty() || matches!(site.kind, Kind::Text(_));
-            stays.then(|| Site { ids, ..site })
+            stays.then_some(Site { ids, ..site })
         });
         texts.insert(file.to_owned(), instrumented(&text, kept.collect()));
     }
