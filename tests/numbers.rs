@@ -1,0 +1,204 @@
+//! The numbers that the pages print, worked out once more with paper and pencil; and the search among them.
+
+use slipbook::claims::by_hand::{self, CASES};
+use slipbook::claims::values::{VALUES, search};
+use std::collections::BTreeSet;
+use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, LN_2, PI, SQRT_2, TAU};
+
+/// 𝔴 at the end of a forward motion that begins at rest at `from`.
+fn gained(lambda: f64, from: f64, to: f64) -> f64 {
+    from.cos() - to.cos() - lambda * (to - from)
+}
+
+/// The root of tan x = x between π and 3π/2, by x = π + atan x.
+fn y_root() -> f64 {
+    (0..200).fold(4.5, |x: f64, _| PI + x.atan())
+}
+
+#[test]
+fn the_values_are_those_of_pencil_and_paper() {
+    let (x, fourth) = (y_root(), 2.0_f64.powf(0.25));
+    let q = (1.0 + x * x).sqrt();
+    let by_hand = [
+        ("lambda-c", 2.0 / (PI * PI + 4.0).sqrt()),
+        // (39): cos φ̃₁ = πλ₀/2.
+        ("fig-3-start", PI / 3.0),
+        (
+            "fig-3-largest",
+            gained(FRAC_1_PI, PI / 3.0, PI - FRAC_1_PI.asin()),
+        ),
+        (
+            "fig-4-largest",
+            gained(FRAC_1_SQRT_2, PI / 4.0, 3.0 * PI / 4.0),
+        ),
+        ("y-q-printed", 4.603),
+        ("y-lambda-printed", 0.217),
+        ("y-q", q),
+        ("y-lambda", 1.0 / q),
+        ("contact", (q - 1.0) / (2.0 * q * q * q * (q + 1.0))),
+        ("b-solid", 7.0 / 2.0),
+        ("b-hollow", 5.0 / 2.0),
+        ("slip-end", 14.0 / 33.0),
+        ("a-printed", 2.0 / 27.0_f64.sqrt()),
+        ("a", fourth / 3.0),
+        ("alpha-printed", 0.5 * (4.0_f64 / 3.0).ln()),
+        ("alpha", 0.25 * LN_2),
+        ("p-printed", 2.0 / 9.0),
+        ("p", SQRT_2 / 6.0),
+        ("s-printed", 2.0 / 27.0),
+        ("s", SQRT_2 / 18.0),
+        ("turn", (TAU / SQRT_2).exp()),
+        ("delay", 0.75 * SQRT_2),
+        // (147): A = (1 − α/√2)².
+        ("envelope", (1.0 - 0.1 / SQRT_2).powi(2)),
+        ("envelope-far", (1.0 - 2.5 / SQRT_2).powi(2)),
+        // −C² at ψ = π/2.
+        ("boundary-slope", 0.5),
+        ("boundary-curvature", 7.0 / 6.0),
+        ("phi-1", PI / 4.0),
+        ("phi-2", 3.0 * PI / 4.0),
+        ("phi-3", 5.0 * PI / 4.0),
+        ("phi-4", 7.0 * PI / 4.0),
+        ("fig-3-friction", FRAC_1_PI),
+        ("fig-4-friction", FRAC_1_SQRT_2),
+        ("y-root", x),
+    ];
+    for (id, expected) in by_hand {
+        let value = slipbook::claims::values::find(id).unwrap();
+        let found = (value.value)().unwrap();
+        assert!(
+            (found - expected).abs() < 1e-12 * expected.abs(),
+            "{id}: {found}, by hand {expected}"
+        );
+        assert_eq!(
+            value.shown().unwrap(),
+            format!("{expected:.*}", value.decimals),
+            "{id}"
+        );
+    }
+    // There is no formula for these: the boundary was bisected, to the digits that stand here.
+    let bisected = [
+        ("critical-radius", 0.872_043_856_04),
+        ("critical-speed", 1.165_307_925_9),
+        ("boundary", 0.910_959_636_16),
+    ];
+    for (id, expected) in bisected {
+        let found = (slipbook::claims::values::find(id).unwrap().value)().unwrap();
+        assert!((found - expected).abs() < 1e-10, "{id}: {found}");
+    }
+    let tried: BTreeSet<_> = by_hand.iter().chain(&bisected).map(|(id, _)| *id).collect();
+    assert_eq!(tried, VALUES.iter().map(|v| v.id).collect());
+}
+
+#[test]
+fn the_two_numbers_of_a_case_are_those_of_pencil_and_paper() {
+    let (third, fourth) = (1.0 / 3.0, 2.0_f64.powf(0.25));
+    let s = 0.5 * 3.0_f64.sqrt();
+    let passage = (s + FRAC_1_PI) / (s - FRAC_1_PI);
+    let by_hand = [
+        ("s22-vy-two-stages", 1.0, passage * passage),
+        ("s24-region-2", 1.0, 0.0),
+        ("fig-5", 2.0, 4.0),
+        ("eq-75", -1.0, 1.0),
+        ("eq-82", 28.0 / 33.0, 14.0 / 33.0),
+        (
+            "eq-83",
+            ((1.0 - 49.0 / 16.0) * 14.0 / 33.0 + 1.75) / 2.75,
+            0.0,
+        ),
+        ("eq-106", 25.0, 12.5),
+        ("s4-coriolis-no-work", -25.0, -12.5),
+        ("eq-128", SQRT_2 - 1.5, 0.5),
+        ("eq-129", 1.0, 1.5 / SQRT_2),
+        ("eq-130", third * 4.0_f64.ln(), third * (3.0 * SQRT_2).ln()),
+        ("eq-131", 0.5 * 4.0_f64.cbrt(), 0.5 * (3.0 * SQRT_2).cbrt()),
+        ("eq-132", 2.0 / 27.0_f64.sqrt(), third * fourth),
+        ("eq-133", 0.5 * (4.0 * third).ln(), 0.25 * LN_2),
+        ("eq-134", 0.05, 1.0 / 600.0),
+        ("eq-135", 3.0 * SQRT_2 * 2.0 / 9.0, 1.0),
+        ("eq-136", 2.0 / 9.0, SQRT_2 / 6.0),
+        ("eq-137", 2.0 / 27.0, SQRT_2 / 18.0),
+        (
+            "s4-envelope-is-boundary",
+            (1.0 - 0.1 / SQRT_2).powi(2),
+            0.910_959_636,
+        ),
+    ];
+    for (id, stated, found) in by_hand {
+        let case = by_hand::of(id).unwrap();
+        let [left, right] = case.numbers().unwrap();
+        let decimals = left.find('.').map_or(0, |point| left.len() - point - 1);
+        assert_eq!(
+            [&left, &right],
+            [
+                &format!("{stated:.decimals$}"),
+                &format!("{found:.decimals$}")
+            ],
+            "{id}"
+        );
+        let words = case.words().unwrap();
+        assert!(
+            words.contains(&left) && words.contains(&right) && words.len() > 100,
+            "{id}: {words}"
+        );
+        assert!(
+            !words.contains("{stated}") && !words.contains("{found}"),
+            "{id}: {words}"
+        );
+    }
+    assert!(by_hand::of("eq-1").is_none());
+    assert_eq!(CASES.len(), by_hand.len());
+}
+
+/// Of the numbers found: name, how many digits are right, the first wrong one and where it stands.
+fn found(number: &str) -> Vec<(&'static str, usize, Option<usize>, Option<usize>)> {
+    let all = search(number).unwrap();
+    all.iter()
+        .map(|m| (m.name, m.right, m.first_wrong, m.column))
+        .collect()
+}
+
+#[test]
+fn a_number_is_found_by_its_digits_sign_and_size() {
+    // λ_c = 0.5370292721…
+    for (number, right) in [
+        ("0.537", 3),
+        ("0.5370", 4),
+        ("5.37029e-1", 6),
+        ("0.53702927", 8),
+        (".5370292721", 10),
+        ("+0.537029E0", 6),
+    ] {
+        assert_eq!(found(number), [("lambda-c", right, None, None)], "{number}");
+    }
+    // Rounded up: the last digit is one more.
+    assert_eq!(found("0.53703"), [("lambda-c", 5, None, None)]);
+    assert_eq!(found("0.5370293"), [("lambda-c", 7, None, None)]);
+    assert_eq!(found("0.07856742013"), [("s", 10, None, None)]);
+    // Not rounded but wrong: from the first wrong digit on, where it stands.
+    assert_eq!(found("0.53709"), [("lambda-c", 4, Some(5), Some(6))]);
+    // Two right digits are too few.
+    assert!(found("0.53802927").is_empty());
+    assert_eq!(found("5.3712e-1"), [("lambda-c", 3, Some(4), Some(4))]);
+    // Another sign or size is another number.
+    for other in ["-0.537029", "5.37029", "0.0537029", "537.029", "0.537029e1"] {
+        assert!(found(other).is_empty(), "{other}");
+    }
+    // Digits beyond those that are known are neither right nor wrong.
+    assert_eq!(found("0.537029272149999")[0].0, "lambda-c");
+    // A number with few digits may belong to several.
+    assert!(found("0.2").len() > 3);
+    for no_number in [
+        "",
+        "x",
+        "0.5.3",
+        "inf",
+        "NaN",
+        "0",
+        "0.000",
+        "1e",
+        "1e99999999999",
+    ] {
+        assert!(search(no_number).is_err(), "{no_number}");
+    }
+}
