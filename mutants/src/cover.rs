@@ -13,7 +13,7 @@ use std::time::Instant;
 pub const WORKERS: usize = 2;
 
 /// The tests besides those of the modules. `structure` reads the sources, `browser` needs one.
-const TESTS: [&str; 15] = [
+const TESTS: [&str; 16] = [
     "mutants",
     "judge",
     "drive",
