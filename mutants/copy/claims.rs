@@ -30,7 +30,11 @@ fn main() {
     spawn(|| {
         loop {
             sleep(Duration::from_millis(50));
-            if UNTIL.lock().unwrap().is_some_and(|until| Instant::now() > until) {
+            if UNTIL
+                .lock()
+                .unwrap()
+                .is_some_and(|until| Instant::now() > until)
+            {
                 println!("slow");
                 exit(3);
             }
@@ -69,7 +73,10 @@ fn ask(question: &str, worst: &mut Worst) -> bool {
             let mut files = fs::read_dir(format!("{SNAPSHOTS}/{}", topic.stem)).unwrap();
             files.all(|file| {
                 let name = file.unwrap().file_name().to_string_lossy().into_owned();
-                let own = topic.claims.iter().any(|c| name == format!("{}.snap", c.id));
+                let own = topic
+                    .claims
+                    .iter()
+                    .any(|c| name == format!("{}.snap", c.id));
                 own || name.starts_with("portrait.snap")
             })
         }),
@@ -92,7 +99,11 @@ fn sheet(id: &str, worst: &mut Worst) -> bool {
     };
     let measured = entry.evidence.iter().filter(|e| !e.route.is_proof());
     for e in measured.filter(|e| e.outcome() == Outcome::Agrees) {
-        let key = (id.to_owned(), e.tolerance.value.to_bits(), e.tolerance.reason.to_owned());
+        let key = (
+            id.to_owned(),
+            e.tolerance.value.to_bits(),
+            e.tolerance.reason.to_owned(),
+        );
         let so_far = worst.entry(key).or_default();
         *so_far = so_far.max(e.worst);
     }
@@ -103,9 +114,18 @@ fn sheet(id: &str, worst: &mut Worst) -> bool {
 fn points(entry: &Entry) -> bool {
     let id = entry.claim.id;
     let tried = entry.evidence.iter().filter(|e| e.fingerprint != 0);
-    let line = |e: &Evidence| format!("{id}, {}: {} points, {:016x}", e.route.name(), e.points, e.fingerprint);
+    let line = |e: &Evidence| {
+        format!(
+            "{id}, {}: {} points, {:016x}",
+            e.route.name(),
+            e.points,
+            e.fingerprint
+        )
+    };
     let snapshot = fs::read_to_string(format!("{SNAPSHOTS}/points.snap")).unwrap();
-    let recorded = snapshot.lines().filter(|l| l.starts_with(&format!("{id}, ")));
+    let recorded = snapshot
+        .lines()
+        .filter(|l| l.starts_with(&format!("{id}, ")));
     recorded.eq(tried.map(line).collect::<Vec<_>>())
 }
 
@@ -114,11 +134,21 @@ fn wrong_variants(id: &str) -> bool {
     all.retain(|v| v.claim == id);
     let ledger = Ledger::try_some(&[id], |_| {});
     let rejected = ledger.rejected(&all);
-    let survive = || all.iter().zip(&rejected).filter(|(_, yes)| !**yes).map(|(v, _)| v.text.as_str());
-    let excused = variants::SURVIVORS.iter().filter(|s| s.claim == id).map(|s| s.text);
+    let survive = || {
+        all.iter()
+            .zip(&rejected)
+            .filter(|(_, yes)| !**yes)
+            .map(|(v, _)| v.text.as_str())
+    };
+    let excused = variants::SURVIVORS
+        .iter()
+        .filter(|s| s.claim == id)
+        .map(|s| s.text);
     let record = include_str!("../snapshots/variants.snap");
     let counts = format!("{} of {}", all.len() - survive().count(), all.len());
-    let recorded = record.lines().find_map(|line| line.strip_prefix(id)?.strip_prefix(": "));
+    let recorded = record
+        .lines()
+        .find_map(|line| line.strip_prefix(id)?.strip_prefix(": "));
     survive().eq(excused) && recorded.map_or(all.is_empty(), |r| r == counts)
 }
 
@@ -131,9 +161,15 @@ fn none_too_loose(table: &str, here: &Worst) -> bool {
     for line in fs::read_to_string(table).unwrap().lines() {
         let cells: Vec<_> = line.splitn(4, '\t').collect();
         if !here.keys().any(|(claim, ..)| claim == cells[0]) {
-            add(cells[1].parse().unwrap(), cells[3], f64::from_bits(cells[2].parse().unwrap()));
+            add(
+                cells[1].parse().unwrap(),
+                cells[3],
+                f64::from_bits(cells[2].parse().unwrap()),
+            );
         }
     }
-    here.iter().for_each(|((_, bits, reason), worst)| add(*bits, reason, *worst));
-    all.iter().all(|((bits, _), worst)| f64::from_bits(*bits) <= 10.0 * worst)
+    here.iter()
+        .for_each(|((_, bits, reason), worst)| add(*bits, reason, *worst));
+    all.iter()
+        .all(|((bits, _), worst)| f64::from_bits(*bits) <= 10.0 * worst)
 }

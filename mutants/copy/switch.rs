@@ -1,7 +1,5 @@
-
 /// True if the change of this number is on: the one that `SLIPBOOK_MUTANT` names. With `SLIPBOOK_REACHED` all are off,
-/// and a file of
-/// this name and the process's number tells at the end which were asked for.
+/// and a file of this name and the process's number tells at the end which were asked for.
 #[doc(hidden)]
 #[inline]
 pub fn mutant(id: u32) -> bool {

@@ -29,6 +29,7 @@ const TESTS: [&str; 16] = [
     "calculators",
     "certified",
     "motions",
+    "numbers",
 ];
 
 /// A test that can be run by itself.
