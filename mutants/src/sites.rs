@@ -174,7 +174,12 @@ impl<'a> Finder<'a> {
         if inside && !some {
             self.found.hidden.extend(ids.iter().map(|(id, _)| id));
         } else if some {
-            self.add(Kind::Iterator, at..end, std::iter::once(at..end).collect(), ids);
+            self.add(
+                Kind::Iterator,
+                at..end,
+                std::iter::once(at..end).collect(),
+                ids,
+            );
         } else {
             self.add(Kind::Body, at..at, vec![], ids);
         }
