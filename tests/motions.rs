@@ -1,7 +1,7 @@
 //! Motions on the plane and on the turntable, near their stops and along their directions.
 
 use slipbook::motion::turntable::{Path, Table, inertial, rotating};
-use slipbook::motion::{MotionError, Plane, State, run, turntable};
+use slipbook::motion::{MotionError, Plane, Signal, State, run, turntable};
 
 fn table() -> Table {
     Table {
@@ -169,4 +169,28 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
         assert_eq!(free.first_along([-n[0], -n[1]]).unwrap(), None);
     }
     assert_eq!(free.first_along([-2.0, 1.0]).unwrap().unwrap().t, 2.0);
+    // From rest, and back again: it sets out at once, and turns round at 2 π.
+    let start = State {
+        t: 0.0,
+        v: [0.0; 2],
+        x: [0.0; 2],
+    };
+    let swing = Plane::along(
+        [1.0, 0.0],
+        Signal::Sine {
+            frequency: 1.0,
+            phase: 0.0,
+        },
+    );
+    let motion = run(&swing, 0.1, start, 20.0).unwrap();
+    let to = |x: f64| motion.first_along([x, 0.0]).unwrap().unwrap();
+    let sets_out = libm::asin(0.1);
+    assert!((to(-1.0).t - sets_out).abs() < 1e-13, "{:?}", to(-1.0));
+    assert_eq!(to(-1.0).v, [0.0; 2]);
+    let back = to(1.0).t;
+    assert!(
+        back > 3.0
+            && motion.at(back + 1e-6).unwrap().v[0] > 0.0
+            && motion.at(back - 1e-6).unwrap().v[0] < 0.0
+    );
 }

@@ -13,6 +13,7 @@ pub mod scalar;
 pub mod numerics {
     pub mod error;
     pub mod events;
+    pub mod lanes;
     pub mod number;
     pub mod piecewise;
     pub mod roots;

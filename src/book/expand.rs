@@ -16,7 +16,7 @@ enum Piece {
 }
 
 /// Fills the placeholders and sets the formulas of one page.
-pub(super) fn expand(page: &Page, filler: &mut Filler<'_>) -> Result<String, BookError> {
+pub(super) fn expand(page: &Page, filler: &Filler<'_>) -> Result<String, BookError> {
     let source = page.text.as_str();
     let mut out = String::with_capacity(source.len() * 4);
     let mut done = 0;
@@ -95,7 +95,7 @@ const HEADING: &str =
 fn fill(
     page: &Page,
     range: Range<usize>,
-    filler: &mut Filler<'_>,
+    filler: &Filler<'_>,
     out: &mut String,
 ) -> Result<(), BookError> {
     let text = &page.text[range.clone()];

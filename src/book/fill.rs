@@ -10,6 +10,7 @@ use super::{errata, map, speed, symbols, tables, values};
 use crate::figures::Figure;
 use crate::ledger::{Entry, Erratum, Ledger, Tally, Verdict};
 use std::collections::BTreeSet;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 /// What stands in a placeholder's place.
 pub(super) enum Filled {
@@ -26,7 +27,8 @@ pub(super) struct Filler<'a> {
     errata: &'a [Erratum],
     code: &'a Code,
     maths: Maths,
-    boxed: BTreeSet<&'static str>,
+    /// The claims that a page has shown so far.
+    boxed: Mutex<BTreeSet<&'static str>>,
 }
 
 impl<'a> Filler<'a> {
@@ -42,7 +44,7 @@ impl<'a> Filler<'a> {
             errata,
             code,
             maths: Maths::new(),
-            boxed: BTreeSet::new(),
+            boxed: Mutex::default(),
         }
     }
 
@@ -66,12 +68,17 @@ impl<'a> Filler<'a> {
 
     /// The first claim that no page has shown so far.
     pub(super) fn without_box(&self) -> Option<&'a Entry> {
+        let boxed = self.boxed();
         let mut entries = self.ledger.entries.iter();
-        entries.find(|entry| !self.boxed.contains(entry.claim.id))
+        entries.find(|entry| !boxed.contains(entry.claim.id))
+    }
+
+    fn boxed(&self) -> MutexGuard<'_, BTreeSet<&'static str>> {
+        self.boxed.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
     /// Fills one placeholder, given without its braces, on the page of this stem.
-    pub(super) fn fill(&mut self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
+    pub(super) fn fill(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let words: Vec<_> = placeholder.split_whitespace().collect();
         let block = |html| Ok(Filled::Block(html));
         let inline = |html| Ok(Filled::Inline(html));
@@ -171,13 +178,13 @@ impl<'a> Filler<'a> {
     }
 
     /// Notes that a claim is shown, once and on its own page: its address is permanent.
-    fn place(&mut self, page: &str, entry: &Entry) -> Result<(), Fault> {
+    fn place(&self, page: &str, entry: &Entry) -> Result<(), Fault> {
         let stem = entry.topic.stem;
         if page != stem {
             let reason = format!("this claim belongs on {stem}.md");
             return Err(Fault::Placeholder(reason));
         }
-        if !self.boxed.insert(entry.claim.id) {
+        if !self.boxed().insert(entry.claim.id) {
             return Err(Fault::Placeholder("this claim is shown already".into()));
         }
         Ok(())

@@ -8,9 +8,8 @@ use crate::ledger::plain_formula;
 use katex::macro_expander::MacroMap;
 use katex::macros::MacroDefinition;
 use katex::{KatexContext, Settings, render_to_string};
-use std::cell::RefCell;
 use std::collections::HashMap;
-use std::sync::LazyLock;
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 /// KaTeX underlines where an error is by combining characters.
 const UNDERLINE: char = '\u{332}';
@@ -23,10 +22,7 @@ const MARK: (&str, &str) = ("<span data-formula=\"", "\"></span>");
 const SHORT: usize = 20;
 
 /// Sets formulas, each one once.
-pub(super) struct Maths {
-    setter: Setter,
-    set: RefCell<Set>,
-}
+pub(super) struct Maths(Mutex<Set>);
 
 /// KaTeX with its settings.
 struct Setter {
@@ -68,8 +64,8 @@ pub(super) static KNOWN: LazyLock<HashMap<Key, (String, String)>> = LazyLock::ne
 });
 
 /// The formulas set so far.
-#[derive(Default)]
 struct Set {
+    setter: Setter,
     /// Number of a formula.
     numbers: HashMap<Key, usize>,
     forms: Forms,
@@ -116,10 +112,11 @@ impl Setter {
 
 impl Maths {
     pub(super) fn new() -> Self {
-        Maths {
+        Maths(Mutex::new(Set {
             setter: Setter::new(),
-            set: RefCell::default(),
-        }
+            numbers: HashMap::new(),
+            forms: Forms::default(),
+        }))
     }
 
     /// A formula within a line.
@@ -153,14 +150,14 @@ impl Maths {
     fn set(&self, latex: &str, display: bool) -> Result<String, Fault> {
         let mark = |number: usize| format!("{}{number}{}", MARK.0, MARK.1);
         let key = (latex.to_owned(), display);
-        if let Some(number) = self.set.borrow().numbers.get(&key) {
+        let mut set = self.set_so_far();
+        if let Some(number) = set.numbers.get(&key) {
             return Ok(mark(*number));
         }
         let form = match KNOWN.get(&key) {
             Some(form) => form.clone(),
-            None => self.setter.form(latex, display)?,
+            None => set.setter.form(latex, display)?,
         };
-        let mut set = self.set.borrow_mut();
         let number = set.forms.0.len();
         set.forms.0.push(form);
         set.numbers.insert(key, number);
@@ -169,7 +166,11 @@ impl Maths {
 
     /// The formulas set so far.
     pub(super) fn forms(&self) -> Forms {
-        self.set.borrow().forms.clone()
+        self.set_so_far().forms.clone()
+    }
+
+    fn set_so_far(&self) -> MutexGuard<'_, Set> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 

@@ -113,12 +113,11 @@ fn write_pages(
     let figures = [figures, &[map::figure(ledger)?]].concat();
     let errata = ledger.errata()?;
     let code = Code::new();
-    let mut filler = Filler::new(ledger, &figures, &errata, &code);
-    let texts: Result<Vec<_>, BookError> = pages
-        .iter()
-        .map(|page| Ok((page.file(), expand::expand(page, &mut filler)?)))
-        .collect();
-    let mut files = texts?;
+    let filler = Filler::new(ledger, &figures, &errata, &code);
+    let text = |page: &Page| Ok((page.file(), expand::expand(page, &filler)?));
+    let texts: Vec<Result<_, BookError>> = pages.par_iter().map(text).collect();
+    // Of several faults, the first in the book is reported.
+    let mut files = texts.into_iter().collect::<Result<Vec<_>, _>>()?;
     if let Some(entry) = filler.without_box() {
         return Err(BookError::ClaimNowhere {
             id: entry.claim.id,

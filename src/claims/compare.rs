@@ -89,36 +89,42 @@ impl Trial {
             partial: false,
         };
         for point in points {
-            let pair = match pair(point) {
-                Ok(pair) => pair,
-                Err(error) => {
-                    evidence.worst = f64::NAN;
-                    evidence.at = error.to_string();
-                    return evidence;
-                }
-            };
-            evidence.points += 1;
-            evidence.fingerprint = mixed(evidence.fingerprint, &pair);
-            let disagreement = pair.disagreement();
-            if disagreement.is_nan() {
-                evidence.worst = f64::NAN;
-                evidence.at = pair.at;
-                return evidence;
-            }
-            if evidence.at.is_empty() || disagreement > evidence.worst {
-                evidence.worst = disagreement;
-                evidence.at.clone_from(&pair.at);
-            }
-            if evidence.samples.len() < SAMPLES {
-                evidence.samples.push(Sample {
-                    at: pair.at,
-                    stated: pair.stated,
-                    found: pair.found,
-                });
+            if !take(&mut evidence, pair(point).map_err(|e| e.to_string())) {
+                break;
             }
         }
         evidence
     }
+}
+
+/// Adds a pair to the evidence, or why there is none; says whether the next one is wanted.
+fn take(evidence: &mut Evidence, pair: Result<Pair, String>) -> bool {
+    let pair = match pair {
+        Ok(pair) => pair,
+        Err(error) => {
+            (evidence.worst, evidence.at) = (f64::NAN, error);
+            return false;
+        }
+    };
+    evidence.points += 1;
+    evidence.fingerprint = mixed(evidence.fingerprint, &pair);
+    let disagreement = pair.disagreement();
+    if disagreement.is_nan() {
+        (evidence.worst, evidence.at) = (f64::NAN, pair.at);
+        return false;
+    }
+    if evidence.at.is_empty() || disagreement > evidence.worst {
+        evidence.worst = disagreement;
+        evidence.at.clone_from(&pair.at);
+    }
+    if evidence.samples.len() < SAMPLES {
+        evidence.samples.push(Sample {
+            at: pair.at,
+            stated: pair.stated,
+            found: pair.found,
+        });
+    }
+    true
 }
 
 /// A fingerprint with one more pair in it: where it was, and the first digits of its scale. Values do not count: what is

@@ -118,6 +118,17 @@ impl Piece {
         })
     }
 
+    /// Where the velocity points at the beginning or, from rest, right after it; zero for a rest.
+    fn heading(&self) -> [f64; 2] {
+        match self {
+            Self::Arc(arc) => {
+                let mut orders = (0..TERMS).map(|k| [arc.v[0][k], arc.v[1][k]]);
+                orders.find(|v| *v != [0.0; 2]).unwrap_or_default()
+            }
+            _ => self.begin().v,
+        }
+    }
+
     /// The first state after the beginning whose velocity points along `n`.
     fn along(&self, n: [f64; 2]) -> Result<Option<State>, MotionError> {
         let across = |v: [&Coefficients; 2]| -> Coefficients {
@@ -260,7 +271,7 @@ impl Motion {
     }
 
     /// The first state whose velocity points along `direction` (of any length), the start included; nothing if
-    /// there is none until the end. A velocity component below 10⁻⁹⁰ of the other counts as zero.
+    /// there is none until the end. Where it sets out from rest in that direction, the state of rest. A velocity component below 10⁻⁹⁰ of the other counts as zero.
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a direction that is zero or not finite.
@@ -276,10 +287,9 @@ impl Motion {
         }
         let n = [direction[0] / length, direction[1] / length];
         for piece in &self.pieces {
-            let begin = piece.begin();
-            let [x, y] = begin.v;
+            let [x, y] = piece.heading();
             if x * n[1] - y * n[0] == 0.0 && x * n[0] + y * n[1] > 0.0 {
-                return Ok(Some(begin));
+                return Ok(Some(piece.begin()));
             }
             if let Some(state) = piece.along(n)? {
                 return Ok(Some(state));

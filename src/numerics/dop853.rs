@@ -9,15 +9,18 @@ use ode_solvers::{DVector, Dop853, OutputType, System};
 
 /// A right-hand side in the form that the library wants, with the time as one more component: the library's own
 /// time is wrong in the last stage (its node c₁₂ is 0 where it has to be 1), so nothing may depend on it.
-struct RightHandSide<F, const D: usize>(F);
+struct RightHandSide<'f>(&'f Slopes<'f>);
 
-impl<const D: usize, F: Fn(f64, &[f64; D]) -> [f64; D]> System<f64, DVector<f64>>
-    for RightHandSide<F, D>
-{
+/// The slopes at a time and in a state; the library is compiled once for all of them.
+type Slopes<'f> = dyn Fn(f64, &[f64], &mut [f64]) + 'f;
+
+impl System<f64, DVector<f64>> for RightHandSide<'_> {
     fn system(&self, _: f64, x: &DVector<f64>, slope: &mut DVector<f64>) {
-        let state = std::array::from_fn(|i| x[i]);
-        slope.as_mut_slice()[..D].copy_from_slice(&(self.0)(x[D], &state));
-        slope[D] = 1.0;
+        let last = x.len() - 1;
+        let (state, time) = x.as_slice().split_at(last);
+        let (slopes, unit) = slope.as_mut_slice().split_at_mut(last);
+        (self.0)(time[0], state, slopes);
+        unit[0] = 1.0;
     }
 }
 
@@ -56,8 +59,11 @@ pub fn end<const D: usize>(
     // short, so it is put off beyond the last step.
     let (safety, beta, shrink, grow, initial_step) = (0.9, 0.0, 0.333, 6.0, 0.0);
     let start = DVector::from_iterator(D + 1, state.into_iter().chain([from]));
+    let slopes = |t: f64, x: &[f64], slopes: &mut [f64]| {
+        slopes.copy_from_slice(&f(t, &std::array::from_fn(|i| x[i])));
+    };
     let mut solver = Dop853::from_param(
-        RightHandSide::<_, D>(f),
+        RightHandSide(&slopes),
         from,
         to,
         to - from,

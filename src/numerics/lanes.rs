@@ -133,6 +133,13 @@ impl<const L: usize> Number for Lanes<L> {
     fn pow(&self, exponent: f64) -> Self {
         self.map(|x| Number::pow(&x, exponent))
     }
+    #[inline(always)]
+    fn over(&self, n: usize) -> Self {
+        self.map(
+            #[inline(always)]
+            |x| Number::over(&x, n),
+        )
+    }
 }
 
 /// Work that gains from wide registers. Everything in `call` has to be inlined into it (closures in library functions

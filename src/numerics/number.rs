@@ -29,6 +29,12 @@ pub trait Number:
     /// A positive number to a real power.
     fn pow(&self, exponent: f64) -> Self;
 
+    /// The number over the whole number `n`, 1 to 63.
+    #[inline(always)]
+    fn over(&self, n: usize) -> Self {
+        self.clone() / Self::from_f64(n as f64)
+    }
+
     /// `sum + carry + delta` as a new sum and what rounding took from it. A type that has no use for the
     /// carry (an interval) leaves it zero.
     fn accumulate(sum: &Self, carry: &Self, delta: &Self) -> (Self, Self) {
@@ -60,6 +66,11 @@ impl Number for f64 {
     fn pow(&self, exponent: f64) -> Self {
         libm::pow(*self, exponent)
     }
+    /// By the inverse: a division takes three times as long, and every next coefficient waits for it.
+    #[inline(always)]
+    fn over(&self, n: usize) -> Self {
+        self * INVERSES[n]
+    }
     fn accumulate(sum: &Self, carry: &Self, delta: &Self) -> (Self, Self) {
         // Knuth's two-sum: exact whatever the order of sizes.
         let delta = carry + delta;
@@ -68,3 +79,14 @@ impl Number for f64 {
         (new, (sum - (new - part)) + (delta - part))
     }
 }
+
+/// 1/n.
+const INVERSES: [f64; 64] = {
+    let mut inverses = [0.0; 64];
+    let mut n = 0;
+    while n < inverses.len() {
+        inverses[n] = 1.0 / n as f64;
+        n += 1;
+    }
+    inverses
+};

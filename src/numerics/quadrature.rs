@@ -16,10 +16,10 @@ pub struct Integral {
     pub error: f64,
 }
 
-/// An integrand in the form that the library wants.
-struct Integrand<F>(F);
+/// An integrand in the form that the library wants; the library is compiled once for all of them.
+struct Integrand<'f>(&'f dyn Fn(f64) -> f64);
 
-impl<F: Fn(f64) -> f64> Integrable for Integrand<F> {
+impl Integrable for Integrand<'_> {
     type Float = f64;
     type Input = f64;
     type Output = f64;
@@ -72,7 +72,7 @@ pub fn integral_within(
         .with_max_function_evalutions(EVALUATIONS)
         .with_relative_tolerance(RELATIVE)
         .with_absolute_tolerance(absolute);
-    let result = integrate_real(Integrand(f), vec![low, high], config).map_err(|error| {
+    let result = integrate_real(Integrand(&f), vec![low, high], config).map_err(|error| {
         NumericsError::Library {
             method: "adaptive quadrature",
             message: error.to_string(),

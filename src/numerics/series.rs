@@ -25,9 +25,22 @@ pub fn constant<T: Number, const N: usize>(value: T) -> Series<T, N> {
 /// Number of chains of additions that run side by side, since one alone waits for its own last sum.
 const LANES: usize = 4;
 
-/// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0.
+/// Σ a_j b_{n−1−j}, j = 0 … n−1, over two slices of equal length n; zero for n = 0. The two terms with the newest
+/// coefficients come last: all others can be summed before these are known.
 #[inline(always)]
 pub fn convolution<T: Number>(a: &[T], b: &[T]) -> T {
+    match (a, b) {
+        ([a_first, a @ .., a_last], [b_first, b @ .., b_last]) => {
+            let newest = a_first.clone() * b_last.clone() + a_last.clone() * b_first.clone();
+            between(a, b) + newest
+        }
+        _ => between(a, b),
+    }
+}
+
+/// The same, in any order.
+#[inline(always)]
+fn between<T: Number>(a: &[T], b: &[T]) -> T {
     let (a, a_rest) = a.as_chunks::<LANES>();
     let (b_rest, b) = b.as_rchunks::<LANES>();
     let zero = T::from_f64(0.0);
@@ -75,7 +88,9 @@ pub fn sqrt<T: Number>(a: &[T], r: &[T], k: usize) -> T {
     if k == 0 {
         return a[0].sqrt();
     }
-    (a[k].clone() - symmetric(&r[1..k])) / (r[0].clone() + r[0].clone())
+    // The inverse is ready before the sum is.
+    let half = T::from_f64(0.5) / r[0].clone();
+    (a[k].clone() - symmetric(&r[1..k])) * half
 }
 
 /// Σ j u_j f_{k−j} / k, j = 1 … k: the coefficient `k` of the function whose derivative is u′f. Here and in
@@ -83,7 +98,7 @@ pub fn sqrt<T: Number>(a: &[T], r: &[T], k: usize) -> T {
 #[inline(always)]
 fn chain<T: Number>(u: &[T], f: &[T], k: usize) -> T {
     if let [_, slope] = u {
-        return slope.clone() * f[k - 1].clone() / T::from_f64(k as f64);
+        return (slope.clone() * f[k - 1].clone()).over(k);
     }
     let mut sum = T::from_f64(0.0);
     let mut weight = 0.0;
@@ -91,7 +106,7 @@ fn chain<T: Number>(u: &[T], f: &[T], k: usize) -> T {
         weight += 1.0;
         sum = sum + T::from_f64(weight) * u.clone() * f.clone();
     }
-    sum / T::from_f64(k as f64)
+    sum.over(k)
 }
 
 /// Coefficient `k` of s = sin u and of c = cos u.
@@ -123,7 +138,7 @@ pub fn power<T: Number>(u: &[T], exponent: f64, p: &[T], k: usize) -> T {
         let weight = T::from_f64(exponent * f64::from(j) - (k as f64 - f64::from(j)));
         sum = sum + weight * u.clone() * p.clone();
     }
-    sum / (T::from_f64(k as f64) * u[0].clone())
+    sum.over(k) * (T::from_f64(1.0) / u[0].clone())
 }
 
 /// Value of the series at distance `t` from its centre (Horner's rule).
@@ -140,6 +155,21 @@ pub fn value<T: Number>(a: &[T], t: &T) -> T {
 #[inline(always)]
 pub fn change<T: Number>(a: &[T], t: &T) -> T {
     value(&a[1..], t) * t.clone()
+}
+
+/// [`change`] of several series at once: no sum waits for the last one of its own series.
+#[inline(always)]
+pub fn changes<T: Number, const D: usize, const N: usize>(
+    series: &[Series<T, N>; D],
+    t: &T,
+) -> [T; D] {
+    let mut sums: [T; D] = std::array::from_fn(|_| T::from_f64(0.0));
+    for k in (1..N).rev() {
+        for (sum, c) in sums.iter_mut().zip(series) {
+            *sum = sum.clone() * t.clone() + c[k].clone();
+        }
+    }
+    sums.map(|sum| sum * t.clone())
 }
 
 /// The distance from the centre, up to `h`, over which a series that never falls on the way changes by `amount`:

@@ -9,7 +9,7 @@
 use super::error::NumericsError;
 use super::lanes::{Wide, widest};
 use super::number::Number;
-use super::series::{Series, change, value};
+use super::series::{Series, changes, value};
 
 /// Number of coefficients that serves f64 well: order 26.
 pub const TERMS: usize = 27;
@@ -65,9 +65,8 @@ where
         }
         for k in 0..N - 1 {
             let slope = self.system.derivative(k, series, self.work);
-            let inverse = T::from_f64((k + 1) as f64);
             for (x, d) in series.iter_mut().zip(slope) {
-                x[k + 1] = d / inverse.clone();
+                x[k + 1] = d.over(k + 1);
             }
         }
     }
@@ -136,18 +135,24 @@ where
         }
     }
 
-    /// Goes on from a state and the carries with which an earlier integration [finished](Self::finish), for a
-    /// system that does not depend on the time itself.
-    pub fn resume(system: &'a S, state: [T; D], carry: [T; D], control: Control) -> Self {
+    /// Goes on from a state, with the carries and the work space with which an earlier integration
+    /// [finished](Self::finish), for a system that does not depend on the time itself.
+    pub fn resume(
+        system: &'a S,
+        state: [T; D],
+        (carry, work): ([T; D], S::Work),
+        control: Control,
+    ) -> Self {
         Self {
             carry,
+            work,
             ..Self::new(system, T::from_f64(0.0), state, control)
         }
     }
 
-    /// The state reached, and what rounding has taken from each component.
-    pub fn finish(self) -> ([T; D], [T; D]) {
-        (self.state, self.carry)
+    /// The state reached, what rounding has taken from each component, and the work space.
+    pub fn finish(self) -> ([T; D], ([T; D], S::Work)) {
+        (self.state, (self.carry, self.work))
     }
 
     /// Time reached.
@@ -208,8 +213,8 @@ where
     /// given.
     pub fn advance(&mut self, step: &Step<T, D, N>) {
         let h = T::from_f64(step.h);
-        for i in 0..D {
-            let delta = change(&step.series[i], &h);
+        let deltas = changes(&step.series, &h);
+        for (i, delta) in deltas.into_iter().enumerate() {
             (self.state[i], self.carry[i]) = T::accumulate(&self.state[i], &self.carry[i], &delta);
         }
         (self.t, self.t_carry) = T::accumulate(&self.t, &self.t_carry, &h);
@@ -232,7 +237,7 @@ fn log2_reach<T: Number>(x: &[T]) -> f64 {
         let last = log2(c);
         let mut best = f64::NEG_INFINITY;
         for (k, size) in first.iter().enumerate() {
-            let room = (TOLERANCE_LOG2 + size - last) / (n - k) as f64;
+            let room = (TOLERANCE_LOG2 + size - last).over(n - k);
             best = if room > best { room } else { best };
         }
         if last > f64::NEG_INFINITY && best > f64::NEG_INFINITY && best < least {

@@ -276,7 +276,7 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// B beside Y in powers of ε = asin λ₀ − α: qλ₀ = sin β has no term in ε, and one in ε².
+/// B beside Y in powers of ε = asin λ₀ − α: qλ₀ = sin β has no term in ε, and a negative one in ε².
 fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let ring = p.ring();
     let [alpha, beta] = symbols(["α", "β"]);
@@ -299,14 +299,21 @@ fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         b.extend(solved.into_iter().map(|(_, value)| value));
     }
     let b = Series::new(0, b);
+    let slope = b.coefficient(1).ok_or(Obstacle::Empty)?;
     let sine = p.expand("qλ₀", beta.sin(), &[("β", &b)], ("ε", ORDER as i64))?;
     let at = |k| sine.coefficient(k).ok_or(Obstacle::Empty);
     p.equal("It is on C at Y", &at(0)?, &Rational::int(1))?;
     p.zero("It does not leave C at the order ε", &at(1)?)?;
+    let half_square = &slope.pow(2) * &p.ring().divide(&Rational::int(1), &Rational::int(2))?;
+    p.equal(
+        "At the order ε² it lies below C by half the square of the slope of β",
+        &-&at(2)?,
+        &half_square,
+    )?;
     p.quotient(
-        "It does at the order ε², whose coefficient has the inverse",
+        "which is not zero: the slope has the inverse",
         &Rational::int(1),
-        &at(2)?,
+        &slope,
     )?;
     Ok(())
 }

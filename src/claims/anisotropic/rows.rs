@@ -40,8 +40,8 @@ fn ratios() -> Vec<f64> {
         4.65,
         4.8,
     ];
-    list.extend((0..48).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 48.0));
-    list.extend((0..24).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 24.0));
+    list.extend((0..33).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 33.0));
+    list.extend((0..18).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 18.0));
     list
 }
 

@@ -190,7 +190,7 @@ fn launches() -> Vec<[f64; 5]> {
             }
         }
     }
-    for i in 0..2200 {
+    for i in 0..1200 {
         let lambda = if i % 2 == 0 {
             points.uniform(0.0, 1.0)
         } else {
@@ -366,7 +366,7 @@ pub fn stops() -> impl Iterator<Item = Result<&'static Stop, MotionError>> {
 
 fn all_stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
     let mut points = Points::stream(7);
-    (0..1000).map(move |i| {
+    (0..700).map(move |i| {
         let lambda = match i % 4 {
             0 => 1.0 + points.log_uniform(1e-9, 1e-1),
             1 => points.uniform(1.1, 3.0),

@@ -6,7 +6,9 @@ use crate::claims::compare::proved;
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
 use crate::evidence::{Evidence, Subject};
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::exact::{
+    Binary, ExactError, Expr, Function, Node, Obstacle, Proof, Prover, Rational, Ring, Series,
+};
 use crate::paper::{escape as printed, turntable as motion};
 use crate::scalar::Scalar;
 use late::{Late, agree, from_series, law_series, rate};
@@ -23,6 +25,16 @@ fn int(n: i64) -> Expr {
 fn delayed(law: Expr, power: i64) -> Expr {
     let delay = law::delay::<Expr>() * Expr::symbol("L") / tau();
     law * (int(1) - int(power) / int(2) * delay)
+}
+
+/// exp(`n` α) for a law α; for α = (ln x)/m without the logarithm, which no series in τ has.
+fn exponential(law: Expr, n: i64) -> Expr {
+    if let Node::Binary(Binary::Div, above, below) = law.node()
+        && let Node::Call(Function::Ln, x) = above.node()
+    {
+        return x.pow(int(n) / below);
+    }
+    (int(n) * law).exp()
 }
 
 /// What is said of the escape.
@@ -54,8 +66,8 @@ pub const STATEMENTS: [Statement; 10] = [
     },
     Statement {
         id: "eq-130",
-        law: || law::thrice_alpha_exp(Expr::symbol("A")),
-        printed: || int(4) * Expr::symbol("A"),
+        law: || law::alpha_by_a(Expr::symbol("A")),
+        printed: || printed::eq130_alpha(Expr::symbol("A")),
         prove: eq130,
     },
     Statement {
@@ -72,9 +84,13 @@ pub const STATEMENTS: [Statement; 10] = [
     },
     Statement {
         id: "eq-133",
-        law: || law::twice_alpha_exp(tau()),
-        printed: || int(4) * tau() / int(3),
-        prove: |law| in_time(law, "e^(2α)", false, |late| &late.twice_alpha_exp),
+        law: || law::alpha(tau()),
+        printed: || printed::eq133_alpha(tau()),
+        prove: |law| {
+            in_time(exponential(law, 2), "e^(2α)", false, |late| {
+                &late.twice_alpha_exp
+            })
+        },
     },
     Statement {
         id: "eq-134",
@@ -148,7 +164,7 @@ fn eq129(law: Expr) -> Proof {
 }
 
 fn eq130(law: Expr) -> Proof {
-    by_state("e^(3α) at large A", law, |p, late| {
+    by_state("e^(3α) at large A", exponential(law, 3), |p, late| {
         Ok(late.alpha_exp.power(&Rational::int(3), p.ring())?)
     })
 }
@@ -286,10 +302,19 @@ mod tests {
     }
 
     #[test]
-    fn the_printed_laws_are_not_proved() {
+    fn the_printed_laws_are_disproved() {
+        let mut disproved = Vec::new();
         for statement in STATEMENTS {
             let proof = (statement.prove)((statement.printed)());
             assert!(!proof.holds(), "{proof}");
+            if let Some(Obstacle::NotZero { .. }) = proof.obstacle() {
+                disproved.push(statement.id);
+            }
         }
+        // The ring has not the roots of 3 and 4 that the others need.
+        let readable = [
+            "eq-128", "eq-129", "eq-130", "eq-133", "eq-135", "eq-136", "eq-137",
+        ];
+        assert_eq!(disproved, readable);
     }
 }

@@ -80,7 +80,7 @@ impl Flight {
     }
 }
 
-/// The flights of which `wanted` holds: 22 below λ_c, 11 between λ_c and 1, 11 above 1.
+/// The flights of which `wanted` holds: 20 below λ_c, 10 between λ_c and 1, 10 above 1.
 pub fn flights_where(wanted: fn(&Flight) -> bool) -> impl Iterator<Item = Result<Flight, Failure>> {
     static FLIGHTS: LazyLock<Vec<Result<Flight, String>>> = LazyLock::new(|| {
         let mut points = Points::stream(160);
@@ -93,7 +93,7 @@ pub fn flights_where(wanted: fn(&Flight) -> bool) -> impl Iterator<Item = Result
             let start = [points.uniform(0.2, 1.0), points.log_uniform(0.05, 1.0)];
             Flight::from(lambda, start).map_err(|error| error.to_string())
         };
-        (0..44).map(flight).collect()
+        (0..40).map(flight).collect()
     });
     let all = FLIGHTS
         .iter()

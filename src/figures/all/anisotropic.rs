@@ -51,12 +51,12 @@ fn region_map(
 
 /// fig-5.
 fn region_diagram() -> Result<Figure, AllFiguresError> {
-    Ok(anisotropic_figures::fig5(&region_map(0..240, 270, 7.0)?)?)
+    Ok(anisotropic_figures::fig5(&region_map(0..180, 180, 7.0)?)?)
 }
 
 /// The census beyond Y.
 fn region_census() -> Result<Figure, AllFiguresError> {
-    let map = region_map(120..440, 54, f64::INFINITY)?;
+    let map = region_map(90..330, 36, f64::INFINITY)?;
     Ok(anisotropic_figures::census(&map)?)
 }
 

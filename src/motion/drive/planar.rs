@@ -123,14 +123,17 @@ impl System<f64, 3, TERMS> for Layer<'_> {
     type Work = Work;
 
     fn begin(&self, _: &f64, [s, ..]: &[f64; 3], work: &mut Work) {
-        work.h = self.piece.coefficients().to_vec();
+        work.h.clear();
+        work.h.extend_from_slice(self.piece.coefficients());
         let last = work.h.len() - 1;
         for from in 0..last {
             for j in (from..last).rev() {
                 work.h[j] += s * work.h[j + 1];
             }
         }
-        work.partial = vec![[0.0; TERMS]; work.h.len()];
+        // What is read of the others has been written in the same step.
+        work.partial.resize(last + 1, [0.0; TERMS]);
+        work.partial[last] = [0.0; TERMS];
     }
 
     #[inline(always)]

@@ -8,6 +8,7 @@
 use super::super::acceleration::Coefficients;
 use super::super::trajectory::{Arc, Piece, State};
 use super::{MotionError, Run};
+use crate::numerics::number::Number;
 use crate::numerics::series::{convolution, product, sqrt, square};
 use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
 
@@ -40,8 +41,9 @@ impl System<f64, 5, TERMS> for Sliding {
     type Work = Work;
 
     fn begin(&self, _: &f64, _: &[f64; 5], work: &mut Work) {
-        if self.terms > 1 {
-            work.powers = vec![[0.0; TERMS]; self.terms];
+        // What is read of them has been written in the same step.
+        if work.powers.len() < self.terms {
+            work.powers.resize(self.terms, [0.0; TERMS]);
         }
     }
 
@@ -86,7 +88,7 @@ impl Sliding {
         excess[k] = if k == 0 {
             u[0] * u[0] / (libm::hypot(u[0], w[0]) + w[0].abs())
         } else {
-            ((way * a - self.friction) * excess[k - 1] - b * u[k - 1]) / k as f64
+            ((way * a - self.friction) * excess[k - 1] - b * u[k - 1]).over(k)
         };
         work.speed[k] = way * w[k] + excess[k];
         let mut pull = [b * work.speed[k] + self.friction * u[k]; 2];
@@ -134,9 +136,9 @@ impl Run<'_> {
         let State { t, v, x } = self.state;
         let mut fastest = self.state.speed();
         // t, x and v go on with the integrator's carries through the whole slide.
-        let mut carried = [0.0; 5];
+        let (mut carry, mut work) = ([0.0; 5], Work::default());
         let mut start = [v[0], v[1], t, x[0], x[1]];
-        drop_negligible(&mut start, &mut carried);
+        drop_negligible(&mut start, &mut carry);
         while self.state.t < self.until {
             let local = self.local()?;
             let speed = libm::hypot(start[0], start[1]);
@@ -144,7 +146,7 @@ impl Run<'_> {
             let size = libm::hypot(local.a[0][0], local.a[1][0]);
             let unit = unit(size.max(self.friction).max(speed / local.left).min(FASTEST));
             sliding.prepare(&local.a, self.friction, unit);
-            let mut integrator = Integrator::resume(&sliding, start, carried, Control::Each);
+            let mut integrator = Integrator::resume(&sliding, start, (carry, work), Control::Each);
             let mut step = Box::new(Step::empty());
             integrator.expand(&mut step)?;
             // In no case further than a constant speed would take it four times.
@@ -158,9 +160,9 @@ impl Run<'_> {
             if let Some(t) = landing {
                 integrator.set(2, t);
             }
-            let (mut state, mut carry) = integrator.finish();
-            drop_negligible(&mut state, &mut carry);
-            let [vx, vy, t, x, y] = state;
+            (start, (carry, work)) = integrator.finish();
+            drop_negligible(&mut start, &mut carry);
+            let [vx, vy, t, x, y] = start;
             self.push(
                 Piece::Slide(step),
                 State {
@@ -169,7 +171,6 @@ impl Run<'_> {
                     x: [x, y],
                 },
             );
-            (start, carried) = (state, carry);
             if self.stops(fastest) {
                 return Ok(true);
             }

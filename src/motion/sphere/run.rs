@@ -2,7 +2,7 @@
 
 use super::super::acceleration::{Acceleration, Coefficients};
 use super::super::onset::onset;
-use super::slide::Sliding;
+use super::slide::{Sliding, Work};
 use super::{Ball, Contact, Motion, MotionError, PARTS, Piece, Sphere, Transition, check};
 use crate::numerics::events::{Way, roots};
 use crate::numerics::series::{arrival, change, square, value};
@@ -169,14 +169,14 @@ impl Run<'_> {
     /// Slides until the contact velocity is zero or the motion ends.
     fn slide(&mut self) -> Result<(), MotionError> {
         let mut fastest = 0f64;
-        let mut carry = [0.0; 10];
+        let mut carried = ([0.0; 10], Work::default());
         while self.t < self.until {
             let local = self.local()?;
             fastest = fastest.max(self.slip());
             let sliding = Sliding::new(self.sphere, local.a);
             let mut state = [self.t; 10];
             state[1..].copy_from_slice(&self.parts);
-            let mut integrator = Integrator::resume(&sliding, state, carry, Control::Each);
+            let mut integrator = Integrator::resume(&sliding, state, carried, Control::Each);
             let mut step = Box::new(Step::empty());
             integrator.expand(&mut step)?;
             step.h = step.h.min(4.0 * local.left / self.slip());
@@ -189,13 +189,13 @@ impl Run<'_> {
             if let Some(t) = landing {
                 integrator.set(0, t);
             }
-            (state, carry) = integrator.finish();
+            (state, carried) = integrator.finish();
             self.t = state[0];
             self.parts.copy_from_slice(&state[1..]);
             self.pieces.push(Piece::Slide { step, to: self.t });
             for (i, j) in [(7, 8), (8, 7)] {
                 if self.parts[i].abs() < NEGLIGIBLE * self.parts[j].abs() {
-                    (self.parts[i], carry[i + 1]) = (0.0, 0.0);
+                    (self.parts[i], carried.0[i + 1]) = (0.0, 0.0);
                 }
             }
             if self.slip() <= STOP * fastest {

@@ -57,7 +57,10 @@ impl System<f64, 10, TERMS> for Sliding<'_> {
     type Work = Work;
 
     fn begin(&self, _: &f64, _: &[f64; 10], work: &mut Work) {
-        work.powers = vec![[0.0; TERMS]; self.terms];
+        // What is read of them has been written in the same step.
+        if work.powers.len() < self.terms {
+            work.powers.resize(self.terms, [0.0; TERMS]);
+        }
     }
 
     #[inline(always)]
