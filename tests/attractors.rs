@@ -327,3 +327,42 @@ fn a_settled_motion_is_as_certain_as_it_says() {
         .unwrap();
     assert_eq!(found.uncertainty(), f64::INFINITY);
 }
+
+/// How many periods plain following takes is counted by plain following.
+#[test]
+fn the_periods_to_the_large_time_motion_are_those_that_it_takes() {
+    let mut kinds = [0; 2];
+    for (name, shape, breaks) in SHAPES {
+        let drive = Drive::new(shape, breaks).unwrap();
+        for (plus, minus) in FRICTIONS {
+            let friction = Friction::new(plus, minus).unwrap();
+            for w in [0.0, 0.4, 3.0, -4.0, 25.0, -60.0] {
+                let start = State { phi: 0.3, w };
+                let outcome = drive.attractor(friction, start, 1000).unwrap();
+                let Some(found) = outcome.settled() else {
+                    continue;
+                };
+                let mut state = start;
+                let mut counted = 0_u64;
+                loop {
+                    counted += 1;
+                    let end = drive.advance(friction, state, state.phi + TAU).unwrap().end;
+                    let change = (end.w - state.w).abs();
+                    state = State { phi: 0.3, w: end.w };
+                    if change <= 1e-12 * drive.shape().size() {
+                        break;
+                    }
+                }
+                // A count where nothing was accelerated; an estimate from the rate at the end, where it was.
+                let told = found.periods().plain.unwrap();
+                let room = 2.max(counted / 5);
+                assert!(
+                    told.abs_diff(counted) <= room,
+                    "{name}, λ₊ = {plus}, λ₋ = {minus}, from {w}: {told}, counted {counted}"
+                );
+                kinds[usize::from(found.contraction() > 0.0)] += 1;
+            }
+        }
+    }
+    assert!(kinds.iter().all(|n| *n > 20), "{kinds:?}");
+}

@@ -11,6 +11,7 @@ mod cover;
 mod list;
 mod run;
 mod sites;
+mod survivors;
 mod table;
 mod write;
 
@@ -42,6 +43,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     for round in ROUNDS {
         run::run_all(&present, &own, &units, &copy, scratch, round)?;
         println!("{}", table::table(&mutants, &absent, scratch)?);
+    }
+    let differs = survivors::compare(&present, scratch)?;
+    print!("{differs}");
+    if !differs.is_empty() {
+        return Err("the list of survivors is another".into());
     }
     Ok(())
 }

@@ -4,7 +4,6 @@ use crate::list::Mutant;
 use crate::run::known;
 use std::collections::BTreeMap;
 use std::error::Error;
-use std::fs;
 use std::path::Path;
 
 /// The outcomes, in the order of the columns.
@@ -19,7 +18,7 @@ const WORDS: [&str; 8] = [
     "unviable",
 ];
 
-/// Counts by sort and by folder; those that no test caught are listed in `missed.txt`.
+/// Counts by sort and by folder.
 pub fn table(
     mutants: &[Mutant],
     absent: &BTreeMap<u32, String>,
@@ -27,7 +26,6 @@ pub fn table(
 ) -> Result<String, Box<dyn Error>> {
     let known = known(&scratch.join("results.tsv"));
     let mut counts = BTreeMap::<(u8, String), BTreeMap<&str, usize>>::new();
-    let mut missed = String::new();
     for m in mutants {
         let word = match (absent.get(&m.id), known.get(&m.id)) {
             (Some(why), _) if why.starts_with("does not compile") => "unviable",
@@ -40,13 +38,7 @@ pub fn table(
         for row in [(0, m.genre.clone()), (1, folder), (2, "all".into())] {
             *counts.entry(row).or_default().entry(word).or_default() += 1;
         }
-        if ["missed", "unreached", "capped"].contains(&word) {
-            let text = fs::read_to_string(&m.file)?;
-            let line = text.lines().nth(m.start.0 - 1).unwrap_or("").trim();
-            missed += &format!("{}\t{word}\t{}\t{line}\n", m.id, m.name);
-        }
     }
-    fs::write(scratch.join("missed.txt"), missed)?;
     let mut out = format!(
         "| |{}|\n|---|{}\n",
         WORDS.join("|"),

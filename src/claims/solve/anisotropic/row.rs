@@ -175,9 +175,9 @@ fn slip_end(lambda: f64, start: f64, cos: f64, guess: f64) -> f64 {
         let newton = w / slope;
         let bend = 0.5 * cosine / slope;
         x -= newton / (1.0 - newton * bend);
-        // The error after a step is of the order of its third power.
-        let next = newton * bend;
-        if slope < 0.0 && (newton * next * next).abs() < CLOSE {
+        // The error after a step is at most this times its third power, while the step is small.
+        let third = bend * bend + (sine / (6.0 * slope)).abs();
+        if slope < 0.0 && (newton * newton * newton * third).abs() < CLOSE {
             return x;
         }
     }
@@ -241,6 +241,49 @@ mod tests {
             }
         }
         assert!(forward_only > 1000 && both > 1000, "{forward_only} {both}");
+    }
+
+    #[test]
+    fn the_end_of_a_slip_is_found_from_any_guess() {
+        for lambda in [1e-6, 1e-3, 0.05, 0.3, 0.6, 0.8, 0.95, 0.99] {
+            let fastest = sinusoidal::eq28_phi2(lambda);
+            let first = PI - fastest;
+            for part in [0.0, 0.2, 0.5, 0.9] {
+                let start = first + part * (fastest - first);
+                let w = |x: f64| libm::cos(start) - libm::cos(x) - lambda * (x - start);
+                let (mut low, mut high) = (fastest, start + TAU);
+                for _ in 0..200 {
+                    let middle = 0.5 * (low + high);
+                    *(if w(middle) > 0.0 { &mut low } else { &mut high }) = middle;
+                }
+                for guess in [
+                    -20.0,
+                    start - 1e-9,
+                    start,
+                    start + 0.01,
+                    first,
+                    0.5 * PI,
+                    fastest,
+                    fastest + 1e-9,
+                    3.0,
+                    4.0,
+                    5.0,
+                    6.2,
+                    start + TAU - 1e-6,
+                    start + TAU,
+                    40.0,
+                    f64::NAN,
+                ] {
+                    let end = slip_end(lambda, start, libm::cos(start), guess);
+                    // What rounding of w can move the root.
+                    let room = 1e-14 + 4e-16 / (libm::sin(low) - lambda).abs();
+                    assert!(
+                        (end - low).abs() < room,
+                        "{lambda} {start} {guess}: {end} {low}"
+                    );
+                }
+            }
+        }
     }
 
     #[test]
