@@ -10,7 +10,9 @@ use slipbook::claims::anisotropic::runs::{curve_a, curve_b, curve_e, touching};
 use slipbook::corrections::escape;
 use slipbook::motion::drive::{Drive, Friction, Sign, State};
 use slipbook::motion::turntable::{Fate, Start, fate};
+use slipbook::numerics::number::Number;
 use slipbook::paper::sinusoidal::eq37_lambda_c;
+use slipbook::scalar::Scalar;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
@@ -266,4 +268,57 @@ fn the_radius_at_rest_of_a_box_of_starts_is_that_of_its_motions() {
             );
         }
     }
+}
+
+/// Bounds that hold the numbers and are no more than this part of them away.
+#[track_caller]
+fn assert_near(found: Interval, least: f64, most: f64, room: f64) {
+    let holds = found.contains(least) && found.contains(most);
+    let near = found.lo() >= least - room * least.abs() && found.hi() <= most + room * most.abs();
+    assert!(holds && near, "{found:?} for [{least:e}, {most:e}]");
+}
+
+/// Also where they change over to another way, and beyond what they know.
+#[test]
+fn functions_of_intervals_enclose_the_values_of_numbers() {
+    for x in [
+        -699.9, -30.0, -0.4, -1e-300, 0.0, 1e-5, 0.36, 1.0, 30.0, 699.9, -700.0, 700.0,
+    ] {
+        let value = libm::exp(x);
+        assert_near(Scalar::exp(Interval::point(x)), value, value, 1e-12);
+    }
+    for (x, least, most) in [(-700.1, 0.0, 1e-300), (700.1, 1e300, f64::INFINITY)] {
+        let found = Scalar::exp(Interval::point(x));
+        assert!(
+            found.lo() >= least && found.hi() <= most && found.contains(libm::exp(x)),
+            "{found:?}"
+        );
+    }
+    for x in [1e-290, 1e-10, 0.5, 0.999, 1.5, 2.0, 1e10, 1e290] {
+        let value = libm::log(x);
+        assert_near(Scalar::ln(Interval::point(x)), value, value, 1e-12);
+    }
+    assert!(Scalar::ln(Interval::point(1.0)).magnitude() < 1e-15);
+    for (x, least, most) in [
+        (0.9e-290, f64::NEG_INFINITY, -667.0),
+        (1.1e290, 667.0, f64::INFINITY),
+    ] {
+        let found = Scalar::ln(Interval::point(x));
+        assert!(
+            found.lo() >= least && found.hi() <= most && found.contains(libm::log(x)),
+            "{found:?}"
+        );
+    }
+    let powers = range([libm::pow(2.0, 1.5), libm::pow(3.0, 1.5)]);
+    assert_near(
+        Scalar::pow(Interval::new(2.0, 3.0), Interval::point(1.5)),
+        powers[0],
+        powers[1],
+        1e-13,
+    );
+    for x in [-0.99, -0.75, -0.7, -1e-8, 0.3, 0.74, 0.76, 1.0] {
+        let value = libm::asin(x);
+        assert_near(Scalar::asin(Interval::point(x)), value, value, 1e-14);
+    }
+    assert_eq!(Number::magnitude(&Interval::new(-3.0, 2.0)), 3.0);
 }

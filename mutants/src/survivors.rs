@@ -55,7 +55,11 @@ pub fn compare(mutants: &[&Mutant], scratch: &Path) -> Result<String, Box<dyn Er
     let mut by_reason = BTreeMap::<&str, String>::new();
     for (change, count) in &found {
         let (before, reason) = listed.get(change).map_or((0, "?"), |(n, why)| (*n, why));
-        let times = if *count > 1 { format!("\t{count}") } else { String::new() };
+        let times = if *count > 1 {
+            format!("\t{count}")
+        } else {
+            String::new()
+        };
         let line = format!("{}{times}\n", change.join("\t"));
         if before != *count {
             differs += &format!("not noticed {count} times, listed {before} times: {line}");
@@ -65,7 +69,10 @@ pub fn compare(mutants: &[&Mutant], scratch: &Path) -> Result<String, Box<dyn Er
     for change in listed.keys().filter(|change| !found.contains_key(*change)) {
         differs += &format!("listed and noticed now: {}\n", change.join("\t"));
     }
-    let text: String = by_reason.iter().map(|(reason, lines)| format!("> {reason}\n{lines}\n")).collect();
+    let text: String = by_reason
+        .iter()
+        .map(|(reason, lines)| format!("> {reason}\n{lines}\n"))
+        .collect();
     fs::write(scratch.join("survivors.txt"), text)?;
     Ok(differs)
 }

@@ -305,3 +305,18 @@ pub fn straight_rate() -> Evidence {
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::escape::straight::within_one;
+
+    /// The way in which it is counted that none of them stops finds the stops where there are some.
+    #[test]
+    fn a_stop_on_the_table_is_counted() {
+        for straight in within_one() {
+            let straight = straight.unwrap();
+            assert_eq!(table_stops(straight).unwrap(), 1, "{}", straight.at());
+        }
+    }
+}

@@ -138,3 +138,20 @@ pub fn breaks(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> boo
     let nodes: Vec<_> = motion.nodes().filter(|s| s.t >= from).collect();
     nodes.windows(2).filter(|w| broken(&w[0], &w[1])).count()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_breaks_a_statement_is_counted() {
+        let motion = run(&Plane::constant([-1.0, 0.0]), 0.1, AT_REST, 5.0).unwrap();
+        let all = motion.nodes().count() - 1;
+        let faster = |a: &State, b: &State| b.speed() > a.speed();
+        assert!(all > 2);
+        assert_eq!(breaks(&motion, 0.0, faster), all);
+        assert_eq!(breaks(&motion, 0.0, |a, b| faster(b, a)), 0);
+        let late = breaks(&motion, 1e-3, faster);
+        assert!(late > 0 && late < all, "{late} of {all}");
+    }
+}
