@@ -145,13 +145,18 @@ mod tests {
 
     #[test]
     fn what_breaks_a_statement_is_counted() {
-        let motion = run(&Plane::constant([-1.0, 0.0]), 0.1, AT_REST, 5.0).unwrap();
-        let all = motion.nodes().count() - 1;
-        let faster = |a: &State, b: &State| b.speed() > a.speed();
-        assert!(all > 2);
-        assert_eq!(breaks(&motion, 0.0, faster), all);
-        assert_eq!(breaks(&motion, 0.0, |a, b| faster(b, a)), 0);
-        let late = breaks(&motion, 1e-3, faster);
-        assert!(late > 0 && late < all, "{late} of {all}");
+        let start = State {
+            v: [1.0, 1.0],
+            ..AT_REST
+        };
+        let motion = run(&Plane::constant([-1.0, 0.0]), 1.5, start, 5.0).unwrap();
+        let stop = motion.first_stop().unwrap();
+        let times = motion.nodes().map(|s| s.t);
+        let times: Vec<_> = times.filter(|t| *t <= stop).collect();
+        let slower = |a: &State, b: &State| b.speed() < a.speed();
+        assert!(times.len() > 3, "{times:?}");
+        assert_eq!(breaks(&motion, 0.0, slower), times.len() - 1);
+        assert_eq!(breaks(&motion, times[1], slower), times.len() - 2);
+        assert_eq!(breaks(&motion, 0.0, |a, b| slower(b, a)), 0);
     }
 }
