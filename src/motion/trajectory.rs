@@ -271,7 +271,8 @@ impl Motion {
     }
 
     /// The first state whose velocity points along `direction` (of any length), the start included; nothing if
-    /// there is none until the end. Where it sets out from rest in that direction, the state of rest. A velocity component below 10⁻⁹⁰ of the other counts as zero.
+    /// there is none until the end. Where it sets out from rest in that direction, the state of rest. A velocity
+    /// component below 10⁻⁹⁰ of the other counts as zero.
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a direction that is zero or not finite.

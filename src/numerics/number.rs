@@ -29,7 +29,7 @@ pub trait Number:
     /// A positive number to a real power.
     fn pow(&self, exponent: f64) -> Self;
 
-    /// The number over the whole number `n`, 1 to 63.
+    /// The number over the whole number `n`, from 1 on.
     #[inline(always)]
     fn over(&self, n: usize) -> Self {
         self.clone() / Self::from_f64(n as f64)
@@ -69,7 +69,10 @@ impl Number for f64 {
     /// By the inverse: a division takes three times as long, and every next coefficient waits for it.
     #[inline(always)]
     fn over(&self, n: usize) -> Self {
-        self * INVERSES[n]
+        match INVERSES.get(n) {
+            Some(inverse) => self * inverse,
+            None => self / n as f64,
+        }
     }
     fn accumulate(sum: &Self, carry: &Self, delta: &Self) -> (Self, Self) {
         // Knuth's two-sum: exact whatever the order of sizes.
@@ -80,10 +83,10 @@ impl Number for f64 {
     }
 }
 
-/// 1/n.
+/// 1/n, for more n than a series of ours has terms.
 const INVERSES: [f64; 64] = {
     let mut inverses = [0.0; 64];
-    let mut n = 0;
+    let mut n = 1;
     while n < inverses.len() {
         inverses[n] = 1.0 / n as f64;
         n += 1;

@@ -155,3 +155,15 @@ fn no_hang_and_no_nan() {
     let bad = integrate(&BlowUp, 0.0, [f64::NAN], 1.0, Control::Each, 500);
     assert!(matches!(bad, Err(NumericsError::NotFinite { .. })));
 }
+
+#[test]
+fn a_series_may_be_longer_than_the_table_of_inverses() {
+    // (1/2)ᵏ, whose terms pass the tolerance 2⁻⁶⁰ over a length that its last ones give.
+    let x: Vec<f64> = (0..100).map(|k| libm::pow(0.5, f64::from(k))).collect();
+    let h = reach(&x);
+    assert!((1.0..2.0).contains(&h), "{h}");
+    for n in 1..100 {
+        let third = Number::over(&0.3, n);
+        assert!((third * n as f64 - 0.3).abs() < 1e-16, "{n}: {third}");
+    }
+}

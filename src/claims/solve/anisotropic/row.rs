@@ -175,7 +175,7 @@ fn slip_end(lambda: f64, start: f64, cos: f64, guess: f64) -> f64 {
         let newton = w / slope;
         let bend = 0.5 * cosine / slope;
         x -= newton / (1.0 - newton * bend);
-        // The error after a step is at most this times its third power, while the step is small.
+        // The error after a small step is about this times its third power.
         let third = bend * bend + (sine / (6.0 * slope)).abs();
         if slope < 0.0 && (newton * newton * newton * third).abs() < CLOSE {
             return x;
