@@ -1,8 +1,7 @@
-//! From a page as written to a page as mdBook gets it: placeholders filled, formulas set.
+//! From a page as written to a page as mdBook gets it: with marks for what fills the placeholders, and for the formulas.
 
 use super::error::{BookError, Fault};
-use super::fill::{Filled, Filler};
-use super::maths::for_markdown;
+use super::maths::Maths;
 use super::pages::Page;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use std::ops::Range;
@@ -15,29 +14,75 @@ enum Piece {
     Formula { latex: String, display: bool },
 }
 
-/// Fills the placeholders and sets the formulas of one page.
-pub(super) fn expand(page: &Page, filler: &Filler<'_>) -> Result<String, BookError> {
+/// A placeholder of a page.
+pub(super) struct Blank {
+    /// The page, by its place in the book.
+    pub(super) page: usize,
+    /// Where it begins in the page's text.
+    offset: usize,
+    /// What it says, without its braces.
+    pub(super) inside: String,
+    /// Whether nothing else stands on its line.
+    pub(super) alone: bool,
+}
+
+impl Blank {
+    /// What keeps this placeholder from being filled.
+    pub(super) fn error(&self, pages: &[Page], fault: Fault) -> BookError {
+        let placeholder = format!("{{{{{}}}}}", self.inside);
+        at(&pages[self.page], self.offset, &placeholder, fault)
+    }
+}
+
+/// What stands for the placeholder of this number until mdBook is done.
+pub(super) const MARK: (&str, &str) = ("<span data-blank=\"", "\"></span>");
+
+/// Marks the placeholders of one page, and sets and marks its formulas. A line with nothing but a placeholder is a
+/// paragraph of its own.
+pub(super) fn expand(
+    (number, page): (usize, &Page),
+    maths: &Maths,
+    blanks: &mut Vec<Blank>,
+) -> Result<String, BookError> {
     let source = page.text.as_str();
     let mut out = String::with_capacity(source.len() * 4);
     let mut done = 0;
+    let mut mark = |range: Range<usize>, out: &mut String| {
+        for part in parts(page, range)? {
+            match part {
+                Part::Text(text) => out.push_str(text),
+                Part::Placeholder(range) => {
+                    let alone = alone(source, range.clone());
+                    let gap = if alone { "\n\n" } else { "" };
+                    let mark = format!("{gap}{}{}{}{gap}", MARK.0, blanks.len(), MARK.1);
+                    out.push_str(&mark);
+                    blanks.push(Blank {
+                        page: number,
+                        offset: range.start,
+                        inside: source[range.start + 2..range.end - 2].to_owned(),
+                        alone,
+                    });
+                }
+            }
+        }
+        Ok::<_, BookError>(())
+    };
     for (range, piece) in pieces(page)? {
-        fill(page, done..range.start, filler, &mut out)?;
+        mark(done..range.start, &mut out)?;
         done = range.end;
         match piece {
             Piece::Code => out.push_str(&source[range]),
             Piece::Formula { latex, display } => {
-                let maths = filler.maths();
                 let html = if display {
                     maths.display(&latex)
                 } else {
                     maths.inline(&latex)
                 };
-                let html = html.map_err(|fault| at(page, range.start, &latex, fault))?;
-                out.push_str(&for_markdown(&html));
+                out.push_str(&html.map_err(|fault| at(page, range.start, &latex, fault))?);
             }
         }
     }
-    fill(page, done..source.len(), filler, &mut out)?;
+    mark(done..source.len(), &mut out)?;
     Ok(out)
 }
 
@@ -91,45 +136,33 @@ fn pieces(page: &Page) -> Result<Vec<(Range<usize>, Piece)>, BookError> {
 const HEADING: &str =
     "a heading with a formula or a placeholder needs an id of its own: `## … {#id}`";
 
-/// Fills the placeholders in a stretch without code and formulas.
-fn fill(
-    page: &Page,
-    range: Range<usize>,
-    filler: &Filler<'_>,
-    out: &mut String,
-) -> Result<(), BookError> {
+/// What a stretch without code and formulas consists of.
+enum Part<'a> {
+    Text(&'a str),
+    /// A placeholder with its braces, by its place in the page.
+    Placeholder(Range<usize>),
+}
+
+fn parts(page: &Page, range: Range<usize>) -> Result<Vec<Part<'_>>, BookError> {
     let text = &page.text[range.clone()];
+    let mut parts = Vec::new();
     let mut done = 0;
     while let Some(start) = text[done..].find("{{").map(|i| done + i) {
-        let place = range.start + start;
-        plain(page, range.start + done, &text[done..start], out)?;
-        let line_end = text[start..].find('\n').map_or(text.len(), |i| start + i);
-        let length = text[start..line_end].find("}}").map(|i| i + 2);
-        let Some(length) = length else {
-            return Err(markup(page, place, "`{{` without `}}` on the same line"));
+        parts.push(plain(page, range.start + done, &text[done..start])?);
+        let line = text[start..].lines().next().unwrap_or("");
+        let Some(length) = line.find("}}").map(|i| i + 2) else {
+            let reason = "`{{` without `}}` on the same line";
+            return Err(markup(page, range.start + start, reason));
         };
-        let placeholder = &text[start..start + length];
         done = start + length;
-        let inside = &placeholder[2..length - 2];
-        let filled = filler
-            .fill(page.stem, inside)
-            .map_err(|fault| at(page, place, placeholder, fault))?;
-        match filled {
-            Filled::Inline(html) => out.push_str(&for_markdown(&html)),
-            Filled::Block(html) if alone(&page.text, place..place + length) => {
-                out.push_str(&format!("\n{html}\n"));
-            }
-            Filled::Block(_) => {
-                let fault = Fault::Placeholder("must stand alone on its line".into());
-                return Err(at(page, place, placeholder, fault));
-            }
-        }
+        parts.push(Part::Placeholder(range.start + start..range.start + done));
     }
-    plain(page, range.start + done, &text[done..], out)
+    parts.push(plain(page, range.start + done, &text[done..])?);
+    Ok(parts)
 }
 
 /// Passes text on in which nothing may be left to fill or to set.
-fn plain(page: &Page, place: usize, text: &str, out: &mut String) -> Result<(), BookError> {
+fn plain<'a>(page: &Page, place: usize, text: &'a str) -> Result<Part<'a>, BookError> {
     if let Some(i) = text.find('$') {
         return Err(markup(
             page,
@@ -140,8 +173,7 @@ fn plain(page: &Page, place: usize, text: &str, out: &mut String) -> Result<(), 
     if let Some(i) = text.find("}}") {
         return Err(markup(page, place + i, "`}}` without `{{`"));
     }
-    out.push_str(text);
-    Ok(())
+    Ok(Part::Text(text))
 }
 
 /// True if nothing else stands on the line.

@@ -16,7 +16,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 pub(super) enum Filled {
     /// A value within a line.
     Inline(String),
-    /// A block of HTML, on lines of its own, without a blank line in it.
+    /// A block of HTML.
     Block(String),
 }
 
@@ -26,7 +26,7 @@ pub(super) struct Filler<'a> {
     figures: &'a [Figure],
     errata: &'a [Erratum],
     code: &'a Code,
-    maths: Maths,
+    maths: &'a Maths,
     /// The claims that a page has shown so far.
     boxed: Mutex<BTreeSet<&'static str>>,
 }
@@ -37,19 +37,20 @@ impl<'a> Filler<'a> {
         figures: &'a [Figure],
         errata: &'a [Erratum],
         code: &'a Code,
+        maths: &'a Maths,
     ) -> Self {
         Filler {
             ledger,
             figures,
             errata,
             code,
-            maths: Maths::new(),
+            maths,
             boxed: Mutex::default(),
         }
     }
 
     pub(super) fn maths(&self) -> &Maths {
-        &self.maths
+        self.maths
     }
 
     pub(super) fn code(&self) -> &'a Code {
@@ -103,8 +104,12 @@ impl<'a> Filler<'a> {
             ["survivors"] => block(tables::survivors(self)?),
             ["sheet", id] => block(format!(
                 "<pre><code class=\"language-text\">{}</code></pre>\n",
-                // A blank line would end the block.
-                escape(&self.entry(id)?.sheet().replace('\n', "\u{1}")).replace('\u{1}', "&#10;")
+                self.entry(id)?
+                    .sheet()
+                    .lines()
+                    .map(escape)
+                    .collect::<Vec<_>>()
+                    .join("\n")
             )),
             ["equations"] => block(tables::equations(self)?),
             ["symbols"] => block(symbols::table_of(self)?),

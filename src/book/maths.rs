@@ -35,7 +35,7 @@ struct Setter {
 type Key = (String, bool);
 
 /// The formulas that are known before anything is tried: those of the pages and the claims. The first use sets them.
-pub(super) static KNOWN: LazyLock<HashMap<Key, (String, String)>> = LazyLock::new(|| {
+static KNOWN: LazyLock<HashMap<Key, (String, String)>> = LazyLock::new(|| {
     let maths = Setter::new();
     let parts = |text: &'static str| text.split('$').skip(1).step_by(2);
     let words = |claim: &'static Claim| {
@@ -104,7 +104,7 @@ impl Setter {
         let html = render_to_string(&self.context, &roots_in_braces(latex.trim()), settings)
             .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
         Ok((
-            tidy(&without_annotation(&html), false),
+            tidy(&without_annotation(&html)),
             escape(&plain_formula(latex)),
         ))
     }
@@ -259,14 +259,8 @@ fn without_annotation(html: &str) -> String {
     kept + rest
 }
 
-/// HTML for running text, which is read as Markdown once more: punctuation becomes character
-/// references, so that Markdown sees none.
-pub(super) fn for_markdown(html: &str) -> String {
-    tidy(html, true)
-}
-
 /// Puts attributes in order, since KaTeX writes them in any, and joins lines.
-fn tidy(html: &str, hide_punctuation: bool) -> String {
+fn tidy(html: &str) -> String {
     let mut out = String::with_capacity(html.len() * 2);
     let mut rest = html;
     while let Some(c) = rest.chars().next() {
@@ -276,19 +270,7 @@ fn tidy(html: &str, hide_punctuation: bool) -> String {
             rest = &rest[end..];
             continue;
         }
-        let reference = (c == '&').then(|| rest.find(';')).flatten();
-        if let Some(end) = reference {
-            out.push_str(&rest[..=end]);
-            rest = &rest[end + 1..];
-            continue;
-        }
-        if c == '\n' {
-            out.push(' ');
-        } else if hide_punctuation && c.is_ascii_punctuation() {
-            out.push_str(&format!("&#{};", u32::from(c)));
-        } else {
-            out.push(c);
-        }
+        out.push(if c == '\n' { ' ' } else { c });
         rest = &rest[c.len_utf8()..];
     }
     out
@@ -338,18 +320,17 @@ mod tests {
     use super::*;
 
     #[test]
-    fn attributes_come_in_order_and_punctuation_is_hidden_from_markdown() {
+    fn attributes_come_in_order() {
         let html = "<span style=\"a:b\" class='c d'>x_1*|<path d='M0 0'/></span>&amp;\n";
         assert_eq!(
-            tidy(html, true),
-            "<span class='c d' style=\"a:b\">x&#95;1&#42;&#124;<path d='M0 0'/></span>&amp; "
+            tidy(html),
+            "<span class='c d' style=\"a:b\">x_1*|<path d='M0 0'/></span>&amp; "
         );
-        assert!(tidy(html, false).contains("x_1*|"));
     }
 
     #[test]
     fn an_empty_attribute_does_not_swallow_the_next() {
-        assert_eq!(tidy("<a b=\"\" a=\"1\">", false), "<a a=\"1\" b=\"\">");
+        assert_eq!(tidy("<a b=\"\" a=\"1\">"), "<a a=\"1\" b=\"\">");
     }
 
     #[test]

@@ -30,6 +30,9 @@
 //!
 //! Those that stand for a box, a figure or a table stand alone on their line. None is filled in code.
 //! Whatever cannot be filled or set stops the book, with page and line.
+//!
+//! mdBook renders the pages before anything is known of the verdicts, with marks in the place of formulas and of what
+//! fills the placeholders: it then reads a tenth of the text, and the rest is put in last.
 
 mod assets;
 mod claim_box;
@@ -39,6 +42,7 @@ mod error;
 mod expand;
 mod explorer;
 mod fill;
+mod frame;
 mod map;
 mod maths;
 mod pages;
@@ -54,21 +58,12 @@ mod text;
 mod values;
 
 pub use error::BookError;
+pub use frame::Frame;
 
-use crate::claims::values::VALUES;
 use crate::figures::Figure;
-use crate::ledger::{Format, Ledger};
-use code::Code;
-use fill::Filler;
-use maths::Forms;
-use mdbook_driver::MDBook;
-use mdbook_driver::config::Config;
-use pages::Page;
-use rayon::prelude::*;
-use search::Search;
+use crate::ledger::Ledger;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::LazyLock;
 use swap::{Staging, unwritable};
 
 /// Writes the book into the folder `out` and returns the path of its first page.
@@ -82,17 +77,7 @@ use swap::{Staging, unwritable};
 /// is neither empty nor an earlier book, and the other kinds of [`BookError`] if a page does not
 /// fit the ledger.
 pub fn write(ledger: &Ledger, figures: &[Figure], out: &Path) -> Result<PathBuf, BookError> {
-    write_pages(pages::pages(figures), ledger, figures, out)
-}
-
-/// Sets the formulas and computes the numbers that do not depend on a verdict; [`write()`] then has less to do. It may
-/// be left out.
-pub fn prepare() {
-    LazyLock::force(&maths::KNOWN);
-    for value in &VALUES {
-        // A failure shows where the number is used.
-        let _ = value.number();
-    }
+    Frame::new(figures, out)?.fill(ledger, figures)
 }
 
 /// Finds out whether a book can be written into `out`, before the work is done; changes nothing but for
@@ -102,106 +87,6 @@ pub fn prepare() {
 /// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
 pub fn check(out: &Path) -> Result<(), BookError> {
     Staging::beside(out).map(drop)
-}
-
-fn write_pages(
-    pages: Vec<Page>,
-    ledger: &Ledger,
-    figures: &[Figure],
-    out: &Path,
-) -> Result<PathBuf, BookError> {
-    let figures = [figures, &[map::figure(ledger)?]].concat();
-    let errata = ledger.errata()?;
-    let code = Code::new();
-    let filler = Filler::new(ledger, &figures, &errata, &code);
-    let text = |page: &Page| Ok((page.file(), expand::expand(page, &filler)?));
-    let texts: Vec<Result<_, BookError>> = pages.par_iter().map(text).collect();
-    // Of several faults, the first in the book is reported.
-    let mut files = texts.into_iter().collect::<Result<Vec<_>, _>>()?;
-    if let Some(entry) = filler.without_box() {
-        return Err(BookError::ClaimNowhere {
-            id: entry.claim.id,
-            page: format!("{}.md", entry.topic.stem),
-        });
-    }
-    files.push(("SUMMARY.md".into(), pages::summary(&pages)));
-    for figure in &figures {
-        files.push((fill::data_file(figure), figure.csv.clone()));
-    }
-
-    files.extend(explorer::files());
-
-    let staging = Staging::beside(out)?;
-    let source = staging.path("source");
-    for (name, text) in &files {
-        put(&source.join("src").join(name), text.as_bytes())?;
-    }
-    for (name, bytes) in assets::THEME {
-        // mdBook takes style sheets, scripts and its theme from beside `src`, all other files from within it.
-        let folder = if name.contains("katex") && !name.ends_with(".css") {
-            source.join("src")
-        } else {
-            source.clone()
-        };
-        put(&folder.join(name), bytes)?;
-    }
-    let book = staging.path("book");
-    render(&source, &book)?;
-    let forms = filler.maths().forms();
-    let beside = || {
-        for (name, format) in [("errata.txt", Format::Text), ("errata.tex", Format::Latex)] {
-            put(&book.join(name), ledger.letter(format)?.as_bytes())?;
-        }
-        let mut pages = code.pages();
-        pages.try_for_each(|(name, html)| put(&book.join(name), html.as_bytes()))
-    };
-    let (finished, written) = rayon::join(|| finish(&book, &pages, &forms), beside);
-    finished?;
-    written?;
-    put(&book.join(swap::MARKER), swap::MARKER_TEXT)?;
-    let out = staging.swap(&book)?;
-    Ok(out.join("index.html"))
-}
-
-/// Puts the formulas into mdBook's pages, and our index in place of mdBook's.
-fn finish(book: &Path, pages: &[Page], maths: &Forms) -> Result<(), BookError> {
-    let read = |name: String| {
-        let path = book.join(&name);
-        match fs::read_to_string(&path) {
-            Ok(html) => Ok((name, path, html)),
-            Err(reason) => Err(unwritable(&path, reason)),
-        }
-    };
-    let searched = pages.len();
-    let names = pages.iter().map(|page| format!("{}.html", page.stem));
-    let written: Result<Vec<_>, _> = names.chain(["print.html".to_owned()]).map(read).collect();
-    let written = written?;
-    let index = || {
-        let mut search = Search::new();
-        for (name, _, html) in &written[..searched] {
-            search.add(name, &maths.with_words(html));
-        }
-        let index = search.file();
-        index.map_err(|error| BookError::Render(error.to_string()))
-    };
-    let formulas = || {
-        let pages = written.par_iter();
-        pages.try_for_each(|(_, path, html)| put(path, maths.with_formulas(html).as_bytes()))
-    };
-    let (index, set) = rayon::join(index, formulas);
-    set?;
-    put(&book.join("searchindex.js"), index?.as_bytes())
-}
-
-/// Lets mdBook make `book` from `source`.
-fn render(source: &Path, book: &Path) -> Result<(), BookError> {
-    let mut config: Config = assets::SETTINGS
-        .parse()
-        .map_err(|error| BookError::Render(format!("{error:#}")))?;
-    config.build.build_dir = book.to_owned();
-    MDBook::load_with_config(source, config)
-        .and_then(|mdbook| mdbook.build())
-        .map_err(|error| BookError::Render(format!("{error:#}")))
 }
 
 /// Writes one file, with its folders.

@@ -260,6 +260,24 @@ fn the_book_is_whole() {
 }
 
 #[test]
+fn the_page_for_printing_leads_to_places_within_itself() {
+    let folder = TempDir::new().unwrap();
+    let files = written(&folder);
+    let html = std::str::from_utf8(&files["print.html"]).unwrap();
+    let main = html.split("<main>").nth(1).unwrap();
+    for link in values(main, "href") {
+        let chapter = link.split_once(".html").map(|(stem, _)| stem);
+        assert!(
+            pages(&figures())
+                .iter()
+                .all(|page| Some(page.stem) != chapter),
+            "{link} leads to another page"
+        );
+    }
+    assert!(main.contains("href=\"#eq-11\"") && main.contains("id=\"eq-11\""));
+}
+
+#[test]
 fn addresses_stay() {
     let folder = TempDir::new().unwrap();
     let files = written(&folder);
@@ -394,7 +412,7 @@ fn with_page(
     let mut pages = pages(&figures);
     let page: &mut Page = pages.iter_mut().find(|page| page.stem == stem).unwrap();
     page.text = change(&page.text);
-    write_pages(pages, &ledger(), &figures, out)
+    Frame::of(pages, out)?.fill(&ledger(), &figures)
 }
 
 #[test]

@@ -118,7 +118,7 @@ pub const LAST_STAGE: Tolerance = Tolerance {
 
 /// An angle that tends to zero as a power of the time, or faster.
 pub const LATE_ANGLE: Tolerance = Tolerance {
-    value: 5e-8,
+    value: 2e-8,
     reason: "the slowest case, without friction, has 1e-8 left at a hundred million times v₀/A",
 };
 

@@ -121,10 +121,14 @@ impl Tried {
 pub(super) fn main_job(out: &Path, format: Format) -> Result<u8, Failure> {
     let start = Instant::now();
     book::check(out)?;
-    let drawn = || rayon::join(figures::all, book::prepare).0;
-    let (tried, figures) = rayon::join(|| Tried::new(None), drawn);
-    let tried = tried?;
-    let first_page = book::write(&tried.ledger, &figures?, out)?;
+    let drawn = || {
+        let figures = figures::all()?;
+        let frame = book::Frame::new(&figures, out)?;
+        Ok::<_, Failure>((figures, frame))
+    };
+    let (tried, drawn) = rayon::join(|| Tried::new(None), drawn);
+    let (tried, (figures, frame)) = (tried?, drawn?);
+    let first_page = frame.fill(&tried.ledger, &figures)?;
     match format {
         Format::Text => say(&format!(
             "{}{} comparisons in {:.1} s; {}\nThe book: {}",

@@ -48,12 +48,11 @@ impl Table {
     /// An empty table; each header names a quantity and its unit: `"t (s)"`, `"v_x (v_0)"`. A
     /// quantity without a unit in brackets is dimensionless.
     pub fn new(headers: &[&str]) -> Self {
-        let mut table = Table {
+        let names: Vec<_> = headers.iter().map(|header| quoted(header)).collect();
+        Table {
             columns: headers.len(),
-            text: String::new(),
-        };
-        table.line(headers.iter().map(|header| quoted(header)));
-        table
+            text: names.join(",") + "\n",
+        }
     }
 
     /// Adds a row. [`FigureError::Row`] if it has not one cell per column.
@@ -65,22 +64,23 @@ impl Table {
                 found: cells.len(),
             });
         }
-        self.line(cells.iter().map(|cell| match cell {
-            Cell::Number(value) => twelve_digits(*value),
-            Cell::Whole(value) => value.to_string(),
-            Cell::Text(words) => quoted(words),
-        }));
+        for (i, cell) in cells.iter().enumerate() {
+            if i > 0 {
+                self.text.push(',');
+            }
+            match cell {
+                Cell::Number(value) => write_number(*value, &mut self.text),
+                Cell::Whole(value) => self.text.push_str(&value.to_string()),
+                Cell::Text(words) => self.text.push_str(&quoted(words)),
+            }
+        }
+        self.text.push('\n');
         Ok(())
     }
 
     /// The whole table as text.
     pub fn into_text(self) -> String {
         self.text
-    }
-
-    fn line(&mut self, cells: impl Iterator<Item = String>) {
-        self.text.push_str(&cells.collect::<Vec<_>>().join(","));
-        self.text.push('\n');
     }
 }
 
@@ -92,34 +92,44 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// `value` rounded to 12 significant digits, without superfluous zeros; empty if not finite.
-fn twelve_digits(value: f64) -> String {
+/// Writes `value` rounded to 12 significant digits, without superfluous zeros; nothing if it is not finite.
+fn write_number(value: f64, out: &mut String) {
     if !value.is_finite() {
-        return String::new();
+        return;
     }
     if value == 0.0 {
-        return "0".into();
+        out.push('0');
+        return;
     }
-    let scientific = format!("{value:.11e}");
+    if value < 0.0 {
+        out.push('-');
+    }
+    let scientific = format!("{:.11e}", value.abs());
     let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
     let exponent: i32 = exponent.parse().unwrap_or(0);
-    if !(-5..12).contains(&exponent) {
-        return format!("{mantissa}e{exponent}");
-    }
-    let (sign, digits) = match mantissa.strip_prefix('-') {
-        Some(rest) => ("-", rest.replace('.', "")),
-        None => ("", mantissa.replace('.', "")),
-    };
-    if exponent < 0 {
-        let zeros = "0".repeat((-exponent - 1) as usize);
-        return format!("{sign}0.{zeros}{digits}");
-    }
-    let whole = exponent as usize + 1;
-    if digits.len() <= whole {
-        format!("{sign}{digits}{}", "0".repeat(whole - digits.len()))
-    } else {
-        format!("{sign}{}.{}", &digits[..whole], &digits[whole..])
+    let (first, rest) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let zeros = |count: usize| std::iter::repeat_n('0', count);
+    match exponent {
+        0 => out.push_str(mantissa),
+        -5..0 => {
+            out.push_str("0.");
+            out.extend(zeros(exponent.unsigned_abs() as usize - 1));
+            out.extend([first, rest]);
+        }
+        1..12 => {
+            let whole = exponent as usize;
+            out.push_str(first);
+            match rest.split_at_checked(whole) {
+                Some((whole, "")) => out.push_str(whole),
+                Some((whole, part)) => out.extend([whole, ".", part]),
+                None => {
+                    out.push_str(rest);
+                    out.extend(zeros(whole - rest.len()));
+                }
+            }
+        }
+        _ => out.push_str(&format!("{mantissa}e{exponent}")),
     }
 }
 
@@ -127,6 +137,12 @@ fn twelve_digits(value: f64) -> String {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+
+    fn number(value: f64) -> String {
+        let mut text = String::new();
+        write_number(value, &mut text);
+        text
+    }
 
     #[test]
     fn numbers_are_written_plainly() {
@@ -146,14 +162,14 @@ mod tests {
             (f64::NAN, ""),
             (f64::INFINITY, ""),
         ] {
-            assert_eq!(twelve_digits(value), text, "{value:e}");
+            assert_eq!(number(value), text, "{value:e}");
         }
     }
 
     proptest! {
         #[test]
         fn a_number_survives_to_twelve_digits(value in proptest::num::f64::NORMAL) {
-            let back: f64 = twelve_digits(value).parse().unwrap();
+            let back: f64 = number(value).parse().unwrap();
             prop_assume!(back.is_finite());
             prop_assert!((back - value).abs() <= 5.1e-12 * value.abs());
         }

@@ -97,12 +97,20 @@ impl Canvas {
                     let reach = clear + gap;
                     let centre =
                         self.inward([anchor[0] + reach * cos, anchor[1] - reach * sin], half);
-                    let frame = around(centre, half);
-                    let (taken, _) = self.taken(frame.grown(1.0), owner);
-                    let (_, near) = self.taken(frame.grown(7.0), owner);
                     let off = libm::hypot(centre[0] - anchor[0], centre[1] - anchor[1]);
-                    let total = cost + 12.0 * taken as f64 + near as f64 + 0.25 * off;
-                    if best.is_none_or(|(least, _)| total < least) {
+                    let mut total = cost + 0.25 * off;
+                    let good = |total: f64| best.is_none_or(|(least, _)| total < least);
+                    // To count cells takes long: not where it can change nothing any more.
+                    if !good(total) {
+                        continue;
+                    }
+                    let frame = around(centre, half);
+                    total += 12.0 * self.taken(frame.grown(1.0), owner).0 as f64;
+                    if !good(total) {
+                        continue;
+                    }
+                    total += self.taken(frame.grown(7.0), owner).1 as f64;
+                    if good(total) {
                         best = Some((total, centre));
                     }
                 }

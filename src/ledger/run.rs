@@ -3,6 +3,9 @@
 use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
 use crate::claims::{self, Claim, Topic};
 use rayon::prelude::*;
+use std::iter;
+use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
 
 impl Entry {
     /// Tries one claim and judges it.
@@ -28,15 +31,43 @@ fn tried(
     claims: Vec<(&'static Topic, &'static Claim)>,
     done: &(impl Fn(&Claim) + Sync),
 ) -> Vec<Entry> {
-    let try_one = |(topic, claim)| {
-        let entry = Entry::try_claim(topic, claim);
-        done(claim);
-        entry
+    let workers = rayon::current_num_threads();
+    let shares = Shares::new(claims.len(), workers);
+    let work = |worker| {
+        let next = move |shares: &Shares| shares.next(worker);
+        let shares = &shares;
+        iter::from_fn(move || next(shares)).map(|i| {
+            let (topic, claim) = claims[i];
+            let entry = Entry::try_claim(topic, claim);
+            done(claim);
+            (i, entry)
+        })
     };
-    // The last topics share the most runs: tried last, they would leave one core to wait for another.
-    let mut entries: Vec<_> = claims.into_par_iter().rev().map(try_one).collect();
-    entries.reverse();
-    entries
+    let workers = (0..workers).into_par_iter().with_max_len(1);
+    let mut entries: Vec<_> = workers.flat_map_iter(work).collect();
+    entries.sort_by_key(|(i, _)| *i);
+    entries.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// Which claims each worker has yet to try. Neighbours share runs, and of two workers that need the same runs one waits
+/// for the other: so each keeps to its own part, and who has finished helps the one with most left from its far end.
+struct Shares(Mutex<Vec<Range<usize>>>);
+
+impl Shares {
+    fn new(claims: usize, workers: usize) -> Self {
+        let bound = |worker| claims * worker / workers;
+        let parts = (0..workers).map(|worker| bound(worker)..bound(worker + 1));
+        Shares(Mutex::new(parts.collect()))
+    }
+
+    fn next(&self, worker: usize) -> Option<usize> {
+        // Whole at any time: nothing panics while it is locked.
+        let mut parts = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        parts[worker].next().or_else(|| {
+            let longest = parts.iter_mut().max_by_key(|part| part.len())?;
+            longest.next_back()
+        })
+    }
 }
 
 /// Finds out whether an entry's judgement changes in view of the claims that depend on it.

@@ -107,7 +107,7 @@ pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, MotionError>> {
 /// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
 fn strong() -> impl Iterator<Item = (String, Plane, State)> {
     let mut points = Points::stream(24);
-    (0..100).map(move |i| {
+    (0..60).map(move |i| {
         let rate = points.log_uniform(0.1, 3.0);
         let shape = [0, 2, 3, 4][i % 4];
         let size = Signal::Sum(vec![

@@ -39,7 +39,7 @@ fn riders() -> Evidence {
     let compared = "1 if it stays, 0 if not, by (139) with a particle that rides with the table, seen from the laboratory";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(641);
-    trial.over(0..30, |i| {
+    trial.over(0..21, |i| {
         let table = Table {
             omega: points.sign() * points.uniform(0.3, 3.0),
             mu: points.uniform(0.1, 1.0),

@@ -188,7 +188,7 @@ pub fn eq84() -> Evidence {
     let compared = "𝔴 of the one-dimensional drive with λ₀ by (84) with ϖ w_x/A₀ of the sphere's slip velocity w";
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(410);
-    trial.over(0..60, |i| {
+    trial.over(0..40, |i| {
         let lambda = points.uniform(0.05, 1.5);
         let swing = Swing::new(i, &mut points, lambda);
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
@@ -275,7 +275,7 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
             .into_iter()
             .flat_map(move |d| [at * (1.0 - d), at * (1.0 + d)])
     };
-    let wide = (1..=20).map(|k| 0.075 * f64::from(k));
+    let wide = (1..=8).map(|k| 0.1875 * f64::from(k));
     around(lambda_c).chain(around(1.0)).chain(wide).collect()
 }
 
@@ -322,7 +322,7 @@ pub fn trichotomy_motion() -> Evidence {
     let compared = "the part of a late period in which the drive's motion rests with that in which a sphere, started in any direction, rolls";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, MOTION);
     let mut points = Points::stream(413);
-    trial.over(0..24, |i| {
+    trial.over(0..20, |i| {
         let lambda = points.uniform(0.25, 1.5);
         let swing = Swing::new(i, &mut points, lambda);
         let mut start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
@@ -406,7 +406,7 @@ pub fn pulse_census() -> Evidence {
     let compared = "zeros plus ten times the rests in a period: 2 for λ₀ < η, 20 for λ₀ > η, −1 for rest throughout above 1, with a sphere's late period under the pulses";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(416);
-    let all = pulse_points(&mut points, 32);
+    let all = pulse_points(&mut points, 20);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));

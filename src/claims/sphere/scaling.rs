@@ -113,7 +113,7 @@ fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
                 change: [ours.2, theirs.2],
             })
         };
-        let all: Result<Vec<_>, Failure> = (0..40).map(pair).collect();
+        let all: Result<Vec<_>, Failure> = (0..24).map(pair).collect();
         all.map_err(|error| error.to_string())
     });
     let (twins, error) = match &*TWINS {
