@@ -158,7 +158,8 @@ pub struct Evidence {
     pub compared: &'static str,
     /// How many points were compared.
     pub points: usize,
-    /// A number that changes when a trial looks elsewhere, or takes another scale; 0 where no points were compared.
+    /// A number that changes when a trial looks elsewhere, takes another scale or finds something else; 0 where no points
+    /// were compared.
     pub fingerprint: u64,
     /// The largest disagreement, in units of the scale that the comparison names; infinite where the
     /// claim has no value and the motion has one; NaN where our own side failed.

@@ -89,7 +89,7 @@ fn depends_on(entry: &Entry) -> String {
     format!("{}: {}\n", entry.claim.id, entry.claim.depends_on.join(" "))
 }
 
-/// How many points each trial tries, on a line each, with a fingerprint of where they are and of their scales.
+/// How many points each trial tries, on a line each, with a fingerprint of where they are, of their scales and of what is found.
 fn points(entry: &Entry) -> String {
     let measured = entry.evidence.iter().filter(|e| e.fingerprint != 0);
     let line = |e: &Evidence| {

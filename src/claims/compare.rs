@@ -127,17 +127,20 @@ fn take(evidence: &mut Evidence, pair: Result<Pair, String>) -> bool {
     true
 }
 
-/// A fingerprint with one more pair in it: where it was, and the first digits of its scale. Values do not count: what is
-/// zero but for rounding has no digits of its own.
+/// A fingerprint with one more pair in it: where it was, the first digits of its scale, and what was found there, in units
+/// of the scale and so roughly that rounding does not show.
 fn mixed(fingerprint: u64, pair: &Pair) -> u64 {
     let letter = |word: u64, byte: &u8| word << 8 | u64::from(*byte);
     let text = pair.at.as_bytes().chunks(8);
     let words = text.map(|chunk| chunk.iter().fold(0, letter));
     // Six binary digits after the first.
     let scale = pair.scale.to_bits() >> 46;
-    words.chain([scale]).fold(fingerprint, |sum, word| {
-        (sum.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95)
-    })
+    let found = (pair.found / pair.scale * 65_536.0).round() as i64;
+    words
+        .chain([scale, found as u64])
+        .fold(fingerprint, |sum, word| {
+            (sum.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95)
+        })
 }
 
 /// How many compared pairs are kept for readers: the first ones, so that they do not depend on last bits.

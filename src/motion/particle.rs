@@ -21,7 +21,8 @@ use crate::numerics::taylor::reach;
 /// # Errors
 /// [`MotionError::Argument`] for a parameter that is not finite or out of range: friction, speed and |A| are 0 or
 /// between 10⁻⁵⁰ and 10⁵⁰, times and positions at most 10⁵⁰ in absolute value, `until` not before the start.
-/// [`MotionError::Steps`] for a motion of more than 50,000 steps.
+/// [`MotionError::Steps`] for a motion of more than 50,000 steps. One that slides in two dimensions while |A| exceeds
+/// the friction by no more than a small part of it takes about as many steps as that part is contained in 1.
 pub fn run(
     plane: &dyn Acceleration,
     friction: f64,

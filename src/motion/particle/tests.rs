@@ -461,6 +461,8 @@ proptest! {
         friction in 0.0..4.0,
         v in prop::array::uniform2(-3.0..3.0),
     ) {
+        // Nearer to it, a slip is so slow that it takes too many steps: see the next test.
+        prop_assume!(libm::fabs(libm::hypot(a[0], a[1]) / friction - 1.0) > 3e-3);
         let sine = Signal::Sine { frequency, phase: 1.0 };
         let plane = Plane { x: sine.times(a[0]), y: Signal::constant(a[1]) };
         let motion = run(&plane, friction, moving(v), 10.0).unwrap();
@@ -473,6 +475,29 @@ proptest! {
             prop_assert!(finite(state));
         }
     }
+}
+
+#[test]
+fn slips_too_slow_to_be_followed_are_told() {
+    // |A| exceeds the friction by a part of it, twice a period.
+    let slips = |part: f64, until: f64| {
+        let sine = Signal::Sine {
+            frequency: -4.4,
+            phase: 1.0,
+        };
+        let plane = Plane {
+            x: sine.times(1.5),
+            y: Signal::constant(0.4),
+        };
+        let friction = libm::hypot(1.5, 0.4) / (1.0 + part);
+        run(&plane, friction, moving([0.0; 2]), until)
+    };
+    assert!(slips(1e-2, 10.0).is_ok());
+    let told = slips(1e-5, 10.0).unwrap_err();
+    assert!(
+        matches!(told, MotionError::Steps { limit: 50_000, t } if t < 10.0),
+        "{told}"
+    );
 }
 
 #[test]
