@@ -116,3 +116,23 @@ impl Ledger {
         Ledger { entries }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_keeps_to_its_part_and_then_helps_from_the_far_end() {
+        let shares = Shares::new(10, 3);
+        let own = [0, 1, 2].map(|_| shares.next(0));
+        assert_eq!(own, [0, 1, 2].map(Some));
+        assert_eq!(shares.next(1), Some(3));
+        // The third has 6 to 9 left, the second 4 and 5.
+        assert_eq!([shares.next(0), shares.next(0)], [Some(9), Some(8)]);
+        let mut left: Vec<_> = iter::from_fn(|| shares.next(1)).collect();
+        assert_eq!(left[..2], [4, 5]);
+        left.sort_unstable();
+        assert_eq!(left, [4, 5, 6, 7]);
+        assert_eq!([shares.next(0), shares.next(2)], [None, None]);
+    }
+}

@@ -78,13 +78,22 @@ pub fn integral_within(
             message: error.to_string(),
         }
     })?;
-    let (value, error) = (result.integral, result.error);
-    if value.is_finite() && error.is_finite() {
-        Ok(Integral { value, error })
-    } else {
+    Integral {
+        value: result.integral,
+        error: result.error,
+    }
+    .checked(high)
+}
+
+impl Integral {
+    /// The integral, if it is one.
+    fn checked(self, at: f64) -> Result<Self, NumericsError> {
+        if self.value.is_finite() && self.error.is_finite() {
+            return Ok(self);
+        }
         Err(NumericsError::NotFinite {
             what: "the integral",
-            at: high,
+            at,
         })
     }
 }
@@ -135,10 +144,11 @@ pub fn between_ends(
 ) -> Result<Integral, NumericsError> {
     let low = integral(from_low, 0.0, 0.5 * length)?;
     let high = integral(from_high, 0.0, 0.5 * length)?;
-    Ok(Integral {
+    Integral {
         value: low.value + high.value,
         error: low.error + high.error,
-    })
+    }
+    .checked(length)
 }
 
 /// Evaluations allowed: a logarithmic or root singularity takes a few thousand.
@@ -161,6 +171,17 @@ mod tests {
             off <= found.error.max(1e-15 * expected.abs()),
             "{found:?} {expected}"
         );
+    }
+
+    #[test]
+    fn halves_may_have_no_finite_sum() {
+        let half = integral(|_| 1.5e308, 0.0, 1.0).unwrap();
+        assert_eq!(half.value, 1.5e308);
+        let both = between_ends(|_| 1.5e308, |_| 1.5e308, 2.0);
+        assert!(matches!(
+            both,
+            Err(NumericsError::NotFinite { at: 2.0, .. })
+        ));
     }
 
     #[test]

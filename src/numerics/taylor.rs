@@ -312,6 +312,12 @@ pub fn integrate<S: System<f64, D, N>, const D: usize, const N: usize>(
     loop {
         let left = (to - integrator.t) - integrator.t_carry;
         if left == 0.0 || integrator.t == to {
+            if integrator.state.iter().any(|x| !x.is_finite()) {
+                return Err(NumericsError::NotFinite {
+                    what: "the state",
+                    at: to,
+                });
+            }
             return Ok(Path {
                 steps,
                 end: integrator.state,
@@ -332,12 +338,6 @@ pub fn integrate<S: System<f64, D, N>, const D: usize, const N: usize>(
         step.h = if last { left } else { step.h.copysign(left) };
         integrator.advance(&step);
         if last {
-            if integrator.state.iter().any(|x| !x.is_finite()) {
-                return Err(NumericsError::NotFinite {
-                    what: "the state",
-                    at: to,
-                });
-            }
             (integrator.t, integrator.t_carry) = (to, 0.0);
         }
         steps.push(step);

@@ -86,22 +86,22 @@ pub fn eq86_turns() -> Evidence {
 
 /// (89), likewise.
 pub fn eq89() -> Evidence {
-    let compared = "∫ (89) dτ along the motion found in the frame of the table with the change of d𝛒/dτ found in the laboratory, each component";
+    let compared = "∫ (89) dτ along the motion found in the frame of the table with the change of d𝛒/dτ found in the laboratory; x + 2y";
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
-    let both = stretches(ANY).flat_map(|stretch| [0, 1].map(|i| (stretch.clone(), i)));
-    trial.over(both, |(stretch, i)| {
+    let weighed = |[x, y]: [f64; 2]| x + 2.0 * y;
+    trial.over(stretches(ANY), |stretch| {
         let stretch = stretch?;
         let rate = |tau: f64| {
             let view = stretch.view(tau);
             view.map_or(f64::NAN, |v| {
-                printed::eq89_acceleration(v.position, v.rate)[i]
+                weighed(printed::eq89_acceleration(v.position, v.rate))
             })
         };
         let [begin, end] = [stretch.from, stretch.to].map(|tau| stretch.still.on_table(tau));
         Ok::<_, Failure>(Pair {
             at: stretch.at(),
             stated: integral_within(rate, stretch.from, stretch.to, 1e-13)?.value,
-            found: end?.v[i] - begin?.v[i],
+            found: weighed(end?.v) - weighed(begin?.v),
             scale: 1.0,
         })
     })

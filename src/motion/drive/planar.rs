@@ -266,7 +266,8 @@ impl<'d> Flight<'d> {
         let mut step = Step::empty();
         integrator.expand(&mut step)?;
         let steepest = step.series[1][1].abs().max(step.series[2][1].abs());
-        step.h = step.h.min(LONGEST / steepest.max(f64::MIN_POSITIVE));
+        // Finite, where neither drive nor friction changes anything.
+        step.h = step.h.min(LONGEST / steepest.max(1e-200));
         let reaches = step.at(&step.h)[0] >= end;
         if reaches {
             step.h = arrival(&step.series[0], end - s, step.h);

@@ -154,6 +154,11 @@ fn no_hang_and_no_nan() {
     ));
     let bad = integrate(&BlowUp, 0.0, [f64::NAN], 1.0, Control::Each, 500);
     assert!(matches!(bad, Err(NumericsError::NotFinite { .. })));
+    let nowhere = integrate(&BlowUp, 1.0, [f64::INFINITY], 1.0, Control::Each, 500);
+    assert!(matches!(
+        nowhere,
+        Err(NumericsError::NotFinite { at: 1.0, .. })
+    ));
 }
 
 #[test]

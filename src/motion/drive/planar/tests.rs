@@ -151,6 +151,19 @@ fn with_rest_it_stops_within_a_finite_phase() {
 }
 
 #[test]
+fn without_drive_and_friction_nothing_changes() {
+    let drive = Drive::new(|_| 0.0, &[]).unwrap();
+    let start = PlanarState {
+        phi: 0.0,
+        w_x: -0.5,
+        ln_w_y: 0.0,
+    };
+    for state in drive.planar(0.0, start, &[0.0, 1.0, 20.0]).unwrap() {
+        assert!((state.w_x + 0.5).abs() < 1e-15 && state.ln_w_y.abs() < 1e-15);
+    }
+}
+
+#[test]
 fn bad_input_is_named() {
     let drive = sine();
     let start = PlanarState {
