@@ -129,4 +129,38 @@ mod tests {
         assert_eq!(Said::all([Holds, Nothing, Holds]), Nothing);
         assert_eq!(Said::all([Nothing, Fails]), Fails);
     }
+
+    #[test]
+    fn the_side_that_is_widest_against_its_range_is_halved() {
+        let range = [Interval::new(0.0, 1.0), Interval::new(0.0, 1000.0)];
+        let parts = everywhere(range, |[a, b]| {
+            if a.width() <= 0.5 && b.width() <= 500.0 {
+                Said::Holds
+            } else {
+                Said::Nothing
+            }
+        });
+        assert_eq!(parts.unwrap(), 4);
+    }
+
+    #[test]
+    fn the_search_is_given_up_after_a_number_of_parts() {
+        // So many parts are halved before the statement is plain everywhere.
+        let after = |halved: usize| {
+            let asked = std::cell::Cell::new(0);
+            everywhere([Interval::new(0.0, 1.0)], |_| {
+                asked.set(asked.get() + 1);
+                if asked.get() > halved {
+                    Said::Holds
+                } else {
+                    Said::Nothing
+                }
+            })
+        };
+        assert_eq!(after(MOST + 1).unwrap(), MOST + 2);
+        assert!(matches!(
+            after(MOST + 2),
+            Err(CertifiedError::NotProved { .. })
+        ));
+    }
 }

@@ -195,4 +195,77 @@ mod tests {
         });
         assert!(steps.count() < 1000);
     }
+
+    /// z′ = `factor` z², with the derivatives by the start; the others rest.
+    struct Growing {
+        factor: Interval,
+    }
+
+    impl System<Interval, 12, TERMS> for Growing {
+        type Work = ();
+
+        fn begin(&self, _: &Interval, _: &Extended, (): &mut ()) {}
+
+        fn derivative(&self, k: usize, x: &[Series<Interval, TERMS>; 12], (): &mut ()) -> Extended {
+            std::array::from_fn(|i| match i {
+                2 => self.factor * product(&x[2], &x[2], k),
+                9.. => self.factor * (product(&x[2], &x[i], k) + product(&x[2], &x[i], k)),
+                _ => Interval::point(0.0),
+            })
+        }
+    }
+
+    #[test]
+    fn walls_hold_the_motion_and_little_else() {
+        let h = 0.125;
+        let start = [1.0, 0.0, 0.5].map(Interval::point);
+        let [x, y, z, ..] = walls(&Known, &extended(start), h).unwrap();
+        let time = Interval::point(h);
+        let end = [
+            (x, time.cos()),
+            (y, -time.sin()),
+            (z, Interval::int(1) / (Interval::int(2) - time)),
+        ];
+        for ((wall, end), start) in end.into_iter().zip(start) {
+            assert!(start.within(wall) && end.within(wall), "{wall} {end}");
+            assert!(
+                wall.width() < 1.05 * end.hull(start).width() + 0.015,
+                "{wall}"
+            );
+        }
+    }
+
+    #[test]
+    fn the_remainder_of_a_step_is_counted_once() {
+        // z = z₀/(1 − factor z₀ t), so small that what the series leaves out shows: 0.2¹⁷ against 2⁻⁵³.
+        let start = Interval::point(libm::ldexp(1.0, -20));
+        let factor = Interval::point(libm::ldexp(0.2, 20));
+        let zero = Interval::point(0.0);
+        let [_, _, z] = attempt(&Growing { factor }, &[zero, zero, start], 1.0).unwrap();
+        let expected = start / (Interval::int(1) - factor * start);
+        assert!(z.meet(expected).is_some(), "{z} {expected}");
+        assert!(z.width() < 1e-8 * z.hi(), "{z}");
+    }
+
+    #[test]
+    fn long_steps_are_taken_only_where_little_is_left_out() {
+        let (factor, zero) = (Interval::point(1.0), Interval::point(0.0));
+        let tried = |z: f64, h: f64| {
+            let state = [zero, zero, Interval::point(z)];
+            let walls = walls(&Growing { factor }, &extended(state), h).unwrap();
+            // The coefficient of t¹⁷ in z/(1 − z t) is z¹⁸.
+            let power = |x: f64| libm::pow(x, 18.0);
+            let left_out = (power(walls[2].hi()) - power(walls[2].lo())) * libm::pow(h, 17.0);
+            (left_out, attempt(&Growing { factor }, &state, h).is_some())
+        };
+        let mut taken = 0;
+        for k in 0..=20 {
+            let (left_out, done) = tried(0.9 + 0.02 * f64::from(k), 0.125);
+            assert_eq!(done, left_out <= 1e-14, "{k}: {left_out}");
+            taken += usize::from(done);
+        }
+        assert!(0 < taken && taken < 21, "{taken}");
+        let (left_out, done) = tried(2.0, 0.1);
+        assert!(left_out > 1e-12 && done, "{left_out}");
+    }
 }

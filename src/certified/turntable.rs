@@ -194,4 +194,63 @@ mod tests {
         // At rest from the beginning: nothing is said of p = 0.
         assert!(fate([0.5, 0.0, 0.2].map(Interval::point), 1e-6).is_err());
     }
+
+    /// The rates at a state of numbers.
+    fn rates(state: [f64; 12]) -> [f64; 12] {
+        let zero = Interval::point(0.0);
+        let series =
+            state.map(|x| std::array::from_fn(|k| if k == 0 { Interval::point(x) } else { zero }));
+        Law.derivative(0, &series, &mut ()).map(Interval::mid)
+    }
+
+    #[test]
+    fn the_law_is_that_of_the_table() {
+        let mut state = [0.0; 12];
+        state[..3].copy_from_slice(&[0.7, 0.4, -0.3]);
+        let [p, w, zeta, ..] = rates(state);
+        assert!(
+            (p + 0.28).abs() < 1e-15 && (w + 0.09).abs() < 1e-15 && (zeta + 0.52).abs() < 1e-15
+        );
+    }
+
+    #[test]
+    fn the_derivatives_by_the_start_grow_as_differences_of_motions_do() {
+        let state = [
+            0.7, 0.4, -0.3, 1.3, -0.2, 0.9, 0.5, 1.7, -0.6, 2.1, 0.8, -1.1,
+        ];
+        let found = rates(state);
+        for j in 0..3 {
+            // The law is of the second degree: its difference quotients are derivatives.
+            let beside = |sign: f64| {
+                let mut state = state;
+                for i in 0..3 {
+                    state[i] += sign * state[3 + 3 * i + j];
+                }
+                rates(state)
+            };
+            let (after, before) = (beside(1.0), beside(-1.0));
+            for i in 0..3 {
+                let expected = 0.5 * (after[i] - before[i]);
+                let found = found[3 + 3 * i + j];
+                assert!(
+                    (found - expected).abs() < 1e-14,
+                    "{i} {j}: {found} {expected}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn each_sign_of_escape_is_enough() {
+        let judged = |state: [f64; 3]| judge(&state.map(Interval::point));
+        // w < 0 alone; ρ² − p² > 1 alone; ζ < −p and w < p alone.
+        for state in [[1.0, -0.1, 1.0], [0.1, 0.5, -1.0], [0.4, 0.3, -0.41]] {
+            assert!(matches!(judged(state), Some(Judged::Escape)), "{state:?}");
+        }
+        // One part of the last sign without the other.
+        for state in [[0.2, 0.5, -0.3], [0.4, 0.3, -0.39]] {
+            assert!(!matches!(judged(state), Some(Judged::Escape)), "{state:?}");
+        }
+        assert!(matches!(judged([0.1, 0.9, 0.1]), Some(Judged::Rest(_))));
+    }
 }

@@ -193,3 +193,29 @@ impl Ring {
         Ok(result * x.number_inverse())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn roots_stay_below_the_line_only_as_bare_factors() {
+        let mut ring = Ring::new();
+        let x = ring.symbol("x");
+        let root = ring.root(&x, 2).unwrap();
+        let three = ring.root(&Rational::int(3), 2).unwrap();
+        let inverse = |of: &Rational, k: u32| {
+            let power = of.pow(k).reciprocal().unwrap();
+            ring.text(&ring.normal(&power))
+        };
+        assert_eq!(
+            [1, 2, 3, 5].map(|k| inverse(&root, k)),
+            ["1/√x", "1/x", "1/(√x x)", "1/(√x x^2)"]
+        );
+        // That of a number never.
+        assert_eq!(
+            [1, 2, 3].map(|k| inverse(&three, k)),
+            ["√3/3", "1/3", "√3/9"]
+        );
+    }
+}

@@ -228,6 +228,14 @@ mod tests {
     }
 
     #[test]
+    fn the_inverse_cosine_begins_with_a_right_angle() {
+        assert_eq!(
+            coefficients(Expr::symbol("x").acos(), 0),
+            ["π/2", "−1", "0", "−1/6", "0"]
+        );
+    }
+
+    #[test]
     fn what_has_no_series_is_refused() {
         let ring = Ring::new();
         let x = Series::monomial(Rational::int(1), 1, 7);

@@ -409,4 +409,10 @@ mod tests {
         assert_eq!((a.sin() + b).with("a", b), b.sin() + b);
         assert_eq!((a * b / a).symbols().len(), 2);
     }
+
+    #[test]
+    fn a_tree_is_debugged_as_it_is_printed() {
+        let [a, b] = ["a", "b"].map(Expr::symbol);
+        assert_eq!(format!("{:?}", a.sin() / b), "sin(a)/b");
+    }
 }

@@ -31,8 +31,8 @@ impl Polynomial {
         let mut rest = self;
         for q in (1..=LARGEST).filter(|q| divides(*q, &last)) {
             for p in (1..=LARGEST).flat_map(|p| [p, -p]) {
-                let coprime = (2..=q).all(|d| p % d != 0 || q % d != 0);
-                if !coprime || !divides(p, &first) {
+                // Where p and q have a common divisor, the factor without it has been split off before.
+                if !divides(p, &first) {
                     continue;
                 }
                 let x = Polynomial::generator(g).scale(&IBig::from(q));
@@ -71,5 +71,38 @@ mod tests {
         assert_eq!(product, whole);
         let mixed = &(&x * &x) + &(&x * &Polynomial::generator(1));
         assert!(mixed.split_linear().0.is_empty());
+    }
+
+    #[test]
+    fn factors_come_by_the_denominators_and_numerators_of_their_roots() {
+        let x = Polynomial::generator(0);
+        let linear =
+            |q: i64, p: i64| &x.scale(&IBig::from(q)) + &Polynomial::constant(IBig::from(-p));
+        // By q, then by |p|, positive roots first.
+        let factors = [
+            linear(1, 1),
+            linear(1, -1),
+            linear(1, 12),
+            linear(2, 3),
+            linear(3, 2),
+            linear(3, -4),
+        ];
+        let whole = factors
+            .iter()
+            .fold(Polynomial::one(), |product, f| &product * f);
+        let (found, rest) = whole.split_linear();
+        assert_eq!(found, factors.map(|f| (f, 1)));
+        assert_eq!(rest, Polynomial::one());
+        // The smallest that is split; one that is linear stays, and so does a root beyond the largest.
+        let square = &linear(1, 1) * &linear(1, -1);
+        assert_eq!(square.split_linear().0.len(), 2);
+        assert_eq!(linear(2, 3).split_linear(), (Vec::new(), linear(2, 3)));
+        let far = &linear(1, 13) * &linear(1, 17);
+        assert!(far.split_linear().0.is_empty());
+        // A content stays in what is left.
+        let twice = (&linear(1, 1) * &linear(1, -1)).scale(&IBig::from(12));
+        let (found, rest) = twice.split_linear();
+        assert_eq!(found, [(linear(1, 1), 1), (linear(1, -1), 1)]);
+        assert_eq!(rest, Polynomial::constant(IBig::from(12)));
     }
 }

@@ -125,4 +125,23 @@ mod tests {
         }
         assert_eq!(texts.len(), 10);
     }
+
+    #[test]
+    fn signs_and_squares_are_changed_within() {
+        let a = Expr::symbol("a");
+        let all = |formula: Expr| -> Vec<[String; 2]> {
+            let found = mutations(formula).into_iter();
+            found.map(|m| [m.change, m.formula.to_string()]).collect()
+        };
+        let expected = [
+            ["−(−sin(a)) for −sin(a)", "−(−sin(a))"],
+            ["2 (−sin(a)) for −sin(a)", "2 (−sin(a))"],
+            ["sin(a) for −sin(a)", "sin(a)"],
+            ["cos(a) for sin(a)", "−cos(a)"],
+        ];
+        assert_eq!(all(-a.sin()), expected);
+        let square = all(a * a);
+        let has = |text: &str| square.iter().any(|[_, formula]| formula == text);
+        assert!(has("a") && has("a^2 a") && !has("a/a"), "{square:?}");
+    }
 }

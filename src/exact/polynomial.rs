@@ -400,4 +400,13 @@ mod tests {
         let names = ["a", "b", "c", "d"].map(String::from);
         assert_eq!(left.text(&names), "−b^2 + d^2");
     }
+
+    #[test]
+    fn what_divides_every_term_is_told() {
+        let [x, y, z] = [0, 1, 2].map(Polynomial::generator);
+        let sum = &(&x.pow(3) * &y.pow(2)) + &(&(&x.pow(2) * &y.pow(4)) * &z);
+        assert_eq!(sum.monomial_divisor(), [2, 2]);
+        assert!((&sum + &int(1)).monomial_divisor().is_empty());
+        assert!(!sum.is_empty() && Polynomial::zero().is_empty());
+    }
 }

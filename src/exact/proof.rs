@@ -69,10 +69,10 @@ impl Proof {
         let mut prover = Prover {
             ring,
             steps: Vec::new(),
-            compared: 0,
+            compared: false,
         };
         let outcome = steps(&mut prover);
-        let empty = (prover.compared == 0).then_some(Obstacle::Empty);
+        let empty = (!prover.compared).then_some(Obstacle::Empty);
         Proof {
             title: title.into(),
             steps: prover.steps,
@@ -146,7 +146,8 @@ impl fmt::Display for Proof {
 pub struct Prover<'a> {
     ring: &'a Ring,
     steps: Vec<Step>,
-    compared: usize,
+    /// Whether anything was compared.
+    compared: bool,
 }
 
 impl<'a> Prover<'a> {
@@ -278,7 +279,7 @@ impl<'a> Prover<'a> {
     /// [`Obstacle::NotZero`] with the difference, if they are not.
     pub fn equal(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<(), Obstacle> {
         let difference = x - y;
-        self.compared += 1;
+        self.compared = true;
         if self.ring.is_zero(&difference)? {
             self.note(says, "the difference is 0");
             Ok(())
@@ -296,5 +297,19 @@ impl<'a> Prover<'a> {
     /// [`Obstacle::NotZero`], if it is not.
     pub fn zero(&mut self, says: &str, x: &Rational) -> Result<(), Obstacle> {
         self.equal(says, x, &Rational::int(0))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_proof_compares_something() {
+        let ring = Ring::new();
+        let one = Rational::int(1);
+        let empty = Proof::of("nothing", &ring, |_| Ok(()));
+        assert_eq!(empty.obstacle(), Some(&Obstacle::Empty));
+        assert!(Proof::of("one is one", &ring, |p| p.equal("It", &one, &one)).holds());
     }
 }

@@ -386,4 +386,17 @@ mod tests {
         assert!(Rational::int(0).reciprocal().is_none());
         assert_eq!(half.text(&[]), "−#0/2");
     }
+
+    #[test]
+    fn a_power_below_the_line_counts_as_often_as_it_stands_there() {
+        let x = Rational::generator(0);
+        let more = &x + &Rational::int(1);
+        let cube = over(&x.pow(2), &more.pow(3));
+        assert_eq!(cube.valuation(more.numerator()), -3);
+        assert_eq!(cube.valuation(x.numerator()), 2);
+        // Numbers do not count.
+        let two = Polynomial::constant(IBig::from(2));
+        assert_eq!((&x * &Rational::int(4)).valuation(&two), 0);
+        assert_eq!(Rational::int(0).valuation(x.numerator()), 0);
+    }
 }

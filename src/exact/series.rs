@@ -235,3 +235,34 @@ impl Series {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_series_is_written_with_its_powers_and_its_order() {
+        let mut ring = Ring::new();
+        let a = ring.symbol("a");
+        let [one, zero] = [1, 0].map(Rational::int);
+        let all = vec![one.clone(), -&a, zero.clone(), &a * &a, one.clone(), a];
+        let text = |start| Series::new(start, all.clone()).text("x", &ring);
+        assert_eq!(
+            text(-2),
+            "[1] x^(−2) + [−a] x^(−1) + [a^2] x + [1] x^2 + [a] x^3 + O(x^4)"
+        );
+        assert_eq!(
+            text(-1),
+            "[1] x^(−1) + [−a] + [a^2] x^2 + [1] x^3 + [a] x^4 + O(x^5)"
+        );
+        assert_eq!(
+            Series::new(-1, vec![one.clone()]).text("x", &ring),
+            "[1] x^(−1) + O(1)"
+        );
+        assert_eq!(Series::new(0, vec![zero]).text("x", &ring), "O(x)");
+        assert_eq!(
+            Series::new(-3, vec![one]).text("x", &ring),
+            "[1] x^(−3) + O(x^(−2))"
+        );
+    }
+}

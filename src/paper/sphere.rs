@@ -221,3 +221,17 @@ pub fn eq85_lambda<S: Scalar>(b: S, mu_plus: S, g: S, a0: S) -> S {
 fn half_tan<S: Scalar>(angle: S) -> S {
     (angle / S::int(2)).tan()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_have_three_components() {
+        let (a, b) = ([1.0, 2.0, 3.0], [4.0, -5.0, 6.0]);
+        assert_eq!(plus(a, b), [5.0, -3.0, 9.0]);
+        assert_eq!(minus(a, b), [-3.0, 7.0, -3.0]);
+        assert_eq!(cross(a, b), [27.0, 6.0, -13.0]);
+        assert_eq!(direction([2.0, 3.0, 6.0]), [2.0, 3.0, 6.0].map(|c| c / 7.0));
+    }
+}

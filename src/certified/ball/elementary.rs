@@ -140,4 +140,16 @@ mod tests {
         assert!(y.interval().within(x.widened(1e-16)));
         assert_eq!(y.decimal(20).unwrap(), "0.33333333333333333333");
     }
+
+    #[test]
+    fn the_sine_of_a_small_angle_is_off_by_few_units_for_each_term() {
+        // t = 1/16: five terms t²ⁿ⁺¹/(2n + 1)! are above 2⁻⁶⁴, and each is off by less than two units.
+        let (_, miss) = sine_of_small(IBig::ONE << 60, 64);
+        assert!(
+            miss >= UBig::from(10u8) && miss <= UBig::from(16u8),
+            "{miss}"
+        );
+        let (sine, miss) = sine_of_small(IBig::ZERO, 64);
+        assert!(sine == IBig::ZERO && miss <= UBig::from(5u8), "{miss}");
+    }
 }

@@ -58,3 +58,47 @@ fn what_has_no_value_is_none() {
     assert!(around_zero.asin().is_none());
     assert!(Ball::enclosing(Interval::WHOLE, 60).is_none());
 }
+
+#[test]
+fn a_quotient_holds_all_quotients_even_where_its_middle_is_cut_to_zero() {
+    let ball = |mid: i64, rad: u8| Ball {
+        mid: IBig::from(mid),
+        rad: UBig::from(rad),
+        bits: 0,
+    };
+    // 99/1 = 99, while 99/100 is cut to 0.
+    let quotient = ball(99, 0).over(&ball(100, 99)).unwrap();
+    let [lo, hi] = quotient.bounds();
+    assert!(lo <= IBig::ZERO && hi >= IBig::from(99), "{quotient:?}");
+}
+
+#[test]
+fn a_ball_that_reaches_below_zero_has_no_root() {
+    let mostly_positive = Ball::enclosing(Interval::new(-1.0, 3.0), 60).unwrap();
+    assert!(mostly_positive.sqrt().is_none());
+    let zero = Ball::int(0, 60);
+    assert_eq!(zero.sqrt().unwrap(), zero);
+}
+
+#[test]
+fn the_inverse_sine_is_told_close_to_its_ends_and_at_them() {
+    let right_angle = &Ball::pi(201) * &Ball::ratio(1, 2, 201).unwrap();
+    for (x, expected) in [(1, right_angle.clone()), (-1, -right_angle)] {
+        let angle = Ball::int(x, 200).asin().unwrap();
+        assert!(
+            angle.meets(&expected) && angle.known_bits() > 190,
+            "{angle:?}"
+        );
+    }
+    let x = Ball::int(1, 200) - Ball::ratio(1, 1 << 20, 200).unwrap();
+    let [s, _] = x.asin().unwrap().sin_cos();
+    assert!(s.meets(&x) && s.known_bits() > 150);
+}
+
+#[test]
+fn of_large_arguments_the_sine_is_not_told() {
+    let known = |x: i64| Ball::int(x, 60).sin_cos().map(|value| value.known_bits());
+    assert!(known((1 << 32) - 1).iter().all(|bits| *bits > 50));
+    assert_eq!(known(1 << 32), [0, 0]);
+    assert_eq!(known(-(1 << 40)), [0, 0]);
+}

@@ -134,3 +134,43 @@ fn quotients_hold_all_that_the_signs_allow() {
         assert_eq!([quotient.lo(), quotient.hi()], [lo, hi], "{a:?} / {b:?}");
     }
 }
+
+#[test]
+fn what_rounding_takes_is_never_lost() {
+    // The quotient times 3 rounds to 1, and is not a third.
+    let third = Interval::ratio(1, 3);
+    assert!(third.lo() < third.hi() && third.hi() > 1.0 / 3.0);
+    for x in (2..100_u32).filter(|x| !x.isqrt().pow(2).eq(x)) {
+        let root = Interval::point(f64::from(x)).sqrt();
+        assert!(root.lo() < root.hi(), "{x}: {root}");
+    }
+    // (1 + 2⁻⁴²)² = 1 + 2⁻⁴¹ + 2⁻⁸⁴, of which the last is below the last place.
+    let close = Interval::point(1.0 + libm::ldexp(1.0, -42));
+    let square = close * close;
+    assert!(square.contains(1.0 + libm::ldexp(1.0, -41)));
+    assert!(square.hi() > 1.0 + libm::ldexp(1.0, -41));
+}
+
+#[test]
+fn zero_times_anything_is_zero() {
+    let [zero, three] = [0.0, 3.0].map(Interval::point);
+    for other in [three, -three, Interval::new(1.0, f64::INFINITY)] {
+        assert_eq!(zero * other, zero);
+        assert_eq!(other * zero, zero);
+    }
+}
+
+#[test]
+fn far_arguments_have_any_sine() {
+    for x in [2e5, -3e7, 1e300] {
+        assert_eq!(Interval::point(x).sin(), Interval::new(-1.0, 1.0));
+        assert_eq!(Interval::point(x).cos(), Interval::new(-1.0, 1.0));
+    }
+    assert!(Interval::point(1e5).sin().width() < 1e-9);
+}
+
+#[test]
+fn an_interval_is_written_with_both_bounds() {
+    let x = Interval::new(-0.5, 250.0);
+    assert_eq!(format!("{x} {x:?}"), "[-0.5, 250] [-5e-1, 2.5e2]");
+}

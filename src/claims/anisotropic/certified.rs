@@ -268,4 +268,26 @@ mod tests {
         }));
         refused(prove_order(on_a, |q| q));
     }
+
+    #[test]
+    fn the_parts_of_a_statement_are_those_of_all_its_steps() {
+        let [b, e] = [printed::eq54_sides, corrected::e_sides] as [Sides; 2];
+        let corner = prove_corner(q_y().unwrap()).unwrap();
+        let beginning = prove_beginning().unwrap();
+        let single = |sides, edge, way| prove_single_root(sides, edge, way).unwrap();
+        let parts = single(b, Edge::Beginning, -1.0) + beginning + corner;
+        assert_eq!(prove_b(b).unwrap(), parts);
+        let parts = single(e, Edge::End, 1.0) + corner;
+        assert_eq!(prove_e(e).unwrap(), parts);
+    }
+
+    #[test]
+    fn beyond_its_root_a_difference_may_rise_below_zero() {
+        // l² − 3l/2 + 2/5 falls through its root and rises from 3/4 to −1/10 at 1.
+        let sides = |_, l: Two| {
+            let [half, rest] = [Two::int(1) / Two::int(2), Two::int(9) / Two::int(10)];
+            [l.squared() - l - l * half + rest, half]
+        };
+        assert!(prove_a(sides).is_ok());
+    }
 }

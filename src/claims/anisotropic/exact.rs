@@ -577,4 +577,15 @@ mod tests {
         assert!(!prove_x([q, lambda0 * Expr::int(2)]).holds());
         assert!(!prove_x([Expr::int(2), lambda0]).holds());
     }
+
+    #[test]
+    fn b_leaves_y_with_its_slope() {
+        // dB/dα = −cos α (3π/2 − α) and dB/dβ = −1 − sin α at β = π/2, where 3π/2 − α = cot α: by α, the slope of β is
+        // −cos²α/(sin α (1 + sin α)) = 1 − 1/sin α.
+        let proof = prove_y(sides_of_b());
+        let mut steps = proof.steps().iter();
+        let first = steps.find(|step| step.says.starts_with("B at the order ε^1"));
+        let gives = "x = −(tan(α/2)^2 − 2 tan(α/2) + 1)/(2 tan(α/2))";
+        assert_eq!(first.unwrap().gives, gives);
+    }
 }

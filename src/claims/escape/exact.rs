@@ -317,4 +317,22 @@ mod tests {
         ];
         assert_eq!(disproved, readable);
     }
+
+    #[test]
+    fn exponentials_of_logarithms_are_powers() {
+        let [x, y] = ["x", "y"].map(Expr::symbol);
+        assert_eq!(exponential(x, 3).to_string(), "exp(3 x)");
+        let value = |formula: Expr| {
+            let number = |name: &str| (name == "x").then_some(1.7);
+            formula.evaluate(&number).unwrap()
+        };
+        // exp(6 ln(x)/3) = x².
+        let power = exponential(x.ln() / int(3), 6);
+        assert!((value(power) - 1.7 * 1.7).abs() < 1e-14, "{power}");
+        // Not a logarithm above the line.
+        assert_eq!(
+            exponential(x / y, 2).to_string(),
+            (int(2) * (x / y)).exp().to_string()
+        );
+    }
 }

@@ -219,4 +219,18 @@ mod tests {
         tried += every_mutant_fails(printed::eq46_lambda_c(eta), eq46_meeting);
         assert!(tried > 60, "{tried}");
     }
+
+    #[test]
+    fn each_claim_has_its_proof() {
+        for (id, title) in [
+            ("eq-44", "(44)"),
+            ("eq-45", "(45)"),
+            ("eq-46", "(46)"),
+            ("small-friction", "Small friction"),
+        ] {
+            let proof = proof(id).unwrap();
+            assert!(proof.holds() && proof.title().starts_with(title), "{proof}");
+        }
+        assert_eq!(proof("eq-43"), None);
+    }
 }

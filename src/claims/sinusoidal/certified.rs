@@ -269,4 +269,35 @@ mod tests {
         let evidence = numbers(["lambda-c"], Subject::Printed, "", |bits| [stated(bits)]);
         assert_eq!(evidence.worst, f64::INFINITY);
     }
+
+    #[test]
+    fn the_turn_by_itself_is_the_turn_by_the_friction() {
+        for k in 0..=15 {
+            let phi = Interval::ratio(k, 10);
+            let lambda0 = Interval::int(2) * phi.cos() / Interval::pi();
+            let by_friction = if k == 0 {
+                // φ̃₁ = 0 less the phase at λ₀ = 2/π.
+                -lambda0.asin()
+            } else {
+                turn(One::constant(lambda0)).value
+            };
+            let by_itself = turn_by_itself(One::constant(phi)).value;
+            assert!(
+                by_itself.meet(by_friction).is_some(),
+                "{by_itself} {by_friction}"
+            );
+            assert!(by_itself.width() < 1e-13, "{by_itself}");
+        }
+    }
+
+    #[test]
+    fn one_order_more_than_vanishes_is_looked_at() {
+        let b = Expr::symbol("b");
+        let proof = premises::vanishing(b - b.sin(), 3);
+        assert!(proof.holds(), "{proof}");
+        assert_eq!(proof.steps()[0].gives, "b − sin(b) = [1/6] b^3 + O(b^5)");
+        let proof = premises::vanishing(Expr::int(1) - b.cos(), 2);
+        assert_eq!(proof.steps()[0].gives, "1 − cos(b) = [1/2] b^2 + O(b^4)");
+        assert!(!premises::vanishing(b - b.sin(), 4).holds());
+    }
 }

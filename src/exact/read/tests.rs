@@ -247,3 +247,60 @@ fn what_has_no_meaning_is_refused() -> Result<(), ExactError> {
     assert!(ring.divide(&Rational::int(1), &hidden).is_err());
     Ok(())
 }
+
+#[test]
+fn logarithms_of_powers_are_multiples() -> Result<(), ExactError> {
+    let mut ring = ring()?;
+    let [a, b] = [ring.named("a")?, ring.named("b")?];
+    let [ln_a, ln_b] = [ring.logarithm(&a)?, ring.logarithm(&b)?];
+    let formula = Expr::symbol("a").pow(Expr::int(3)) / Expr::symbol("b").squared();
+    let expected = &Rational::int(3) * &ln_a - Rational::int(2) * ln_b;
+    assert!(ring.is_zero(&(ring.read(formula.ln())? - expected))?);
+    Ok(())
+}
+
+#[test]
+fn powers_to_opposite_exponents_are_both_known() -> Result<(), ExactError> {
+    let mut ring = ring()?;
+    let [a, b, lambda] = [ring.named("a")?, ring.named("b")?, ring.named("λ")?];
+    let up = ring.power(&a, &lambda)?;
+    let down = ring.power(&b, &-&lambda)?;
+    let [a, b, l] = ["a", "b", "λ"].map(Expr::symbol);
+    assert!(ring.is_zero(&(ring.read(a.pow(l))? - &up))?);
+    assert!(ring.is_zero(&(ring.read(b.pow(-l))? - &down))?);
+    assert!(ring.is_zero(&(ring.read(b.pow(l))? * &down - Rational::int(1)))?);
+    Ok(())
+}
+
+#[test]
+fn a_function_has_so_many_halves_and_no_more() -> Result<(), ExactError> {
+    let ring = ring()?;
+    let [alpha, theta] = ["α", "θ"].map(Expr::symbol);
+    for (n, known) in [(16, true), (17, false), (20, false), (-17, false)] {
+        assert_eq!(
+            ring.read((Expr::int(n) * alpha).exp()).is_ok(),
+            known,
+            "{n}"
+        );
+        assert_eq!(
+            ring.read((Expr::int(n) * theta).sin()).is_ok(),
+            known,
+            "{n}"
+        );
+    }
+    Ok(())
+}
+
+#[test]
+fn what_stands_for_something_else_is_not_free() -> Result<(), ExactError> {
+    let mut ring = ring()?;
+    let twice = Rational::int(2) * ring.named("a")?;
+    ring.define("s", twice)?;
+    ring.define("half turn", Rational::generator(PI))?;
+    assert!(ring.by("a").is_ok());
+    for name in ["s", "half turn"] {
+        let error = ring.by(name).unwrap_err();
+        assert!(matches!(error, ExactError::NotFree { .. }), "{error}");
+    }
+    Ok(())
+}

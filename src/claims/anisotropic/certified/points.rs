@@ -75,6 +75,16 @@ pub fn y_digits() -> Evidence {
     })
 }
 
+/// That a point lies in the printed region II: above A, below C, beyond q_Y.
+fn in_second([q, lambda0]: [Interval; 2], critical: Interval) -> bool {
+    on_a(q).below(lambda0) && lambda0.below(printed::eq55_lambda0(q)) && critical.below(q)
+}
+
+/// The last moment at which the drive could pull backward.
+fn last_pull([q, lambda0]: [Interval; 2]) -> Interval {
+    Interval::int(2) * PI - (q * lambda0).asin()
+}
+
 /// A point of the printed region II where the drive never pulls the particle back.
 pub fn no_way_back() -> Evidence {
     let compared = "the sign of 𝔴 at the last moment at which the drive could pull backward: −1 in the printed region II, whose forward motion is over by then, with that of the arc of Newton's law, at q = 9, λ₀ = 1/10";
@@ -83,12 +93,10 @@ pub fn no_way_back() -> Evidence {
         let q = Interval::int(q);
         // There is no B beyond q_Y.
         prove_b(printed::eq54_sides)?;
-        let in_second =
-            on_a(q).below(lambda0) && lambda0.below(printed::eq55_lambda0(q)) && q_y()?.below(q);
-        if !in_second {
+        if !in_second([q, lambda0], q_y()?) {
             return Err("the point is not proved to lie in the printed region II".into());
         }
-        let last = Interval::int(2) * PI - (q * lambda0).asin();
+        let last = last_pull([q, lambda0]);
         let velocity = arc(lambda0.asin(), last, lambda0);
         Ok::<_, Failure>(Pair {
             at: "q = 9, λ₀ = 1/10".into(),
@@ -127,5 +135,28 @@ mod tests {
         let root = prove_x(printed::eq53_sides, printed::eq54_sides).unwrap();
         let [q, lambda0] = stated;
         assert!(prove_stated(root, [q, -lambda0]).is_err());
+    }
+
+    #[test]
+    fn the_printed_region_has_three_sides() {
+        let critical = q_y().unwrap();
+        let at = |n: i64| [Interval::int(9), Interval::ratio(n, 1000)];
+        assert!(in_second(at(100), critical));
+        // Below A, above C, and before a corner that lay farther out.
+        assert!(!in_second(at(1), critical));
+        assert!(!in_second(at(120), critical));
+        assert!(!in_second(at(100), Interval::int(10)));
+    }
+
+    #[test]
+    fn the_drive_pulls_backward_for_the_last_time_where_it_equals_friction() {
+        let [q, lambda0] = [Interval::int(9), Interval::ratio(1, 10)];
+        let last = last_pull([q, lambda0]);
+        let pull = -last.sin();
+        assert!(
+            pull.meet(q * lambda0).is_some() && pull.width() < 1e-14,
+            "{pull}"
+        );
+        assert!(last.inside(Interval::new(4.72, 6.28)), "{last}");
     }
 }

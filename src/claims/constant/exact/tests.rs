@@ -135,3 +135,11 @@ fn every_changed_definition_fails() {
         }
     }
 }
+
+#[test]
+fn the_component_along_x_is_the_speed_times_the_cosine() {
+    let proof = prove_eq18(eq18());
+    let step = proof.steps().iter().find(|step| step.says == "v_x");
+    let gives = &step.unwrap().gives;
+    assert!(gives.contains("^λ cos(θ) = "), "{gives}");
+}

@@ -312,3 +312,31 @@ pub fn agree(
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_to_be_found_is_a_sum_of_powers_of_the_logarithm() {
+        let ring = ring().unwrap();
+        let found = polynomial(&ring, &["x₁", "x₂", "x₀"]).unwrap();
+        let [x0, x1, x2, log] = symbols(["x₀", "x₁", "x₂", "L"]);
+        let expected = ring.read(x0 + x2 * log + x1 * log * log).unwrap();
+        assert!(ring.is_zero(&(found - expected)).unwrap());
+    }
+
+    #[test]
+    fn the_way_grows_with_the_speed_at_three_orders() {
+        let ring = ring().unwrap();
+        let late = SOLUTION.0.as_ref().unwrap();
+        // Two powers of τ^(−1/2) for each order, from τ³ on.
+        assert_eq!([late.s.start(), late.s.order()], [-6, -1]);
+        let growth = rate(&late.s, 2, &ring).unwrap();
+        let left = growth.minus(&late.p);
+        for power in left.start()..=left.order() {
+            let left = left.coefficient(power).unwrap();
+            assert!(ring.is_zero(&left).unwrap(), "{power}");
+        }
+    }
+}

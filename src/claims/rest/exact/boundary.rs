@@ -62,6 +62,8 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
     let one_over = ring.divide(&Rational::int(1), &(Rational::int(1) + &t * &t))?;
     let [free, before] = [ring.named("a")?, ring.named("before")?];
     let mut found = vec![Rational::int(1)];
+    // Of the two constants of F₁ that the equations allow.
+    let way_in = Rational::int(-1);
     // One order more than is kept: it gives the last constant.
     for k in 1..=ORDER + 1 {
         let unknown = &UNKNOWN[..(2 * k) as usize];
@@ -78,15 +80,14 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
         if k == 2 {
             let corner = ring.put(&ring.normal(&left), &[(&t, &Rational::int(0))])?;
             p.note("At the order α^1, ψ = 0", ring.text(&corner));
-            let value = Rational::int(-1);
-            let root = ring.put(&corner, &[(&before, &value)])?;
+            let root = ring.put(&corner, &[(&before, &way_in)])?;
             p.zero(
                 "It vanishes at a = −1 of F₁, where A falls with α: the way in",
                 &root,
             )?;
         }
         let known: Vec<_> = match k {
-            2 => vec![(before.clone(), Rational::int(-1))],
+            2 => vec![(before.clone(), way_in.clone())],
             _ => Vec::new(),
         };
         let known: Vec<_> = known.iter().map(|(x, v)| (x, v)).collect();

@@ -82,3 +82,17 @@ fn the_printed_envelope_is_not_the_boundary() {
         "{proof}"
     );
 }
+
+#[test]
+fn the_boundary_is_told_by_the_coefficients_that_are_stated() {
+    let proof = boundary::prove(boundary::stated(), 2);
+    let step = |says: &str| {
+        let found = proof.steps().iter().find(|step| step.says == says);
+        found.unwrap().gives.as_str()
+    };
+    // f₂ = 7/6 c⁴ + 2 c³ s − c² s² + 2/3 c s³ − 1/4 s⁴, c and s being the cosine and the sine of ψ/2.
+    let second = step("At the order α^1");
+    assert_eq!(second, "x₁ = 2, x₂ = −1, x₃ = 2/3, x₄ = −1/4");
+    assert!(step("At the order α^2").ends_with("before = 7/6"));
+    assert_eq!(step("F₁"), "−1/(tan(ψ/2)^2 + 1)");
+}

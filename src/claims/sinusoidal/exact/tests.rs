@@ -154,3 +154,13 @@ fn proofs_hold_for_the_printed_formulas_and_for_nothing_else() {
     println!("{refuted} mutants refuted, {same} the same in value");
     assert!(refuted > 120, "too few mutants: {refuted}");
 }
+
+#[test]
+fn both_signs_of_the_velocity_are_tried() {
+    let signs = |evidence: Evidence, sign: &str| {
+        let said = format!("The velocity's sign: {sign}");
+        evidence.steps.iter().any(|step| step.contains(&said))
+    };
+    assert!(signs(eq26(), "-1") && signs(definitions(), "1"));
+    assert!(!signs(definitions(), "-1"));
+}

@@ -167,7 +167,7 @@ fn nu() -> [Expr; 3] {
     let [x, y] = symbols(["ν_x", "ν_y"]);
     [x, y, zero()]
 }
-fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
+pub(super) fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 

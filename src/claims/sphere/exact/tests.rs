@@ -81,3 +81,10 @@ fn differ_by_a_constant(ring: &Ring, ours: Expr, theirs: Expr) -> bool {
         }
     })
 }
+
+#[test]
+fn vectors_are_added_component_by_component() {
+    let [a, b, c] = ["a", "b", "c"].map(Expr::symbol);
+    let sum = body::sum([a, b, c], [c, a, b]);
+    assert_eq!(sum, [a + c, b + a, c + b]);
+}

@@ -78,3 +78,17 @@ fn every_mutant_fails_that_differs_in_value() {
     println!("{refuted} mutants refuted, {unreadable} outside the ring, {same} the same in value");
     assert!(refuted > 300, "too few mutants are refuted: {refuted}");
 }
+
+#[test]
+fn an_arcsine_is_named_wherever_it_stands() {
+    let [q, s, t] = ["q", "s", "t"].map(Expr::symbol);
+    for (formula, named) in [
+        (s.asin(), q),
+        (-s.asin(), -q),
+        (Expr::pi() - s.asin(), Expr::pi() - q),
+        ((-s.asin()).cos() * t, (-q).cos() * t),
+    ] {
+        assert_eq!(fixed::name_arcsine(formula), (named, Some(s)), "{formula}");
+    }
+    assert_eq!(fixed::name_arcsine(-t), (-t, None));
+}
