@@ -96,3 +96,18 @@ pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball
         Node::Binary(Binary::Pow, ..) | Node::Call(..) => return None,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_are_kept_on_balls() {
+        let two = |_: &str| Some(Ball::int(2, 64));
+        let x = || Expr::symbol("x");
+        let value = |formula: Expr| on_balls(formula, 64, &two).unwrap();
+        for formula in [-x(), x() - x() - x()] {
+            assert_eq!(value(formula).interval(), Ball::int(-2, 64).interval());
+        }
+    }
+}

@@ -140,18 +140,24 @@ pub fn points() -> Result<impl Iterator<Item = Point>, Failure> {
 pub fn count(largest_q: f64) -> Result<Count, Failure> {
     let within = || columns().map(|all| all.iter().filter(move |c| c.curves.q <= largest_q));
     let all: usize = within()?.map(|column| column.cells.len()).sum();
+    let clear = points()?.filter(|point| point.curves.q <= largest_q);
+    Ok(tally(all, clear))
+}
+
+/// Counts the mismatches at points that are clear, out of `all`.
+fn tally(all: usize, points: impl Iterator<Item = Point>) -> Count {
     let mut count = Count {
         points: all,
         ..Count::default()
     };
     let mut clear = 0;
-    for point in points()?.filter(|point| point.curves.q <= largest_q) {
+    for point in points {
         clear += 1;
         count.printed_wrong += usize::from(point.printed() != Some(point.found));
         count.corrected_wrong += usize::from(point.corrected() != Some(point.found));
     }
     count.blurred = all - clear;
-    Ok(count)
+    count
 }
 
 #[cfg(test)]
@@ -176,6 +182,26 @@ mod tests {
             assert_eq!(point.printed() != Some(point.found), lacking, "{point:?}");
             assert!(!lacking || (point.found, point.printed()) == (4, Some(2)));
         }
+    }
+
+    #[test]
+    fn points_that_neither_list_fits_are_counted() {
+        let (q, lambda0) = (2.0, 0.38);
+        let curves = Curves::at(q).unwrap();
+        let region = simulated(q, lambda0).unwrap();
+        let found = |found: usize| Point {
+            curves,
+            lambda0,
+            found,
+        };
+        let points = [region, region + 1, region, 0, region].map(found);
+        let expected = Count {
+            points: 8,
+            blurred: 3,
+            printed_wrong: 2,
+            corrected_wrong: 2,
+        };
+        assert_eq!(tally(8, points.into_iter()), expected);
     }
 
     /// The kind of motion does not depend on the start.

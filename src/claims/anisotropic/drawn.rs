@@ -27,6 +27,10 @@ pub struct Map {
     pub cells: Vec<Cell>,
 }
 
+fn inside((low, high): (f64, f64), at: f64) -> bool {
+    low < at && at < high
+}
+
 /// The census cells of these columns and of the lowest `rows` rows, with the curves over them, Y included.
 ///
 /// # Errors
@@ -48,7 +52,7 @@ pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure>
     ratios.extend(
         [y * (1.0 - 1e-6), y * (1.0 + 1e-6)]
             .iter()
-            .filter(|&&at| q.0 < at && at < q.1),
+            .filter(|&&at| inside(q, at)),
     );
     ratios.sort_by(f64::total_cmp);
     Ok(Map {
@@ -122,4 +126,18 @@ pub fn boundaries() -> Result<Vec<Row>, Failure> {
         keep
     });
     Ok(all)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_is_between_the_ends_is_inside() {
+        let places = [0.5, 1.0, 1.5, 2.0, 2.5];
+        assert_eq!(
+            places.map(|at| inside((1.0, 2.0), at)),
+            [false, false, true, false, false]
+        );
+    }
 }

@@ -175,3 +175,22 @@ pub fn census() -> Evidence {
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One interval begins where the other ends, and the last one ends a period after the begin of the first.
+    #[test]
+    fn the_intervals_fill_a_period() {
+        for ((q, lambda0), order) in PANELS.into_iter().zip(printed::ORDERS) {
+            let list = Rates { q, lambda0 }.period(order).unwrap();
+            let letters: String = list.iter().map(|stretch| stretch.letter).collect();
+            assert_eq!(letters, order);
+            assert!(list.windows(2).all(|pair| pair[0].end == pair[1].start));
+            assert!(list.iter().all(|stretch| stretch.start < stretch.end));
+            let last = list.last().unwrap();
+            assert!((last.end - list[0].start - TAU).abs() < 1e-12, "{order}");
+        }
+    }
+}

@@ -92,6 +92,15 @@ pub struct Law {
     pub prefactor: (f64, f64),
 }
 
+/// The terms of the logarithm in x = q + 1.
+const TERMS: [&dyn Fn(f64) -> f64; 5] = [
+    &|_| 1.0,
+    &|x| libm::log(x),
+    &|x| 1.0 / (x * x),
+    &|x| 1.0 / (x * x * x),
+    &|x| 1.0 / (x * x * x * x),
+];
+
 /// The laws by which, far out, the onset of rest and the end of direct reversals fall with q, measured on the
 /// simulation. The next terms of the logarithm, of order q⁻² to q⁻⁴, are fitted along; to the fit's standard error
 /// is added what leaving out the last of them changes.
@@ -100,19 +109,12 @@ pub struct Law {
 /// As [`far_rows`].
 pub fn far_laws() -> Result<[Law; 2], Failure> {
     let rows = far_rows()?;
-    let basis: [&dyn Fn(f64) -> f64; 5] = [
-        &|_| 1.0,
-        &|x| libm::log(x),
-        &|x| 1.0 / (x * x),
-        &|x| 1.0 / (x * x * x),
-        &|x| 1.0 / (x * x * x * x),
-    ];
     let law = |height: fn(&Changes) -> f64| -> Result<Law, Failure> {
         let data: Vec<_> = rows
             .iter()
             .map(|row| (row.curves.q + 1.0, libm::log(height(&row.changes))))
             .collect();
-        let (best, shorter) = (fit(&data, &basis)?, fit(&data, &basis[..4])?);
+        let (best, shorter) = (fit(&data, &TERMS)?, fit(&data, &TERMS[..4])?);
         let measured = |i: usize| {
             let changed = (best.coefficients[i] - shorter.coefficients[i]).abs();
             (best.coefficients[i], best.errors[i] + changed)
@@ -131,6 +133,12 @@ pub fn far_laws() -> Result<[Law; 2], Failure> {
 mod tests {
     use super::*;
     use std::f64::consts::PI;
+
+    #[test]
+    fn the_terms_are_a_logarithm_and_powers() {
+        let expected = [1.0, libm::log(3.0), 1.0 / 9.0, 1.0 / 27.0, 1.0 / 81.0];
+        assert_eq!(TERMS.map(|term| term(3.0)), expected);
+    }
 
     #[test]
     fn far_out_both_curves_fall_as_the_square() {

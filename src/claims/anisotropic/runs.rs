@@ -115,10 +115,10 @@ fn difference([left, right]: [f64; 2]) -> f64 {
     left - right
 }
 
-/// The largest λ₀ with qλ₀ ≤ 1 in floating point.
+/// The largest λ₀ with qλ₀ ≤ 1. In floating point too: relative to itself, 1/q is off by less than half the step that
+/// follows 1, so that its product with q is not rounded to more than 1.
 fn largest(q: f64) -> f64 {
-    let top = 1.0 / q;
-    if q * top > 1.0 { top.next_down() } else { top }
+    1.0 / q
 }
 
 /// All curves at one q, printed and corrected.
@@ -263,6 +263,35 @@ pub fn touching() -> Result<f64, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_largest_friction_is_within_the_domain() {
+        for i in 0..100_000 {
+            let q = 1.0 + 0.000_123_456_789 * f64::from(i);
+            assert!(q * largest(q) <= 1.0, "{q}");
+            assert!(q * (largest(q) * (1.0 + 1e-15)) > 1.0, "{q}");
+        }
+    }
+
+    #[test]
+    fn every_curve_is_blurred() {
+        let curves = Curves::at(2.0).unwrap();
+        let printed::Curves { a, c, d, .. } = curves.printed;
+        for curve in [a, curves.corrected.b_or_e, c, d] {
+            assert!(curves.blur(curve - 1e-13) && curves.blur(curve + 1e-13));
+            assert!(!curves.blur(curve - 1e-11) && !curves.blur(curve + 1e-11));
+        }
+    }
+
+    #[test]
+    fn a_list_without_rest_is_restless() {
+        let list = [Sign::Positive, Sign::Negative, Sign::Rest].map(|sign| Interval {
+            sign,
+            start: 0.0,
+            end: 1.0,
+        });
+        assert!(restless(&list[..2]) && !restless(&list) && !restless(&list[2..]));
+    }
 
     #[test]
     fn the_curve_is_one_valued() {

@@ -74,6 +74,11 @@ impl Turn {
         Ok(integral_within(rate, y(self.theta0), y(self.theta), enough)?.value)
     }
 
+    /// The time at which A t/v₀ has this value.
+    pub fn time(&self, units: f64) -> f64 {
+        units * self.v0 / self.a
+    }
+
     /// The motion from the launch until a time.
     pub fn motion(&self, until: f64) -> Result<Motion, MotionError> {
         self.checked()?.motion(until)
@@ -342,7 +347,7 @@ fn all_settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
             points.log_uniform(0.1, 10.0),
             theta0,
         );
-        let t = LATE * launch.v0 / launch.a;
+        let t = launch.time(LATE);
         Ok((launch, launch.motion(t)?.at(t)?))
     })
 }
@@ -410,23 +415,28 @@ pub struct Aligned {
 pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, MotionError>> {
     static ALIGNED: Shared<Aligned> = LazyLock::new(|| {
         let aligned = |start: Turn| {
-            let motion = start.motion(1e8 * start.v0 / start.a)?;
-            // The last digit of an angle near π is not a growth.
-            let angles: Vec<_> = motion.nodes().map(|s| s.direction().abs()).collect();
-            let grows = |w: &&[f64]| w[1] > w[0] * (1.0 + 1e-14);
-            let rests = motion
-                .phases()
-                .iter()
-                .filter(|p| p.kind == PhaseKind::Stick);
+            let motion = start.motion(start.time(1e8))?;
             Ok(Aligned {
                 start,
                 angle: motion.end().direction(),
-                broken: angles.windows(2).filter(grows).count() + rests.count(),
+                broken: unlike_aligning(&motion),
             })
         };
         launches_below_critical().map(aligned).collect()
     });
     shared(&ALIGNED)
+}
+
+/// The steps on which the angle grows, and the phases of rest.
+fn unlike_aligning(motion: &Motion) -> usize {
+    // The last digit of an angle near π is not a growth.
+    let angles: Vec<_> = motion.nodes().map(|s| s.direction().abs()).collect();
+    let grows = |w: &&[f64]| w[1] > w[0] * (1.0 + 1e-14);
+    let rests = motion
+        .phases()
+        .iter()
+        .filter(|p| p.kind == PhaseKind::Stick);
+    angles.windows(2).filter(grows).count() + rests.count()
 }
 
 fn launches_below_critical() -> impl Iterator<Item = Turn> {
@@ -463,4 +473,35 @@ pub fn held() -> impl Iterator<Item = Turn> {
             PI,
         )
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::{Plane, run};
+
+    #[test]
+    fn times_are_counted_in_units_of_the_launch() {
+        assert_eq!(Turn::launch(1.0, 0.5, 10.0, 0.0).time(40.0), 800.0);
+    }
+
+    /// Pushed backwards, the velocity turns away on every step; with λ > 1 it turns in, and the particle stops.
+    #[test]
+    fn growing_angles_and_rests_are_counted() {
+        let start = State {
+            t: 0.0,
+            v: [1.0, 1.0],
+            x: [0.0; 2],
+        };
+        let motion = |a: f64, friction: f64, until: f64| {
+            run(&Plane::constant([a, 0.0]), friction, start, until).unwrap()
+        };
+        let away = motion(1.0, 0.5, 1.0);
+        let times: Vec<_> = away.nodes().map(|s| s.t).collect();
+        let steps = times.windows(2).filter(|w| w[0] < w[1]).count();
+        assert!(steps > 1);
+        assert_eq!(unlike_aligning(&away), steps);
+        assert_eq!(unlike_aligning(&motion(-1.0, 0.5, 1.0)), 0);
+        assert_eq!(unlike_aligning(&motion(-1.0, 2.0, 5.0)), 1);
+    }
 }

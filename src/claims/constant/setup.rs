@@ -29,10 +29,15 @@ pub fn eq3() -> Evidence {
         Ok::<_, Failure>(Pair {
             at: format!("A = {a:.6}, t = {t:.6}"),
             stated: a * t,
-            found: v[0] - v[1].abs(),
+            found: along_alone(v),
             scale: a * t,
         })
     })
+}
+
+/// The component along x, less whatever there is across.
+fn along_alone(v: [f64; 2]) -> f64 {
+    v[0] - v[1].abs()
 }
 
 /// (4): the angle of the vector built from v and θ is θ, its length v.
@@ -81,4 +86,17 @@ pub fn eq5() -> Evidence {
             scale: 1.0,
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_across_spoils_what_is_along() {
+        assert_eq!(
+            [[3.0, 0.0], [3.0, 1.0], [3.0, -1.0]].map(along_alone),
+            [3.0, 2.0, 2.0]
+        );
+    }
 }

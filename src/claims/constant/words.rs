@@ -4,7 +4,7 @@ use super::runs::{Aligned, Stop, Turn, aligned, held, stops};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::State;
+use crate::motion::{MotionError, State};
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 pub fn small_friction_limit() -> Evidence {
@@ -41,14 +41,19 @@ pub fn small_friction_outside() -> Evidence {
     let compared = "1, for motion, with 1 for sliding and 0 for rest, at A t/v₀ = 100";
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.over(held(), |launch: Turn| {
-        let late = launch.motion(100.0 * launch.v0 / launch.a)?.end();
         Ok::<_, Failure>(Pair {
             at: launch.at(),
             stated: 1.0,
-            found: if late.speed() > 0.0 { 1.0 } else { 0.0 },
+            found: moves_late(&launch)?,
             scale: 1.0,
         })
     })
+}
+
+/// 1 for sliding and 0 for rest, at A t/v₀ = 100.
+fn moves_late(launch: &Turn) -> Result<f64, MotionError> {
+    let late = launch.motion(launch.time(100.0))?.end();
+    Ok(if late.speed() > 0.0 { 1.0 } else { 0.0 })
 }
 
 /// λ > 1: towards the stop, d ln θ/d ln v is positive and that of a motion that turns into the x axis, so θ → 0.
@@ -139,4 +144,23 @@ pub fn large_friction_outside() -> Evidence {
             scale: 1.0,
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Along the line of the force a particle stops at A t/v₀ = 1/(λ − 1), against it at 1/(λ + 1).
+    #[test]
+    fn what_moves_late_is_told_from_what_rests() {
+        let moves = |lambda: f64, theta0: f64| {
+            moves_late(&Turn::launch(lambda, 0.1, 10.0, theta0)).unwrap()
+        };
+        assert_eq!(moves(1.0 + 1.0 / 110.0, 0.0), 1.0);
+        assert_eq!(moves(1.0 + 1.0 / 90.0, 0.0), 0.0);
+        assert_eq!(
+            [moves(0.5, 1.0), moves(1.0, std::f64::consts::PI)],
+            [1.0, 0.0]
+        );
+    }
 }

@@ -395,3 +395,60 @@ pub fn eq138_limit() -> Evidence {
     let compared = "1 with s/(A²/2) of the motion, for τ → ∞";
     against(Subject::Printed, compared, way_by_a, |_| Ok(1.0))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::escape::runs::Launch;
+    use crate::motion::turntable::Start;
+    use crate::motion::turntable::intrinsic::Run;
+
+    /// The moments of an escape, with one and the same state.
+    fn moments(run: Run, launch: Launch) -> Escape {
+        let late = |i: i32| Late {
+            tau: LATE * libm::pow(1e-3, f64::from(i) / 48.0),
+            state: run.end(),
+            alpha_rate: 0.0,
+            a_rate: 0.0,
+        };
+        let late = (0..48).map(late).collect();
+        Escape { launch, run, late }
+    }
+
+    #[test]
+    fn powers_of_the_time_have_their_exponents() {
+        let launch = Launch {
+            a: 1.5,
+            alpha: 0.5,
+            psi: 0.3,
+        };
+        let run = Run::new(&launch.start().unwrap(), 1.0).unwrap();
+        let escape = moments(run, launch);
+        let powers: [(Quantity, f64); 3] = [
+            (|l| l.tau * l.tau, 2.0),
+            (|l| 3.0 * libm::sqrt(l.tau), 0.5),
+            (|l| 2.0 / l.tau, -1.0),
+        ];
+        for (quantity, power) in powers {
+            let (found, error) = exponent(&escape, quantity).unwrap();
+            assert!((found - power).abs() < 1e-9, "{found} for {power}");
+            assert!(error < 1e-9, "{error}");
+        }
+    }
+
+    /// A² = A₀² + 2s, so that s/(A²/2) = 1 − A₀²/A².
+    #[test]
+    fn the_way_is_half_of_what_the_square_gains() {
+        let start = Start::hyperbolic(1.5, 0.5, 0.3).unwrap();
+        let late = Late {
+            tau: 2.0,
+            state: Run::new(&start, 2.0).unwrap().end(),
+            alpha_rate: 0.0,
+            a_rate: 0.0,
+        };
+        let size = a(&late.state);
+        let expected = 1.0 - 1.5 * 1.5 / (size * size);
+        assert!(expected < 0.9);
+        assert!((way_by_a(&late) - expected).abs() < 1e-12);
+    }
+}

@@ -48,6 +48,11 @@ impl StraightIn {
     }
 }
 
+/// The time left to a stop that is near: at ψ = π the deceleration is 1 + ρ.
+pub fn time_to_stop(state: &Intrinsic) -> f64 {
+    state.p() / (1.0 + state.rho())
+}
+
 fn run(rho: f64, p: f64, psi: f64) -> Result<Run, MotionError> {
     // At ψ = π the deceleration is 1 + ρ.
     Run::new(&Start::polar(rho, p, psi)?, 1.3 * p / (1.0 + rho))
@@ -98,4 +103,28 @@ fn from(stream: u64, nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, Mot
             straight_in(rho, rho * points.uniform(0.05, 0.3))
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1.3 · 0.3/(1 + 2).
+    #[test]
+    fn motions_are_followed_past_the_stop() {
+        let run = run(2.0, 0.3, PI - 0.5).unwrap();
+        assert!((run.end().tau - 0.13).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_stop_is_the_slowest_moment_and_its_time_is_known_before() {
+        let straight = straight_in(2.0, 0.3).unwrap();
+        let stop = straight.stop();
+        assert!(stop.p() < 1e-4 * straight.p, "{stop:?}");
+        assert!(straight.run.nodes().all(|s| s.p() >= stop.p()));
+        let before = straight.with_alpha_below(1e-2);
+        let left = time_to_stop(&before);
+        let really = stop.tau - before.tau;
+        assert!((left - really).abs() < 0.02 * really, "{left}, {really}");
+    }
 }

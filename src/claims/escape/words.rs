@@ -2,7 +2,7 @@
 
 use super::laws::{Quantity, limit, size};
 use super::runs::{Launch, a, alpha, escapes, flights, rates, relaxed};
-use super::straight::{StraightIn, beyond_one};
+use super::straight::{StraightIn, beyond_one, time_to_stop};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{
@@ -93,15 +93,20 @@ fn above_one(subject: Subject, compared: &'static str) -> Evidence {
             psi: points.uniform(-3.0, 3.0),
         };
         let run = Run::new(&launch.start()?, 300.0)?;
-        let stops = run.nodes().filter(|s| s.p() < 1e-9).count();
-        let near = usize::from(run.end().rho() < 30.0);
         Ok::<_, Failure>(Pair {
             at: launch.at(),
             stated: 0.0,
-            found: (stops + near) as f64,
+            found: not_escaping(&run) as f64,
             scale: 1.0,
         })
     })
+}
+
+/// The moments almost at rest, and one if the end is near.
+fn not_escaping(run: &Run) -> usize {
+    let stops = run.nodes().filter(|s| s.p() < 1e-9).count();
+    let near = usize::from(run.end().rho() < 30.0);
+    stops + near
 }
 
 /// (127) where it decides: close to α = 0, the A at which rest gives way to escape.
@@ -147,17 +152,22 @@ pub fn never_decreases_census() -> Evidence {
     trial.over(flights(), |flight| {
         let flight = flight?;
         let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
-        let falls = |w: &&[f64]| w[1] < w[0] * (1.0 - 1e-14);
         let end = flight.run.end();
-        let rests = end.p() < 1e-29 && alpha(&end) < 1e-25;
-        let odd = usize::from(!(rests || a(&end) > 1e4));
         Ok::<_, Failure>(Pair {
             at: flight.launch.at(),
             stated: 0.0,
-            found: (energies.windows(2).filter(falls).count() + odd) as f64,
+            found: decreases(&energies, [end.p(), alpha(&end), a(&end)]) as f64,
             scale: 1.0,
         })
     })
+}
+
+/// The falls in a list of A², and one if a motion with this end, by p, α and A, neither rests nor escapes.
+fn decreases(energies: &[f64], [p, alpha, a]: [f64; 3]) -> usize {
+    let falls = |w: &&[f64]| w[1] < w[0] * (1.0 - 1e-14);
+    let rests = p < 1e-29 && alpha < 1e-25;
+    let odd = usize::from(!(rests || a > 1e4));
+    energies.windows(2).filter(falls).count() + odd
 }
 
 /// ψ after many relaxation times, against ψ₁.
@@ -240,14 +250,19 @@ pub fn alpha_census() -> Evidence {
         let values = (2..=8)
             .map(|n| Ok(alpha(&escape.run.at(libm::pow(10.0, f64::from(n)))?)))
             .collect::<Result<Vec<_>, MotionError>>()?;
-        let grown = values.windows(2).filter(|w| w[1] - w[0] > 1.0).count();
         Ok::<_, Failure>(Pair {
             at: escape.launch.at(),
             stated: 0.0,
-            found: (values.len() - 1 - grown) as f64,
+            found: idle(&values) as f64,
             scale: 1.0,
         })
     })
+}
+
+/// How often a list grows by no more than 1.
+fn idle(values: &[f64]) -> usize {
+    let grown = values.windows(2).filter(|w| w[1] - w[0] > 1.0).count();
+    values.len() - 1 - grown
 }
 
 /// Stops of particles that come straight in from A > 1, in the frame of the table.
@@ -293,7 +308,7 @@ pub fn straight_rate() -> Evidence {
     trial.over(beyond_one(), |straight| {
         let straight = straight?;
         let state = straight.with_alpha_below(1e-5);
-        let time = state.p() / (1.0 + state.rho());
+        let time = time_to_stop(&state);
         let run = Run::new(&state.parts, 0.5 * time)?;
         let [rate] = rates(0.25 * time, 1e-2 * time, |t| Ok([alpha(&run.at(t)?)]))?;
         let stated = crate::corrections::rest::alpha_rate_straight_in(state.rho());
@@ -318,5 +333,43 @@ mod tests {
             let straight = straight.unwrap();
             assert_eq!(table_stops(straight).unwrap(), 1, "{}", straight.at());
         }
+        // This one is carried outwards from the begin.
+        let (rho, p, psi) = (3.0, 0.5, 0.3);
+        let run = Run::new(&Start::polar(rho, p, psi).unwrap(), 1.0).unwrap();
+        let outwards = StraightIn { rho, p, psi, run };
+        assert_eq!(table_stops(&outwards).unwrap(), 0);
+    }
+
+    /// A motion to rest, one that has not gone far yet, and an escape.
+    #[test]
+    fn what_does_not_escape_is_counted() {
+        let run = |a: f64, until: f64| {
+            let start = Start::hyperbolic(a, 0.3, 0.5).unwrap();
+            Run::new(&start, until).unwrap()
+        };
+        let rest = run(0.4, 300.0);
+        let still = rest.nodes().skip_while(|s| s.p() >= 1e-9).count();
+        assert!(still > 1);
+        assert_eq!(not_escaping(&rest), still + 1);
+        assert_eq!(not_escaping(&run(2.0, 1.0)), 1);
+        assert_eq!(not_escaping(&run(2.0, 300.0)), 0);
+    }
+
+    #[test]
+    fn decreases_and_odd_ends_are_counted() {
+        let energies = [1.0, 2.0, 1.5, 1.5 * (1.0 - 1e-15), 3.0, 2.9];
+        let (rest, escape, odd) = ([1e-30, 1e-26, 0.5], [1e5, 5.0, 2e4], [0.1, 0.2, 0.5]);
+        assert_eq!(decreases(&energies, rest), 2);
+        assert_eq!(decreases(&energies, escape), 2);
+        assert_eq!(decreases(&energies, odd), 3);
+        // Neither slow nor near α = 0 is at rest.
+        assert_eq!(decreases(&[], [1e-30, 1e-24, 1e-6]), 1);
+        assert_eq!(decreases(&[], [1e-27, 1e-27, 1.0]), 1);
+    }
+
+    #[test]
+    fn steps_that_grow_by_less_than_one_are_counted() {
+        assert_eq!(idle(&[0.0, 2.0, 4.5, 4.6, 4.0, 7.0]), 2);
+        assert_eq!(idle(&[1.0, 2.5, 4.0]), 0);
     }
 }

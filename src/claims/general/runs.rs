@@ -95,13 +95,18 @@ pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, MotionError>> {
             let motion = run(&plane, 1.0, start, 400.0)?;
             Ok(Pulled {
                 name,
-                falls: breaks(&motion, 200.0, |a, b| b.t > a.t && b.speed() <= a.speed()),
+                falls: falls(&motion, 200.0),
                 gained: motion.end().speed() - motion.at(200.0)?.speed(),
             })
         };
         strong().map(pulled).collect()
     });
     shared(&PULLED)
+}
+
+/// The steps on which the speed does not grow, from a time on.
+fn falls(motion: &Motion, from: f64) -> usize {
+    breaks(motion, from, |a, b| b.t > a.t && b.speed() <= a.speed())
 }
 
 /// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
@@ -142,6 +147,7 @@ pub fn breaks(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> boo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::motion::Acceleration;
 
     #[test]
     fn what_breaks_a_statement_is_counted() {
@@ -158,5 +164,61 @@ mod tests {
         assert_eq!(breaks(&motion, 0.0, slower), times.len() - 1);
         assert_eq!(breaks(&motion, times[1], slower), times.len() - 2);
         assert_eq!(breaks(&motion, 0.0, |a, b| slower(b, a)), 0);
+    }
+
+    /// Friction alone slows the particle on every step; a strong pull along its velocity speeds it up on every one.
+    #[test]
+    fn steps_without_growth_are_counted() {
+        let start = State {
+            v: [10.0, 0.0],
+            ..AT_REST
+        };
+        let slides = |a: f64| run(&Plane::constant([a, 0.0]), 1.0, start, 5.0).unwrap();
+        let motion = slides(0.5);
+        let times: Vec<_> = motion.nodes().map(|s| s.t).collect();
+        let steps = times.windows(2).filter(|w| w[0] < w[1]).count();
+        assert!(steps > 1);
+        assert_eq!(falls(&motion, 0.0), steps);
+        assert_eq!(falls(&motion, times[1]), steps - 1);
+        assert_eq!(falls(&slides(-2.0), 0.0), 0);
+    }
+
+    /// A at quarters of the period, in units of its size and along its direction at the start or in the first quarter.
+    #[test]
+    fn accelerations_that_return_have_their_shapes() {
+        let e = libm::exp(-0.2);
+        let mut kinds = 0;
+        for (name, plane, period) in bounded_that_return() {
+            let size: f64 = name.split(&[' ', ','][..]).nth(4).unwrap().parse().unwrap();
+            let at = |quarters: f64| {
+                plane
+                    .coefficients(quarters * period / 4.0)
+                    .map(|c| c[0] / size)
+            };
+            let first = at(1.0);
+            // Components along A in the first quarter and across it.
+            let seen = |quarters: f64| {
+                let ([x, y], length) = (at(quarters), libm::hypot(first[0], first[1]));
+                let along = (x * first[0] + y * first[1]) / length;
+                [along, (y * first[0] - x * first[1]) / length]
+            };
+            let kind = name.split(' ').next().unwrap();
+            let expected = match kind {
+                "oscillating" => [[1.0, 0.0], [0.0, 0.0], [-1.0, 0.0], [1.0, 0.0]],
+                "sign-changing" => [[1.0, 0.0], [-1.0, 0.0], [-1.0, 0.0], [1.0, 0.0]],
+                "pulsed" => [[1.0, 0.0], [0.0, 0.0], [1.0, 0.0], [1.0, 0.0]],
+                "growing" => [[0.25, 0.0], [0.5, 0.0], [0.75, 0.0], [1.25, 0.0]],
+                "decaying" => [1.0, 2.0, 3.0, 5.0].map(|n| [1.0 + libm::pow(e, n / 4.0), 0.0]),
+                "rotating" => [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [1.0, 0.0]],
+                _ => [[1.0, 0.0]; 4],
+            };
+            for (n, wanted) in [1.0, 2.0, 3.0, 5.0].into_iter().zip(expected) {
+                let seen = seen(n);
+                let off = libm::hypot(seen[0] - wanted[0], seen[1] - wanted[1]);
+                assert!(off < 2e-6, "{name}: {seen:?} after {n} quarters");
+            }
+            kinds += 1;
+        }
+        assert_eq!(kinds, 42);
     }
 }

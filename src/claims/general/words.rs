@@ -3,13 +3,13 @@
 //! Each is tried on constant, rotating, growing, decaying, oscillating and sign-changing accelerations, and on
 //! the one that we found to break it.
 
-use super::planes::{SHAPES, along_a_line, any_start, bounded};
+use super::planes::{Case, SHAPES, along_a_line, any_start, bounded};
 use super::runs::{AT_REST, Pulled, Returning, breaks, pulled, returning};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::{Acceleration, PhaseKind, Plane, Signal, State, run, run_to_stop};
+use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};
 use crate::numerics::quadrature::integral_within;
 
 const fn census(subject: Subject, compared: &'static str) -> Trial {
@@ -29,17 +29,23 @@ fn count(at: String, found: usize) -> Pair {
 pub fn stops_census() -> Evidence {
     let compared = "0 with the steps on which the speed does not fall, and the motions that do not stop by v₀/(μg − max |A|)";
     census(Subject::Printed, compared).over(bounded(21, 0.95), |case| {
-        let latest = case.start.speed() / 0.05;
-        let motion = run_to_stop(
-            &case.plane,
-            case.friction,
-            case.start,
-            latest * (1.0 + 1e-9),
-        )?;
-        let rises = breaks(&motion, 0.0, |a, b| b.t > a.t && b.speed() >= a.speed());
-        let runs_on = usize::from(motion.first_stop().is_none());
-        Ok::<_, Failure>(count(case.name, rises + runs_on))
+        let broken = unlike_a_stop(&case)?;
+        Ok::<_, Failure>(count(case.name, broken))
     })
+}
+
+/// The steps on which the speed does not fall, and one if there is no stop by v₀/(μg − max |A|), |A| ≤ 0.95, μg = 1.
+fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
+    let latest = case.start.speed() / 0.05;
+    let motion = run_to_stop(
+        &case.plane,
+        case.friction,
+        case.start,
+        latest * (1.0 + 1e-9),
+    )?;
+    let rises = breaks(&motion, 0.0, |a, b| b.t > a.t && b.speed() >= a.speed());
+    let runs_on = usize::from(motion.first_stop().is_none());
+    Ok(rises + runs_on)
 }
 
 /// The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
@@ -69,12 +75,16 @@ pub fn rest_census() -> Evidence {
             period,
             phases,
         } = returning?;
-        let rests = phases.iter().filter(|p| p.kind == PhaseKind::Stick);
-        let long = rests
-            .filter(|p| p.to - p.from > period * (1.0 + 1e-9))
-            .count();
-        Ok::<_, Failure>(count(name.clone(), long))
+        Ok::<_, Failure>(count(name.clone(), long_rests(phases, *period)))
     })
+}
+
+/// The rests that last longer than a period.
+fn long_rests(phases: &[Phase], period: f64) -> usize {
+    let rests = phases.iter().filter(|p| p.kind == PhaseKind::Stick);
+    rests
+        .filter(|p| p.to - p.from > period * (1.0 + 1e-9))
+        .count()
 }
 
 /// The same motions move in every period.
@@ -89,10 +99,7 @@ pub fn rest_integration() -> Evidence {
         } = returning?;
         let slid = |n: i32| {
             let (from, to) = (f64::from(n) * period, f64::from(n + 1) * period);
-            phases
-                .iter()
-                .filter(|p| p.kind == PhaseKind::Slide)
-                .any(|p| p.from < to && p.to > from)
+            slides(phases, from, to)
         };
         Ok::<_, Failure>(Pair {
             at: name.clone(),
@@ -103,6 +110,14 @@ pub fn rest_integration() -> Evidence {
     })
 }
 
+/// Whether it slides at some time between these two.
+fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
+    phases
+        .iter()
+        .filter(|p| p.kind == PhaseKind::Slide)
+        .any(|p| p.from < to && p.to > from)
+}
+
 /// A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
 pub fn rest_outside() -> Evidence {
     let compared = "1, for motion, with the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0";
@@ -110,15 +125,7 @@ pub fn rest_outside() -> Evidence {
     let mut points = Points::stream(30);
     trial.over(0..40, |_| {
         let (strength, length) = (points.uniform(1.1, 5.0), points.log_uniform(1e-6, 1.0));
-        let fastest = |length: f64| {
-            let pulse = Signal::Pulse {
-                from: 0.5,
-                to: 0.5 + length,
-            };
-            let plane = Plane::along([-strength, 0.0], pulse);
-            let motion = run(&plane, 1.0, AT_REST, 10.0)?;
-            Ok::<_, Failure>(motion.nodes().map(|s| s.speed()).fold(0.0, f64::max))
-        };
+        let fastest = |length: f64| pushed(strength, length);
         Ok::<_, Failure>(Pair {
             at: format!(
                 "A = {strength:.6} μg at one instant, from pushes of {length:.6} and half of it"
@@ -128,6 +135,16 @@ pub fn rest_outside() -> Evidence {
             scale: strength,
         })
     })
+}
+
+/// The largest speed that a push of this strength and length leaves; friction 1.
+fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
+    let pulse = Signal::Pulse {
+        from: 0.5,
+        to: 0.5 + length,
+    };
+    let motion = run(&Plane::along([-strength, 0.0], pulse), 1.0, AT_REST, 10.0)?;
+    Ok(motion.nodes().map(|s| s.speed()).fold(0.0, f64::max))
 }
 
 /// Strong accelerations of fixed direction, |A| ≥ 1.2 μg: from some time on, every step raises the speed.
@@ -148,11 +165,16 @@ pub fn grows_integration() -> Evidence {
         let Pulled { name, gained, .. } = pulled?;
         Ok::<_, Failure>(Pair {
             at: name.clone(),
-            stated: gained.max(0.19 * 200.0),
+            stated: enough(*gained),
             found: *gained,
             scale: gained.abs(),
         })
     })
+}
+
+/// A gain of speed that suffices: this one, or the least that is expected from t = 200 to 400.
+fn enough(gained: f64) -> f64 {
+    gained.max(0.19 * 200.0)
 }
 
 /// |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
@@ -187,14 +209,20 @@ pub fn grows_outside() -> Evidence {
 pub fn across_census() -> Evidence {
     let compared = "0 with the steps on which |v⊥| grows, or stays while it is not zero";
     census(Subject::Printed, compared).over(fixed_direction(27), |case| {
-        let motion = run(&case.plane, 1.0, case.start, 10.0)?;
-        // Below, only the rounding of the components along the line is left.
-        let lost = 1e-12 * case.start.speed();
-        let grows = |a: &State, b: &State| {
-            b.t > a.t && case.across(a) > lost && case.across(b) >= case.across(a)
-        };
-        Ok::<_, Failure>(count(case.name.clone(), breaks(&motion, 0.0, grows)))
+        let broken = grows_across(&case)?;
+        Ok::<_, Failure>(count(case.name, broken))
     })
+}
+
+/// The steps on which |v⊥| does not fall.
+fn grows_across(case: &Across) -> Result<usize, Failure> {
+    let motion = run(&case.plane, 1.0, case.start, 10.0)?;
+    // Below, only the rounding of the components along the line is left.
+    let lost = 1e-12 * case.start.speed();
+    let grows = |a: &State, b: &State| {
+        b.t > a.t && case.across(a) > lost && case.across(b) >= case.across(a)
+    };
+    Ok(breaks(&motion, 0.0, grows))
 }
 
 /// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
@@ -254,7 +282,7 @@ pub fn across_integration() -> Evidence {
         };
         let end = run(&plane, 1.0, case.start, late)?.end();
         let (v0, across0) = (case.start.speed(), case.across(&case.start));
-        let bound = across0 * libm::pow(1.0 + largest * late / v0, -1.0 / largest);
+        let bound = across_bound(across0, v0, largest, late);
         let across = case.across(&end);
         Ok::<_, Failure>(Pair {
             at: format!("{}, {more:.6} times that, t = {late:.6}", case.name),
@@ -263,6 +291,11 @@ pub fn across_integration() -> Evidence {
             scale: across0,
         })
     })
+}
+
+/// v⊥₀ (1 + A t/v₀)^(−μg/A), for μg = 1.
+fn across_bound(across0: f64, v0: f64, largest: f64, late: f64) -> f64 {
+    across0 * libm::pow(1.0 + largest * late / v0, -1.0 / largest)
 }
 
 /// An acceleration of fixed direction.
@@ -310,4 +343,119 @@ fn fixed_direction(stream: u64) -> impl Iterator<Item = Across> {
             late: if SHAPES[shape] == "constant" { 1e8 } else { 80.0 / rate },
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn along_x(v: [f64; 2]) -> State {
+        State { v, ..AT_REST }
+    }
+
+    /// The steps of a motion that take time.
+    fn steps(plane: &Plane, start: State, until: f64) -> usize {
+        let motion = run(plane, 1.0, start, until).unwrap();
+        let times: Vec<_> = motion.nodes().map(|s| s.t).collect();
+        times.windows(2).filter(|w| w[0] < w[1]).count()
+    }
+
+    /// A constant acceleration along the velocity stops the particle at v₀/(μg − A).
+    #[test]
+    fn steps_without_a_fall_and_late_stops_are_counted() {
+        let case = |a: f64, friction: f64| Case {
+            name: String::new(),
+            plane: Plane::constant([a, 0.0]),
+            friction,
+            start: along_x([-1.0, 0.0]),
+        };
+        let broken = |case: Case| unlike_a_stop(&case).unwrap();
+        // The last moment that is allowed, a bit later, and no stop on steps that all gain speed.
+        assert_eq!(broken(case(0.95, 1.0)), 0);
+        assert_eq!(broken(case(0.95, 1.0 - 1e-6)), 1);
+        let pulled = case(2.0, 1.0);
+        let all = steps(&pulled.plane, pulled.start, 20.0 * (1.0 + 1e-9));
+        assert!(all > 1);
+        assert_eq!(broken(pulled), all + 1);
+    }
+
+    #[test]
+    fn rests_longer_than_a_period_are_counted() {
+        let phase = |kind, to| Phase {
+            kind,
+            from: 0.0,
+            to,
+        };
+        let phases = [
+            phase(PhaseKind::Stick, 2.0),
+            phase(PhaseKind::Stick, 2.0 + 1e-8),
+            phase(PhaseKind::Stick, 3.5),
+            phase(PhaseKind::Slide, 9.0),
+        ];
+        assert_eq!(long_rests(&phases, 2.0), 2);
+        assert_eq!(long_rests(&phases[..1], 2.0), 0);
+        assert_eq!(long_rests(&phases, 3.5), 0);
+    }
+
+    #[test]
+    fn a_slide_counts_only_while_it_lasts() {
+        let phase = |kind, from, to| Phase { kind, from, to };
+        let phases = [
+            phase(PhaseKind::Stick, 0.0, 2.0),
+            phase(PhaseKind::Slide, 2.0, 3.0),
+            phase(PhaseKind::Stick, 3.0, 9.0),
+        ];
+        for (from, to, slid) in [
+            (0.0, 1.0, false),
+            (1.0, 2.0, false),
+            (1.0, 2.5, true),
+            (2.2, 2.4, true),
+            (2.5, 4.0, true),
+            (1.0, 4.0, true),
+            (3.0, 4.0, false),
+            (5.0, 6.0, false),
+        ] {
+            assert_eq!(slides(&phases, from, to), slid, "{from} to {to}");
+        }
+    }
+
+    /// During the push the speed grows as (A − μg) t.
+    #[test]
+    fn a_push_leaves_what_exceeds_friction() {
+        for (strength, length) in [(3.0, 0.25), (1.5, 1.0)] {
+            let speed = pushed(strength, length).unwrap();
+            assert!((speed - (strength - 1.0) * length).abs() < 1e-14, "{speed}");
+        }
+    }
+
+    #[test]
+    fn a_gain_is_enough_from_38_on() {
+        assert_eq!([30.0, 38.0, 50.0].map(enough), [38.0, 38.0, 50.0]);
+    }
+
+    /// Along the line of a strong acceleration the velocity grows, which the count across must notice.
+    #[test]
+    fn growth_across_is_counted() {
+        let case = |normal: [f64; 2]| Across {
+            name: String::new(),
+            plane: Plane::constant([-3.0, 0.0]),
+            start: along_x([1.0, 1.0]),
+            normal,
+            largest: 3.0,
+            late: 0.0,
+        };
+        let along = case([1.0, 0.0]);
+        let all = steps(&along.plane, along.start, 10.0);
+        assert!(all > 1);
+        assert_eq!(grows_across(&along).unwrap(), all);
+        assert_eq!(grows_across(&case([0.0, 1.0])).unwrap(), 0);
+    }
+
+    /// Worked by hand: 3 · 2⁻² and 5 · 3⁻¹ᐟ².
+    #[test]
+    fn the_bound_across_is_a_power_of_the_bound_of_the_speed() {
+        let near = |value: f64, expected: f64| assert!((value - expected).abs() < 1e-15, "{value}");
+        near(across_bound(3.0, 2.0, 0.5, 4.0), 0.75);
+        near(across_bound(5.0, 2.0, 2.0, 2.0), 5.0 / libm::sqrt(3.0));
+    }
 }

@@ -237,3 +237,20 @@ pub fn named() -> Result<Vec<Named>, DriveError> {
         one("sine and mean", biased(0.1)?, false),
     ])
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_a_motion_without_rests_never_rests() {
+        let phases = [
+            Phase::Rests(0),
+            Phase::Rests(2),
+            Phase::Still,
+            Phase::Drifts,
+        ];
+        assert_eq!(phases.map(Phase::never_rests), [true, false, false, false]);
+        assert_eq!(phases.map(Phase::rests), [false, true, false, false]);
+    }
+}

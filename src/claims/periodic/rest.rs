@@ -7,7 +7,7 @@ use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Friction, Sign, State};
+use crate::motion::drive::{Friction, Interval, Sign, State};
 use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use std::f64::consts::TAU;
@@ -39,14 +39,19 @@ pub fn within_time() -> Evidence {
         let until = phi + w.abs() / (lambda - 1.0) * (1.0 + 1e-6);
         let end = one.drive.advance(both, start, until)?.end;
         let later = one.drive.advance(both, end, until + 2.0 * TAU)?;
-        let moving = later.intervals.iter().filter(|i| i.sign != Sign::Rest);
         Ok::<_, Failure>(Pair {
             at: at(one.name, lambda, start),
             stated: 0.0,
-            found: end.w.abs() + moving.map(|i| i.length()).sum::<f64>(),
+            found: left(end.w, &later.intervals),
             scale: 1.0,
         })
     })
+}
+
+/// |𝔴|, and how long it moves later.
+fn left(w: f64, later: &[Interval]) -> f64 {
+    let moving = later.iter().filter(|i| i.sign != Sign::Rest);
+    w.abs() + moving.map(|i| i.length()).sum::<f64>()
 }
 
 /// When it comes to rest: the motion's first rest with the root of the equation's integral.
@@ -104,4 +109,21 @@ pub fn sharp() -> Evidence {
             })
         },
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn speed_and_later_motion_are_left() {
+        let interval = |sign, start, end| Interval { sign, start, end };
+        let later = [
+            interval(Sign::Positive, 0.0, 3.0),
+            interval(Sign::Rest, 3.0, 10.0),
+            interval(Sign::Negative, 10.0, 11.5),
+        ];
+        assert_eq!(left(-2.0, &later), 6.5);
+        assert_eq!(left(0.0, &later[1..2]), 0.0);
+    }
 }

@@ -221,3 +221,16 @@ pub fn level() -> Evidence {
         rests(&name, &level_at_median(p)?, lambda, false)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// For the sine: tan φ = 2/π, so that λ_c = 1/√(1 + (π/2)²).
+    #[test]
+    fn the_threshold_of_the_sine_is_found() {
+        let sine = Harmonics::new(0.0, &[(1, 1.0, 0.0)]).unwrap();
+        let expected = 2.0 / libm::sqrt(4.0 + PI * PI);
+        assert!((two_zero_threshold(&sine).unwrap() - expected).abs() < 1e-12);
+    }
+}

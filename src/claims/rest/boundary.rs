@@ -194,9 +194,13 @@ pub fn printed_census() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(census(), |case| {
         let case = case?;
-        let rests = case.start[0] < printed_a(case.start[1]);
-        Ok::<_, Failure>(counted(case, rests))
+        Ok::<_, Failure>(counted(case, rests_as_printed(case.start)))
     })
+}
+
+/// Whether a start, by A, α and ψ, comes to rest by (147).
+fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
+    a < printed_a(alpha)
 }
 
 /// Who comes to rest by the second-order boundary, farther from it than the terms left out, and who does.
@@ -242,9 +246,14 @@ pub fn surfaces() -> impl Iterator<Item = Result<&'static Surface, Failure>> {
     all.iter().map(Ok).chain(error)
 }
 
+/// ψ = 2α + 2α², in which the boundary leads to A = 1, α = 0.
+pub fn angle_towards_one(alpha: f64) -> f64 {
+    2.0 * alpha + 2.0 * alpha * alpha
+}
+
 fn surface(sigma: f64) -> Result<Surface, Failure> {
     let alpha = std::f64::consts::SQRT_2 * (1.0 - sigma);
-    let psi = 2.0 * alpha + 2.0 * alpha * alpha;
+    let psi = angle_towards_one(alpha);
     let resting = |a: f64| match resting_place(a, alpha, psi) {
         Ok(Some(sigma)) => sigma,
         // Beyond the boundary.
@@ -286,4 +295,25 @@ pub fn closing_surfaces() -> Evidence {
     slopes(Subject::Corrected, compared, |sigma, alpha| {
         (1.0 - sigma) / libm::hypot(1.0 - sigma, alpha)
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Worked by hand.
+    #[test]
+    fn the_angle_towards_one_has_two_terms() {
+        assert_eq!([0.5, 2.0].map(angle_towards_one), [1.5, 12.0]);
+    }
+
+    #[test]
+    fn what_starts_below_the_envelope_rests() {
+        let on = printed_a(0.2);
+        assert!((printed_alpha(on) - 0.2).abs() < 1e-15);
+        assert_eq!(
+            [on - 0.1, on, on + 0.1].map(|a| rests_as_printed([a, 0.2, 1.0])),
+            [true, false, false]
+        );
+    }
 }

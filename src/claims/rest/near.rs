@@ -3,13 +3,13 @@
 //! Each equation is tried in two ways: where what it leaves out is below the tolerance (p = 10⁻²⁰), and where it is
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
-use super::boundary::{Border, border};
+use super::boundary::{Border, angle_towards_one, border};
 use super::runs::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::escape::runs::{Shared, alpha, rates, shared};
-use crate::claims::escape::straight::{StraightIn, within_one};
+use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
 use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
@@ -75,7 +75,7 @@ fn straight(compared: &'static str, sides: Sides) -> Evidence {
 /// A moment just before a stop with ψ → π, α being about 10⁻³; σ to the square of that.
 fn close(straight: &StraightIn) -> Result<(f64, Close), MotionError> {
     let state = straight.with_alpha_below(1e-3);
-    let time = state.p() / (1.0 + state.rho());
+    let time = time_to_stop(&state);
     let run = Run::new(&state.parts, 0.5 * time)?;
     let (t, h) = (0.25 * time, 1e-2 * time);
     let [alpha_rate, psi_rate, a_rate, way_rate] = rates(t, h, |t| {
@@ -138,7 +138,7 @@ fn borders_near_one() -> impl Iterator<Item = Result<&'static Border, MotionErro
     static BORDERS: Shared<Border> = LazyLock::new(|| {
         let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
         alphas
-            .map(|alpha| border(alpha, 2.0 * alpha + 2.0 * alpha * alpha))
+            .map(|alpha| border(alpha, angle_towards_one(alpha)))
             .collect()
     });
     shared(&BORDERS)
@@ -472,21 +472,30 @@ pub fn near_rest_census() -> Evidence {
     );
     trial.over(approaches(), |approach| {
         let approach = approach?;
-        let levels = (10..29).filter_map(|n| {
-            let p = libm::pow(10.0, f64::from(-n));
-            approach.run.nodes().find(|s| s.p() < p)
-        });
-        let states: Vec<_> = levels.map(|s| [s.psi().abs(), alpha(&s)]).collect();
-        let idle = states
-            .windows(2)
-            .filter(|w| !(w[1][0] < w[0][0] && w[1][1] < w[0][1]));
         Ok::<_, Failure>(Pair {
             at: approach.at(),
             stated: 0.0,
-            found: idle.count() as f64,
+            found: idle(&tenfold(&approach.run)) as f64,
             scale: 1.0,
         })
     })
+}
+
+/// |ψ| and α where p has fallen below 10⁻¹⁰ and so on, tenfold each time, to 10⁻²⁸.
+fn tenfold(run: &Run) -> Vec<[f64; 2]> {
+    let levels = (10..29).filter_map(|n| {
+        let p = libm::pow(10.0, f64::from(-n));
+        run.nodes().find(|s| s.p() < p)
+    });
+    levels.map(|s| [s.psi().abs(), alpha(&s)]).collect()
+}
+
+/// How often one of the two does not fall.
+fn idle(states: &[[f64; 2]]) -> usize {
+    states
+        .windows(2)
+        .filter(|w| !(w[1][0] < w[0][0] && w[1][1] < w[0][1]))
+        .count()
 }
 /// ψ of motions that come straight in to rest.
 pub fn near_rest_straight() -> Evidence {
@@ -509,4 +518,46 @@ pub fn corrected_near_rest() -> Evidence {
             scale: close.alpha,
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::escape::straight::straight_in;
+
+    #[test]
+    fn falls_that_do_not_come_are_counted() {
+        let states = [
+            [1.0, 1.0],
+            [0.5, 0.5],
+            [0.4, 0.6],
+            [0.6, 0.3],
+            [0.6, 0.2],
+            [0.1, 0.1],
+        ];
+        assert_eq!(idle(&states), 3);
+        assert_eq!(idle(&states[..2]), 0);
+        // Every tenfold fall of p is there; α ≈ p/ρ falls with it.
+        let approach = Approach::new([0.5, 0.2, 0.5]).unwrap().unwrap();
+        let levels = tenfold(&approach.run);
+        assert_eq!(levels.len(), 19);
+        for (n, [_, alpha]) in (10..).zip(levels) {
+            let p = alpha * approach.sigma * libm::pow(10.0, f64::from(n));
+            assert!((0.01..1.0001).contains(&p), "{p} at 1e-{n}");
+        }
+    }
+
+    /// A² and ρ at rest by the way still to go are those of the motion.
+    #[test]
+    fn the_way_left_gives_the_resting_place_and_the_slope() {
+        let straight = straight_in(0.7, 0.1).unwrap();
+        let (sigma, close) = close(&straight).unwrap();
+        let rest = straight.stop().rho();
+        assert!((sigma - rest).abs() < 1e-8, "{sigma}, {rest}");
+        let (slope, by_way) = (close.a_slope, close.a_slope_by_way);
+        assert!(
+            (slope - by_way).abs() < 1e-5 * slope.abs(),
+            "{slope}, {by_way}"
+        );
+    }
 }

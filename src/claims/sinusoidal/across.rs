@@ -184,20 +184,25 @@ pub fn second_stage() -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, EXPONENTIAL);
     trial.over(flights_where(Flight::never_rests), |flight| {
         let flight = flight?;
-        let strobe: Vec<_> = flight.strobe().collect();
-        let small = strobe.iter().position(|s| s.ln_w_y < -6.9);
-        let small = small.ok_or("v_y stays large")?;
-        let fall = |k: usize| match strobe.get(small + k..small + k + 2) {
-            Some([before, after]) => before.ln_w_y - after.ln_w_y,
-            _ => f64::NAN,
-        };
+        let strobe: Vec<_> = flight.strobe().map(|s| s.ln_w_y).collect();
         Ok::<_, Failure>(Pair {
             at: flight.at(),
             stated: 1.0,
-            found: fall(2) / fall(1),
+            found: third_over_second(&strobe)?,
             scale: 1.0,
         })
     })
+}
+
+/// The fall of a logarithm in the third step after the number has fallen below 1e-3, over that in the second.
+fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
+    let small = logarithms.iter().position(|l| *l < -6.9);
+    let small = small.ok_or("v_y stays large")?;
+    let fall = |k: usize| match logarithms.get(small + k..small + k + 2) {
+        Some([before, after]) => before - after,
+        _ => f64::NAN,
+    };
+    Ok(fall(2) / fall(1))
 }
 
 /// The large-time v_x, from several v_y, is that of a motion on the line.
@@ -225,7 +230,7 @@ pub fn ignores_census() -> Evidence {
     let mut points = Points::stream(166);
     trial.over(0..20, |_| {
         let (lambda, w_x) = (points.uniform(0.15, 1.4), points.uniform(-1.0, 1.0));
-        let phases: Vec<_> = (1..=16).map(|k| TAU * f64::from(k) / 16.0).collect();
+        let phases = first_period();
         let mut curves = Vec::new();
         for w_y in [0.1, 1.0, 5.0] {
             let start = PlanarState {
@@ -236,13 +241,68 @@ pub fn ignores_census() -> Evidence {
             let states = drive()?.planar(lambda, start, &phases)?;
             curves.push(states.iter().map(|s| s.w_x).collect::<Vec<_>>());
         }
-        let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 0.01);
-        let differ = apart(&curves[0], &curves[1]) && apart(&curves[1], &curves[2]);
         Ok::<_, Failure>(Pair {
             at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6} at φ = 0"),
             stated: 1.0,
-            found: f64::from(u8::from(differ)),
+            found: f64::from(u8::from(each_differs(&curves))),
             scale: 1.0,
         })
     })
+}
+
+/// Phases over the first period, its end included.
+fn first_period() -> Vec<f64> {
+    (1..=16).map(|k| TAU * f64::from(k) / 16.0).collect()
+}
+
+/// Whether each curve differs from the next one by more than 0.01 somewhere.
+fn each_differs(curves: &[Vec<f64>]) -> bool {
+    let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 0.01);
+    curves.windows(2).all(|pair| apart(&pair[0], &pair[1]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn falls_are_counted_from_the_first_small_number() {
+        let logarithms = [0.0, -5.0, -8.0, -10.0, -14.0, -20.0];
+        assert_eq!(third_over_second(&logarithms).unwrap(), 1.5);
+        assert!(third_over_second(&logarithms[..5]).unwrap().is_nan());
+        assert!(third_over_second(&logarithms[..2]).is_err());
+    }
+
+    #[test]
+    fn the_first_period_is_looked_at_to_its_end() {
+        let phases = first_period();
+        assert_eq!((phases[0], phases[15], phases.len()), (TAU / 16.0, TAU, 16));
+    }
+
+    #[test]
+    fn every_curve_must_differ_from_the_next() {
+        let curves = |ends: [f64; 3]| ends.map(|end| vec![1.0, 1.0, end]);
+        assert!(each_differs(&curves([1.0, 1.02, 1.0])));
+        assert!(!each_differs(&curves([1.0, 1.02, 1.02])));
+        assert!(!each_differs(&curves([1.0, 1.0, 1.02])));
+        assert!(!each_differs(&curves([1.0, 1.005, 1.01])));
+    }
+
+    #[test]
+    fn a_flight_below_the_threshold_never_rests_unless_it_has_rested() {
+        let flight = |lambda: f64, ln_w_y: f64| Flight {
+            lambda,
+            start: [0.0, 1.0],
+            states: [0.0, ln_w_y]
+                .map(|ln_w_y| PlanarState {
+                    phi: 0.0,
+                    w_x: 0.0,
+                    ln_w_y,
+                })
+                .to_vec(),
+        };
+        assert!(flight(0.4, -1e9).never_rests());
+        assert!(!flight(0.4, f64::NEG_INFINITY).never_rests());
+        assert!(!flight(0.9, -1e9).never_rests());
+    }
 }

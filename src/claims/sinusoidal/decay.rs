@@ -1,13 +1,13 @@
 //! Trials of what replaces the second stage: an exponential of an exponential, or an end after a finite time.
 
 use super::across::{Flight, flights_where, strobed};
-use super::runs::{ORIGIN, Particle, drive, lambda_c, settled};
+use super::runs::{ORIGIN, Particle, drive, forward, lambda_c, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Attractor, PlanarState, Sign};
+use crate::motion::drive::{Attractor, PlanarState};
 use crate::numerics::quadrature::integral_within;
 use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
@@ -24,11 +24,7 @@ fn at(lambda: f64) -> String {
 
 /// Half way along the forward slip of the periodic motion: phase and velocity.
 fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
-    let slip = attractor
-        .intervals()
-        .iter()
-        .find(|i| i.sign == Sign::Positive);
-    let slip = slip.ok_or("no slip")?;
+    let slip = forward(attractor.intervals()).ok_or("no slip")?;
     let phi = 0.5 * (slip.start + slip.end);
     Ok([phi, attractor.w(phi)])
 }
@@ -130,11 +126,7 @@ pub fn passage_quadrature() -> Evidence {
     let trial = Trial::by(Route::Quadrature, Subject::Corrected, compared, PASSAGE);
     trial.over(below(173, lambda_c() - 1e-2), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
-        let slip = attractor
-            .intervals()
-            .iter()
-            .find(|i| i.sign == Sign::Positive);
-        let zero = slip.ok_or("no slip")?.end;
+        let zero = forward(attractor.intervals()).ok_or("no slip")?.end;
         // In ln(distance) the integrand is smooth; the coefficient is its mean over a decade.
         let coefficient = |side: f64| {
             let integrand = |x: f64| {
@@ -198,4 +190,21 @@ pub fn last_stage() -> Evidence {
             scale: stated,
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_motion_is_taken_up_in_the_middle_of_its_slip() {
+        let attractor = settled(0.3, ORIGIN).unwrap();
+        let [phi, w] = on_the_way(&attractor).unwrap();
+        assert!(w > 0.1, "{w}");
+        // The drive sin φ pushes back and forth alike: a slip lasts half a period.
+        for side in [-1.0, 1.0] {
+            let w = |share: f64| attractor.w(phi + side * share * PI / 2.0);
+            assert!(w(0.999) > 0.0 && w(1.001) < 0.0);
+        }
+    }
 }

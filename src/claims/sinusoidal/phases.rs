@@ -162,6 +162,11 @@ fn balanced(drive: &Drive, lambda: f64) -> Vec<f64> {
             }
         }
     }
+    distinct(found)
+}
+
+/// Phases in order, without those that are the same but for rounding or a period.
+fn distinct(mut found: Vec<f64>) -> Vec<f64> {
     found.sort_by(f64::total_cmp);
     let same = |a: f64, b: f64| (a - b).abs() < 1e-12;
     found.dedup_by(|a, b| same(*a, *b));
@@ -303,4 +308,28 @@ pub fn rest_ends_census() -> Evidence {
             scale: 1.0,
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_phases_are_listed_once() {
+        let phases = vec![TAU - 1e-13, 1.0, 1e-13, 1.0 + 1e-13, 2.0];
+        assert_eq!(distinct(phases), [1e-13, 1.0, 2.0]);
+        assert_eq!(distinct(vec![3.0, 0.5]), [0.5, 3.0]);
+    }
+
+    /// Where nothing is symmetrical.
+    #[test]
+    fn the_drive_is_as_large_as_the_friction_where_they_balance() {
+        let two = |phi: f64| libm::sin(phi) + 0.3 * libm::sin(2.0 * phi + 0.5);
+        let drive = Drive::new(two, &[]).unwrap();
+        let found = balanced(&drive, 0.4);
+        assert_eq!(found.len(), 4);
+        for phi in found {
+            assert!((drive.h(phi).abs() - 0.4).abs() < 1e-12, "{phi}");
+        }
+    }
 }

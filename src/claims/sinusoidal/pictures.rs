@@ -279,3 +279,15 @@ pub fn fig4_frame() -> Evidence {
         "1 with 1 where a drawn point lies within the printed frame, whose mark 0.3 is not its edge",
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The zero line is at 86, the edge at 170: a label in the middle between them stands for half of the edge's value.
+    #[test]
+    fn the_edge_of_a_frame_is_read_off_a_label() {
+        assert_eq!(frame_top(0.8, 166.5), 0.8);
+        assert_eq!(frame_top(0.5, 124.5), 1.0);
+    }
+}

@@ -4,7 +4,7 @@ use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::evidence::Evidence;
-use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Sign, State};
+use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Interval, Sign, State};
 use crate::motion::{Motion, MotionError, Plane, Signal, particle, trajectory};
 use crate::numerics::NumericsError;
 use crate::numerics::roots::root;
@@ -50,6 +50,11 @@ pub fn starts() -> [State; 7] {
         (5.4, -25.0),
     ]
     .map(|(phi, w)| State { phi, w })
+}
+
+/// The first interval of forward motion.
+pub fn forward(list: &[Interval]) -> Option<&Interval> {
+    list.iter().find(|i| i.sign == Sign::Positive)
 }
 
 /// Frictions below λ_c: down to a millionth, up to a billionth below λ_c.
@@ -196,4 +201,31 @@ pub fn each<P>(
         Err(error) => vec![Err(error)],
     });
     trial.over(all, |pair| pair)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn forward_motion_is_found_among_others() {
+        let list: Vec<_> = [Sign::Rest, Sign::Negative, Sign::Positive, Sign::Positive]
+            .into_iter()
+            .zip(0..)
+            .map(|(sign, k)| Interval {
+                sign,
+                start: f64::from(k),
+                end: f64::from(k + 1),
+            })
+            .collect();
+        assert_eq!(forward(&list).unwrap().start, 2.0);
+        assert!(forward(&list[..2]).is_none());
+    }
+
+    #[test]
+    fn motions_start_on_both_sides_of_rest() {
+        let starts = starts();
+        let count = |sign: f64| starts.iter().filter(|s| s.w * sign > 0.0).count();
+        assert_eq!([count(1.0), count(-1.0)], [3, 3]);
+    }
 }

@@ -222,3 +222,18 @@ pub fn eq26_quadrature() -> Evidence {
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn frictions_come_as_close_to_one_from_both_sides() {
+        let off = around_one(0)
+            .into_iter()
+            .map(|lambda| ((lambda - 1.0) * 1e9).round());
+        let mut close: Vec<_> = off.filter(|d| d.abs() < 1e4).collect();
+        close.sort_by(f64::total_cmp);
+        assert_eq!(close, [-1e3, -1.0, 0.0, 1.0, 1e3]);
+    }
+}

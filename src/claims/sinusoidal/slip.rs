@@ -74,17 +74,20 @@ pub fn eq32_census() -> Evidence {
     trial.over(frictions, |lambda| {
         let slip = Slip::of(lambda)?;
         let phi1 = printed::eq27_phi1(lambda);
-        let left = |k: i32| {
-            let phi = slip.start + (slip.end - slip.start) * f64::from(k) / 1001.0;
-            printed::eq32_left(lambda, phi1, phi)
-        };
+        let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
         Ok::<_, Failure>(Pair {
             at: at(lambda),
             stated: 0.0,
-            found: (1..=1000).filter(|k| left(*k) <= 0.0).count() as f64,
+            found: not_positive(slip.start, slip.end, left) as f64,
             scale: 1.0,
         })
     })
+}
+
+/// At how many of 1000 places between these two it is not positive.
+fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
+    let place = |k: i32| from + (to - from) * f64::from(k) / 1001.0;
+    (1..=1000).filter(|k| left(place(*k)) <= 0.0).count()
 }
 
 /// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
@@ -217,4 +220,18 @@ pub fn eq36_census() -> Evidence {
         holds,
         "1 where (36) holds with 1 where the simulated slip lasts less than half a period",
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places_are_counted_at_which_it_is_not_positive() {
+        // At 3, 4, …, 1002.
+        assert_eq!(not_positive(2.0, 1003.0, |x| 502.5 - x), 500);
+        assert_eq!(not_positive(2.0, 1003.0, |x| x - 2.5), 0);
+        assert_eq!(not_positive(2.0, 1003.0, |x| x - 3.5), 1);
+        assert_eq!(not_positive(2.0, 1003.0, |x| 1002.5 - x), 0);
+    }
 }

@@ -1,6 +1,6 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
-use super::runs::{ORIGIN, Slip, dense, lambda_c, settled, small};
+use super::runs::{ORIGIN, Slip, dense, forward, lambda_c, settled, small};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
@@ -133,10 +133,7 @@ pub fn eq41_motion() -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
-        let turn = attractor
-            .intervals()
-            .iter()
-            .find(|i| i.sign == Sign::Positive);
+        let turn = forward(attractor.intervals());
         let found = turn.ok_or("no slip")?.start - Slip::of(lambda)?.start;
         let l = Conditioned::measured(lambda);
         let [left, right] = printed::eq41_sides(printed::eq39_phi_t1(l), printed::eq27_phi1(l));
@@ -156,10 +153,7 @@ pub fn eq41_census() -> Evidence {
     let below = dense().into_iter().filter(|lambda| *lambda < lambda_c());
     trial.over(below, |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
-        let turn = attractor
-            .intervals()
-            .iter()
-            .find(|i| i.sign == Sign::Positive);
+        let turn = forward(attractor.intervals());
         let [left, right] =
             printed::eq41_sides(printed::eq39_phi_t1(lambda), printed::eq27_phi1(lambda));
         Ok::<_, Failure>(Pair {

@@ -22,19 +22,24 @@ pub fn no_rest_census() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let below = dense().into_iter().filter(|l| *l < lambda_c()).step_by(7);
     trial.over(below, |lambda| {
-        let mut rests = 0;
-        for start in starts() {
-            let attractor = settled(lambda, start)?;
-            let list = attractor.intervals().iter();
-            rests += list.filter(|i| i.sign == Sign::Rest).count();
-        }
         Ok::<_, Failure>(Pair {
             at: at(lambda),
             stated: 0.0,
-            found: rests as f64,
+            found: all_rests(lambda)? as f64,
             scale: 1.0,
         })
     })
+}
+
+/// The rests in a period at large times, of all starts together.
+fn all_rests(lambda: f64) -> Result<usize, Failure> {
+    let mut rests = 0;
+    for start in starts() {
+        let attractor = settled(lambda, start)?;
+        let list = attractor.intervals().iter();
+        rests += list.filter(|i| i.sign == Sign::Rest).count();
+    }
+    Ok(rests)
 }
 
 /// The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
@@ -161,10 +166,9 @@ pub fn weak_drive_motion() -> Evidence {
         let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
         let from = points.uniform(0.0, TAU);
         let motion = Particle::plain(lambda).run(from, v, from + 4.0 * TAU)?;
-        let last = |k: i32| motion.at(from + TAU * (3.0 + f64::from(k) / 32.0));
         let mut largest = 0.0_f64;
-        for k in 0..=32 {
-            largest = largest.max(last(k)?.speed());
+        for phi in fourth_period(from) {
+            largest = largest.max(motion.at(phi)?.speed());
         }
         Ok::<_, Failure>(Pair {
             at: format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
@@ -175,21 +179,55 @@ pub fn weak_drive_motion() -> Evidence {
     })
 }
 
+/// Phases all over the fourth period after a phase.
+fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
+    (0..=32).map(move |k| from + TAU * (3.0 + f64::from(k) / 32.0))
+}
+
 /// A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
 pub fn weak_drive_census() -> Evidence {
     let compared =
         "1 with 1 where the simulated large-time motion is rest throughout, from seven starts";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(frictions().into_iter().filter(|l| *l > 1.0), |lambda| {
-        let mut still = true;
-        for start in starts() {
-            still &= listed_kind(settled(lambda, start)?.intervals()) == kind(0, 0, true);
-        }
         Ok::<_, Failure>(Pair {
             at: at(lambda),
             stated: 1.0,
-            found: f64::from(u8::from(still)),
+            found: f64::from(u8::from(all_still(lambda)?)),
             scale: 1.0,
         })
     })
+}
+
+/// Whether it is at rest throughout at large times, from every start.
+fn all_still(lambda: f64) -> Result<bool, Failure> {
+    let mut still = true;
+    for start in starts() {
+        still &= listed_kind(settled(lambda, start)?.intervals()) == kind(0, 0, true);
+    }
+    Ok(still)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between λ_c and 1 each of the seven rests twice a period, above 1 all the time.
+    #[test]
+    fn the_rests_of_all_starts_are_counted() {
+        assert_eq!([0.3, 0.8, 1.5].map(|l| all_rests(l).unwrap()), [0, 14, 7]);
+        assert_eq!(
+            [0.3, 0.8, 1.5].map(|l| all_still(l).unwrap()),
+            [false, false, true]
+        );
+    }
+
+    #[test]
+    fn the_fourth_period_is_looked_at_from_end_to_end() {
+        let phases: Vec<_> = fourth_period(1.0).collect();
+        assert_eq!((phases[0], phases[32]), (1.0 + 3.0 * TAU, 1.0 + 4.0 * TAU));
+        for pair in phases.windows(2) {
+            assert!((pair[1] - pair[0] - TAU / 32.0).abs() < 1e-14);
+        }
+    }
 }

@@ -23,6 +23,11 @@ fn settled_after(lambda: f64) -> f64 {
     if lambda > 0.6 { 3.0 } else { SETTLED }
 }
 
+/// The phase from which on it counts as settled.
+fn settled_phase(lambda: f64) -> f64 {
+    settled_after(lambda) * TAU
+}
+
 /// A sphere on a plane that swings along x with the angular frequency ϖ: A = −A₀ h(ϖ t) x̂.
 #[derive(Debug, Clone, Copy)]
 struct Swing {
@@ -295,7 +300,7 @@ pub fn trichotomy_census() -> Evidence {
         let (i, lambda, lambda_c) = case?;
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
-        let late = settled_after(lambda) * TAU + 0.1;
+        let late = settled_phase(lambda) + 0.1;
         let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
         Ok::<_, Failure>(Pair {
@@ -327,7 +332,7 @@ pub fn trichotomy_motion() -> Evidence {
         let swing = Swing::new(i, &mut points, lambda);
         let mut start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
         start.v[1] = points.uniform(-1.0, 1.0) * swing.a0 / swing.frequency;
-        let late = settled_after(lambda) * TAU;
+        let late = settled_phase(lambda);
         let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
         let attractor = settled(sine_drive()?, Friction::new(lambda, lambda)?)?;
@@ -506,9 +511,7 @@ pub fn anisotropic_census() -> Evidence {
             .iter()
             .map(|i| i.sign.factor() as i8)
             .collect();
-        let same = ways.len() == stated.len()
-            && (0..ways.len())
-                .any(|k| (0..ways.len()).all(|j| ways[(j + k) % ways.len()] == stated[j]));
+        let same = same_order(&ways, &stated);
         Ok::<_, Failure>(Pair {
             at: format!("q = {q:.6}, {}", swing.at()),
             stated: 1.0,
@@ -518,12 +521,18 @@ pub fn anisotropic_census() -> Evidence {
     })
 }
 
+/// Whether two lists are the same but for where they begin.
+fn same_order(ways: &[i8], stated: &[i8]) -> bool {
+    ways.len() == stated.len()
+        && (0..ways.len()).any(|k| (0..ways.len()).all(|j| ways[(j + k) % ways.len()] == stated[j]))
+}
+
 /// How long each lasts.
 pub fn anisotropic_motion() -> Evidence {
     let compared = "the parts of a period of backward motion and rest, the second one twice, of the drive with λ₀ of (85), where it rests at all, with those of the sphere's slip";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(419);
-    let resting = |(q, lambda): &(f64, f64)| *lambda > 1.0 || q * lambda > 1.0;
+    let resting = |(q, lambda): &(f64, f64)| q * lambda > 1.0;
     let all = map_points(&mut points, 60).into_iter().filter(resting);
     trial.over(all.enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
@@ -588,4 +597,76 @@ pub(super) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
         points,
         rolls,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::Acceleration;
+
+    #[test]
+    fn a_motion_settles_in_three_periods_or_ten() {
+        assert_eq!([0.5, 0.6, 0.7].map(settled_after), [10.0, 10.0, 3.0]);
+        assert_eq!(settled_phase(0.7), 6.0 * PI);
+    }
+
+    /// −A₀ h(ϖ t), h by (42), (43): 1 for ηπ, nothing, −1 for ηπ, nothing.
+    #[test]
+    fn the_pulses_are_those_of_the_drive() {
+        let mut points = Points::stream(0);
+        let swing = Swing::new(0, &mut points, 0.5);
+        let plane = swing.pulses(0.25);
+        for (phi, h) in [
+            (0.1, 1.0),
+            (0.7, 1.0),
+            (0.9, 0.0),
+            (3.0, 0.0),
+            (3.3, -1.0),
+            (4.0, 0.0),
+            (6.4, 1.0),
+        ] {
+            let [x, y] = plane.coefficients(swing.t(phi)).map(|c| c[0]);
+            assert_eq!([x, y], [-h * swing.a0, 0.0], "φ = {phi}");
+        }
+    }
+
+    #[test]
+    fn lists_of_intervals_have_their_kinds() {
+        let kinds = |letters: &str| {
+            let interval = |letter| Interval {
+                sign: match letter {
+                    '+' => Sign::Positive,
+                    '-' => Sign::Negative,
+                    _ => Sign::Rest,
+                },
+                start: 0.0,
+                end: 1.0,
+            };
+            listed(&letters.chars().map(interval).collect::<Vec<_>>())
+        };
+        assert_eq!(["0", "+", "-"].map(kinds), [-1.0, 0.0, 0.0]);
+        assert_eq!(
+            ["+-", "+0-0", "+-0", "+-+-"].map(kinds),
+            [2.0, 20.0, 0.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn orders_are_the_same_up_to_their_begin() {
+        assert!(same_order(&[1, 0, -1], &[0, -1, 1]));
+        assert!(same_order(&[1], &[1]));
+        assert!(!same_order(&[1, 0, -1], &[-1, 0, 1]));
+        assert!(!same_order(&[1, 0, 1, 0], &[1, 0]));
+        assert!(!same_order(&[1, 0], &[1, 0, -1]));
+    }
+
+    /// With λ₀ > 1 friction is never exceeded.
+    #[test]
+    fn a_sphere_that_always_rolls_rolls_to_the_end() {
+        let swinging = swinging(1.5).unwrap();
+        assert_eq!(swinging.rolls.len(), 1);
+        let [begin, end] = swinging.rolls[0];
+        assert_eq!(begin, 0.0);
+        assert!((end - 4.0 * PI).abs() < 1e-13, "{end}");
+    }
 }

@@ -174,3 +174,25 @@ pub fn escape() -> Evidence {
         })
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At ψ = π, where the angle jumps by a turn, and elsewhere.
+    #[test]
+    fn the_angle_turns_at_the_rate_of_the_law() {
+        for psi in [0.4, -2.0, PI - 1e-9, 1e-9 - PI] {
+            for (a, alpha) in [(0.5, 0.3), (2.0, 0.8)] {
+                let (rate, law) = (
+                    psi_rate(a, alpha, psi).unwrap(),
+                    printed::eq115_psi_rate(alpha, psi),
+                );
+                assert!(
+                    (rate - law).abs() < 1e-8 * (1.0 + law.abs()),
+                    "ψ = {psi}: {rate}, {law}"
+                );
+            }
+        }
+    }
+}

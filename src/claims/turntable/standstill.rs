@@ -255,3 +255,26 @@ pub fn eq121() -> Evidence {
         |v| printed::eq121_psi_rate(v.outer().1, v.psi),
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Released at rest beyond ρ = 1: the centrifugal acceleration less friction, on a table that turns fast.
+    #[test]
+    fn the_first_rate_is_taken_within_a_small_part_of_a_turn() {
+        let table = Table {
+            omega: 1e3,
+            mu: 0.5,
+            g: 10.0,
+            mass: 1.0,
+        };
+        let start = State {
+            t: 0.0,
+            x: [2.0 * table.length(), 0.0],
+            v: [0.0; 2],
+        };
+        let rate = first_rate(&table, &start, |s| s.v[0]).unwrap();
+        assert!((rate - 5.0).abs() < 1e-8, "{rate}");
+    }
+}

@@ -177,11 +177,15 @@ fn count(found: &[Stretch], class: Class) -> usize {
     found.iter().filter(|s| s.class == class).count()
 }
 
+/// Times all over a stretch, its ends included.
+fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
+    (0..=40).map(move |i| (from + (to - from) * f64::from(i) / 40.0).min(to))
+}
+
 /// The class of a stretch; nothing if it comes too close to where formulas divide by zero.
 fn class(path: &Path, from: f64, to: f64) -> Result<Option<Class>, MotionError> {
     let mut lead = [f64::INFINITY, f64::NEG_INFINITY];
-    for i in 0..=40 {
-        let t = (from + (to - from) * f64::from(i) / 40.0).min(to);
+    for t in samples(from, to) {
         let view = View::of(&path.at(t)?);
         if view.p < OFF || view.rho < OFF {
             return Ok(None);
@@ -270,8 +274,7 @@ static LAUNCHES: LazyLock<Result<Vec<Launch>, MotionError>> = LazyLock::new(|| {
         };
         let to = points.uniform(0.5, 1.5) / table.omega;
         let turning = rotating::run(&table, &start, to)?;
-        let slowest = (0..=40).try_fold(f64::INFINITY, |least, i| {
-            let t = (to * f64::from(i) / 40.0).min(to);
+        let slowest = samples(0.0, to).try_fold(f64::INFINITY, |least, t| {
             Ok::<_, MotionError>(turning.at(t)?.speed().min(least))
         })?;
         if slowest > OFF * length * table.omega {
@@ -294,4 +297,43 @@ pub fn launches() -> impl Iterator<Item = Result<&'static Launch, MotionError>> 
         Err(error) => (&[][..], Some(Err(error.clone()))),
     };
     all.iter().map(Ok).chain(error)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stretch_is_looked_at_from_end_to_end() {
+        let times: Vec<_> = samples(1.5, 2.0).collect();
+        assert_eq!((times[0], times[40], times.len()), (1.5, 2.0, 41));
+        for pair in times.windows(2) {
+            assert!((pair[1] - pair[0] - 0.0125).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn stretches_are_counted_by_their_class() {
+        let (table, start) = (
+            Table::default(),
+            State {
+                t: 0.0,
+                x: [1.0, 0.0],
+                v: [0.5, 0.5],
+            },
+        );
+        let stretch = |class| Stretch {
+            class,
+            turning: rotating::run(&table, &start, 0.1).unwrap(),
+            still: inertial::run(&table, &table.to_laboratory(&start), 0.1).unwrap(),
+            parts: Run::new(&Start::cartesian(start.x, start.v).unwrap(), 0.1).unwrap(),
+            from: 0.0,
+            to: 0.1,
+        };
+        let some = [Class::Slower, Class::Through, Class::Slower].map(stretch);
+        assert_eq!(
+            [Class::Slower, Class::Faster, Class::Through].map(|c| count(&some, c)),
+            [2, 0, 1]
+        );
+    }
 }
