@@ -337,4 +337,20 @@ mod tests {
             assert_eq!(words.matches('$').count() % 2, 0, "{words}");
         }
     }
+
+    #[test]
+    fn the_numbers_are_those_that_the_words_lead_to() {
+        for (claim, numbers) in [
+            ("s22-vy-two-stages", ["1.000", "4.676"]),
+            ("s24-region-2", ["1", "0"]),
+            ("fig-5", ["2", "4"]),
+            ("eq-75", ["-1.000", "1.000"]),
+            ("eq-82", ["0.8485", "0.4242"]),
+            ("eq-83", ["0.3182", "0.0000"]),
+            ("eq-106", ["25.0", "12.5"]),
+            ("s4-coriolis-no-work", ["-25.0", "-12.5"]),
+        ] {
+            assert_eq!(of(claim).unwrap().numbers().unwrap(), numbers, "{claim}");
+        }
+    }
 }

@@ -156,3 +156,40 @@ pub fn all() -> impl Iterator<Item = (&'static Topic, &'static Claim)> {
 pub fn find(id: &str) -> Option<(&'static Topic, &'static Claim)> {
     all().find(|(_, claim)| claim.id == id)
 }
+
+#[cfg(all(test, feature = "book"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_claim_is_called_by_its_number_its_figure_its_title_or_its_id() {
+        let claim = Claim {
+            id: "fig-3",
+            ..Claim::BLANK
+        };
+        let title = "Rest";
+        let numbered = Some(11);
+        for (claim, name) in [
+            (claim, "fig-3"),
+            (Claim { title, ..claim }, "Rest"),
+            (
+                Claim {
+                    kind: Kind::Figure,
+                    title,
+                    ..claim
+                },
+                "Figure 3",
+            ),
+            (
+                Claim {
+                    equation: numbered,
+                    title,
+                    ..claim
+                },
+                "(11)",
+            ),
+        ] {
+            assert_eq!(claim.name(), name);
+        }
+    }
+}

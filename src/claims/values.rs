@@ -354,12 +354,33 @@ mod tests {
     use std::collections::BTreeSet;
 
     #[test]
-    fn every_value_belongs_to_a_claim() {
+    fn every_value_belongs_to_a_claim_and_has_its_digits() {
         let ids: BTreeSet<_> = VALUES.iter().map(|value| value.id).collect();
         assert_eq!(ids.len(), VALUES.len());
         for value in &VALUES {
             assert!(claims::find(value.claim).is_some(), "{}", value.id);
             assert!(value.shown().is_ok(), "{}", value.id);
+
+            // As many digits as are known, cut off; nines may be rounded up if there are two of them or more.
+            let digits = value.digits().unwrap();
+            let significant = digits.trim_start_matches(['-', '0', '.']).replace('.', "");
+            assert_eq!(significant.len(), KNOWN, "{} {digits}", value.id);
+            let number = value.number().unwrap();
+            let cut = number - digits.parse::<f64>().unwrap();
+            let unit = libm::exp10(-(digits.split_once('.').unwrap().1.len() as f64));
+            assert!(
+                cut >= -0.005 * unit && cut < unit,
+                "{} {number} {digits}",
+                value.id
+            );
+        }
+        // 1/√2 = 0.70710678118|65…, e^(√2 π) = 85.019695223|20…, 14/33 = 0.42424242424|24….
+        for (id, digits) in [
+            ("fig-4-friction", "0.70710678118"),
+            ("turn", "85.019695223"),
+            ("slip-end", "0.42424242424"),
+        ] {
+            assert_eq!(find(id).unwrap().digits().unwrap(), digits);
         }
     }
 }

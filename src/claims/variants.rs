@@ -246,3 +246,43 @@ fn same(formula: &str, right: &[Vec<f64>], values: &[Vec<f64>]) -> bool {
     let factor = factor.unwrap_or(1.0);
     pairs().all(|(r, v)| (v - factor * r).abs() <= 1e-9 * r.abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_formula_is_tried_by_the_claim_of_its_number_or_of_the_list() {
+        let formulas = formulas::<f64>();
+        let tried = |path: &str| {
+            let formula = formulas.iter().find(|f| f.path.ends_with(path));
+            claim(formula.unwrap_or_else(|| panic!("{path}")))
+        };
+        for (path, id) in TRIED_IN {
+            assert_eq!(tried(path).as_deref(), Some(id), "{path}");
+            assert!(crate::claims::find(id).is_some(), "{id}");
+        }
+        assert_eq!(tried("constant::eq13_time").as_deref(), Some("eq-13"));
+        assert_eq!(tried("corrections::escape::winding"), None);
+    }
+
+    #[test]
+    fn a_factor_counts_but_for_what_vanishes_keeps_its_value_or_has_a_sign() {
+        let right = [vec![0.0, f64::NAN], vec![1.0, -2.0]];
+        let times = |factor: f64| {
+            right
+                .clone()
+                .map(|v| v.iter().map(|x| factor * x).collect())
+        };
+        for (formula, like) in [
+            ("eq13_time", [true, false, false, false]),
+            ("eq104_constant", [true, true, true, false]),
+            ("eq116_case", [true, true, false, false]),
+        ] {
+            let found = [1.0, 3.0, -3.0, 0.0].map(|factor| same(formula, &right, &times(factor)));
+            assert_eq!(found, like, "{formula}");
+            // No one factor leads there.
+            assert!(!same(formula, &right, &[vec![0.0, 0.0], vec![1.0, 2.0]]));
+        }
+    }
+}

@@ -208,7 +208,8 @@ fn without_rest(plus: f64, minus: f64) -> Option<Period> {
     }
     let middle = PI - libm::asin(sine);
     let (begins, ends) = (middle - k, middle + k);
-    if libm::sin(begins) < plus || -libm::sin(ends) < minus {
+    // The other begin holds if this one does: it asks for less, 1 + 2K cot(π − K) ≥ q = K/(π − K) for K ≥ π/2.
+    if libm::sin(begins) < plus {
         return None;
     }
     let drift = way(plus, begins, ends) - way(minus, ends - PI, begins + PI);

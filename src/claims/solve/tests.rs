@@ -60,3 +60,34 @@ fn digits_are_those_of_the_disagreement() {
         assert_eq!(digits(error), expected, "{error}");
     }
 }
+
+#[test]
+fn zero_has_no_sign_and_differs_from_nothing_but_other_values() {
+    let Value::Number(zero) = Value::from(-0.0) else {
+        panic!("a number")
+    };
+    assert!(zero.is_sign_positive());
+    let field = |value: Value| Field {
+        name: "x",
+        value,
+        scale: 0.0,
+    };
+    let values = [
+        Value::Number(0.0),
+        Value::Number(2.0),
+        Value::Word("rest"),
+        Value::Word("escape"),
+        Value::Missing,
+    ];
+    for (i, a) in values.into_iter().enumerate() {
+        for (j, b) in values.into_iter().enumerate() {
+            let expected = if i == j { 0.0 } else { 1.0 };
+            assert_eq!(field(a).difference(&field(b)), expected, "{a:?} {b:?}");
+        }
+    }
+    let (two, three) = (Value::Number(2.0), Value::Number(3.0));
+    assert_eq!(field(two).difference(&field(three)), 1.0 / 3.0);
+    let wide = Field::within(10.0, "x", 3.0);
+    assert_eq!(field(two).difference(&wide), 0.1);
+    assert_eq!(wide.difference(&field(two)), 0.1);
+}

@@ -218,4 +218,20 @@ mod tests {
             assert_eq!(refused.to_string(), NotDecimal(given.into()).to_string());
         }
     }
+
+    #[test]
+    fn a_number_is_read_by_sign_digits_and_power() {
+        for (given, negative, digits, power) in [
+            ("537", false, [5, 3, 7], 2),
+            ("-5.37", true, [5, 3, 7], 0),
+            ("0.0537", false, [5, 3, 7], -2),
+            ("-.100", true, [1, 0, 0], -1),
+            ("5.37e3", false, [5, 3, 7], 3),
+            ("-053.7E-10", true, [5, 3, 7], -9),
+        ] {
+            let read = Digits::read(given).unwrap();
+            assert_eq!((read.negative, read.power), (negative, power), "{given}");
+            assert_eq!(read.digits, digits, "{given}");
+        }
+    }
 }

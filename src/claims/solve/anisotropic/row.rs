@@ -103,7 +103,7 @@ impl Row {
         if minus >= 1.0 || (end > 1.5 * PI && -self.sin <= minus) {
             return one_way;
         }
-        if let Some(arcs) = without_rest(plus, minus, column) {
+        if let Some(arcs) = without_rest(plus, column) {
             return arcs;
         }
         // The backward slip is the forward slip under λ₋, half a period later.
@@ -116,15 +116,9 @@ impl Row {
         if at_once != self.at_once {
             (self.at_once, self.known) = (at_once, 0);
         }
-        let [a, b, c] = self.last;
-        let guess = match self.known {
-            0 => start + PI,
-            1 => a,
-            2 => 2.0 * a - b,
-            _ => 3.0 * (a - b) + c,
-        };
+        let guess = expected(self.known, self.last, start);
         let stop = slip_end(minus, start, cos, guess);
-        self.last = [stop, a, b];
+        self.last = [stop, self.last[0], self.last[1]];
         self.known = (self.known + 1).min(3);
         Arcs {
             backward: [start + PI, stop + PI],
@@ -134,7 +128,7 @@ impl Row {
 }
 
 /// Region I, as in [`super::without_rest`], with the addition theorem in place of sines of its phases.
-fn without_rest(plus: f64, minus: f64, column: &Column) -> Option<Arcs> {
+fn without_rest(plus: f64, column: &Column) -> Option<Arcs> {
     let Column {
         k, sin, cos, ratio, ..
     } = *column;
@@ -143,7 +137,8 @@ fn without_rest(plus: f64, minus: f64, column: &Column) -> Option<Arcs> {
         return None;
     }
     let cosine = libm::sqrt((1.0 - sine) * (1.0 + sine));
-    let holds = sine * cos + cosine * sin < plus || cosine * sin - sine * cos < minus;
+    // Where forward motion may begin, backward motion may: see there.
+    let holds = sine * cos + cosine * sin < plus;
     (!holds).then(|| {
         let middle = PI - libm::asin(sine);
         Arcs {
@@ -151,6 +146,18 @@ fn without_rest(plus: f64, minus: f64, column: &Column) -> Option<Arcs> {
             backward: [middle + k, middle - k + TAU],
         }
     })
+}
+
+/// Where the next slip is expected to end: half a period after its start if no end is known, else on the constant, the
+/// line or the parabola through the last ends, the newest first.
+#[inline(always)]
+fn expected(known: usize, [a, b, c]: [f64; 3], start: f64) -> f64 {
+    match known {
+        0 => start + PI,
+        1 => a,
+        2 => 2.0 * a - b,
+        _ => 3.0 * (a - b) + c,
+    }
 }
 
 /// Where a slip under `lambda` ends that begins from rest at `start`, whose cosine is `cos`: the root of (32) between
@@ -236,6 +243,13 @@ mod tests {
                         );
                     }
                 }
+                // The phases themselves, not only up to a turn.
+                let wait = arcs.backward[0] - arcs.forward[1];
+                assert!(
+                    (0.0..PI).contains(&arcs.forward[0]),
+                    "{q} {lambda0} {arcs:?}"
+                );
+                assert!((-1e-14..TAU).contains(&wait), "{q} {lambda0} {arcs:?}");
                 forward_only += usize::from(arcs.backward[0] == arcs.backward[1]);
                 both += usize::from(arcs.backward[0] < arcs.backward[1]);
             }
@@ -287,6 +301,14 @@ mod tests {
     }
 
     #[test]
+    fn the_end_of_a_slip_is_found_where_every_other_step_has_to_halve_the_bracket() {
+        // From this guess steps without a halving run in a circle.
+        let (lambda, start, guess) = (0.9367950615036835, 1.213354850618772, 1.213354850619964);
+        let end = slip_end(lambda, start, libm::cos(start), guess);
+        assert!((end - 2.290371042685266).abs() < 1e-13, "{end}");
+    }
+
+    #[test]
     fn what_lies_outside_is_named() {
         assert!(
             Column::new(0.5)
@@ -300,5 +322,61 @@ mod tests {
                 .to_string()
                 .contains("lambda0")
         );
+    }
+
+    #[test]
+    fn the_shortest_backward_slips_are_not_missed() {
+        // Forward motion ends shortly before the drive is strongest, and that is hardly strong enough.
+        let mut row = Row::new(0.226).unwrap();
+        assert!(row.forward[1] > 1.5 + PI && row.forward[1] < 1.5 * PI);
+        let q = 0.9999 / 0.226;
+        let arcs = row.at(&Column::new(q).unwrap());
+        let length = arcs.backward[1] - arcs.backward[0];
+        let problem = crate::claims::solve::anisotropic::Problem { q, lambda0: 0.226 };
+        let period = problem.solve().unwrap().best;
+        assert_eq!(period.region, "III");
+        assert!(
+            (length - period.negative).abs() < 1e-10,
+            "{length} {period:?}"
+        );
+        // So short a slip lasts three times as long as the drive takes from λ₋ to its height.
+        let rise = libm::acos(0.9999);
+        assert!((length / rise - 3.0).abs() < 1e-3, "{length} {rise}");
+    }
+
+    #[test]
+    fn ends_are_expected_on_the_parabola_through_the_last_three() {
+        let ends = [9.0, 4.0, 1.0];
+        let expected = [0, 1, 2, 3].map(|known| expected(known, ends, 0.5));
+        assert_eq!(expected, [0.5 + PI, 9.0, 14.0, 16.0]);
+    }
+
+    #[test]
+    fn the_last_ends_are_forgotten_where_slips_begin_otherwise() {
+        let (mut changes, mut full) = (0, 0);
+        for lambda0 in [0.25, 0.3, 0.35, 0.4] {
+            let mut row = Row::new(lambda0).unwrap();
+            let (mut known, mut kind) = (0, None);
+            for i in 0..300 {
+                let column = Column::new(1.0 + 0.01 * f64::from(i)).unwrap();
+                let before = row.last;
+                let arcs = row.at(&column);
+                if row.last == before {
+                    continue;
+                }
+                let at_once = (arcs.backward[0] - arcs.forward[1]).abs() < 1e-12;
+                if kind.is_some_and(|kind| kind != at_once) {
+                    changes += 1;
+                    known = 0;
+                }
+                kind = Some(at_once);
+                known = (known + 1).min(3);
+                full += usize::from(known == 3);
+                assert_eq!((row.known, row.at_once), (known, at_once), "{}", column.q);
+                assert_eq!(row.last[0] + PI, arcs.backward[1]);
+                assert_eq!(row.last[1..], before[..2]);
+            }
+        }
+        assert!(changes > 0 && full > 100, "{changes} {full}");
     }
 }

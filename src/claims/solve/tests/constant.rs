@@ -1,7 +1,8 @@
 //! Launched particles.
 
 use super::*;
-use crate::claims::solve::constant::{At, Problem};
+use crate::claims::solve::constant::{At, Formulas, Problem};
+use crate::corrections::constant as corrected;
 use std::f64::consts::PI;
 
 fn constant([lambda, v0, theta0, accel]: [f64; 4], at: At) -> Problem {
@@ -76,6 +77,7 @@ fn launches_by_time_and_back_by_angle() {
             .solve()
             .unwrap();
         assert!((back.best.t - t).abs() < 1e-9 * t, "{} {t}", back.best.t);
+        assert!(back.digits >= Some(8), "{back:?}");
         assert_eq!(answer.best.stop_time.is_some(), lambda > 1.0);
     }
 }
@@ -163,4 +165,128 @@ fn bad_parameters_are_named() {
     }
     let error = constant(good, At::Time(-1.0)).solve().unwrap_err();
     assert_eq!(error.to_string(), "time = -1 must be between 0 and 1e40");
+}
+
+#[test]
+fn a_note_says_which_formulas_gave_the_state() {
+    let note = |given, at| constant(given, at).solve().unwrap().note;
+    let printed = "by (11) and (13);";
+    for (given, at, begins) in [
+        ([0.5, 1.0, 1.0, 1.0], At::Time(2.0), printed),
+        ([1.7, 1.3, 2.0, 1.0], At::Theta(1.0), printed),
+        // Large numbers and small ones: only relative errors count.
+        ([0.5, 1e9, 1.0, 1.0], At::Time(2e9), printed),
+        ([0.5, 1e-9, 1.0, 1.0], At::Time(2e-9), printed),
+        (
+            [1.0, 2.0, 2.5, 1.5],
+            At::Time(3.0),
+            "by the form that replaces",
+        ),
+        // So near λ = 1 the printed time has lost ten of its digits, whatever its size.
+        (
+            [1.0 + 1e-10, 2.0, 1.0, 1.0],
+            At::Time(1.0),
+            "by the form that replaces",
+        ),
+        (
+            [1.0 + 1e-10, 2e-9, 1.0, 1.0],
+            At::Time(1e-9),
+            "by the form that replaces",
+        ),
+        (
+            [0.5, 2.0, 0.0, 1.0],
+            At::Time(1.0),
+            "by uniformly accelerated motion",
+        ),
+        (
+            [0.5, 2.0, PI, 1.0],
+            At::Time(1.0),
+            "by uniformly accelerated motion",
+        ),
+        (
+            [1.5, 1.0, 2.0, 1.0],
+            At::Time(9.0),
+            "at rest: (20) is over;",
+        ),
+    ] {
+        let note = note(given, at);
+        assert!(note.starts_with(begins), "{given:?} {at:?}: {note}");
+        assert!(note.ends_with("in which the integrated motion agrees"));
+    }
+}
+
+#[test]
+fn the_formulas_refuse_an_angle_that_the_velocity_never_has() {
+    let formulas = |theta0| Formulas {
+        lambda: 0.5,
+        a: 1.0,
+        v0: 1.0,
+        theta0,
+    };
+    for theta in [0.0, 1.1, 2.0, -0.5, -1.0, -2.0, PI] {
+        assert!(formulas(1.0).at_theta(theta).is_err(), "{theta}");
+        assert!(formulas(-1.0).at_theta(-theta).is_err(), "{theta}");
+    }
+    assert!(formulas(1.0).at_theta(0.5).is_ok());
+    assert!(formulas(-1.0).at_theta(-0.5).is_ok());
+}
+
+#[test]
+fn against_the_force_there_is_no_velocity_across() {
+    let at = |lambda, accel, t| constant([lambda, 3.0, PI, accel], At::Time(t)).solve();
+    let answer = at(0.5, 2.0, 0.25).unwrap();
+    agrees(&answer, &[("v", 2.25), ("theta", PI), ("vx", -2.25)]);
+    assert_eq!(answer.by_formula.unwrap().vy, 0.0);
+    // Friction that only just holds: the stop is at v₀/(2A), later than v₀A where A is small.
+    for accel in [0.25, 4.0] {
+        let answer = at(1.0, accel, 0.1).unwrap();
+        agrees(
+            &answer,
+            &[("stop_time", 1.5 / accel), ("v", 3.0 - 0.2 * accel)],
+        );
+    }
+}
+
+#[test]
+fn late_times_are_reached() {
+    // At λ = 1 the angle falls for ever, v + v_x stays, and so v tends to half of it.
+    let late = constant([1.0, 2.0, 1.0, 1.0], At::Time(1e4))
+        .solve()
+        .unwrap();
+    agrees(&late, &[("v", 1.0 + libm::cos(1.0)), ("theta", 0.0)]);
+    assert_eq!(late.best.stop_time, None);
+    // Friction so strong that nothing else counts.
+    let strong = constant([1e20, 1.0, 1.0, 1.0], At::Time(0.5e-20))
+        .solve()
+        .unwrap();
+    agrees(&strong, &[("v", 0.5), ("theta", 1.0), ("stop_time", 1e-20)]);
+}
+
+#[test]
+fn at_the_stop_itself_the_particle_is_at_rest_and_before_it_moves() {
+    let (lambda, v0, theta0, a) = (1.5, 1.0, 2.0, 1.0);
+    let formulas = Formulas {
+        lambda,
+        a,
+        v0,
+        theta0,
+    };
+    let stop = constant([lambda, v0, theta0, a], At::Time(0.1))
+        .solve()
+        .unwrap();
+    let stop = stop.best.stop_time.unwrap();
+    let state = formulas.at_time(stop).unwrap();
+    assert_eq!((state.v, state.theta, state.t), (0.0, 0.0, stop));
+    // Where the search for the time begins, it may have found it.
+    for lambda in [0.0, 1.0, 3.0] {
+        let formulas = Formulas { lambda, ..formulas };
+        let ln_r = -1.0 / (1.0 + lambda);
+        let t = corrected::time_by_log(lambda, a, v0, theta0, ln_r);
+        let state = formulas.at_time(t).unwrap();
+        let ratio = libm::tan(0.5 * state.theta) / libm::tan(0.5 * theta0);
+        assert!(
+            (libm::log(ratio) - ln_r).abs() < 1e-14,
+            "{lambda} {state:?}"
+        );
+    }
 }

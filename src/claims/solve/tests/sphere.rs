@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::claims::solve::constant::At;
-use crate::claims::solve::sphere::Problem;
+use crate::claims::solve::sphere::{Problem, State};
 use std::f64::consts::PI;
 
 #[test]
@@ -74,6 +74,7 @@ fn spheres_by_time_and_back_by_angle() {
         agrees(&answer, &[("zeta_x", zeta_x), ("zeta_y", zeta_y)]);
         let back = problem(At::Theta(answer.best.theta)).solve().unwrap();
         assert!((back.best.tau - tau).abs() < 1e-10, "{}", back.best.tau);
+        assert!(back.digits >= Some(11), "{back:?}");
         assert_eq!(answer.best.rolls_at.is_some(), 1.0 + 1.0 / kappa > gamma);
     }
 }
@@ -93,4 +94,90 @@ fn a_sphere_rolls_on_with_the_spin_that_rolling_gives() {
     let zeta_y = ((2.0 - rolls_at) / 3.5 - rolls_at) / 0.4;
     agrees(&answer, &[("u", 0.0), ("rolls_at", rolls_at)]);
     agrees(&answer, &[("zeta_x", 0.0), ("zeta_y", zeta_y)]);
+}
+
+/// A solid sphere: κ = 2/5, where b = 7/2.
+fn solid(gamma: f64, u0: f64, theta0: f64, at: At) -> Answer<State> {
+    let problem = Problem {
+        gamma,
+        u0,
+        theta0,
+        kappa: 0.4,
+        at,
+    };
+    problem.solve().unwrap()
+}
+
+#[test]
+fn the_printed_time_is_named_only_where_it_is_right() {
+    let printed = "the slip by (81) and (82);";
+    let lacks =
+        "the slip by (81) in its regular form and by (82) with the factor 1/γ that it lacks;";
+    for (gamma, u0, theta, note) in [
+        (1.0, 1.0, 0.5, printed),
+        (1.0, 1e6, 0.5, printed),
+        (1.0, 1e-6, 0.5, printed),
+        (1.5, 1.0, 0.5, lacks),
+        (1.5, 1e-6, 0.5, lacks),
+        (0.7, 1.0, 0.5, lacks),
+        (1.0 + 1e-7, 1.0, 0.5, lacks),
+    ] {
+        let answer = solid(gamma, u0, 1.0, At::Theta(theta));
+        assert!(answer.digits >= Some(11), "{answer:?}");
+        let spin = " the spin by (79) and by (75) with the other sign";
+        assert_eq!(answer.note, format!("{note}{spin}"), "{gamma} {u0} {theta}");
+    }
+}
+
+#[test]
+fn slip_along_the_axis_ends_when_uniform_deceleration_says() {
+    // With the force: the slip falls at the rate b − γ, to be followed longer than u₀/γ or u₀ (b − γ).
+    for (gamma, u0) in [(3.0, 1.0), (1.0, 1e10), (0.5, 1e-3)] {
+        let rolls_at = u0 / (3.5 - gamma);
+        let answer = solid(gamma, u0, 0.0, At::Time(0.25 * rolls_at));
+        agrees(
+            &answer,
+            &[("u", 0.75 * u0), ("theta", 0.0), ("rolls_at", rolls_at)],
+        );
+    }
+    // Against it, where friction only just holds: it falls at the rate b + γ = 7.
+    for u0 in [1.0, 3.5, 7.0] {
+        let answer = solid(3.5, u0, PI, At::Time(0.1 * u0));
+        agrees(
+            &answer,
+            &[("u", 0.3 * u0), ("theta", PI), ("rolls_at", u0 / 7.0)],
+        );
+        let over = solid(3.5, u0, PI, At::Time(u0));
+        agrees(&over, &[("u", 0.0), ("theta", PI), ("rolls_at", u0 / 7.0)]);
+    }
+}
+
+#[test]
+fn slip_that_turns_round_is_zero_at_the_turn_and_has_the_new_angle() {
+    let turn = solid(5.0, 1.7, PI, At::Theta(0.0));
+    agrees(&turn, &[("u", 0.0), ("theta", 0.0), ("tau", 0.2)]);
+    assert_eq!(turn.best.rolls_at, None);
+    let later = solid(5.0, 1.7, PI, At::Time(0.6));
+    agrees(
+        &later,
+        &[("u", 0.6), ("theta", 0.0), ("u_x", 0.6), ("u_y", 0.0)],
+    );
+    let begin = solid(5.0, 1.7, PI, At::Theta(PI));
+    agrees(&begin, &[("u", 1.7), ("theta", PI), ("tau", 0.0)]);
+    // A motion of no length has the slip of its start.
+    let begin = solid(5.0, 1.7, 1.0, At::Theta(1.0));
+    agrees(&begin, &[("u", 1.7), ("theta", 1.0), ("tau", 0.0)]);
+}
+
+#[test]
+fn a_sphere_that_was_thrown_aslant_rolls_with_the_angle_to_which_its_slip_tended() {
+    for theta0 in [-2.0, 1.0, 3.0] {
+        let answer = solid(2.0, 1.0, theta0, At::Time(5.0));
+        // By (74) λu + u_x falls at the rate γ(λ² − 1), to 0 at the end.
+        let rolls_at = (1.75 + libm::cos(theta0)) / (2.0 * (1.75 * 1.75 - 1.0));
+        agrees(
+            &answer,
+            &[("u", 0.0), ("theta", 0.0), ("rolls_at", rolls_at)],
+        );
+    }
 }

@@ -1,7 +1,7 @@
 //! The turntable.
 
 use super::*;
-use crate::claims::solve::turntable::Problem;
+use crate::claims::solve::turntable::{Moment, Problem};
 
 #[test]
 fn fates_on_the_table() {
@@ -86,4 +86,18 @@ fn moments_on_the_table() {
         &at(0.5, 0.3, 1.0, 3.0),
         &[("rho", 0.5388513871127943), ("p", 0.0), ("psi", 0.0)],
     );
+}
+
+#[test]
+fn psi_is_the_angle_from_the_velocity_to_the_position() {
+    for place in [-2.9, -1.0, 0.4, 2.2] {
+        for psi in [-3.0, -1.2, 0.0, 0.7, 2.5] {
+            let heading: f64 = place - psi;
+            let moment = Moment {
+                position: [2.0 * libm::cos(place), 2.0 * libm::sin(place)],
+                velocity: [0.3 * heading.cos(), 0.3 * heading.sin()],
+            };
+            assert!((moment.psi() - psi).abs() < 1e-15 * 8.0, "{place} {psi}");
+        }
+    }
 }
