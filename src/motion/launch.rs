@@ -159,4 +159,13 @@ mod tests {
             prop_assert!(motion.as_ref().is_ok_and(|m| m.end().speed() == 0.0 && m.first_stop() == Some(m.end().t)), "{launch:?}: {motion:?}");
         }
     }
+
+    #[test]
+    fn a_fast_particle_that_the_plane_carries_on_has_time_to_stop() {
+        for k in 1..60 {
+            let launch = Launch::new(1.0 + 0.037 * f64::from(k), 1.3, 1e18, 0.0).unwrap();
+            let motion = launch.motion_to_rest().unwrap();
+            assert_eq!(motion.first_stop(), Some(motion.end().t), "{launch:?}");
+        }
+    }
 }

@@ -115,3 +115,35 @@ impl Onset {
         [0, 1].map(|i| value(&self.velocity[i], &elapsed))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_steady_drive_speeds_up_by_what_friction_leaves() {
+        // f = (3, −4) and L = 2: 3 along the unit vector (0.6, −0.8).
+        let steady = |m: usize, _: &_| if m == 0 { [3.0, -4.0] } else { [0.0; 2] };
+        let start = onset(2.0, steady).unwrap();
+        assert_eq!(start.h, f64::INFINITY);
+        for t in [0.0, 0.5, 7.0] {
+            let [x, y] = start.at(t);
+            assert!((x - 1.8 * t).abs() < 1e-14 && (y + 2.4 * t).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn a_drive_that_is_no_number_is_named() {
+        for bad in [f64::NAN, f64::INFINITY] {
+            let drive = |m: usize, _: &_| match m {
+                0 => [3.0, 0.0],
+                5 => [bad, 0.0],
+                _ => [0.0; 2],
+            };
+            let Err(NumericsError::NotFinite { what, .. }) = onset(2.0, drive) else {
+                panic!("{bad}")
+            };
+            assert!(what.contains("coefficient"), "{what}");
+        }
+    }
+}

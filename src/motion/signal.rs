@@ -281,4 +281,40 @@ mod tests {
         assert_eq!(both.next_break(1.95), Some(2.0));
         assert_eq!(both.coefficients(1.95)[0], 1.0 + 3.0 + 1.0);
     }
+
+    #[test]
+    fn a_square_wave_has_been_there_before_it_starts() {
+        let square = Signal::Square {
+            start: 0.5,
+            half: 1.0,
+        };
+        for (t, value, next) in [
+            (-2.0, -1.0, -1.5),
+            (-1.5, 1.0, -0.5),
+            (-1.0, 1.0, -0.5),
+            (0.0, -1.0, 0.5),
+            (0.5, 1.0, 1.5),
+        ] {
+            assert_eq!(square.coefficients(t)[0], value, "{t}");
+            assert_eq!(square.next_break(t), Some(next), "{t}");
+        }
+    }
+
+    #[test]
+    fn products_of_any_number_of_polynomials_are_polynomials() {
+        let line = |a, b| Signal::Polynomial(vec![a, b]);
+        // (1 + t)(2 − t)(3 + 2t) = 6 + 7t − t² − 2t³.
+        let factors = [line(1.0, 1.0), line(2.0, -1.0), line(3.0, 2.0)];
+        let expected: [&[f64]; 4] = [
+            &[1.0],
+            &[1.0, 1.0],
+            &[2.0, 1.0, -1.0],
+            &[6.0, 7.0, -1.0, -2.0],
+        ];
+        for (n, expected) in expected.into_iter().enumerate() {
+            let found = Signal::Product(factors[..n].to_vec()).coefficients(0.0);
+            assert_eq!(found[..expected.len()], *expected);
+            assert!(found[expected.len()..].iter().all(|c| *c == 0.0));
+        }
+    }
 }

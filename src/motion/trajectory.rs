@@ -299,3 +299,73 @@ impl Motion {
         Ok(None)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Plane, Signal};
+    use super::*;
+    use crate::motion::particle::run;
+
+    fn launched(v: [f64; 2]) -> State {
+        State {
+            t: 0.0,
+            v,
+            x: [0.0; 2],
+        }
+    }
+
+    #[test]
+    fn a_motion_points_along_its_own_velocity_from_the_start() {
+        let still = Plane::constant([0.0; 2]);
+        for v in [[3.0, 0.0], [-3.0, 0.0], [0.0, 0.5], [0.0, -2.0], [1.0, 1.0]] {
+            let motion = run(&still, 1.0, launched(v), 9.0).unwrap();
+            assert_eq!(motion.first_along(v).unwrap(), Some(launched(v)));
+            for other in [[-v[0], -v[1]], [-v[1], v[0]], [v[1], -v[0]]] {
+                assert_eq!(motion.first_along(other).unwrap(), None, "{v:?} {other:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn across_the_pull_a_motion_points_once() {
+        // No friction, −A = (±1, 0), v = (∓2, ±3): straight along y after the time 2, whichever the mirror image.
+        for (side, up) in [(1.0, 3.0), (-1.0, 3.0), (1.0, -3.0), (-1.0, -3.0)] {
+            for friction in [0.0, 0.1] {
+                let pull = Plane::constant([-side, 0.0]);
+                let motion = run(&pull, friction, launched([-2.0 * side, up]), 9.0).unwrap();
+                let found = motion.first_along([0.0, up]).unwrap().unwrap();
+                assert!(found.v[0].abs() < 1e-14, "{found:?}");
+                assert!(friction > 0.0 || (found.t - 2.0).abs() < 1e-14, "{found:?}");
+                assert_eq!(motion.first_along([0.0, -up]).unwrap(), None);
+            }
+        }
+    }
+
+    #[test]
+    fn the_first_moments_of_a_slide_know_where_they_point() {
+        // A turning pull that begins at t = 1 and lasts for a while.
+        let pulled = |to| {
+            let strength =
+                Signal::Product(vec![Signal::Pulse { from: 1.0, to }, Signal::constant(1.5)]);
+            let plane = Plane::rotating(strength, 2.0, 0.4);
+            run(&plane, 1.0, launched([0.0; 2]), 9.0).unwrap()
+        };
+        let long = pulled(2.0);
+        let arc = long.pieces.iter().find_map(|piece| match piece {
+            Piece::Arc(arc) => Some(arc),
+            _ => None,
+        });
+        let arc = arc.unwrap();
+        assert_eq!(arc.from, 1.0);
+        let length = arc.to - arc.from;
+        for part in [0.25, 0.5, 0.75] {
+            let t = 1.0 + part * length;
+            let v = long.at(t).unwrap().v;
+            let found = long.first_along(v).unwrap().unwrap();
+            assert!((found.t - t).abs() < 1e-12, "{found:?} {t}");
+            // A pull that ends before turns no farther.
+            let short = pulled(1.0 + (part - 0.05) * length);
+            assert_eq!(short.first_along(v).unwrap(), None, "{part}");
+        }
+    }
+}

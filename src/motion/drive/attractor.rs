@@ -353,3 +353,42 @@ impl<'d> Attractor<'d> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn plain_following_is_counted_period_by_period() {
+        for (distance, rate, size) in [
+            (3.0, 0.5, 2.0),
+            (-3.0, 0.5, 2.0),
+            (1e3, 0.9, 0.7),
+            (0.1, 0.97, 1.0),
+            (7.0, 1e-3, 0.3),
+        ] {
+            let (mut left, mut counted) = (f64::abs(distance), 0);
+            loop {
+                counted += 1;
+                let change = left * (1.0 - rate);
+                left -= change;
+                if change <= 1e-12 * size {
+                    break;
+                }
+            }
+            assert_eq!(
+                plain_periods(0.0, Some(distance), rate, size),
+                Some(counted)
+            );
+            assert_eq!(
+                plain_periods(5.0, Some(distance), rate, size),
+                Some(counted + 5)
+            );
+        }
+        // Nothing was accelerated; it was, but hardly; a rest; nothing shrinks.
+        assert_eq!(plain_periods(4.0, None, 0.5, 1.0), Some(5));
+        assert_eq!(plain_periods(4.0, Some(1e-13), 0.5, 1.0), Some(6));
+        assert_eq!(plain_periods(4.0, Some(1.0), 0.0, 1.0), Some(6));
+        assert_eq!(plain_periods(4.0, Some(1.0), 1.0, 1.0), None);
+    }
+}

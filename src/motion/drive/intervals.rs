@@ -94,10 +94,8 @@ pub(super) fn drops_one(marks: &[Mark], until: f64) -> bool {
 pub(super) fn canonical(mut list: Vec<Interval>) -> Vec<Interval> {
     let n = list.len();
     if n > 1 && list[0].sign == list[n - 1].sign {
-        let first = list.remove(0);
-        if let Some(last) = list.last_mut() {
-            last.end = first.end + TAU;
-        }
+        // The last goes on as the first; where it ends is set below.
+        list.remove(0);
     }
     let n = list.len();
     let rank = |i: usize| {

@@ -557,3 +557,139 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn the_approach_from_close_by_is_counted_too() {
+    let drive = sine();
+    for lambda in [0.1, 0.3] {
+        let far = settle(&drive, lambda, lambda, State { phi: 0.7, w: 2.5 });
+        for apart in [1e-3, 1e-6, -1e-6] {
+            let start = State {
+                phi: 0.7,
+                w: far.w(0.7) + apart,
+            };
+            let found = settle(&drive, lambda, lambda, start);
+            let values = drive.strobe(friction(lambda, lambda), start, 400).unwrap();
+            let pairs = values.windows(2);
+            let plain = pairs
+                .map(|w| (w[1] - w[0]).abs())
+                .position(|c| c <= 1e-12)
+                .unwrap();
+            let stated = found.periods().plain.unwrap();
+            assert!(stated.abs_diff(plain as u64) <= 2, "{stated} {plain}");
+        }
+    }
+}
+
+#[test]
+fn the_first_of_the_neutral_motions_is_found_from_below_and_above() {
+    // The mean is the friction on the way up. From below, two zeros per period: accelerated, and past the motion
+    // that touches zero where h is curved so. It touches where h jumps up, at φ = 0.
+    for slope in [0.6, -0.6] {
+        for side in [1.0, -1.0] {
+            let h = move |x: f64| {
+                side * if x < PI {
+                    1.5
+                } else {
+                    -0.5 + slope * (x / PI - 1.5)
+                }
+            };
+            let drive = Drive::new(h, &[PI]).unwrap();
+            let (plus, minus) = if side > 0.0 { (0.5, 0.1) } else { (0.1, 0.5) };
+            for w in [-0.3, -2.0, -9.0] {
+                let start = State {
+                    phi: 0.0,
+                    w: side * w,
+                };
+                let found = settle(&drive, plus, minus, start);
+                assert!(found.w(0.0).abs() < 1e-12, "{found:?}");
+                assert!((found.w(PI) - side * PI).abs() < 1e-12, "{found:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_motion_that_touches_zero_is_listed_from_there() {
+    let biased = Drive::new(|x| if x < PI { 1.5 } else { -0.5 }, &[PI]).unwrap();
+    for phi in [0.0, 1.0, 4.0] {
+        let found = settle(&biased, 0.5, 3.0, State { phi, w: -9.0 });
+        assert_list(&found, &[(Positive, 0.0, TAU)], 1e-13);
+        assert!(found.w(0.0).abs() < 1e-13);
+        // What happens at the ends of the stretch, here at 0, is no graze.
+        assert_eq!(found.grazes(), phi > 0.0);
+    }
+}
+
+#[test]
+fn the_residual_is_what_the_last_period_changed() {
+    // A mean that is next to nothing, without friction: w grows by it every period.
+    let drive = Drive::new(|x| if x < PI { 1.0 } else { f64::EPSILON - 1.0 }, &[PI]).unwrap();
+    let found = settle(&drive, 0.0, 0.0, State { phi: 0.0, w: 3.0 });
+    assert!(found.residual() > 0.0);
+    assert_eq!(found.residual(), (drive.mean() * TAU).abs());
+}
+
+#[test]
+fn lengths_of_zero_inside_a_stretch_are_noticed() {
+    let marks = |list: &[f64]| -> Vec<Mark> {
+        let signs = [Positive, Rest, Negative].into_iter().cycle();
+        let pairs = list.iter().zip(signs);
+        pairs.map(|(&phi, sign)| Mark { phi, sign }).collect()
+    };
+    let drops = |list: &[f64]| intervals::drops_one(&marks(list), 7.0);
+    assert!(drops(&[1.0, 2.0, 2.0]) && drops(&[0.5, 1.0, 3.0, 3.0, 4.0]));
+    assert!(!drops(&[1.0, 2.0, 3.0]) && !drops(&[1.0]));
+    // Not at the ends.
+    assert!(!drops(&[1.0, 1.0, 2.0]) && !drops(&[1.0, 7.0, 7.0]));
+}
+
+#[test]
+fn a_rest_under_a_steady_drive_holds_by_what_is_left() {
+    for h in [0.3, -0.3] {
+        let drive = Drive::new(move |_| h, &[]).unwrap();
+        let found = settle(&drive, 0.5, 0.6, ORIGIN);
+        let expected = if h > 0.0 { 0.2 } else { 0.3 };
+        assert!(
+            (found.margins().hold - expected).abs() < 1e-15,
+            "{:?}",
+            found.margins()
+        );
+    }
+}
+
+#[test]
+fn a_motion_of_one_sign_dips_where_the_drive_passes_the_friction() {
+    // h = sin(φ − 1) without friction, w = 5 at 0.5: least at φ = 1, by cos 0.5.
+    let drive = Drive::new(|x| Scalar::sin(x - 1.0), &[]).unwrap();
+    for side in [1.0, -1.0] {
+        let phi = if side > 0.0 { 0.5 } else { 0.5 + PI };
+        let found = settle(&drive, 0.0, 0.0, State { phi, w: 5.0 * side });
+        let dip = 4.0 + libm::cos(0.5);
+        assert!(
+            (found.margins().dip - dip).abs() < 1e-14,
+            "{:?}",
+            found.margins()
+        );
+    }
+}
+
+#[test]
+fn a_drive_that_comes_back_to_the_friction_at_a_jump_has_stopped_the_motion() {
+    // h = x − 1/2 up to 1, λ = 1/2, w = 1/4 at 0: w = 1/4 − x + x²/2 vanishes at 1 − √½.
+    let h = |x: f64| if x < 1.0 { x - 0.5 } else { -0.4 };
+    for side in [1.0, -1.0] {
+        let drive = Drive::new(move |x| side * h(x), &[1.0]).unwrap();
+        let start = State {
+            phi: 0.0,
+            w: 0.25 * side,
+        };
+        let path = drive.advance(friction(0.5, 0.5), start, 1.0).unwrap();
+        assert_eq!((path.end.w, path.contraction), (0.0, 0.0));
+        let [moving, rest] = path.intervals[..] else {
+            panic!("{path:?}")
+        };
+        assert!((moving.end - (1.0 - libm::sqrt(0.5))).abs() < 1e-14);
+        assert_eq!((rest.sign, rest.end), (Rest, 1.0));
+    }
+}

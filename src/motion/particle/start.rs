@@ -120,3 +120,32 @@ fn first_moments(
     }
     (v, c, s)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_direction_of_a_start_is_one() {
+        // A pull that turns at the rate 2 and one that grows in one direction and across: cos² + sin² = 1.
+        let mut turning = [[0.0; TERMS]; 2];
+        let mut c = 1.5;
+        for k in 0..TERMS {
+            turning[k % 2][k] = if k % 4 < 2 { c } else { -c };
+            c *= 2.0 / (k + 1) as f64;
+        }
+        let mut growing = [[0.0; TERMS]; 2];
+        (growing[0][0], growing[0][1], growing[1][1]) = (1.5, 0.3, 0.7);
+        for [along, across] in [turning, growing] {
+            for net in [0.0, 0.5] {
+                let (_, cosine, sine) = first_moments(&along, &across, net);
+                assert!(sine[1].abs() > 0.1, "{sine:?}");
+                let size: f64 = sine.iter().fold(1.0, |size, c| size.max(c.abs()));
+                for k in 1..TERMS {
+                    let sum = square(&cosine, k) + square(&sine, k);
+                    assert!(sum.abs() < 1e-14 * size * size, "{k} {sum}");
+                }
+            }
+        }
+    }
+}

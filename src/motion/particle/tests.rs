@@ -529,3 +529,54 @@ fn a_line_is_a_line_in_any_direction() {
         }
     }
 }
+
+#[test]
+fn phases_end_where_the_particle_stands_still_and_only_there() {
+    let list = |motion: &Motion| -> Vec<_> {
+        let phases = motion.phases().iter();
+        phases.map(|p| (p.kind, p.from, p.to)).collect()
+    };
+    // Released at t = 2 by a pull that grows, as above: the first moments and the slide are one phase.
+    let ramp = Plane {
+        x: Signal::constant(0.0),
+        y: Signal::Polynomial(vec![0.0, -0.5]),
+    };
+    let motion = run(&ramp, 1.0, moving([0.0; 2]), 5.0).unwrap();
+    let [
+        (PhaseKind::Stick, 0.0, release),
+        (PhaseKind::Slide, from, 5.0),
+    ] = list(&motion)[..]
+    else {
+        panic!("{:?}", motion.phases())
+    };
+    assert_eq!((release, from), (motion.starts()[0], motion.starts()[0]));
+    // All the way y = (t − 2)³/12, in the first moments too.
+    for t in [2.01, 2.1, 2.3, 3.0, 5.0] {
+        let State { x, v, .. } = motion.at(t).unwrap();
+        let way = (t - 2.0) * (t - 2.0) * (t - 2.0) / 12.0;
+        assert!((x[1] - way).abs() < 1e-14 * (1.0 + way), "{t} {x:?} {way}");
+        assert!((v[1] - 0.25 * (t - 2.0) * (t - 2.0)).abs() < 1e-14 * (1.0 + way));
+        assert_eq!((x[0], v[0]), (0.0, 0.0));
+    }
+    // Against the pull and back: stopped for no time at t = 2, but stopped.
+    let plane = Plane::constant([-1.0, 0.0]);
+    let motion = run(&plane, 0.5, moving([-3.0, 0.0]), 6.0).unwrap();
+    let stop = motion.stops()[0];
+    let expected = [(PhaseKind::Slide, 0.0, stop), (PhaseKind::Slide, stop, 6.0)];
+    assert_eq!(list(&motion), expected);
+}
+
+#[test]
+fn a_velocity_across_that_is_next_to_nothing_is_nothing() {
+    let still = Plane::constant([0.0; 2]);
+    for (small, kept) in [(3e-85, true), (3e-95, false), (-3e-95, false)] {
+        for i in [0, 1] {
+            let mut v = [1.0; 2];
+            v[i] = small;
+            let motion = run(&still, 0.5, moving(v), 1.0).unwrap();
+            let State { v, x, .. } = motion.end();
+            assert_eq!((v[i] != 0.0, x[i] != 0.0), (kept, kept), "{v:?} {x:?}");
+            near(v[1 - i], 0.5, 1e-14);
+        }
+    }
+}

@@ -326,4 +326,77 @@ mod tests {
         assert!(run(1.0, f64::NAN, 1.0).contains('v'));
         assert!(run(1.0, 1.0, -1.0).contains("until"));
     }
+
+    #[test]
+    fn it_is_released_where_the_first_limit_is_reached() {
+        // ±A = t (4 − t) passes 3.5 at 2 − √½ and −3.5 at 2 + √7.5.
+        let directed = Directed {
+            sphere: Sphere::with_kappa(0.4),
+            mu_minus: 1.0,
+        };
+        for (side, way) in [(1.0, -1), (-1.0, 1)] {
+            let bump = Signal::Polynomial(vec![0.0, 4.0 * side, -side]);
+            let plane = Plane::along([1.0, 0.0], bump);
+            let motion = directed.run(&plane, [0.0; 2], 0.0, 6.0).unwrap();
+            let release = 2.0 - libm::sqrt(0.5);
+            let [first, second, ..] = motion.stretches[..] else {
+                panic!("{motion:?}")
+            };
+            assert!((first.to - release).abs() < 1e-14, "{motion:?}");
+            assert_eq!((first.way, second.way), (0, way));
+        }
+    }
+
+    #[test]
+    fn it_ends_when_it_shall_before_the_time_zero_and_after_it() {
+        let directed = Directed {
+            sphere: Sphere::with_kappa(0.4),
+            mu_minus: 2.0,
+        };
+        let motion = |shift: f64| {
+            let sine = Signal::Sine {
+                frequency: 1.3,
+                phase: 0.4 - 1.3 * shift,
+            };
+            let plane = Plane::along([1.0, 0.0], sine.times(5.0));
+            directed.run(&plane, [2.0, -1.0], shift, shift + 20.0)
+        };
+        let expected = motion(0.0).unwrap();
+        assert!(expected.stretches.len() > 4, "{expected:?}");
+        for shift in [-30.0, -7.0, 11.1] {
+            let found = motion(shift).unwrap();
+            assert_eq!(found.end.t, shift + 20.0);
+            assert!((found.end.v - expected.end.v).abs() < 1e-11);
+            assert!((found.end.omega - expected.end.omega).abs() < 1e-11);
+            assert_eq!(found.stretches.len(), expected.stretches.len());
+            for (a, b) in found.stretches.iter().zip(&expected.stretches) {
+                assert_eq!(a.way, b.way);
+                assert!((a.to - shift - b.to).abs() < 1e-11, "{a:?} {b:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_velocity_beyond_all_numbers_is_an_error() {
+        // So little inertia that it rolls at |A| = 10²⁹⁹: with its radius the angular velocity is still a number.
+        let directed = Directed {
+            sphere: Sphere {
+                mass: 1e50,
+                radius: 1e50,
+                inertia: 1e-50,
+                mu: 1e50,
+                g: 1e50,
+            },
+            mu_minus: 1e50,
+        };
+        let plane = Plane::constant([1e299, 0.0]);
+        let short = directed.run(&plane, [0.0; 2], 0.0, 1e8).unwrap();
+        assert_eq!(short.stretches[0].way, 0);
+        assert!((short.end.v / -1e307 - 1.0).abs() < 1e-14);
+        let long = directed.run(&plane, [0.0; 2], 0.0, 1e10);
+        assert!(matches!(
+            long,
+            Err(MotionError::Numerics(NumericsError::NotFinite { .. }))
+        ));
+    }
 }

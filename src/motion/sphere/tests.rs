@@ -363,3 +363,71 @@ fn a_release_along_a_slanting_line_is_one_along_x() {
         }
     }
 }
+
+#[test]
+fn a_vector_product_is_that_of_its_components() {
+    assert_eq!(cross([1.0, 2.0, 3.0], [4.0, 6.0, 5.0]), [-8.0, 7.0, -2.0]);
+}
+
+#[test]
+fn what_a_start_is_counts_from_the_start() {
+    // Without a time to move in, too.
+    let sphere = Sphere::with_kappa(0.4);
+    for (v, contact) in [([1.0, 0.0], Contact::Sliding), ([0.0; 2], Contact::Rolling)] {
+        let motion = sphere.run(&still(), &ball(v, [0.0; 3]), 0.0).unwrap();
+        assert_eq!(motion.contact(0.0).unwrap(), contact);
+    }
+    // A plane that is too rough to roll on makes it slide from the start: nothing changes after that.
+    for plane in [
+        Plane::constant([3.6, 0.0]),
+        Plane::rotating(Signal::constant(4.0), 1.0, 0.3),
+    ] {
+        let motion = sphere.run(&plane, &ball([0.0; 2], [0.0; 3]), 2.0).unwrap();
+        assert_eq!(motion.contact(0.0).unwrap(), Contact::Sliding);
+        assert!(motion.transitions().is_empty(), "{motion:?}");
+    }
+}
+
+#[test]
+fn a_contact_velocity_counts_beside_the_velocities_of_which_it_is_the_sum() {
+    // v = 10⁶ and ωR = 10³·10³: below 10⁻¹⁴·2·10⁶ their difference is rounding.
+    let sphere = Sphere {
+        radius: 1e3,
+        inertia: 0.4e6,
+        ..Sphere::with_kappa(0.4)
+    };
+    for (c, contact) in [(1.5e-8, Contact::Rolling), (2.5e-8, Contact::Sliding)] {
+        let start = ball([1e6 + c, 0.0], [0.0, 1e3, 0.0]);
+        let motion = sphere.run(&still(), &start, 1.0).unwrap();
+        assert_eq!(motion.contact(0.0).unwrap(), contact, "{c}");
+    }
+}
+
+#[test]
+fn a_pull_at_the_limit_that_hardly_grows_is_rolled_on() {
+    // A = 3.5 μg at the start. Within 10⁻⁸ it grows by 10⁻¹⁴, which is below rounding; within 1 it is not.
+    let sphere = Sphere::with_kappa(0.4);
+    let plane = Plane::along([1.0, 0.0], Signal::Polynomial(vec![3.5, 1e-6]));
+    for (until, contact) in [(1e-8, Contact::Rolling), (1.0, Contact::Sliding)] {
+        let motion = sphere
+            .run(&plane, &ball([0.0; 2], [0.0; 3]), until)
+            .unwrap();
+        assert_eq!(motion.contact(0.0).unwrap(), contact);
+    }
+}
+
+#[test]
+fn a_slip_across_that_is_next_to_nothing_is_nothing() {
+    let sphere = Sphere::with_kappa(0.4);
+    for (small, kept) in [(1.234e-85, true), (1.234e-95, false)] {
+        for i in [0, 1] {
+            let mut v = [1.0; 2];
+            v[i] = small;
+            let motion = sphere.run(&still(), &ball(v, [0.0; 3]), 1.0).unwrap();
+            // It slides until 2/7.
+            let slip = motion.slip(0.28).unwrap();
+            assert!((slip[1 - i] - 0.02).abs() < 1e-14, "{slip:?}");
+            assert_eq!(slip[i] != 0.0, kept, "{slip:?}");
+        }
+    }
+}

@@ -393,4 +393,50 @@ mod tests {
             assert!(Horizon { rho, tau }.follow(&[still]).is_err());
         }
     }
+
+    #[test]
+    fn a_watch_looks_up_where_a_way_may_have_ended() {
+        let horizon = Horizon {
+            rho: 3.0,
+            tau: 50.0,
+        };
+        // By ξ, η, p and τ: whether a way may have ended, ρ² being compared with 9 and p² with 10⁻⁶ w.
+        let cases = [
+            (2.5, 1.7, 1.0, 1.0, true),
+            (2.9, 0.5, 1.0, 1.0, false),
+            (0.5, 3.0, 1.0, 1.0, true),
+            (0.5, 2.9, 1.0, 1.0, false),
+            (0.5, 1.0, 7.0e-4, 1.0, true),
+            (0.5, 1.0, 7.2e-4, 1.0, false),
+            (0.5, 1.0, 1.0, 50.1, true),
+            (0.5, 1.0, 1.0, 49.9, false),
+        ];
+        let states = [
+            Lanes(cases.map(|(.., tau, _)| tau)),
+            Lanes(cases.map(|(_, _, p, ..)| p)),
+            Lanes(cases.map(|(xi, ..)| 1.0 - xi)),
+            Lanes(cases.map(|(_, eta, p, ..)| p - eta)),
+        ];
+        assert_eq!(horizon.over(&states), cases.map(|(.., over)| over));
+        // Near: p + ρ < 1. Outward: ξ > 1. Neither.
+        let states = [
+            Lanes([0.0; 3]),
+            Lanes([0.1, 0.1, 0.6]),
+            Lanes([0.9, -0.1, 0.5]),
+            Lanes([0.0, 0.0, 0.6]),
+        ];
+        assert_eq!(Certain.over(&states), [true, true, false]);
+        // Of a particle that is given up nothing is said.
+        assert_eq!(Certain.unfinished(&[1.0, 0.6, 0.5, 0.6]), None);
+    }
+
+    #[test]
+    fn what_moves_beyond_the_largest_rest_is_followed() {
+        let fast = Start::polar(1.1, 0.5, 0.3).unwrap();
+        let [End::Far { tau }] = HORIZON.follow(&[fast]).unwrap()[..] else {
+            panic!()
+        };
+        let rho = Run::new(&fast, tau).unwrap().end().rho();
+        assert!((rho / 100.0 - 1.0).abs() < 1e-9, "{rho}");
+    }
 }

@@ -186,3 +186,71 @@ pub(super) fn judge(&[tau, p, w, zeta]: &[f64; 4]) -> Option<Judgement> {
         close: error <= RADIUS && latest - soonest <= TIME,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_state_makes_certain_what_its_bounds_allow() {
+        // For τ = 5, p = 0.1, η = 0.3: the ways in other words, p²/(w + √(w² − p²)) = w − √(w² − p²).
+        let p = 0.1;
+        for (xi, zeta, ahead) in [(0.1, -0.2, true), (-0.2, -0.2, false), (0.1, 0.05, false)] {
+            let (w, eta): (f64, f64) = (1.0 - xi, p - zeta);
+            let rho = libm::hypot(xi, eta);
+            let slowest = libm::sqrt((1.0 - rho) * (1.0 - rho) - p * p);
+            let most = 1.0 - rho - slowest;
+            let least = if ahead {
+                w - libm::sqrt(w * w - p * p)
+            } else {
+                p * p / (2.0 * w)
+            };
+            let Some(Judgement {
+                fate: Fate::Rest { sigma, tau, error },
+                close: false,
+            }) = judge(&[5.0, p, w, zeta])
+            else {
+                panic!("{xi} {zeta}")
+            };
+            let expected = libm::sqrt(rho * rho - p * p + least + most);
+            assert!((sigma - expected).abs() < 1e-15, "{sigma} {expected}");
+            let time = 5.0 + 0.5 * (p / w + p / slowest);
+            assert!((tau - time).abs() < 4e-15, "{tau} {time}");
+            let half = (most - least) / (rho + sigma);
+            assert!((error - half).abs() < 1e-15, "{error} {half}");
+            // And the resting place is within the bounds.
+            let Fate::Rest { sigma: exact, .. } = fate(&Start { p, xi, zeta }).unwrap() else {
+                panic!("{xi} {zeta}")
+            };
+            assert!((sigma - exact).abs() <= error, "{sigma} {exact} {error}");
+        }
+    }
+
+    #[test]
+    fn who_is_faster_than_friction_can_see_to_is_ahead() {
+        // ξ = 0.8, ζ = −p = −0.3: ρ² − p² = 0.64 + 3·0.09 < 1, and p > w = 0.2.
+        let because = |state| match judge(&state).map(|judgement| judgement.fate) {
+            Some(Fate::Escape { because, .. }) => Some(because),
+            _ => None,
+        };
+        assert_eq!(because([0.0, 0.3, 0.2, -0.3]), Some(Escaping::Ahead));
+        // Not yet ahead: ζ > −p, or slower than w.
+        assert_eq!(because([0.0, 0.3, 0.2, -0.29]), None);
+        assert_eq!(because([0.0, 0.19, 0.2, -0.3]), None);
+        assert_eq!(because([0.0, 0.3, 0.0, -0.3]), Some(Escaping::Outward));
+        assert_eq!(because([0.0, 0.3, 0.2, -0.4]), Some(Escaping::Energy));
+    }
+
+    #[test]
+    fn a_slow_approach_ends_the_search_with_wider_bounds() {
+        // Outwards from close to ρ = 1: certain to rest, but where is not found as closely as elsewhere.
+        for (psi, place) in [(0.0, 1.0 - 4.359e-6), (1.0, 1.0 - 7.208e-6)] {
+            let start = Start::polar(1.0 - 1e-5, 9e-6, psi).unwrap();
+            let Fate::Rest { sigma, error, .. } = fate(&start).unwrap() else {
+                panic!("{psi}")
+            };
+            assert!(error > 1e-12 && error < 1e-9, "{error}");
+            assert!((sigma - place).abs() < 1e-9, "{sigma}");
+        }
+    }
+}

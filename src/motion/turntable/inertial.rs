@@ -181,3 +181,20 @@ fn first_moments(
     let [x, y] = x;
     Ok((start.h, Box::new([x, y, u, v])))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_friction_the_time_is_that_of_the_integration() {
+        let free = Laboratory {
+            omega: 1.3,
+            friction: 0.0,
+        };
+        let state = [[0.3; TERMS]; 5];
+        let mut work = Default::default();
+        let rates = [0, 1, 2].map(|k| free.derivative(k, &state, &mut work)[0]);
+        assert_eq!(rates, [1.0, 0.0, 0.0]);
+    }
+}

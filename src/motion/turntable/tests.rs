@@ -3,6 +3,7 @@
 use super::fate::{Escaping, Fate, fate};
 use super::intrinsic::{Run, Start};
 use super::*;
+use crate::numerics::taylor::{System, TERMS};
 use crate::numerics::{dop853, quadrature};
 use std::f64::consts::{FRAC_PI_2, PI};
 
@@ -454,4 +455,56 @@ fn the_last_moments_before_a_rest_are_steadily_braked() {
     for t in [0.999, 2.501, f64::NAN] {
         assert!(turning.at(t).is_err());
     }
+}
+
+#[test]
+fn the_first_moments_are_those_in_the_laboratory() {
+    // At another angular velocity than 1, in a general direction, and not from the time 0 on.
+    let table = Table {
+        omega: -1.7,
+        mu: 0.4,
+        ..slow()
+    };
+    let place = [0.9 * table.length(), -1.2 * table.length()];
+    let start = State {
+        t: 0.8,
+        x: place,
+        v: [0.0; 2],
+    };
+    let on_table = rotating::run(&table, &start, 2.0).unwrap();
+    let outside = inertial::run(&table, &table.to_laboratory(&start), 2.0).unwrap();
+    let later = State { t: 5.8, ..start };
+    let shifted = rotating::run(&table, &later, 7.0).unwrap();
+    for k in 0..40 {
+        let t = 0.8 + 0.03 * f64::from(k);
+        let state = on_table.at(t).unwrap();
+        let size = state.radius() + state.speed();
+        let other = outside.on_table(t).unwrap();
+        assert!(apart(&state, &other) < 1e-12 * size, "{state:?} {other:?}");
+        // The law knows no time: later, the same happens.
+        let other = State {
+            t,
+            ..shifted.at(t + 5.0).unwrap()
+        };
+        assert!(apart(&state, &other) < 1e-12 * size, "{state:?} {other:?}");
+    }
+}
+
+#[test]
+fn the_boundary_of_slow_inward_motion_is_the_largest_rest() {
+    // At p = 10⁻⁶ straight inwards: w = 1 − ξ = 2, the way is S = p²/4, and σ² = A² + p²/2.
+    let found = boundary(1e-6, std::f64::consts::PI).unwrap();
+    assert!((found - (1.0 - 0.25e-12)).abs() < 1e-12, "{found:e}");
+}
+
+#[test]
+fn without_friction_the_time_is_that_of_the_integration() {
+    let free = Table {
+        mu: 0.0,
+        ..Table::default()
+    };
+    let state = [[0.3; TERMS]; 5];
+    let mut work = Default::default();
+    let rates = [0, 1, 2].map(|k| free.derivative(k, &state, &mut work)[0]);
+    assert_eq!(rates, [1.0, 0.0, 0.0]);
 }

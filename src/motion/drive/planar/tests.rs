@@ -202,3 +202,49 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn where_it_has_stopped_it_rests_in_whatever_turn() {
+    // With λ = 0.8 on a sine, which is stronger between 0.927 and 2.214: it stops soon after that.
+    let drive = sine();
+    let friction = Friction::new(0.8, 0.8).unwrap();
+    let turn = |k: usize| TAU * k as f64;
+    for k in [0, 3, 40] {
+        let start = PlanarState {
+            phi: turn(k),
+            w_x: -2.8,
+            ln_w_y: -0.6,
+        };
+        let phases = [2.2, 2.6, 4.5].map(|phi| phi + turn(k));
+        let [moving, resting, later] = drive.planar(0.8, start, &phases).unwrap()[..] else {
+            panic!()
+        };
+        assert!(moving.w_x != 0.0, "{moving:?}");
+        assert_eq!((resting.w_x, resting.ln_w_y), (0.0, f64::NEG_INFINITY));
+        let rest = State { phi: 2.6, w: 0.0 };
+        let expected = drive.advance(friction, rest, 4.5).unwrap().end.w;
+        assert!(expected < -0.04 && (later.w_x - expected).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn phases_far_out_count_from_the_start() {
+    let start = PlanarState {
+        phi: 6e4,
+        w_x: 0.2,
+        ln_w_y: 0.0,
+    };
+    let [end] = sine().planar(0.3, start, &[6e4 + 1.0]).unwrap()[..] else {
+        panic!()
+    };
+    let near = PlanarState {
+        phi: 6e4_f64.rem_euclid(TAU),
+        ..start
+    };
+    let [expected] = sine().planar(0.3, near, &[near.phi + 1.0]).unwrap()[..] else {
+        panic!()
+    };
+    assert!((end.w_x - expected.w_x).abs() < 1e-10);
+    assert!((end.ln_w_y - expected.ln_w_y).abs() < 1e-10);
+    assert!(sine().planar(0.3, start, &[1.7e5]).is_err());
+}
