@@ -54,9 +54,9 @@ impl Value {
         let value = self.number()?;
         let power = libm::floor(libm::log10(value.abs())) as i32;
         let places = (KNOWN as i32 - 1 - power).max(0) as usize;
-        // Two digits more, so that rounding does not reach those that are kept.
-        let mut text = format!("{value:.*}", places + 2);
-        text.truncate(text.len() - 2);
+        // Five digits more, so that rounding does not reach those that are kept.
+        let mut text = format!("{value:.*}", places + 5);
+        text.truncate(text.len() - 5);
         Ok(text)
     }
 }

@@ -80,6 +80,10 @@ pub fn onset(
         .map(|series| reach(series))
         .into_iter()
         .fold(f64::INFINITY, f64::min);
+    if h == f64::INFINITY {
+        // The series of an angle may end; that of its direction does not.
+        h = reach(&sine).min(reach(&cosine));
+    }
     if velocity.iter().flatten().any(|c| !c.is_finite()) || h.is_nan() {
         return Err(NumericsError::NotFinite {
             what: "a coefficient of the first moments of sliding",

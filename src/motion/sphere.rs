@@ -245,6 +245,8 @@ pub struct Motion {
     transitions: Vec<Transition>,
     begin: Contact,
     start: Ball,
+    /// Velocity of the point of contact at the start.
+    slip: [f64; 2],
     end: Ball,
 }
 
@@ -283,7 +285,7 @@ impl Motion {
             Some(piece) => piece
                 .parts(t.min(piece.to()))
                 .map(|parts| [parts[7], parts[8]]),
-            None => Ok([0.0; 2]),
+            None => Ok(self.slip),
         }
     }
 

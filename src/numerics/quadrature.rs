@@ -176,7 +176,7 @@ mod tests {
     #[test]
     fn halves_may_have_no_finite_sum() {
         let half = integral(|_| 1.5e308, 0.0, 1.0).unwrap();
-        assert_eq!(half.value, 1.5e308);
+        assert!((half.value / 1.5e308 - 1.0).abs() < 1e-13);
         let both = between_ends(|_| 1.5e308, |_| 1.5e308, 2.0);
         assert!(matches!(
             both,

@@ -222,7 +222,8 @@ where
 }
 
 /// How far a series may be trusted: the largest h at which its last two terms are below the tolerance times
-/// one of its first four terms. Infinite for a series that ends before.
+/// one of its first four terms. The first four begin where they are not all zero; where the last two are zero, all of
+/// the last eight count. Infinite for a series that ends before.
 pub fn reach<T: Number>(x: &[T]) -> f64 {
     libm::exp2(log2_reach(x))
 }
@@ -231,13 +232,23 @@ pub fn reach<T: Number>(x: &[T]) -> f64 {
 #[inline(always)]
 fn log2_reach<T: Number>(x: &[T]) -> f64 {
     // The exponent field of zero stands for −∞; no quotient with it is the largest.
-    let first: [f64; 4] = std::array::from_fn(|k| x.get(k).map_or(f64::NEG_INFINITY, log2));
+    let first = |from: usize| -> [f64; 4] {
+        std::array::from_fn(|k| x.get(from + k).map_or(f64::NEG_INFINITY, log2))
+    };
+    let is_zero = |size: &f64| *size == f64::NEG_INFINITY;
+    let (mut from, mut sizes) = (0, first(0));
+    if sizes.iter().all(is_zero) {
+        from = x.iter().take_while(|c| is_zero(&log2(*c))).count();
+        sizes = first(from);
+    }
+    let gap = x.iter().rev().take(2).all(|c| is_zero(&log2(c)));
+    let counted = x.len().saturating_sub(if gap { 8 } else { 2 });
     let mut least = f64::INFINITY;
-    for (n, c) in x.iter().enumerate().skip(x.len().saturating_sub(2).max(4)) {
+    for (n, c) in x.iter().enumerate().skip(counted.max(from + 4)) {
         let last = log2(c);
         let mut best = f64::NEG_INFINITY;
-        for (k, size) in first.iter().enumerate() {
-            let room = (TOLERANCE_LOG2 + size - last).over(n - k);
+        for (k, size) in sizes.iter().enumerate() {
+            let room = (TOLERANCE_LOG2 + size - last).over(n - from - k);
             best = if room > best { room } else { best };
         }
         if last > f64::NEG_INFINITY && best > f64::NEG_INFINITY && best < least {

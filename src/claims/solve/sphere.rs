@@ -165,12 +165,7 @@ impl Problem {
         };
         let motion = self.motion(tau)?;
         let ball = motion.end();
-        let slip = match tau {
-            _ if turns => [0.0; 2],
-            // A motion of no length knows no slip.
-            0.0 => self.start(),
-            _ => motion.slip(tau)?,
-        };
+        let slip = if turns { [0.0; 2] } else { motion.slip(tau)? };
         let u = libm::hypot(slip[0], slip[1]);
         Ok(State {
             u,

@@ -110,6 +110,7 @@ pub(super) fn run(
         transitions: run.transitions,
         begin,
         start: *start,
+        slip: c,
         end: Ball {
             t: until,
             x: [x, y],

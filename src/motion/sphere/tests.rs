@@ -431,3 +431,33 @@ fn a_slip_across_that_is_next_to_nothing_is_nothing() {
         }
     }
 }
+
+#[test]
+fn a_direction_that_begins_to_turn_late_turns_by_the_law() {
+    // From rest under A = (4, 5 t⁷): the angle of the slip is a series in t⁷, of which many terms are zero.
+    let plane = Plane {
+        x: Signal::constant(4.0),
+        y: Signal::Polynomial(vec![0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 5.0]),
+    };
+    let start = Ball {
+        t: 0.0,
+        x: [0.0; 2],
+        v: [0.0; 2],
+        omega: [0.0; 3],
+    };
+    let motion = Sphere::with_kappa(0.4).run(&plane, &start, 2.0).unwrap();
+    for t in [0.2, 0.5, 0.8, 1.0, 1.3, 1.6, 1.9] {
+        let [before, after] = [t - 1e-4, t + 1e-4].map(|t| motion.at(t).unwrap().v);
+        let [x, y] = motion.slip(t).unwrap();
+        let slip = libm::hypot(x, y);
+        let a = [4.0, 5.0 * libm::pow(t, 7.0)];
+        for (i, c) in [x, y].into_iter().enumerate() {
+            let rate = (after[i] - before[i]) / 2e-4;
+            let law = -a[i] - c / slip;
+            assert!(
+                (rate - law).abs() < 1e-5 * (1.0 + law.abs()),
+                "{t}: {rate} {law}"
+            );
+        }
+    }
+}

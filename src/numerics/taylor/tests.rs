@@ -172,3 +172,21 @@ fn a_series_may_be_longer_than_the_table_of_inverses() {
         assert!((third * n as f64 - 0.3).abs() < 1e-16, "{n}: {third}");
     }
 }
+
+#[test]
+fn a_series_with_gaps_or_a_late_beginning_is_not_trusted_for_ever() {
+    // Of terms of equal size, between t⁷ and t²⁸, and between t⁶ and t²⁸: trusted to 2^(−60/21) and 2^(−60/22).
+    let gaps: Vec<f64> = (0..30)
+        .map(|k| if k > 0 && k % 7 == 0 { 1.0 } else { 0.0 })
+        .collect();
+    let late: Vec<f64> = (0..30).map(|k| if k < 6 { 0.0 } else { 1.0 }).collect();
+    for (series, length) in [(gaps, 21.0), (late, 22.0)] {
+        let expected = libm::exp2(-60.0 / length);
+        let found = reach(&series);
+        assert!((found / expected - 1.0).abs() < 0.01, "{found} {expected}");
+    }
+    // A polynomial is.
+    let mut ends = [0.0; 30];
+    ends[9] = 1.0;
+    assert_eq!(reach(&ends), f64::INFINITY);
+}
