@@ -113,7 +113,9 @@ impl Drive {
                     _ => friction.minus,
                 };
                 change = self.shape().integral() + TAU * friction;
-                if change.abs() <= ROUNDING * size {
+                // So many that w comes down to its lowest.
+                let periods = (walker.lowest() / change.abs()).floor().max(1.0);
+                if change.abs() <= ROUNDING * size || periods.is_infinite() {
                     let spare = sign.factor() * walker.lowest();
                     if accelerated_at.is_some() && spare.abs() > self.resolution() {
                         // Acceleration went past the first of the neutral motions: go back to it.
@@ -124,7 +126,6 @@ impl Drive {
                 } else if sign.factor() * change > 0.0 {
                     return Ok(Outcome::Drifts { per_period: change });
                 } else {
-                    let periods = (walker.lowest() / change.abs()).floor().max(1.0);
                     (low, high) = narrowed(low, high, w, change);
                     counted += periods;
                     w += periods * change;

@@ -350,6 +350,10 @@ fn neutral_motions_are_said_to_be_neutral() {
         assert!((found.w(PI) - w - 2.0).abs() < 1e-13);
         assert_eq!(found.contraction(), 1.0);
     }
+    // So little friction that it takes more periods than there are numbers.
+    let still = Drive::new(|_| 0.0, &[]).unwrap();
+    let found = settle(&still, 0.0, 5e-324, State { phi: 0.0, w: -0.9 });
+    assert_eq!(found.w(1.0), -0.9);
     // The mean is exactly the friction: from below, the motion climbs to the one that touches zero.
     let biased = Drive::new(|x| if x < PI { 1.5 } else { -0.5 }, &[PI]).unwrap();
     let found = settle(&biased, 0.5, 3.0, State { phi: 0.0, w: -9.0 });
