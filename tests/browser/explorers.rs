@@ -302,7 +302,10 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
             ));
         }
     }
-    Ok(())
+    // The address follows, a little later; until then a link to the address that still stands leads nowhere.
+    explorer.page.wait_for(&format!(
+        "document.getElementById('explore-{name}').dataset.shown === location.hash"
+    ))
 }
 
 /// The mouse takes every hand along, on its way too.
