@@ -83,8 +83,10 @@ impl Ball {
 
     /// An interval around it.
     pub fn interval(&self) -> Interval {
-        // 2⁻⁹⁰ of what is left would not show in an f64 of order one.
-        let narrow = self.with_bits(self.bits.min(90));
+        // 2⁻⁹⁰ of what is left would not show in an f64 of order one; beyond 2¹⁰²³ units there is no f64.
+        let size = self.mid.bit_len().max(self.rad.bit_len());
+        let fit = (self.bits + 1000).saturating_sub(size);
+        let narrow = self.with_bits(self.bits.min(90).min(fit));
         let [lo, hi] = narrow.bounds().map(|x| x.to_f64().value());
         let unit = libm::ldexp(1.0, -(narrow.bits as i32));
         Interval::new((lo * unit).next_down(), (hi * unit).next_up())

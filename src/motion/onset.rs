@@ -90,14 +90,6 @@ pub fn onset(
             at: 0.0,
         });
     }
-    // A direction is one only while its cosine and sine fit together.
-    let misfit = |h: f64| {
-        let (c, s) = (value(&cosine, &h), value(&sine, &h));
-        (c * c + s * s - 1.0).abs()
-    };
-    while h.is_finite() && misfit(h) > 1e-13 {
-        h *= 0.5;
-    }
     if h.is_finite()
         && let Some(stop) = events::roots(&q, h)?.first()
     {

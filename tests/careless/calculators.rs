@@ -1,6 +1,6 @@
 //! The calculators, and what the book's figures that move compute.
 
-use crate::{config, dear, each, finite};
+use crate::{config, each, finite};
 use proptest::prelude::*;
 use slipbook::claims::solve::constant::At;
 use slipbook::claims::solve::*;
@@ -59,10 +59,6 @@ proptest! {
             prop_assert!(finite(&answer.flat()), "{answer:?}");
         }
     }
-}
-
-proptest! {
-    #![proptest_config(dear())]
 
     #[test]
     fn a_turntable_has_numbers([a, b, c, d, e] in each()) {

@@ -27,15 +27,6 @@ fn config() -> ProptestConfig {
     }
 }
 
-/// For what takes a hundredth of a second or more: a sixteenth of the cases, where that still is enough.
-fn dear() -> ProptestConfig {
-    let all = config();
-    ProptestConfig {
-        cases: all.cases.min(64.max(all.cases / 16)),
-        ..all
-    }
-}
-
 /// Any bit pattern, or a number of ordinary size, or one at an edge.
 fn any() -> impl Strategy<Value = f64> {
     let edges = vec![

@@ -1,7 +1,7 @@
 //! What is read as text: the command line with its numbers and ranges, the number to be found, the record of verdicts,
 //! formulas that are put into words; and what is written, which has to be read back as it was.
 
-use crate::{config, dear};
+use crate::config;
 use proptest::prelude::*;
 use slipbook::claims::values::search;
 use slipbook::cli;
@@ -94,10 +94,6 @@ proptest! {
         let digits: f64 = last[0].parse().unwrap_or(f64::NAN);
         prop_assert!(!number.is_finite() || (digits - number).abs() <= 1e-11 * number.abs(), "{number} {last:?}");
     }
-}
-
-proptest! {
-    #![proptest_config(dear())]
 
     #[test]
     fn any_number_is_graded_or_refused(number in text()) {

@@ -1,6 +1,6 @@
 //! The turntable, in all its axes.
 
-use crate::{any, config, dear, each, finite, on_the_way};
+use crate::{any, config, each, finite, on_the_way};
 use proptest::prelude::*;
 use slipbook::motion::turntable::ensemble::{End, Horizon};
 use slipbook::motion::turntable::fate::rests;
@@ -56,10 +56,6 @@ proptest! {
             }
         }
     }
-}
-
-proptest! {
-    #![proptest_config(dear())]
 
     #[test]
     fn a_path_has_numbers([omega, mu, g, mass] in each(), [t, x, y, u, v, until] in each(), part in 0.0..=1.0) {

@@ -102,3 +102,20 @@ fn of_large_arguments_the_sine_is_not_told() {
     assert_eq!(known(1 << 32), [0, 0]);
     assert_eq!(known(-(1 << 40)), [0, 0]);
 }
+
+#[test]
+fn the_largest_numbers_have_an_interval() {
+    // In units of 2⁻⁵³ neither bound is an f64.
+    for [lo, hi] in [[3.6e292, f64::MAX], [1e300, 2e300], [-f64::MAX, -1e295]] {
+        for bits in [0, 53, 200] {
+            let x = Interval::new(lo, hi);
+            let found = Ball::enclosing(x, bits).unwrap().interval();
+            assert!(x.within(found), "{x} {found}");
+            assert!(
+                found.lo() >= lo - 1e-9 * lo.abs() && found.hi() <= hi.max(-lo) * 1.000_001
+                    || lo == -f64::MAX,
+                "{x} {found}"
+            );
+        }
+    }
+}

@@ -54,11 +54,7 @@ impl Problem {
             phi if phi < PI => printed::eq42_h(eta, phi),
             phi => printed::eq43_h(printed::eq42_h(eta, phi - PI)),
         };
-        let breaks = [eta * PI, PI, PI + eta * PI];
-        let inside = breaks.into_iter().filter(|b| *b > 0.0 && *b < 2.0 * PI);
-        let mut breaks: Vec<f64> = inside.collect();
-        breaks.dedup();
-        Drive::new(h, &breaks)
+        Drive::new(h, &[eta * PI, PI, PI + eta * PI])
     }
 
     fn by_formula(&self) -> (Swing, &'static str) {

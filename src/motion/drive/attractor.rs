@@ -134,10 +134,8 @@ impl Drive {
             } else {
                 change = walker.w() - w;
                 let goal = (AIM * (1.0 - rate)).max(ROUNDING) * size;
-                let (new_low, new_high) = narrowed(low, high, w, change);
-                let spent = new_high - new_low <= 4.0 * f64::EPSILON * (size + w.abs());
-                settled = change.abs() <= goal || spent && change.abs() <= AGREEMENT * size;
-                (low, high) = (new_low, new_high);
+                (low, high) = narrowed(low, high, w, change);
+                settled = change.abs() <= goal;
             }
             if settled {
                 let plain = plain_periods(counted, accelerated_at.map(|at| at - w), rate, size);

@@ -44,23 +44,14 @@ impl Run<'_> {
             Release::Sudden => size - self.friction,
         };
         let (speed, cosine, sine) = first_moments(&along, &across, net);
-        let order = speed.iter().position(|c| *c != 0.0).unwrap_or(TERMS - 1);
         let mut h = local
             .left
-            .min(reach(&speed[order..]))
+            .min(reach(&speed))
             .min(reach(&sine))
             .min(reach(&cosine));
         let mut landing = if h == local.left { local.landing } else { None };
-        // A direction is one only while its cosine and sine fit together.
-        let misfit = |h: f64| {
-            let (c, s) = (value(&cosine, &h), value(&sine, &h));
-            (c * c + s * s - 1.0).abs()
-        };
-        while misfit(h) > 1e-13 {
-            (h, landing) = (0.5 * h, None);
-        }
         // Should it stop again, the slide proper has to lead there.
-        if let Some(stop) = roots(&speed[order..], h)?.first() {
+        if let Some(stop) = roots(&speed, h)?.first() {
             (h, landing) = (0.5 * stop.at, None);
         }
         let mut v = [[0.0; TERMS]; 2];

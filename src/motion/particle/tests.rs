@@ -187,6 +187,21 @@ fn without_friction_a_parabola() {
         0.5,
         1e-14,
     );
+    // Along the axis at t = 3, on this side of it and on the other.
+    let mirrored = run(
+        &Plane::constant([-2.0, -1.0]),
+        0.0,
+        moving([-1.0, -3.0]),
+        10.0,
+    )
+    .unwrap();
+    for motion in [&motion, &mirrored] {
+        near(
+            motion.first_along([2.0, 0.0]).unwrap().unwrap().t,
+            3.0,
+            1e-14,
+        );
+    }
     assert_eq!(motion.first_along([-1.0, -0.001]).unwrap(), None);
     assert_eq!(motion.first_along([-1.0, 3.0]).unwrap().unwrap().t, 0.0);
 }
@@ -536,7 +551,11 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
         let phases = motion.phases().iter();
         phases.map(|p| (p.kind, p.from, p.to)).collect()
     };
-    // Released at t = 2 by a pull that grows, as above: the first moments and the slide are one phase.
+    // On a pull that turns it slides for ever: the first moments and many steps are one phase.
+    let turning = Plane::rotating(Signal::constant(2.0), 1.0, 0.0);
+    let motion = run(&turning, 0.5, moving([0.0; 2]), 40.0).unwrap();
+    assert_eq!(list(&motion), [(PhaseKind::Slide, 0.0, 40.0)]);
+    // Released at t = 2 by a pull that grows, as above.
     let ramp = Plane {
         x: Signal::constant(0.0),
         y: Signal::Polynomial(vec![0.0, -0.5]),

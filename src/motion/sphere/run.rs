@@ -196,7 +196,7 @@ impl Run<'_> {
             self.pieces.push(Piece::Slide { step, to: self.t });
             for (i, j) in [(7, 8), (8, 7)] {
                 if self.parts[i].abs() < NEGLIGIBLE * self.parts[j].abs() {
-                    (self.parts[i], carried.0[i + 1]) = (0.0, 0.0);
+                    self.parts[i] = 0.0;
                 }
             }
             if self.slip() <= STOP * fastest {

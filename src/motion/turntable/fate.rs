@@ -171,7 +171,8 @@ pub(super) fn judge(&[tau, p, w, zeta]: &[f64; 4]) -> Option<Judgement> {
     } else {
         0.5 * p * p / w
     };
-    let most = way(room);
+    // Rounding may exchange the two.
+    let most = way(room).max(least);
     // The deceleration is between w and room − most.
     let (soonest, latest) = (p / w, p / (room - most));
     // The resting place is not farther from this one than the way, and σ² is between bounds.
@@ -224,6 +225,23 @@ mod tests {
             };
             assert!((sigma - exact).abs() <= error, "{sigma} {exact} {error}");
         }
+    }
+
+    #[test]
+    fn a_speed_whose_square_is_lost_is_a_rest_on_the_spot() {
+        let p = 2.2298285418344866e-162;
+        let tiny = Start {
+            p,
+            xi: 0.0,
+            zeta: p,
+        };
+        let Fate::Rest { sigma, tau, error } = fate(&tiny).unwrap() else {
+            panic!("{tiny:?}")
+        };
+        assert!(
+            sigma <= p && tau <= 2.0 * p && (0.0..=p).contains(&error),
+            "{sigma} {tau} {error}"
+        );
     }
 
     #[test]
