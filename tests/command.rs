@@ -116,6 +116,12 @@ fn numbers_are_found_and_graded() {
     let marked = text(&slipbook(&["find", "0.53701"]).stdout);
     assert!(marked.contains("    0.53701\n          ^\n"), "{marked}");
     assert_eq!(first("4.603")["claim"], "eq-58");
+    let graded = |number: &str| text(&slipbook(&["find", number]).stdout);
+    assert!(graded("0.537").contains("all digits given are right"));
+    assert!(
+        graded("0.53702927214999")
+            .contains("the first 11 digits are right; no more are known here")
+    );
     assert_eq!(first("5.37029e-1")["name"], "lambda-c");
     assert_eq!(json(&["find", "77.7"])["matches"], Value::Array(Vec::new()));
     assert_eq!(slipbook(&["find", "twelve"]).status.code(), Some(2));
@@ -123,7 +129,7 @@ fn numbers_are_found_and_graded() {
 
 #[test]
 fn bad_input_says_what_is_wrong_and_writes_nothing() {
-    let cases: [(&str, &str); 13] = [
+    let cases: [(&str, &str); 20] = [
         (
             "solve constant --lambda -1 --v0 1 --theta0 1 --time 1",
             "lambda = -1 must be",
@@ -149,6 +155,19 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         ("solve pulse --eta 0.5 --lambda0 0.3 --json --plot", "SVG"),
         ("verify eq-999", "eq-999"),
         ("list --section 9", "9"),
+        ("solve turntable --rho 1 --p 0 --psi 0 --alpha 3", "--alpha"),
+        ("solve turntable --A 1 --alpha 1 --psi 0 --p 3", "--p"),
+        ("solve turntable --x 1 --y 0 --vx 1 --vy 0 --p 3", "--p"),
+        (
+            "solve constant --lambda 1 --v0 1 --theta0 1 --time 1 --accel -1",
+            "accel = -1 must be",
+        ),
+        (
+            "solve constant --lambda 1 --v0 1e300 --theta0 1 --time 1",
+            "v0 = 1e300 must be",
+        ),
+        ("errata --format latex --json", "--json"),
+        ("errata --format text --csv", "--csv"),
     ];
     for (command, named) in cases {
         let output = slipbook(&command.split(' ').collect::<Vec<_>>());
@@ -199,6 +218,51 @@ fn a_plot_is_a_file_that_is_replaced_whole() {
     assert_eq!(nowhere.status.code(), Some(2));
     assert!(nowhere.stdout.is_empty());
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_plot_follows_a_link_keeps_the_rights_of_a_file_and_replaces_nothing_else() {
+    use std::os::unix::fs::{FileTypeExt, MetadataExt, PermissionsExt, symlink};
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name);
+    let plot = |name: &str| {
+        let file = place(name);
+        let solve = ["solve", "sinusoidal", "--lambda0", "0.7", "--plot"];
+        let output = slipbook(&[&solve[..], &[file.to_str().unwrap()]].concat());
+        (output.status.code(), text(&output.stderr))
+    };
+    fs::write(place("old.svg"), "").unwrap();
+    fs::set_permissions(place("old.svg"), fs::Permissions::from_mode(0o640)).unwrap();
+    symlink("old.svg", place("link.svg")).unwrap();
+    assert_eq!(plot("link.svg"), (Some(0), String::new()));
+    assert!(place("link.svg").is_symlink());
+    assert_eq!(place("old.svg").metadata().unwrap().mode() & 0o777, 0o640);
+    assert!(
+        fs::read_to_string(place("old.svg"))
+            .unwrap()
+            .starts_with("<svg")
+    );
+    // A new one has the rights of any new file.
+    fs::write(place("any"), "").unwrap();
+    assert_eq!(plot("new.svg").0, Some(0));
+    let mode = |name: &str| place(name).metadata().unwrap().mode();
+    assert_eq!(mode("new.svg"), mode("any"));
+    symlink("nowhere", place("lost.svg")).unwrap();
+    assert_eq!(plot("lost.svg").0, Some(2));
+    let _end = std::os::unix::net::UnixListener::bind(place("socket")).unwrap();
+    let (code, complaint) = plot("socket");
+    assert!(
+        code == Some(2) && complaint.contains("no ordinary file"),
+        "{complaint}"
+    );
+    assert!(
+        place("socket")
+            .symlink_metadata()
+            .unwrap()
+            .file_type()
+            .is_socket()
+    );
 }
 
 #[test]

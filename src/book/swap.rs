@@ -2,7 +2,7 @@
 
 use super::error::BookError;
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
@@ -41,7 +41,7 @@ impl Staging {
             .prefix(PREFIX)
             .tempdir_in(parent)
             .map_err(|reason| unwritable(parent, bare(reason)))?;
-        let lock = lock(folder.path()).map_err(|reason| unwritable(folder.path(), reason))?;
+        let lock = lock(folder.path(), &out).map_err(|reason| unwritable(folder.path(), reason))?;
         Ok(Staging {
             _lock: lock,
             folder,
@@ -97,10 +97,12 @@ impl Staging {
     }
 }
 
-/// Locks a new temporary folder. The lock has its name only once it is held, so that no other run finds it free.
-fn lock(folder: &Path) -> io::Result<File> {
+/// Locks a new temporary folder of the book at `out`, whose name stands in the lock. The lock has its own name only once
+/// it is held, so that no other run finds it free.
+fn lock(folder: &Path, out: &Path) -> io::Result<File> {
     let making = folder.join("locking");
-    let file = File::create(&making)?;
+    let mut file = File::create(&making)?;
+    file.write_all(out.file_name().unwrap_or_default().as_encoded_bytes())?;
     // A file system without locks has none that could be found free, either.
     if file.lock().is_ok() {
         fs::rename(making, folder.join(LOCK))?;
@@ -108,15 +110,26 @@ fn lock(folder: &Path) -> io::Result<File> {
     Ok(file)
 }
 
-/// Removes what killed runs have left in `parent`: temporary folders whose lock nobody holds. One that holds an
-/// earlier book stays, and so does one that cannot be removed: neither is in the way.
+/// Removes what killed runs have left in `parent`: temporary folders whose lock nobody holds. An earlier book that was
+/// taken away, but not yet replaced, goes back to its place; where something else than a book is there by now, it stays
+/// where it is. What cannot be removed is in nobody's way.
 fn sweep(parent: &Path) {
     let entries = fs::read_dir(parent).into_iter().flatten().flatten();
     for entry in entries.filter(|e| e.file_name().to_string_lossy().starts_with(PREFIX)) {
         let folder = entry.path();
-        let free = File::open(folder.join(LOCK)).is_ok_and(|lock| lock.try_lock().is_ok());
-        let keeps = (0..ATTEMPTS).any(|attempt| folder.join(old(attempt)).exists());
-        if free && !keeps {
+        let mut name = Vec::new();
+        let free = File::open(folder.join(LOCK))
+            .is_ok_and(|mut lock| lock.try_lock().is_ok() && lock.read_to_end(&mut name).is_ok());
+        if !free {
+            continue;
+        }
+        let name = String::from_utf8_lossy(&name);
+        let out = parent.join(Path::new(&*name).file_name().unwrap_or_default());
+        let earlier = (0..ATTEMPTS).map(|attempt| folder.join(old(attempt)));
+        let kept = earlier.filter(|book| book.exists()).count();
+        // Only where nothing is: a folder with content is never replaced by a renamed one.
+        let back = (0..ATTEMPTS).any(|attempt| fs::rename(folder.join(old(attempt)), &out).is_ok());
+        if kept == usize::from(back) || out.join(MARKER).is_file() {
             let _ = fs::remove_dir_all(folder);
         }
     }
@@ -229,14 +242,36 @@ mod tests {
         };
         let alive = Staging::beside(&out).unwrap();
         let (killed, foreign) = (left("killed", LOCK), left("foreign", "thesis.tex"));
-        let with_a_book = left("book", LOCK);
-        fs::create_dir(with_a_book.join("old-0")).unwrap();
         let (next, book) = staged(&out, "next");
         assert!(!killed.exists());
-        assert!(alive.path("").exists() && foreign.exists() && with_a_book.exists());
+        assert!(alive.path("").exists() && foreign.exists());
         next.swap(&book).unwrap();
         drop(alive);
-        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 3);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn a_book_that_a_killed_run_took_away_comes_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let place = |name: &str| folder.path().join(name);
+        let killed = |out: &str| {
+            let left = place(&format!("{PREFIX}{out}"));
+            fs::create_dir_all(left.join("old-0")).unwrap();
+            fs::write(left.join(LOCK), out).unwrap();
+            fs::write(left.join("old-0").join(MARKER), out).unwrap();
+            left
+        };
+        let (missing, replaced, taken) = (killed("missing"), killed("replaced"), killed("taken"));
+        fs::create_dir(place("replaced")).unwrap();
+        fs::write(place("replaced").join(MARKER), "later").unwrap();
+        fs::create_dir(place("taken")).unwrap();
+        fs::write(place("taken").join("thesis.tex"), "").unwrap();
+        drop(Staging::beside(&place("another")).unwrap());
+        let marker = |name: &str| fs::read_to_string(place(name).join(MARKER)).ok();
+        assert_eq!(marker("missing").as_deref(), Some("missing"));
+        assert_eq!(marker("replaced").as_deref(), Some("later"));
+        assert!(marker("taken").is_none() && taken.join("old-0").join(MARKER).is_file());
+        assert!(!missing.exists() && !replaced.exists());
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! `ensemble`: where many particles on the turntable end, one line each, written while the others are still on
 //! their way.
 
-use super::output::{Failure, Format, VERSION, number};
+use super::output::{Failure, Format, VERSION, complain, number};
 use crate::claims::solve::turntable::{End, Horizon, Start};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -125,7 +125,7 @@ impl Ensemble {
                     return Ok(0);
                 }
                 let Counts { done, .. } = counts;
-                eprintln!("slipbook: stopped after {done} of {total} starts");
+                complain(&format!("stopped after {done} of {total} starts"));
                 Ok(STOPPED)
             }
         }

@@ -37,11 +37,20 @@ fn text(number: &str, found: &[Match]) -> String {
         return format!("no claim carries {number}, nor anything that begins like it");
     }
     let mut text = String::new();
+    let digits = number.split(['e', 'E']).next().unwrap_or(number).chars();
+    let given = digits
+        .filter(char::is_ascii_digit)
+        .skip_while(|c| *c == '0')
+        .count();
     for m in found {
         let _ = writeln!(text, "{} = {}  {}", m.name, m.value, plain_words(m.meaning));
         let _ = writeln!(text, "    claim: {}", m.claim);
         let grade = match m.first_wrong {
-            None => format!("all {} digits given are right", m.right),
+            None if m.right == given => "all digits given are right".to_owned(),
+            None => format!(
+                "the first {} digits are right; no more are known here",
+                m.right
+            ),
             Some(n) => format!("{} digits are right, digit {n} is wrong", m.right),
         };
         let _ = writeln!(text, "    {grade}\n    {number}");

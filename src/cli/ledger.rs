@@ -29,7 +29,7 @@ pub(super) fn sections() -> PossibleValuesParser {
 pub(super) enum ErrataFormat {
     /// Plain text
     Text,
-    /// The body of a LaTeX document
+    /// A LaTeX document
     Latex,
     /// As with --json
     Json,

@@ -92,7 +92,7 @@ enum Command {
     #[command(after_help = "Example:\n  slipbook errata --format latex")]
     Errata {
         /// How to print it
-        #[arg(long, value_enum, default_value_t = ledger::ErrataFormat::Text)]
+        #[arg(long, value_enum, default_value_t = ledger::ErrataFormat::Text, conflicts_with_all = ["json", "csv"])]
         format: ledger::ErrataFormat,
     },
     /// Find the claims that carry a number, to the digits given, and mark its first wrong digit
@@ -132,7 +132,7 @@ pub fn run() -> ExitCode {
     match answer(&arguments) {
         Ok(code) => ExitCode::from(code),
         Err(error) => {
-            eprintln!("slipbook: {error}");
+            output::complain(&error.to_string());
             ExitCode::from(2)
         }
     }

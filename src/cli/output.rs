@@ -6,6 +6,7 @@ use std::io::{self, ErrorKind, Write};
 
 /// Why a command failed: a sentence for the reader.
 pub(super) use crate::claims::compare::Failure;
+pub(super) use crate::claims::solve::plain as number;
 
 /// In which form a command answers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,6 +29,11 @@ pub(super) fn say(text: &str) -> io::Result<()> {
     }
 }
 
+/// Says on standard error what is wrong; where that is closed or full, nobody hears it.
+pub(super) fn complain(text: &str) {
+    let _ = writeln!(io::stderr(), "slipbook: {text}");
+}
+
 /// Prints a value as JSON.
 pub(super) fn json(value: &impl Serialize) -> Result<(), Failure> {
     Ok(say(&serde_json::to_string_pretty(value)?)?)
@@ -48,13 +54,4 @@ pub(super) fn csv(
 /// The refusal of a table where there is none.
 pub(super) fn no_table() -> Failure {
     "--csv: this answer is no table".into()
-}
-
-/// A number with all its digits, as short as it can be read back.
-pub(super) fn number(x: f64) -> String {
-    if x == 0.0 || (1e-5..1e15).contains(&x.abs()) {
-        format!("{x}")
-    } else {
-        format!("{x:e}")
-    }
 }

@@ -3,21 +3,36 @@
 use super::output::{Failure, number};
 use crate::claims::solve::Curve;
 use crate::figures;
-use std::io::Write;
+use std::io::{self, Write};
 use std::path::Path;
 
-/// Writes the plot into a file, which is replaced whole.
+/// Writes the plot into a file, which is replaced whole; a link is followed. What is there and no file is left alone.
 pub(super) fn to_file(curve: &Curve, file: &Path) -> Result<(), Failure> {
     let figure = figures::solve::figure(curve)?;
-    let failed = |error: std::io::Error| format!("cannot write `{}`: {error}", file.display());
-    let folder = match file.parent() {
+    let failed = |error: io::Error| format!("cannot write `{}`: {error}", file.display());
+    let mut making = tempfile::Builder::new();
+    let place = if file.symlink_metadata().is_ok() {
+        let old = file.metadata().map_err(failed)?;
+        if !old.is_file() {
+            return Err(
+                format!("cannot write `{}`: it is no ordinary file", file.display()).into(),
+            );
+        }
+        making.permissions(old.permissions());
+        file.canonicalize().map_err(failed)?
+    } else {
+        #[cfg(unix)]
+        making.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        file.to_owned()
+    };
+    let folder = match place.parent() {
         Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
         Some(parent) => parent,
         None => return Err(format!("`{}` is no name of a file", file.display()).into()),
     };
-    let mut new = tempfile::NamedTempFile::new_in(folder).map_err(failed)?;
+    let mut new = making.tempfile_in(folder).map_err(failed)?;
     new.write_all(figure.svg.as_bytes()).map_err(failed)?;
-    new.persist(file).map_err(|error| failed(error.error))?;
+    new.persist(&place).map_err(|error| failed(error.error))?;
     Ok(())
 }
 

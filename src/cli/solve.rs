@@ -91,7 +91,7 @@ struct Constant {
     #[arg(long, allow_hyphen_values = true)]
     theta0: f64,
     /// The plane's acceleration A
-    #[arg(long, default_value_t = 1.0)]
+    #[arg(long, allow_negative_numbers = true, default_value_t = 1.0)]
     accel: f64,
     #[command(flatten)]
     moment: Moment,
@@ -109,7 +109,7 @@ struct Sphere {
     #[arg(long, allow_hyphen_values = true)]
     theta0: f64,
     /// κ = I/(mR²): 0.4 for a solid sphere
-    #[arg(long, default_value_t = 0.4)]
+    #[arg(long, allow_negative_numbers = true, default_value_t = 0.4)]
     kappa: f64,
     #[command(flatten)]
     moment: Moment,
@@ -144,19 +144,19 @@ struct Turntable {
     #[arg(long, allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
     psi: Option<f64>,
     /// Speed p of a start by --rho
-    #[arg(long, requires = "rho")]
+    #[arg(long, allow_negative_numbers = true, requires = "rho", conflicts_with_all = ["A", "x"])]
     p: Option<f64>,
     /// α of a start by --A
-    #[arg(long, requires = "A")]
+    #[arg(long, allow_negative_numbers = true, requires = "A", conflicts_with_all = ["rho", "x"])]
     alpha: Option<f64>,
     /// Position y of a start by --x
-    #[arg(long, allow_hyphen_values = true, requires = "x")]
+    #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
     y: Option<f64>,
     /// Velocity along x, relative to the table
-    #[arg(long, allow_hyphen_values = true, requires = "x")]
+    #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
     vx: Option<f64>,
     /// Velocity along y, relative to the table
-    #[arg(long, allow_hyphen_values = true, requires = "x")]
+    #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
     vy: Option<f64>,
     /// Ask for the state at this time
     #[arg(long, allow_negative_numbers = true)]
@@ -168,10 +168,10 @@ struct Turntable {
 #[group(required = true, multiple = false)]
 struct Start {
     /// Distance ρ from the axis, with --p and --psi
-    #[arg(long, requires_all = ["p", "psi"])]
+    #[arg(long, allow_negative_numbers = true, requires_all = ["p", "psi"])]
     rho: Option<f64>,
     /// A, with --alpha and --psi
-    #[arg(id = "A", long = "A", value_name = "A", requires_all = ["alpha", "psi"])]
+    #[arg(id = "A", long = "A", value_name = "A", allow_negative_numbers = true, requires_all = ["alpha", "psi"])]
     a: Option<f64>,
     /// Position x in the table's axes, with --y, --vx and --vy
     #[arg(long, allow_hyphen_values = true, requires_all = ["y", "vx", "vy"])]

@@ -1,12 +1,13 @@
 //! Why there is no motion to show.
 
 use crate::numerics::NumericsError;
+use crate::numerics::error::plain;
 
 /// Why a motion cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum MotionError {
     /// A parameter lies outside its range.
-    #[error("{name} = {value} must be {range}")]
+    #[error("{name} = {} must be {range}", plain(*value))]
     Argument {
         /// Name of the parameter.
         name: &'static str,

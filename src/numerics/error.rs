@@ -1,10 +1,19 @@
 //! What can go wrong in a numerical method, by name.
 
+/// A number with all its digits, as short as it can be read back.
+pub(crate) fn plain(x: f64) -> String {
+    if x == 0.0 || (1e-5..1e15).contains(&x.abs()) {
+        format!("{x}")
+    } else {
+        format!("{x:e}")
+    }
+}
+
 /// Why a numerical method has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NumericsError {
     /// An argument lies outside its range.
-    #[error("{name} = {value} must be {range}")]
+    #[error("{name} = {} must be {range}", plain(*value))]
     Argument {
         /// Name of the parameter.
         name: &'static str,

@@ -36,15 +36,37 @@ pub struct Period {
     pub drift_per_period: f64,
 }
 
+/// The digits of a shorter rest count beside this: where two regions meet, a rest is nothing but rounding.
+const SHORT: f64 = 1e-6;
+
+/// A drift below this part of the ways there and back is nothing but rounding.
+const BALANCED: f64 = 1e-15;
+
+/// What is left of the ways there and back, 0 where that is no more than rounding.
+fn drift(forward: f64, backward: f64) -> f64 {
+    let left = forward - backward;
+    if left.abs() <= BALANCED * (forward + backward) {
+        0.0
+    } else {
+        left
+    }
+}
+
 impl Fields for Period {
     fn fields(&self) -> Vec<Field> {
+        // Without a drift there are no digits to count.
+        let beside = if self.drift_per_period == 0.0 {
+            1.0
+        } else {
+            0.0
+        };
         vec![
             Field::new("region", self.region),
-            Field::within(1.0, "positive", self.positive),
-            Field::within(1.0, "negative", self.negative),
-            Field::within(1.0, "rest_after_positive", self.rest_after_positive),
-            Field::within(1.0, "rest_after_negative", self.rest_after_negative),
-            Field::within(1.0, "drift_per_period", self.drift_per_period),
+            Field::new("positive", self.positive),
+            Field::new("negative", self.negative),
+            Field::within(SHORT, "rest_after_positive", self.rest_after_positive),
+            Field::within(SHORT, "rest_after_negative", self.rest_after_negative),
+            Field::within(beside, "drift_per_period", self.drift_per_period),
         ]
     }
 }
@@ -193,7 +215,7 @@ fn larger_backwards(plus: f64, minus: f64) -> Result<Period, NumericsError> {
         negative,
         rest_after_positive: waits,
         rest_after_negative: (TAU - positive - waits - negative).max(0.0),
-        drift_per_period: forward - backward,
+        drift_per_period: drift(forward, backward),
     })
 }
 
@@ -212,14 +234,14 @@ fn without_rest(plus: f64, minus: f64) -> Option<Period> {
     if libm::sin(begins) < plus {
         return None;
     }
-    let drift = way(plus, begins, ends) - way(minus, ends - PI, begins + PI);
+    let (forward, backward) = (way(plus, begins, ends), way(minus, ends - PI, begins + PI));
     Some(Period {
         region: "I",
         positive: 2.0 * k,
         negative: TAU - 2.0 * k,
         rest_after_positive: 0.0,
         rest_after_negative: 0.0,
-        drift_per_period: drift,
+        drift_per_period: drift(forward, backward),
     })
 }
 

@@ -78,7 +78,7 @@ impl Problem {
             At::Theta(theta) => formulas.at_theta(theta)?,
             At::Time(t) => formulas.at_time(t)?,
         };
-        Answer::by_both(formula, self.by_motion()?, formulas.note(&formula))
+        Answer::by_either(formula, self.by_motion()?, formulas.note(&formula))
     }
 
     /// The path of the velocity.
@@ -125,7 +125,8 @@ impl Problem {
         Ok(launch?)
     }
 
-    fn by_motion(&self) -> Result<State, SolveError> {
+    /// Nothing where the motion stops, as far as its numbers reach, before it has the angle.
+    fn by_motion(&self) -> Result<Option<State>, SolveError> {
         let launch = self.launch()?;
         let to_rest = if self.lambda > 1.0 {
             Some(launch.motion_to_rest()?)
@@ -141,14 +142,17 @@ impl Problem {
             At::Theta(theta) if theta == self.theta0 => launch.motion(0.0)?.end(),
             At::Theta(theta) => {
                 let towards = [libm::cos(theta), libm::sin(theta)];
-                match to_rest {
+                let reached = match to_rest {
                     Some(motion) => motion.first_along(towards)?,
                     None => self.first_along(&launch, towards)?,
-                }
-                .ok_or_else(|| unreached(theta, self.theta0))?
+                };
+                let Some(state) = reached else {
+                    return Ok(None);
+                };
+                state
             }
         };
-        Ok(State {
+        Ok(Some(State {
             v: state.speed(),
             theta: match state.speed() {
                 0.0 if stop_time.is_some_and(|stop| stop <= state.t) => last_angle(self.theta0),
@@ -158,7 +162,7 @@ impl Problem {
             vx: state.v[0],
             vy: state.v[1],
             stop_time,
-        })
+        }))
     }
 
     /// The first state in this direction of a motion that never stops, followed as long as it takes.
@@ -194,7 +198,7 @@ pub(super) fn check_moment(theta0: f64, at: At) -> Result<(), SolveError> {
 }
 
 /// The error of an angle that the velocity never has.
-pub(super) fn unreached(theta: f64, theta0: f64) -> SolveError {
+fn unreached(theta: f64, theta0: f64) -> SolveError {
     SolveError::Parameter {
         name: "theta",
         value: theta,

@@ -30,12 +30,13 @@ pub use report::{Report, VERSION};
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
 use crate::numerics::NumericsError;
+pub(crate) use crate::numerics::error::plain;
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum SolveError {
     /// A parameter lies outside its range.
-    #[error("{name} = {value} must be {allowed}")]
+    #[error("{name} = {} must be {allowed}", plain(*value))]
     Parameter {
         /// Name of the parameter.
         name: &'static str,
@@ -176,8 +177,8 @@ pub struct Answer<T> {
     pub by_motion: Option<T>,
     /// The largest relative difference between the two ways.
     pub disagreement: Option<f64>,
-    /// How many significant digits of every number are to be believed: those in which the two ways agree.
-    /// Nothing where the answer has no number.
+    /// How many significant digits of every number are to be believed: those in which the two ways agree. Those of a
+    /// component count beside the length of its vector. Nothing where the answer has no number or only one way.
     pub digits: Option<u32>,
     /// What the answer rests on, in words.
     pub note: String,
@@ -193,6 +194,29 @@ impl<T: Fields + Clone> Answer<T> {
         Ok(Answer {
             by_formula: Some(formula),
             by_motion: Some(motion),
+            ..answer
+        })
+    }
+
+    /// From a formula and, where it gets there, a motion.
+    fn by_either(
+        formula: T,
+        motion: Option<T>,
+        note: impl Into<String>,
+    ) -> Result<Self, SolveError> {
+        if let Some(motion) = motion {
+            return Self::by_both(formula, motion, note);
+        }
+        let alone = "the motion is too near its end there for floating-point numbers, so no digits are vouched for";
+        let answer = Self::compared(
+            formula.clone(),
+            &formula,
+            format!("{}; {alone}", note.into()),
+        )?;
+        Ok(Answer {
+            by_formula: Some(formula),
+            disagreement: None,
+            digits: None,
             ..answer
         })
     }

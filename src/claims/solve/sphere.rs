@@ -1,6 +1,6 @@
 //! A sphere under constant acceleration: its slip and its spin, at an angle of the slip or at a time.
 
-use super::constant::{At, Formulas, check_moment, unreached};
+use super::constant::{At, Formulas, check_moment};
 use super::{Answer, Curve, Field, Fields, SolveError, check, size, steps};
 use crate::corrections::sphere as corrected;
 use crate::motion::Plane;
@@ -57,6 +57,9 @@ impl Fields for State {
     }
 }
 
+/// Later than this the motion is not followed.
+const LATEST: f64 = 1e45;
+
 impl Problem {
     /// Slip and spin at the moment asked for.
     ///
@@ -70,7 +73,7 @@ impl Problem {
         check("kappa", self.kappa, fit, "between 1e-3 and 1")?;
         check_moment(self.theta0, self.at)?;
         let formula = self.by_formula()?;
-        Answer::by_both(formula, self.by_motion()?, self.note(&formula))
+        Answer::by_either(formula, self.by_motion()?, self.note(&formula))
     }
 
     /// The path of the slip.
@@ -148,7 +151,8 @@ impl Problem {
         Ok(Sphere::with_kappa(self.kappa).run(&plane, &start, until)?)
     }
 
-    fn by_motion(&self) -> Result<State, SolveError> {
+    /// Nothing where slipping ends, as far as the motion's numbers reach, before it has the angle.
+    fn by_motion(&self) -> Result<Option<State>, SolveError> {
         // Slip falls at least at the rate b − γ where that is positive; where it is 0, it stops soon or never.
         let spare = self.b() - self.gamma;
         let long = if spare > 0.0 {
@@ -161,13 +165,16 @@ impl Problem {
         let rolls_at = rolling.filter(|t| t.to == Contact::Rolling).map(|t| t.t);
         let (tau, turns) = match self.at {
             At::Time(tau) => (tau, false),
-            At::Theta(theta) => self.reaches(theta, rolls_at)?,
+            At::Theta(theta) => match self.reaches(theta, rolls_at)? {
+                Some(moment) => moment,
+                None => return Ok(None),
+            },
         };
         let motion = self.motion(tau)?;
         let ball = motion.end();
         let slip = if turns { [0.0; 2] } else { motion.slip(tau)? };
         let u = libm::hypot(slip[0], slip[1]);
-        Ok(State {
+        Ok(Some(State {
             u,
             theta: match u {
                 0.0 if self.theta0 == PI && rolls_at.is_some() => PI,
@@ -178,23 +185,27 @@ impl Problem {
             slip,
             zeta: [ball.omega[0], ball.omega[1]],
             rolls_at,
-        })
+        }))
     }
 
     /// When the slip of the motion has this angle, and whether it is zero there and turns round.
-    fn reaches(&self, theta: f64, rolls_at: Option<f64>) -> Result<(f64, bool), SolveError> {
+    fn reaches(
+        &self,
+        theta: f64,
+        rolls_at: Option<f64>,
+    ) -> Result<Option<(f64, bool)>, SolveError> {
         if theta == self.theta0 {
-            return Ok((0.0, false));
+            return Ok(Some((0.0, false)));
         }
         let across = |slip: [f64; 2]| slip[0] * libm::sin(theta) - slip[1] * libm::cos(theta);
         let first = across(self.start());
         let mut until = rolls_at.unwrap_or(self.u0 / self.gamma);
-        for _ in 0..100 {
+        while until < LATEST {
             let motion = self.motion(until)?;
             if self.theta0 == PI
                 && let Some(turn) = motion.transitions().first()
             {
-                return Ok((turn.t, true));
+                return Ok(Some((turn.t, true)));
             }
             // Where slipping ends the slip is zero: look just before.
             let last = if rolls_at.is_some() {
@@ -204,11 +215,14 @@ impl Problem {
             };
             if across(motion.slip(last)?) * first < 0.0 {
                 let at = |t: f64| motion.slip(t).map_or(f64::NAN, across);
-                return Ok((root(at, 0.0, last)?, false));
+                return Ok(Some((root(at, 0.0, last)?, false)));
+            }
+            if rolls_at.is_some() {
+                break;
             }
             until *= 4.0;
         }
-        Err(unreached(theta, self.theta0))
+        Ok(None)
     }
 
     fn note(&self, state: &State) -> String {

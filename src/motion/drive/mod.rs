@@ -31,6 +31,7 @@ pub use margins::Margins;
 pub use planar::PlanarState;
 
 use crate::numerics::NumericsError;
+use crate::numerics::error::plain;
 use crate::numerics::piecewise::{Piecewise, PiecewiseError};
 use arcs::{Mark, Walker};
 use std::f64::consts::TAU;
@@ -42,7 +43,7 @@ pub enum DriveError {
     #[error("the drive h: {0}")]
     Shape(#[from] PiecewiseError),
     /// A parameter is outside its range.
-    #[error("{name} must be {allowed}, but it is {value}")]
+    #[error("{name} must be {allowed}, but it is {}", plain(*value))]
     Parameter {
         /// The parameter's name.
         name: &'static str,

@@ -290,3 +290,33 @@ fn at_the_stop_itself_the_particle_is_at_rest_and_before_it_moves() {
         );
     }
 }
+
+#[test]
+fn an_angle_that_only_the_formula_reaches_has_an_answer() {
+    for (lambda, theta) in [(10.0, 0.01), (5.0, 1e-8), (100.0, 0.5)] {
+        let launch = constant([lambda, 1.0, 1.0, 1.0], At::Theta(theta));
+        let answer = launch.solve().unwrap();
+        assert_eq!(
+            (answer.by_motion, answer.digits, answer.disagreement),
+            (None, None, None)
+        );
+        // (11): sin θ v = sin θ₀ v₀ (tan θ/2 / tan θ₀/2)^λ.
+        let part = libm::tan(0.5 * theta) / libm::tan(0.5);
+        let v = libm::pow(part, lambda) * libm::sin(1.0) / libm::sin(theta);
+        assert!((answer.best.v - v).abs() <= 1e-12 * v, "{answer:?}");
+        assert!(answer.note.contains("no digits"), "{}", answer.note);
+    }
+    // Friction weaker: the motion gets there.
+    assert!(
+        constant([3.0, 1.0, 1.0, 1.0], At::Theta(0.01))
+            .solve()
+            .unwrap()
+            .digits
+            >= Some(7)
+    );
+    let wrong = constant([10.0, 1.0, 1.0, 1.0], At::Theta(1.5));
+    assert!(matches!(
+        wrong.solve(),
+        Err(SolveError::Parameter { name: "theta", .. })
+    ));
+}

@@ -171,3 +171,34 @@ fn formula_and_motion_name_the_same_region_all_over_the_plane() {
         }
     }
 }
+
+#[test]
+fn the_digits_of_a_small_drift_are_its_own() {
+    let solve = |q, lambda0| anisotropic::Problem { q, lambda0 }.solve().unwrap();
+    // q, λ₀, positive, drift, by quadrature with forty digits.
+    for (q, lambda0, positive, drift) in [
+        (1.2, 0.999_999_9, 1.341_640_806_27e-3, 4.5e-14),
+        (2.0, 0.9999, 0.0, 4.500_090_003e-8),
+        (1.000_001, 0.3, 0.0, 4.352_520_440_993e-6),
+        (1.0 + 1e-9, 0.5, 0.0, 3.054_597_87e-9),
+    ] {
+        let answer = solve(q, lambda0);
+        let digits = answer.digits.unwrap();
+        let allowed = 5.0 * libm::exp10(-f64::from(digits));
+        let near = |found: f64, exact: f64| (found - exact).abs() <= allowed.max(1e-9) * exact;
+        assert!(
+            digits >= 2 && near(answer.best.drift_per_period, drift),
+            "{q} {lambda0} {answer:?}"
+        );
+        assert!(
+            positive == 0.0 || near(answer.best.positive, positive),
+            "{answer:?}"
+        );
+    }
+    // The same both ways: no drift.
+    for lambda0 in [0.1, 0.3, 0.5, 0.7, 0.99] {
+        let answer = solve(1.0, lambda0);
+        assert_eq!(answer.best.drift_per_period, 0.0, "{lambda0}");
+        assert!(answer.digits >= Some(11), "{lambda0} {answer:?}");
+    }
+}

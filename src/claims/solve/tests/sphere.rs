@@ -181,3 +181,22 @@ fn a_sphere_that_was_thrown_aslant_rolls_with_the_angle_to_which_its_slip_tended
         );
     }
 }
+
+#[test]
+fn an_angle_that_only_the_formula_reaches_has_an_answer() {
+    for (gamma, theta) in [(0.1, 0.01), (0.01, 0.5), (1.0, 1e-8)] {
+        let problem = Problem {
+            gamma,
+            u0: 1.0,
+            theta0: 1.0,
+            kappa: 0.4,
+            at: At::Theta(theta),
+        };
+        let answer = problem.solve().unwrap();
+        assert_eq!((answer.by_motion, answer.digits), (None, None), "{gamma}");
+        assert!(
+            answer.best.u < 1e-15 && Some(answer.best.tau) <= answer.best.rolls_at,
+            "{answer:?}"
+        );
+    }
+}
