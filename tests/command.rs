@@ -86,6 +86,8 @@ fn some_claims_are_verified_shown_and_listed() {
     let listed = text(&slipbook(&["list", "--section", "2"]).stdout);
     assert_eq!(table.lines().count(), listed.lines().count() + 1);
     assert!(table.starts_with("id,section,equation,kind,verdict,"));
+    let none = slipbook(&["list", "--section", "2", "--verdict", "undecided"]);
+    assert_eq!(text(&none.stdout), "there is no such claim\n");
 }
 
 #[test]

@@ -185,6 +185,7 @@ pub(super) fn list(
     let fits = |e: &&Entry| verdict.is_none_or(|v| e.judgement.verdict.slug() == v);
     let shown: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
     match format {
+        Format::Text if shown.is_empty() => say("there is no such claim")?,
         Format::Text => say(&shown.iter().map(|e| line(e)).collect::<String>())?,
         Format::Json => json(&tried.rows(&shown, None))?,
         Format::Csv => table(&shown)?,
