@@ -194,9 +194,10 @@ fn an_angle_that_only_the_formula_reaches_has_an_answer() {
         };
         let answer = problem.solve().unwrap();
         assert_eq!((answer.by_motion, answer.digits), (None, None), "{gamma}");
-        assert!(
-            answer.best.u < 1e-15 && Some(answer.best.tau) <= answer.best.rolls_at,
-            "{answer:?}"
-        );
+        // (81) with λ = b/γ and b = 7/2.
+        let part = libm::tan(0.5 * theta) / libm::tan(0.5);
+        let u = libm::pow(part, 3.5 / gamma) * libm::sin(1.0) / libm::sin(theta);
+        assert!((answer.best.u - u).abs() <= 1e-11 * u, "{answer:?} {u}");
+        assert!(Some(answer.best.tau) <= answer.best.rolls_at, "{answer:?}");
     }
 }
