@@ -189,13 +189,15 @@ impl Search {
     }
 }
 
-/// What a reader would not search for: drawings, compared values, sources, and lists of what stands elsewhere.
+/// What a reader would not search for: drawings, what was compared where, the steps of proofs, sources, and
+/// lists of what stands elsewhere.
 fn left_out(name: &str, tag: &str) -> bool {
     let has = |words: &[&str]| words.iter().any(|word| tag.contains(word));
     match name {
         "svg" | "script" | "style" | "button" => !tag.ends_with('/'),
         "a" => has(&["class=\"code\""]),
-        "details" => has(&["contents", "latex", "samples"]),
+        "details" => has(&["contents", "latex", "proof", "samples"]),
+        "p" => has(&["class=\"measure\""]),
         "div" => has(&[
             "wrapper ledger",
             "wrapper equations",
@@ -235,7 +237,7 @@ mod tests {
             "a.html",
             "<main><h1 id=\"a\"><a href=\"#a\">A page</a></h1><p>first &amp; <em>se</em>cond</p>\
              <figure><svg><g><text>0.5</text></g></svg></figure>\
-             <h3 id=\"eq-1\">(1) Law</h3><p>third</p><details class=\"latex\">hidden</details></main> footer",
+             <h3 id=\"eq-1\">(1) Law</h3><p>third</p><p class=\"measure\">at 0.5</p><details class=\"latex\">hidden</details></main> footer",
         );
         let found: Vec<_> = search
             .stretches

@@ -40,8 +40,8 @@ fn ratios() -> Vec<f64> {
         4.65,
         4.8,
     ];
-    list.extend((0..33).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 33.0));
-    list.extend((0..18).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 18.0));
+    list.extend((0..22).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 22.0));
+    list.extend((0..12).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 12.0));
     list
 }
 
@@ -61,8 +61,8 @@ pub fn rows() -> Result<&'static [Row], Failure> {
 /// Why there is none.
 pub fn far_rows() -> Result<&'static [Row], Failure> {
     static ROWS: LazyLock<Result<Vec<Row>, String>> = LazyLock::new(|| {
-        let q: Vec<f64> = (0..=24)
-            .map(|k| 200.0 * libm::exp10(f64::from(k) / 12.0))
+        let q: Vec<f64> = (0..=20)
+            .map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0))
             .collect();
         all_rows(&q, 1e-12)
     });

@@ -441,7 +441,7 @@ fn unlike_aligning(motion: &Motion) -> usize {
 
 fn launches_below_critical() -> impl Iterator<Item = Turn> {
     let mut points = Points::stream(10);
-    (0..200).map(move |i| {
+    (0..120).map(move |i| {
         let lambda = match i % 4 {
             0 => 1.0,
             1 => 1.0 - points.log_uniform(1e-9, 1e-2),

@@ -133,7 +133,7 @@ pub fn escapes() -> impl Iterator<Item = Result<&'static Escape, MotionError>> {
             alpha: points.log_uniform(0.1, 1.5),
             psi: points.uniform(-2.6, 2.6),
         };
-        let launches: Vec<_> = (0..24).map(launch).collect();
+        let launches: Vec<_> = (0..20).map(launch).collect();
         launches.into_iter().map(escape).collect()
     });
     shared(&ESCAPES)
@@ -174,7 +174,7 @@ pub fn flights() -> impl Iterator<Item = Result<&'static Flight, MotionError>> {
             alpha: points.log_uniform(1e-3, 2.0),
             psi: points.uniform(-3.1, 3.1),
         };
-        let launches: Vec<_> = (0..150).map(launch).collect();
+        let launches: Vec<_> = (0..100).map(launch).collect();
         launches.into_iter().map(|l| Flight::new(l, 1e4)).collect()
     });
     shared(&FLIGHTS)
@@ -205,7 +205,7 @@ pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, MotionError>> 
             alpha: points.log_uniform(1e-13, 1e-11),
             psi: points.uniform(-2.9, 2.9),
         };
-        let launches: Vec<_> = (0..60).map(launch).collect();
+        let launches: Vec<_> = (0..40).map(launch).collect();
         launches.into_iter().map(relax).collect()
     });
     shared(&RELAXED)

@@ -58,7 +58,7 @@ pub fn bounded(stream: u64, amplitude: f64) -> impl Iterator<Item = Case> {
     let shapes = (0..SHAPES.len())
         .filter(|&i| SHAPES[i] != "growing")
         .cycle();
-    shapes.take(60).map(move |shape| {
+    shapes.take(40).map(move |shape| {
         let rate = points.log_uniform(0.3, 5.0);
         let speed = points.log_uniform(0.2, 5.0);
         let start = any_start(&mut points, speed);

@@ -44,7 +44,7 @@ fn bounded_that_return() -> impl Iterator<Item = (String, Plane, f64)> {
         "rotating",
     ];
     let mut points = Points::stream(23);
-    KINDS.iter().cycle().take(42).map(move |kind| {
+    KINDS.iter().cycle().take(28).map(move |kind| {
         let (size, period) = (points.uniform(1.1, 3.0), points.log_uniform(0.5, 5.0));
         let frequency = std::f64::consts::TAU / period;
         let sine = Signal::Sine {
@@ -112,7 +112,7 @@ fn falls(motion: &Motion, from: f64) -> usize {
 /// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
 fn strong() -> impl Iterator<Item = (String, Plane, State)> {
     let mut points = Points::stream(24);
-    (0..60).map(move |i| {
+    (0..32).map(move |i| {
         let rate = points.log_uniform(0.1, 3.0);
         let shape = [0, 2, 3, 4][i % 4];
         let size = Signal::Sum(vec![

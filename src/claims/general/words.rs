@@ -323,7 +323,7 @@ fn fixed_direction(stream: u64) -> impl Iterator<Item = Across> {
     let shapes = (0..SHAPES.len())
         .filter(|&i| SHAPES[i] != "rotating")
         .cycle();
-    shapes.take(60).map(move |shape| {
+    shapes.take(40).map(move |shape| {
         let rate = points.log_uniform(0.3, 3.0);
         let size = points.uniform(0.3, 2.0);
         let direction = points.uniform(-3.1, 3.1);

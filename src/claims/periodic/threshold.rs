@@ -75,7 +75,7 @@ fn rests(name: &str, drive: &Drive, lambda: f64, expected: bool) -> Result<Pair,
 fn admitted() -> Result<Vec<Named>, DriveError> {
     let mut points = Points::stream(220);
     let mut list: Vec<Named> = named()?.into_iter().filter(|d| d.generic).collect();
-    for _ in 0..40 {
+    for _ in 0..24 {
         list.push(Named {
             name: "three harmonics at random",
             drive: Harmonics::random(&mut points)?.drive()?,
@@ -140,7 +140,7 @@ pub fn two_zeros_root() -> Evidence {
     let compared = "λ₀ at which ∫ h = π λ₀ between zeros half a period apart and h is λ₀ at one, with λ₀ at which rests appear in the motion, by bisection";
     let trial = Trial::by(Route::Root, Subject::Within, compared, THRESHOLD);
     let mut points = Points::stream(221);
-    trial.over(0..24, |_| {
+    trial.over(0..20, |_| {
         let (a, p) = (points.uniform(0.0, 0.3), points.uniform(0.0, TAU));
         let (b, r) = (points.uniform(0.0, 0.08), points.uniform(0.0, TAU));
         let shape = Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, a, p), (3, b, r)])?;
@@ -162,8 +162,8 @@ pub fn again_and_again() -> Evidence {
     let compared =
         "3 with how often rests appear or disappear for sin φ + a sin 3φ as λ₀ grows from 0 to 1";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
-    trial.over(0..24, |k| {
-        let a = 1.4 + 0.15 * (f64::from(k) + 0.5) / 24.0;
+    trial.over(0..20, |k| {
+        let a = 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0;
         let drive = third_harmonic(a)?;
         let seen: Result<Vec<bool>, _> = (1..200)
             .map(|k| Ok::<_, DriveError>(phase(&drive, 0.005 * f64::from(k))?.rests()))
@@ -183,7 +183,7 @@ pub fn with_mean() -> Evidence {
     let compared = "0, for a periodic motion without rest, with −1, for one that drifts, at λ₀ below the mean of h";
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(222);
-    trial.over(0..100, |_| {
+    trial.over(0..60, |_| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
         let lambda = drive.mean().abs() * points.uniform(0.001, 0.999);
         rests("sine with a mean", &drive, lambda, false)
@@ -196,7 +196,7 @@ pub fn two_valued() -> Evidence {
         "1 with whether the motion has rests, for steps between 1 and −1 and λ₀ just below 1";
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(223);
-    trial.over(0..100, |_| {
+    trial.over(0..60, |_| {
         // Up for x, down for y, up for π − x, down for the rest: half of the time each.
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
         let drive = steps(&[(x, 1.0), (x + y, -1.0), (PI + y, 1.0), (TAU, -1.0)])?;
@@ -214,7 +214,7 @@ pub fn level() -> Evidence {
     let compared = "0 with whether the motion has rests, for sin φ + sin(2φ + p), scaled, 0 < p < π/2, and small λ₀";
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(224);
-    trial.over(0..100, |_| {
+    trial.over(0..60, |_| {
         let p = points.uniform(0.1, 1.5);
         let lambda = points.log_uniform(1e-5, 1e-2);
         let name = format!("p = {p:.6}");

@@ -39,7 +39,7 @@ fn riders() -> Evidence {
     let compared = "1 if it stays, 0 if not, by (139) with a particle that rides with the table, seen from the laboratory";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(641);
-    trial.over(0..21, |i| {
+    trial.over(0..20, |i| {
         let table = Table {
             omega: points.sign() * points.uniform(0.3, 3.0),
             mu: points.uniform(0.1, 1.0),
@@ -56,7 +56,7 @@ fn riders() -> Evidence {
             x: [sigma * table.length(), 0.0],
             v: [0.0; 2],
         };
-        let until = 5.0 / table.omega.abs();
+        let until = 2.0 / table.omega.abs();
         let path = inertial::run(&table, &table.to_laboratory(&rides), until)?;
         let moved = (path.on_table(until)?.radius() / table.length() - sigma).abs();
         Ok::<_, Failure>(Pair {
@@ -72,7 +72,7 @@ fn riders() -> Evidence {
 }
 
 /// One of so many resting starts of the census is followed to its place.
-const EVERY: usize = 8;
+const EVERY: usize = 16;
 
 /// Long after the last of them has come to rest.
 const LONG: f64 = 1e3;

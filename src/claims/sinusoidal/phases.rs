@@ -238,7 +238,7 @@ pub fn rest_ends_motion() -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(121);
     let mut ends = Vec::new();
-    for _ in 0..150 {
+    for _ in 0..100 {
         let lambda = points.uniform(0.03, 0.999);
         let start = State {
             phi: points.uniform(0.0, TAU),

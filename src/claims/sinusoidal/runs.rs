@@ -89,7 +89,7 @@ pub fn all() -> Vec<f64> {
 /// A dense set of frictions between 0 and 1, with the two ends and λ_c approached to 1e-9.
 pub fn dense() -> Vec<f64> {
     let mut points = Points::stream(103);
-    let mut list: Vec<_> = (0..2000).map(|_| points.uniform(1e-3, 1.0)).collect();
+    let mut list: Vec<_> = (0..1200).map(|_| points.uniform(1e-3, 1.0)).collect();
     for i in 0..30 {
         let near = libm::pow(10.0, -3.0 - 0.2 * f64::from(i));
         list.extend([near, 1.0 - near, lambda_c() - near, lambda_c() + near]);

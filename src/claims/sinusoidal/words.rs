@@ -96,7 +96,7 @@ fn frictions() -> Vec<f64> {
     list
 }
 
-/// The three kinds, over more than 2000 frictions.
+/// The three kinds, over more than 1500 frictions.
 pub fn trichotomy_census() -> Evidence {
     let compared = "zeros plus ten times the rests in a period: 2 below λ_c, 20 above, −1 for rest throughout above 1, with the same of the simulated list of intervals";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
@@ -119,7 +119,7 @@ pub fn trichotomy_motion() -> Evidence {
     let compared = "the same numbers with those of a particle on the plane, over its third period";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     let mut points = Points::stream(151);
-    trial.over(0..24, |_| {
+    trial.over(0..20, |_| {
         let lambda = points.uniform(0.1, 1.5);
         let start = points.uniform(0.0, TAU);
         let (from, to) = (start + 2.0 * TAU, start + 3.0 * TAU);

@@ -193,7 +193,7 @@ pub fn eq84() -> Evidence {
     let compared = "𝔴 of the one-dimensional drive with λ₀ by (84) with ϖ w_x/A₀ of the sphere's slip velocity w";
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(410);
-    trial.over(0..40, |i| {
+    trial.over(0..20, |i| {
         let lambda = points.uniform(0.05, 1.5);
         let swing = Swing::new(i, &mut points, lambda);
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
@@ -242,7 +242,7 @@ pub fn eq85() -> Evidence {
     let compared = "𝔴 of the drive with λ₊ = λ₀ of (85), λ₋ = qλ₀, with ϖ w_x/A₀ of the sphere's slip velocity w";
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(411);
-    trial.over(0..60, |i| {
+    trial.over(0..30, |i| {
         let (q, lambda) = (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4));
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
@@ -374,7 +374,7 @@ pub fn rolling_ends() -> Evidence {
     let compared = "the root φ of sin φ = λ₀, λ₀ by (84), with the phase at which a sphere that rolls at φ = 0 begins to slide";
     let trial = Trial::by(Route::Root, Subject::Within, compared, MOTION);
     let mut points = Points::stream(415);
-    trial.over(0..40, |i| {
+    trial.over(0..24, |i| {
         let lambda = points.uniform(0.05, 0.95);
         let swing = Swing::new(i, &mut points, lambda);
         let stated = root(|phi| libm::sin(phi) - lambda, 0.0, PI / 2.0)?;
@@ -434,7 +434,7 @@ pub fn pulse_motion() -> Evidence {
     let compared = "the part of a late period in which the drive's motion rests with that in which the sphere rolls, under the pulses";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(417);
-    let all = pulse_points(&mut points, 24);
+    let all = pulse_points(&mut points, 20);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
@@ -501,7 +501,7 @@ pub fn anisotropic_census() -> Evidence {
     let compared = "1 with 1 where the order of forward, backward and no motion in a period of the drive, λ₀ by (85), is that of the sphere's slip";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(418);
-    let all = map_points(&mut points, 80);
+    let all = map_points(&mut points, 40);
     trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (ways, _) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
@@ -533,7 +533,7 @@ pub fn anisotropic_motion() -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(419);
     let resting = |(q, lambda): &(f64, f64)| q * lambda > 1.0;
-    let all = map_points(&mut points, 60).into_iter().filter(resting);
+    let all = map_points(&mut points, 40).into_iter().filter(resting);
     trial.over(all.enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (_, lengths) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;

@@ -40,7 +40,7 @@ pub fn eq86_turns() -> Evidence {
     let compared = "place on the table by (86), through three turns, with that found in the laboratory, its components added";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, FOREIGN);
     let mut points = Points::stream(502);
-    trial.over(0..24, |_| {
+    trial.over(0..20, |_| {
         let table = Table {
             omega: points.log_uniform(0.3, 3.0),
             mu: points.uniform(0.1, 0.9),
