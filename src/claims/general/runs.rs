@@ -219,6 +219,6 @@ mod tests {
             }
             kinds += 1;
         }
-        assert_eq!(kinds, 42);
+        assert_eq!(kinds, 28);
     }
 }
