@@ -469,13 +469,20 @@ fn an_ensemble_ends_as_its_particles_do() {
 
 #[test]
 fn an_ensemble_names_what_is_out_of_range() {
-    for (wrong, named) in [
-        ("-1", "rho"),
-        ("1:2", "LOW:HIGH:COUNT"),
-        ("1:1e10:5", "rho"),
+    for (option, wrong, named) in [
+        ("--rho", "-1", "rho"),
+        ("--rho", "1:2", "LOW:HIGH:COUNT"),
+        ("--rho", "1:1e10:5", "rho"),
+        ("--far", "-1", "rho"),
+        ("--late", "-1", "tau"),
+        ("--jobs", "-1", "1..=1024"),
     ] {
-        let rho = format!("--rho={wrong}");
-        let output = slipbook(&["ensemble", &rho, "--p", "1", "--psi", "0"]);
+        let rho = if option == "--rho" { wrong } else { "1" };
+        let mut arguments = vec!["ensemble", "--rho", rho, "--p", "1", "--psi", "0"];
+        if option != "--rho" {
+            arguments.extend([option, wrong]);
+        }
+        let output = slipbook(&arguments);
         assert_eq!(output.status.code(), Some(2));
         assert!(
             text(&output.stderr).contains(named),

@@ -77,10 +77,20 @@ pub(super) struct Ensemble {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     psi: Range,
     /// Distance at which a particle counts as gone
-    #[arg(long, value_name = "RHO", default_value_t = 100.0)]
+    #[arg(
+        long,
+        value_name = "RHO",
+        default_value_t = 100.0,
+        allow_negative_numbers = true
+    )]
     far: f64,
     /// Time after which it is followed no longer, in units of 1/Ω
-    #[arg(long, value_name = "TAU", default_value_t = 50.0)]
+    #[arg(
+        long,
+        value_name = "TAU",
+        default_value_t = 50.0,
+        allow_negative_numbers = true
+    )]
     late: f64,
 }
 

@@ -271,3 +271,18 @@ fn period(motion: &Attractor<'_>) -> Period {
         drift_per_period: motion.displacement(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two and six steps of a number near 0.1; 10⁻¹⁵ of the sum are fifteen.
+    #[test]
+    fn what_rounding_leaves_is_no_drift() {
+        let more = |steps: u64| f64::from_bits(0.1f64.to_bits() + steps);
+        assert_eq!(drift(more(2), 0.1), 0.0);
+        assert_eq!(drift(0.1, more(6)), 0.0);
+        assert_eq!(drift(more(20), 0.1), more(20) - 0.1);
+        assert_eq!(drift(0.75, 0.5), 0.25);
+    }
+}

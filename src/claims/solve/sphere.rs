@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// A sphere that starts without spin on a plane with the acceleration −γ x̂, everything in the paper's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Problem {
-    /// γ = A/(μg), from 10⁻¹⁵ to 10¹⁵.
+    /// γ = A/(μg), from 10⁻¹⁵ to 10⁹.
     pub gamma: f64,
     /// The initial slip u₀, from 10⁻²⁰ to 10²⁰.
     pub u0: f64,
@@ -66,8 +66,8 @@ impl Problem {
     /// # Errors
     /// [`SolveError::Parameter`] for a parameter out of range or an angle that the slip never has.
     pub fn solve(&self) -> Result<Answer<State>, SolveError> {
-        let fit = (1e-15..=1e15).contains(&self.gamma);
-        check("gamma", self.gamma, fit, "between 1e-15 and 1e15")?;
+        let fit = (1e-15..=1e9).contains(&self.gamma);
+        check("gamma", self.gamma, fit, "between 1e-15 and 1e9")?;
         size("u0", self.u0)?;
         let fit = (1e-3..=1.0).contains(&self.kappa);
         check("kappa", self.kappa, fit, "between 1e-3 and 1")?;

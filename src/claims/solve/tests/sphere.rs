@@ -194,10 +194,36 @@ fn an_angle_that_only_the_formula_reaches_has_an_answer() {
         };
         let answer = problem.solve().unwrap();
         assert_eq!((answer.by_motion, answer.digits), (None, None), "{gamma}");
+        assert_eq!(answer.by_formula, Some(answer.best));
         // (81) with λ = b/γ and b = 7/2.
         let part = libm::tan(0.5 * theta) / libm::tan(0.5);
         let u = libm::pow(part, 3.5 / gamma) * libm::sin(1.0) / libm::sin(theta);
         assert!((answer.best.u - u).abs() <= 1e-11 * u, "{answer:?} {u}");
         assert!(Some(answer.best.tau) <= answer.best.rolls_at, "{answer:?}");
     }
+}
+
+/// Powers of γ stay numbers: up to the largest one there is an answer, whatever the rest.
+#[test]
+fn the_strongest_pushes_are_followed_and_faster_ones_refused() {
+    let solve = |gamma, theta0, u0, time| {
+        let problem = Problem {
+            gamma,
+            u0,
+            theta0,
+            kappa: 1e-3,
+            at: At::Time(time),
+        };
+        problem.solve()
+    };
+    for theta0 in [0.0, 1e-8, 1.2, PI] {
+        for u0 in [1e-16, 1.0, 1e18] {
+            for time in [1e-28, 1.0, 1e30] {
+                let answer = solve(1e9, theta0, u0, time);
+                assert!(answer.is_ok(), "{theta0}, {u0}, {time}: {answer:?}");
+            }
+        }
+    }
+    let refused = solve(1.1e9, 1.2, 1.0, 1.0).unwrap_err().to_string();
+    assert!(refused.contains("gamma"), "{refused}");
 }
