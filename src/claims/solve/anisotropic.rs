@@ -276,7 +276,7 @@ fn period(motion: &Attractor<'_>) -> Period {
 mod tests {
     use super::*;
 
-    /// Two and six steps of a number near 0.1; 10⁻¹⁵ of the sum are fifteen.
+    /// Steps of a number near 0.1: 10⁻¹⁵ of the sum are fourteen.
     #[test]
     fn what_rounding_leaves_is_no_drift() {
         let more = |steps: u64| f64::from_bits(0.1f64.to_bits() + steps);
