@@ -4,6 +4,7 @@ use crate::claims::{self, Claim, Condition, Correction, TOPICS, Topic};
 use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::ledger::{Entry, judge};
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::LazyLock;
 use tempfile::TempDir;
 
 /// A claim with everything that a box can show, some of it hostile.
@@ -185,10 +186,16 @@ fn written(folder: &TempDir) -> BTreeMap<String, Vec<u8>> {
     files(&out)
 }
 
+/// The files of the book, written once for all who only read them.
+fn whole() -> &'static BTreeMap<String, Vec<u8>> {
+    static FILES: LazyLock<BTreeMap<String, Vec<u8>>> =
+        LazyLock::new(|| written(&TempDir::new().unwrap()));
+    &FILES
+}
+
 #[test]
 fn the_book_is_whole() {
-    let folder = TempDir::new().unwrap();
-    let files = written(&folder);
+    let files = whole();
     let text = |name: &str| std::str::from_utf8(&files[name]).unwrap();
     let pages: Vec<_> = files
         .keys()
@@ -239,7 +246,7 @@ fn the_book_is_whole() {
             }
         }
     }
-    for (name, bytes) in &files {
+    for (name, bytes) in files {
         if name.ends_with(".css") {
             let css = std::str::from_utf8(bytes).unwrap();
             for url in css.split("url(").skip(1) {
@@ -261,8 +268,7 @@ fn the_book_is_whole() {
 
 #[test]
 fn the_page_for_printing_leads_to_places_within_itself() {
-    let folder = TempDir::new().unwrap();
-    let files = written(&folder);
+    let files = whole();
     let html = std::str::from_utf8(&files["print.html"]).unwrap();
     let main = html.split("<main>").nth(1).unwrap();
     for link in values(main, "href") {
@@ -279,8 +285,7 @@ fn the_page_for_printing_leads_to_places_within_itself() {
 
 #[test]
 fn addresses_stay() {
-    let folder = TempDir::new().unwrap();
-    let files = written(&folder);
+    let files = whole();
     for address in include_str!("../../tests/data/addresses.txt").lines() {
         let (page, id) = address.split_once('#').unwrap();
         let html = std::str::from_utf8(&files[page]).unwrap();
@@ -290,8 +295,7 @@ fn addresses_stay() {
 
 #[test]
 fn the_search_finds_numbers_and_symbols() {
-    let folder = TempDir::new().unwrap();
-    let files = written(&folder);
+    let files = whole();
     let index = std::str::from_utf8(&files["searchindex.js"]).unwrap();
     for title in [
         r#""title":"(37) "#,
@@ -307,8 +311,7 @@ fn the_search_finds_numbers_and_symbols() {
 
 #[test]
 fn every_claim_has_its_address_and_its_verdict() {
-    let folder = TempDir::new().unwrap();
-    let files = written(&folder);
+    let files = whole();
     for entry in &ledger().entries {
         let page = &files[&format!("{}.html", entry.topic.stem)];
         let html = std::str::from_utf8(page).unwrap();
@@ -327,8 +330,7 @@ fn every_claim_has_its_address_and_its_verdict() {
 
 #[test]
 fn a_box_shows_all_and_data_stays_data() {
-    let folder = TempDir::new().unwrap();
-    let files = written(&folder);
+    let files = whole();
     let html = std::str::from_utf8(&files["constant.html"]).unwrap();
     let full = html
         .split("id=\"eq-13\"")
