@@ -263,8 +263,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s24-q-at-least-one",
         section: "2.4",
-        equation: None,
-        kind: Kind::Property,
         title: "the larger friction may be the backward one",
         latex: r"Taking $q\geq1$ is no loss of generality.",
         plain: "Taking q ≥ 1 is no loss of generality.",
@@ -275,8 +273,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s24-region-1",
         section: "2.4",
-        equation: None,
-        kind: Kind::Property,
         title: "region I: no rest",
         latex: r"Below A, each period has an interval with $\mathfrak{w}>0$ and one with $\mathfrak{w}<0$, and no rest.",
         plain: "Below A, each period has an interval with w > 0 and one with w < 0, and no rest.",
@@ -291,8 +287,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s24-region-2",
         section: "2.4",
-        equation: None,
-        kind: Kind::Property,
         title: "region II: one rest, after the backward slip",
         latex: r"Above A and below B and C, each period has an interval with $\mathfrak{w}>0$, at once one with $\mathfrak{w}<0$, then a rest.",
         plain: "Above A and below B and C, each period has an interval with w > 0, at once one with w < 0, then a rest.",
@@ -311,12 +305,11 @@ const CLAIMS: &[Claim] = &[
             certified::e_below_c,
         ],
         correction: Some(SECOND_REGION),
+        ..Claim::BLANK
     },
     Claim {
         id: "s24-region-3",
         section: "2.4",
-        equation: None,
-        kind: Kind::Property,
         title: "region III: two rests",
         latex: r"Between B and C, each period has an interval with $\mathfrak{w}>0$ and one with $\mathfrak{w}<0$, with two rests between them.",
         plain: "Between B and C, each period has an interval with w > 0 and one with w < 0, with two rests between them.",
@@ -331,8 +324,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s24-region-4",
         section: "2.4",
-        equation: None,
-        kind: Kind::Property,
         title: "region IV: forward slip and rest",
         latex: r"Between C and D, each period has an interval with $\mathfrak{w}>0$ and a rest.",
         plain: "Between C and D, each period has an interval with w > 0 and a rest.",
@@ -347,8 +338,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s24-region-5",
         section: "2.4",
-        equation: None,
-        kind: Kind::Property,
         title: "region V: rest",
         latex: "Above D the particle is at rest.",
         plain: "Above D the particle is at rest.",
@@ -363,8 +352,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s24-X",
         section: "2.4",
-        equation: None,
-        kind: Kind::Property,
         title: "A and B meet",
         latex: r"A and B meet at $X=(1,\lambda_\mathrm{c})$.",
         plain: "A and B meet at X = (1, λ_c).",
@@ -380,8 +367,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s24-Y",
         section: "2.4",
-        equation: None,
-        kind: Kind::Property,
         title: "B and C touch",
         latex: "B and C meet at $Y=(4.603,0.217)$ and are tangent there.",
         plain: "B and C meet at Y = (4.603, 0.217) and are tangent there.",
@@ -398,7 +383,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "fig-5",
         section: "2.4",
-        equation: None,
         kind: Kind::Figure,
         title: "map of the regions",
         latex: r"The regions I to V with the curves A to D and the points $X$, $Y$; axes $q$ from $1$ to $7$, $\lambda_0$ from $0$ to $1.4$.",
@@ -416,7 +400,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "fig-6",
         section: "2.4",
-        equation: None,
         kind: Kind::Figure,
         title: "large-time motion in each region",
         latex: r"$\mathfrak{w}(\phi)$ over two periods, one panel for each of the regions I to V; axes $0$ to $4\pi$ and $\pm1$.",

@@ -382,8 +382,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s21-frictionless-parabola",
         section: "2.1",
-        equation: None,
-        kind: Kind::Property,
         title: "no friction: a parabola",
         latex: r"For $\lambda=0$, $v_y$ stays constant and $v_x$ grows linearly with $t$; the path is in general a parabola.",
         plain: "For λ = 0, v_y stays constant and v_x grows linearly with t; the path is in general a parabola.",
@@ -399,8 +397,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s21-small-friction-aligns",
         section: "2.1",
-        equation: None,
-        kind: Kind::Property,
         title: "small friction: the velocity aligns",
         latex: r"For $\lambda\leq1$ friction cannot hold the particle: $\theta\to0$ at large times, and the particle slides along the line of the acceleration.",
         plain: "For λ ≤ 1 friction cannot hold the particle: θ → 0 at large times, and the particle slides along the line of the acceleration.",
@@ -419,8 +415,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s21-critical-terminal-velocity",
         section: "2.1",
-        equation: None,
-        kind: Kind::Property,
         title: "critical friction: a final velocity",
         latex: r"For $\lambda=1$ the velocity tends to a constant at large times, the one of (18) and (19).",
         plain: "For λ = 1 the velocity tends to a constant at large times, the one of (18) and (19).",
@@ -437,8 +431,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s21-large-friction-stops",
         section: "2.1",
-        equation: None,
-        kind: Kind::Property,
         title: "large friction: the particle stops",
         latex: r"For $\lambda>1$ the particle comes to rest at the time $T$ of (20), and $\theta\to0$ as $t\to T$.",
         plain: "For λ > 1 the particle comes to rest at the time T of (20), and θ → 0 as t → T.",
@@ -460,8 +452,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s21-portrait-consistent",
         section: "2.1",
-        equation: None,
-        kind: Kind::Property,
         title: "agreement with the inclined plane",
         latex: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         plain: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
@@ -472,7 +462,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "fig-1",
         section: "2.1",
-        equation: None,
         kind: Kind::Figure,
         title: "portraits of the velocity",
         latex: r"Phase portraits of $(v_x,v_y)$ for several $\lambda$: panel (a) $\lambda\leq1$, panel (b) $\lambda>1$.",

@@ -382,8 +382,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-A-never-decreases",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "A never decreases",
         latex: r"$A$ never decreases, and grows without end unless $\alpha\to0$.",
         plain: "A never decreases, and grows without end unless α → 0.",
@@ -395,8 +393,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-small-alpha",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "ψ relaxes near α = 0",
         latex: r"Near $\alpha=0$ the angle $\psi$ goes rapidly to $\psi_1$, itself near zero, and then (126) holds.",
         plain: "Near α = 0 the angle ψ goes rapidly to ψ₁, itself near zero, and then (126) holds.",
@@ -412,8 +408,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-escape-if-A-above-1",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "escape",
         latex: "If $A>1$ at the start, $A$ grows without end and the speed never vanishes.",
         plain: "If A > 1 at the start, A grows without end and the speed never vanishes.",
@@ -430,8 +424,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-alpha-unbounded",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "α grows too",
         latex: r"If $A>1$ at the start, $\alpha$ grows without end, like $A$.",
         plain: "If A > 1 at the start, α grows without end, like A.",

@@ -65,8 +65,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s2-stops-if-weak",
         section: "2",
-        equation: None,
-        kind: Kind::Property,
         title: "a weak drive lets the particle stop",
         latex: r"If the largest value of $\lvert\bm{A}\rvert$ is below $\mu g$, the speed falls and the particle is at rest after a finite time.",
         plain: "If max |𝐀| < μ g, the speed falls and the particle is at rest after a finite time.",
@@ -77,8 +75,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s2-no-permanent-rest",
         section: "2",
-        equation: None,
-        kind: Kind::Property,
         title: "a strong drive ends every rest",
         latex: r"If $\lvert\bm{A}\rvert$ exceeds $\mu g$ again after every time, however late, the particle cannot stay at rest for ever.",
         plain: "If |𝐀| exceeds μ g again after every time, however late, the particle cannot stay at rest for ever.",
@@ -97,8 +93,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s2-speeds-up-if-strong",
         section: "2",
-        equation: None,
-        kind: Kind::Property,
         title: "a strong drive of fixed direction speeds the particle up",
         latex: r"If $\bm{A}$ has a fixed direction and $\lvert\bm{A}\rvert>\mu g$ at all times, then $v$ increases from some time on.",
         plain: "If 𝐀 has a fixed direction and |𝐀| > μ g at all times, then v increases from some time on.",
@@ -117,8 +111,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s2-perpendicular-decays",
         section: "2",
-        equation: None,
-        kind: Kind::Property,
         title: "the velocity across the drive decays",
         latex: r"If $\bm{A}$ has a fixed direction, the part $\bm{v}_\perp$ of the velocity across it shrinks; if $\lvert\bm{A}\rvert$ is bounded as well, $\bm{v}_\perp\to0$ at large times.",
         plain: "If 𝐀 has a fixed direction, the part 𝐯⊥ of the velocity across it shrinks; if |𝐀| is bounded as well, 𝐯⊥ → 0 at large times.",

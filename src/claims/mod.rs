@@ -92,7 +92,7 @@ pub struct Claim {
 }
 
 impl Claim {
-    /// What a row need not say: no conditions, no correction, no trials.
+    /// What a row need not say: a property without a number, no conditions, no correction, no trials.
     #[cfg(feature = "book")]
     const BLANK: Claim = Claim {
         id: "",

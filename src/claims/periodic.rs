@@ -111,8 +111,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s23-rest-above-one",
         section: "2.3",
-        equation: None,
-        kind: Kind::Property,
         title: "very large friction: rest",
         latex: r"If the largest value of $\lvert h\rvert$ is $1$ and $\lambda_0>1$, the particle is always at rest at large times.",
         plain: "If max |h| = 1 and λ₀ > 1, the particle is always at rest at large times.",
@@ -127,8 +125,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s23-threshold-exists",
         section: "2.3",
-        equation: None,
-        kind: Kind::Property,
         title: "a threshold between small and large friction",
         latex: r"For a generic $h$ some $\lambda_\mathrm{c}$ divides large friction, with rests, from small friction, without; the behaviour may change at more than one value.",
         plain: "For a generic h some λ_c divides large friction, with rests, from small friction, without; the behaviour may change at more than one value.",
@@ -168,8 +164,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s23-pulse-phases",
         section: "2.3",
-        equation: None,
-        kind: Kind::Property,
         title: "the two extremes of the pulses",
         latex: r"For the pulses of (42), (43): $\eta=1$ has no large-friction phase, $\eta=0$ has no small-friction phase.",
         plain: "For the pulses of (42), (43): η = 1 has no large-friction phase, η = 0 has no small-friction phase.",

@@ -255,8 +255,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-rest-radius",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "where rest is possible, in words",
         latex: r"A particle can stay at rest at $\rho=\sigma$ only if $\sigma\le1$: farther out the centrifugal force exceeds the greatest static friction.",
         plain: "A particle can stay at rest at ρ = σ only if σ ≤ 1: farther out the centrifugal force exceeds the greatest static friction.",
@@ -271,8 +269,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-near-rest",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "how the particle comes to rest",
         latex: r"As the particle comes to rest, $\alpha$ and $\psi$ tend to zero, as in (140) to (145).",
         plain: "As the particle comes to rest, α and ψ tend to zero, as in (140) to (145).",
@@ -289,8 +285,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-envelope-is-boundary",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "the boundary between rest and escape",
         latex: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if $A$ starts below it, and goes off without bound otherwise.",
         plain: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if A starts below it, and goes off without bound otherwise.",
@@ -311,5 +305,6 @@ const CLAIMS: &[Claim] = &[
             certified::printed,
             certified::corrected,
         ],
+        ..Claim::BLANK
     },
 ];

@@ -423,8 +423,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-vy-vanishes",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "the velocity across the drive vanishes",
         latex: r"$v_y\to0$ at large times.",
         plain: "v_y → 0 at large times.",
@@ -443,8 +441,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-weak-drive-stops",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "a weak drive: rest",
         latex: r"For $A_0<\mu g$, $v_x$ too vanishes at large times.",
         plain: "For A₀ < μ g, v_x too vanishes at large times.",
@@ -455,8 +451,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-vy-two-stages",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "two stages of the decay across the drive",
         latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time; once $v_y\ll v_x$, it falls more slowly, exponentially.",
         plain: "While v_y ≫ v_x, v_y falls linearly in time; once v_y ≪ v_x, it falls more slowly, exponentially.",
@@ -477,12 +471,11 @@ const CLAIMS: &[Claim] = &[
             decay::last_stage,
         ],
         correction: Some(DECAY),
+        ..Claim::BLANK
     },
     Claim {
         id: "s22-attractor-ignores-vy",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "the large-time motion forgets the start across the drive",
         latex: "At large times $v_x$ does not depend on the initial $v_y$; on the way there it does.",
         plain: "At large times v_x does not depend on the initial v_y; on the way there it does.",
@@ -497,7 +490,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "fig-2",
         section: "2.2",
-        equation: None,
         kind: Kind::Figure,
         title: "the way to the large-time motion",
         latex: "$v_x$ against time for one initial $v_x$ and several initial $v_y$.",
@@ -509,8 +501,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-four-points",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "drive equals friction four times",
         latex: r"$\lvert\sin\phi\rvert=\lambda_0$ at exactly four points of a period, those of (27) to (30).",
         plain: "|sin φ| = λ₀ at exactly four points of a period, those of (27) to (30).",
@@ -535,8 +525,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-rest-ends",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "where a rest can end",
         latex: r"Within $[0,2\pi]$ an interval of rest can end only at $\phi_1$ or $\phi_3$.",
         plain: "Within [0, 2π] an interval of rest can end only at φ₁ or φ₃.",
@@ -547,8 +535,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-phi2-bracket",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "bounds on the end of the slip",
         latex: r"$\phi_2<\tilde\phi_2<\phi_4$.",
         plain: "φ₂ < φ̃₂ < φ₄.",
@@ -563,8 +549,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-rest-interval",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "a slip that ends early leaves a rest",
         latex: r"If $\tilde\phi_2<\phi_3$, the large-time motion is (33), at rest on $[\tilde\phi_2,\phi_3]$ and again half a period later.",
         plain: "If φ̃₂ < φ₃, the large-time motion is (33), at rest on [φ̃₂, φ₃] and again half a period later.",
@@ -579,8 +563,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-no-rest-below",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "no rest at small friction",
         latex: r"For $\lambda_0<\lambda_\mathrm{c}$ no periodic motion vanishes on an interval.",
         plain: "For λ₀ < λ_c no periodic motion vanishes on an interval.",
@@ -591,8 +573,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s22-trichotomy",
         section: "2.2",
-        equation: None,
-        kind: Kind::Property,
         title: "small, large and very large friction",
         latex: r"At large times $v_x$ has exactly two zeros in each period for $\lambda_0<\lambda_\mathrm{c}$, two intervals of rest for $\lambda_\mathrm{c}<\lambda_0<1$, and is identically zero for $\lambda_0>1$.",
         plain: "At large times v_x has exactly two zeros in each period for λ₀ < λ_c, two intervals of rest for λ_c < λ₀ < 1, and is identically zero for λ₀ > 1.",
@@ -614,7 +594,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "fig-3",
         section: "2.2",
-        equation: None,
         kind: Kind::Figure,
         title: "large-time motion at small friction",
         latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$, that is (38) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.8$.",
@@ -626,7 +605,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "fig-4",
         section: "2.2",
-        equation: None,
         kind: Kind::Figure,
         title: "large-time motion at large friction",
         latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$, that is (33) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.3$.",

@@ -444,8 +444,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s3-reduction",
         section: "3",
-        equation: None,
-        kind: Kind::Property,
         title: "the sphere reduced to the particle",
         latex: r"The slip velocity $\bm{u}$ moves like a particle's velocity under the same $\bm{A}$ with $b\mu$ in place of $\mu$; the velocity of the centre and the spin then follow from $\bm{u}$.",
         plain: "The slip velocity 𝐮 moves like a particle's velocity under the same 𝐀 with bμ in place of μ; the velocity of the centre and the spin then follow from 𝐮.",
@@ -461,8 +459,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s3-spin-constant",
         section: "3",
-        equation: None,
-        kind: Kind::Property,
         title: "spin about the vertical",
         latex: r"$\zeta_3$ keeps its value and enters no other equation.",
         plain: "ζ₃ keeps its value and enters no other equation.",
@@ -476,8 +472,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s32-rolling-trichotomy",
         section: "3",
-        equation: None,
-        kind: Kind::Property,
         title: "when the driven sphere rolls",
         latex: r"At large times $u_x$ vanishes at exactly two instants per period if $\lambda_0<\lambda_\mathrm{c}$, on two intervals per period if $\lambda_\mathrm{c}<\lambda_0<1$, always if $\lambda_0>1$; where $\bm{u}=0$ the sphere rolls without slipping.",
         plain: "At large times u_x vanishes at exactly two instants per period if λ₀ < λ_c, on two intervals per period if λ_c < λ₀ < 1, always if λ₀ > 1; where 𝐮 = 0 the sphere rolls without slipping.",
@@ -497,8 +491,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s33-pulse",
         section: "3",
-        equation: None,
-        kind: Kind::Property,
         title: "pulse drive of the sphere",
         latex: r"With $\lambda_0$ of (84), the pulse train of (42), (43) has the same boundary $\lambda_\mathrm{c}=\eta$ for the sphere.",
         plain: "With λ₀ of (84), the pulse train of (42), (43) has the same boundary λ_c = η for the sphere.",
@@ -509,8 +501,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s34-anisotropic",
         section: "3",
-        equation: None,
-        kind: Kind::Property,
         title: "anisotropic friction on the sphere",
         latex: r"With $\lambda_0$ of (85), the slip velocity has the regions I to V of the particle.",
         plain: "With λ₀ of (85), the slip velocity has the regions I to V of the particle.",

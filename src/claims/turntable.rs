@@ -926,8 +926,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-mirror",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "mirror image",
         latex: r"A solution for $\Omega$, mirrored, is a solution for $-\Omega$; so $\Omega>0$ loses nothing.",
         plain: "A solution for Ω, mirrored, is a solution for −Ω; so Ω > 0 loses nothing.",
@@ -947,8 +945,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-coriolis-no-work",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "who does work",
         latex: "(106) is the work-energy theorem in the rotating frame, $-mgs$ the work of the friction; the Coriolis force does no work.",
         plain: "(106) is the work-energy theorem in the rotating frame, −m g s the work of the friction; the Coriolis force does no work.",
@@ -972,8 +968,6 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-quasi-fixed-stability",
         section: "4",
-        equation: None,
-        kind: Kind::Property,
         title: "stability of the quasi-fixed points",
         latex: r"$\psi_1$ of (124) attracts, $\psi_2$ of (125) repels.",
         plain: "ψ₁ of (124) attracts, ψ₂ of (125) repels.",

@@ -152,6 +152,14 @@ fn what_rounding_takes_is_never_lost() {
 }
 
 #[test]
+fn what_reaches_zero_has_no_sign() {
+    let sign = |lo, hi| Interval::new(lo, hi).sign();
+    let least = f64::from_bits(1);
+    assert_eq!([sign(least, 1.0), sign(0.0, 1.0)], [Some(1.0), None]);
+    assert_eq!([sign(-1.0, -least), sign(-1.0, 0.0)], [Some(-1.0), None]);
+}
+
+#[test]
 fn zero_times_anything_is_zero() {
     let [zero, three] = [0.0, 3.0].map(Interval::point);
     for other in [three, -three, Interval::new(1.0, f64::INFINITY)] {

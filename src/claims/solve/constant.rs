@@ -174,10 +174,6 @@ impl Problem {
         let mut until = self.v0 / self.accel;
         for _ in 0..100 {
             let motion = launch.motion(until)?;
-            // From a stop on the axis the direction is the axis from the first moment on.
-            if let (true, Some(start)) = (towards == [1.0, 0.0], motion.starts().first()) {
-                return Ok(Some(motion.at(*start)?));
-            }
             if let Some(state) = motion.first_along(towards)? {
                 return Ok(Some(state));
             }

@@ -12,7 +12,7 @@ use crate::motion::sphere::{Ball, Contact, Directed, Motion, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::roots::root;
 use crate::paper::sphere as printed;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use std::sync::LazyLock;
 
 /// Periods after which the motion counts as settled.
@@ -377,7 +377,7 @@ pub fn rolling_ends() -> Evidence {
     trial.over(0..24, |i| {
         let lambda = points.uniform(0.05, 0.95);
         let swing = Swing::new(i, &mut points, lambda);
-        let stated = root(|phi| libm::sin(phi) - lambda, 0.0, PI / 2.0)?;
+        let stated = root(|phi| libm::sin(phi) - lambda, 0.0, FRAC_PI_2)?;
         let motion = swing
             .sphere
             .run(&swing.sine(), &swing.start(0.0, 0.4), swing.t(2.0))?;

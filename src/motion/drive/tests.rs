@@ -76,6 +76,15 @@ fn square_wave_with_little_friction_by_hand() {
         assert!((found.margins().crossing - (1.0 - lambda)).abs() < 1e-14);
         assert!(found.displacement().abs() < 1e-12);
         assert!(found.residual() < 1e-13 && !found.grazes());
+        // Half a period later, so that it is negative first: the list still begins where w rises.
+        let drive = Drive::new(|x| if x < PI { -1.0 } else { 1.0 }, &[PI]).unwrap();
+        let found = settle(&drive, lambda, lambda, State { phi: 1.0, w: 3.0 });
+        let (rise, fall) = (a + PI, a + TAU);
+        assert_list(
+            &found,
+            &[(Positive, rise, fall), (Negative, fall, rise + TAU)],
+            1e-13,
+        );
     }
 }
 

@@ -4,7 +4,7 @@ use super::super::acceleration::Coefficients;
 use super::super::trajectory::{Piece, State};
 use super::{MotionError, Run};
 use crate::numerics::events::{Way, roots};
-use crate::numerics::series::{product, square};
+use crate::numerics::series::square;
 use crate::numerics::taylor::TERMS;
 
 /// How a particle gets loose.
@@ -67,21 +67,21 @@ impl Run<'_> {
     }
 }
 
-/// The series of |A|² − (μg)², and bounds for what rounding makes of its coefficients.
+/// The series of |A|² − (μg)², and bounds for what rounding makes of its coefficients: a small component may have an
+/// error that is small only beside the other one.
 fn excess(a: &[Coefficients; 2], friction: f64) -> (Coefficients, Coefficients) {
-    let sizes = a.map(|series| series.map(f64::abs));
+    let sizes: Coefficients = std::array::from_fn(|k| a[0][k].abs() + a[1][k].abs());
     let mut f = [0.0; TERMS];
     let mut rounding = [0.0; TERMS];
     for k in 0..TERMS {
         f[k] = square(&a[0], k) + square(&a[1], k);
-        let terms = product(&sizes[0], &sizes[0], k) + product(&sizes[1], &sizes[1], k);
-        rounding[k] = 8.0 * f64::EPSILON * terms;
+        rounding[k] = 8.0 * f64::EPSILON * square(&sizes, k);
     }
     // (|A_x| − μg)(|A_x| + μg) is exact where A is along an axis.
     f[0] = if a[1][0] == 0.0 {
-        (sizes[0][0] - friction) * (sizes[0][0] + friction)
+        (a[0][0].abs() - friction) * (a[0][0].abs() + friction)
     } else if a[0][0] == 0.0 {
-        (sizes[1][0] - friction) * (sizes[1][0] + friction)
+        (a[1][0].abs() - friction) * (a[1][0].abs() + friction)
     } else {
         f[0] - friction * friction
     };

@@ -369,6 +369,36 @@ fn a_turning_pull_from_rest() {
 }
 
 #[test]
+fn a_turning_pull_that_is_just_held_is_held() {
+    // |A| = μg at all times: what rounding makes of the derivatives of |A|² sets nothing off. A little more does.
+    for k in 0..20 {
+        let starts = |amplitude, until| {
+            let plane = Plane::rotating(Signal::constant(amplitude), 2.0, 0.3 * f64::from(k));
+            let motion = run(&plane, 1.0, moving([0.0; 2]), until).unwrap();
+            motion.starts().to_vec()
+        };
+        assert_eq!(starts(1.0, 2.0), [0.0; 0], "{k}");
+        assert_eq!(starts(1.0 + 1e-12, 1e-6), [0.0], "{k}");
+    }
+}
+
+#[test]
+fn the_next_jump_is_found_from_just_before_each() {
+    for (start, half) in [(0.1, 0.3), (-0.7, 0.1), (1e3, 1.0 / 3.0)] {
+        let square = Signal::Square { start, half };
+        for n in -300..300 {
+            let jump = start + f64::from(n) * half;
+            assert_eq!(square.next_break(jump.next_down()), Some(jump), "{n}");
+            assert_eq!(
+                square.next_break(jump),
+                Some(start + f64::from(n + 1) * half),
+                "{n}"
+            );
+        }
+    }
+}
+
+#[test]
 fn jumps_are_met_exactly() {
     // ±1 for a time 1 each, μg = 1/4, from rest at the jump to +1: v = −3/4 t, then slows at 5/4 to rest at 1.6,
     // then the other way at 3/4 until 2: +0.3; there slows at 5/4 until 2.24.

@@ -348,6 +348,25 @@ mod tests {
     }
 
     #[test]
+    fn a_pull_that_falls_from_the_limit_is_rolled_on() {
+        // |A| = 3.5 at once, which is what rolling can bear, and less from then on until −A is.
+        let directed = Directed {
+            sphere: Sphere::with_kappa(0.4),
+            mu_minus: 1.0,
+        };
+        for amplitude in [3.5, -3.5] {
+            let cosine = Signal::Sine {
+                frequency: 1.0,
+                phase: std::f64::consts::FRAC_PI_2,
+            };
+            let plane = Plane::along([1.0, 0.0], cosine.times(amplitude));
+            let motion = directed.run(&plane, [0.0; 2], 0.0, 3.0).unwrap();
+            let ways: Vec<_> = motion.stretches.iter().map(|s| s.way).collect();
+            assert_eq!(ways, [0], "{motion:?}");
+        }
+    }
+
+    #[test]
     fn it_ends_when_it_shall_before_the_time_zero_and_after_it() {
         let directed = Directed {
             sphere: Sphere::with_kappa(0.4),
