@@ -21,7 +21,7 @@ use std::fs;
 use std::path::Path;
 
 /// For how many seconds a change is tried in the first round, and in the second; which tries again those that took longer.
-const ROUNDS: [(f64, bool); 2] = [(5.0, false), (60.0, true)];
+const ROUNDS: [(f64, bool); 2] = [(5.0, false), (180.0, true)];
 
 fn main() -> Result<(), Box<dyn Error>> {
     let scratch = Path::new("target/mutants");

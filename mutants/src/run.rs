@@ -169,13 +169,13 @@ fn run(
     })
 }
 
-/// What becomes of a change, with the time it took; `capped` if it survives for `most` seconds.
+/// What becomes of a change; `capped` if it survives for `most` seconds, or all but the slow tests.
 fn outcome(
     id: u32,
     steps: &[Step],
     copy: &Path,
     table: &str,
-    most: f64,
+    (most, slow): (f64, bool),
 ) -> Result<Outcome, Box<dyn Error>> {
     let start = Instant::now();
     if steps.is_empty() {
@@ -185,8 +185,7 @@ fn outcome(
         let left = most - start.elapsed().as_secs_f64();
         // A slow test is not begun in the first round, but for the figures.
         let first = step.units[0];
-        let long =
-            !first.asks() && first.seconds > 1.0 && first.name != FIGURES && most.is_finite();
+        let long = !slow && !first.asks() && first.seconds > 1.0 && first.name != FIGURES;
         if left < 0.0 || long {
             return Ok(("capped", step.units[0].name.clone()));
         }
@@ -209,7 +208,7 @@ pub fn known(results: &Path) -> BTreeMap<u32, (String, String)> {
 }
 
 /// Tries each change whose outcome is not known for at most so many seconds, and adds to the results; `again` those too
-/// that took too long before.
+/// that took too long before, with slow tests.
 pub fn run_all(
     mutants: &[&Mutant],
     own: &BTreeMap<u32, String>,
@@ -255,7 +254,8 @@ pub fn run_all(
             let reaching: Vec<_> = reaching.collect();
             let steps = steps(&reaching, own.get(&id).map(String::as_str));
             let begin = Instant::now();
-            let (word, by) = outcome(id, &steps, copy, &table, most).map_err(|e| e.to_string())?;
+            let (word, by) =
+                outcome(id, &steps, copy, &table, (most, again)).map_err(|e| e.to_string())?;
             let line = format!("{id}\t{word}\t{:.2}\t{by}\n", begin.elapsed().as_secs_f64());
             let mut file = file.lock().map_err(|e| e.to_string())?;
             file.write_all(line.as_bytes()).map_err(|e| e.to_string())?;
