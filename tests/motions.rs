@@ -1,7 +1,8 @@
 //! Motions on the plane and on the turntable, near their stops and along their directions.
 
 use slipbook::motion::turntable::{Path, Table, inertial, rotating};
-use slipbook::motion::{MotionError, Plane, Signal, State, run, turntable};
+use slipbook::motion::{MotionError, Plane, Signal, State, run, sphere, turntable};
+use slipbook::numerics::NumericsError;
 
 fn table() -> Table {
     Table {
@@ -193,4 +194,38 @@ fn a_velocity_has_a_direction_when_it_first_points_there() {
             && motion.at(back + 1e-6).unwrap().v[0] > 0.0
             && motion.at(back - 1e-6).unwrap().v[0] < 0.0
     );
+}
+
+/// From rest, under a pull that is a number at all times: the velocity is one for some of the time only.
+#[test]
+fn a_motion_that_leaves_the_numbers_is_an_error() {
+    let beyond = |error| {
+        matches!(
+            error,
+            MotionError::Numerics(NumericsError::NotFinite { .. })
+        )
+    };
+    // v = −10²⁵⁰ t⁴/4 is −10²⁸⁹/4 at 10¹⁰.
+    let growing = Plane::along([1.0, 0.0], Signal::Polynomial(vec![2.0, 0.0, 0.0, 1e250]));
+    let start = State {
+        t: 0.0,
+        v: [0.0; 2],
+        x: [0.0; 2],
+    };
+    let motion = run(&growing, 1.0, start, 1e10).unwrap();
+    assert!((motion.end().v[0] / -2.5e289 - 1.0).abs() < 1e-14);
+    assert!(beyond(run(&growing, 1.0, start, 1e20).unwrap_err()));
+
+    // The ball slides, and v is −10³⁰⁰ t but for a friction of 1.
+    let strong = Plane::constant([0.0, 1e300]);
+    let still = sphere::Ball {
+        t: 0.0,
+        x: [0.0; 2],
+        v: [0.0; 2],
+        omega: [0.0; 3],
+    };
+    let ball = sphere::Sphere::with_kappa(0.4);
+    let motion = ball.run(&strong, &still, 100.0).unwrap();
+    assert!((motion.end().v[1] / -1e302 - 1.0).abs() < 1e-14);
+    assert!(beyond(ball.run(&strong, &still, 1e9).unwrap_err()));
 }

@@ -28,3 +28,16 @@ pub enum MotionError {
     #[error(transparent)]
     Numerics(#[from] NumericsError),
 }
+
+/// Requires that what a motion has come to at the time `t` are numbers, and the time is.
+pub(super) fn finite(t: f64, state: &[f64]) -> Result<(), MotionError> {
+    if t.is_finite() && state.iter().all(|x| x.is_finite()) {
+        Ok(())
+    } else {
+        Err(NumericsError::NotFinite {
+            what: "the motion",
+            at: t,
+        }
+        .into())
+    }
+}

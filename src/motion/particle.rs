@@ -8,7 +8,7 @@ mod stick;
 mod tests;
 
 use super::acceleration::{Acceleration, Coefficients};
-use super::error::MotionError;
+use super::error::{MotionError, finite};
 use super::trajectory::{Motion, Phase, PhaseKind, Piece, State};
 use crate::numerics::taylor::reach;
 
@@ -21,6 +21,7 @@ use crate::numerics::taylor::reach;
 /// # Errors
 /// [`MotionError::Argument`] for a parameter that is not finite or out of range: friction, speed and |A| are 0 or
 /// between 10⁻⁵⁰ and 10⁵⁰, times and positions at most 10⁵⁰ in absolute value, `until` not before the start.
+/// [`MotionError::Numerics`] when the motion leaves the finite numbers.
 /// [`MotionError::Steps`] for a motion of more than 50,000 steps. One that slides in two dimensions while |A| exceeds
 /// the friction by no more than a small part of it takes about as many steps as that part is contained in 1.
 pub fn run(
@@ -136,6 +137,8 @@ impl<'a> Run<'a> {
                 }
             }
         }
+        let State { t, v, x } = self.state;
+        finite(t, &[v, x].concat())?;
         self.motion.end = self.state;
         Ok(self.motion)
     }

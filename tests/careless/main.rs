@@ -66,6 +66,11 @@ fn each<const N: usize>() -> impl Strategy<Value = [f64; N]> {
         .prop_map(|list| std::array::from_fn(|i| list[i]))
 }
 
+/// [`each`], or zeros: a body at rest, which does not come about by chance.
+fn or_none<const N: usize>() -> impl Strategy<Value = [f64; N]> {
+    prop_oneof![2 => each(), 1 => Just([0.0; N])]
+}
+
 /// A number from `low` to `high`, these included, by a part of the way.
 fn on_the_way(low: f64, high: f64, part: f64) -> f64 {
     (low + part * (high - low)).clamp(low, high)

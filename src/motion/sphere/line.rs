@@ -4,9 +4,8 @@
 //! slides backwards, +μ₋mg; it rolls while the force that this takes lies between the two.
 
 use super::super::acceleration::{Acceleration, Coefficients};
-use super::super::error::MotionError;
+use super::super::error::{MotionError, finite};
 use super::{Sphere, check};
-use crate::numerics::NumericsError;
 use crate::numerics::events::{Way, roots};
 use crate::numerics::series::value;
 use crate::numerics::taylor::{TERMS, reach};
@@ -202,13 +201,7 @@ impl Directed {
             omega,
             slip: if stopped || way == 0 { 0.0 } else { at(slip) },
         };
-        if !(v.is_finite() && omega.is_finite() && state.slip.is_finite()) {
-            return Err(NumericsError::NotFinite {
-                what: "the motion",
-                at: state.t,
-            }
-            .into());
-        }
+        finite(state.t, &[v, omega, state.slip])?;
         Ok((way, next))
     }
 }
@@ -233,6 +226,7 @@ mod tests {
     use super::super::Ball;
     use super::*;
     use crate::motion::{Plane, Signal};
+    use crate::numerics::NumericsError;
 
     fn swing(amplitude: f64) -> Plane {
         let sine = Signal::Sine {

@@ -1,6 +1,7 @@
 //! A motion of the sphere, one piece after the other.
 
 use super::super::acceleration::{Acceleration, Coefficients};
+use super::super::error::finite;
 use super::super::onset::onset;
 use super::slide::{Sliding, Work};
 use super::{Ball, Contact, Motion, MotionError, PARTS, Piece, Sphere, Transition, check};
@@ -99,6 +100,7 @@ pub(super) fn run(
             run.leave_rest()?;
         }
     }
+    finite(run.t, &run.parts)?;
     let [x, y, u, v, p, q, r, _, _] = run.parts;
     let begin = run.begin.unwrap_or(if run.slip() > 0.0 {
         Contact::Sliding
