@@ -67,7 +67,7 @@ fn each<const N: usize>() -> impl Strategy<Value = [f64; N]> {
 }
 
 /// [`each`], or zeros: a body at rest, which does not come about by chance.
-fn or_none<const N: usize>() -> impl Strategy<Value = [f64; N]> {
+fn or_zeros<const N: usize>() -> impl Strategy<Value = [f64; N]> {
     prop_oneof![2 => each(), 1 => Just([0.0; N])]
 }
 

@@ -1,6 +1,6 @@
 //! A particle on the plane, on accelerations of all kinds.
 
-use crate::{any, config, each, finite, on_the_way, or_none, some};
+use crate::{any, config, each, finite, on_the_way, or_zeros, some};
 use proptest::prelude::*;
 use slipbook::motion::onset::onset;
 use slipbook::motion::{Acceleration, Launch, Motion, Plane, Signal, State, run, run_to_stop};
@@ -60,7 +60,7 @@ proptest! {
 
     #[test]
     fn a_motion_has_numbers(
-        plane in plane(), friction in any(), [t, x, y, until] in each(), [u, v] in or_none(), part in 0.0..=1.0, direction in each(),
+        plane in plane(), friction in any(), [t, x, y, until] in each(), [u, v] in or_zeros(), part in 0.0..=1.0, direction in each(),
     ) {
         let start = State { t, v: [u, v], x: [x, y] };
         for until in [until, t + 1.0] {

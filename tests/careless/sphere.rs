@@ -1,7 +1,7 @@
 //! The sphere, in three dimensions and along a line.
 
 use crate::particle::plane;
-use crate::{any, config, each, finite, on_the_way, or_none};
+use crate::{any, config, each, finite, on_the_way, or_zeros};
 use proptest::prelude::*;
 use slipbook::motion::sphere::{Ball, Directed, Sphere};
 
@@ -14,7 +14,7 @@ proptest! {
 
     #[test]
     fn a_ball_has_numbers(
-        body in each::<5>(), kappa in prop_oneof![any(), 0.05..=1.0], plane in plane(), [t, x, y, until] in each(), [u, v, a, b] in or_none(), c in any(), part in 0.0..=1.0,
+        body in each::<5>(), kappa in prop_oneof![any(), 0.05..=1.0], plane in plane(), [t, x, y, until] in each(), [u, v, a, b] in or_zeros(), c in any(), part in 0.0..=1.0,
     ) {
         let [mass, radius, inertia, mu, g] = body;
         let start = Ball { t, x: [x, y], v: [u, v], omega: [a, b, c] };
@@ -31,7 +31,7 @@ proptest! {
     }
 
     #[test]
-    fn a_ball_on_a_line_has_numbers(kappa in prop_oneof![any(), 0.05..=1.0], mu_minus in prop_oneof![any(), 0.1..=2.0], plane in plane(), [v, omega] in or_none(), [from, until] in each()) {
+    fn a_ball_on_a_line_has_numbers(kappa in prop_oneof![any(), 0.05..=1.0], mu_minus in prop_oneof![any(), 0.1..=2.0], plane in plane(), [v, omega] in or_zeros(), [from, until] in each()) {
         let body = Directed { sphere: Sphere::with_kappa(kappa), mu_minus };
         for until in [until, from + 1.0] {
             let Ok(motion) = body.run(&plane, [v, omega], from, until) else { continue };

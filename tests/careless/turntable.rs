@@ -1,6 +1,6 @@
 //! The turntable, in all its axes.
 
-use crate::{any, config, each, finite, on_the_way, or_none};
+use crate::{any, config, each, finite, on_the_way, or_zeros};
 use proptest::prelude::*;
 use slipbook::motion::turntable::ensemble::{End, Horizon};
 use slipbook::motion::turntable::fate::rests;
@@ -58,7 +58,7 @@ proptest! {
     }
 
     #[test]
-    fn a_path_has_numbers([omega, mu, g, mass] in each(), [t, x, y, until] in each(), [u, v] in or_none(), part in 0.0..=1.0) {
+    fn a_path_has_numbers([omega, mu, g, mass] in each(), [t, x, y, until] in each(), [u, v] in or_zeros(), part in 0.0..=1.0) {
         let start = State { t, x: [x, y], v: [u, v] };
         for table in [Table { omega, mu, g, mass }, Table::default()] {
             for until in [until, t + 1.0] {
