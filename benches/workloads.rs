@@ -81,7 +81,7 @@ fn ends_against_single(horizon: &Horizon, starts: &[Start]) -> Result<(), Failur
             (End::Rest { sigma, .. }, Fate::Rest { sigma: exact, .. }) => {
                 radius = radius.max((sigma / exact - 1.0).abs());
             }
-            (End::Far { tau }, Fate::Escape { .. }) => {
+            (End::Far { tau, .. }, Fate::Escape { .. }) => {
                 let run = Run::new(start, tau)?;
                 let (before, there) = (run.at(tau * (1.0 - 1e-6))?.rho(), run.end().rho());
                 let slope = (there - before) / (1e-6 * tau);

@@ -39,6 +39,14 @@ pub trait Scalar:
     /// `self` to the power `exponent`.
     fn pow(self, exponent: Self) -> Self;
 
+    /// e^x − 1, where the number can tell it from zero.
+    fn exp_m1(self) -> Self {
+        self.exp() - Self::int(1)
+    }
+    /// ln (1 + x), where the number can tell it from zero.
+    fn ln_1p(self) -> Self {
+        (Self::int(1) + self).ln()
+    }
     /// Tangent; the angle in radians.
     fn tan(self) -> Self {
         self.sin() / self.cos()
@@ -98,6 +106,12 @@ impl Scalar for f64 {
     }
     fn pow(self, exponent: Self) -> Self {
         libm::pow(self, exponent)
+    }
+    fn exp_m1(self) -> Self {
+        libm::expm1(self)
+    }
+    fn ln_1p(self) -> Self {
+        libm::log1p(self)
     }
     fn tan(self) -> Self {
         libm::tan(self)

@@ -2,6 +2,7 @@
 //! their way.
 
 use super::output::{Failure, Format, VERSION, complain, number};
+use crate::claims::solve::known;
 use crate::claims::solve::turntable::{End, Horizon, Start};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -225,31 +226,53 @@ impl Writer {
     fn begin(&mut self) -> io::Result<()> {
         match self.format {
             Format::Text => Ok(()),
-            Format::Csv => writeln!(self.out, "rho,p,psi,outcome,sigma,tau"),
+            Format::Csv => writeln!(
+                self.out,
+                "rho,p,psi,outcome,sigma,tau,sigma_digits,tau_digits"
+            ),
             Format::Json => write!(self.out, "{{\n  \"version\": {VERSION},\n  \"ends\": ["),
         }
     }
 
     fn row(&mut self, &[rho, p, psi]: &[f64; 3], end: &End) -> io::Result<()> {
         let (outcome, sigma, tau) = match *end {
-            End::Rest { sigma } => ("rest", Some(sigma), None),
-            End::Far { tau } => ("far", None, Some(tau)),
+            End::Rest {
+                sigma,
+                sigma_error,
+                tau,
+                tau_error,
+            } => (
+                "rest",
+                Some(known(sigma, sigma_error)),
+                Some(known(tau, tau_error)),
+            ),
+            End::Far { tau, tau_error } => ("far", None, Some(known(tau, tau_error))),
             End::Late(_) => ("late", None, None),
             End::Unfinished(_) => ("unfinished", None, None),
         };
+        let ([sigma, tau], digits) = (
+            [sigma, tau].map(|known| known.map(|(value, _)| value)),
+            [sigma, tau].map(|known| known.map(|(_, digits)| digits)),
+        );
         match self.format {
             Format::Text => Ok(()),
             Format::Csv => {
                 let text = |x: Option<f64>| x.map(number).unwrap_or_default();
                 let [rho, p, psi] = [rho, p, psi].map(number);
                 let (sigma, tau) = (text(sigma), text(tau));
-                writeln!(self.out, "{rho},{p},{psi},{outcome},{sigma},{tau}")
+                let [of_sigma, of_tau] = digits.map(|n| n.map_or(String::new(), |n| n.to_string()));
+                writeln!(
+                    self.out,
+                    "{rho},{p},{psi},{outcome},{sigma},{tau},{of_sigma},{of_tau}"
+                )
             }
             Format::Json => {
                 let separator = if self.first { "\n    " } else { ",\n    " };
                 self.first = false;
+                let [of_sigma, of_tau] = digits;
                 let row = json!({
                     "rho": rho, "p": p, "psi": psi, "outcome": outcome, "sigma": sigma, "tau": tau,
+                    "sigma_digits": of_sigma, "tau_digits": of_tau,
                 });
                 write!(self.out, "{separator}{row}")
             }

@@ -2,6 +2,7 @@
 
 use super::output::{Failure, Format, csv, json, number, say};
 use super::plot;
+use crate::claims::solve::Double;
 use crate::claims::solve::constant::At;
 use crate::claims::solve::{
     Curve, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest, sinusoidal,
@@ -34,27 +35,27 @@ enum Problem {
     Sinusoidal {
         /// λ₀ = μg/A₀, friction over the drive's amplitude
         #[arg(long, allow_negative_numbers = true)]
-        lambda0: f64,
+        lambda0: Double,
     },
     /// The large-time motion under a train of pulses
     #[command(after_help = "Example:\n  slipbook solve pulse --eta 0.5 --lambda0 0.3")]
     Pulse {
         /// η, the share of a half period that a pulse fills, from 0 to 1
         #[arg(long, allow_negative_numbers = true)]
-        eta: f64,
+        eta: Double,
         /// λ₀ = μg/A₀, friction over the drive's amplitude
         #[arg(long, allow_negative_numbers = true)]
-        lambda0: f64,
+        lambda0: Double,
     },
     /// The large-time motion with a friction that depends on the direction
     #[command(after_help = "Example:\n  slipbook solve anisotropic --q 2 --lambda0 0.45")]
     Anisotropic {
         /// q, backward friction over forward friction
         #[arg(long, allow_negative_numbers = true)]
-        q: f64,
+        q: Double,
         /// λ₀, forward friction over the drive's amplitude
         #[arg(long, allow_negative_numbers = true)]
-        lambda0: f64,
+        lambda0: Double,
     },
     /// A sphere that starts without spin on a plane of constant acceleration
     #[command(
@@ -72,10 +73,10 @@ enum Problem {
     TurntableBoundary {
         /// α, with p = A sinh α and ρ = A cosh α
         #[arg(long, allow_negative_numbers = true)]
-        alpha: f64,
+        alpha: Double,
         /// ψ, the angle from the velocity to the position (radians)
         #[arg(long, allow_hyphen_values = true)]
-        psi: f64,
+        psi: Double,
     },
 }
 
@@ -83,16 +84,16 @@ enum Problem {
 struct Constant {
     /// λ = μg/A, friction over acceleration
     #[arg(long, allow_negative_numbers = true)]
-    lambda: f64,
+    lambda: Double,
     /// Initial speed
     #[arg(long, allow_negative_numbers = true)]
-    v0: f64,
+    v0: Double,
     /// Initial angle of the velocity with the x axis, in (−π, π]
     #[arg(long, allow_hyphen_values = true)]
-    theta0: f64,
+    theta0: Double,
     /// The plane's acceleration A
-    #[arg(long, allow_negative_numbers = true, default_value_t = 1.0)]
-    accel: f64,
+    #[arg(long, allow_negative_numbers = true, default_value = "1")]
+    accel: Double,
     #[command(flatten)]
     moment: Moment,
 }
@@ -101,16 +102,16 @@ struct Constant {
 struct Sphere {
     /// γ = A/(μg)
     #[arg(long, allow_negative_numbers = true)]
-    gamma: f64,
+    gamma: Double,
     /// Initial slip
     #[arg(long, allow_negative_numbers = true)]
-    u0: f64,
+    u0: Double,
     /// Initial angle of the slip with the x axis, in (−π, π]
     #[arg(long, allow_hyphen_values = true)]
-    theta0: f64,
+    theta0: Double,
     /// κ = I/(mR²): 0.4 for a solid sphere
-    #[arg(long, allow_negative_numbers = true, default_value_t = 0.4)]
-    kappa: f64,
+    #[arg(long, allow_negative_numbers = true, default_value = "0.4")]
+    kappa: Double,
     #[command(flatten)]
     moment: Moment,
 }
@@ -121,14 +122,14 @@ struct Sphere {
 struct Moment {
     /// When the angle has fallen to this (radians)
     #[arg(long, allow_hyphen_values = true)]
-    theta: Option<f64>,
+    theta: Option<Double>,
     /// At this time
     #[arg(long, allow_negative_numbers = true)]
-    time: Option<f64>,
+    time: Option<Double>,
 }
 
 impl Moment {
-    fn at(&self) -> At {
+    fn at(&self) -> At<Double> {
         match (self.theta, self.time) {
             (Some(theta), _) => At::Theta(theta),
             (None, time) => At::Time(time.unwrap_or_default()),
@@ -142,25 +143,25 @@ struct Turntable {
     start: Start,
     /// ψ, the angle from the velocity to the position, counterclockwise (radians)
     #[arg(long, allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
-    psi: Option<f64>,
+    psi: Option<Double>,
     /// Speed p of a start by --rho
     #[arg(long, allow_negative_numbers = true, requires = "rho", conflicts_with_all = ["A", "x"])]
-    p: Option<f64>,
+    p: Option<Double>,
     /// α of a start by --A
     #[arg(long, allow_negative_numbers = true, requires = "A", conflicts_with_all = ["rho", "x"])]
-    alpha: Option<f64>,
+    alpha: Option<Double>,
     /// Position y of a start by --x
     #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
-    y: Option<f64>,
+    y: Option<Double>,
     /// Velocity along x, relative to the table
     #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
-    vx: Option<f64>,
+    vx: Option<Double>,
     /// Velocity along y, relative to the table
     #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
-    vy: Option<f64>,
+    vy: Option<Double>,
     /// Ask for the state at this time
     #[arg(long, allow_negative_numbers = true)]
-    time: Option<f64>,
+    time: Option<Double>,
 }
 
 /// The first coordinate of a start says how it is given.
@@ -169,17 +170,17 @@ struct Turntable {
 struct Start {
     /// Distance ρ from the axis, with --p and --psi
     #[arg(long, allow_negative_numbers = true, requires_all = ["p", "psi"])]
-    rho: Option<f64>,
+    rho: Option<Double>,
     /// A, with --alpha and --psi
     #[arg(id = "A", long = "A", value_name = "A", allow_negative_numbers = true, requires_all = ["alpha", "psi"])]
-    a: Option<f64>,
+    a: Option<Double>,
     /// Position x in the table's axes, with --y, --vx and --vy
     #[arg(long, allow_hyphen_values = true, requires_all = ["y", "vx", "vy"])]
-    x: Option<f64>,
+    x: Option<Double>,
 }
 
 impl Turntable {
-    fn problem(&self) -> turntable::Problem {
+    fn problem(&self) -> turntable::Problem<Double> {
         // The options require one another: none is missing here.
         let given = Option::unwrap_or_default;
         match self.start {
@@ -250,7 +251,7 @@ impl Problem {
                 anisotropic::Problem { q, lambda0 }.curve()
             }
             Problem::Sphere(given) => given.problem().curve(),
-            Problem::Turntable(given) => given.problem().curve(given.time),
+            Problem::Turntable(given) => given.problem().curve(given.time.map(f64::from)),
             Problem::TurntableBoundary { alpha, psi } => {
                 let (alpha, psi) = (*alpha, *psi);
                 rest::Problem { alpha, psi }.curve()
@@ -260,7 +261,7 @@ impl Problem {
 }
 
 impl Constant {
-    fn problem(&self) -> constant::Problem {
+    fn problem(&self) -> constant::Problem<Double> {
         constant::Problem {
             lambda: self.lambda,
             v0: self.v0,
@@ -272,7 +273,7 @@ impl Constant {
 }
 
 impl Sphere {
-    fn problem(&self) -> sphere::Problem {
+    fn problem(&self) -> sphere::Problem<Double> {
         sphere::Problem {
             gamma: self.gamma,
             u0: self.u0,
@@ -297,7 +298,7 @@ impl Solve {
             Some(None) => return Err("--plot: beside JSON or CSV, name an SVG file".into()),
         };
         match format {
-            Format::Text => say(&(text(&report) + &drawn.unwrap_or_default()))?,
+            Format::Text => say(&(text(&report) + "\n" + &drawn.unwrap_or_default()))?,
             Format::Json => json(&report)?,
             Format::Csv => table(&report)?,
         }
@@ -313,29 +314,43 @@ fn word(value: Value) -> String {
     }
 }
 
-/// The value of the n-th field of one of the two ways.
-fn beside(way: Option<&Vec<Field>>, n: usize) -> String {
-    way.and_then(|fields| fields.get(n))
-        .map_or(String::new(), |field| word(field.value))
+/// The head of the column of values and those of the ways by which they were found, where there are such.
+fn ways(report: &Report) -> impl Iterator<Item = (&'static str, &[Field])> {
+    let values = Some(("value", &report.fields[..]));
+    let formula = report.by_formula.as_deref();
+    let motion = report.by_motion.as_deref();
+    [
+        values,
+        formula.map(|fields| ("by formula", fields)),
+        motion.map(|fields| ("by motion", fields)),
+    ]
+    .into_iter()
+    .flatten()
 }
 
 fn text(report: &Report) -> String {
-    let mut text = format!("{:<20}  {:<24}{:<24}by motion\n", "", "", "by formula");
-    for (n, field) in report.fields.iter().enumerate() {
-        let line = format!(
-            "{:<20}  {:<24}{:<24}{}",
-            field.name,
-            word(field.value),
-            beside(report.by_formula.as_ref(), n),
-            beside(report.by_motion.as_ref(), n)
-        );
-        let _ = writeln!(text, "{}", line.trim_end());
+    let mut lines = vec![format!("{:<20}", "")];
+    lines.extend(
+        report
+            .fields
+            .iter()
+            .map(|field| format!("{:<20}", field.name)),
+    );
+    for (head, fields) in ways(report) {
+        let words = fields.iter().map(|field| word(field.value));
+        for (line, word) in lines
+            .iter_mut()
+            .zip(std::iter::once(head.to_owned()).chain(words))
+        {
+            let _ = write!(line, "  {word:<22}");
+        }
     }
     if let Some(digits) = report.digits {
-        let _ = writeln!(text, "{:<20}  {digits}", "digits");
+        lines.push(format!("{:<20}  {digits}", "digits"));
     }
-    let _ = writeln!(text, "{:<20}  {}", "note", report.note);
-    text
+    lines.push(format!("{:<20}  {}", "note", report.note));
+    let lines: Vec<_> = lines.iter().map(|line| line.trim_end()).collect();
+    lines.join("\n")
 }
 
 fn table(report: &Report) -> Result<(), Failure> {
@@ -348,13 +363,26 @@ fn table(report: &Report) -> Result<(), Failure> {
             let field = way.as_ref().and_then(|fields| fields.get(n));
             field.map_or(String::new(), |field| empty(field.value))
         };
-        let name = field.name.to_owned();
         vec![
-            name,
+            field.name.to_owned(),
             empty(field.value),
             way(&report.by_formula),
             way(&report.by_motion),
+            report
+                .digits
+                .map_or(String::new(), |digits| digits.to_string()),
+            report.note.clone(),
         ]
     });
-    csv(&["quantity", "value", "by_formula", "by_motion"], rows)
+    csv(
+        &[
+            "quantity",
+            "value",
+            "by_formula",
+            "by_motion",
+            "digits",
+            "note",
+        ],
+        rows,
+    )
 }

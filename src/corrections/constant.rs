@@ -27,10 +27,10 @@ pub fn speed<S: Scalar>(lambda: S, v0: S, theta0: S, r: S) -> S {
 }
 
 /// [`speed`] by ln r, for motions so long that r is below every number.
-pub fn speed_by_log(lambda: f64, v0: f64, theta0: f64, ln_r: f64) -> f64 {
-    let half = theta0 / 2.0;
-    v0 * (Scalar::cos(half).squared() * libm::exp((lambda - 1.0) * ln_r)
-        + Scalar::sin(half).squared() * libm::exp((lambda + 1.0) * ln_r))
+pub fn speed_by_log<S: Scalar>(lambda: S, v0: S, theta0: S, ln_r: S) -> S {
+    let (one, half) = (S::int(1), theta0 / S::int(2));
+    v0 * (half.cos().squared() * ((lambda - one) * ln_r).exp()
+        + half.sin().squared() * ((lambda + one) * ln_r).exp())
 }
 
 /// The time at which tan(θ/2) has fallen to `r` times its initial value. For 0 < r ≤ 1.
@@ -39,25 +39,24 @@ pub fn time(lambda: f64, a: f64, v0: f64, theta0: f64, r: f64) -> f64 {
 }
 
 /// [`time`] by ln r.
-pub fn time_by_log(lambda: f64, a: f64, v0: f64, theta0: f64, ln_r: f64) -> f64 {
-    let half = theta0 / 2.0;
-    let fall = |k: f64| power_fall(ln_r, k);
-    v0 / a
-        * (Scalar::cos(half).squared() * fall(lambda - 1.0)
-            + Scalar::sin(half).squared() * fall(lambda + 1.0))
+pub fn time_by_log<S: Scalar + PartialEq>(lambda: S, a: S, v0: S, theta0: S, ln_r: S) -> S {
+    let (one, half) = (S::int(1), theta0 / S::int(2));
+    let fall = |k: S| power_fall(ln_r, k);
+    v0 / a * (half.cos().squared() * fall(lambda - one) + half.sin().squared() * fall(lambda + one))
 }
 
 /// \[r; k\] = (1 − r^k)/k, from ln r, without loss of digits near k = 0.
-fn power_fall(ln_r: f64, k: f64) -> f64 {
-    if k == 0.0 {
+fn power_fall<S: Scalar + PartialEq>(ln_r: S, k: S) -> S {
+    if k == S::int(0) {
         -ln_r
     } else {
-        -libm::expm1(k * ln_r) / k
+        -(k * ln_r).exp_m1() / k
     }
 }
 
-/// The angle θ in (−π, π] where tan(θ/2) has fallen to `r` times its initial value.
-pub fn angle(theta0: f64, r: f64) -> f64 {
-    let half = theta0 / 2.0;
-    2.0 * libm::atan2(r * Scalar::sin(half), Scalar::cos(half))
+/// tan(θ/2) where it has fallen to `r` times its initial value: θ by the sine and the cosine of its half, each times the
+/// same number.
+pub fn half_angle<S: Scalar>(theta0: S, r: S) -> [S; 2] {
+    let half = theta0 / S::int(2);
+    [r * half.sin(), half.cos()]
 }

@@ -17,6 +17,7 @@
 pub mod batch;
 #[cfg(feature = "book")]
 pub mod dop853;
+pub mod double;
 pub mod error;
 pub mod events;
 #[cfg(feature = "book")]

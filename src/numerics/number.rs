@@ -13,6 +13,10 @@ pub trait Number:
     + Div<Output = Self>
     + Neg<Output = Self>
 {
+    /// Binary logarithm of the relative size that the last terms of a step may have: a quarter of the spacing of the
+    /// numbers.
+    const TOLERANCE_LOG2: f64 = -60.0;
+
     /// The number `x`, exactly.
     fn from_f64(x: f64) -> Self;
     /// Absolute value, roughly and not too small: only step sizes hang on it. Not finite for a number that
@@ -40,6 +44,32 @@ pub trait Number:
     fn accumulate(sum: &Self, carry: &Self, delta: &Self) -> (Self, Self) {
         let new = sum.clone() + (carry.clone() + delta.clone());
         (new, Self::from_f64(0.0))
+    }
+}
+
+/// A number of a fixed width, that can be compared and rounded to an `f64`.
+pub trait Real: Number + Copy + PartialOrd {
+    /// Relative spacing of the numbers.
+    const ROUNDING: f64;
+
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+
+    /// The larger of the two; not that which is no number.
+    fn max(self, other: Self) -> Self {
+        if self > other { self } else { other }
+    }
+    /// The smaller of the two; not that which is no number.
+    fn min(self, other: Self) -> Self {
+        if self < other { self } else { other }
+    }
+}
+
+impl Real for f64 {
+    const ROUNDING: f64 = f64::EPSILON;
+
+    fn to_f64(self) -> f64 {
+        self
     }
 }
 

@@ -14,9 +14,6 @@ use super::series::{Series, changes, value};
 /// Number of coefficients that serves f64 well: order 26.
 pub const TERMS: usize = 27;
 
-/// Relative size that the last terms of a step may have: a quarter of the spacing of f64.
-const TOLERANCE_LOG2: f64 = -60.0;
-
 /// A system of `D` ordinary differential equations x′ = f(t, x), by its series of `N` terms.
 pub trait System<T: Number, const D: usize, const N: usize> {
     /// Series that the system keeps for itself during a step.
@@ -197,13 +194,13 @@ where
         step.h = libm::exp2(match self.control {
             Control::Each => series
                 .iter()
-                .map(|x| log2_reach(x))
+                .map(|x| log2_reach(x, T::TOLERANCE_LOG2))
                 .fold(f64::INFINITY, f64::min),
             Control::Largest => {
                 let largest: [f64; N] = std::array::from_fn(|k| {
                     series.iter().map(|x| x[k].magnitude()).fold(0.0, f64::max)
                 });
-                log2_reach(&largest)
+                log2_reach(&largest, T::TOLERANCE_LOG2)
             }
         });
         Ok(())
@@ -225,12 +222,12 @@ where
 /// one of its first four terms. The first four begin where they are not all zero; where the last two are zero, all of
 /// the last eight count. Infinite for a series that ends before.
 pub fn reach<T: Number>(x: &[T]) -> f64 {
-    libm::exp2(log2_reach(x))
+    libm::exp2(log2_reach(x, T::TOLERANCE_LOG2))
 }
 
 /// Binary logarithm of the [`reach`].
 #[inline(always)]
-fn log2_reach<T: Number>(x: &[T]) -> f64 {
+fn log2_reach<T: Number>(x: &[T], tolerance: f64) -> f64 {
     // The exponent field of zero stands for −∞; no quotient with it is the largest.
     let first = |from: usize| -> [f64; 4] {
         std::array::from_fn(|k| x.get(from + k).map_or(f64::NEG_INFINITY, log2))
@@ -248,7 +245,7 @@ fn log2_reach<T: Number>(x: &[T]) -> f64 {
         let last = log2(c);
         let mut best = f64::NEG_INFINITY;
         for (k, size) in sizes.iter().enumerate() {
-            let room = (TOLERANCE_LOG2 + size - last).over(n - from - k);
+            let room = (tolerance + size - last).over(n - from - k);
             best = if room > best { room } else { best };
         }
         if last > f64::NEG_INFINITY && best > f64::NEG_INFINITY && best < least {

@@ -34,7 +34,7 @@ proptest! {
     #[test]
     fn a_fate_has_numbers(start in start()) {
         match fate(&start) {
-            Ok(Fate::Rest { sigma, tau, error }) => prop_assert!(finite(&[sigma, tau, error])),
+            Ok(Fate::Rest { sigma, tau, error, .. }) => prop_assert!(finite(&[sigma, tau, error])),
             Ok(Fate::Escape { tau, .. }) => prop_assert!(tau.is_finite()),
             Ok(Fate::Undecided { tau, p }) => prop_assert!(finite(&[tau, p])),
             Err(_) => {}
@@ -49,8 +49,8 @@ proptest! {
             prop_assert_eq!(ends.len(), starts.len());
             for end in ends {
                 prop_assert!(match end {
-                    End::Rest { sigma } => sigma.is_finite(),
-                    End::Far { tau } => tau.is_finite(),
+                    End::Rest { sigma, tau, .. } => finite(&[sigma, tau]),
+                    End::Far { tau, .. } => tau.is_finite(),
                     End::Late(start) | End::Unfinished(start) => finite(&[start.p, start.xi, start.zeta]),
                 }, "{end:?}");
             }

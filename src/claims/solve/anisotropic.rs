@@ -2,21 +2,23 @@
 
 pub mod row;
 
-use super::sinusoidal::{friction, settle, two_periods};
-use super::{Answer, Curve, Field, Fields, SolveError, check};
+use super::sinusoidal::{Slip, friction, settle, two_periods};
+use super::{Answer, Curve, Field, Fields, PHASES, Quantity, SolveError, UNITS, check};
 use crate::motion::drive::{Attractor, Drive, Friction, Sign};
 use crate::numerics::NumericsError;
-use crate::numerics::roots::root;
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
 use crate::paper::{anisotropic as printed, sinusoidal};
-use std::f64::consts::{PI, TAU};
+use crate::scalar::Scalar;
+use std::f64::consts::TAU;
 
 /// The two frictions.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem {
+pub struct Problem<T = f64> {
     /// q = μ₋/μ₊, from 10⁻³ to 10³. Below 1, which the paper leaves out, forward and backward change roles.
-    pub q: f64,
+    pub q: T,
     /// λ₀ = μ₊g/A₀, dimensionless. λ₀ and qλ₀ are from 10⁻⁶ to 10⁶.
-    pub lambda0: f64,
+    pub lambda0: T,
 }
 
 /// A period of the large-time motion; the four lengths (in φ) add up to 2π.
@@ -40,15 +42,23 @@ pub struct Period {
 const SHORT: f64 = 1e-6;
 
 /// A drift below this part of the ways there and back is nothing but rounding.
-const BALANCED: f64 = 1e-15;
+const BALANCED: f64 = 1e-30;
 
 /// What is left of the ways there and back, 0 where that is no more than rounding.
-fn drift(forward: f64, backward: f64) -> f64 {
-    let left = forward - backward;
-    if left.abs() <= BALANCED * (forward + backward) {
+fn drift(forward: Double, backward: Double) -> f64 {
+    let (left, both) = (forward - backward, forward + backward);
+    if left.to_f64().abs() <= BALANCED * both.to_f64() {
         0.0
     } else {
-        left
+        left.to_f64()
+    }
+}
+
+impl Period {
+    /// The size of the way there or back.
+    fn longest(&self) -> f64 {
+        let length = self.positive.max(self.negative).min(1.0);
+        length * length * length
     }
 }
 
@@ -62,11 +72,11 @@ impl Fields for Period {
         };
         vec![
             Field::new("region", self.region),
-            Field::new("positive", self.positive),
-            Field::new("negative", self.negative),
+            Field::new("positive", self.positive).out_of(1.0),
+            Field::new("negative", self.negative).out_of(1.0),
             Field::within(SHORT, "rest_after_positive", self.rest_after_positive),
             Field::within(SHORT, "rest_after_negative", self.rest_after_negative),
-            Field::within(beside, "drift_per_period", self.drift_per_period),
+            Field::within(beside, "drift_per_period", self.drift_per_period).out_of(self.longest()),
         ]
     }
 }
@@ -82,17 +92,27 @@ fn region(positive: f64, negative: f64, rests: usize) -> &'static str {
     }
 }
 
-impl Problem {
+impl<T: Quantity> Problem<T> {
     /// A period of the large-time motion.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for q or λ₀ out of range.
     pub fn solve(&self) -> Result<Answer<Period>, SolveError> {
-        let friction = self.friction()?;
-        let drive = Drive::new(libm::sin, &[])?;
-        let motion = period(&settle(&drive, friction)?);
-        let formula = self.by_formula()?;
-        Answer::by_both(formula, motion, self.note(&formula))
+        let near = self.near();
+        let friction = near.friction()?;
+        let in_units = |units: f64| -> Result<Period, SolveError> {
+            let drive = Drive::new(|phi| units * libm::sin(phi), &[])?;
+            let friction = Friction::new(units * friction.plus(), units * friction.minus())?;
+            let period = period(&settle(&drive, friction)?);
+            Ok(Period {
+                drift_per_period: period.drift_per_period / units,
+                ..period
+            })
+        };
+        let formula = by_formula(self.q.into(), self.lambda0.into())?;
+        let note = near.note(&formula);
+        let motions = [in_units(1.0)?, in_units(UNITS)?];
+        Answer::by_both(formula, motions, PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.
@@ -100,11 +120,20 @@ impl Problem {
     /// # Errors
     /// As for [`solve`](Self::solve).
     pub fn curve(&self) -> Result<Curve, SolveError> {
-        let friction = self.friction()?;
+        let friction = self.near().friction()?;
         let drive = Drive::new(libm::sin, &[])?;
         Ok(two_periods(&settle(&drive, friction)?))
     }
 
+    fn near(&self) -> Problem {
+        Problem {
+            q: self.q.into(),
+            lambda0: self.lambda0.into(),
+        }
+    }
+}
+
+impl Problem {
     fn friction(&self) -> Result<Friction, SolveError> {
         let fit = (1e-3..=1e3).contains(&self.q);
         check("q", self.q, fit, "between 1e-3 and 1e3")?;
@@ -115,32 +144,6 @@ impl Problem {
             printed::eq49_lambda_plus(self.lambda0),
             minus,
         )?)
-    }
-
-    fn by_formula(&self) -> Result<Period, SolveError> {
-        let (plus, minus) = (self.lambda0, self.q * self.lambda0);
-        if self.q >= 1.0 {
-            return Ok(larger_backwards(plus, minus)?);
-        }
-        // The mirror image, half a period later.
-        let mirrored = larger_backwards(minus, plus)?;
-        let at_rest = mirrored.region == "V";
-        Ok(Period {
-            region: mirrored.region,
-            positive: mirrored.negative,
-            negative: mirrored.positive,
-            rest_after_positive: if at_rest {
-                TAU
-            } else {
-                mirrored.rest_after_negative
-            },
-            rest_after_negative: if at_rest {
-                0.0
-            } else {
-                mirrored.rest_after_positive
-            },
-            drift_per_period: -mirrored.drift_per_period,
-        })
     }
 
     fn note(&self, period: &Period) -> String {
@@ -155,24 +158,34 @@ impl Problem {
     }
 }
 
-/// A slip under the friction `lambda` from rest at the phase `start`, where the drive exceeds it: its length and
-/// the way ∫𝔴 dφ, by the integral of (51).
-fn slip(lambda: f64, start: f64) -> Result<(f64, f64), NumericsError> {
-    let left = |phi: f64| sinusoidal::eq32_left(lambda, start, phi);
-    // It is fastest at φ₂, where the drive falls below friction, and over before φ₄, where it falls below −λ no more.
-    let (fastest, over) = (sinusoidal::eq28_phi2(lambda), sinusoidal::eq30_phi4(lambda));
-    let end = root(left, fastest, over)?;
-    Ok((end - start, way(lambda, start, end)))
+fn by_formula(q: Double, lambda0: Double) -> Result<Period, SolveError> {
+    let (plus, minus) = (lambda0, q * lambda0);
+    if q >= 1.0.into() {
+        return Ok(larger_backwards(plus, minus)?);
+    }
+    // The mirror image, half a period later.
+    let mirrored = larger_backwards(minus, plus)?;
+    let at_rest = mirrored.region == "V";
+    Ok(Period {
+        region: mirrored.region,
+        positive: mirrored.negative,
+        negative: mirrored.positive,
+        rest_after_positive: if at_rest {
+            TAU
+        } else {
+            mirrored.rest_after_negative
+        },
+        rest_after_negative: if at_rest {
+            0.0
+        } else {
+            mirrored.rest_after_positive
+        },
+        drift_per_period: -mirrored.drift_per_period,
+    })
 }
 
-/// ∫𝔴 dφ of a slip.
-fn way(lambda: f64, start: f64, end: f64) -> f64 {
-    let length = end - start;
-    libm::cos(start) * length - 0.5 * lambda * length * length + libm::sin(start) - libm::sin(end)
-}
-
-/// A period with the frictions λ₊ = `plus` and λ₋ = `minus`, the latter not less.
-fn larger_backwards(plus: f64, minus: f64) -> Result<Period, NumericsError> {
+/// A period with the frictions λ₊ = `plus` and λ₋ = `minus`, the latter not less, by slips as (51) gives them.
+fn larger_backwards(plus: Double, minus: Double) -> Result<Period, NumericsError> {
     let nothing = Period {
         region: "V",
         positive: 0.0,
@@ -181,64 +194,75 @@ fn larger_backwards(plus: f64, minus: f64) -> Result<Period, NumericsError> {
         rest_after_negative: 0.0,
         drift_per_period: 0.0,
     };
-    if plus >= 1.0 {
+    let (one, pi) = (Double::from(1.0), Double::pi());
+    let turn = pi + pi;
+    if plus >= one {
         return Ok(nothing);
     }
     if let Some(period) = without_rest(plus, minus) {
         return Ok(period);
     }
     let begins = sinusoidal::eq27_phi1(plus);
-    let (positive, forward) = slip(plus, begins)?;
+    let forward = Slip::from_rest(plus);
+    let positive = forward.length()?;
     let ends = begins + positive;
     // Backward motion begins where the drive pulls strongly enough: at once, later, or not in this period.
-    let pulls = if minus < 1.0 {
-        PI + libm::asin(minus)
-    } else {
-        TAU
-    };
-    let ceases = 3.0 * PI - pulls;
-    if minus >= 1.0 || ends >= ceases {
+    let pulls = if minus < one { pi + minus.asin() } else { turn };
+    let ceases = turn + pi - pulls;
+    if minus >= one || ends >= ceases {
         return Ok(Period {
             region: "IV",
-            positive,
-            rest_after_positive: TAU - positive,
-            drift_per_period: forward,
+            positive: positive.to_f64(),
+            rest_after_positive: (turn - positive).to_f64(),
+            drift_per_period: forward.way(positive).to_f64(),
             ..nothing
         });
     }
-    let turns = ends.max(pulls);
-    let (negative, backward) = slip(minus, turns - PI)?;
-    let waits = turns - ends;
+    let waits = if pulls > ends {
+        pulls - ends
+    } else {
+        0.0.into()
+    };
+    let backward = if pulls > ends {
+        Slip::from_rest(minus)
+    } else {
+        Slip::at_once(minus, ends - pi)
+    };
+    let negative = backward.length()?;
+    let rest = turn - positive - waits - negative;
     Ok(Period {
-        region: if waits > 0.0 { "III" } else { "II" },
-        positive,
-        negative,
-        rest_after_positive: waits,
-        rest_after_negative: (TAU - positive - waits - negative).max(0.0),
-        drift_per_period: drift(forward, backward),
+        region: if pulls > ends { "III" } else { "II" },
+        positive: positive.to_f64(),
+        negative: negative.to_f64(),
+        rest_after_positive: waits.to_f64(),
+        rest_after_negative: rest.to_f64().max(0.0),
+        drift_per_period: drift(forward.way(positive), backward.way(negative)),
     })
 }
 
 /// Region I: both slips last until the other begins. The momentum given back in a period, λ₊ times one length plus
 /// −λ₋ times the other, is zero; so the lengths are 2K and 2π − 2K with K of (53), and the middle m of forward
 /// motion is where the integral of (51) vanishes, sin m = λ₀ K/sin K. None if friction would hold in between.
-fn without_rest(plus: f64, minus: f64) -> Option<Period> {
+fn without_rest(plus: Double, minus: Double) -> Option<Period> {
     let k = printed::eq53_k(minus / plus);
-    let sine = plus * k / libm::sin(k);
-    if sine > 1.0 {
+    let sine = plus * k / k.sin();
+    if sine > 1.0.into() {
         return None;
     }
-    let middle = PI - libm::asin(sine);
+    let pi = Double::pi();
+    let middle = pi - sine.asin();
     let (begins, ends) = (middle - k, middle + k);
     // The other begin holds if this one does: it asks for less, 1 + 2K cot(π − K) ≥ q = K/(π − K) for K ≥ π/2.
-    if libm::sin(begins) < plus {
+    if begins.sin() < plus {
         return None;
     }
-    let (forward, backward) = (way(plus, begins, ends), way(minus, ends - PI, begins + PI));
+    let (positive, negative) = (k + k, pi + pi - k - k);
+    let forward = Slip::at_once(plus, begins).way(positive);
+    let backward = Slip::at_once(minus, ends - pi).way(negative);
     Some(Period {
         region: "I",
-        positive: 2.0 * k,
-        negative: TAU - 2.0 * k,
+        positive: positive.to_f64(),
+        negative: negative.to_f64(),
         rest_after_positive: 0.0,
         rest_after_negative: 0.0,
         drift_per_period: drift(forward, backward),
@@ -276,13 +300,12 @@ fn period(motion: &Attractor<'_>) -> Period {
 mod tests {
     use super::*;
 
-    /// Steps of a number near 0.1: 10⁻¹⁵ of the sum are fourteen.
     #[test]
     fn what_rounding_leaves_is_no_drift() {
-        let more = |steps: u64| f64::from_bits(0.1f64.to_bits() + steps);
-        assert_eq!(drift(more(2), 0.1), 0.0);
-        assert_eq!(drift(0.1, more(6)), 0.0);
-        assert_eq!(drift(more(20), 0.1), more(20) - 0.1);
-        assert_eq!(drift(0.75, 0.5), 0.25);
+        let way = |more: f64| Double::from(0.1) + Double::from(more);
+        assert_eq!(drift(way(1e-31), way(0.0)), 0.0);
+        assert_eq!(drift(way(0.0), way(1e-31)), 0.0);
+        assert!((drift(way(3e-30), way(0.0)) / 3e-30 - 1.0).abs() < 0.1);
+        assert_eq!(drift(0.75.into(), 0.5.into()), 0.25);
     }
 }

@@ -1,35 +1,48 @@
 //! Constant acceleration: where a launched particle is in its velocity, at an angle or at a time.
 
-use super::{Answer, Curve, Field, Fields, SolveError, check, size, steps};
+use super::{
+    Answer, Curve, Field, Fields, Quantity, SolveError, UNITS, check, followed, size, steps,
+};
 use crate::corrections::constant as corrected;
 use crate::motion::trajectory::{Motion, PhaseKind};
 use crate::motion::{self, Launch};
-use crate::numerics::roots::root;
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
 use crate::paper::constant as printed;
+use crate::scalar::Scalar;
 use std::f64::consts::PI;
 
 /// Which moment is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum At {
+pub enum At<T = f64> {
     /// When the velocity has this angle with the x axis (radians).
-    Theta(f64),
+    Theta(T),
     /// This long after the launch.
-    Time(f64),
+    Time(T),
+}
+
+impl<T> At<T> {
+    pub(super) fn map<U>(self, f: impl Fn(T) -> U) -> At<U> {
+        match self {
+            At::Theta(theta) => At::Theta(f(theta)),
+            At::Time(time) => At::Time(f(time)),
+        }
+    }
 }
 
 /// A launch on a plane with the acceleration −A x̂, and a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem {
+pub struct Problem<T = f64> {
     /// λ = μg/A, dimensionless: 0, or from 10⁻²⁰ to 10²⁰.
-    pub lambda: f64,
+    pub lambda: T,
     /// The initial speed v₀ (length/time), from 10⁻²⁰ to 10²⁰.
-    pub v0: f64,
+    pub v0: T,
     /// The initial angle θ₀ of the velocity with the x axis, in (−π, π].
-    pub theta0: f64,
+    pub theta0: T,
     /// A (length/time²), from 10⁻²⁰ to 10²⁰.
-    pub accel: f64,
+    pub accel: T,
     /// The moment.
-    pub at: At,
+    pub at: At<T>,
 }
 
 /// The velocity at a moment.
@@ -65,20 +78,17 @@ impl Fields for State {
     }
 }
 
-impl Problem {
+impl<T: Quantity> Problem<T> {
     /// The velocity at the moment asked for.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for a parameter out of range or an angle that the velocity never has: it turns
     /// from θ₀ towards 0 and gets there only in the limit.
     pub fn solve(&self) -> Result<Answer<State>, SolveError> {
-        self.check()?;
-        let formulas = self.formulas();
-        let formula = match self.at {
-            At::Theta(theta) => formulas.at_theta(theta)?,
-            At::Time(t) => formulas.at_time(t)?,
-        };
-        Answer::by_either(formula, self.by_motion()?, formulas.note(&formula))
+        let near = self.near();
+        near.check()?;
+        let formula = self.formulas().at(self.at.map(Into::into))?.rounded();
+        Answer::by_either(formula, near.motions(), near.note(&formula))
     }
 
     /// The path of the velocity.
@@ -86,9 +96,9 @@ impl Problem {
     /// # Errors
     /// As for [`solve`](Self::solve).
     pub fn curve(&self) -> Result<Curve, SolveError> {
-        let answer = self.solve()?.best;
-        let shown = answer.stop_time.unwrap_or(3.0 * self.v0 / self.accel);
-        let motion = self.launch()?.motion(shown.max(answer.t))?;
+        let (near, answer) = (self.near(), self.solve()?.best);
+        let shown = answer.stop_time.unwrap_or(3.0 * near.v0 / near.accel);
+        let motion = near.launch()?.motion(shown.max(answer.t))?;
         let end = motion.end().t;
         let states: Result<Vec<_>, _> = steps(end, 200).map(|t| motion.at(t)).collect();
         let mut states = states?;
@@ -103,6 +113,27 @@ impl Problem {
         })
     }
 
+    fn near(&self) -> Problem {
+        Problem {
+            lambda: self.lambda.into(),
+            v0: self.v0.into(),
+            theta0: self.theta0.into(),
+            accel: self.accel.into(),
+            at: self.at.map(Into::into),
+        }
+    }
+
+    fn formulas(&self) -> Formulas {
+        Formulas {
+            lambda: self.lambda.into(),
+            a: self.accel.into(),
+            v0: self.v0.into(),
+            theta0: self.theta0.into(),
+        }
+    }
+}
+
+impl Problem {
     fn check(&self) -> Result<(), SolveError> {
         let fit = self.lambda == 0.0 || (1e-20..=1e20).contains(&self.lambda);
         check("lambda", self.lambda, fit, "0 or between 1e-20 and 1e20")?;
@@ -111,18 +142,26 @@ impl Problem {
         check_moment(self.theta0, self.at)
     }
 
-    fn formulas(&self) -> Formulas {
-        Formulas {
-            lambda: self.lambda,
-            a: self.accel,
-            v0: self.v0,
-            theta0: self.theta0,
-        }
-    }
-
     fn launch(&self) -> Result<Launch, SolveError> {
         let launch = Launch::new(self.lambda, self.accel, self.v0, self.theta0);
         Ok(launch?)
+    }
+
+    /// The motion, and the motion in other units of length.
+    fn motions(&self) -> Option<[State; 2]> {
+        let other = Problem {
+            v0: UNITS * self.v0,
+            accel: UNITS * self.accel,
+            ..*self
+        };
+        let back = |state: State| State {
+            v: state.v / UNITS,
+            vx: state.vx / UNITS,
+            vy: state.vy / UNITS,
+            ..state
+        };
+        let motion = followed(self.by_motion())?;
+        Some([motion, followed(other.by_motion()).map_or(motion, back)])
     }
 
     /// Nothing where the motion stops, as far as its numbers reach, before it has the angle.
@@ -172,7 +211,7 @@ impl Problem {
         towards: [f64; 2],
     ) -> Result<Option<motion::State>, SolveError> {
         let mut until = self.v0 / self.accel;
-        for _ in 0..100 {
+        while until <= LATEST {
             let motion = launch.motion(until)?;
             if let Some(state) = motion.first_along(towards)? {
                 return Ok(Some(state));
@@ -209,146 +248,218 @@ fn last_angle(theta0: f64) -> f64 {
     if theta0 == PI { PI } else { 0.0 }
 }
 
-/// The formulas of section 2.1 for one launch. Section 3 uses them too.
+/// The formulas of section 2.1 for one launch, in numbers of twice the width: rounding is no part of what they say.
+/// Section 3 uses them too.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Formulas {
-    pub(super) lambda: f64,
-    pub(super) a: f64,
-    pub(super) v0: f64,
-    pub(super) theta0: f64,
+    pub(super) lambda: Double,
+    pub(super) a: Double,
+    pub(super) v0: Double,
+    pub(super) theta0: Double,
+}
+
+/// A state by the formulas.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Exactly {
+    pub(super) v: Double,
+    pub(super) theta: Double,
+    pub(super) t: Double,
+    pub(super) velocity: [Double; 2],
+    pub(super) stop_time: Option<Double>,
+}
+
+impl Exactly {
+    fn rounded(&self) -> State {
+        let [vx, vy] = self.velocity.map(Double::to_f64);
+        State {
+            v: self.v.to_f64(),
+            theta: self.theta.to_f64(),
+            t: self.t.to_f64(),
+            vx,
+            vy,
+            stop_time: self.stop_time.map(Double::to_f64),
+        }
+    }
 }
 
 impl Formulas {
     /// (20), as the limit of the time's regular form, which keeps its digits near λ = 1; on the axis the angle
     /// stays what it is.
-    fn stop_time(&self) -> Option<f64> {
-        let Formulas {
-            lambda,
-            a,
-            v0,
-            theta0,
-        } = *self;
-        if theta0 == PI {
-            (lambda >= 1.0).then(|| v0 / (a * (lambda + 1.0)))
+    fn stop_time(&self) -> Option<Double> {
+        let Formulas { lambda, a, v0, .. } = *self;
+        let one = Double::from(1.0);
+        if self.straight_against() {
+            (lambda >= one).then(|| v0 / (a * (lambda + one)))
         } else {
-            let last = f64::NEG_INFINITY;
-            (lambda > 1.0).then(|| corrected::time_by_log(lambda, a, v0, theta0, last))
+            (lambda > one).then(|| self.time(f64::NEG_INFINITY.into()))
         }
     }
 
-    fn state(&self, v: f64, theta: f64, t: f64) -> State {
-        let [vx, vy] = match theta {
-            PI => [-v, 0.0],
+    /// The time by ln r, r being the part to which tan(θ/2) has fallen.
+    fn time(&self, ln_r: Double) -> Double {
+        corrected::time_by_log(self.lambda, self.a, self.v0, self.theta0, ln_r)
+    }
+
+    /// Whether the launch is straight against the inertial force: at the angle that stands for π.
+    fn straight_against(&self) -> bool {
+        self.theta0.to_f64() == PI
+    }
+
+    fn state(&self, v: Double, theta: Double, t: Double) -> Exactly {
+        let velocity = match theta.to_f64() {
+            PI => [-v, 0.0.into()],
             _ => printed::eq4_velocity(v, theta),
         };
-        State {
+        Exactly {
             v,
             theta,
             t,
-            vx,
-            vy,
+            velocity,
             stop_time: self.stop_time(),
         }
     }
 
+    /// At rest: the angle is what it tended to.
+    fn stopped(&self, t: Double) -> Exactly {
+        self.state(0.0.into(), last_angle(self.theta0.to_f64()).into(), t)
+    }
+
     /// On the axis from the start: before the stop if there is one, and after it.
-    fn on_axis(&self, t: f64) -> State {
+    fn on_axis(&self, t: Double) -> Exactly {
         let Formulas {
             lambda,
             a,
             v0,
             theta0,
         } = *self;
-        let stop = v0 / (a * (lambda + 1.0));
+        let (one, zero) = (Double::from(1.0), 0.0.into());
+        let stop = v0 / (a * (lambda + one));
         if self.stop_time().is_some_and(|stop| stop <= t) {
-            self.state(0.0, last_angle(theta0), t)
-        } else if theta0 == 0.0 {
-            self.state(v0 + a * (1.0 - lambda) * t, 0.0, t)
+            self.stopped(t)
+        } else if theta0 == zero {
+            self.state(v0 + a * (one - lambda) * t, zero, t)
         } else if t < stop {
-            self.state(v0 - a * (1.0 + lambda) * t, PI, t)
+            self.state(v0 - a * (one + lambda) * t, PI.into(), t)
         } else {
-            self.state(a * (1.0 - lambda) * (t - stop), 0.0, t)
+            self.state(a * (one - lambda) * (t - stop), zero, t)
         }
     }
 
     fn is_on_axis(&self) -> bool {
-        self.theta0 == 0.0 || self.theta0 == PI
+        self.theta0.to_f64() == 0.0 || self.straight_against()
     }
 
     /// Where tan(θ/2) has fallen to a part of its initial value, by the logarithm of that part.
-    fn at_log(&self, ln_r: f64, theta: f64, t: f64) -> State {
+    fn at_log(&self, ln_r: Double, theta: Double, t: Double) -> Exactly {
         let v = corrected::speed_by_log(self.lambda, self.v0, self.theta0, ln_r);
         self.state(v, theta, t)
     }
 
-    /// The state at an angle.
-    pub(super) fn at_theta(&self, theta: f64) -> Result<State, SolveError> {
+    /// The state at a moment.
+    pub(super) fn at(&self, at: At<Double>) -> Result<Exactly, SolveError> {
+        match at {
+            At::Theta(theta) => self.at_theta(theta),
+            At::Time(t) => Ok(self.at_time(t)),
+        }
+    }
+
+    fn at_theta(&self, theta: Double) -> Result<Exactly, SolveError> {
         let Formulas {
             lambda,
             a,
             v0,
             theta0,
         } = *self;
+        let (one, zero) = (Double::from(1.0), Double::from(0.0));
         if theta == theta0 {
-            return Ok(self.state(v0, theta, 0.0));
+            return Ok(self.state(v0, theta, zero));
         }
-        if theta0 == PI && theta == 0.0 && lambda < 1.0 {
-            return Ok(self.on_axis(v0 / (a * (lambda + 1.0))));
+        if self.straight_against() && theta == zero && lambda < one {
+            return Ok(self.on_axis(v0 / (a * (lambda + one))));
         }
-        let between = theta != 0.0 && (theta > 0.0) == (theta0 > 0.0) && theta.abs() < theta0.abs();
+        let size = |angle: Double| if angle < zero { -angle } else { angle };
+        let between =
+            theta != zero && (theta > zero) == (theta0 > zero) && size(theta) < size(theta0);
         if self.is_on_axis() || !between {
-            return Err(unreached(theta, theta0));
+            return Err(unreached(theta.to_f64(), theta0.to_f64()));
         }
         // tan(θ₀/2)/tan(θ/2) − 1, without loss of digits where the two are close.
-        let sine = libm::sin(0.5 * (theta0 - theta));
-        let excess = sine / (libm::sin(0.5 * theta) * libm::cos(0.5 * theta0));
-        let ln_r = -libm::log1p(excess);
-        let t = corrected::time_by_log(lambda, a, v0, theta0, ln_r);
-        Ok(self.at_log(ln_r, theta, t))
+        let half = Double::from(0.5);
+        let excess =
+            ((theta0 - theta) * half).sin() / ((theta * half).sin() * (theta0 * half).cos());
+        let ln_r = -excess.ln_1p();
+        Ok(self.at_log(ln_r, theta, self.time(ln_r)))
     }
 
-    /// The state at a time.
-    pub(super) fn at_time(&self, t: f64) -> Result<State, SolveError> {
-        let Formulas {
-            lambda,
-            a,
-            v0,
-            theta0,
-        } = *self;
+    fn at_time(&self, t: Double) -> Exactly {
+        let zero = Double::from(0.0);
         if self.is_on_axis() {
-            return Ok(self.on_axis(t));
+            return self.on_axis(t);
         }
-        if t == 0.0 {
-            return Ok(self.state(v0, theta0, 0.0));
+        if t == zero {
+            return self.state(self.v0, self.theta0, zero);
         }
-        let late = |x: f64| corrected::time_by_log(lambda, a, v0, theta0, -x) - t;
-        let mut most = 1.0 / (1.0 + lambda);
+        let stopped = self.stop_time().is_some_and(|stop| stop <= t);
+        let Some(ln_r) = self.log_at(t).filter(|_| !stopped) else {
+            return self.stopped(t);
+        };
+        let [sine, cosine] = corrected::half_angle(self.theta0, ln_r.exp());
+        let theta = sine.atan2(cosine) * 2.0.into();
+        self.at_log(ln_r, theta, t)
+    }
+
+    /// ln r at the time `t` > 0: a time falls from there to 0 while ln r rises, ever more steeply. Nothing if it is never
+    /// that late.
+    fn log_at(&self, t: Double) -> Option<Double> {
+        let (two, half) = (Double::from(2.0), Double::from(0.5));
+        let mut early = Double::from(0.0);
+        let mut late = Double::from(-1.0) / (Double::from(1.0) + self.lambda);
         for _ in 0..DOUBLINGS {
-            if late(most) >= 0.0 {
+            if self.time(late) >= t {
                 break;
             }
-            most *= 2.0;
+            (early, late) = (late, late * two);
         }
-        if self.stop_time().is_some_and(|stop| stop <= t) || late(most) < 0.0 {
-            return Ok(self.state(0.0, last_angle(theta0), t));
+        if self.time(late) < t {
+            return None;
         }
-        let ln_r = -root(late, 0.0, most)?;
-        let theta = corrected::angle(theta0, libm::exp(ln_r));
-        Ok(self.at_log(ln_r, theta, t))
+        let mut at = (early + late) * half;
+        for _ in 0..HALVINGS {
+            let off = self.time(at) - t;
+            *if off.to_f64() < 0.0 {
+                &mut early
+            } else {
+                &mut late
+            } = at;
+            // dt/d(ln r) = −v/A.
+            let slope = -corrected::speed_by_log(self.lambda, self.v0, self.theta0, at) / self.a;
+            let next = at - off / slope;
+            let inside = late < next && next < early;
+            let next = if inside { next } else { (early + late) * half };
+            let moved = (next - at).to_f64().abs();
+            at = next;
+            if moved <= f64::EPSILON * f64::EPSILON * at.to_f64().abs() {
+                break;
+            }
+        }
+        Some(at)
     }
+}
 
+impl Problem {
     /// Which formulas gave a state: the printed ones if they give it too.
     fn note(&self, state: &State) -> String {
-        let Formulas {
+        let Problem {
             lambda,
-            a,
+            accel: a,
             v0,
             theta0,
+            ..
         } = *self;
         let v = printed::eq11_speed(lambda, v0, theta0, state.theta);
         let t = printed::eq13_time(lambda, a, v0, theta0, state.theta);
         let near = |x: f64, y: f64| (x - y).abs() <= PRINTED * y.abs();
-        let formula = if self.is_on_axis() {
+        let formula = if self.formulas().is_on_axis() {
             "by uniformly accelerated motion along the x axis, where (11) and (13) have no value"
         } else if state.v == 0.0 {
             "at rest: (20) is over"
@@ -361,8 +472,12 @@ impl Formulas {
     }
 }
 
+/// Later than this no motion is followed.
+const LATEST: f64 = 1e50;
 /// Doublings that lead from any time scale to any other.
 const DOUBLINGS: usize = 300;
+/// Steps in which a number is found to all its digits, even if each only halves the room.
+const HALVINGS: usize = 250;
 
 /// To this the printed formulas must give a state to be named as its source.
 const PRINTED: f64 = 1e-9;

@@ -1,8 +1,11 @@
 //! Calculators at the reader's own parameters, one per topic.
 //!
-//! Each answers twice: by the paper's formula, corrected where the printed one fails, and by the motion, which
-//! knows no formula. Both meet here, so that an answer says how far they differ and how many of its digits are
-//! to be believed. Where there is no formula, two integrations of the motion take the two places.
+//! Each answers twice: by the paper's formula, corrected where the printed one fails, in numbers of twice the width, and
+//! by the motion, which knows no formula. Both meet here, so that an answer says how far they differ and how many of its
+//! digits are to be believed. Where there is no formula, two integrations of the motion take the two places.
+//!
+//! What is given is taken as exact: an `f64` as the number that it is, a typed decimal fraction as it stands
+//! ([`Double`]).
 //!
 //! ```
 //! use slipbook::claims::solve::constant::{At, Problem};
@@ -30,6 +33,7 @@ pub use report::{Report, VERSION};
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
 use crate::numerics::NumericsError;
+pub use crate::numerics::double::Double;
 pub(crate) use crate::numerics::error::plain;
 
 /// Why there is no answer.
@@ -72,6 +76,11 @@ pub enum SolveError {
     Numerics(#[from] NumericsError),
 }
 
+/// A number that is given: an `f64`, or one that is known more closely, such as a decimal fraction.
+pub trait Quantity: Copy + Into<Double> + Into<f64> {}
+
+impl<T: Copy + Into<Double> + Into<f64>> Quantity for T {}
+
 /// Requires that a parameter is fit.
 fn check(name: &'static str, value: f64, fit: bool, allowed: &str) -> Result<(), SolveError> {
     if fit {
@@ -83,6 +92,12 @@ fn check(name: &'static str, value: f64, fit: bool, allowed: &str) -> Result<(),
             allowed: allowed.to_owned(),
         })
     }
+}
+
+/// The motion of parameters that are in range; one that cannot be followed that far, in floating-point numbers or in the
+/// steps allowed, is none.
+fn followed<T>(motion: Result<Option<T>, SolveError>) -> Option<T> {
+    motion.ok().flatten()
 }
 
 /// Requires a positive size whose powers are still numbers.
@@ -100,7 +115,12 @@ pub struct Field {
     pub value: Value,
     /// Its digits count against the larger of this and its own size: 0 where all its own digits count.
     pub scale: f64,
+    /// What is not known of it, in numbers of twice the width: the rounding of what it is a small difference of.
+    lost: f64,
 }
+
+/// Below this nothing is left of the second half of a number of twice the width.
+const LOST: f64 = 1e-310;
 
 /// What a quantity may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -144,6 +164,55 @@ impl Field {
             name,
             value: value.into(),
             scale,
+            lost: LOST,
+        }
+    }
+
+    /// The same, as a difference of numbers of this size.
+    fn out_of(self, size: f64) -> Self {
+        Field {
+            lost: self.lost + ROUNDED * size,
+            ..self
+        }
+    }
+
+    /// Whether it is another one but for `rounding`; words do not count.
+    fn is_within(&self, other: &Field, rounding: f64) -> bool {
+        match (self.value, other.value) {
+            (Value::Number(a), Value::Number(b)) => (a - b).abs() <= rounding,
+            (Value::Word(_), Value::Word(_)) => rounding > 0.0,
+            (a, b) => a == b,
+        }
+    }
+
+    /// The same to so many digits.
+    fn rounded(self, digits: u32) -> Self {
+        let Value::Number(x) = self.value else {
+            return self;
+        };
+        let beyond = if x.abs() < self.scale {
+            power_of_ten(self.scale) - power_of_ten(x)
+        } else {
+            0
+        };
+        let value = match i64::from(digits) - beyond {
+            more @ 1.. if x != 0.0 => {
+                let text = format!("{x:.*e}", more as usize - 1);
+                text.parse().unwrap_or(x)
+            }
+            _ => 0.0,
+        };
+        Field {
+            value: Value::from(value),
+            ..self
+        }
+    }
+
+    /// An error as a part of what the digits count against.
+    fn part(&self, error: f64) -> f64 {
+        match self.value {
+            Value::Number(x) if error != 0.0 && x != 0.0 => error.abs() / x.abs().max(self.scale),
+            _ => 0.0,
         }
     }
 
@@ -177,23 +246,60 @@ pub struct Answer<T> {
     pub by_motion: Option<T>,
     /// The largest relative difference between the two ways.
     pub disagreement: Option<f64>,
-    /// How many significant digits of every number are to be believed: those in which the two ways agree. Those of a
-    /// component count beside the length of its vector. Nothing where the answer has no number or only one way.
+    /// How many significant digits of every number are to be believed: all fifteen, where the two ways differ by no more
+    /// than the rounding of the worse one explains, else those in which they agree. Those of a component count beside
+    /// the length of its vector. Nothing where the answer has no number.
     pub digits: Option<u32>,
     /// What the answer rests on, in words.
     pub note: String,
 }
 
+/// Two motions found in different ways agree to this where nothing makes much of rounding,
+const ALIKE: f64 = 1e-9;
+/// and to so many times what a nudge of the start by 10⁻²⁸ moves: 500 roundings of an `f64`.
+const NARROWER: f64 = 1e15;
+/// A formula and a motion agree to this where nothing does,
+const CLOSE: f64 = 1e-12;
+/// and elsewhere to so many times the difference of two motions that are one but for their units.
+const NOISE: f64 = 100.0;
+/// Units that no power of two leads to, so that every rounding is another one.
+const UNITS: f64 = 1.1;
+/// The rounding of phases and of the velocities of a drive of size 1.
+const PHASES: f64 = 1e-13;
+
+/// What a hundred roundings take from a number of twice the width.
+const ROUNDED: f64 = 1e-29;
+
 /// A relative error below this cannot be told from rounding.
 const ROUNDING: f64 = 1e-15;
 
 impl<T: Fields + Clone> Answer<T> {
-    /// From a formula and a motion; the formula is the better one.
-    fn by_both(formula: T, motion: T, note: impl Into<String>) -> Result<Self, SolveError> {
+    /// From a formula in numbers of twice the width and the motion in `f64`, twice over in different units. Where the motion
+    /// differs from the formula by no more than it does from itself, or nowhere by more than `rounding`, what the formula
+    /// says is known to all digits that it [keeps](Field::lost); else to those in which the two agree.
+    fn by_both(
+        formula: T,
+        motions: [T; 2],
+        rounding: f64,
+        note: impl Into<String>,
+    ) -> Result<Self, SolveError> {
+        let [motion, again] = motions;
         let answer = Self::compared(formula.clone(), &motion, note)?;
+        let [ours, theirs, same] = [&formula, &motion, &again].map(Fields::fields);
+        let mut triples = ours.iter().zip(theirs.iter().zip(&same));
+        let of_no_size = ours
+            .iter()
+            .zip(&theirs)
+            .all(|(a, b)| a.is_within(b, rounding));
+        let explained = of_no_size
+            || triples.all(|(a, (b, c))| a.difference(b) <= CLOSE + NOISE * b.difference(c));
         Ok(Answer {
             by_formula: Some(formula),
             by_motion: Some(motion),
+            digits: match answer.digits {
+                Some(_) if explained => Some(kept(&ours)),
+                agreed => agreed,
+            },
             ..answer
         })
     }
@@ -201,22 +307,22 @@ impl<T: Fields + Clone> Answer<T> {
     /// From a formula and, where it gets there, a motion.
     fn by_either(
         formula: T,
-        motion: Option<T>,
+        motions: Option<[T; 2]>,
         note: impl Into<String>,
     ) -> Result<Self, SolveError> {
-        if let Some(motion) = motion {
-            return Self::by_both(formula, motion, note);
+        if let Some(motions) = motions {
+            return Self::by_both(formula, motions, 0.0, note);
         }
-        let alone = "the motion is too near its end there for floating-point numbers, so no digits are vouched for";
+        let alone = "the motion does not get there in floating-point numbers, so that the digits are those of the formula alone";
         let answer = Self::compared(
             formula.clone(),
             &formula,
             format!("{}; {alone}", note.into()),
         )?;
         Ok(Answer {
+            digits: answer.digits.map(|_| kept(&formula.fields())),
             by_formula: Some(formula),
             disagreement: None,
-            digits: None,
             ..answer
         })
     }
@@ -226,6 +332,36 @@ impl<T: Fields + Clone> Answer<T> {
         let answer = Self::compared(motion.clone(), second, note)?;
         Ok(Answer {
             by_motion: Some(motion),
+            ..answer
+        })
+    }
+
+    /// From a motion in numbers of twice the width and a second one in `f64`. What changes the start changes each field of
+    /// the first by as much as `nudged` says, for a nudge by 10⁻²⁸, and `rounded`, for its rounding to `f64`: all digits
+    /// that the nudge leaves are known, unless the second way differs by more than the narrower numbers explain.
+    fn by_wide_motion(
+        best: T,
+        second: &T,
+        [nudged, rounded]: [Vec<f64>; 2],
+        note: impl Into<String>,
+    ) -> Result<Self, SolveError> {
+        let answer = Self::by_motions(best, second, note)?;
+        let fields = answer.best.fields();
+        let numbers = fields
+            .iter()
+            .filter(|field| matches!(field.value, Value::Number(_)));
+        let largest = |moved: Vec<f64>| {
+            let parts = numbers
+                .clone()
+                .zip(moved)
+                .map(|(field, moved)| field.part(moved));
+            parts.fold(0.0, f64::max)
+        };
+        let (nudged, rounded) = (largest(nudged), largest(rounded));
+        let unlike = answer.disagreement.unwrap_or(0.0);
+        let explained = unlike <= ALIKE + NARROWER * nudged + 2.0 * rounded;
+        Ok(Answer {
+            digits: Some(digits(if explained { nudged } else { unlike })),
             ..answer
         })
     }
@@ -254,6 +390,29 @@ impl<T: Fields + Clone> Answer<T> {
 /// Significant digits that a relative error leaves.
 fn digits(error: f64) -> u32 {
     libm::floor(-libm::log10(error.clamp(ROUNDING, 1.0))) as u32
+}
+
+/// A number to the digits that this error leaves, and how many they are.
+pub fn known(value: f64, error: f64) -> (f64, u32) {
+    let field = Field::new("", value);
+    let digits = digits(field.part(error));
+    match field.rounded(digits).value {
+        Value::Number(value) => (value, digits),
+        _ => (value, digits),
+    }
+}
+
+/// That of the first significant digit.
+fn power_of_ten(x: f64) -> i64 {
+    let text = format!("{x:e}");
+    let power = text.split_once('e').map(|(_, power)| power.parse());
+    power.and_then(Result::ok).unwrap_or(0)
+}
+
+/// The digits that rounding leaves of every number, in numbers of twice the width.
+fn kept(fields: &[Field]) -> u32 {
+    let parts = fields.iter().map(|field| field.part(field.lost));
+    digits(parts.fold(0.0, f64::max))
 }
 
 /// A curve that shows an answer.

@@ -1,31 +1,34 @@
 //! A train of pulses: the large-time motion.
 
-use super::sinusoidal::{AT_REST, Swing, friction, settle, swing, two_periods};
-use super::{Answer, Curve, SolveError, check};
+use super::sinusoidal::{AT_REST, Swing, friction, settle, swings, two_periods};
+use super::{Answer, Curve, PHASES, Quantity, SolveError, check};
 use crate::corrections::periodic as corrected;
-use crate::motion::drive::{Drive, DriveError, Friction};
+use crate::motion::drive::{Drive, Friction};
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
 use crate::paper::periodic as printed;
+use crate::scalar::Scalar;
 use std::f64::consts::PI;
 
 /// Pulses of both signs, one in each half period.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem {
+pub struct Problem<T = f64> {
     /// η, the share of a half period that a pulse fills, in [0, 1].
-    pub eta: f64,
+    pub eta: T,
     /// λ₀ = μg/A₀, dimensionless: from 10⁻⁶ to 10⁶.
-    pub lambda0: f64,
+    pub lambda0: T,
 }
 
-impl Problem {
+impl<T: Quantity> Problem<T> {
     /// The large-time motion.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for η or λ₀ out of range.
     pub fn solve(&self) -> Result<Answer<Swing>, SolveError> {
-        let friction = self.friction()?;
-        let motion = swing(&settle(&self.drive()?, friction)?);
-        let (formula, note) = self.by_formula();
-        Answer::by_both(formula, motion, note)
+        let near = self.near()?;
+        let motions = swings(near.h(), &near.jumps(), near.lambda0)?;
+        let (formula, note) = by_formula(self.eta.into(), self.lambda0.into());
+        Answer::by_both(formula, motions, PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.
@@ -33,58 +36,64 @@ impl Problem {
     /// # Errors
     /// As for [`solve`](Self::solve).
     pub fn curve(&self) -> Result<Curve, SolveError> {
-        let friction = self.friction()?;
-        Ok(two_periods(&settle(&self.drive()?, friction)?))
+        let near = self.near()?;
+        let drive = Drive::new(near.h(), &near.jumps())?;
+        let friction = Friction::new(near.lambda0, near.lambda0)?;
+        Ok(two_periods(&settle(&drive, friction)?))
     }
 
-    fn friction(&self) -> Result<Friction, SolveError> {
-        check(
-            "eta",
-            self.eta,
-            (0.0..=1.0).contains(&self.eta),
-            "between 0 and 1",
-        )?;
-        friction("lambda0", self.lambda0)?;
-        Ok(Friction::new(self.lambda0, self.lambda0)?)
+    /// The same in `f64`, if it is in range.
+    fn near(&self) -> Result<Problem, SolveError> {
+        let (eta, lambda0) = (self.eta.into(), self.lambda0.into());
+        check("eta", eta, (0.0..=1.0).contains(&eta), "between 0 and 1")?;
+        friction("lambda0", lambda0)?;
+        Ok(Problem { eta, lambda0 })
     }
+}
 
-    fn drive(&self) -> Result<Drive, DriveError> {
+impl Problem {
+    fn h(&self) -> impl Fn(f64) -> f64 {
         let eta = self.eta;
-        let h = move |phi: f64| match phi {
+        move |phi: f64| match phi {
             phi if phi < PI => printed::eq42_h(eta, phi),
             phi => printed::eq43_h(printed::eq42_h(eta, phi - PI)),
-        };
-        Drive::new(h, &[eta * PI, PI, PI + eta * PI])
+        }
     }
 
-    fn by_formula(&self) -> (Swing, &'static str) {
-        let Problem { eta, lambda0 } = *self;
-        if lambda0 >= 1.0 || eta == 0.0 {
-            return (AT_REST, "at rest: friction is never overcome");
-        }
-        if lambda0 > printed::eq46_lambda_c(eta) {
-            let [top, end] = printed::eq44_ends(lambda0, eta);
-            let swing = Swing {
-                regime: "two-rests",
-                positive_start: Some(0.0),
-                positive_end: Some(end),
-                rest_fraction: (lambda0 - eta) / lambda0,
-                w_max: printed::eq44_cases(lambda0, eta, top)[0],
-            };
-            return (swing, "by (44)");
-        }
-        let start = corrected::small_friction_start(lambda0, eta);
-        let [top, _] = corrected::small_friction_ends(eta);
-        let swing = Swing {
-            regime: "two-zeros",
-            positive_start: Some(start),
-            positive_end: Some(start + PI),
-            rest_fraction: 0.0,
-            w_max: corrected::small_friction_cases(lambda0, eta, top)[0],
-        };
-        (
-            swing,
-            "by the solution below λ_c = η, which the paper leaves out: forward motion begins at π(η − λ₀)/2",
-        )
+    fn jumps(&self) -> [f64; 3] {
+        [self.eta * PI, PI, PI + self.eta * PI]
     }
+}
+
+fn by_formula(eta: Double, lambda0: Double) -> (Swing, &'static str) {
+    let zero = Double::from(0.0);
+    if lambda0 >= 1.0.into() || eta == zero {
+        return (AT_REST, "at rest: friction is never overcome");
+    }
+    if lambda0 > printed::eq46_lambda_c(eta) {
+        let [top, end] = printed::eq44_ends(lambda0, eta);
+        let [w_max, ..] = printed::eq44_cases(lambda0, eta, top);
+        let swing = Swing {
+            regime: "two-rests",
+            positive_start: Some(0.0),
+            positive_end: Some(end.to_f64()),
+            rest_fraction: ((lambda0 - eta) / lambda0).to_f64(),
+            w_max: w_max.to_f64(),
+        };
+        return (swing, "by (44)");
+    }
+    let start = corrected::small_friction_start(lambda0, eta);
+    let [top, _] = corrected::small_friction_ends(eta);
+    let [w_max, ..] = corrected::small_friction_cases(lambda0, eta, top);
+    let swing = Swing {
+        regime: "two-zeros",
+        positive_start: Some(start.to_f64()),
+        positive_end: Some((start + Double::pi()).to_f64()),
+        rest_fraction: 0.0,
+        w_max: w_max.to_f64(),
+    };
+    (
+        swing,
+        "by the solution below λ_c = η, which the paper leaves out: forward motion begins at π(η − λ₀)/2",
+    )
 }

@@ -12,7 +12,7 @@ pub const VERSION: u32 = 1;
 pub struct Report {
     /// The problem's name.
     pub problem: &'static str,
-    /// The quantities.
+    /// The quantities, each to as many digits as are known.
     pub fields: Vec<Field>,
     /// See [`Answer::by_formula`].
     pub by_formula: Option<Vec<Field>>,
@@ -63,13 +63,21 @@ impl Serialize for Report {
 }
 
 impl<T: Fields> Answer<T> {
-    /// The answer without its type, for output.
+    /// The answer without its type, for output: no number has more digits than are known.
     pub fn report(&self, problem: &'static str) -> Report {
+        let fields = |way: &T| {
+            let fields = way.fields().into_iter();
+            let rounded = fields.map(|field| match self.digits {
+                Some(digits) => field.rounded(digits),
+                None => field,
+            });
+            rounded.collect()
+        };
         Report {
             problem,
-            fields: self.best.fields(),
-            by_formula: self.by_formula.as_ref().map(Fields::fields),
-            by_motion: self.by_motion.as_ref().map(Fields::fields),
+            fields: fields(&self.best),
+            by_formula: self.by_formula.as_ref().map(fields),
+            by_motion: self.by_motion.as_ref().map(fields),
             disagreement: self.disagreement,
             digits: self.digits,
             note: self.note.clone(),

@@ -1,17 +1,23 @@
 //! The turntable's boundary between rest and escape.
 
-use super::{Answer, Curve, Field, Fields, SolveError, check};
+use super::{Answer, Curve, Field, Fields, Quantity, SolveError, check};
 use crate::corrections::rest as corrected;
 use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::{Fate, Start, fate};
+use crate::motion::turntable::fate::follow;
+use crate::motion::turntable::intrinsic::Exact;
+use crate::motion::turntable::{Start, boundary};
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
+use crate::paper::turntable as printed;
+use crate::scalar::Scalar;
 
 /// A point of the boundary between rest and escape.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem {
+pub struct Problem<T = f64> {
     /// α, in [0, 20].
-    pub alpha: f64,
-    /// ψ, radians.
-    pub psi: f64,
+    pub alpha: T,
+    /// ψ, radians, in [−10³, 10³].
+    pub psi: T,
 }
 
 /// A on the boundary.
@@ -27,86 +33,94 @@ impl Fields for Boundary {
     }
 }
 
-/// Below this α the second-order formula is the better one: it leaves out at most 5.2 α³.
-const NEAR: f64 = 1e-5;
-/// Beyond this α it means nothing.
+/// Beyond this α the expansion means nothing.
 const FAR: f64 = 1.0;
+/// Between these α the boundary is found in `f64` first.
+const NARROW: std::ops::RangeInclusive<f64> = 1e-3..=10.0;
+/// To this it is right, by far.
+const MISSED: f64 = 1e-10;
+/// To this part of itself A is searched for.
+const WIDTH: f64 = 1e-17;
+/// Terms of the series of numbers of twice the width.
+const ORDER: usize = 44;
 
-impl Problem {
+impl<T: Quantity> Problem<T> {
     /// A on the boundary, by bisection on the motion and by the expansion to second order in α.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for α or ψ out of range.
     pub fn solve(&self) -> Result<Answer<Boundary>, SolveError> {
-        let Problem { alpha, psi } = *self;
-        check(
-            "alpha",
-            alpha,
-            (0.0..=20.0).contains(&alpha),
-            "between 0 and 20",
-        )?;
-        check("psi", psi, psi.abs() <= 1e3, "between -1e3 and 1e3")?;
-        if alpha < NEAR {
+        let Problem { alpha, psi } = self.checked()?;
+        let [rest, escape] = self.sides()?;
+        let motion = Boundary {
+            a: ((rest + escape) * 0.5.into()).to_f64(),
+        };
+        let width = (escape - rest).to_f64() / motion.a;
+        // Half the distance of the sides, and the last rounding.
+        let digits = Some(super::digits(width));
+        let by = "by bisection on the motion, in numbers of 31 digits; the particle comes to rest on the one side and goes away on the other, closer than the digits show";
+        if alpha <= FAR {
             let formula = Boundary {
                 a: corrected::boundary_a(alpha, psi),
             };
-            let note = "by the expansion that replaces (147); what it leaves out is of order α³";
+            let note = format!(
+                "{by}; the formula is the expansion to second order in α that replaces (147)"
+            );
             return Ok(Answer {
-                best: formula,
-                by_formula: Some(formula),
-                by_motion: None,
-                disagreement: None,
-                digits: Some(14),
-                note: note.to_owned(),
+                best: motion,
+                digits,
+                ..Answer::by_both(formula, [motion; 2], 0.0, note)?
             });
         }
-        let motion = Boundary {
-            a: self.bisect(1e-15)?,
-        };
-        self.compared(motion, self.digits(motion.a)?)
-    }
-
-    /// A by bisection on the motion, to this width in units of the least that it can be.
-    fn bisect(&self, width: f64) -> Result<f64, SolveError> {
-        let Problem { alpha, psi } = *self;
-        let least = (1.0 - 1e-9) * libm::exp(-alpha);
-        let start = |a| Start::hyperbolic(a, alpha, psi);
-        Ok(between(start, least, 1.0 + 1e-9, width * least)?)
-    }
-
-    /// What the motion found, to so many digits, beside the formula where that means something.
-    fn compared(&self, motion: Boundary, digits: u32) -> Result<Answer<Boundary>, SolveError> {
-        let compared = if self.alpha <= FAR {
-            let formula = Boundary {
-                a: corrected::boundary_a(self.alpha, self.psi),
-            };
-            let note = "by bisection on the motion; the formula is the expansion to second order in α that replaces (147)";
-            Answer::by_both(formula, motion, note)?
-        } else {
-            let note = "by bisection on the motion; the formula that replaces (147) is for small α";
-            Answer {
-                disagreement: None,
-                ..Answer::by_motions(motion, &motion, note)?
-            }
-        };
+        let note = format!("{by}; the formula that replaces (147) is for small α");
         Ok(Answer {
-            best: motion,
-            digits: Some(digits),
-            ..compared
+            disagreement: None,
+            digits,
+            ..Answer::by_motions(motion, &motion, note)?
         })
     }
 
-    /// To how many digits the motion tells one side from the other: closer by, it hovers at the brink of rest for
-    /// longer than it can be followed.
-    fn digits(&self, a: f64) -> Result<u32, SolveError> {
-        let rests = |a: f64| -> Result<Option<bool>, SolveError> {
-            Ok(match fate(&Start::hyperbolic(a, self.alpha, self.psi)?)? {
-                Fate::Rest { .. } => Some(true),
-                Fate::Escape { .. } => Some(false),
-                Fate::Undecided { .. } => None,
-            })
+    fn checked(&self) -> Result<Problem, SolveError> {
+        let (alpha, psi) = (self.alpha.into(), self.psi.into());
+        let fit = (0.0..=20.0).contains(&alpha);
+        check("alpha", alpha, fit, "between 0 and 20")?;
+        check("psi", psi, f64::abs(psi) <= 1e3, "between -1e3 and 1e3")?;
+        Ok(Problem { alpha, psi })
+    }
+
+    /// An A from which the particle comes to rest and one from which it does not, closer to each other than `f64` can say.
+    fn sides(&self) -> Result<[Double; 2], SolveError> {
+        let Problem { alpha, psi } = self.checked()?;
+        let (wide, angle): (Double, Double) = (self.alpha.into(), self.psi.into());
+        let rests = |a: Double| -> Result<Option<bool>, SolveError> {
+            let start = Exact::polar(
+                printed::eq112_rho(a, wide),
+                printed::eq111_p(a, wide),
+                angle,
+            );
+            Ok(follow::<Double, ORDER>(&start, false)?.0.rests())
         };
-        told_apart(a, rests)
+        // p + ρ < 1 is a rest, ρ² − p² ≥ 1 an escape.
+        let (mut rest, mut escape) = (Scalar::exp(-wide), Double::from(1.0));
+        if NARROW.contains(&alpha) {
+            let near = boundary(alpha, psi)?;
+            let [below, above] = [-MISSED, MISSED].map(|off| Double::from(near * (1.0 + off)));
+            if rests(below)? == Some(true) {
+                rest = below;
+            }
+            if rests(above)? == Some(false) {
+                escape = above;
+            }
+        }
+        while (escape - rest).to_f64() > WIDTH * rest.to_f64() {
+            let middle = (rest + escape) * 0.5.into();
+            match rests(middle)? {
+                Some(true) => rest = middle,
+                Some(false) => escape = middle,
+                None => break,
+            }
+        }
+        Ok([rest, escape])
     }
 
     /// A against α at the same ψ, by the motion.
@@ -114,7 +128,8 @@ impl Problem {
     /// # Errors
     /// As for [`solve`](Self::solve).
     pub fn curve(&self) -> Result<Curve, SolveError> {
-        let points: Result<Vec<_>, _> = (0..=40).map(|i| self.point(i)).collect();
+        let near = self.checked()?;
+        let points: Result<Vec<_>, _> = (0..=40).map(|i| near.point(i)).collect();
         Ok(Curve {
             title: "The boundary between rest and escape",
             x: "α",
@@ -123,7 +138,9 @@ impl Problem {
             points: points?,
         })
     }
+}
 
+impl Problem {
     /// Point `i` of the 41 of the curve, which reaches at least to α = 1.
     fn point(&self, i: u32) -> Result<[f64; 2], SolveError> {
         let most = self.alpha.max(1.0);
@@ -134,24 +151,15 @@ impl Problem {
         };
         Ok([alpha, a])
     }
-}
 
-/// To how many digits it is known that the particle rests below `a` and escapes above it.
-fn told_apart(
-    a: f64,
-    rests: impl Fn(f64) -> Result<Option<bool>, SolveError>,
-) -> Result<u32, SolveError> {
-    for digits in (1..=MOST_DIGITS).rev() {
-        let width = libm::exp10(-f64::from(digits));
-        if rests(a * (1.0 - width))? == Some(true) && rests(a * (1.0 + width))? == Some(false) {
-            return Ok(digits);
-        }
+    /// A by bisection on the motion, to this width in units of the least that it can be.
+    fn bisect(&self, width: f64) -> Result<f64, SolveError> {
+        let Problem { alpha, psi } = *self;
+        let least = (1.0 - 1e-9) * libm::exp(-alpha);
+        let start = |a| Start::hyperbolic(a, alpha, psi);
+        Ok(between(start, least, 1.0 + 1e-9, width * least)?)
     }
-    Ok(0)
 }
-
-/// To so many digits a separate integration, in extended precision, has the same boundary.
-const MOST_DIGITS: u32 = 12;
 
 #[cfg(test)]
 mod tests {
@@ -165,66 +173,53 @@ mod tests {
     const A: f64 = 0.931534356734;
 
     #[test]
-    fn a_wrong_boundary_has_no_more_digits_than_are_right() {
-        // Boundaries at 1 and 2; nothing is known nearer than 3e-7.
-        let rests = |b: f64| {
-            move |a: f64| -> Result<Option<bool>, SolveError> {
-                Ok(((a - b).abs() >= 3e-7).then_some(a < b))
-            }
-        };
-        for b in [1.0, 2.0] {
-            for (error, digits) in [
-                (0.0, 6),
-                (3e-6, 5),
-                (-3e-6, 5),
-                (2e-4, 3),
-                (0.05, 1),
-                (-0.05, 1),
-                (0.5, 0),
-                (-0.5, 0),
-            ] {
-                let found = told_apart(b * (1.0 + error), rests(b)).unwrap();
-                assert_eq!(found, digits, "{b} {error}");
-            }
-        }
-        assert_eq!(told_apart(1.0, |a| Ok(Some(a < 1.0))).unwrap(), MOST_DIGITS);
-    }
-
-    #[test]
-    fn the_motion_tells_the_sides_of_the_boundary_apart() {
-        assert_eq!(PROBLEM.digits(A).unwrap(), 12);
-    }
-
-    #[test]
-    fn near_the_corner_the_formula_stands_alone_and_far_from_it_the_motion() {
-        let near = Problem {
-            alpha: 0.9e-5,
-            psi: 0.5,
-        };
-        let near = near.solve().unwrap();
-        assert_eq!(near.by_formula, Some(near.best));
-        let rest = (near.by_motion, near.disagreement, near.digits);
-        assert_eq!(rest, (None, None, Some(14)));
-
-        let motion = Boundary { a: A };
-        let both = PROBLEM.compared(motion, 12).unwrap();
-        assert_eq!((both.best, both.by_motion), (motion, Some(motion)));
-        assert_eq!(both.digits, Some(12));
-        let difference = both.disagreement.unwrap();
-        let by_formula = both.by_formula.unwrap().a;
-        assert_eq!(difference, (by_formula - A).abs() / by_formula.max(A));
+    fn the_boundary_lies_where_another_integrator_has_it() {
+        let [rest, escape] = PROBLEM.sides().unwrap();
+        assert!((rest.to_f64() - A).abs() < 1e-12 && rest < escape);
+        assert!((escape - rest).to_f64() < 2.0 * WIDTH);
+        let answer = PROBLEM.solve().unwrap();
+        assert_eq!((answer.best.a, answer.digits), (rest.to_f64(), Some(15)));
+        assert_eq!(answer.by_motion, Some(answer.best));
+        let by_formula = answer.by_formula.unwrap().a;
+        let difference = answer.disagreement.unwrap();
+        assert_eq!(
+            difference,
+            (by_formula - answer.best.a).abs() / by_formula.max(answer.best.a)
+        );
         // What the expansion leaves out.
         assert!(difference > 1e-12 && difference < 5.2e-3);
+    }
 
+    #[test]
+    fn close_to_the_corner_the_motion_meets_the_expansion() {
+        for alpha in [1e-4, 1e-6, 1e-9, 1e-20] {
+            let near = Problem { alpha, psi: 0.5 };
+            let answer = near.solve().unwrap();
+            let formula = answer.by_formula.unwrap().a;
+            let left_out = 8.0 * alpha * alpha * alpha + 1e-15;
+            assert!(
+                (answer.best.a - formula).abs() < left_out,
+                "{alpha} {answer:?}"
+            );
+            assert_eq!(answer.digits, Some(15));
+        }
+        let corner = Problem {
+            alpha: 0.0,
+            psi: 0.5,
+        };
+        assert_eq!(corner.solve().unwrap().best.a, 1.0);
+    }
+
+    #[test]
+    fn far_from_the_corner_the_motion_stands_alone() {
         let far = Problem {
             alpha: 1.01,
             psi: 1.0,
         };
-        let far = far.compared(motion, 11).unwrap();
-        assert_eq!((far.best, far.by_motion), (motion, Some(motion)));
+        let far = far.solve().unwrap();
         assert_eq!((far.by_formula, far.disagreement), (None, None));
-        assert_eq!(far.digits, Some(11));
-        assert_eq!(far.best.fields(), [Field::new("A", A)]);
+        assert_eq!(far.by_motion, Some(far.best));
+        assert_eq!(far.best.fields(), [Field::new("A", far.best.a)]);
     }
 
     #[test]

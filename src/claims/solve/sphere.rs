@@ -1,27 +1,32 @@
 //! A sphere under constant acceleration: its slip and its spin, at an angle of the slip or at a time.
 
 use super::constant::{At, Formulas, check_moment};
-use super::{Answer, Curve, Field, Fields, SolveError, check, size, steps};
+use super::{
+    Answer, Curve, Field, Fields, Quantity, ROUNDED, SolveError, UNITS, check, followed, size,
+    steps,
+};
 use crate::corrections::sphere as corrected;
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact, Motion, Sphere};
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
 use crate::numerics::roots::root;
 use crate::paper::sphere as printed;
 use std::f64::consts::PI;
 
 /// A sphere that starts without spin on a plane with the acceleration −γ x̂, everything in the paper's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem {
+pub struct Problem<T = f64> {
     /// γ = A/(μg), from 10⁻¹⁵ to 10⁹.
-    pub gamma: f64,
+    pub gamma: T,
     /// The initial slip u₀, from 10⁻²⁰ to 10²⁰.
-    pub u0: f64,
+    pub u0: T,
     /// The initial angle θ₀ of the slip with the x axis, in (−π, π].
-    pub theta0: f64,
+    pub theta0: T,
     /// κ = I/(mR²), in [10⁻³, 1].
-    pub kappa: f64,
+    pub kappa: T,
     /// The moment; a time is τ.
-    pub at: At,
+    pub at: At<T>,
 }
 
 /// Slip and spin at a moment.
@@ -39,6 +44,8 @@ pub struct State {
     pub zeta: [f64; 2],
     /// When slipping ends and rolling begins, if it does.
     pub rolls_at: Option<f64>,
+    /// The slip at the start.
+    u0: f64,
 }
 
 impl Fields for State {
@@ -50,8 +57,8 @@ impl Fields for State {
             Field::new("tau", self.tau),
             Field::within(self.u, "u_x", self.slip[0]),
             Field::within(self.u, "u_y", self.slip[1]),
-            Field::within(spin, "zeta_x", self.zeta[0]),
-            Field::within(spin, "zeta_y", self.zeta[1]),
+            Field::within(spin, "zeta_x", self.zeta[0]).out_of(self.u0),
+            Field::within(spin, "zeta_y", self.zeta[1]).out_of(self.u0),
             Field::new("rolls_at", self.rolls_at),
         ]
     }
@@ -60,20 +67,16 @@ impl Fields for State {
 /// Later than this the motion is not followed.
 const LATEST: f64 = 1e45;
 
-impl Problem {
+impl<T: Quantity> Problem<T> {
     /// Slip and spin at the moment asked for.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for a parameter out of range or an angle that the slip never has.
     pub fn solve(&self) -> Result<Answer<State>, SolveError> {
-        let fit = (1e-15..=1e9).contains(&self.gamma);
-        check("gamma", self.gamma, fit, "between 1e-15 and 1e9")?;
-        size("u0", self.u0)?;
-        let fit = (1e-3..=1.0).contains(&self.kappa);
-        check("kappa", self.kappa, fit, "between 1e-3 and 1")?;
-        check_moment(self.theta0, self.at)?;
+        let near = self.near();
+        near.check()?;
         let formula = self.by_formula()?;
-        Answer::by_either(formula, self.by_motion()?, self.note(&formula))
+        Answer::by_either(formula, near.motions(), near.note(&formula))
     }
 
     /// The path of the slip.
@@ -81,10 +84,10 @@ impl Problem {
     /// # Errors
     /// As for [`solve`](Self::solve).
     pub fn curve(&self) -> Result<Curve, SolveError> {
-        let answer = self.solve()?.best;
-        let shown = answer.rolls_at.unwrap_or(3.0 * self.u0 / self.gamma);
+        let (near, answer) = (self.near(), self.solve()?.best);
+        let shown = answer.rolls_at.unwrap_or(3.0 * near.u0 / near.gamma);
         let end = shown.max(answer.tau);
-        let motion = self.motion(end)?;
+        let motion = near.motion(end)?;
         let points: Result<Vec<_>, _> = steps(end, 400).map(|tau| motion.slip(tau)).collect();
         Ok(Curve {
             title: "The slip under constant acceleration",
@@ -93,6 +96,65 @@ impl Problem {
             equal: false,
             points: points?,
         })
+    }
+
+    fn near(&self) -> Problem {
+        Problem {
+            gamma: self.gamma.into(),
+            u0: self.u0.into(),
+            theta0: self.theta0.into(),
+            kappa: self.kappa.into(),
+            at: self.at.map(Into::into),
+        }
+    }
+
+    fn by_formula(&self) -> Result<State, SolveError> {
+        let [gamma, u0, theta0, kappa] =
+            [self.gamma, self.u0, self.theta0, self.kappa].map(Into::<Double>::into);
+        let (one, zero) = (Double::from(1.0), Double::from(0.0));
+        let b = printed::eq67_factor(kappa);
+        let lambda = printed::eq80_lambda(b, one, one, gamma);
+        // Friction and drive that are equal but for rounding are equal.
+        let equal = f64::abs((lambda - one).to_f64()) <= ROUNDED;
+        let formulas = Formulas {
+            lambda: if equal { one } else { lambda },
+            a: gamma,
+            v0: u0,
+            theta0,
+        };
+        let slip = formulas.at(self.at.map(Into::into))?;
+        let start = formulas.at(At::Time(zero))?;
+        let [x, y] = start.velocity;
+        let [u_x, u_y] = slip.velocity;
+        // Without spin the centre starts with the velocity of the contact: (79) at τ = 0 gives c.
+        let c = [(one - one / b) * x, (one - one / b) * y, zero];
+        let nu = [-(gamma * slip.t), zero, zero];
+        let u = [u_x, u_y, zero];
+        let [zeta_x, zeta_y, _] = corrected::spin(zero, u, printed::eq79_velocity(b, nu, u, c));
+        let near = |pair: [Double; 2]| pair.map(Double::to_f64);
+        // A spin that is no more than the rounding of what it is a difference of is none.
+        let least = ROUNDED * u0.to_f64();
+        let spin = near([zeta_x, zeta_y]).map(|x| if x.abs() <= least { 0.0 } else { x });
+        Ok(State {
+            u: slip.v.to_f64(),
+            theta: slip.theta.to_f64(),
+            tau: slip.t.to_f64(),
+            slip: near(slip.velocity),
+            zeta: spin,
+            rolls_at: slip.stop_time.map(Double::to_f64),
+            u0: u0.to_f64(),
+        })
+    }
+}
+
+impl Problem {
+    fn check(&self) -> Result<(), SolveError> {
+        let fit = (1e-15..=1e9).contains(&self.gamma);
+        check("gamma", self.gamma, fit, "between 1e-15 and 1e9")?;
+        size("u0", self.u0)?;
+        let fit = (1e-3..=1.0).contains(&self.kappa);
+        check("kappa", self.kappa, fit, "between 1e-3 and 1")?;
+        check_moment(self.theta0, self.at)
     }
 
     fn b(&self) -> f64 {
@@ -113,33 +175,6 @@ impl Problem {
         [self.u0 * libm::cos(self.theta0), self.u0 * sine]
     }
 
-    fn by_formula(&self) -> Result<State, SolveError> {
-        let formulas = Formulas {
-            lambda: self.lambda(),
-            a: self.gamma,
-            v0: self.u0,
-            theta0: self.theta0,
-        };
-        let slip = match self.at {
-            At::Theta(theta) => formulas.at_theta(theta)?,
-            At::Time(tau) => formulas.at_time(tau)?,
-        };
-        let (b, [x, y]) = (self.b(), self.start());
-        let u = [slip.vx, slip.vy, 0.0];
-        // Without spin the centre starts with the velocity of the contact: (79) at τ = 0 gives c.
-        let c = [(1.0 - 1.0 / b) * x, (1.0 - 1.0 / b) * y, 0.0];
-        let nu = [-self.gamma * slip.t, 0.0, 0.0];
-        let [zeta_x, zeta_y, _] = corrected::spin(0.0, u, printed::eq79_velocity(b, nu, u, c));
-        Ok(State {
-            u: slip.v,
-            theta: slip.theta,
-            tau: slip.t,
-            slip: [slip.vx, slip.vy],
-            zeta: [zeta_x, zeta_y],
-            rolls_at: slip.stop_time,
-        })
-    }
-
     fn motion(&self, until: f64) -> Result<Motion, SolveError> {
         let start = Ball {
             t: 0.0,
@@ -149,6 +184,29 @@ impl Problem {
         };
         let plane = Plane::constant([-self.gamma, 0.0]);
         Ok(Sphere::with_kappa(self.kappa).run(&plane, &start, until)?)
+    }
+
+    /// The motion, and the motion in other units: those of length and time as much larger as each other.
+    fn motions(&self) -> Option<[State; 2]> {
+        let other = Problem {
+            u0: UNITS * self.u0,
+            at: match self.at {
+                At::Time(tau) => At::Time(UNITS * tau),
+                at => at,
+            },
+            ..*self
+        };
+        let back = |state: State| State {
+            u: state.u / UNITS,
+            theta: state.theta,
+            tau: state.tau / UNITS,
+            slip: state.slip.map(|x| x / UNITS),
+            zeta: state.zeta.map(|x| x / UNITS),
+            rolls_at: state.rolls_at.map(|tau| tau / UNITS),
+            u0: self.u0,
+        };
+        let motion = followed(self.by_motion())?;
+        Some([motion, followed(other.by_motion()).map_or(motion, back)])
     }
 
     /// Nothing where slipping ends, as far as the motion's numbers reach, before it has the angle.
@@ -185,6 +243,7 @@ impl Problem {
             slip,
             zeta: [ball.omega[0], ball.omega[1]],
             rolls_at,
+            u0: self.u0,
         }))
     }
 
@@ -215,7 +274,10 @@ impl Problem {
             };
             if across(motion.slip(last)?) * first < 0.0 {
                 let at = |t: f64| motion.slip(t).map_or(f64::NAN, across);
-                return Ok(Some((root(at, 0.0, last)?, false)));
+                let tau = root(at, 0.0, last)?;
+                // Where nothing is left of the component across, the angle is lost.
+                let lost = motion.slip(tau)?[1] == 0.0;
+                return Ok((!lost).then_some((tau, false)));
             }
             if rolls_at.is_some() {
                 break;

@@ -48,7 +48,7 @@ fn an_answer_is_written_with_its_fields_first() {
 }
 
 #[test]
-fn digits_are_those_of_the_disagreement() {
+fn digits_are_those_that_an_error_leaves() {
     for (error, expected) in [
         (0.0, 15),
         (3e-15, 14),
@@ -62,16 +62,57 @@ fn digits_are_those_of_the_disagreement() {
 }
 
 #[test]
+fn no_more_digits_are_written_than_are_known() {
+    // Value, scale, digits; as written.
+    for (x, scale, digits, written) in [
+        (0.123456789, 0.0, 4, 0.1235),
+        (-123.456, 0.0, 2, -120.0),
+        (0.00123456, 1.0, 4, 0.001),
+        (0.00123456, 1.0, 2, 0.0),
+        (9.9996, 0.0, 4, 10.0),
+        (0.0, 1.0, 15, 0.0),
+        (5.0, 0.0, 0, 0.0),
+    ] {
+        let field = Field::within(scale, "x", x).rounded(digits);
+        assert_eq!(field.value, Value::Number(written), "{x} {scale} {digits}");
+    }
+    assert_eq!(known(5.15460131, 3e-7), (5.154601, 7));
+    assert_eq!(known(0.5, 0.0), (0.5, 15));
+    let word = Field::new("x", "rest");
+    assert_eq!(word.rounded(3), word);
+}
+
+#[test]
+fn a_formula_is_trusted_where_rounding_explains_what_the_motion_says() {
+    #[derive(Clone, Debug)]
+    struct One(f64);
+    impl Fields for One {
+        fn fields(&self) -> Vec<Field> {
+            vec![Field::new("x", self.0)]
+        }
+    }
+    let digits = |motions: [f64; 2], rounding| {
+        let motions = motions.map(One);
+        Answer::by_both(One(2.0), motions, rounding, "")
+            .unwrap()
+            .digits
+    };
+    // Two motions that differ by as much, or by nothing; and a rounding in their own units.
+    assert_eq!(digits([2.0 + 2e-9, 2.0 - 2e-9], 0.0), Some(15));
+    assert_eq!(digits([2.0 + 1e-9, 2.0 + 1e-9], 0.0), Some(9));
+    assert_eq!(digits([2.0 + 2e-9, 2.0 + 2e-9], 1e-8), Some(15));
+    assert_eq!(digits([2.0 + 1e-12, 2.0 + 1e-12], 0.0), Some(15));
+    let alone = Answer::by_either(One(2.0), None, "").unwrap();
+    assert_eq!((alone.digits, alone.disagreement), (Some(15), None));
+}
+
+#[test]
 fn zero_has_no_sign_and_differs_from_nothing_but_other_values() {
     let Value::Number(zero) = Value::from(-0.0) else {
         panic!("a number")
     };
     assert!(zero.is_sign_positive());
-    let field = |value: Value| Field {
-        name: "x",
-        value,
-        scale: 0.0,
-    };
+    let field = |value: Value| Field::within(0.0, "x", value);
     let values = [
         Value::Number(0.0),
         Value::Number(2.0),

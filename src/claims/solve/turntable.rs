@@ -1,48 +1,54 @@
 //! The turntable: rest or escape, and the state at a time.
 //!
-//! No formula gives a motion here. Where the others compare a formula with the motion, two integrations stand:
-//! in components along and across the velocity and in the table's axes, or in the table's axes and in the
-//! laboratory's.
+//! No formula gives a motion here. Where the others compare a formula with the motion, two integrations stand: in
+//! components along and across the velocity, in numbers of twice the width, and in the table's axes or in the
+//! laboratory's in `f64`.
 
 /// Where a particle of an ensemble starts.
 pub use crate::motion::turntable::Start;
 /// An ensemble of particles, by the motion alone.
-#[cfg(feature = "book")]
 pub use crate::motion::turntable::ensemble::{End, Horizon};
 
-use super::{Answer, Curve, Field, Fields, SolveError, check, steps};
+use super::{Answer, Curve, Field, Fields, Quantity, SolveError, check, steps};
 use crate::motion::MotionError;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Path, State, Table, fate, inertial, rotating};
+use crate::motion::turntable::fate::{Certain, Ending, Rest, follow};
+use crate::motion::turntable::intrinsic::Exact;
+use crate::motion::turntable::moment::{Moment as Parts, moment};
+use crate::motion::turntable::{Path, State, Table, inertial, rotating};
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
+use crate::numerics::taylor::TERMS;
 use crate::paper::turntable as printed;
+use crate::scalar::Scalar;
+use std::f64::consts::TAU;
 
 /// A start on the table, in the paper's units and in axes that turn with the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Problem {
+pub enum Problem<T = f64> {
     /// At the distance ρ on the +x axis with the speed p at the angle −ψ.
     Polar {
         /// ρ, in [0, 10⁹].
-        rho: f64,
+        rho: T,
         /// p, in [0, 10⁹].
-        p: f64,
+        p: T,
         /// ψ, from the velocity to the position, counterclockwise (radians).
-        psi: f64,
+        psi: T,
     },
     /// As `Polar`, with p = A sinh α and ρ = A cosh α.
     Hyperbolic {
         /// A, in [0, 10⁹].
-        a: f64,
+        a: T,
         /// α, in [0, 20].
-        alpha: f64,
+        alpha: T,
         /// ψ (radians).
-        psi: f64,
+        psi: T,
     },
     /// By position and velocity.
     Cartesian {
         /// Position.
-        position: [f64; 2],
+        position: [T; 2],
         /// Velocity relative to the table.
-        velocity: [f64; 2],
+        velocity: [T; 2],
     },
 }
 
@@ -64,23 +70,43 @@ pub struct Moment {
     pub position: [f64; 2],
     /// Velocity relative to the table.
     pub velocity: [f64; 2],
+    /// ρ.
+    pub rho: f64,
+    /// p.
+    pub p: f64,
+    /// ψ, in (−π, π]; 0 where the particle is at rest or on the axis.
+    pub psi: f64,
 }
 
 impl Moment {
-    /// ρ.
-    pub fn rho(&self) -> f64 {
-        libm::hypot(self.position[0], self.position[1])
+    pub(super) fn of([x, y]: [f64; 2], [u, v]: [f64; 2]) -> Self {
+        let (rho, p) = (libm::hypot(x, y), libm::hypot(u, v));
+        let psi = if rho == 0.0 || p == 0.0 {
+            0.0
+        } else {
+            libm::atan2(u * y - v * x, u * x + v * y)
+        };
+        Self {
+            position: [x, y],
+            velocity: [u, v],
+            rho,
+            p,
+            psi,
+        }
     }
+}
 
-    /// p.
-    pub fn p(&self) -> f64 {
-        printed::eq93_speed(self.velocity)
-    }
-
-    /// ψ, in (−π, π]; 0 where the particle is at rest or on the axis.
-    pub fn psi(&self) -> f64 {
-        let ([x, y], [u, v]) = (self.position, self.velocity);
-        libm::atan2(u * y - v * x, u * x + v * y)
+/// x, y, v_x, v_y, ρ, p, ψ, each rounded.
+impl From<[Double; 7]> for Moment {
+    fn from(parts: [Double; 7]) -> Self {
+        let [x, y, u, v, rho, p, psi] = parts.map(Double::to_f64);
+        Self {
+            position: [x, y],
+            velocity: [u, v],
+            rho,
+            p,
+            psi,
+        }
     }
 }
 
@@ -96,7 +122,7 @@ impl Fields for Outcome {
 
 impl Fields for Moment {
     fn fields(&self) -> Vec<Field> {
-        let (rho, p) = (self.rho(), self.p());
+        let Moment { rho, p, psi, .. } = *self;
         vec![
             Field::within(rho, "x", self.position[0]),
             Field::within(rho, "y", self.position[1]),
@@ -104,7 +130,7 @@ impl Fields for Moment {
             Field::within(p, "vy", self.velocity[1]),
             Field::new("rho", rho),
             Field::new("p", p),
-            Field::within(1.0, "psi", self.psi()),
+            Field::within(1.0, "psi", psi),
         ]
     }
 }
@@ -112,16 +138,27 @@ impl Fields for Moment {
 /// So long may a motion be followed: about a turn of the velocity in a unit of time.
 const LONGEST: f64 = 1e5;
 
-impl Problem {
+impl<T: Quantity> Problem<T> {
     /// Rest or escape.
     ///
     /// # Errors
-    /// [`SolveError::Motion`] for a parameter out of range, [`SolveError::Undecided`] on the boundary.
+    /// [`SolveError::Parameter`] or [`SolveError::Motion`] for a parameter out of range, [`SolveError::Undecided`] on the
+    /// boundary.
     pub fn fate(&self) -> Result<Answer<Outcome>, SolveError> {
-        let start = self.start()?;
-        let (sigma, tau, error) = match fate(&start)? {
-            Fate::Undecided { tau, p } => return Err(SolveError::Undecided { tau, p }),
-            Fate::Escape { .. } => {
+        let near = self.near();
+        near.start()?;
+        let exact = self.exact();
+        let end = |start| follow::<Double, ORDER>(&start, true).map(|(ending, _)| ending);
+        let rounded = near.exact();
+        let (here, beside) = match [end(exact)?, end(exact.beside(NUDGE.into()))?] {
+            [
+                Ending::Certain(Certain::Rest(here)),
+                Ending::Certain(Certain::Rest(beside)),
+            ] => (here, beside),
+            [
+                Ending::Certain(Certain::Escape { .. }),
+                Ending::Certain(Certain::Escape { .. }),
+            ] => {
                 let escape = Outcome {
                     outcome: "escape",
                     sigma: None,
@@ -133,50 +170,83 @@ impl Problem {
                     ..Answer::by_motions(escape, &escape, note)?
                 });
             }
-            Fate::Rest { sigma, tau, error } => (sigma, tau, error),
+            [here, _] => {
+                let (tau, p) = here.reached();
+                return Err(SolveError::Undecided { tau, p });
+            }
         };
-        let rest = |sigma, tau| Outcome {
+        let rest = |sigma: f64, tau: f64| Outcome {
             outcome: "rest",
             sigma: Some(sigma),
             tau_rest: Some(tau),
         };
-        let note = "by the motion, integrated along the velocity and in the table's axes";
-        match (self.at_its_stop(&start), self.path(2.0 * tau + 1.0)) {
-            (Ok(Some((sigma, tau))), Ok(path)) => {
-                let place = path
-                    .resting_place()
-                    .map_or(f64::NAN, |[x, y]| libm::hypot(x, y));
-                let stop = path.stops().last().copied().unwrap_or(0.0);
-                Answer::by_motions(rest(sigma, tau), &rest(place, stop), note)
+        let best = rest(here.sigma.into(), here.tau.into());
+        let second = if here.gap.to_f64() > SLOW {
+            let path = near.path(2.0 * here.tau.to_f64() + 1.0)?;
+            let place = path.resting_place().map(|[x, y]| libm::hypot(x, y));
+            let stop = path.stops().last().copied();
+            rest(place.unwrap_or(f64::NAN), stop.unwrap_or(0.0))
+        } else {
+            match follow::<f64, NARROW>(&exact.map(Double::to_f64), true)?.0 {
+                Ending::Certain(Certain::Rest(narrow)) => rest(narrow.sigma, narrow.tau),
+                // So close to the border that the narrower numbers miss it.
+                _ => best,
             }
-            // An approach so slow that only bounds are known.
-            _ => Answer::by_motions(rest(sigma, tau), &rest(sigma + error, tau + SLOW), note),
-        }
+        };
+        let moved = |to: Rest<Double>| {
+            let moved = [here.sigma - to.sigma, here.tau - to.tau];
+            moved.map(Double::to_f64).to_vec()
+        };
+        let by_rounding = if rounded == exact {
+            moved(here)
+        } else if let Ending::Certain(Certain::Rest(rounded)) = end(rounded)? {
+            moved(rounded)
+        } else {
+            vec![f64::INFINITY; 2]
+        };
+        Answer::by_wide_motion(best, &second, [moved(beside), by_rounding], NOTE)
     }
 
     /// The state at the time `tau`.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] or [`SolveError::Motion`] for a parameter out of range.
-    pub fn at(&self, tau: f64) -> Result<Answer<Moment>, SolveError> {
+    pub fn at(&self, tau: T) -> Result<Answer<Moment>, SolveError> {
+        let (exactly, tau): (Double, f64) = (tau.into(), tau.into());
         let fit = (0.0..=LONGEST).contains(&tau);
         check("time", tau, fit, "between 0 and 1e5")?;
-        self.start()?;
-        let moment = |path: &Path| -> Result<Moment, MotionError> {
-            let State { x, v, .. } = path.on_table(tau)?;
-            Ok(Moment {
-                position: x,
-                velocity: v,
-            })
+        let near = self.near();
+        near.start()?;
+        let exact = self.exact();
+        let parts = |start| Ok::<_, SolveError>(moment::<Double, ORDER>(&start, exactly)?);
+        let (here, beside) = (parts(exact)?, parts(exact.beside(NUDGE.into()))?);
+        let [best, beside] = [&here, &beside].map(|parts| self.seen(parts));
+        let rounded = if near.exact() == exact {
+            best
+        } else {
+            near.seen(&parts(near.exact())?)
         };
-        let on_table = moment(&self.path(tau)?)?;
-        let from_outside = moment(&inertial::run(
-            &Table::default(),
-            &Table::default().to_laboratory(&self.state()),
-            tau,
-        )?)?;
-        let note = "by the motion, integrated in the table's axes and in the laboratory's";
-        Answer::by_motions(on_table, &from_outside, note)
+        let second = if here.slow || here.p.to_f64() < AT_ITS_STOP {
+            let narrow = moment::<f64, NARROW>(&exact.map(Double::to_f64), tau)?;
+            Moment::from(near.seen(&narrow.map(Double::from)))
+        } else {
+            let outside = Table::default().to_laboratory(&near.state());
+            let path = inertial::run(&Table::default(), &outside, tau)?;
+            let State { x, v, .. } = path.on_table(tau)?;
+            Moment::of(x, v)
+        };
+        let moved = |to: [Double; 7]| -> Vec<f64> {
+            let pairs = best.into_iter().zip(to);
+            pairs.map(|(x, y)| (x - y).to_f64()).collect()
+        };
+        let moved = [moved(beside), moved(rounded)];
+        let best = Moment::from(best);
+        let turns = libm::round((best.psi - second.psi) / TAU);
+        let second = Moment {
+            psi: second.psi + TAU * turns,
+            ..second
+        };
+        Answer::by_wide_motion(best, &second, moved, NOTE)
     }
 
     /// The path on the table, until it rests or up to `until`.
@@ -189,7 +259,7 @@ impl Problem {
             (None, Some(rest)) => rest,
             (None, None) => ESCAPE_SHOWN,
         };
-        let path = self.path(until)?;
+        let path = self.near().path(until)?;
         let place = |tau| path.on_table(tau).map(|state| state.x);
         let points: Result<Vec<_>, _> = steps(until, 600).map(place).collect();
         Ok(Curve {
@@ -201,6 +271,94 @@ impl Problem {
         })
     }
 
+    /// The same in `f64`.
+    fn near(&self) -> Problem {
+        let near = |x: T| -> f64 { x.into() };
+        match *self {
+            Self::Polar { rho, p, psi } => Problem::Polar {
+                rho: near(rho),
+                p: near(p),
+                psi: near(psi),
+            },
+            Self::Hyperbolic { a, alpha, psi } => Problem::Hyperbolic {
+                a: near(a),
+                alpha: near(alpha),
+                psi: near(psi),
+            },
+            Self::Cartesian { position, velocity } => Problem::Cartesian {
+                position: position.map(near),
+                velocity: velocity.map(near),
+            },
+        }
+    }
+
+    /// The start in numbers of twice the width.
+    fn exact(&self) -> Exact<Double> {
+        let wide = |x: T| -> Double { x.into() };
+        match *self {
+            Self::Polar { rho, p, psi } => Exact::polar(wide(rho), wide(p), wide(psi)),
+            Self::Hyperbolic { a, alpha, psi } => {
+                let (a, alpha) = (wide(a), wide(alpha));
+                Exact::polar(
+                    printed::eq112_rho(a, alpha),
+                    printed::eq111_p(a, alpha),
+                    wide(psi),
+                )
+            }
+            Self::Cartesian { position, velocity } => {
+                Exact::cartesian(position.map(wide), velocity.map(wide))
+            }
+        }
+    }
+
+    /// The direction of the velocity at the start; that away from the axis for a start from rest.
+    fn direction(&self) -> [Double; 2] {
+        let away = [1.0, 0.0].map(Double::from);
+        let unit = |vector: [T; 2]| {
+            let [x, y] = vector.map(Into::into);
+            let size = Double::hypot(x, y);
+            (size.to_f64() > 0.0).then(|| [x / size, y / size])
+        };
+        match *self {
+            Self::Cartesian { position, velocity } => {
+                unit(velocity).or_else(|| unit(position)).unwrap_or(away)
+            }
+            Self::Polar { psi, .. } | Self::Hyperbolic { psi, .. } => {
+                if self.exact().p.to_f64() == 0.0 {
+                    return away;
+                }
+                let psi = psi.into();
+                [Scalar::cos(psi), -Scalar::sin(psi)]
+            }
+        }
+    }
+
+    /// A state in the table's axes: x, y, v_x, v_y, ρ, p, ψ.
+    fn seen(&self, parts: &Parts<Double>) -> [Double; 7] {
+        let [along, across] = self.direction();
+        let (c, s) = (Scalar::cos(parts.turned), Scalar::sin(parts.turned));
+        let [u, v] = [c * along - s * across, s * along + c * across];
+        let Parts { p, xi, eta, .. } = *parts;
+        let rho = xi.hypot(eta);
+        let zero = Double::from(0.0);
+        let psi = if p == zero || rho == zero {
+            zero
+        } else {
+            eta.atan2(xi)
+        };
+        [
+            xi * u - eta * v,
+            xi * v + eta * u,
+            p * u,
+            p * v,
+            rho,
+            p,
+            psi,
+        ]
+    }
+}
+
+impl Problem {
     fn start(&self) -> Result<Start, SolveError> {
         Ok(match *self {
             Problem::Polar { rho, p, psi } => Start::polar(rho, p, psi)?,
@@ -241,15 +399,20 @@ impl Problem {
     fn path(&self, until: f64) -> Result<Path, MotionError> {
         rotating::run(&Table::default(), &self.state(), until)
     }
-
-    /// σ and τ, followed until nothing is left of the speed.
-    fn at_its_stop(&self, start: &Start) -> Result<Option<(f64, f64)>, MotionError> {
-        let end = Run::new(start, f64::MAX)?.end();
-        Ok((end.p() < 1e-20).then(|| (end.rho(), end.tau)))
-    }
 }
 
-/// To this the time of a very slow stop is known.
-const SLOW: f64 = 1e-9;
+/// Terms of the series of numbers of twice the width.
+const ORDER: usize = 44;
+/// A change of this part of a start shows how many digits of the answer hang on the digits of the integration, which
+/// loses less than that.
+const NUDGE: f64 = 1e-28;
+/// Terms of those of `f64`.
+const NARROW: usize = TERMS;
+/// Below this speed the motion in the laboratory, a difference, has too few digits.
+const AT_ITS_STOP: f64 = 1e-5;
+/// Above this 1 − σ the integration in the table's axes gets to rest.
+const SLOW: f64 = 0.01;
 /// So long a time of an escape is drawn.
 const ESCAPE_SHOWN: f64 = 12.0;
+/// What the answers rest on.
+const NOTE: &str = "by the motion, integrated along the velocity in numbers of 31 digits; the digits are those that a change of the start by 10⁻²⁸ does not touch, and a second integration agrees";

@@ -1,17 +1,21 @@
-//! Many particles on the table at once, to 10⁻⁹ in the place of rest: each is followed until it rests, until it is far out, or until
-//! its time is up.
+//! Many particles on the table at once: each is followed until it rests, until it is far out, or until its time is up.
 //!
 //! The law of motion is that of [`intrinsic`](super::intrinsic), the certainty of a rest that of
 //! [`fate`](super::fate). What is new is only how the work is laid out: eight particles share a vector register, and
-//! a particle that has come to its end makes room for the next at once.
+//! a particle that has come to its end makes room for the next at once. One that comes so close to the border of rest and
+//! escape that these steps are too rough is followed once more, alone and more closely.
 
-use super::fate::{Fate, judge};
-use super::intrinsic::{Law, Start, check};
+use super::fate::{self, judge};
+use super::intrinsic::{Exact, Law, Start, check};
+use super::slow::{Slow, Width};
 use crate::motion::error::MotionError;
 use crate::numerics::batch::Batch;
 use crate::numerics::lanes::{Lanes, Wide, widest};
 use crate::numerics::series::value;
+use crate::numerics::taylor::{Control, Integrator, Step};
+#[cfg(feature = "book")]
 use rayon::prelude::*;
+use std::sync::LazyLock;
 
 /// How long a particle of an ensemble is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,31 +26,45 @@ pub struct Horizon {
     pub tau: f64,
 }
 
+/// The slow equations of particles that are followed alone.
+static NARROW: LazyLock<Slow<f64>> = LazyLock::new(Slow::new);
+
 /// How a particle's way ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum End {
     /// It comes to rest.
     Rest {
-        /// Distance σ from the axis, to 10⁻⁹.
+        /// Distance σ from the axis,
         sigma: f64,
+        /// and how closely it is known: to 10⁻⁸ or better, unless 1 − σ is below 10⁻⁵.
+        sigma_error: f64,
+        /// When,
+        tau: f64,
+        /// and how closely that is known.
+        tau_error: f64,
     },
     /// It crosses the horizon's distance.
     Far {
-        /// When: to 10⁻⁹ of itself.
+        /// When,
         tau: f64,
+        /// and how closely that is known: to 10⁻⁷ of itself or better, unless it passed the border of rest closely.
+        tau_error: f64,
     },
     /// It does neither within the horizon's time.
     Late(Start),
-    /// It does neither within [`STEPS`] steps.
+    /// So close to the border of rest and escape that rounding decides.
     Unfinished(Start),
 }
 
-/// Steps after which a particle is given up: a hundred times those that all but a few need.
+/// Steps after which a particle is followed alone: a hundred times those that all but a few need.
 pub const STEPS: u32 = 5000;
 
 /// Terms of the series, and binary logarithm of the size that the last two may have.
 const TERMS: usize = 20;
 const TOLERANCE: f64 = -40.0;
+
+/// Terms of the series of a particle that is followed alone.
+const CLOSELY: usize = 24;
 
 /// Particles that share a register.
 const LANES: usize = 16;
@@ -57,11 +75,19 @@ const SLOW: f64 = 1e-6;
 /// Wanted half-width of the bounds of σ.
 const RADIUS: f64 = 2e-10;
 
+/// What the steps of many at once may cost, in units of 2^TOLERANCE = 10⁻¹², and those of a particle alone, in units of
+/// the spacing of `f64`.
+const LOST: [f64; 2] = [1e-12, 64.0 * f64::EPSILON];
+
+/// A particle that comes closer than this to p = w = 0, the border's brink, is followed alone.
+const BRINK: f64 = 0.001;
+
 /// Particles in one piece of work for one thread.
 const PIECE: usize = 1024;
 
 impl Horizon {
-    /// The ends of these particles' ways, in their order. All cores share the work; the result does not depend on how.
+    /// The ends of these particles' ways, in their order. With the feature `book` all cores share the work; the result does
+    /// not depend on how.
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a horizon that is not positive and finite, a start that no constructor of
@@ -69,7 +95,11 @@ impl Horizon {
     pub fn follow(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
         self.check(starts)?;
         let ends = |piece| self.piece(piece);
-        Ok(starts.par_chunks(PIECE).flat_map_iter(ends).collect())
+        #[cfg(feature = "book")]
+        let pieces = starts.par_chunks(PIECE).flat_map_iter(ends);
+        #[cfg(not(feature = "book"))]
+        let pieces = starts.chunks(PIECE).flat_map(ends);
+        Ok(pieces.collect())
     }
 
     /// As [`follow`](Self::follow), on one core.
@@ -103,11 +133,21 @@ trait Watch {
     /// Whether a motion may have come to its end, for the states after a step.
     fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L];
 
-    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end.
-    fn end(&self, series: &[[f64; TERMS]; 4], h: f64, state: &[f64; 4]) -> Option<Self::End>;
+    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end. `brink` is
+    /// how close it came to p = w = 0.
+    fn end(
+        &self,
+        series: &[[f64; TERMS]; 4],
+        h: f64,
+        state: &[f64; 4],
+        brink: f64,
+    ) -> Option<Self::End>;
 
-    /// The end of a motion that is given up in this state.
-    fn unfinished(&self, state: &[f64; 4]) -> Self::End;
+    /// The end of a motion from `start` that the steps of many do not find, or not well.
+    fn alone(&self, start: &Start) -> Self::End;
+
+    /// Whether an end is not known well enough.
+    fn is_rough(end: &Self::End, brink: f64) -> bool;
 
     /// The ends of some particles' ways, on one core.
     fn piece(&self, starts: &[Start]) -> Vec<Self::End>
@@ -127,10 +167,11 @@ trait Watch {
 
     #[inline(always)]
     fn run<const L: usize>(&self, starts: &[Start]) -> Vec<Self::End> {
-        let mut ends = vec![self.unfinished(&[0.0; 4]); starts.len()];
+        let mut ends = vec![None; starts.len()];
         let mut waiting = starts.iter().enumerate();
         let mut batch = Batch::<4, TERMS, L>::new();
         let mut riders: [Option<(usize, u32)>; L] = [None; L];
+        let mut brink = Lanes::<L>::all(f64::INFINITY);
         let mut board = |lane: usize, batch: &mut Batch<4, TERMS, L>| {
             let next = waiting.next();
             let rest = [0.0, 0.0, 1.0, 0.0];
@@ -147,6 +188,8 @@ trait Watch {
             batch.expand(&Law);
             let h = batch.reach(TOLERANCE);
             let states = batch.after(&h);
+            let [_, p, w, _] = states;
+            brink = brink.min(p.max(w.abs()));
             let over = self.over(&states);
             if over.iter().any(|over| *over) {
                 for lane in 0..L {
@@ -154,25 +197,30 @@ trait Watch {
                         continue;
                     };
                     let state = states.map(|x| x.0[lane]);
-                    if let Some(end) = self.end(&batch.lane(lane), h.0[lane], &state) {
-                        ends[index] = end;
+                    let brink = brink.0[lane];
+                    if let Some(end) = self.end(&batch.lane(lane), h.0[lane], &state, brink) {
+                        let rough = Self::is_rough(&end, brink);
+                        ends[index] = (!rough).then_some(end);
                         riders[lane] = None;
                     }
                 }
             }
             batch.go(&states);
             for (lane, rider) in riders.iter_mut().enumerate() {
-                if let Some((index, steps)) = rider {
+                if let Some((_, steps)) = rider {
                     *steps += 1;
                     if *steps < STEPS {
                         continue;
                     }
-                    ends[*index] = self.unfinished(&batch.state(lane));
                 }
                 *rider = board(lane, &mut batch);
+                brink.0[lane] = f64::INFINITY;
             }
         }
-        ends
+        let pairs = ends.into_iter().zip(starts);
+        pairs
+            .map(|(end, start)| end.unwrap_or_else(|| self.alone(start)))
+            .collect()
     }
 }
 
@@ -193,38 +241,148 @@ impl Watch for Horizon {
         over
     }
 
-    fn end(&self, series: &[[f64; TERMS]; 4], h: f64, state: &[f64; 4]) -> Option<End> {
-        let excess = |[_, p, w, zeta]: &[f64; 4]| {
+    fn end(&self, series: &[[f64; TERMS]; 4], h: f64, state: &[f64; 4], brink: f64) -> Option<End> {
+        let [lost, _] = LOST;
+        let amplified = 1.0 / (brink * brink);
+        self.ended(series, h, state, [lost, amplified])
+            .or_else(|| settled(state, RADIUS, lost, None))
+    }
+
+    fn alone(&self, start: &Start) -> End {
+        self.closely(start).unwrap_or(End::Unfinished(*start))
+    }
+
+    fn is_rough(end: &End, brink: f64) -> bool {
+        brink < BRINK && !matches!(end, End::Late(_))
+    }
+}
+
+impl Horizon {
+    /// The end of a motion's way beyond the horizon, if it lies in this step.
+    ///
+    /// What was `lost` on the way is by so much more, `amplified`, where the way came close to the border of rest.
+    fn ended<const N: usize>(
+        &self,
+        series: &[[f64; N]; 4],
+        h: f64,
+        state: &[f64; 4],
+        [lost, amplified]: [f64; 2],
+    ) -> Option<End> {
+        let excess = |[p, w, zeta]: [f64; 3]| {
             let (xi, eta) = (1.0 - w, p - zeta);
             (xi * xi + eta * eta - self.rho * self.rho, 2.0 * p * p * xi)
         };
-        let at = |h: f64| std::array::from_fn(|i| value(&series[i], &h));
-        let late = |x: &[f64; 4]| (x[0] - self.tau, x[1]);
-        if excess(state).0 > 0.0 {
-            let [tau, ..] = at(crossing(h, |h| excess(&at(h))));
+        let at = |i: usize, h: f64| value(&series[i], &h);
+        let [after, p, w, zeta] = *state;
+        if excess([p, w, zeta]).0 > 0.0 {
+            // Three sums side by side: none waits for itself.
+            let parts = |h: f64| {
+                let mut sums = [0.0; 3];
+                for k in (0..N).rev() {
+                    for (sum, series) in sums.iter_mut().zip(&series[1..]) {
+                        *sum = *sum * h + series[k];
+                    }
+                }
+                sums
+            };
+            let tau = at(0, crossing(h, |h| excess(parts(h))));
             if tau <= self.tau {
-                return Some(End::Far { tau });
+                return Some(End::Far {
+                    tau,
+                    tau_error: lost * (tau + amplified),
+                });
             }
         }
-        if state[0] > self.tau {
-            return Some(End::Late(start_of(&at(crossing(h, |h| late(&at(h)))))));
-        }
-        match judge(state)?.fate {
-            Fate::Rest { sigma, error, .. } if error <= RADIUS => Some(End::Rest { sigma }),
-            _ => None,
-        }
+        (after > self.tau).then(|| {
+            let h = crossing(h, |h| (at(0, h) - self.tau, at(1, h)));
+            End::Late(start_of(&[0, 1, 2, 3].map(|i| at(i, h))))
+        })
     }
 
-    fn unfinished(&self, state: &[f64; 4]) -> End {
-        End::Unfinished(start_of(state))
+    /// The end of a particle's way, by shorter steps and by the slow equations; nothing where rounding decides.
+    fn closely(&self, start: &Start) -> Option<End> {
+        let [_, lost] = LOST;
+        let slow = &*NARROW;
+        let Exact { p, deficit, zeta } = Exact::<f64>::from(start);
+        let mut state = [0.0, p, deficit, zeta];
+        let (mut brink, mut entry) = (f64::INFINITY, None);
+        // Into the slow equations and out again at most.
+        for _ in 0..3 {
+            let mut fast = Integrator::<_, _, 4, CLOSELY>::new(&Law, 0.0, state, Control::Each);
+            let mut step = Step::empty();
+            let [tau, p, w] = loop {
+                let &[tau, p, w, zeta] = fast.state();
+                brink = brink.min(p.max(w.abs()));
+                if let Some(end) = settled(fast.state(), f64::CLOSE, lost, entry) {
+                    return Some(end);
+                }
+                if slow.serves(p, w, zeta) {
+                    break [tau, p, w];
+                }
+                fast.expand(&mut step).ok()?;
+                fast.advance(&step);
+                let amplified = entry.unwrap_or(brink) / (brink * brink);
+                if let Some(end) = self.ended(&step.series, step.h, fast.state(), [lost, amplified])
+                {
+                    return Some(end);
+                }
+            };
+            entry = Some(p);
+            let begin = [tau, p, w, 0.0, 0.0];
+            let mut slowly = Integrator::<_, _, 5, CLOSELY>::new(slow, 0.0, begin, Control::Each);
+            let mut step = Step::empty();
+            state = loop {
+                let &[tau, p, w, ..] = slowly.state();
+                brink = brink.min(p.max(w.abs()));
+                let state = [tau, p, w, slow.zeta(p, w)];
+                if let Some(end) = settled(&state, f64::CLOSE, lost, entry) {
+                    return Some(end);
+                }
+                if p < f64::EPSILON {
+                    return None;
+                }
+                if !slow.serves(p, w, state[3]) {
+                    break state;
+                }
+                slowly.expand(&mut step).ok()?;
+                slowly.advance(&step);
+                let &[after, ..] = slowly.state();
+                if after > self.tau {
+                    let left = |h: f64| {
+                        (
+                            value(&step.series[0], &h) - self.tau,
+                            value(&step.series[1], &h),
+                        )
+                    };
+                    let [_, p, w, ..] = step.at(&crossing(step.h, left));
+                    return Some(End::Late(start_of(&[self.tau, p, w, slow.zeta(p, w)])));
+                }
+            };
+        }
+        None
     }
+}
+
+/// The end of a motion that is certain to come to rest, if place and time are known as well as they can be after so much
+/// is [lost](fate::Rest::errors).
+fn settled(state: &[f64; 4], radius: f64, lost: f64, entry: Option<f64>) -> Option<End> {
+    let (fate::Certain::Rest(rest), _) = judge(state)? else {
+        return None;
+    };
+    let [sigma_error, tau_error] = rest.errors(lost, entry);
+    (rest.error <= radius).then_some(End::Rest {
+        sigma: rest.sigma,
+        sigma_error,
+        tau: rest.tau,
+        tau_error,
+    })
 }
 
 /// Follows a particle until its [fate](mod@super::fate) is certain.
 struct Certain;
 
 impl Watch for Certain {
-    /// Whether it comes to rest; nothing where [`STEPS`] steps do not tell.
+    /// Whether it comes to rest; nothing where rounding decides.
     type End = Option<bool>;
 
     #[inline(always)]
@@ -232,13 +390,17 @@ impl Watch for Certain {
         std::array::from_fn(|lane| judge(&states.map(|x| x.0[lane])).is_some())
     }
 
-    fn end(&self, _: &[[f64; TERMS]; 4], _: f64, state: &[f64; 4]) -> Option<Option<bool>> {
-        let fate = judge(state)?.fate;
-        Some(Some(matches!(fate, Fate::Rest { .. })))
+    fn end(&self, _: &[[f64; TERMS]; 4], _: f64, state: &[f64; 4], _: f64) -> Option<Option<bool>> {
+        let (certain, _) = judge(state)?;
+        Some(Some(matches!(certain, fate::Certain::Rest(_))))
     }
 
-    fn unfinished(&self, _: &[f64; 4]) -> Option<bool> {
-        None
+    fn alone(&self, start: &Start) -> Option<bool> {
+        fate::rests(start).ok().flatten()
+    }
+
+    fn is_rough(_: &Option<bool>, _: f64) -> bool {
+        false
     }
 }
 
@@ -258,7 +420,8 @@ fn crossing(mut h: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
         let (value, slope) = function(h);
         let change = value / slope;
         h -= change;
-        if change.abs() <= 1e-13 * h.abs() {
+        // The next change would be of the order of the square.
+        if change.abs() <= 1e-9 * h.abs() {
             break;
         }
     }
@@ -276,7 +439,7 @@ fn start_of(&[_, p, w, zeta]: &[f64; 4]) -> Start {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::motion::turntable::{fate, intrinsic::Run};
+    use crate::motion::turntable::{Fate, fate, intrinsic::Run};
 
     const HORIZON: Horizon = Horizon {
         rho: 100.0,
@@ -300,15 +463,32 @@ mod tests {
         let (mut rests, mut far) = (0, 0);
         for (start, end) in starts.iter().zip(&ends) {
             match (*end, fate(start).unwrap()) {
-                (End::Rest { sigma }, Fate::Rest { sigma: exact, .. }) => {
-                    // Close to σ = 1 what a step loses grows; elsewhere it is far less.
-                    let allowed = if exact > 0.99 { 1e-9 } else { 2e-11 + RADIUS };
-                    assert!((sigma - exact).abs() <= allowed, "{start:?} {sigma}");
+                (
+                    End::Rest {
+                        sigma,
+                        sigma_error,
+                        tau,
+                        tau_error,
+                    },
+                    Fate::Rest {
+                        sigma: place,
+                        tau: time,
+                        ..
+                    },
+                ) => {
+                    assert!((sigma - place).abs() <= sigma_error, "{start:?} {sigma}");
+                    assert!((tau - time).abs() <= tau_error, "{start:?} {tau}");
+                    assert!(sigma_error < 1e-8 && tau_error < 1e-6, "{start:?}");
                     rests += 1;
                 }
-                (End::Far { tau }, Fate::Escape { .. }) => {
-                    let rho = Run::new(start, tau).unwrap().end().rho();
-                    assert!((rho / 100.0 - 1.0).abs() < 1e-9, "{rho}");
+                (End::Far { tau, tau_error }, Fate::Escape { .. }) => {
+                    let end = Run::new(start, tau).unwrap().end();
+                    // dρ/dτ is nearly p, far out.
+                    let off = (end.rho() - 100.0) / end.p();
+                    assert!(
+                        off.abs() <= 2.0 * tau_error && tau_error < 1e-6 * tau,
+                        "{off}"
+                    );
                     far += 1;
                 }
                 other => panic!("{start:?}: {other:?}"),
@@ -371,7 +551,13 @@ mod tests {
         let [end] = HORIZON.follow(&[still]).unwrap()[..] else {
             panic!()
         };
-        assert_eq!(end, End::Rest { sigma: 0.7 });
+        let rest = End::Rest {
+            sigma: 0.7,
+            sigma_error: 0.0,
+            tau: 0.0,
+            tau_error: 0.0,
+        };
+        assert_eq!(end, rest);
         assert_eq!(HORIZON.follow(&[]).unwrap(), []);
         let loose = Start::polar(1.1, 0.0, 0.0).unwrap();
         let broken = Start {
@@ -426,17 +612,71 @@ mod tests {
             Lanes([0.0, 0.0, 0.6]),
         ];
         assert_eq!(Certain.over(&states), [true, true, false]);
-        // Of a particle that is given up nothing is said.
-        assert_eq!(Certain.unfinished(&[1.0, 0.6, 0.5, 0.6]), None);
     }
 
     #[test]
     fn what_moves_beyond_the_largest_rest_is_followed() {
         let fast = Start::polar(1.1, 0.5, 0.3).unwrap();
-        let [End::Far { tau }] = HORIZON.follow(&[fast]).unwrap()[..] else {
+        let [End::Far { tau, .. }] = HORIZON.follow(&[fast]).unwrap()[..] else {
             panic!()
         };
         let rho = Run::new(&fast, tau).unwrap().end().rho();
         assert!((rho / 100.0 - 1.0).abs() < 1e-9, "{rho}");
+    }
+
+    #[test]
+    fn close_to_the_border_a_particle_is_followed_alone_and_no_digit_is_made_up() {
+        let place = |rho, p, psi| Start::polar(rho, p, psi).unwrap();
+        // By an implicit integration in ln p, 1 − ρ and ψ at forty digits.
+        for (start, sigma, tau) in [
+            (
+                place(0.9999, 1e-4, 0.0),
+                0.9999988455574359,
+                5.154601306786737,
+            ),
+            (
+                place(0.999999, 1e-6, 0.0),
+                0.9999999988452771,
+                7.457041106957004,
+            ),
+        ] {
+            let ends = HORIZON.follow(&[start]).unwrap();
+            let [
+                End::Rest {
+                    sigma: place,
+                    sigma_error,
+                    tau: time,
+                    tau_error,
+                },
+            ] = ends[..]
+            else {
+                panic!("{ends:?}")
+            };
+            assert!((place - sigma).abs() <= sigma_error && sigma_error < 1e-10);
+            assert!((time - tau).abs() <= tau_error && (time - tau).abs() < 1e-8);
+        }
+        // Too fast to rest there: it hovers, and goes.
+        let [End::Far { tau, tau_error }] =
+            HORIZON.follow(&[place(0.9999, 1.1e-4, 0.0)]).unwrap()[..]
+        else {
+            panic!()
+        };
+        let rho = Run::new(&place(0.9999, 1.1e-4, 0.0), tau)
+            .unwrap()
+            .end()
+            .rho();
+        assert!((rho / 100.0 - 1.0).abs() < 1e-9 && tau_error < 1e-6 && tau > 10.0);
+        let brief = Horizon {
+            tau: 3.0,
+            ..HORIZON
+        };
+        let [End::Late(there)] = brief.follow(&[place(0.9999, 1.1e-4, 0.0)]).unwrap()[..] else {
+            panic!()
+        };
+        let exact = Run::new(&place(0.9999, 1.1e-4, 0.0), 3.0)
+            .unwrap()
+            .end()
+            .parts;
+        assert!((there.p - exact.p).abs() < 1e-12 && (there.zeta - exact.zeta).abs() < 1e-12);
     }
 }

@@ -25,7 +25,8 @@
 //! ∫p dτ be finite, so the place would converge; there the pull would have to be balanced for good: a rest at ρ > 1.
 //! It may stop for a moment (a start from rest at ρ > 1, a motion straight inwards).
 
-use super::intrinsic::{Law, Start, check};
+use super::intrinsic::{Exact, Law, Start, check};
+use super::slow::{Slow, Width};
 use crate::motion::error::MotionError;
 use crate::numerics::taylor::{Control, Integrator, Step};
 
@@ -38,9 +39,11 @@ pub enum Fate {
         sigma: f64,
         /// When.
         tau: f64,
-        /// Half the distance of the bounds of σ: below 2·10⁻¹³ except for 1 − σ below about 10⁻³, where the approach
-        /// is so slow that the search ends earlier. The time is known to 10⁻⁹ then.
+        /// σ is known to this.
         error: f64,
+        /// The time is known to this. The closer to the border of rest a motion comes, the more it makes of the rounding
+        /// at its start: by h/(1 − σ)², where h is the speed at which it begins to slow down evenly.
+        tau_error: f64,
     },
     /// It goes away for ever.
     Escape {
@@ -49,7 +52,7 @@ pub enum Fate {
         /// The property that made it so.
         because: Escaping,
     },
-    /// Neither is certain after the steps allowed: so close to the boundary that rounding decides.
+    /// Neither is certain: so close to the boundary that rounding decides.
     Undecided {
         /// Time reached.
         tau: f64,
@@ -69,123 +72,248 @@ pub enum Escaping {
     Ahead,
 }
 
+/// A rest.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Rest<T> {
+    /// σ.
+    pub(crate) sigma: T,
+    /// 1 − σ, with the digits that σ does not show.
+    pub(crate) gap: T,
+    /// When, halfway between the bounds.
+    pub(crate) tau: T,
+    /// Half the distance of the bounds of σ,
+    pub(crate) error: f64,
+    /// and of those of the time.
+    pub(crate) late: f64,
+}
+
+impl Rest<f64> {
+    /// How closely σ and τ are known if so much is `lost` on the way: it grows on the last of it, the more the closer to
+    /// the border, and the more the faster the motion was, at the speed `entry`, when the slow equations began to serve.
+    pub(crate) fn errors(&self, lost: f64, entry: Option<f64>) -> [f64; 2] {
+        if self.tau == 0.0 {
+            return [0.0; 2];
+        }
+        let hover = entry.map_or(1.0, |entry| entry.max(self.gap)) / self.gap;
+        [
+            self.error + lost * (hover + 1.0),
+            self.late + lost * (self.tau + (hover + 1.0) / self.gap),
+        ]
+    }
+}
+
+/// What a state makes certain.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Certain<T> {
+    Rest(Rest<T>),
+    Escape { tau: T, because: Escaping },
+}
+
+/// How a motion ended.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Ending<T> {
+    Certain(Certain<T>),
+    Undecided { tau: T, p: T },
+}
+
+/// An ending, and the speed at which the motion began to follow the [slow equations](super::slow), if it did.
+pub(crate) type Followed<T> = (Ending<T>, Option<T>);
+
 /// Steps after which a fate is undecided.
 pub const STEPS: usize = 50_000;
-
-/// Steps spent on the place and the time of a rest that is certain.
-const REFINEMENT: usize = 2000;
 
 /// Terms of the series: the fastest number for steps that need no dense output.
 const ORDER: usize = 24;
 
-/// Wanted half-width of the bounds of σ, and width of those of τ.
-const RADIUS: f64 = 2e-13;
-const TIME: f64 = 1e-9;
+/// Closer to the axis than this, a place need not be known better.
+const NOWHERE: f64 = 1e-30;
 
-/// The fate of a particle.
+/// What the steps and the rounding of the start may cost, in units of the spacing of the numbers.
+const LOST: f64 = 64.0;
+
+/// The fate of a particle: σ to 10⁻¹² and, for 1 − σ above a thousandth, τ to 10⁻⁹; the answer says what is known beyond.
 ///
 /// # Errors
 /// [`MotionError::Argument`] for a start that no constructor of [`Start`] gives, [`MotionError::Numerics`] when
 /// numbers overflow.
 pub fn fate(start: &Start) -> Result<Fate, MotionError> {
-    follow(start, true)
+    check(start)?;
+    let (ending, slow) = follow::<f64, ORDER>(&Exact::from(start), true)?;
+    Ok(match ending {
+        Ending::Certain(Certain::Rest(rest)) => {
+            let [error, tau_error] = rest.errors(LOST * f64::EPSILON, slow);
+            Fate::Rest {
+                sigma: rest.sigma,
+                tau: rest.tau,
+                error,
+                tau_error,
+            }
+        }
+        Ending::Certain(Certain::Escape { tau, because }) => Fate::Escape { tau, because },
+        Ending::Undecided { tau, p } => Fate::Undecided { tau, p },
+    })
 }
 
-/// As [`fate()`], but a rest is reported as soon as it is certain, with σ and τ bounded only roughly.
+/// As [`fate()`], but a rest is reported as soon as it is certain, without place and time.
 ///
 /// # Errors
 /// As for [`fate()`].
 pub fn rests(start: &Start) -> Result<Option<bool>, MotionError> {
-    Ok(match follow(start, false)? {
-        Fate::Rest { .. } => Some(true),
-        Fate::Escape { .. } => Some(false),
-        Fate::Undecided { .. } => None,
-    })
-}
-
-fn follow(start: &Start, closely: bool) -> Result<Fate, MotionError> {
     check(start)?;
-    let state = [0.0, start.p, 1.0 - start.xi, start.zeta];
-    let mut integrator = Integrator::<_, _, 4, ORDER>::new(&Law, 0.0, state, Control::Each);
-    let mut step = Step::empty();
-    let mut refined = 0;
-    for _ in 0..STEPS {
-        match judge(integrator.state()) {
-            Some(Judgement { fate, close }) if close || !closely || refined == REFINEMENT => {
-                return Ok(fate);
-            }
-            Some(_) => refined += 1,
-            None => {}
+    let (ending, _) = follow::<f64, ORDER>(&Exact::from(start), false)?;
+    Ok(ending.rests())
+}
+
+impl<T> Ending<T> {
+    /// Whether it is a rest, where that is certain.
+    pub(crate) fn rests(&self) -> Option<bool> {
+        match self {
+            Self::Certain(certain) => Some(matches!(certain, Certain::Rest(_))),
+            Self::Undecided { .. } => None,
         }
-        integrator.expand(&mut step)?;
-        integrator.advance(&step);
     }
-    let [tau, p, ..] = *integrator.state();
-    Ok(Fate::Undecided { tau, p })
 }
 
-/// What a state makes certain.
-pub(super) struct Judgement {
-    pub(super) fate: Fate,
-    /// Whether place and time of a rest are known as well as wanted.
-    close: bool,
+impl<T: Width> Ending<T> {
+    /// The time reached, and the speed there where nothing is certain.
+    pub(crate) fn reached(&self) -> (f64, f64) {
+        match *self {
+            Self::Certain(Certain::Rest(Rest { tau, .. }) | Certain::Escape { tau, .. }) => {
+                (tau.to_f64(), 0.0)
+            }
+            Self::Undecided { tau, p } => (tau.to_f64(), p.to_f64()),
+        }
+    }
 }
 
-/// The fate, if the state makes it certain.
-pub(super) fn judge(&[tau, p, w, zeta]: &[f64; 4]) -> Option<Judgement> {
-    let now = Start {
-        p,
-        xi: 1.0 - w,
-        zeta,
+/// Follows a motion, by series of `N` terms, until its fate is certain, and a rest until its place and time are `closely`
+/// known.
+pub(crate) fn follow<T: Width, const N: usize>(
+    start: &Exact<T>,
+    closely: bool,
+) -> Result<Followed<T>, MotionError> {
+    let zero = T::from_f64(0.0);
+    let settled = |state: &[T; 4]| {
+        let certain = judge(state)?;
+        let open = closely && matches!(&certain, (Certain::Rest(_), close) if !close);
+        (!open).then_some(Ending::Certain(certain.0))
     };
-    let rho = now.rho();
-    let certain = |fate| Some(Judgement { fate, close: true });
-    let escape = |because| certain(Fate::Escape { tau, because });
-    if p == 0.0 {
-        return if rho <= 1.0 {
-            certain(Fate::Rest {
-                sigma: rho,
+    let state = [zero, start.p, start.deficit, start.zeta];
+    let mut fast = Integrator::<_, _, 4, N>::new(&Law, zero, state, Control::Each);
+    let mut step = Step::empty();
+    let mut slow = None;
+    for _ in 0..STEPS {
+        let &[tau, p, w, zeta] = fast.state();
+        if let Some(ending) = settled(&[tau, p, w, zeta]) {
+            return Ok((ending, None));
+        }
+        if p.magnitude() < T::TUBE && w.magnitude() < T::TUBE {
+            let law = slow.get_or_insert_with(Slow::new);
+            if law.serves(p, w, zeta) {
+                return follow_slowly::<T, N>(law, [tau, p, w], settled);
+            }
+        }
+        fast.expand(&mut step)?;
+        fast.advance(&step);
+    }
+    let [tau, p, ..] = *fast.state();
+    Ok((Ending::Undecided { tau, p }, None))
+}
+
+fn follow_slowly<T: Width, const N: usize>(
+    law: &Slow<T>,
+    [tau, p, w]: [T; 3],
+    settled: impl Fn(&[T; 4]) -> Option<Ending<T>>,
+) -> Result<Followed<T>, MotionError> {
+    let zero = T::from_f64(0.0);
+    let mut slow = Integrator::<_, _, 5, N>::new(law, zero, [tau, p, w, zero, zero], Control::Each);
+    let first = p;
+    let mut step = Step::empty();
+    loop {
+        let &[tau, p, w, ..] = slow.state();
+        if let Some(ending) = settled(&[tau, p, w, law.zeta(p, w)]) {
+            return Ok((ending, Some(first)));
+        }
+        // Friction and pull cannot be told apart any more.
+        if p.magnitude() < T::ROUNDING {
+            return Ok((Ending::Undecided { tau, p }, Some(first)));
+        }
+        slow.expand(&mut step)?;
+        slow.advance(&step);
+    }
+}
+
+/// The fate, if the state makes it certain, and whether place and time of a rest are known as well as wanted.
+pub(crate) fn judge<T: Width>(&[tau, p, w, zeta]: &[T; 4]) -> Option<(Certain<T>, bool)> {
+    let [zero, half, one, two] = [0.0, 0.5, 1.0, 2.0].map(T::from_f64);
+    let (xi, eta) = (one - w, p - zeta);
+    let energy = xi * xi + zeta * (zeta - two * p);
+    // 1 − ρ² and 1 − (ρ² − p²), without cancellation near rest at ρ = 1.
+    let inside = w * (two - w) - eta * eta;
+    let spare = inside + p * p;
+    let certain = |certain| Some((certain, true));
+    let escape = |because| certain(Certain::Escape { tau, because });
+    // σ² = ρ² − p² + 2S.
+    let place = |way: T| {
+        let gap = spare - way - way;
+        let sigma = if energy < half {
+            (energy + way + way).max(zero).sqrt()
+        } else {
+            (one - gap).max(zero).sqrt()
+        };
+        (sigma, gap / (one + sigma))
+    };
+    if p == zero {
+        let (sigma, gap) = place(zero);
+        return if inside >= zero {
+            certain(Certain::Rest(Rest {
+                sigma,
+                gap,
                 tau,
                 error: 0.0,
-            })
+                late: 0.0,
+            }))
         } else {
             escape(Escaping::Energy)
         };
     }
-    if w <= 0.0 {
+    if w <= zero {
         return escape(Escaping::Outward);
     }
-    if now.energy() >= 1.0 {
+    if spare <= zero {
         return escape(Escaping::Energy);
     }
-    if w < 1.0 && zeta <= -p && p > w {
+    if w < one && zeta <= -p && p > w {
         return escape(Escaping::Ahead);
     }
-    let room = 1.0 - rho;
+    let rho = (xi * xi + eta * eta).sqrt();
+    let room = inside / (one + rho);
     if p >= room {
         return None;
     }
-    let way = |w: f64| p * p / (w + libm::sqrt((w - p) * (w + p)));
-    let least = if zeta <= -p && w < 1.0 {
+    let way = |w: T| p * p / (w + ((w - p) * (w + p)).sqrt());
+    let least = if zeta <= -p && w < one {
         way(w)
     } else {
-        0.5 * p * p / w
+        half * p * p / w
     };
     // Rounding may exchange the two.
     let most = way(room).max(least);
     // The deceleration is between w and room − most.
     let (soonest, latest) = (p / w, p / (room - most));
     // The resting place is not farther from this one than the way, and σ² is between bounds.
-    let sigma = libm::sqrt((now.energy() + least + most).max(0.0)).min(1.0);
-    let error = most.min((most - least) / (rho + sigma).max(most));
-    Some(Judgement {
-        fate: Fate::Rest {
-            sigma,
-            tau: tau + 0.5 * (soonest + latest),
-            error,
-        },
-        close: error <= RADIUS && latest - soonest <= TIME,
-    })
+    let (sigma, gap) = place(half * (least + most));
+    let error = most.min((most - least) / (rho + sigma).max(most)).to_f64();
+    let close = error <= T::CLOSE * sigma.to_f64().max(NOWHERE)
+        && (latest - soonest).to_f64() <= T::CLOSE * (tau + latest).to_f64();
+    let rest = Rest {
+        sigma,
+        gap,
+        tau: tau + half * (soonest + latest),
+        error,
+        late: 0.5 * (latest - soonest).to_f64(),
+    };
+    Some((Certain::Rest(rest), close))
 }
 
 #[cfg(test)]
@@ -206,13 +334,21 @@ mod tests {
             } else {
                 p * p / (2.0 * w)
             };
-            let Some(Judgement {
-                fate: Fate::Rest { sigma, tau, error },
-                close: false,
-            }) = judge(&[5.0, p, w, zeta])
+            let Some((
+                Certain::Rest(Rest {
+                    sigma,
+                    tau,
+                    error,
+                    gap,
+                    late,
+                }),
+                false,
+            )) = judge(&[5.0, p, w, zeta])
             else {
                 panic!("{xi} {zeta}")
             };
+            assert!((sigma + gap - 1.0).abs() < 1e-15);
+            assert!((late - 0.5 * (p / slowest - p / w)).abs() < 1e-15);
             let expected = libm::sqrt(rho * rho - p * p + least + most);
             assert!((sigma - expected).abs() < 1e-15, "{sigma} {expected}");
             let time = 5.0 + 0.5 * (p / w + p / slowest);
@@ -235,11 +371,14 @@ mod tests {
             xi: 0.0,
             zeta: p,
         };
-        let Fate::Rest { sigma, tau, error } = fate(&tiny).unwrap() else {
+        let Fate::Rest {
+            sigma, tau, error, ..
+        } = fate(&tiny).unwrap()
+        else {
             panic!("{tiny:?}")
         };
         assert!(
-            sigma <= p && tau <= 2.0 * p && (0.0..=p).contains(&error),
+            sigma <= p && tau <= 2.0 * p && (0.0..1e-12).contains(&error),
             "{sigma} {tau} {error}"
         );
     }
@@ -247,8 +386,8 @@ mod tests {
     #[test]
     fn who_is_faster_than_friction_can_see_to_is_ahead() {
         // ξ = 0.8, ζ = −p = −0.3: ρ² − p² = 0.64 + 3·0.09 < 1, and p > w = 0.2.
-        let because = |state| match judge(&state).map(|judgement| judgement.fate) {
-            Some(Fate::Escape { because, .. }) => Some(because),
+        let because = |state| match judge(&state) {
+            Some((Certain::Escape { because, .. }, _)) => Some(because),
             _ => None,
         };
         assert_eq!(because([0.0, 0.3, 0.2, -0.3]), Some(Escaping::Ahead));
@@ -260,15 +399,27 @@ mod tests {
     }
 
     #[test]
-    fn a_slow_approach_ends_the_search_with_wider_bounds() {
-        // Outwards from close to ρ = 1: certain to rest, but where is not found as closely as elsewhere.
-        for (psi, place) in [(0.0, 1.0 - 4.359e-6), (1.0, 1.0 - 7.208e-6)] {
-            let start = Start::polar(1.0 - 1e-5, 9e-6, psi).unwrap();
-            let Fate::Rest { sigma, error, .. } = fate(&start).unwrap() else {
-                panic!("{psi}")
+    fn a_slow_approach_is_followed_to_its_end() {
+        // By an implicit integration in ln p, 1 − ρ and ψ at forty digits.
+        for (rho, p, sigma, tau) in [
+            (0.9999, 1e-4, 0.9999988455574359, 5.154601306786737),
+            (0.999999, 1e-6, 0.9999999988452771, 7.457041106957004),
+        ] {
+            let start = Start::polar(rho, p, 0.0).unwrap();
+            let Fate::Rest {
+                sigma: place,
+                tau: time,
+                error,
+                tau_error,
+            } = fate(&start).unwrap()
+            else {
+                panic!("{rho}")
             };
-            assert!(error > 1e-12 && error < 1e-9, "{error}");
-            assert!((sigma - place).abs() < 1e-9, "{sigma}");
+            assert!((place - sigma).abs() <= error && error < 2e-11, "{place}");
+            assert!(
+                (time - tau).abs() <= tau_error && (time - tau).abs() < 1e-9,
+                "{time}"
+            );
         }
     }
 }

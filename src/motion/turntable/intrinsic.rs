@@ -21,9 +21,9 @@
 use super::argument;
 use crate::motion::clock::Clocked;
 use crate::motion::error::MotionError;
-use crate::numerics::number::Number;
+use crate::numerics::number::{Number, Real};
 use crate::numerics::series::{product, square};
-use crate::numerics::taylor::{System, TERMS};
+use crate::numerics::taylor::System;
 
 /// A state on the dimensionless table, by components along and across the velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -148,6 +148,79 @@ impl Start {
     }
 }
 
+/// A start in numbers of any width, with the deficit w = 1 − ξ in place of ξ: close to rest at ρ = 1 all three are small.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Exact<T> {
+    pub(crate) p: T,
+    pub(crate) deficit: T,
+    pub(crate) zeta: T,
+}
+
+impl<T: Real> From<&Start> for Exact<T> {
+    fn from(start: &Start) -> Self {
+        let [p, xi, zeta] = [start.p, start.xi, start.zeta].map(T::from_f64);
+        Self {
+            p,
+            deficit: T::from_f64(1.0) - xi,
+            zeta,
+        }
+    }
+}
+
+impl<T> Exact<T> {
+    /// The same in other numbers.
+    pub(crate) fn map<U>(self, f: impl Fn(T) -> U) -> Exact<U> {
+        let [p, deficit, zeta] = [self.p, self.deficit, self.zeta].map(f);
+        Exact { p, deficit, zeta }
+    }
+}
+
+impl<T: Real> Exact<T> {
+    /// As [`Start::polar`], where the numbers are in range.
+    pub(crate) fn polar(rho: T, p: T, psi: T) -> Self {
+        let [one, two, zero] = [1.0, 2.0, 0.0].map(T::from_f64);
+        if p == zero {
+            return Self {
+                p,
+                deficit: one - rho,
+                zeta: zero,
+            };
+        }
+        let ((sine, _), (half, _)) = (psi.sin_cos(), (psi / two).sin_cos());
+        Self {
+            p,
+            deficit: (one - rho) + two * rho * half * half,
+            zeta: p - rho * sine,
+        }
+    }
+
+    /// As [`Start::cartesian`], where the numbers are in range.
+    pub(crate) fn cartesian([x, y]: [T; 2], [u, v]: [T; 2]) -> Self {
+        let p = (u * u + v * v).sqrt();
+        let one = T::from_f64(1.0);
+        if p == T::from_f64(0.0) {
+            let rho = (x * x + y * y).sqrt();
+            return Self::polar(rho, p, p);
+        }
+        Self {
+            p,
+            deficit: one - (x * u + y * v) / p,
+            zeta: p - (y * u - x * v) / p,
+        }
+    }
+
+    /// A start beside this one, by the part `delta` of its sizes.
+    pub(crate) fn beside(&self, delta: T) -> Self {
+        let Self { p, deficit, zeta } = *self;
+        let size = |x: T| T::from_f64(x.magnitude());
+        Self {
+            p: p + delta * p,
+            deficit: deficit + delta * (size(deficit) + size(zeta)),
+            zeta: zeta + delta * (size(zeta) + p),
+        }
+    }
+}
+
 /// Coefficient `k` of the derivatives of τ, p, w, ζ.
 #[inline(always)]
 fn derivatives<T: Number>(k: usize, p: &[T], w: &[T], zeta: &[T]) -> [T; 4] {
@@ -174,18 +247,19 @@ impl<T: Number, const N: usize> System<T, 4, N> for Law {
 }
 
 /// The law of motion with components τ, p, w, ζ, χ, arc length.
-struct Tracked;
+pub(super) struct Tracked;
 
-impl System<f64, 6, TERMS> for Tracked {
+impl<T: Number, const N: usize> System<T, 6, N> for Tracked {
     type Work = ();
 
-    fn begin(&self, _: &f64, _: &[f64; 6], (): &mut ()) {}
+    fn begin(&self, _: &T, _: &[T; 6], (): &mut ()) {}
 
     #[inline(always)]
-    fn derivative(&self, k: usize, x: &[[f64; TERMS]; 6], (): &mut ()) -> [f64; 6] {
+    fn derivative(&self, k: usize, x: &[[T; N]; 6], (): &mut ()) -> [T; 6] {
         let [_, p, w, zeta, _, _] = x;
         let [time, speed, deficit, forward] = derivatives(k, p, w, zeta);
-        [time, speed, deficit, forward, -p[k] - zeta[k], square(p, k)]
+        let turned = -p[k].clone() - zeta[k].clone();
+        [time, speed, deficit, forward, turned, square(p, k)]
     }
 }
 

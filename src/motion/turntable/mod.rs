@@ -9,13 +9,14 @@
 //! axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once, straight away from the axis.
 
 pub mod boundary;
-#[cfg(feature = "book")]
 pub mod ensemble;
 pub mod fate;
 pub mod inertial;
 pub mod intrinsic;
+pub(crate) mod moment;
 pub mod path;
 pub mod rotating;
+mod slow;
 
 use super::error::MotionError;
 

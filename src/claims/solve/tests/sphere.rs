@@ -141,6 +141,16 @@ fn slip_along_the_axis_ends_when_uniform_deceleration_says() {
         );
     }
     // Against it, where friction only just holds: it falls at the rate b + γ = 7.
+    let solid = |gamma: f64, u0: f64, theta0: f64, at: At| {
+        let problem = Problem {
+            gamma: Double::from(gamma),
+            u0: u0.into(),
+            theta0: theta0.into(),
+            kappa: "0.4".parse().unwrap(),
+            at: at.map(Into::into),
+        };
+        problem.solve().unwrap()
+    };
     for u0 in [1.0, 3.5, 7.0] {
         let answer = solid(3.5, u0, PI, At::Time(0.1 * u0));
         agrees(
@@ -193,7 +203,11 @@ fn an_angle_that_only_the_formula_reaches_has_an_answer() {
             at: At::Theta(theta),
         };
         let answer = problem.solve().unwrap();
-        assert_eq!((answer.by_motion, answer.digits), (None, None), "{gamma}");
+        assert_eq!(
+            (answer.by_motion, answer.digits),
+            (None, Some(15)),
+            "{gamma}"
+        );
         assert_eq!(answer.by_formula, Some(answer.best));
         // (81) with λ = b/γ and b = 7/2.
         let part = libm::tan(0.5 * theta) / libm::tan(0.5);

@@ -89,15 +89,55 @@ fn moments_on_the_table() {
 }
 
 #[test]
+fn rest_has_no_angle_whatever_the_signs_of_its_zeros() {
+    for (x, y) in [(-0.5, -0.3), (0.5, 0.0), (-0.5, 0.0), (0.0, 0.0)] {
+        for zero in [0.0, -0.0] {
+            let start = Problem::Cartesian {
+                position: [x, y],
+                velocity: [zero, -zero],
+            };
+            let answer = start.at(1.0).unwrap();
+            assert_eq!((answer.best.psi, answer.digits), (0.0, Some(15)), "{x} {y}");
+        }
+    }
+    let mut rng = fastrand::Rng::with_seed(20);
+    for _ in 0..40 {
+        let start = Problem::Polar {
+            rho: rng.f64(),
+            p: rng.f64(),
+            psi: 6.0 * rng.f64() - 3.0,
+        };
+        let answer = start.at(10.0).unwrap();
+        assert!(answer.digits >= Some(13), "{start:?} {answer:?}");
+    }
+}
+
+#[test]
+fn a_typed_decimal_is_taken_as_it_stands() {
+    // 1 − 0.999999 = 10⁻⁶, as no f64 has it. By an implicit integration in ln p, 1 − ρ and ψ.
+    let given = ["0.999999", "0.000001", "0"].map(|text| text.parse::<Double>().unwrap());
+    let [rho, p, psi] = given;
+    let answer = Problem::Polar { rho, p, psi }.fate().unwrap();
+    assert_eq!(answer.digits, Some(15));
+    let tau = answer.best.tau_rest.unwrap();
+    assert!((tau - 7.4570627).abs() < 5e-8, "{tau}");
+    let near = Problem::Polar {
+        rho: 0.999999,
+        p: 0.000001,
+        psi: 0.0,
+    };
+    let tau = near.fate().unwrap().best.tau_rest.unwrap();
+    assert!((tau - 7.457041106957004).abs() < 1e-14, "{tau}");
+}
+
+#[test]
 fn psi_is_the_angle_from_the_velocity_to_the_position() {
     for place in [-2.9, -1.0, 0.4, 2.2] {
         for psi in [-3.0, -1.2, 0.0, 0.7, 2.5] {
             let heading: f64 = place - psi;
-            let moment = Moment {
-                position: [2.0 * libm::cos(place), 2.0 * libm::sin(place)],
-                velocity: [0.3 * heading.cos(), 0.3 * heading.sin()],
-            };
-            assert!((moment.psi() - psi).abs() < 1e-15 * 8.0, "{place} {psi}");
+            let position = [2.0 * libm::cos(place), 2.0 * libm::sin(place)];
+            let moment = Moment::of(position, [0.3 * heading.cos(), 0.3 * heading.sin()]);
+            assert!((moment.psi - psi).abs() < 1e-15 * 8.0, "{place} {psi}");
         }
     }
 }
