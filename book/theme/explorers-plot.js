@@ -5,11 +5,14 @@ window.SlipbookPlot = (() => {
     const WIDTH = 380;
     const MARGIN = { left: 52, right: 18, top: 30, bottom: 46 };
     const number = x => (Math.abs(x) < 1e-12 ? 0 : Number(x.toPrecision(10))).toString().replace('-', '−');
-    const escape = text => String(text).replace(/&/g, '&amp;').replace(/</g, '&lt;');
+    const escape = text => String(text).replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/"/g, '&quot;');
     const colour = series => series === undefined ? 'currentColor' : `var(--explore-${series})`;
 
-    // A label in which `_x` is a subscript; few systems have a `𝔴`, the formulas' face has it in the place of the w.
-    const label = text => escape(text).replace(/𝔴/g, '<tspan font-family="KaTeX_Fraktur">w</tspan>').replace(/_(.)/g, '<tspan dy="4" font-size="12">$1</tspan><tspan dy="-4">​</tspan>');
+    // A label in which `_x` is a subscript; few systems have a `𝔴`, the formulas' face has it in the place of the w. In one
+    // pass: what has become markup is not read again.
+    const letter = c => c === '𝔴' ? '<tspan font-family="KaTeX_Fraktur">w</tspan>' : escape(c);
+    const label = text => String(text).replace(/_(.)|./gsu, (c, low) => low === undefined ? letter(c)
+        : `<tspan dy="4" font-size="12">${letter(low)}</tspan><tspan dy="-4">​</tspan>`);
 
     // Round numbers between two ends, about five of them.
     function ticks([from, to]) {
@@ -41,7 +44,7 @@ window.SlipbookPlot = (() => {
         }
 
         giveHand(hand) {
-            this.svg.insertAdjacentHTML('beforeend', `<g class="hand" tabindex="0" role="slider" aria-label="${hand.label}"
+            this.svg.insertAdjacentHTML('beforeend', `<g class="hand" tabindex="0" role="slider" aria-label="${escape(hand.label)}"
                 aria-valuemin="${hand.range[0]}" aria-valuemax="${hand.range[1]}"><circle class="reach" r="26"/><circle r="8"/></g>`);
             this.hand = this.svg.lastElementChild;
             const move = event => {
@@ -96,12 +99,12 @@ window.SlipbookPlot = (() => {
             for (const [u, name] of this.options.x.ticks || ticks(x)) {
                 const [px] = at(u, y[0]);
                 parts.push(`<path class="grid" d="M${px} ${MARGIN.top}v${high}"/>
-                    <text x="${px}" y="${MARGIN.top + high + 18}" text-anchor="middle">${name}</text>`);
+                    <text x="${px}" y="${MARGIN.top + high + 18}" text-anchor="middle">${label(name)}</text>`);
             }
             for (const [v, name] of this.options.y.ticks || ticks(y)) {
                 const [, py] = at(x[0], v);
                 parts.push(`<path class="grid" d="M${MARGIN.left} ${py}h${wide}"/>
-                    <text x="${MARGIN.left - 6}" y="${py}" dy="5" text-anchor="end">${name}</text>`);
+                    <text x="${MARGIN.left - 6}" y="${py}" dy="5" text-anchor="end">${label(name)}</text>`);
             }
             parts.push(`<rect class="frame" ${frame}/>
                 <text x="${MARGIN.left}" y="20" class="title">${label(this.options.title)}</text>

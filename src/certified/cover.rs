@@ -16,7 +16,8 @@ pub enum Said {
 }
 
 impl Said {
-    /// That a quantity has the sign of `wanted`.
+    /// That a quantity has the sign of `wanted` wherever it has a value. Where it has none it is unbounded: a slope at the
+    /// end of a domain may be so.
     pub fn of_sign(quantity: Interval, wanted: f64) -> Said {
         match quantity.sign() {
             None => Said::Nothing,
@@ -25,12 +26,15 @@ impl Said {
         }
     }
 
-    /// That a quantity that is exactly zero, or some other one, is zero as far as its enclosure tells.
+    /// That a quantity that is exactly zero, or some other one, is zero as far as its enclosure tells. An enclosure that
+    /// is not bounded does not tell: the quantity may have no value.
     pub fn of_zero(quantity: Interval) -> Said {
-        if quantity.contains(0.0) {
+        if !quantity.contains(0.0) {
+            Said::Fails
+        } else if quantity.is_bounded() {
             Said::Holds
         } else {
-            Said::Fails
+            Said::Nothing
         }
     }
 
@@ -118,6 +122,23 @@ mod tests {
         // It touches: neither can be shown.
         assert!(matches!(above(-1), Err(CertifiedError::NotProved { .. })));
         assert!(matches!(above(0), Err(CertifiedError::False { .. })));
+    }
+
+    #[test]
+    fn what_has_no_value_neither_has_a_sign_nor_is_zero() {
+        let nowhere = Interval::new(2.0, 3.0).asin();
+        for quantity in [
+            nowhere,
+            nowhere.sin(),
+            nowhere - nowhere,
+            nowhere.exp() + Interval::int(1),
+        ] {
+            let signs = [1.0, -1.0].map(|sign| Said::of_sign(quantity, sign));
+            assert_eq!(signs, [Said::Nothing; 2], "{quantity}");
+            assert_eq!(Said::of_zero(quantity), Said::Nothing, "{quantity}");
+        }
+        let zero = [-1.0, 0.0, 1.0].map(|at| Said::of_zero(Interval::new(at, 2.0)));
+        assert_eq!(zero, [Said::Holds, Said::Holds, Said::Fails]);
     }
 
     #[test]

@@ -2,7 +2,11 @@
 //!
 //! Whatever real numbers are taken from the operands, the result of an operation contains what the operation makes
 //! of them. An operation that has no value somewhere on its operands gives the whole line, from which nothing
-//! follows.
+//! follows: every operation on the whole line gives it again. A quotient by the numbers from 0 up, or down, is alone in
+//! having one bound: that of the quotients by those that are not 0.
+//!
+//! What is unbounded stays so. No operation makes a bounded interval of one that is not, and therefore a
+//! [bounded](Interval::is_bounded) one says that there is a value everywhere.
 
 mod elementary;
 mod rounding;
@@ -25,7 +29,7 @@ pub const PI: Interval = Interval {
 };
 
 impl Interval {
-    /// The whole line: what is known when nothing is.
+    /// The whole line: what is known when nothing is, not even that there is a value.
     pub const WHOLE: Interval = Interval {
         lo: f64::NEG_INFINITY,
         hi: f64::INFINITY,
@@ -63,6 +67,11 @@ impl Interval {
     /// The upper bound.
     pub fn hi(self) -> f64 {
         self.hi
+    }
+
+    /// Whether both bounds are finite. If it was computed, there is a value everywhere.
+    pub fn is_bounded(self) -> bool {
+        self.lo.is_finite() && self.hi.is_finite()
     }
 
     /// A number inside, near the middle; zero for the whole line.
@@ -215,13 +224,13 @@ impl Div for Interval {
             };
         }
         let (a, b, c, d) = (self.lo, self.hi, other.lo, other.hi);
-        if c > 0.0 {
+        if c > 0.0 && d < f64::INFINITY {
             return Self::new(
                 quotient_down(a, if a >= 0.0 { d } else { c }),
                 quotient_up(b, if b >= 0.0 { c } else { d }),
             );
         }
-        // Divisors from 0 up: the quotients by those that are not 0.
+        // Divisors from 0 up: the quotients by those that are not 0. And divisors without an upper bound.
         if a >= 0.0 && d > 0.0 {
             Self::new(quotient_down(a, d), f64::INFINITY)
         } else if b <= 0.0 && d > 0.0 {

@@ -4,7 +4,8 @@ use super::interval::Interval;
 use crate::scalar::Scalar;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-/// The value of a function of `N` variables on a box and its derivative by each of them.
+/// The value of a function of `N` variables on a box and its derivative by each of them. Where the function has no value
+/// somewhere on the box, the derivatives are not known either.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jet<const N: usize> {
     /// The values.
@@ -36,6 +37,11 @@ impl<const N: usize> Jet<N> {
 
     /// A function of this one with the given value and derivative.
     fn chain(self, value: Interval, derivative: Interval) -> Self {
+        let derivative = if value == Interval::WHOLE {
+            value
+        } else {
+            derivative
+        };
         Jet {
             value,
             slope: self.slope.map(|s| s * derivative),
@@ -153,6 +159,7 @@ pub fn over<const N: usize>(f: impl Fn([Jet<N>; N]) -> Jet<N>, cell: &[Interval;
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     /// A formula with everything in it.
     fn all<S: Scalar>([x, y]: [S; 2]) -> S {
@@ -160,6 +167,56 @@ mod tests {
             + x.asin() * y.acos()
             + x.pow(y) * (x - y).cosh()
             - (x.cos() + S::pi()).ln() * y.sinh()
+    }
+
+    /// Every function, and some formulas that have no value somewhere.
+    fn formulas<S: Scalar>(x: S) -> [S; 17] {
+        let [one, two, three] = [1, 2, 3].map(S::int);
+        [
+            x.sin(),
+            x.cos(),
+            x.tan(),
+            x.asin(),
+            x.acos(),
+            x.sinh(),
+            x.cosh(),
+            x.exp(),
+            x.ln(),
+            x.sqrt(),
+            x.squared(),
+            x.pow(three / two),
+            x.pow(x),
+            two / x,
+            x / (x - one),
+            x.asin().sin(),
+            x.ln().cos() * S::int(0),
+        ]
+    }
+
+    proptest! {
+        #[test]
+        fn no_slope_is_told_of_what_has_no_value_and_others_bound_the_differences(
+            lo in prop_oneof![-3.0..3.0, -1.1..1.1, prop::sample::select(&[-1.0, 0.0, 1.0][..])],
+            width in prop_oneof![Just(0.0), 0.0..0.1, 0.0..4.0],
+            parts in prop::array::uniform2(0.0..1.0),
+        ) {
+            let cell = Interval::new(lo, lo + width);
+            let [a, b] = parts.map(|part: f64| Interval::point((lo + part * width).min(cell.hi())));
+            let (values, [at_a, at_b]) = (formulas(cell), [a, b].map(formulas));
+            let [x] = Jet::variables(&[cell]);
+            for (i, jet) in formulas(x).into_iter().enumerate() {
+                let ([slope], value) = (jet.slope, over(|[x]| formulas(x)[i], &[cell]).value);
+                prop_assert!(values[i] == jet.value && value.within(jet.value), "{i} on {cell}");
+                prop_assert!(jet.value != Interval::WHOLE || slope == Interval::WHOLE, "{i} on {cell}: {jet:?}");
+                for one in [at_a[i], at_b[i]] {
+                    prop_assert!(one.meet(value).is_some(), "{i} on {cell}: {value}, but {one}");
+                    prop_assert!(one.is_bounded() || !value.is_bounded(), "{i} on {cell}: {value}");
+                }
+                // The mean value theorem.
+                let change = at_b[i] - at_a[i];
+                prop_assert!(change.meet(slope * (b - a)).is_some(), "{i} on {cell}: {slope} and {change}");
+            }
+        }
     }
 
     #[test]

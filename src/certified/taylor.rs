@@ -167,6 +167,33 @@ mod tests {
     }
 
     #[test]
+    fn no_coefficient_is_bounded_of_what_has_no_value_somewhere() {
+        let [zero, one] = [0, 1].map(Taylor::<4>::int);
+        for cell in [
+            Interval::new(0.0, 1.0),
+            Interval::new(-1.0, 1.0),
+            Interval::int(0),
+        ] {
+            let x = Taylor::variable(cell);
+            let nowhere = one / x;
+            for f in [
+                nowhere,
+                -nowhere,
+                nowhere.sin(),
+                nowhere.cos(),
+                nowhere * zero,
+                x.ln() * zero,
+                one / nowhere,
+            ] {
+                assert!(
+                    f.coefficients().iter().all(|c| !c.is_bounded()),
+                    "{cell}: {f:?}"
+                );
+            }
+        }
+    }
+
+    #[test]
     fn a_variable_begins_with_its_box_and_a_quotient_with_the_quotient() {
         let cell = Interval::new(2.0, 3.0);
         let [one, zero] = [1, 0].map(Interval::int);

@@ -69,10 +69,10 @@ pub fn fig1(curves: &Hodographs) -> Result<Figure, FigureError> {
              tends to a constant (circles). (b) $\\lambda>1$: it comes to rest (disc).",
         )
         .alt(format!(
-            "Two panels with v_x to the right and v_y upwards, in units of the initial speed. Every \
-             curve starts on the unit circle. Above, for {} values of λ up to 1, the curves bend to \
-             the right and leave the panel, or for λ = 1 end on the v_x axis. Below, for {} values of \
-             λ above 1, all curves run into the origin.",
+            "Two panels with the velocity along x to the right and that along y upwards, in units of the \
+             initial speed. Every curve starts on the unit circle. Above, for {} values of λ up to 1, the \
+             curves bend to the right and leave the panel, or for λ = 1 end on the axis of x. Below, for {} \
+             values of λ above 1, all curves run into the origin.",
             count(&curves.weak),
             count(&curves.strong)
         ))

@@ -116,7 +116,7 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
             "crosses zero with a kink twice in a period",
         )
     };
-    Plot::new(id, format!("Large-time motion, λ_0 = {lambda}"))
+    Plot::new(id, format!("Large-time motion, λ₀ = {lambda}"))
         .caption(format!(
             "The large-time motion over two periods for $\\lambda_0={}$: {said}.",
             lambda.replace("1/√2", "2^{-1/2}")
@@ -203,7 +203,7 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
             "The share of a period in which the large-time motion is at rest, read off the simulated intervals. It grows \
              from zero at $\\lambda_\\mathrm c$ with a finite slope and reaches one at $\\lambda_0=1$ as a square root does.",
         )
-        .alt("A curve that is zero up to λ_c, then rises, ever more steeply, to one at λ₀ = 1, and stays there.")
+        .alt("A curve that is zero up to the critical friction, then rises, ever more steeply, to one at λ₀ = 1, and stays there.")
         .panel(panel)
         .figure(table)
 }

@@ -2,6 +2,7 @@
 
 use crate::Book;
 use crate::chrome::{Failure, Page};
+use crate::pages::{is_marked, none};
 use serde_json::{Value, json};
 use slipbook::explorers::answer;
 
@@ -143,6 +144,14 @@ impl<'p, 'b> Explorer<'p, 'b> {
     fn value(&mut self, expression: &str) -> Result<Value, Failure> {
         let name = self.name;
         self.page.value(&format!(
+            "(host => {expression})(document.getElementById('explore-{name}'))"
+        ))
+    }
+
+    /// The strings in an array, as [`value`](Self::value).
+    fn texts(&mut self, expression: &str) -> Result<Vec<String>, Failure> {
+        let name = self.name;
+        self.page.texts(&format!(
             "(host => {expression})(document.getElementById('explore-{name}'))"
         ))
     }
@@ -367,6 +376,59 @@ pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
     }
     Ok(())
 }
+
+/// Labels that a careless way to markup would break.
+const ODD: [&str; 7] = [
+    "𝔴_𝔴: w_x, 𝔴",
+    "_<b_>x</b> & _&amp;",
+    "\"𝔴\" = '1'",
+    "<tspan>𝔴</tspan>",
+    "$1_$&",
+    "κ_",
+    "",
+];
+
+/// All that is written, at every state, is words and nothing of their markup; so are labels that nobody has thought of.
+pub fn labels(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let mut wrong = Vec::new();
+    for (name, states) in STATES {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        for state in [""].iter().chain(states) {
+            if !state.is_empty() {
+                explorer.go(state)?;
+            }
+            let written = explorer.texts(
+                "[...host.querySelectorAll('*')].flatMap(e => ['aria-label', 'aria-valuetext', 'title'].map(a => e.getAttribute(a) || '')
+                    .concat([...e.childNodes].filter(n => n.nodeType === Node.TEXT_NODE).map(n => n.data)))",
+            )?;
+            let marked = written.into_iter().filter(|text| is_marked(text));
+            wrong.extend(marked.map(|text| format!("{name} at {state}: {text}")));
+        }
+        wrong.extend(explorer.texts(&format!(
+            "(seen => slipbookExplorers[host.dataset.explorer].plots(() => {{}}).flatMap(plot => [plot.title, plot.x.label, plot.y.label])
+                .map({SEEN}).filter(words => !seen.includes(words)).map(words => `not seen: ${{words}}`))
+             ([...host.querySelectorAll('svg text')].map({PLAIN}))"
+        ))?);
+    }
+    let odd = json!(ODD);
+    wrong.extend(page.texts(&format!(
+        "{odd}.flatMap(text => {{
+            const [host, axis] = [document.createElement('div'), {{ label: text, range: [0, 1], ticks: [[0, text]] }}];
+            const hand = {{ label: text, range: [0, 1] }};
+            new SlipbookPlot(host, 'odd', {{ title: text, label: text, x: axis, y: axis, hand }})
+                .draw({{ marks: [{{ points: [0, 0], text: text || ' ' }}], hand: [0, 0], words: {{ now: 0, text }} }});
+            const seen = [...host.querySelectorAll('text')].map({PLAIN});
+            const told = [...host.querySelectorAll('[aria-label]')].map(e => e.getAttribute('aria-label'));
+            return [...seen.filter(words => words !== ({SEEN})(text) && words !== ' '), ...told.filter(words => words !== text),
+                ...(seen.length === 6 && told.length === 2 ? [] : ['some are missing'])].map(words => `${{text}}: ${{words}}`);
+        }})"
+    ))?);
+    none(wrong)
+}
+
+/// A text as it is seen, and what is seen of a label.
+const PLAIN: &str = "text => text.textContent.replaceAll('\u{200b}', '')";
+const SEEN: &str = "label => label.replace(/_(.)/gsu, '$1').replaceAll('𝔴', 'w')";
 
 /// The address follows the hand and leads back to the same view; the page's own fragments still lead to their places.
 pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {

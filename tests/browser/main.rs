@@ -29,7 +29,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 12] = [
+const TESTS: [(&str, Test); 14] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -49,11 +49,13 @@ const TESTS: [(&str, Test); 12] = [
         "the_page_for_printing_keeps_the_still_figures",
         pages::printing,
     ),
+    ("no_figure_shows_its_markup", pages::labels),
     (
         "explorers_answer_keys_sliders_mouse_and_addresses",
         explorers::desk,
     ),
     ("explorers_move_by_touch", explorers::touch),
+    ("no_explorer_shows_its_markup", explorers::labels),
     (
         "a_view_can_be_linked_and_fragments_still_work",
         explorers::addresses,

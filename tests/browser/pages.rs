@@ -44,6 +44,34 @@ pub fn links(page: &mut Page, book: &Book) -> Result<(), Failure> {
     )
 }
 
+/// Whether a label shows what should have become markup, or has and is read as text. Between two quantities `<` is a sign.
+pub fn is_marked(label: &str) -> bool {
+    let label = label.replace(" < ", "").replace(" > ", "");
+    label.contains(['"', '<', '>', '&', '_', '^'])
+        || ["tspan", "font-", "KaTeX"]
+            .iter()
+            .any(|part| label.contains(part))
+}
+
+/// The labels of the figures are words, on every page.
+pub fn labels(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let visits = visits(page, book)?;
+    let all = || {
+        visits
+            .iter()
+            .flat_map(|(name, visit)| visit.labels.iter().map(move |label| (name, label)))
+    };
+    if all().count() < 1000 {
+        return Err(format!("only {} labels", all().count()));
+    }
+    let wrong = all().filter(|(_, label)| is_marked(label));
+    none(
+        wrong
+            .map(|(name, label)| format!("{name}: {label}"))
+            .collect(),
+    )
+}
+
 /// What a reader may search for, and an address that must be among what is found.
 const SOUGHT: [(&str, &str); 2] = [("(37)", "sinusoidal.html#eq-37"), ("λc", "sinusoidal.html")];
 

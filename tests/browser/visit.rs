@@ -16,6 +16,8 @@ pub struct Visit {
     pub places: BTreeSet<String>,
     /// All addresses, of links and of files, as the browser resolves them.
     pub addresses: Vec<String>,
+    /// The words in its figures and explorers, and those for who does not see them.
+    pub labels: Vec<String>,
     /// For each explorer, whether it is seen, and whether the still figure is.
     pub explorers: Value,
     /// Its width on a screen of 390 pixels, for a chapter.
@@ -59,6 +61,10 @@ fn visit(page: &mut Page, book: &Book, name: &str) -> Result<Visit, Failure> {
     let addresses = page.texts(
         "[...document.querySelectorAll('[href], [src]')].map(e => e.src || e.href).filter(a => typeof a === 'string')",
     )?;
+    let labels = page.texts(
+        "[...document.querySelectorAll('svg text, svg title, svg desc')].map(e => e.textContent)
+            .concat([...document.querySelectorAll('svg[aria-label]')].map(e => e.getAttribute('aria-label')))",
+    )?;
     let explorers = page.value(
         "[...document.querySelectorAll('[data-explorer]')].map(host => [host.checkVisibility(),
             host.nextElementSibling.querySelector('svg').checkVisibility()])",
@@ -73,6 +79,7 @@ fn visit(page: &mut Page, book: &Book, name: &str) -> Result<Visit, Failure> {
         complaints,
         places: places.into_iter().collect(),
         addresses,
+        labels,
         explorers,
         width,
         broken,

@@ -1,4 +1,5 @@
 use super::*;
+use proptest::prelude::*;
 
 #[test]
 fn pi_has_its_digits() {
@@ -57,6 +58,34 @@ fn what_has_no_value_is_none() {
     assert!(Ball::int(1, 60).over(&around_zero).is_none());
     assert!(around_zero.asin().is_none());
     assert!(Ball::enclosing(Interval::WHOLE, 60).is_none());
+}
+
+proptest! {
+    #[test]
+    fn what_has_a_value_everywhere_is_enclosed_and_all_else_is_none(
+        lo in prop_oneof![-3.0..3.0, -1.1..1.1, prop::sample::select(&[-1.0, 0.0, 1.0][..])],
+        width in prop_oneof![0.0..1e-6, 0.0..0.2, 0.0..4.0],
+        parts in prop::collection::vec(0.0..1.0, 5),
+        bits in 60..200_usize,
+    ) {
+        let cell = Interval::new(lo, lo + width);
+        let ball = Ball::enclosing(cell, bits).unwrap();
+        let known = [
+            ("sqrt", ball.sqrt(), libm::sqrt as fn(f64) -> f64),
+            ("asin", ball.asin(), libm::asin),
+            ("1/x", Ball::int(1, bits).over(&ball), |x| 1.0 / x),
+            ("sin", Some(ball.sin_cos()[0].clone()), libm::sin),
+            ("cos", Some(ball.sin_cos()[1].clone()), libm::cos),
+        ];
+        let numbers = parts.into_iter().map(|part: f64| lo + part * width);
+        for x in numbers.chain([lo, 0.0]).filter(|&x| cell.contains(x)) {
+            for (name, result, at) in &known {
+                let (value, result) = (at(x), result.as_ref().map(Ball::interval));
+                let holds = |bounds: Interval| bounds.widened(1e-14 * value.abs()).contains(value);
+                prop_assert!(result.is_none_or(holds), "{name} on {cell}: {result:?}, but {value:e} at {x:e}");
+            }
+        }
+    }
 }
 
 #[test]

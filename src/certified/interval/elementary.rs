@@ -4,7 +4,7 @@
 //! alternating signs bound; the exponential likewise. An inverse function takes libm's value as a guess y and
 //! corrects it by how far the enclosed function at y misses: the result does not depend on libm being right.
 
-use super::rounding::{self, product_down, product_up};
+use super::rounding;
 use super::{Interval, PI};
 use crate::numerics::number::Number;
 use crate::scalar::Scalar;
@@ -74,6 +74,24 @@ fn with_extremes(ends: Interval, top: bool, bottom: bool) -> Interval {
     Interval::new(lo, hi)
 }
 
+/// What is known of the sine and the cosine on a turn or more.
+fn any_sine(x: Interval) -> Interval {
+    if x.is_bounded() {
+        BOTH_SIDES
+    } else {
+        Interval::WHOLE
+    }
+}
+
+/// The absolute values.
+fn sizes(x: Interval) -> Interval {
+    if x == Interval::WHOLE {
+        x
+    } else {
+        Interval::new(x.mignitude(), x.magnitude())
+    }
+}
+
 /// The inverse sine of a single number.
 fn asin_at(x: f64) -> Interval {
     if x.abs() > 0.75 {
@@ -126,7 +144,7 @@ fn ln_at(x: f64) -> Interval {
     Interval::point(guess) + Interval::new((u - u.squared()).lo, u.hi)
 }
 
-/// A function that grows, from its values at the ends; the whole line outside its domain.
+/// A function that grows, from its values at the ends; the whole line if not all of `x` lies in its domain.
 fn growing(x: Interval, domain: Interval, at: fn(f64) -> Interval) -> Interval {
     if !x.within(domain) {
         return Interval::WHOLE;
@@ -156,14 +174,14 @@ impl Scalar for Interval {
     }
     fn sin(self) -> Self {
         if self.width() >= 6.3 {
-            return BOTH_SIDES;
+            return any_sine(self);
         }
         let ends = sine_at(self.lo, 0.0).hull(sine_at(self.hi, 0.0));
         with_extremes(ends, reaches(self, 0.5), reaches(self, -0.5))
     }
     fn cos(self) -> Self {
         if self.width() >= 6.3 {
-            return BOTH_SIDES;
+            return any_sine(self);
         }
         let ends = sine_at(self.lo, 1.0).hull(sine_at(self.hi, 1.0));
         with_extremes(ends, reaches(self, 0.0), reaches(self, 1.0))
@@ -182,16 +200,14 @@ impl Scalar for Interval {
         growing(self, Self::WHOLE, at)
     }
     fn cosh(self) -> Self {
-        let size = Self::new(self.mignitude(), self.magnitude());
         let at = |x: f64| {
             let x = Interval::point(x);
             (Scalar::exp(x) + Scalar::exp(-x)) / int(2)
         };
-        growing(size, Self::WHOLE, at)
+        growing(sizes(self), Self::WHOLE, at)
     }
     fn exp(self) -> Self {
-        let bounds = growing(self, Self::WHOLE, exp_at);
-        Self::new(bounds.lo.max(0.0), bounds.hi)
+        growing(self, Self::WHOLE, exp_at)
     }
     fn ln(self) -> Self {
         growing(self, Self::new(f64::MIN_POSITIVE, f64::INFINITY), ln_at)
@@ -202,12 +218,13 @@ impl Scalar for Interval {
         }
         Self::new(rounding::sqrt(self.lo)[0], rounding::sqrt(self.hi)[1])
     }
+    /// The whole line unless the base is positive, though whole powers of other numbers exist.
     fn pow(self, exponent: Self) -> Self {
         Scalar::exp(exponent * Scalar::ln(self))
     }
     fn squared(self) -> Self {
-        let (least, most) = (self.mignitude(), self.magnitude());
-        Self::new(product_down(least, least), product_up(most, most))
+        let sizes = sizes(self);
+        sizes * sizes
     }
 }
 

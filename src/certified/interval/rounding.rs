@@ -16,13 +16,10 @@ pub(super) fn sum_up(a: f64, b: f64) -> f64 {
     if rest <= 0.0 { s } else { s.next_up() }
 }
 
-/// Below a · b. An infinite bound times zero is zero: zero times any number is.
+/// Below a · b. Zero times an infinite bound is no number: behind that bound there may be no value.
 pub(super) fn product_down(a: f64, b: f64) -> f64 {
-    if a == 0.0 || b == 0.0 {
-        return 0.0;
-    }
     let p = a * b;
-    if is_short_product(a, b, p) {
+    if a == 0.0 || b == 0.0 || is_short_product(a, b, p) {
         p
     } else {
         p.next_down()

@@ -1,3 +1,5 @@
+mod domain;
+
 use super::*;
 use crate::certified::ball::Ball;
 use crate::scalar::Scalar;
@@ -160,12 +162,20 @@ fn what_reaches_zero_has_no_sign() {
 }
 
 #[test]
-fn zero_times_anything_is_zero() {
+fn zero_times_any_number_is_zero() {
     let [zero, three] = [0.0, 3.0].map(Interval::point);
-    for other in [three, -three, Interval::new(1.0, f64::INFINITY)] {
+    for other in [three, -three, Interval::new(-1.0, f64::MAX)] {
         assert_eq!(zero * other, zero);
         assert_eq!(other * zero, zero);
     }
+    // 0/x has no value at 0.
+    let some = Interval::new(0.0, 3.0);
+    assert_eq!(zero * (three / some), Interval::WHOLE);
+    let positive = Interval::new(0.0, f64::INFINITY);
+    assert_eq!(some * (three / some), positive);
+    // Nor does a bound of the other sign meet the zero of a product.
+    assert_eq!((three / some) * -some, -positive);
+    assert_eq!((three / -some) * -some, positive);
 }
 
 #[test]
