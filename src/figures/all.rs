@@ -2,6 +2,7 @@
 
 mod anisotropic;
 mod constant;
+mod digits;
 mod escape;
 mod periodic;
 mod rest;
@@ -52,6 +53,7 @@ pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
         turntable::figures,
         escape::figures,
         rest::figures,
+        digits::figures,
     ];
     let made: Result<Vec<_>, _> = topics.into_par_iter().map(|figures| figures()).collect();
     Ok(made?.into_iter().flatten().collect())

@@ -43,6 +43,7 @@ pub mod anisotropic;
 mod axes;
 pub mod constant;
 mod csv;
+pub mod digits;
 pub mod escape;
 mod labels;
 pub mod map;

@@ -131,7 +131,8 @@ const NOWHERE: f64 = 1e-30;
 /// What the steps and the rounding of the start may cost, in units of the spacing of the numbers.
 const LOST: f64 = 64.0;
 
-/// The fate of a particle: σ to 10⁻¹² and, for 1 − σ above a thousandth, τ to 10⁻⁹; the answer says what is known beyond.
+/// The fate of a particle: for 1 − σ above 10⁻³, σ to 10⁻¹² and τ to 10⁻⁹; closer to the border the answer says what is
+/// known.
 ///
 /// # Errors
 /// [`MotionError::Argument`] for a start that no constructor of [`Start`] gives, [`MotionError::Numerics`] when

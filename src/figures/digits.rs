@@ -1,0 +1,78 @@
+//! The figure of the digits that the calculators claim.
+
+use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+
+/// How often an answer claimed so many digits, and so many were true.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Count {
+    /// The calculator.
+    pub calculator: String,
+    /// Digits claimed, from 0 to 15.
+    pub claimed: u32,
+    /// Digits true, from 0 to 15; more are not counted.
+    pub true_digits: u32,
+    /// Cases.
+    pub cases: usize,
+}
+
+/// Numbers of digits: 0 to 15.
+const SIDE: usize = 16;
+
+/// Digits claimed against digits true, all calculators together.
+///
+/// Fails as [`Plot::figure`] and [`Raster::new`] do.
+pub fn digits(counts: &[Count]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["calculator", "claimed", "true", "cases"]);
+    let mut cells = vec![0_usize; SIDE * SIDE];
+    for count in counts {
+        table.row([
+            count.calculator.as_str().into(),
+            f64::from(count.claimed).into(),
+            f64::from(count.true_digits).into(),
+            (count.cases as f64).into(),
+        ])?;
+        let (x, y) = (count.claimed as usize, count.true_digits as usize);
+        if x < SIDE && y < SIDE {
+            cells[y * SIDE + x] += count.cases;
+        }
+    }
+    let class = |cases: &usize| match cases {
+        0 => super::BLANK,
+        1..10 => 0,
+        10..100 => 1,
+        100..1000 => 2,
+        _ => 3,
+    };
+    let ends = (-0.5, SIDE as f64 - 0.5);
+    let raster = Raster::new(SIDE, SIDE, ends, ends, cells.iter().map(class).collect())?
+        .class("1 to 9 cases", 0, 0.15)
+        .class("10 to 99", 0, 0.35)
+        .class("100 to 999", 0, 0.6)
+        .class("1000 and more", 0, 0.9);
+    let all: usize = counts.iter().map(|count| count.cases).sum();
+    let panel = Panel::new(
+        Axis::linear("digits claimed").range(ends.0, ends.1),
+        Axis::linear("digits true").range(ends.0, ends.1),
+    )
+    .equal()
+    .raster(raster)
+    .curve(
+        Curve::new([[ends.0, ends.0], [ends.1, ends.1]])
+            .ink()
+            .stroke(Stroke::Dashed)
+            .key("as many"),
+    );
+    Plot::new("digits", "Digits claimed and digits true")
+        .caption(format!(
+            "What the calculators claimed in {all} cases over their whole domains, their edges on purpose, and what was true: \
+             the digits of the worst number of each answer, against solutions of a higher precision. No answer is off by \
+             more than one unit of the last digit that it claims; a case right below the dashed line has a unit of that \
+             digit that is large beside the number. Far above the line the motion could not confirm what the formula knew.",
+        ))
+        .alt(
+            "A grid of digits claimed to the right and digits true upwards, both from 0 to 15. Nearly all cases lie in the \
+             upper right corner, fifteen digits claimed and true; the others lie on or above the diagonal.",
+        )
+        .panel(panel)
+        .figure(table)
+}

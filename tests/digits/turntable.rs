@@ -1,0 +1,261 @@
+//! The turntable against an integration in numbers of 31 digits in the table's own axes: other variables and another law
+//! than those of the calculators, up to where its steps become too short.
+
+use super::cases;
+use super::tally::Tally;
+use slipbook::claims::solve::known;
+use slipbook::claims::solve::turntable::{End, Horizon, Problem, Start};
+use slipbook::motion::turntable::{Fate, boundary, fate};
+use slipbook::numerics::double::Double;
+use slipbook::numerics::number::Real;
+use slipbook::numerics::series::{product, sqrt, square, value};
+use slipbook::numerics::taylor::{Control, Integrator, Step, System};
+use std::f64::consts::PI;
+
+const TERMS: usize = 44;
+
+/// x′ = v, v′ = x + 2 v×ẑ − v/|v|, in a time s with dt = |v| ds; components t, x, y, v_x, v_y.
+struct Table;
+
+/// |v|², |v| and the acceleration but for friction.
+struct Work([[Double; TERMS]; 4]);
+
+impl Default for Work {
+    fn default() -> Self {
+        Work([[Double::default(); TERMS]; 4])
+    }
+}
+
+impl System<Double, 5, TERMS> for Table {
+    type Work = Work;
+
+    fn begin(&self, _: &Double, _: &[Double; 5], _: &mut Work) {}
+
+    fn derivative(&self, k: usize, x: &[[Double; TERMS]; 5], work: &mut Work) -> [Double; 5] {
+        let [_, x, y, u, v] = x;
+        let Work([squared, speed, along_x, along_y]) = work;
+        squared[k] = square(u, k) + square(v, k);
+        speed[k] = sqrt(squared, speed, k);
+        along_x[k] = x[k] + v[k] + v[k];
+        along_y[k] = y[k] - u[k] - u[k];
+        [
+            speed[k],
+            product(speed, u, k),
+            product(speed, v, k),
+            product(speed, along_x, k) - u[k],
+            product(speed, along_y, k) - v[k],
+        ]
+    }
+}
+
+fn size(x: Double, y: Double) -> f64 {
+    x.hypot(y).to_f64()
+}
+
+/// Where the motion from ρ on the x axis stops, and when; or the state at the time `until`. Nothing where it takes too
+/// long.
+fn follow(rho: f64, p: f64, psi: f64, until: f64) -> Option<Result<[f64; 2], [f64; 4]>> {
+    use slipbook::scalar::Scalar;
+    let [rho, p, psi, zero] = [rho, p, psi, 0.0].map(Double::from);
+    let state = [
+        zero,
+        rho,
+        zero,
+        p * Scalar::cos(psi),
+        -(p * Scalar::sin(psi)),
+    ];
+    let mut integrator = Integrator::<_, _, 5, TERMS>::new(&Table, zero, state, Control::Each);
+    let mut step = Step::empty();
+    for _ in 0..2000 {
+        let &[t, x, y, u, v] = integrator.state();
+        let speed = u.hypot(v);
+        // At a speed so low it does not matter how the deceleration changes on the rest of the way.
+        if speed.to_f64() < 1e-24 * p.to_f64().min(1.0) {
+            let pull = (x * u + y * v) / speed;
+            let left = speed / (Double::from(1.0) - pull);
+            let half = left * Double::from(0.5);
+            return Some(Ok([size(x + half * u, y + half * v), (t + left).to_f64()]));
+        }
+        integrator.expand(&mut step).ok()?;
+        let left = Double::from(until) - t;
+        if (slipbook::numerics::series::change(&step.series[0], &Double::from(step.h)) - left)
+            .to_f64()
+            >= 0.0
+        {
+            let mut h = Double::from(0.0);
+            for _ in 0..200 {
+                let clock = value(&step.series[0], &h) - t;
+                let rate = size(value(&step.series[3], &h), value(&step.series[4], &h));
+                let change = (left - clock) / Double::from(rate);
+                h = h + change;
+                if change.to_f64().abs() < 1e-30 * step.h {
+                    break;
+                }
+            }
+            let [_, x, y, u, v] = step.at(&h).map(f64::from);
+            return Some(Err([x, y, u, v]));
+        }
+        integrator.advance(&step);
+    }
+    None
+}
+
+/// Starts over the whole domain and on purpose at its edges.
+fn start(rng: &mut fastrand::Rng) -> [f64; 3] {
+    let small = |rng: &mut fastrand::Rng, most: f64| 10f64.powf(-most * rng.f64());
+    let psi = match rng.u8(0..8) {
+        0 => [0.0, PI, -PI, 0.5 * PI, -0.5 * PI][rng.usize(0..5)],
+        1 => small(rng, 12.0),
+        _ => PI * (2.0 * rng.f64() - 1.0),
+    };
+    match rng.u8(0..8) {
+        // Anything.
+        0..=3 => [1.3 * rng.f64(), 2.0 * rng.f64(), psi],
+        // Near rest, near ρ = 1, as far as this integration gets.
+        4 => {
+            let gap = small(rng, 2.0);
+            [1.0 - gap, gap * 3.0 * rng.f64(), psi]
+        }
+        // Hardly any motion; close to the axis.
+        5 => [rng.f64(), small(rng, 20.0), psi],
+        6 => [small(rng, 9.0), rng.f64(), psi],
+        // Close to the border, by some distance.
+        _ => {
+            let (alpha, psi) = (0.02 + 2.0 * rng.f64(), psi);
+            let a = boundary(alpha, psi).unwrap() * (1.0 - small(rng, 6.0));
+            [a * alpha.cosh(), a * alpha.sinh(), psi]
+        }
+    }
+}
+
+#[test]
+fn rest_by_another_law_in_other_variables() {
+    let mut rng = fastrand::Rng::with_seed(20);
+    let [mut rests, mut place, mut time] = [(); 3].map(|()| Tally::default());
+    let wanted = cases(150);
+    let horizon = Horizon {
+        rho: 100.0,
+        tau: 1e3,
+    };
+    while rests.cases() < wanted {
+        let [rho, p, psi] = start(&mut rng);
+        let case = format!("{rho:?} {p:?} {psi:?}");
+        let problem = Problem::Polar { rho, p, psi };
+        let found = follow(rho, p, psi, 30.0);
+        let Some(Ok([sigma, tau])) = found else {
+            if let Some(Err([x, y, ..])) = found
+                && x.hypot(y) > 2.0
+            {
+                assert_eq!(problem.fate().unwrap().best.outcome, "escape", "{case}");
+            }
+            continue;
+        };
+        let exact = |name: &str| match name {
+            "outcome" => Some("rest".to_owned()),
+            "sigma" => Some(format!("{sigma:?}")),
+            _ => Some(format!("{tau:?}")),
+        };
+        rests.answer(&problem.fate().unwrap(), exact, &case);
+        let start = Start::polar(rho, p, psi).unwrap();
+        let Fate::Rest {
+            sigma: s,
+            tau: t,
+            error,
+            tau_error,
+        } = fate(&start).unwrap()
+        else {
+            panic!("{case}")
+        };
+        assert!(
+            (s - sigma).abs() <= error && (t - tau).abs() <= tau_error,
+            "{case}"
+        );
+        let [
+            End::Rest {
+                sigma: s,
+                sigma_error,
+                tau: t,
+                tau_error,
+            },
+        ] = horizon.follow_alone(&[start]).unwrap()[..]
+        else {
+            panic!("{case}")
+        };
+        let (s, claimed) = known(s, sigma_error);
+        place.number(s, sigma, claimed, &case);
+        let (t, claimed) = known(t, tau_error);
+        time.number(t, tau, claimed, &case);
+    }
+    rests.closes("turntable: rest", wanted >= 10_000);
+    place.closes("ensemble: distance of rest", wanted >= 10_000);
+    time.closes("ensemble: time", wanted >= 10_000);
+}
+
+#[test]
+fn a_state_by_another_law_in_other_variables() {
+    let mut rng = fastrand::Rng::with_seed(21);
+    let mut tally = Tally::default();
+    let wanted = cases(100);
+    while tally.cases() < wanted {
+        let [rho, p, psi] = start(&mut rng);
+        let until = match rng.u8(0..4) {
+            0 => 20.0 * rng.f64(),
+            1 => 10f64.powf(-6.0 * rng.f64()),
+            _ => 2.0 * rng.f64(),
+        };
+        let case = format!("{rho:?} {p:?} {psi:?} {until:?}");
+        let Some(Err([x, y, u, v])) = follow(rho, p, psi, until) else {
+            continue;
+        };
+        let numbers = [
+            ("x", x),
+            ("y", y),
+            ("vx", u),
+            ("vy", v),
+            ("rho", x.hypot(y)),
+            ("p", u.hypot(v)),
+            ("psi", (u * y - v * x).atan2(u * x + v * y)),
+        ];
+        let exact = |name: &str| {
+            let number = numbers.iter().find(|(own, _)| *own == name);
+            number.map(|(_, x)| format!("{x:?}"))
+        };
+        tally.answer(
+            &Problem::Polar { rho, p, psi }.at(until).unwrap(),
+            exact,
+            &case,
+        );
+    }
+    tally.closes("turntable: at a time", wanted >= 10_000);
+}
+
+/// The boundary in `f64` lies where numbers of 31 digits see rest on its one side and escape on the other.
+#[test]
+fn the_boundary_has_rest_below_and_escape_above() {
+    let mut rng = fastrand::Rng::with_seed(22);
+    let mut tally = Tally::default();
+    let wanted = cases(60);
+    while tally.cases() < wanted {
+        let alpha = 10f64.powf(-3.0 + 3.7 * rng.f64());
+        let psi = PI * (2.0 * rng.f64() - 1.0);
+        let a = boundary(alpha, psi).unwrap();
+        let between = |off: f64| {
+            let outcomes = [-off, off].map(|off| {
+                let [wide, alpha, psi] = [a, alpha, psi].map(Double::from);
+                let a = wide + Double::from(off);
+                Problem::Hyperbolic { a, alpha, psi }
+                    .fate()
+                    .unwrap()
+                    .best
+                    .outcome
+            });
+            outcomes == ["rest", "escape"]
+        };
+        // It is promised to 10⁻¹².
+        let off = [1e-13, 1e-12].into_iter().find(|off| between(*off));
+        let exact = off.map_or(f64::NAN, |off| a + off);
+        let (a, claimed) = known(a, 1e-12);
+        tally.number(a, exact, claimed, &format!("{alpha} {psi}"));
+    }
+    tally.closes("turntable: boundary", wanted >= 10_000);
+}
