@@ -11,6 +11,8 @@ pub mod scalar;
 /// The tools that the motions use.
 #[path = "../../src/numerics"]
 pub mod numerics {
+    pub mod batch;
+    pub mod double;
     pub mod error;
     pub mod events;
     pub mod lanes;

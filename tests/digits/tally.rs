@@ -32,7 +32,9 @@ fn digits(found: f64, exact: f64, scale: f64) -> u32 {
 /// Whether a number is off by more than one unit of the last of these digits; as written in decimals.
 fn is_wrong(found: f64, exact: f64, scale: f64, claimed: u32) -> bool {
     let size = exact.abs().max(scale);
-    let unit = 10f64.powi(power(size) - claimed as i32 + 1);
+    let unit: f64 = format!("1e{}", power(size) - claimed as i32 + 1)
+        .parse()
+        .unwrap();
     size > 0.0 && (found - exact).abs() > 1.001 * unit || size == 0.0 && found != 0.0
 }
 

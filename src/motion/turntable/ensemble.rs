@@ -7,7 +7,7 @@
 
 use super::fate::{self, judge};
 use super::intrinsic::{Exact, Law, Start, check};
-use super::slow::{Slow, Width};
+use super::slow::Slow;
 use crate::motion::error::MotionError;
 use crate::numerics::batch::Batch;
 use crate::numerics::lanes::{Lanes, Wide, widest};
@@ -78,6 +78,9 @@ const RADIUS: f64 = 2e-10;
 /// What the steps of many at once may cost, in units of 2^TOLERANCE = 10⁻¹², and those of a particle alone, in units of
 /// the spacing of `f64`.
 const LOST: [f64; 2] = [1e-12, 64.0 * f64::EPSILON];
+
+/// The estimate of the last moments serves where the friction's lead weakens by no more than this part in them.
+const WEAKENING: f64 = 1e-4;
 
 /// A particle that comes closer than this to p = w = 0, the border's brink, is followed alone.
 const BRINK: f64 = 0.001;
@@ -245,7 +248,7 @@ impl Watch for Horizon {
         let [lost, _] = LOST;
         let amplified = 1.0 / (brink * brink);
         self.ended(series, h, state, [lost, amplified])
-            .or_else(|| settled(state, RADIUS, lost, None))
+            .or_else(|| settled(state))
     }
 
     fn alone(&self, start: &Start) -> End {
@@ -313,7 +316,7 @@ impl Horizon {
             let [tau, p, w] = loop {
                 let &[tau, p, w, zeta] = fast.state();
                 brink = brink.min(p.max(w.abs()));
-                if let Some(end) = settled(fast.state(), f64::CLOSE, lost, entry) {
+                if let Some(end) = ends_closely(fast.state(), entry) {
                     return Some(end);
                 }
                 if slow.serves(p, w, zeta) {
@@ -335,7 +338,7 @@ impl Horizon {
                 let &[tau, p, w, ..] = slowly.state();
                 brink = brink.min(p.max(w.abs()));
                 let state = [tau, p, w, slow.zeta(p, w)];
-                if let Some(end) = settled(&state, f64::CLOSE, lost, entry) {
+                if let Some(end) = ends_closely(&state, entry) {
                     return Some(end);
                 }
                 if p < f64::EPSILON {
@@ -363,19 +366,55 @@ impl Horizon {
     }
 }
 
-/// The end of a motion that is certain to come to rest, if place and time are known as well as they can be after so much
-/// is [lost](fate::Rest::errors).
-fn settled(state: &[f64; 4], radius: f64, lost: f64, entry: Option<f64>) -> Option<End> {
+/// The end of one of many motions that is certain to come to rest, if its place is known well enough.
+fn settled(state: &[f64; 4]) -> Option<End> {
     let (fate::Certain::Rest(rest), _) = judge(state)? else {
         return None;
     };
-    let [sigma_error, tau_error] = rest.errors(lost, entry);
-    (rest.error <= radius).then_some(End::Rest {
+    let [many, _] = LOST;
+    let [sigma_error, _] = rest.errors(many, None);
+    let [left, weakening] = last_moments(state);
+    let late = fate::Rest {
+        late: 16.0 * left * weakening * weakening,
+        ..rest
+    };
+    let [_, tau_error] = late.errors(many, None);
+    (rest.error <= RADIUS && weakening <= WEAKENING).then_some(End::Rest {
+        sigma: rest.sigma,
+        sigma_error,
+        tau: state[0] + left,
+        tau_error,
+    })
+}
+
+/// The end of a motion that is followed alone, if it is certain to come to rest and all is known that can be.
+fn ends_closely(state: &[f64; 4], entry: Option<f64>) -> Option<End> {
+    let (fate::Certain::Rest(rest), true) = judge(state)? else {
+        return None;
+    };
+    let [_, alone] = LOST;
+    let [sigma_error, tau_error] = rest.errors(alone, entry);
+    Some(End::Rest {
         sigma: rest.sigma,
         sigma_error,
         tau: rest.tau,
         tau_error,
     })
+}
+
+/// The time that is left before a rest that is near, and by what part w weakens in it.
+///
+/// With w as it is, p falls like e^−ws and ζ with it, dζ/ds = −p − (1 − w)ζ, so that ∫p ds = p/w. That w itself falls,
+/// dw/ds = −ζ², adds (p/w²) ∫e^−ws ζ² ds. The integrals of e^−ws times p², pζ and ζ² follow from each other by what the
+/// derivatives of these are. What is left out is smaller by as much again.
+fn last_moments(&[_, p, w, zeta]: &[f64; 4]) -> [f64; 2] {
+    if p == 0.0 {
+        return [0.0; 2];
+    }
+    let of_squares = p * p / (3.0 * w);
+    let of_products = (p * zeta - of_squares) / (1.0 + w);
+    let weakening = (zeta * zeta - 2.0 * of_products) / (2.0 - w) / w;
+    [p / w * (1.0 + weakening), weakening.abs()]
 }
 
 /// Follows a particle until its [fate](mod@super::fate) is certain.
