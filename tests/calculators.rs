@@ -201,18 +201,15 @@ fn the_boundary_is_where_the_fate_changes_and_is_shown_as_it_is() {
             assert!((a - exact).abs() < 2e-4 * exact, "{alpha}: {a}, {exact}");
         }
     }
-    // So near to rest the expansion is better than any bisection.
+    // So near to rest the bisection and the expansion are one.
     let near = rest::Problem {
         alpha: 1e-6,
         psi: 0.5,
     }
     .solve()
     .unwrap();
-    let formula = near.by_formula.map(|f| f.a);
-    assert_eq!(
-        (formula, near.by_motion, near.disagreement),
-        (Some(near.best.a), None, None)
-    );
+    assert_eq!(near.by_motion, Some(near.best));
+    assert!(near.disagreement < Some(1e-15), "{near:?}");
 }
 
 #[test]
@@ -272,8 +269,8 @@ fn the_disagreement_of_an_answer_is_that_of_its_two_ways() {
         ];
         let worst = worst.into_iter().fold(0.0, f64::max);
         assert_eq!(answer.disagreement, Some(worst));
-        let digits = libm::floor(-libm::log10(worst.max(1e-15)));
-        assert_eq!(answer.digits.map(f64::from), Some(digits));
-        assert!(digits >= 9.0, "{lambda0}: {digits} digits");
+        // No more than rounding, so that the formula has all its digits.
+        assert!(worst < 1e-9, "{lambda0}: {worst}");
+        assert_eq!(answer.digits, Some(15));
     }
 }

@@ -190,7 +190,9 @@ fn an_answer_is_text_json_or_a_table() {
     let answer: Value = serde_json::from_str(&with(" --json")).unwrap();
     assert!((answer["v"].as_f64().unwrap() - 1.721_996_770_095_711).abs() < 1e-14);
     assert_eq!(answer["stop_time"], Value::Null);
-    assert!(with(" --csv").starts_with("quantity,value,by_formula,by_motion\nv,1.7219967700957"));
+    assert!(with(" --csv").starts_with(
+        "quantity,value,by_formula,by_motion,digits,note\nv,1.72199677009571,1.72199677009571,1.72199677009571,15,"
+    ));
     assert!(with(" --plot").contains("v_y against v_x"));
 }
 
@@ -431,7 +433,9 @@ fn an_ensemble_ends_as_its_particles_do() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let rows = text(&output.stdout);
     let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split(',').collect()).collect();
-    assert_eq!(rows[0], ["rho", "p", "psi", "outcome", "sigma", "tau"]);
+    let head = ["rho", "p", "psi", "outcome", "sigma", "tau"];
+    assert_eq!(rows[0][..6], head);
+    assert_eq!(rows[0][6..], ["sigma_digits", "tau_digits"]);
     assert_eq!(rows.len(), 7);
     for row in &rows[1..] {
         let single = slipbook(&[

@@ -468,7 +468,7 @@ impl Problem {
         } else {
             "by the form that replaces (11) and (13), which as printed have no value here or lose their digits"
         };
-        format!("{formula}; the digits are those in which the integrated motion agrees")
+        formula.to_owned()
     }
 }
 
