@@ -11,7 +11,7 @@ use super::slow::Slow;
 use crate::motion::error::MotionError;
 use crate::numerics::batch::Batch;
 use crate::numerics::lanes::{Lanes, Wide, widest};
-use crate::numerics::series::value;
+use crate::numerics::series::{arrival, value};
 use crate::numerics::taylor::{Control, Integrator, Step};
 #[cfg(feature = "book")]
 use rayon::prelude::*;
@@ -351,13 +351,8 @@ impl Horizon {
                 slowly.advance(&step);
                 let &[after, ..] = slowly.state();
                 if after > self.tau {
-                    let left = |h: f64| {
-                        (
-                            value(&step.series[0], &h) - self.tau,
-                            value(&step.series[1], &h),
-                        )
-                    };
-                    let [_, p, w, ..] = step.at(&crossing(step.h, left));
+                    let h = arrival(&step.series[0], self.tau - tau, step.h);
+                    let [_, p, w, ..] = step.at(&h);
                     return Some(End::Late(start_of(&[self.tau, p, w, slow.zeta(p, w)])));
                 }
             };
