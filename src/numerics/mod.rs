@@ -4,7 +4,8 @@
 //! made of few elementary functions, whose coefficients follow from each other by short recurrences
 //! ([`series`]). A step of order 26 is long, its error is known from its last coefficients, and the step
 //! itself is a polynomial, so that a value between two nodes ([`taylor::Step::at`]) and the time of an
-//! event ([`events`]) are as good as the nodes. The same code works over any [`number::Number`].
+//! event ([`events`]) are as good as the nodes. The same code works over any [`number::Number`], such as numbers of
+//! twice the width ([`mod@double`]), in which the rounding of an `f64` is seen.
 //!
 //! Whoever integrates with one's own code alone proves little, so there is a second, foreign integrator
 //! ([`dop853`]). Integrals go through a Gauss–Legendre rule, or an adaptive Gauss–Kronrod one where that does not

@@ -14,7 +14,7 @@
 //!
 //!   the last since (ρ² − p²)˙ = 2p and p = 0 at rest. Once ζ ≤ −p with 0 < w < 1 (see *ahead*), dw/dS = −ζ²/p² ≤ −1,
 //!   hence d(p²/2)/dS = −w ≥ −(w₀ − S), and the first bound becomes p₀²/(w₀ + √(w₀² − p₀²)) with w₀ = 1 − ξ₀ > p₀. The
-//!   particle is followed until the bounds are close.
+//!   particle is followed until the bounds are close, near ρ = 1 by slower equations (`slow`).
 //! - *Energy* (ρ² − p² ≥ 1, p > 0): never rests. ρ² − p² grows, and at rest it would be σ² ≤ 1.
 //! - *Outward* (ξ ≥ 1, p > 0): never rests. ξ never decreases, so p does not decrease either.
 //! - *Ahead* (0 < ξ < 1, ζ ≤ −p, p > w with w = 1 − ξ): never rests. At ζ = −p, (ζ + p)′ = −2pw < 0, so that ζ ≤ −p
@@ -116,7 +116,7 @@ pub(crate) enum Ending<T> {
     Undecided { tau: T, p: T },
 }
 
-/// An ending, and the speed at which the motion began to follow the [slow equations](super::slow), if it did.
+/// An ending, and the speed at which the motion began to follow the slow equations, if it did.
 pub(crate) type Followed<T> = (Ending<T>, Option<T>);
 
 /// Steps after which a fate is undecided.

@@ -3,7 +3,8 @@
 //! Newton's law with Coulomb friction, three times over: in axes that turn with the table ([`rotating`]), in axes
 //! at rest in the laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]). The
 //! last are regular where the particle comes to rest, so that they tell quickly and reliably whether it does
-//! ([`mod@fate`]), where the boundary lies ([`mod@boundary`]), and what an escape is like much later.
+//! ([`mod@fate`]), where the boundary lies ([`mod@boundary`]), and what an escape is like much later. Where friction
+//! hardly outweighs the pull, the last approach to rest has equations of its own (`slow`).
 //!
 //! Before all three stands the law of static friction: a particle at rest on the table at the distance r from the
 //! axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once, straight away from the axis.
