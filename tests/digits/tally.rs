@@ -84,13 +84,13 @@ impl Tally {
         }
     }
 
-    /// A case of one number.
+    /// A case of one number: as found, and as written to the digits claimed.
     #[track_caller]
-    pub fn number(&mut self, found: f64, exact: f64, claimed: u32, case: &str) {
-        let wrong = exact.is_nan() || is_wrong(found, exact, 0.0, claimed);
+    pub fn number(&mut self, found: f64, (shown, claimed): (f64, u32), exact: f64, case: &str) {
+        let wrong = exact.is_nan() || is_wrong(shown, exact, 0.0, claimed);
         assert!(
             !wrong,
-            "{case}: {found} to {claimed} digits, right is {exact}"
+            "{case}: {shown} to {claimed} digits, right is {exact}"
         );
         let least = digits(found, exact, 0.0);
         *self.counts.entry((claimed, least)).or_default() += 1;
@@ -169,9 +169,9 @@ fn a_wrong_digit_is_seen_and_a_modest_claim_is_counted() {
     assert_eq!(digits(5.1546, 5.15460131, 0.0), 6);
     assert_eq!((digits(1.0, 1.0, 0.0), digits(2.0, 1.0, 0.0)), (15, 0));
     let mut tally = Tally::default();
-    tally.number(0.5, 0.5, 13, "");
+    tally.number(0.5, (0.5, 13), 0.5, "");
     assert!(tally.closes("enough", false));
-    tally.number(0.5, 0.5, 12, "");
+    tally.number(0.5, (0.5, 12), 0.5, "");
     let few = std::panic::catch_unwind(|| tally.closes("too few", false));
     assert!(few.is_err());
 }

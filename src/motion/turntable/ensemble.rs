@@ -75,9 +75,9 @@ const SLOW: f64 = 1e-6;
 /// Wanted half-width of the bounds of σ.
 const RADIUS: f64 = 2e-10;
 
-/// What the steps of many at once may cost, in units of 2^TOLERANCE = 10⁻¹², and those of a particle alone, in units of
-/// the spacing of `f64`.
-const LOST: [f64; 2] = [1e-12, 64.0 * f64::EPSILON];
+/// What the steps of many at once cost, a third of 2^TOLERANCE as measured, and those of a particle alone, at most so many
+/// spacings of `f64`.
+const LOST: [f64; 2] = [3e-13, 64.0 * f64::EPSILON];
 
 /// The estimate of the last moments serves where the friction's lead weakens by no more than this part in them.
 const WEAKENING: f64 = 1e-4;
@@ -366,18 +366,29 @@ fn settled(state: &[f64; 4]) -> Option<End> {
     let (fate::Certain::Rest(rest), _) = judge(state)? else {
         return None;
     };
+    let Last {
+        time,
+        way,
+        weakening,
+    } = last_moments(state);
+    // σ² = ρ² − p² + 2S.
+    let sigma = libm::sqrt((start_of(state).energy() + 2.0 * way).max(0.0)).min(1.0);
+    let beyond = 16.0 * weakening * weakening;
     let [many, _] = LOST;
-    let [sigma_error, _] = rest.errors(many, None);
-    let [left, weakening] = last_moments(state);
-    let late = fate::Rest {
-        late: 16.0 * left * weakening * weakening,
+    let estimated = fate::Rest {
+        error: (beyond * way / sigma.max(way)).min(rest.error),
+        late: beyond * time,
         ..rest
     };
-    let [_, tau_error] = late.errors(many, None);
+    let [mut sigma_error, tau_error] = estimated.errors(many, None);
+    if sigma_error > 0.0 {
+        // What is lost of σ² is more of a small σ.
+        sigma_error += many / sigma;
+    }
     (rest.error <= RADIUS && weakening <= WEAKENING).then_some(End::Rest {
-        sigma: rest.sigma,
+        sigma,
         sigma_error,
-        tau: state[0] + left,
+        tau: state[0] + time,
         tau_error,
     })
 }
@@ -397,19 +408,36 @@ fn ends_closely(state: &[f64; 4], entry: Option<f64>) -> Option<End> {
     })
 }
 
-/// The time that is left before a rest that is near, and by what part w weakens in it.
-///
-/// With w as it is, p falls like e^−ws and ζ with it, dζ/ds = −p − (1 − w)ζ, so that ∫p ds = p/w. That w itself falls,
-/// dw/ds = −ζ², adds (p/w²) ∫e^−ws ζ² ds. The integrals of e^−ws times p², pζ and ζ² follow from each other by what the
-/// derivatives of these are. What is left out is smaller by as much again.
-fn last_moments(&[_, p, w, zeta]: &[f64; 4]) -> [f64; 2] {
+/// What is left before a rest that is near: time, way, and the part by which w weakens meanwhile.
+struct Last {
+    time: f64,
+    way: f64,
+    weakening: f64,
+}
+
+/// With w as it is, p falls like e^−ws and ζ with it, dζ/ds = −p − (1 − w)ζ, so that the time is ∫p ds = p/w and the way
+/// ∫p² ds = p²/(2w). That w itself falls, dw/ds = −ζ², adds to them, for k = 1 and 2, the part ∫e^−kws ζ² ds / w. These
+/// integrals follow from those of p² and pζ, and all of them from what the derivatives of e^−kws times p², pζ and ζ² are.
+/// What is left out is smaller by as much again.
+fn last_moments(&[_, p, w, zeta]: &[f64; 4]) -> Last {
+    let part = |k: f64| {
+        let of_squares = p * p / ((k + 2.0) * w);
+        let of_products = (p * zeta - of_squares) / (1.0 + k * w);
+        (zeta * zeta - 2.0 * of_products) / (2.0 + (k - 2.0) * w) / w
+    };
     if p == 0.0 {
-        return [0.0; 2];
+        return Last {
+            time: 0.0,
+            way: 0.0,
+            weakening: 0.0,
+        };
     }
-    let of_squares = p * p / (3.0 * w);
-    let of_products = (p * zeta - of_squares) / (1.0 + w);
-    let weakening = (zeta * zeta - 2.0 * of_products) / (2.0 - w) / w;
-    [p / w * (1.0 + weakening), weakening.abs()]
+    let [late, far] = [1.0, 2.0].map(part);
+    Last {
+        time: p / w * (1.0 + late),
+        way: 0.5 * p * p / w * (1.0 + far),
+        weakening: late.abs().max(far.abs()),
+    }
 }
 
 /// Follows a particle until its [fate](mod@super::fate) is certain.
