@@ -10,11 +10,9 @@ use std::fs;
 use std::path::Path;
 
 /// What `snapshots/digits.csv` has counts of.
-pub const KINDS_RECORDED: [&str; 10] = [
+pub const KINDS_RECORDED: [&str; 8] = [
     "anisotropic",
     "constant",
-    "ensemble: distance of rest",
-    "ensemble: time",
     "pulse",
     "sinusoidal",
     "sphere",
