@@ -10,9 +10,14 @@ use std::fs;
 use std::path::Path;
 
 /// What `snapshots/digits.csv` has counts of.
-pub const KINDS_RECORDED: [&str; 8] = [
+pub const KINDS_RECORDED: [&str; 13] = [
     "anisotropic",
     "constant",
+    "ensemble: distance of rest",
+    "ensemble: time",
+    "library: boundary",
+    "library: distance of rest",
+    "library: time",
     "pulse",
     "sinusoidal",
     "sphere",

@@ -395,7 +395,9 @@ fn digits(error: f64) -> u32 {
 /// A number to the digits that this error leaves, and how many they are.
 pub fn known(value: f64, error: f64) -> (f64, u32) {
     let field = Field::new("", value);
-    let digits = digits(field.part(error));
+    // One unit of the last digit is allowed, and half of it goes to its rounding.
+    let unit = libm::log10(2.0 * error).max(-400.0) - power_of_ten(value) as f64;
+    let digits = (1.0 - unit).floor().clamp(0.0, 15.0) as u32;
     match field.rounded(digits).value {
         Value::Number(value) => (value, digits),
         _ => (value, digits),

@@ -3,7 +3,7 @@
 use super::{Answer, Curve, Field, Fields, Quantity, SolveError, check};
 use crate::corrections::rest as corrected;
 use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::fate::follow;
+use crate::motion::turntable::fate::{Certain, Ending, follow};
 use crate::motion::turntable::intrinsic::Exact;
 use crate::motion::turntable::{Start, boundary};
 use crate::numerics::double::Double;
@@ -37,15 +37,17 @@ impl Fields for Boundary {
 const FAR: f64 = 1.0;
 /// Between these α the boundary is found in `f64` first.
 const NARROW: std::ops::RangeInclusive<f64> = 1e-3..=10.0;
-/// To this it is right, by far.
-const MISSED: f64 = 1e-10;
+/// To this it is right.
+const MISSED: f64 = 1e-13;
 /// To this part of itself A is searched for.
 const WIDTH: f64 = 1e-17;
+/// Between sides so close, in parts of A, the line is drawn that ends at the border.
+const EVEN: f64 = 1e-11;
 /// Terms of the series of numbers of twice the width.
 const ORDER: usize = 44;
 
 impl<T: Quantity> Problem<T> {
-    /// A on the boundary, by bisection on the motion and by the expansion to second order in α.
+    /// A on the boundary, by closing in on it with the motion and by the expansion to second order in α.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for α or ψ out of range.
@@ -92,35 +94,55 @@ impl<T: Quantity> Problem<T> {
     fn sides(&self) -> Result<[Double; 2], SolveError> {
         let Problem { alpha, psi } = self.checked()?;
         let (wide, angle): (Double, Double) = (self.alpha.into(), self.psi.into());
-        let rests = |a: Double| -> Result<Option<bool>, SolveError> {
-            let start = Exact::polar(
-                printed::eq112_rho(a, wide),
-                printed::eq111_p(a, wide),
-                angle,
-            );
-            Ok(follow::<Double, ORDER>(&start, false)?.0.rests())
+        let ending = |a: Double, closely: bool| -> Result<Ending<Double>, SolveError> {
+            let (rho, p) = (printed::eq112_rho(a, wide), printed::eq111_p(a, wide));
+            Ok(follow::<_, ORDER>(&Exact::polar(rho, p, angle), closely)?.0)
+        };
+        let rests = |a: Double| Ok::<_, SolveError>(ending(a, false)?.rests());
+        // (1 − σ)², which near the border grows evenly with the distance from it.
+        let gap = |a: Double| -> Result<Option<Double>, SolveError> {
+            Ok(match ending(a, true)? {
+                Ending::Certain(Certain::Rest(rest)) => Some(rest.gap * rest.gap),
+                _ => None,
+            })
+        };
+        let close_in = |[rest, escape]: [Double; 2], a: Double, part: f64| {
+            let off = a * part.into();
+            let (below, above) = (a - off, a + off);
+            let lower = below > rest && rests(below)? == Some(true);
+            let upper = above < escape && rests(above)? == Some(false);
+            Ok::<_, SolveError>([
+                if lower { below } else { rest },
+                if upper { above } else { escape },
+            ])
         };
         // p + ρ < 1 is a rest, ρ² − p² ≥ 1 an escape.
-        let (mut rest, mut escape) = (Scalar::exp(-wide), Double::from(1.0));
+        let mut sides = [Scalar::exp(-wide), Double::from(1.0)];
         if NARROW.contains(&alpha) {
             let near = boundary(alpha, psi)?;
-            let [below, above] = [-MISSED, MISSED].map(|off| Double::from(near * (1.0 + off)));
-            if rests(below)? == Some(true) {
-                rest = below;
-            }
-            if rests(above)? == Some(false) {
-                escape = above;
-            }
+            sides = close_in(sides, near.into(), MISSED / near)?;
         }
-        while (escape - rest).to_f64() > WIDTH * rest.to_f64() {
+        let mut drawn = false;
+        loop {
+            let [rest, escape] = sides;
+            let width = escape - rest;
+            if width.to_f64() <= WIDTH * rest.to_f64() {
+                return Ok(sides);
+            }
+            if !drawn && width.to_f64() < EVEN * rest.to_f64() {
+                drawn = true;
+                if let (Some(near), Some(far)) = (gap(rest)?, gap(rest - width)?) {
+                    sides = close_in(sides, rest + width * near / (far - near), 0.4 * WIDTH)?;
+                }
+                continue;
+            }
             let middle = (rest + escape) * 0.5.into();
             match rests(middle)? {
-                Some(true) => rest = middle,
-                Some(false) => escape = middle,
-                None => break,
+                Some(true) => sides[0] = middle,
+                Some(false) => sides[1] = middle,
+                None => return Ok(sides),
             }
         }
-        Ok([rest, escape])
     }
 
     /// A against α at the same ψ, by the motion.

@@ -51,7 +51,7 @@ pub fn between(
 /// Width to which bisections go.
 const WIDTH: f64 = 1e-13;
 
-/// The A at which states p = A sinh α, ρ = A cosh α with the given α and ψ pass from rest to escape, to 10⁻¹²;
+/// The A at which states p = A sinh α, ρ = A cosh α with the given α and ψ pass from rest to escape, to 10⁻¹³;
 /// everything dimensionless. Newton's law gives the bracket: where p + ρ = A exp(α) < 1 the particle rests, where
 /// ρ² − p² = A² ≥ 1 it does not (see [`fate`](mod@super::fate)).
 ///

@@ -5,7 +5,7 @@
 //! a particle that has come to its end makes room for the next at once. One that comes so close to the border of rest and
 //! escape that these steps are too rough is followed once more, alone and more closely.
 
-use super::fate::{self, judge};
+use super::fate::{self, Speeds, judge};
 use super::intrinsic::{Exact, Law, Start, check};
 use super::slow::Slow;
 use crate::motion::error::MotionError;
@@ -75,9 +75,12 @@ const SLOW: f64 = 1e-6;
 /// Wanted half-width of the bounds of σ.
 const RADIUS: f64 = 2e-10;
 
-/// What the steps of many at once cost, a third of 2^TOLERANCE as measured, and those of a particle alone, at most so many
+/// What the steps of many at once cost, less than 2^TOLERANCE as measured, and those of a particle alone, at most so many
 /// spacings of `f64`.
-const LOST: [f64; 2] = [3e-13, 64.0 * f64::EPSILON];
+const LOST: [f64; 2] = [7e-13, 64.0 * f64::EPSILON];
+
+/// The steps of many know a speed to what they cost beside 1. A particle that begins slower is followed alone.
+const FAST: f64 = 1e-3;
 
 /// The estimate of the last moments serves where the friction's lead weakens by no more than this part in them.
 const WEAKENING: f64 = 1e-4;
@@ -128,6 +131,15 @@ impl Horizon {
     }
 }
 
+/// How far a way went.
+#[derive(Clone, Copy)]
+struct Extremes {
+    /// How close it came to p = w = 0.
+    brink: f64,
+    /// The greatest speed.
+    most: f64,
+}
+
 /// What ends a particle's way.
 trait Watch {
     /// How it ends.
@@ -136,21 +148,23 @@ trait Watch {
     /// Whether a motion may have come to its end, for the states after a step.
     fn over<const L: usize>(&self, states: &[Lanes<L>; 4]) -> [bool; L];
 
-    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end. `brink` is
-    /// how close it came to p = w = 0.
+    /// The end of a motion's way, if it lies in the step `h` long with this series and this state at its end.
     fn end(
         &self,
-        series: &[[f64; TERMS]; 4],
+        series: impl FnOnce() -> [[f64; TERMS]; 4],
         h: f64,
         state: &[f64; 4],
-        brink: f64,
+        extremes: Extremes,
     ) -> Option<Self::End>;
 
     /// The end of a motion from `start` that the steps of many do not find, or not well.
     fn alone(&self, start: &Start) -> Self::End;
 
+    /// Whether this motion is one for the steps of many.
+    fn is_for_many(start: &Start) -> bool;
+
     /// Whether an end is not known well enough.
-    fn is_rough(end: &Self::End, brink: f64) -> bool;
+    fn is_rough(end: &Self::End, extremes: Extremes) -> bool;
 
     /// The ends of some particles' ways, on one core.
     fn piece(&self, starts: &[Start]) -> Vec<Self::End>
@@ -171,10 +185,12 @@ trait Watch {
     #[inline(always)]
     fn run<const L: usize>(&self, starts: &[Start]) -> Vec<Self::End> {
         let mut ends = vec![None; starts.len()];
-        let mut waiting = starts.iter().enumerate();
+        let ours = |(_, start): &(usize, &Start)| Self::is_for_many(start);
+        let mut waiting = starts.iter().enumerate().filter(ours);
         let mut batch = Batch::<4, TERMS, L>::new();
         let mut riders: [Option<(usize, u32)>; L] = [None; L];
         let mut brink = Lanes::<L>::all(f64::INFINITY);
+        let mut most = Lanes::<L>::all(0.0);
         let mut board = |lane: usize, batch: &mut Batch<4, TERMS, L>| {
             let next = waiting.next();
             let rest = [0.0, 0.0, 1.0, 0.0];
@@ -182,10 +198,10 @@ trait Watch {
                 [0.0, start.p, 1.0 - start.xi, start.zeta]
             });
             batch.set(lane, &state);
-            next.map(|(index, _)| (index, 0))
+            (next.map(|(index, _)| (index, 0)), state[1])
         };
         for (lane, rider) in riders.iter_mut().enumerate() {
-            *rider = board(lane, &mut batch);
+            (*rider, most.0[lane]) = board(lane, &mut batch);
         }
         while riders.iter().any(Option::is_some) {
             batch.expand(&Law);
@@ -193,6 +209,7 @@ trait Watch {
             let states = batch.after(&h);
             let [_, p, w, _] = states;
             brink = brink.min(p.max(w.abs()));
+            most = most.max(p);
             let over = self.over(&states);
             if over.iter().any(|over| *over) {
                 for lane in 0..L {
@@ -200,9 +217,13 @@ trait Watch {
                         continue;
                     };
                     let state = states.map(|x| x.0[lane]);
-                    let brink = brink.0[lane];
-                    if let Some(end) = self.end(&batch.lane(lane), h.0[lane], &state, brink) {
-                        let rough = Self::is_rough(&end, brink);
+                    let extremes = Extremes {
+                        brink: brink.0[lane],
+                        most: most.0[lane],
+                    };
+                    let series = || batch.lane(lane);
+                    if let Some(end) = self.end(series, h.0[lane], &state, extremes) {
+                        let rough = Self::is_rough(&end, extremes);
                         ends[index] = (!rough).then_some(end);
                         riders[lane] = None;
                     }
@@ -216,7 +237,7 @@ trait Watch {
                         continue;
                     }
                 }
-                *rider = board(lane, &mut batch);
+                (*rider, most.0[lane]) = board(lane, &mut batch);
                 brink.0[lane] = f64::INFINITY;
             }
         }
@@ -244,19 +265,29 @@ impl Watch for Horizon {
         over
     }
 
-    fn end(&self, series: &[[f64; TERMS]; 4], h: f64, state: &[f64; 4], brink: f64) -> Option<End> {
+    fn end(
+        &self,
+        series: impl FnOnce() -> [[f64; TERMS]; 4],
+        h: f64,
+        state: &[f64; 4],
+        Extremes { brink, most }: Extremes,
+    ) -> Option<End> {
         let [lost, _] = LOST;
         let amplified = 1.0 / (brink * brink);
         self.ended(series, h, state, [lost, amplified])
-            .or_else(|| settled(state))
+            .or_else(|| settled(state, most))
     }
 
     fn alone(&self, start: &Start) -> End {
         self.closely(start).unwrap_or(End::Unfinished(*start))
     }
 
-    fn is_rough(end: &End, brink: f64) -> bool {
-        brink < BRINK && !matches!(end, End::Late(_))
+    fn is_for_many(start: &Start) -> bool {
+        start.p >= FAST || start.p == 0.0
+    }
+
+    fn is_rough(end: &End, extremes: Extremes) -> bool {
+        extremes.brink < BRINK && !matches!(end, End::Late(_))
     }
 }
 
@@ -266,7 +297,7 @@ impl Horizon {
     /// What was `lost` on the way is by so much more, `amplified`, where the way came close to the border of rest.
     fn ended<const N: usize>(
         &self,
-        series: &[[f64; N]; 4],
+        series: impl FnOnce() -> [[f64; N]; 4],
         h: f64,
         state: &[f64; 4],
         [lost, amplified]: [f64; 2],
@@ -275,9 +306,14 @@ impl Horizon {
             let (xi, eta) = (1.0 - w, p - zeta);
             (xi * xi + eta * eta - self.rho * self.rho, 2.0 * p * p * xi)
         };
-        let at = |i: usize, h: f64| value(&series[i], &h);
         let [after, p, w, zeta] = *state;
-        if excess([p, w, zeta]).0 > 0.0 {
+        let far = excess([p, w, zeta]).0 > 0.0;
+        if !far && after <= self.tau {
+            return None;
+        }
+        let series = series();
+        let at = |i: usize, h: f64| value(&series[i], &h);
+        if far {
             // Three sums side by side: none waits for itself.
             let parts = |h: f64| {
                 let mut sums = [0.0; 3];
@@ -308,7 +344,7 @@ impl Horizon {
         let slow = &*NARROW;
         let Exact { p, deficit, zeta } = Exact::<f64>::from(start);
         let mut state = [0.0, p, deficit, zeta];
-        let (mut brink, mut entry) = (f64::INFINITY, None);
+        let (mut brink, mut speeds) = (f64::INFINITY, Speeds::default());
         // Into the slow equations and out again at most.
         for _ in 0..3 {
             let mut fast = Integrator::<_, _, 4, CLOSELY>::new(&Law, 0.0, state, Control::Each);
@@ -316,7 +352,8 @@ impl Horizon {
             let [tau, p, w] = loop {
                 let &[tau, p, w, zeta] = fast.state();
                 brink = brink.min(p.max(w.abs()));
-                if let Some(end) = ends_closely(fast.state(), entry) {
+                speeds.most = speeds.most.max(p);
+                if let Some(end) = ends_closely(fast.state(), speeds) {
                     return Some(end);
                 }
                 if slow.serves(p, w, zeta) {
@@ -324,13 +361,14 @@ impl Horizon {
                 }
                 fast.expand(&mut step).ok()?;
                 fast.advance(&step);
-                let amplified = entry.unwrap_or(brink) / (brink * brink);
-                if let Some(end) = self.ended(&step.series, step.h, fast.state(), [lost, amplified])
+                let amplified = speeds.entry.unwrap_or(brink) / (brink * brink);
+                if let Some(end) =
+                    self.ended(|| step.series, step.h, fast.state(), [lost, amplified])
                 {
                     return Some(end);
                 }
             };
-            entry = Some(p);
+            speeds.entry = Some(p);
             let begin = [tau, p, w, 0.0, 0.0];
             let mut slowly = Integrator::<_, _, 5, CLOSELY>::new(slow, 0.0, begin, Control::Each);
             let mut step = Step::empty();
@@ -338,7 +376,7 @@ impl Horizon {
                 let &[tau, p, w, ..] = slowly.state();
                 brink = brink.min(p.max(w.abs()));
                 let state = [tau, p, w, slow.zeta(p, w)];
-                if let Some(end) = ends_closely(&state, entry) {
+                if let Some(end) = ends_closely(&state, speeds) {
                     return Some(end);
                 }
                 if p < f64::EPSILON {
@@ -361,31 +399,39 @@ impl Horizon {
     }
 }
 
-/// The end of one of many motions that is certain to come to rest, if its place is known well enough.
-fn settled(state: &[f64; 4]) -> Option<End> {
-    let (fate::Certain::Rest(rest), _) = judge(state)? else {
-        return None;
-    };
+/// The end of one of many motions, of this greatest speed, that is certain to come to rest, if its place is known well
+/// enough.
+fn settled(state: &[f64; 4], most: f64) -> Option<End> {
     let Last {
         time,
         way,
         weakening,
     } = last_moments(state);
+    if weakening.is_nan() || weakening > WEAKENING {
+        return None;
+    }
+    let (fate::Certain::Rest(rest), _) = judge(state)? else {
+        return None;
+    };
+    if rest.error > RADIUS {
+        return None;
+    }
     // σ² = ρ² − p² + 2S.
     let sigma = libm::sqrt((start_of(state).energy() + 2.0 * way).max(0.0)).min(1.0);
     let beyond = 16.0 * weakening * weakening;
-    let [many, _] = LOST;
     let estimated = fate::Rest {
         error: (beyond * way / sigma.max(way)).min(rest.error),
         late: beyond * time,
         ..rest
     };
-    let [mut sigma_error, tau_error] = estimated.errors(many, None);
-    if sigma_error > 0.0 {
-        // What is lost of σ² is more of a small σ.
-        sigma_error += many / sigma;
-    }
-    (rest.error <= RADIUS && weakening <= WEAKENING).then_some(End::Rest {
+    // The steps of many lose as much of a slow motion as of a fast one.
+    let speeds = Speeds {
+        most: 1.0,
+        entry: Some(most),
+    };
+    let [many, _] = LOST;
+    let [sigma_error, tau_error] = estimated.errors(many, speeds);
+    Some(End::Rest {
         sigma,
         sigma_error,
         tau: state[0] + time,
@@ -394,12 +440,12 @@ fn settled(state: &[f64; 4]) -> Option<End> {
 }
 
 /// The end of a motion that is followed alone, if it is certain to come to rest and all is known that can be.
-fn ends_closely(state: &[f64; 4], entry: Option<f64>) -> Option<End> {
+fn ends_closely(state: &[f64; 4], speeds: Speeds) -> Option<End> {
     let (fate::Certain::Rest(rest), true) = judge(state)? else {
         return None;
     };
     let [_, alone] = LOST;
-    let [sigma_error, tau_error] = rest.errors(alone, entry);
+    let [sigma_error, tau_error] = rest.errors(alone, speeds);
     Some(End::Rest {
         sigma: rest.sigma,
         sigma_error,
@@ -452,7 +498,13 @@ impl Watch for Certain {
         std::array::from_fn(|lane| judge(&states.map(|x| x.0[lane])).is_some())
     }
 
-    fn end(&self, _: &[[f64; TERMS]; 4], _: f64, state: &[f64; 4], _: f64) -> Option<Option<bool>> {
+    fn end(
+        &self,
+        _: impl FnOnce() -> [[f64; TERMS]; 4],
+        _: f64,
+        state: &[f64; 4],
+        _: Extremes,
+    ) -> Option<Option<bool>> {
         let (certain, _) = judge(state)?;
         Some(Some(matches!(certain, fate::Certain::Rest(_))))
     }
@@ -461,7 +513,11 @@ impl Watch for Certain {
         fate::rests(start).ok().flatten()
     }
 
-    fn is_rough(_: &Option<bool>, _: f64) -> bool {
+    fn is_for_many(_: &Start) -> bool {
+        true
+    }
+
+    fn is_rough(_: &Option<bool>, _: Extremes) -> bool {
         false
     }
 }
@@ -483,7 +539,7 @@ fn crossing(mut h: f64, function: impl Fn(f64) -> (f64, f64)) -> f64 {
         let change = value / slope;
         h -= change;
         // The next change would be of the order of the square.
-        if change.abs() <= 1e-9 * h.abs() {
+        if change.abs() <= 1e-7 * h.abs() {
             break;
         }
     }

@@ -87,17 +87,28 @@ pub(crate) struct Rest<T> {
     pub(crate) late: f64,
 }
 
+/// The speeds of a motion from which what is lost on it grows.
+#[derive(Debug, Default, Clone, Copy, PartialEq)]
+pub(crate) struct Speeds {
+    /// The greatest.
+    pub(crate) most: f64,
+    /// That at which the slow equations began to serve.
+    pub(crate) entry: Option<f64>,
+}
+
 impl Rest<f64> {
     /// How closely σ and τ are known if so much is `lost` on the way: it grows on the last of it, the more the closer to
-    /// the border, and the more the faster the motion was, at the speed `entry`, when the slow equations began to serve.
-    pub(crate) fn errors(&self, lost: f64, entry: Option<f64>) -> [f64; 2] {
+    /// the border. A start, too, is rounded. Away from the brink an eighth is lost, as measured.
+    pub(crate) fn errors(&self, lost: f64, Speeds { most, entry }: Speeds) -> [f64; 2] {
         if self.tau == 0.0 {
             return [0.0; 2];
         }
-        let hover = entry.map_or(1.0, |entry| entry.max(self.gap)) / self.gap;
+        let (lost, entry) = entry.map_or((lost / 8.0, most), |entry| (lost, entry));
+        let growth = entry.max(self.gap) / self.gap + 1.0;
+        let rounded = f64::EPSILON * entry / (self.gap * self.gap);
         [
-            self.error + lost * (hover + 1.0),
-            self.late + lost * (self.tau + (hover + 1.0) / self.gap),
+            self.error + lost * growth,
+            self.late + lost * (self.tau + growth * most.min(1.0) / self.gap) + rounded,
         ]
     }
 }
@@ -116,8 +127,8 @@ pub(crate) enum Ending<T> {
     Undecided { tau: T, p: T },
 }
 
-/// An ending, and the speed at which the motion began to follow the slow equations, if it did.
-pub(crate) type Followed<T> = (Ending<T>, Option<T>);
+/// An ending, and what the speeds on the way were.
+pub(crate) type Followed<T> = (Ending<T>, Speeds);
 
 /// Steps after which a fate is undecided.
 pub const STEPS: usize = 50_000;
@@ -139,10 +150,10 @@ const LOST: f64 = 64.0;
 /// numbers overflow.
 pub fn fate(start: &Start) -> Result<Fate, MotionError> {
     check(start)?;
-    let (ending, slow) = follow::<f64, ORDER>(&Exact::from(start), true)?;
+    let (ending, speeds) = follow::<f64, ORDER>(&Exact::from(start), true)?;
     Ok(match ending {
         Ending::Certain(Certain::Rest(rest)) => {
-            let [error, tau_error] = rest.errors(LOST * f64::EPSILON, slow);
+            let [error, tau_error] = rest.errors(LOST * f64::EPSILON, speeds);
             Fate::Rest {
                 sigma: rest.sigma,
                 tau: rest.tau,
@@ -202,42 +213,44 @@ pub(crate) fn follow<T: Width, const N: usize>(
     let state = [zero, start.p, start.deficit, start.zeta];
     let mut fast = Integrator::<_, _, 4, N>::new(&Law, zero, state, Control::Each);
     let mut step = Step::empty();
-    let mut slow = None;
+    let (mut slow, mut speeds) = (None, Speeds::default());
     for _ in 0..STEPS {
         let &[tau, p, w, zeta] = fast.state();
+        speeds.most = speeds.most.max(p.to_f64());
         if let Some(ending) = settled(&[tau, p, w, zeta]) {
-            return Ok((ending, None));
+            return Ok((ending, speeds));
         }
         if p.magnitude() < T::TUBE && w.magnitude() < T::TUBE {
             let law = slow.get_or_insert_with(Slow::new);
             if law.serves(p, w, zeta) {
-                return follow_slowly::<T, N>(law, [tau, p, w], settled);
+                speeds.entry = Some(p.to_f64());
+                let ending = follow_slowly::<T, N>(law, [tau, p, w], settled)?;
+                return Ok((ending, speeds));
             }
         }
         fast.expand(&mut step)?;
         fast.advance(&step);
     }
     let [tau, p, ..] = *fast.state();
-    Ok((Ending::Undecided { tau, p }, None))
+    Ok((Ending::Undecided { tau, p }, speeds))
 }
 
 fn follow_slowly<T: Width, const N: usize>(
     law: &Slow<T>,
     [tau, p, w]: [T; 3],
     settled: impl Fn(&[T; 4]) -> Option<Ending<T>>,
-) -> Result<Followed<T>, MotionError> {
+) -> Result<Ending<T>, MotionError> {
     let zero = T::from_f64(0.0);
     let mut slow = Integrator::<_, _, 5, N>::new(law, zero, [tau, p, w, zero, zero], Control::Each);
-    let first = p;
     let mut step = Step::empty();
     loop {
         let &[tau, p, w, ..] = slow.state();
         if let Some(ending) = settled(&[tau, p, w, law.zeta(p, w)]) {
-            return Ok((ending, Some(first)));
+            return Ok(ending);
         }
         // Friction and pull cannot be told apart any more.
         if p.magnitude() < T::ROUNDING {
-            return Ok((Ending::Undecided { tau, p }, Some(first)));
+            return Ok(Ending::Undecided { tau, p });
         }
         slow.expand(&mut step)?;
         slow.advance(&step);
