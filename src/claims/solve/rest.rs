@@ -60,7 +60,7 @@ impl<T: Quantity> Problem<T> {
         let width = (escape - rest).to_f64() / motion.a;
         // Half the distance of the sides, and the last rounding.
         let digits = Some(super::digits(width));
-        let by = "by bisection on the motion, in numbers of 31 digits; the particle comes to rest on the one side and goes away on the other, closer than the digits show";
+        let by = "by the motion, in numbers of 31 digits: the particle comes to rest on the one side and goes away on the other, closer than the digits show";
         if alpha <= FAR {
             let formula = Boundary {
                 a: corrected::boundary_a(alpha, psi),

@@ -36,7 +36,7 @@ pub enum End {
     Rest {
         /// Distance σ from the axis,
         sigma: f64,
-        /// and how closely it is known: to 10⁻⁸ or better, unless σ or 1 − σ is below 10⁻⁴.
+        /// and how closely it is known: to 10⁻⁸ or better, unless 1 − σ is below 10⁻⁴.
         sigma_error: f64,
         /// When,
         tau: f64,
