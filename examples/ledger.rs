@@ -21,6 +21,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         samples: Vec::new(),
         steps: Vec::new(),
         partial: false,
+        read: Default::default(),
     }
 }
 

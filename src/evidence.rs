@@ -1,6 +1,7 @@
 //! What a claim is and what a trial of it brings: the vocabulary of the claims and of their judge.
 
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// What sort of statement a claim is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -174,6 +175,9 @@ pub struct Evidence {
     pub steps: Vec<String>,
     /// True if it covers a part of the claim only: it can speak against the claim, but not for the whole of it.
     pub partial: bool,
+    /// The formulas that were read for it, by their paths: `slipbook::paper::constant::eq13_time`; also those that were read
+    /// for what it shares with other trials.
+    pub read: BTreeSet<&'static str>,
 }
 
 /// What a piece of evidence says by itself.

@@ -3,12 +3,14 @@
 //! A formula written inside `formulas!` is what stands there, except on a thread on which [`with`] has seeded a
 //! mistake in it. Then its arguments become [`Seeded`] numbers, which count the places that the evaluation passes
 //! and change the chosen one. So a mistake reaches every kind of [`Scalar`](crate::scalar::Scalar) alike, numbers
-//! and trees, and a trial cannot tell it from a misprint.
+//! and trees, and a trial cannot tell it from a misprint. What [`reading`] watches is noted too: which formulas it reads.
 
 #[cfg(feature = "book")]
 mod number;
 #[cfg(feature = "book")]
 mod parts;
+#[cfg(feature = "book")]
+pub mod reading;
 
 #[cfg(feature = "book")]
 pub use number::{Seeded, evaluate};
@@ -73,9 +75,10 @@ pub fn with<T>(seed: Seed, f: impl FnOnce() -> T) -> T {
     f()
 }
 
-/// True if a mistake is seeded in the formula of this path.
+/// The formula of this path is read: true if a mistake is seeded in it.
 #[cfg(feature = "book")]
-pub fn is_in(formula: &str) -> bool {
+pub fn is_in(formula: &'static str) -> bool {
+    reading::note(formula);
     SEED.get().is_some_and(|seed| seed.formula == formula)
 }
 

@@ -5,6 +5,7 @@
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::measured::MEASURED;
+use slipbook::claims::reading::{ELSEWHERE, is_missing};
 use slipbook::claims::variants::{self, SURVIVORS};
 use slipbook::claims::{Claim, TOPICS};
 use slipbook::evidence::{Evidence, Outcome};
@@ -45,6 +46,8 @@ fn main() {
     trials.push(Trial::test("points", move || {
         same_as_snapshot("", "points", &points)
     }));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("reading", move || reading(&whole)));
     let whole = Arc::clone(&ledger);
     trials.push(Trial::test("variants", move || wrong_variants(&whole)));
     let slack = stale_tolerances(&ledger);
@@ -87,6 +90,26 @@ const SLACK: f64 = 10.0;
 /// What a claim is derived from or refers to, on a line.
 fn depends_on(entry: &Entry) -> String {
     format!("{}: {}\n", entry.claim.id, entry.claim.depends_on.join(" "))
+}
+
+/// Evidence for which no formula of its claim was read is that for which a reason is given, and no other.
+fn reading(ledger: &Ledger) -> Result<(), Failed> {
+    let evidence = ledger.entries.iter().flat_map(|entry| {
+        let id = entry.claim.id;
+        let missing = entry.evidence.iter().filter(move |e| is_missing(id, e));
+        missing.map(move |e| (id, e.compared))
+    });
+    let missing: BTreeSet<_> = evidence.collect();
+    let excused = ELSEWHERE.iter().map(|e| (e.claim, e.compared)).collect();
+    if missing != excused {
+        let both = missing.symmetric_difference(&excused);
+        return Err(format!(
+            "{:#?} without reason, or for no reason",
+            both.collect::<Vec<_>>()
+        )
+        .into());
+    }
+    Ok(())
 }
 
 /// How many points each trial tries, on a line each, with a fingerprint of where they are, of their scales and of what is found.

@@ -2,6 +2,7 @@
 
 use slipbook::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
+use std::collections::BTreeSet;
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     Evidence {
@@ -19,6 +20,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         samples: vec![],
         steps: vec![],
         partial: false,
+        read: BTreeSet::new(),
     }
 }
 

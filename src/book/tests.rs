@@ -59,6 +59,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
             Vec::new()
         },
         partial: false,
+        read: BTreeSet::new(),
     }
 }
 

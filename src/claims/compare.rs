@@ -1,9 +1,11 @@
 //! How a trial compares: stated value against found value, over many points, into one [`Evidence`].
 
+pub use super::runs::Failure;
 use super::tolerances;
 use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
 use crate::exact::{Obstacle, Proof, Step};
-use std::fmt::Display;
+use crate::seeded::reading;
+use std::collections::BTreeSet;
 
 /// One comparison.
 pub struct Pair {
@@ -70,10 +72,10 @@ impl Trial {
     }
 
     /// Compares at every point; a point where our own side fails makes the evidence NaN and says why.
-    pub fn over<P, E: Display>(
+    pub fn over<P>(
         &self,
         points: impl IntoIterator<Item = P>,
-        mut pair: impl FnMut(P) -> Result<Pair, E>,
+        mut pair: impl FnMut(P) -> Result<Pair, Failure>,
     ) -> Evidence {
         let mut evidence = Evidence {
             fingerprint: 0,
@@ -87,9 +89,10 @@ impl Trial {
             samples: Vec::new(),
             steps: Vec::new(),
             partial: false,
+            read: BTreeSet::new(),
         };
         for point in points {
-            if !take(&mut evidence, pair(point).map_err(|e| e.to_string())) {
+            if !take(&mut evidence, pair(point)) {
                 break;
             }
         }
@@ -98,11 +101,11 @@ impl Trial {
 }
 
 /// Adds a pair to the evidence, or why there is none; says whether the next one is wanted.
-fn take(evidence: &mut Evidence, pair: Result<Pair, String>) -> bool {
+fn take(evidence: &mut Evidence, pair: Result<Pair, Failure>) -> bool {
     let pair = match pair {
         Ok(pair) => pair,
         Err(error) => {
-            (evidence.worst, evidence.at) = (f64::NAN, error);
+            (evidence.worst, evidence.at) = (f64::NAN, error.to_string());
             return false;
         }
     };
@@ -163,8 +166,12 @@ impl Pair {
     }
 }
 
-/// Why a trial's own side gave no number.
-pub type Failure = Box<dyn std::error::Error + Send + Sync>;
+/// What a trial brings, and which formulas it has read for it.
+pub fn noted(trial: fn() -> Evidence) -> Evidence {
+    let (mut evidence, read) = reading::of(trial);
+    evidence.read.extend(read);
+    evidence
+}
 
 /// Evidence from a proof, with its steps: it holds or it does not.
 pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Evidence {
@@ -187,5 +194,6 @@ pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Eviden
         samples: Vec::new(),
         steps: proof.steps().iter().map(Step::to_string).collect(),
         partial: false,
+        read: BTreeSet::new(),
     }
 }

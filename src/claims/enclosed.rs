@@ -6,6 +6,7 @@ use crate::certified::error::CertifiedError;
 use crate::certified::values::{self, Value};
 use crate::evidence::{Evidence, Route, Sample, Subject};
 use crate::exact::{Binary, Expr, Function, Node};
+use std::collections::BTreeSet;
 
 /// Decimals to which a stated number is held against an enclosure.
 pub const DIGITS: usize = 50;
@@ -34,6 +35,7 @@ pub fn certified(
         samples: Vec::new(),
         steps: Vec::new(),
         partial: false,
+        read: BTreeSet::new(),
     }
 }
 

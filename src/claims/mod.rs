@@ -15,6 +15,10 @@ pub mod enclosed;
 pub mod measured;
 #[cfg(feature = "book")]
 pub mod points;
+#[cfg(feature = "book")]
+pub mod reading;
+#[cfg(feature = "book")]
+pub mod runs;
 pub mod solve;
 #[cfg(feature = "book")]
 pub mod tolerances;

@@ -8,8 +8,9 @@ use super::anisotropic::runs::touching;
 use super::compare::Failure;
 use super::escape::laws;
 use super::sinusoidal::runs::{ORIGIN, settled};
+use crate::claims::runs::Runs;
 use crate::corrections::{anisotropic as added, escape as corrected, rest as boundary};
-use crate::motion::{MotionError, turntable};
+use crate::motion::turntable;
 use crate::paper::{anisotropic, escape, rest, sinusoidal, sphere};
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 use std::sync::LazyLock;
@@ -266,7 +267,7 @@ pub static VALUES: [Value; 36] = [
         "s4-envelope-is-boundary",
         4,
         "$A$ on the boundary at $\\alpha=0.1$, $\\psi=0.2$",
-        || Ok(boundary_example()?),
+        boundary_example,
     ),
     row(
         "boundary-slope",
@@ -337,9 +338,9 @@ pub static VALUES: [Value; 36] = [
 ///
 /// # Errors
 /// A motion that cannot be followed.
-pub fn boundary_example() -> Result<f64, MotionError> {
-    static A: LazyLock<Result<f64, MotionError>> = LazyLock::new(|| turntable::boundary(0.1, 0.2));
-    A.clone()
+pub fn boundary_example() -> Result<f64, Failure> {
+    static A: Runs<f64> = Runs::new(|| Ok(turntable::boundary(0.1, 0.2)?));
+    A.get().copied()
 }
 
 /// The largest velocity of the periodic motion under a sine.

@@ -155,12 +155,14 @@ pub fn formulas<S: Scalar>() -> Vec<Formula<S>> {
     .collect()
 }
 
-/// The id of the claim that tries a formula.
-fn claim(formula: &Formula<f64>) -> Option<String> {
-    let numbered = formula.name.strip_prefix("eq");
-    let number = numbered.and_then(|rest| rest.split('_').next());
+/// The id of the claim that tries the formula of this path: `slipbook::paper::constant::eq13_time`.
+pub fn claim(path: &str) -> Option<String> {
+    let name = path.rsplit("::").next()?;
+    let number = name
+        .strip_prefix("eq")
+        .and_then(|rest| rest.split('_').next());
     let tried_in = || {
-        let path = formula.path.strip_prefix("slipbook::")?;
+        let path = path.strip_prefix("slipbook::")?;
         let (_, id) = TRIED_IN.iter().find(|(formula, _)| *formula == path)?;
         Some((*id).to_owned())
     };
@@ -169,7 +171,7 @@ fn claim(formula: &Formula<f64>) -> Option<String> {
 
 /// The wrong variants of one formula, which is given for trees and for numbers.
 fn of(tree: &Formula<Expr>, number: &Formula<f64>) -> Vec<Variant> {
-    let Some(claim) = claim(number) else {
+    let Some(claim) = claim(number.path) else {
         return Vec::new();
     };
     let mut random = fastrand::Rng::with_seed(super::points::SEED);
@@ -256,7 +258,7 @@ mod tests {
         let formulas = formulas::<f64>();
         let tried = |path: &str| {
             let formula = formulas.iter().find(|f| f.path.ends_with(path));
-            claim(formula.unwrap_or_else(|| panic!("{path}")))
+            claim(formula.unwrap_or_else(|| panic!("{path}")).path)
         };
         for (path, id) in TRIED_IN {
             assert_eq!(tried(path).as_deref(), Some(id), "{path}");

@@ -5,7 +5,8 @@ use serde::Serialize;
 use std::io::{self, ErrorKind, Write};
 
 /// Why a command failed: a sentence for the reader.
-pub(super) use crate::claims::compare::Failure;
+/// Why a command ends without its answer.
+pub(super) type Failure = Box<dyn std::error::Error + Send + Sync>;
 pub(super) use crate::claims::solve::plain as number;
 
 /// In which form a command answers.

@@ -53,7 +53,10 @@ impl Entry {
         let mut order: Vec<_> = (0..claim.trials.len()).collect();
         order.sort_by_key(|i| self.evidence[*i].points);
         order.into_iter().any(|i| {
-            let now = seeded::with(variant.seed, claim.trials[i]);
+            let now = Evidence {
+                read: self.evidence[i].read.clone(),
+                ..seeded::with(variant.seed, claim.trials[i])
+            };
             let outcome = now.outcome();
             if fails {
                 let printed = matches!(now.subject, Subject::Printed | Subject::Within);

@@ -3,9 +3,9 @@
 use super::runs::{Curves, simulated};
 use crate::claims::compare::Failure;
 use crate::claims::points::Points;
+use crate::claims::runs::Runs;
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
-use std::sync::LazyLock;
 
 /// Cells of the census along q, thirty for each unit.
 pub const COLUMNS: usize = 330;
@@ -71,13 +71,11 @@ pub struct Count {
 /// # Errors
 /// Why there are none.
 pub fn columns() -> Result<&'static [Column], Failure> {
-    static COLUMNS: LazyLock<Result<Vec<Column>, String>> = LazyLock::new(run);
-    COLUMNS
-        .as_deref()
-        .map_err(|error| Failure::from(error.clone()))
+    static COLUMNS: Runs<Vec<Column>> = Runs::new(run);
+    Ok(COLUMNS.get()?)
 }
 
-fn run() -> Result<Vec<Column>, String> {
+fn run() -> Result<Vec<Column>, Failure> {
     let mut points = Points::stream(300);
     let step = |(from, to): (f64, f64), cells: usize| (to - from) / cells as f64;
     let drawn: Vec<(f64, Vec<f64>)> = (0..COLUMNS)
@@ -101,11 +99,16 @@ fn run() -> Result<Vec<Column>, String> {
                 cells: lambdas.iter().map(cell).collect::<Result<_, Failure>>()?,
             })
         };
-        made().map_err(|error| format!("q = {q}: {error}"))
+        made().map_err(|error| format!("q = {q}: {error}").into())
     };
     // By threads of its own: within a shared lazy value, a task that a thread pool takes over meanwhile could wait
     // for that very value.
-    let half = |columns: &[_]| columns.iter().map(column).collect::<Result<Vec<_>, _>>();
+    let half = |columns: &[_]| {
+        columns
+            .iter()
+            .map(column)
+            .collect::<Result<Vec<_>, Failure>>()
+    };
     let (low, high) = drawn.split_at(COLUMNS / 2);
     std::thread::scope(|scope| {
         let high = scope.spawn(|| half(high));

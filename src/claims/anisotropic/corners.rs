@@ -44,7 +44,7 @@ fn x(compared: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Evi
     let [q, lambda0] = printed::eq57_x();
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(starts(stream), |start| {
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(start),
             stated: lambda0,
             found: change(q, 1e-9, start, holds)?,
@@ -75,7 +75,7 @@ pub fn y_decimals() -> Evidence {
         } else {
             ("λ₀", lambda0, 1.0 / found)
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{name}, {}", at(start)),
             stated,
             found,
@@ -91,7 +91,7 @@ pub fn y_limit() -> Evidence {
     trial.over(0..24, |k| {
         let eta = 1e-5 * libm::exp10(-f64::from(k) / 5.0);
         let [low, high] = opening(eta)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("η = {eta:.5e}"),
             stated: printed::eq58_y::<f64>()[0],
             found: 0.5 * (low + high),
@@ -106,7 +106,7 @@ pub fn y_digits() -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Printed, compared, MOTION);
     trial.over(starts(311), |start| {
         let found = simulated_y(start)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(start),
             stated: touching()?,
             found,
@@ -123,7 +123,7 @@ pub fn y_contact() -> Evidence {
         let eta = 1e-3 * libm::exp2(-f64::from(k));
         let width = |eta: f64| opening(eta).map(|[low, high]| high - low);
         let found = libm::log2(width(eta)? / width(0.5 * eta)?);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("η = {eta:.5e}"),
             stated: 0.5,
             found,
@@ -144,7 +144,7 @@ pub fn y_curvature() -> Evidence {
             Ok((printed::eq55_lambda0(q) - end) / (delta * delta))
         };
         let found = 0.5 * (gap(y - delta)? + gap(y + delta)?);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("δ = {delta:.5e}"),
             stated: corrected::contact(y),
             found,

@@ -32,9 +32,7 @@ fn over(
     pair: impl Fn(&Row) -> Pair,
 ) -> Evidence {
     match rows {
-        Ok(rows) => trial.over(rows.iter().filter(|row| wanted(row)), |row| {
-            Ok::<_, Failure>(pair(row))
-        }),
+        Ok(rows) => trial.over(rows.iter().filter(|row| wanted(row)), |row| Ok(pair(row))),
         Err(error) => trial.over([error], Err),
     }
 }
@@ -66,7 +64,7 @@ fn sides(
     };
     let points = rows.iter().filter(|row| wanted(row)).flat_map(of);
     trial.over(points, |(curves, lambda0)| {
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("q = {:.6}, λ₀ = {lambda0:.9}", curves.q),
             stated: region(lambda0, &curves).map_or(0.0, |k| k as f64),
             found: simulated(curves.q, lambda0)? as f64,

@@ -38,7 +38,7 @@ pub fn integration() -> Evidence {
         let found = end(Friction::new(lambda0, q * lambda0)?, start)?;
         let (other_q, other_lambda0) = (1.0 / q, q * lambda0);
         let friction = Friction::new(other_lambda0, other_q * other_lambda0)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!(
                 "q = {q:.6}, λ₀ = {lambda0:.6}, φ = {:.6} from {:.6}, {:.6}",
                 start.phi + after,
@@ -67,7 +67,7 @@ pub fn census() -> Evidence {
             // Where in the period the list begins is left open.
             listed.len() == found.len() && found.repeat(2).contains(listed)
         });
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("q = {q:.6}, λ₀ = {lambda0:.6}"),
             stated: region.map_or(0.0, |k| k as f64),
             found: found.map_or(0.0, |i| (i + 1) as f64),

@@ -122,7 +122,7 @@ pub fn quadrature() -> Evidence {
             Some(stretch) => rates.w(stretch.letter, stretch.start, reduced)?,
             None => 0.0,
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("q = {q}, λ₀ = {lambda0}, φ = {phi:.6}"),
             stated,
             found: motion(panel, START)?.w(phi),
@@ -167,7 +167,7 @@ pub fn census() -> Evidence {
         } else {
             (0.0, (motion.largest().w.abs() - TOP).max(0.0))
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at,
             stated,
             found,

@@ -2,7 +2,7 @@
 
 use super::census::{self, Point};
 use super::rows::{Row, rows};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 
@@ -30,7 +30,7 @@ fn census(
         let listed = list(&point).unwrap_or(0);
         // A hundred thousand names would take longer than the motions: only those that are read are written.
         let read = i < GENERIC || listed != point.found;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: if read { point.at() } else { String::new() },
             stated: listed as f64,
             found: point.found as f64,
@@ -87,7 +87,7 @@ fn ends(
         } else {
             ("upper end", bounds[region - 1], motion[region - 1])
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("q = {:.6}, {name}", row.curves.q),
             stated,
             found,
@@ -255,7 +255,7 @@ pub fn corrected_curves() -> Evidence {
         (0..4).map(move |i| (row.curves.q, names[i], stated[i], found[i]))
     };
     trial.over(rows.iter().flat_map(changes), |(q, name, stated, found)| {
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("q = {q:.6}, {name}"),
             stated,
             found,

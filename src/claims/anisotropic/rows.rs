@@ -2,8 +2,8 @@
 
 use super::runs::{Changes, Curves, START};
 use crate::claims::compare::Failure;
+use crate::claims::runs::Runs;
 use crate::numerics::fit::fit;
-use std::sync::LazyLock;
 
 /// One q with everything that is known there.
 #[derive(Debug, Clone, Copy)]
@@ -50,9 +50,8 @@ fn ratios() -> Vec<f64> {
 /// # Errors
 /// Why there is none.
 pub fn rows() -> Result<&'static [Row], Failure> {
-    static ROWS: LazyLock<Result<Vec<Row>, String>> = LazyLock::new(|| all_rows(&ratios(), 1e-9));
-    ROWS.as_deref()
-        .map_err(|error| Failure::from(error.clone()))
+    static ROWS: Runs<Vec<Row>> = Runs::new(|| all_rows(&ratios(), 1e-9));
+    Ok(ROWS.get()?)
 }
 
 /// Rows far out, q from 200 to 20,000.
@@ -60,17 +59,16 @@ pub fn rows() -> Result<&'static [Row], Failure> {
 /// # Errors
 /// Why there is none.
 pub fn far_rows() -> Result<&'static [Row], Failure> {
-    static ROWS: LazyLock<Result<Vec<Row>, String>> = LazyLock::new(|| {
+    static ROWS: Runs<Vec<Row>> = Runs::new(|| {
         let q: Vec<f64> = (0..=20)
             .map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0))
             .collect();
         all_rows(&q, 1e-12)
     });
-    ROWS.as_deref()
-        .map_err(|error| Failure::from(error.clone()))
+    Ok(ROWS.get()?)
 }
 
-fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, String> {
+fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {
     let row = |&q: &f64| {
         let made = || -> Result<Row, Failure> {
             Ok(Row {
@@ -78,7 +76,7 @@ fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, String> {
                 changes: Changes::at(q, low, START)?,
             })
         };
-        made().map_err(|error| format!("q = {q}: {error}"))
+        made().map_err(|error| format!("q = {q}: {error}").into())
     };
     ratios.iter().map(row).collect()
 }

@@ -1,13 +1,11 @@
 //! The simulated motions of section 2.4, one by one, and the curves that they are held against.
 
 use crate::claims::compare::Failure;
+use crate::claims::runs::Runs;
 use crate::corrections::anisotropic as corrected;
-use crate::motion::drive::{
-    Attractor, Drive, DriveError, Friction, Interval, Outcome, Sign, State,
-};
+use crate::motion::drive::{Attractor, Drive, Friction, Interval, Outcome, Sign, State};
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
-use std::sync::LazyLock;
 
 /// The start of every motion unless another is said.
 pub const START: State = State { phi: 0.0, w: 0.0 };
@@ -15,10 +13,9 @@ pub const START: State = State { phi: 0.0, w: 0.0 };
 const MAX_PERIODS: u32 = 200;
 
 /// The drive sin φ.
-pub fn drive() -> Result<&'static Drive, DriveError> {
-    static DRIVE: LazyLock<Result<Drive, DriveError>> =
-        LazyLock::new(|| Drive::new(libm::sin, &[]));
-    DRIVE.as_ref().map_err(Clone::clone)
+pub fn drive() -> Result<&'static Drive, Failure> {
+    static DRIVE: Runs<Drive> = Runs::new(|| Ok(Drive::new(libm::sin, &[])?));
+    DRIVE.get()
 }
 
 /// The periodic motion that a start leads to.

@@ -52,7 +52,7 @@ fn against_dimensional(
         let [mu_plus, mu_minus, g, a0, phi] = case;
         let (plus, minus) = friction(case);
         let w = attractor_from(START, Friction::new(plus, minus)?)?.w(phi);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!(
                 "μ₊ = {mu_plus:.6}, μ₋ = {mu_minus:.6}, g = {g:.6}, A₀ = {a0:.6}, φ = {phi:.6}"
             ),
@@ -125,7 +125,7 @@ fn summed_rate(
         let interval = found.ok_or_else(|| format!("no such motion at {q}, {lambda0}"))?;
         let [from, to] = [a, b].map(|share| interval.start + share * interval.length());
         let sum = integral_within(|phi| rate(q, lambda0, phi), from, to, 1e-13)?.value;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("q = {q:.6}, λ₀ = {lambda0:.6}, φ from {from:.6} to {to:.6}"),
             stated: sum,
             found: motion.w(to) - motion.w(from),

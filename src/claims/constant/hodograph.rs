@@ -2,7 +2,7 @@
 //! angle.
 
 use super::runs::{Turn, straight, turns, turns_where};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
@@ -20,7 +20,7 @@ fn rates(compared: &'static str, reading: Reading) -> Evidence {
     trial.over(turning.chain(straight()), |turn| {
         let turn = turn?;
         let [stated, found, scale] = reading(&turn);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated,
             found,
@@ -65,7 +65,7 @@ pub fn eq9_quadrature() -> Evidence {
         let rate = |theta| printed::eq9_log_speed_rate(turn.lambda, theta);
         let log_ratio = turn.integral(rate, 1e-13 * turn.condition())?;
         let found = turn.v / turn.v0;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: libm::exp(log_ratio),
             found,
@@ -83,7 +83,7 @@ pub fn eq9_outside() -> Evidence {
         let found = turn.v / turn.v0;
         let exponent =
             printed::eq9_log_speed_rate(turn.lambda, turn.theta) * (turn.theta - turn.theta0);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: libm::exp(exponent),
             found,
@@ -100,7 +100,7 @@ fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
         let number = Conditioned::measured;
         let at = |v, theta| printed::eq10_invariant(number(turn.lambda), number(v), number(theta));
         let ratio = at(turn.v, turn.theta) / at(turn.v0, turn.theta0);
-        Ok::<_, Failure>(Pair::conditioned(turn.at(), ratio, 1.0))
+        Ok(Pair::conditioned(turn.at(), ratio, 1.0))
     })
 }
 
@@ -122,7 +122,7 @@ pub fn eq11_motion() -> Evidence {
     Trial::motion(Subject::Within, compared).over(turns(), |turn| {
         let turn = turn?;
         let speed = turn.formula(printed::eq11_speed);
-        Ok::<_, Failure>(Pair::conditioned(turn.at(), speed, turn.v))
+        Ok(Pair::conditioned(turn.at(), speed, turn.v))
     })
 }
 
@@ -138,7 +138,7 @@ pub fn eq11_quadrature() -> Evidence {
         let speed = turn.formula(printed::eq11_speed);
         let mut pair = Pair::conditioned(turn.at(), speed, found);
         pair.scale = pair.scale.max(found * turn.condition());
-        Ok::<_, Failure>(pair)
+        Ok(pair)
     })
 }
 
@@ -149,6 +149,6 @@ pub fn eq11_outside() -> Evidence {
     Trial::motion(Subject::Outside, compared).over(straight(), |turn| {
         let turn = &turn?;
         let speed = turn.formula(printed::eq11_speed);
-        Ok::<_, Failure>(Pair::conditioned(turn.at(), speed, turn.v))
+        Ok(Pair::conditioned(turn.at(), speed, turn.v))
     })
 }

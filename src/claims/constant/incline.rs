@@ -1,7 +1,7 @@
 //! The inclined plane, in three dimensions: weight, normal force and friction. It is the case A = g sin β,
 //! λ = μ cot β of section 2.1.
 
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
@@ -118,7 +118,7 @@ fn slides(
         let Incline { v0, theta0, .. } = incline;
         let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Conditioned::measured);
         let (stated, found) = pair(at, end.norm(), duration);
-        Ok::<_, Failure>(Pair::conditioned(incline.at(), stated, found))
+        Ok(Pair::conditioned(incline.at(), stated, found))
     })
 }
 
@@ -131,7 +131,7 @@ pub fn forces() -> Evidence {
         let incline = Incline::any(&mut points);
         let (lambda, a, theta) = (incline.lambda(), incline.a(), incline.theta0);
         let force = incline.acceleration(&incline.velocity(incline.v0, theta));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: incline.at(),
             stated: printed::eq6_vx_rate(lambda, a, theta)
                 + 2.0 * printed::eq7_vy_rate(lambda, a, theta),

@@ -1,12 +1,11 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
 use super::runs::{Stop, Turn, frictionless, settled, stops};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Failure, Pair, Trial, noted};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::TERMINAL;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::MotionError;
 use crate::numerics::quadrature::{integral, integral_within};
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
@@ -21,7 +20,7 @@ pub fn eq15_motion() -> Evidence {
     trial.over(frictionless(), |flight| {
         let (start, state) = flight?;
         let stated = printed::eq15_vx(start.a, start.velocity0()?[0], state.t);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
             stated,
             found: state.v[0],
@@ -38,7 +37,7 @@ pub fn eq16_motion() -> Evidence {
     );
     trial.over(frictionless(), |flight| {
         let (start, state) = flight?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
             stated: printed::eq16_vy(start.velocity0()?[1]),
             found: state.v[1],
@@ -59,7 +58,7 @@ pub fn parabola_motion() -> Evidence {
         let (start, state) = flight?;
         let [vx, vy] = start.velocity0()?;
         let t = state.x[1] / vy;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
             stated: vx * t + start.a * t * t / 2.0,
             found: state.x[0],
@@ -81,7 +80,7 @@ pub fn parabola_quadrature() -> Evidence {
         let [vx, vy] = start.velocity0()?;
         let scale = (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs();
         let slope = |y: f64| printed::eq15_vx(start.a, vx, y / vy) / printed::eq16_vy(vy);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
             stated: integral_within(slope, 0.0, state.x[1], 1e-13 * scale)?.value,
             found: state.x[0],
@@ -99,7 +98,7 @@ pub fn eq17_motion() -> Evidence {
         let number = Conditioned::measured;
         let at = |v, theta| printed::eq17_invariant(number(v), number(theta));
         let ratio = at(turn.v, turn.theta) / at(turn.v0, turn.theta0);
-        Ok::<_, Failure>(Pair::conditioned(turn.at(), ratio, 1.0))
+        Ok(Pair::conditioned(turn.at(), ratio, 1.0))
     })
 }
 
@@ -109,7 +108,7 @@ pub fn eq18_limit() -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
         let (start, state) = late?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: start.at(),
             stated: printed::eq18_vx_limit(start.v0, start.theta0),
             found: state.v[0],
@@ -128,7 +127,7 @@ pub fn eq18_quadrature() -> Evidence {
         let (start, _) = late?;
         let rate = |theta: f64| Scalar::tan(theta / 2.0);
         let log_ratio = integral(rate, start.theta0, 0.0)?.value;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: start.at(),
             stated: printed::eq18_vx_limit(start.v0, start.theta0),
             found: start.v0 * libm::exp(log_ratio),
@@ -143,7 +142,7 @@ pub fn eq19_limit() -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
         let (start, state) = late?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: start.at(),
             stated: printed::eq19_vy_limit(),
             found: state.v[1],
@@ -160,14 +159,14 @@ pub fn eq20_motion() -> Evidence {
     );
     trial.over(stops(), |stop| {
         let stop = stop?;
-        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(stop), stop.t))
+        Ok(Pair::conditioned(stop.start.at(), eq20(stop), stop.t))
     })
 }
 
 /// (20) with the integral of dt over the whole turn, in the variable r of the regular form.
 pub fn eq20_quadrature() -> Evidence {
     // Two claims ask for it.
-    static EVIDENCE: LazyLock<Evidence> = LazyLock::new(integrated_stops);
+    static EVIDENCE: LazyLock<Evidence> = LazyLock::new(|| noted(integrated_stops));
     EVIDENCE.clone()
 }
 
@@ -177,7 +176,7 @@ fn integrated_stops() -> Evidence {
         "(20) with ∫ dt = ∫ v dr/(A r) over 0 < r < 1",
     );
     // Below, r^(λ−1) would be lost to underflow.
-    let wanted = |s: &Result<&Stop, MotionError>| s.as_ref().map_or(true, |s| s.start.lambda > 1.1);
+    let wanted = |s: &Result<&Stop, Failure>| s.as_ref().map_or(true, |s| s.start.lambda > 1.1);
     trial.over(stops().filter(wanted), |stop| {
         let stop = stop?;
         let Turn {
@@ -194,7 +193,7 @@ fn integrated_stops() -> Evidence {
             corrected::speed(lambda, v0, theta0, r) * k / (a * x)
         };
         let found = integral_within(rate, 0.0, 1.0, 1e-13 * stop.t)?.value;
-        Ok::<_, Failure>(Pair::conditioned(stop.start.at(), eq20(stop), found))
+        Ok(Pair::conditioned(stop.start.at(), eq20(stop), found))
     })
 }
 

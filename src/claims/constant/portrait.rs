@@ -1,11 +1,12 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
 use super::runs::Turn;
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::{Motion, MotionError};
+use crate::motion::Motion;
+use crate::motion::MotionError;
 use crate::paper::constant as printed;
 use std::f64::consts::PI;
 
@@ -98,7 +99,7 @@ pub fn points() -> Evidence {
         let theta = state.direction();
         let speed = printed::eq11_speed(number(lambda), number(1.0), number(theta0), number(theta));
         let at = format!("λ = {lambda}, θ₀ = {theta0:.6}, θ = {theta:.6}");
-        Ok::<_, Failure>(Pair::conditioned(at, speed, state.speed()))
+        Ok(Pair::conditioned(at, speed, state.speed()))
     })
 }
 
@@ -109,7 +110,7 @@ pub fn ends() -> Evidence {
     trial.over(both_panels(), |curve| {
         let curve = curve?;
         let is = |truth: bool| f64::from(u8::from(truth));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ = {}, θ₀ = {:.6}", curve.lambda, curve.theta0),
             stated: is(curve.lambda <= 1.0),
             found: is(curve.motion.end().speed() > 0.0),

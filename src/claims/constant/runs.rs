@@ -3,11 +3,11 @@
 
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
+use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::{Launch, Motion, MotionError, PhaseKind, State};
 use crate::numerics::NumericsError;
 use crate::numerics::quadrature::integral_within;
 use std::f64::consts::PI;
-use std::sync::LazyLock;
 
 /// A launch, and the moment at which the velocity has turned to θ.
 #[derive(Debug, Clone, Copy)]
@@ -121,27 +121,16 @@ impl Turn {
     }
 }
 
-/// Runs made once and shared by trials: all of them, or the reason why there are none.
-type Shared<T> = LazyLock<Result<Vec<T>, MotionError>>;
-
-fn shared<T>(runs: &'static Shared<T>) -> impl Iterator<Item = Result<&'static T, MotionError>> {
-    let (runs, error) = match &**runs {
-        Ok(runs) => (&runs[..], None),
-        Err(error) => (&[][..], Some(Err(error.clone()))),
-    };
-    runs.iter().map(Ok).chain(error)
-}
-
 /// Every turn.
-pub fn turns() -> impl Iterator<Item = Result<&'static Turn, MotionError>> {
-    static TURNS: Shared<Turn> = LazyLock::new(|| launches().into_iter().map(turn).collect());
-    shared(&TURNS)
+pub fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
+    static TURNS: Runs<Vec<Turn>> = Runs::new(|| every(launches().into_iter().map(turn)));
+    TURNS.each()
 }
 
 /// Those turns of which `wanted` holds.
 pub fn turns_where(
     wanted: impl Fn(&Turn) -> bool,
-) -> impl Iterator<Item = Result<&'static Turn, MotionError>> {
+) -> impl Iterator<Item = Result<&'static Turn, Failure>> {
     turns().filter(move |turn| turn.as_ref().map_or(true, |t| wanted(t)))
 }
 
@@ -248,7 +237,7 @@ fn rate(motion: &Motion, t: f64, h: f64) -> Result<[f64; 2], MotionError> {
 }
 
 /// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
-pub fn straight() -> impl Iterator<Item = Result<Turn, MotionError>> {
+pub fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
     let mut points = Points::stream(2);
     (0..40).map(move |i| {
         let theta0 = if i % 2 == 0 { 0.0 } else { PI };
@@ -303,7 +292,7 @@ pub fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
 }
 
 /// Flights without friction, with the state at a later time.
-pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
+pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     let mut points = Points::stream(5);
     (0..1000).map(move |i| {
         let theta0 = match i {
@@ -326,12 +315,12 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), MotionError>
 const LATE: f64 = 40.0;
 
 /// Motions at λ = 1 after so long a time.
-pub fn settled() -> impl Iterator<Item = Result<&'static (Turn, State), MotionError>> {
-    static SETTLED: Shared<(Turn, State)> = LazyLock::new(|| all_settled().collect());
-    shared(&SETTLED)
+pub fn settled() -> impl Iterator<Item = Result<&'static (Turn, State), Failure>> {
+    static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
+    SETTLED.each()
 }
 
-fn all_settled() -> impl Iterator<Item = Result<(Turn, State), MotionError>> {
+fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     let mut points = Points::stream(6);
     (0..1000).map(move |i| {
         let theta0 = match i {
@@ -364,12 +353,12 @@ pub struct Stop {
 }
 
 /// Launches with λ > 1, from both ends of the angles and from friction just above the critical one, to rest.
-pub fn stops() -> impl Iterator<Item = Result<&'static Stop, MotionError>> {
-    static STOPS: Shared<Stop> = LazyLock::new(|| all_stops().collect());
-    shared(&STOPS)
+pub fn stops() -> impl Iterator<Item = Result<&'static Stop, Failure>> {
+    static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
+    STOPS.each()
 }
 
-fn all_stops() -> impl Iterator<Item = Result<Stop, MotionError>> {
+fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
     let mut points = Points::stream(7);
     (0..700).map(move |i| {
         let lambda = match i % 4 {
@@ -412,9 +401,9 @@ pub struct Aligned {
 }
 
 /// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
-pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, MotionError>> {
-    static ALIGNED: Shared<Aligned> = LazyLock::new(|| {
-        let aligned = |start: Turn| {
+pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, Failure>> {
+    static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| {
+        let aligned = |start: Turn| -> Result<_, Failure> {
             let motion = start.motion(start.time(1e8))?;
             Ok(Aligned {
                 start,
@@ -422,9 +411,9 @@ pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, MotionError>> 
                 broken: unlike_aligning(&motion),
             })
         };
-        launches_below_critical().map(aligned).collect()
+        every(launches_below_critical().map(aligned))
     });
-    shared(&ALIGNED)
+    ALIGNED.each()
 }
 
 /// The steps on which the angle grows, and the phases of rest.

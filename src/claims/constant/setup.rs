@@ -26,7 +26,7 @@ pub fn eq3() -> Evidence {
         let v = run(&Plane::constant(printed::eq3_acceleration(a)), 0.0, rest, t)?
             .end()
             .v;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("A = {a:.6}, t = {t:.6}"),
             stated: a * t,
             found: along_alone(v),
@@ -47,7 +47,7 @@ pub fn eq4() -> Evidence {
         let turn = turn?;
         let [vx, vy] = printed::eq4_velocity(turn.v, turn.theta);
         let found = turn.v * libm::exp(turn.theta);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: libm::hypot(vx, vy) * libm::exp(libm::atan2(vy, vx)),
             found,
@@ -70,16 +70,16 @@ pub fn eq5() -> Evidence {
         );
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 0.9));
         let lambda = printed::eq5_lambda(mu, g, a);
-        let vx = |friction: f64, a: f64, v0: f64| {
+        let vx = |friction: f64, a: f64, v0: f64| -> Result<_, Failure> {
             let start = State {
                 t: 0.0,
                 v: [v0 * libm::cos(theta0), v0 * libm::sin(theta0)],
                 x: [0.0; 2],
             };
             let end = run(&Plane::constant([-a, 0.0]), friction, start, t * v0 / a)?.end();
-            Ok::<_, Failure>(end.v[0] / v0)
+            Ok(end.v[0] / v0)
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("μ = {mu:.6}, g = {g:.6}, A = {a:.6}, θ₀ = {theta0:.6}, A t/v₀ = {t:.6}"),
             stated: vx(lambda, 1.0, 1.0)?,
             found: vx(mu * g, a, 3.0)?,

@@ -43,7 +43,7 @@ pub fn eq12_quadrature() -> Evidence {
             let found = turn.a * turn.t;
             let enough = 1e-14 * turn.condition() * found;
             let stated = turn.integral(|theta| eq12_rate(turn, theta), enough)?;
-            Ok::<_, Failure>(Pair {
+            Ok(Pair {
                 at: turn.at(),
                 stated,
                 found,
@@ -64,7 +64,7 @@ pub fn eq12_outside() -> Evidence {
     trial.over(turns_where(wanted), |turn| {
         let turn = turn?;
         let found = -turn.v / Scalar::sin(turn.theta);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: eq12_rate(turn, turn.theta),
             found,
@@ -81,7 +81,7 @@ pub fn eq13_motion() -> Evidence {
     );
     trial.over(turns_where(eq13_has_a_value), |turn| {
         let turn = turn?;
-        Ok::<_, Failure>(Pair::conditioned(turn.at(), eq13(turn), turn.t))
+        Ok(Pair::conditioned(turn.at(), eq13(turn), turn.t))
     })
 }
 
@@ -100,7 +100,7 @@ pub fn eq13_quadrature() -> Evidence {
             let found = turn.integral(rate, enough)?;
             let mut pair = Pair::conditioned(turn.at(), eq13(turn), found);
             pair.scale = pair.scale.max(found * turn.condition());
-            Ok::<_, Failure>(pair)
+            Ok(pair)
         },
     )
 }
@@ -124,7 +124,7 @@ pub fn eq13_root() -> Evidence {
         let found = root(late, low.min(high), low.max(high))?;
         // The formula resolves t to its spread, and so θ to its spread over dt/dθ.
         let slope = turn.v / (turn.a * Scalar::sin(turn.theta).abs());
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: found,
             found: turn.theta,
@@ -153,7 +153,7 @@ fn eq13_outside<E: std::fmt::Display + Into<Failure>>(
     trial.over(excluded, |turn| {
         let turn = &turn.map_err(Into::into)?;
         let stated = printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, turn.theta);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated,
             found: turn.t,
@@ -183,7 +183,7 @@ pub fn eq14_motion() -> Evidence {
     let all = turns().map(|turn| turn.copied()).chain(straight());
     trial.over(all, |turn| {
         let turn = &turn?;
-        Ok::<_, Failure>(Pair::conditioned(turn.at(), eq14(turn), turn.v))
+        Ok(Pair::conditioned(turn.at(), eq14(turn), turn.v))
     })
 }
 
@@ -195,7 +195,7 @@ pub fn eq14_outside() -> Evidence {
     );
     trial.over(super::runs::turns_to_the_gap(), |turn| {
         let turn = &turn?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: eq14(turn).value,
             found: turn.v,
@@ -212,7 +212,7 @@ pub fn regular_time() -> Evidence {
     trial.over(turns(), |turn| {
         let turn = turn?;
         let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: corrected::time(turn.lambda, turn.a, turn.v0, turn.theta0, r),
             found: turn.t,
@@ -235,7 +235,7 @@ pub fn regular_straight() -> Evidence {
         } = turn?;
         let t = corrected::time(lambda, a, v0, theta0, 0.7);
         let found = Turn::launch(lambda, a, v0, theta0).motion(t)?.end().speed();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {t:.6}", Turn::launch(lambda, a, v0, theta0).at()),
             stated: corrected::speed(lambda, v0, theta0, 0.7),
             found,
@@ -251,7 +251,7 @@ pub fn regular_speed() -> Evidence {
     trial.over(turns(), |turn| {
         let turn = turn?;
         let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: corrected::speed(turn.lambda, turn.v0, turn.theta0, r),
             found: turn.v,

@@ -1,10 +1,11 @@
 //! Trials of what section 2.1 says in words.
 
 use super::runs::{Aligned, Stop, Turn, aligned, held, stops};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::{MotionError, State};
+use crate::motion::MotionError;
+use crate::motion::State;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 pub fn small_friction_limit() -> Evidence {
@@ -12,7 +13,7 @@ pub fn small_friction_limit() -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Within, compared, LATE_ANGLE);
     trial.over(aligned(), |aligned| {
         let Aligned { start, angle, .. } = aligned?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: start.at(),
             stated: 0.0,
             found: *angle,
@@ -27,7 +28,7 @@ pub fn small_friction_census() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     trial.over(aligned(), |aligned| {
         let Aligned { start, broken, .. } = aligned?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: start.at(),
             stated: 0.0,
             found: *broken as f64,
@@ -41,7 +42,7 @@ pub fn small_friction_outside() -> Evidence {
     let compared = "1, for motion, with 1 for sliding and 0 for rest, at A t/v₀ = 100";
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.over(held(), |launch: Turn| {
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: 1.0,
             found: moves_late(&launch)?,
@@ -68,7 +69,7 @@ pub fn large_friction_limit() -> Evidence {
     });
     trial.over(turning, |stop| {
         let stop = stop?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stop.start.at(),
             stated: 1.0 / (stop.start.lambda - 1.0),
             found: last_slope(stop),
@@ -104,7 +105,7 @@ pub fn large_friction_turns() -> Evidence {
         let found = falls
             .next_back()
             .map_or(f64::NAN, |(turn, slow)| turn / slow);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stop.start.at(),
             stated: found.clamp(1.0 / (lambda + 1.0), 1.0 / (lambda - 1.0)),
             found,
@@ -137,7 +138,7 @@ pub fn large_friction_outside() -> Evidence {
     });
     trial.over(backwards, |stop| {
         let stop = stop?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stop.start.at(),
             stated: 0.0,
             found: stop.start.motion_to_rest()?.at(0.99 * stop.t)?.direction(),

@@ -151,7 +151,7 @@ fn against(
     trial.over(escapes(), |flight| {
         let flight = flight?;
         let found = limit(flight, quantity)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.launch.at(),
             stated: stated(flight)?,
             found: found.value,
@@ -172,7 +172,7 @@ fn powers(
     trial.over(escapes(), |flight| {
         let flight = flight?;
         let (found, _) = exponent(flight, quantity)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.launch.at(),
             stated: libm::log(law(LATE) / law(1.0)) / libm::log(LATE),
             found: found + taken_out,
@@ -192,7 +192,7 @@ fn delays(compared: &'static str, quantity: Quantity, power: f64) -> Evidence {
     trial.over(escapes(), |flight| {
         let flight = flight?;
         let found = limit(flight, quantity)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.launch.at(),
             stated: -power * corrected::delay::<f64>(),
             found: found.log / found.value,

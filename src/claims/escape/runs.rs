@@ -1,10 +1,10 @@
 //! The motions that the statements about escape are held against.
 
 use crate::claims::points::Points;
+use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::{Intrinsic, Run};
-use std::sync::LazyLock;
 
 /// A start with p < ρ, by A, α and ψ.
 #[derive(Debug, Clone, Copy)]
@@ -83,20 +83,6 @@ pub fn rates<const N: usize>(
     }))
 }
 
-/// Runs made once and shared by trials: all of them, or the reason why there are none.
-pub type Shared<T> = LazyLock<Result<Vec<T>, MotionError>>;
-
-/// The shared runs one by one.
-pub fn shared<T>(
-    runs: &'static Shared<T>,
-) -> impl Iterator<Item = Result<&'static T, MotionError>> {
-    let (runs, error) = match &**runs {
-        Ok(runs) => (&runs[..], None),
-        Err(error) => (&[][..], Some(Err(error.clone()))),
-    };
-    runs.iter().map(Ok).chain(error)
-}
-
 /// Time to which escapes are followed.
 pub const LATE: f64 = 1e8;
 
@@ -125,8 +111,8 @@ pub struct Escape {
 }
 
 /// Escapes from A > 1.
-pub fn escapes() -> impl Iterator<Item = Result<&'static Escape, MotionError>> {
-    static ESCAPES: Shared<Escape> = LazyLock::new(|| {
+pub fn escapes() -> impl Iterator<Item = Result<&'static Escape, Failure>> {
+    static ESCAPES: Runs<Vec<Escape>> = Runs::new(|| {
         let mut points = Points::stream(600);
         let launch = |_| Launch {
             a: points.uniform(1.05, 4.0),
@@ -134,9 +120,9 @@ pub fn escapes() -> impl Iterator<Item = Result<&'static Escape, MotionError>> {
             psi: points.uniform(-2.6, 2.6),
         };
         let launches: Vec<_> = (0..20).map(launch).collect();
-        launches.into_iter().map(escape).collect()
+        every(launches.into_iter().map(escape))
     });
-    shared(&ESCAPES)
+    ESCAPES.each()
 }
 
 /// Follows a launch far out.
@@ -166,8 +152,8 @@ pub fn escape(launch: Launch) -> Result<Escape, MotionError> {
 }
 
 /// Launches with p < ρ of every kind, followed to their rest or to τ = 10⁴.
-pub fn flights() -> impl Iterator<Item = Result<&'static Flight, MotionError>> {
-    static FLIGHTS: Shared<Flight> = LazyLock::new(|| {
+pub fn flights() -> impl Iterator<Item = Result<&'static Flight, Failure>> {
+    static FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| {
         let mut points = Points::stream(601);
         let launch = |_| Launch {
             a: points.uniform(0.05, 2.0),
@@ -175,9 +161,9 @@ pub fn flights() -> impl Iterator<Item = Result<&'static Flight, MotionError>> {
             psi: points.uniform(-3.1, 3.1),
         };
         let launches: Vec<_> = (0..100).map(launch).collect();
-        launches.into_iter().map(|l| Flight::new(l, 1e4)).collect()
+        every(launches.into_iter().map(|l| Flight::new(l, 1e4)))
     });
-    shared(&FLIGHTS)
+    FLIGHTS.each()
 }
 
 /// A launch near α = 0, and the state when ψ has relaxed.
@@ -193,8 +179,8 @@ pub struct Relaxed {
 
 /// Launches with tiny α and any ψ but near π, with the state when ψ has relaxed: for A > 1, where α grows meanwhile
 /// and ψ falls as α^(−A/(A−1)), at a hundred thousand times the initial α, else when p has fallen by the factor 10¹².
-pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, MotionError>> {
-    static RELAXED: Shared<Relaxed> = LazyLock::new(|| {
+pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
+    static RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| {
         let mut points = Points::stream(602);
         let launch = |i: usize| Launch {
             a: if i.is_multiple_of(2) {
@@ -206,9 +192,9 @@ pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, MotionError>> 
             psi: points.uniform(-2.9, 2.9),
         };
         let launches: Vec<_> = (0..40).map(launch).collect();
-        launches.into_iter().map(relax).collect()
+        every(launches.into_iter().map(relax))
     });
-    shared(&RELAXED)
+    RELAXED.each()
 }
 
 fn relax(launch: Launch) -> Result<Relaxed, MotionError> {

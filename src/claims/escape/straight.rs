@@ -3,13 +3,13 @@
 //! They are found by shooting. Near ψ = π the angle runs away to one side or to the other; between two starts that
 //! do the one and the other lies one that does neither.
 
-use super::runs::{Shared, alpha, shared};
+use super::runs::alpha;
 use crate::claims::points::Points;
+use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::{Intrinsic, Run};
 use std::f64::consts::PI;
-use std::sync::LazyLock;
 
 /// A start that comes straight in.
 #[derive(Debug)]
@@ -84,25 +84,23 @@ pub fn straight_in(rho: f64, p: f64) -> Result<StraightIn, MotionError> {
 }
 
 /// Starts with A > 1 that come straight in, and stop beyond ρ = 1.
-pub fn beyond_one() -> impl Iterator<Item = Result<&'static StraightIn, MotionError>> {
-    static BEYOND: Shared<StraightIn> = LazyLock::new(|| from(605, 1.3, 2.5));
-    shared(&BEYOND)
+pub fn beyond_one() -> impl Iterator<Item = Result<&'static StraightIn, Failure>> {
+    static BEYOND: Runs<Vec<StraightIn>> = Runs::new(|| from(605, 1.3, 2.5));
+    BEYOND.each()
 }
 
 /// Starts that come straight in and stay at rest.
-pub fn within_one() -> impl Iterator<Item = Result<&'static StraightIn, MotionError>> {
-    static WITHIN: Shared<StraightIn> = LazyLock::new(|| from(606, 0.3, 0.95));
-    shared(&WITHIN)
+pub fn within_one() -> impl Iterator<Item = Result<&'static StraightIn, Failure>> {
+    static WITHIN: Runs<Vec<StraightIn>> = Runs::new(|| from(606, 0.3, 0.95));
+    WITHIN.each()
 }
 
-fn from(stream: u64, nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, MotionError> {
+fn from(stream: u64, nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, Failure> {
     let mut points = Points::stream(stream);
-    (0..20)
-        .map(|_| {
-            let rho = points.uniform(nearest, farthest);
-            straight_in(rho, rho * points.uniform(0.05, 0.3))
-        })
-        .collect()
+    every((0..20).map(|_| {
+        let rho = points.uniform(nearest, farthest);
+        straight_in(rho, rho * points.uniform(0.05, 0.3))
+    }))
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ fn after_relaxing(subject: Subject, compared: &'static str) -> Evidence {
     trial.over(relaxed(), |relaxed| {
         let relaxed = relaxed?;
         let stated = printed::eq126_alpha_rate(a(&relaxed.state));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: relaxed.launch.at(),
             stated,
             found: relaxed.alpha_rate,
@@ -54,7 +54,7 @@ pub fn eq126_order() -> Evidence {
         let [rate] = rates(t, 0.01 * alpha0, |t| Ok([alpha(&run.at(t)?)]))?;
         let now = run.at(t)?;
         let small = alpha(&now);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: printed::eq126_alpha_rate(a(&now)),
             found: rate,
@@ -84,7 +84,7 @@ fn above_one(subject: Subject, compared: &'static str) -> Evidence {
     let mut points = Points::stream(608);
     trial.over(0..200, |i| {
         let launch = Launch {
-            a: 1.0
+            a: printed::eq127_least_a::<f64>()
                 + match i % 4 {
                     0 => points.log_uniform(1e-2, 1e-1),
                     _ => points.uniform(0.1, 4.0),
@@ -93,7 +93,7 @@ fn above_one(subject: Subject, compared: &'static str) -> Evidence {
             psi: points.uniform(-3.0, 3.0),
         };
         let run = Run::new(&launch.start()?, 300.0)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: 0.0,
             found: not_escaping(&run) as f64,
@@ -118,7 +118,7 @@ pub fn eq127_root() -> Evidence {
         let psi = 2.8 * (f64::from(i) - 9.5) / 9.5;
         let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
         let found = between(launch, 0.99, 1.01, 1e-6)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("α = 0.0001, ψ = {psi:.6}"),
             stated: printed::eq127_least_a(),
             found,
@@ -135,7 +135,7 @@ pub fn never_decreases_way() -> Evidence {
         let flight = flight?;
         let end = flight.run.end();
         let gained = flight.launch.a * flight.launch.a + 2.0 * end.s;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.launch.at(),
             stated: gained,
             found: end.parts.energy(),
@@ -153,7 +153,7 @@ pub fn never_decreases_census() -> Evidence {
         let flight = flight?;
         let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
         let end = flight.run.end();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.launch.at(),
             stated: 0.0,
             found: decreases(&energies, [end.p(), alpha(&end), a(&end)]) as f64,
@@ -176,7 +176,7 @@ pub fn small_alpha_angle() -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
     trial.over(relaxed(), |relaxed| {
         let relaxed = relaxed?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: relaxed.launch.at(),
             stated: libm::asin(libm::tanh(2.0 * alpha(&relaxed.state))),
             found: relaxed.state.psi(),
@@ -199,7 +199,7 @@ pub fn small_alpha_straight() -> Evidence {
     trial.over(beyond_one(), |straight| {
         let straight = straight?;
         let state = straight.with_alpha_below(1e-4);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: straight.at(),
             stated: libm::asin(libm::tanh(2.0 * alpha(&state))),
             found: state.psi(),
@@ -232,7 +232,7 @@ fn grows(compared: &'static str, quantity: Quantity, stated: f64, subject: Subje
     let trial = Trial::by(Route::Limit, subject, compared, ESCAPE_LIMIT);
     trial.over(escapes(), |escape| {
         let escape = escape?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: escape.launch.at(),
             stated,
             found: limit(escape, quantity)?.value,
@@ -249,8 +249,8 @@ pub fn alpha_census() -> Evidence {
         let escape = escape?;
         let values = (2..=8)
             .map(|n| Ok(alpha(&escape.run.at(libm::pow(10.0, f64::from(n)))?)))
-            .collect::<Result<Vec<_>, MotionError>>()?;
-        Ok::<_, Failure>(Pair {
+            .collect::<Result<Vec<_>, Failure>>()?;
+        Ok(Pair {
             at: escape.launch.at(),
             stated: 0.0,
             found: idle(&values) as f64,
@@ -271,7 +271,7 @@ pub fn straight_stops() -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.over(beyond_one(), |straight| {
         let straight = straight?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: straight.at(),
             stated: 0.0,
             found: table_stops(straight)? as f64,
@@ -312,7 +312,7 @@ pub fn straight_rate() -> Evidence {
         let run = Run::new(&state.parts, 0.5 * time)?;
         let [rate] = rates(0.25 * time, 1e-2 * time, |t| Ok([alpha(&run.at(t)?)]))?;
         let stated = crate::corrections::rest::alpha_rate_straight_in(state.rho());
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: straight.at(),
             stated,
             found: rate,

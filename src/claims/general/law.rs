@@ -5,7 +5,7 @@ use crate::claims::compare::{Failure, Pair, Trial, proved};
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{ExactError, Expr, Proof, Ring};
-use crate::motion::{Acceleration, Motion, MotionError, State, run};
+use crate::motion::{Acceleration, Motion, State, run};
 use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
@@ -62,7 +62,7 @@ pub fn eq1_laboratory() -> Evidence {
             from_plane[1] - (seen[1] - seen[3]),
         );
         let speed = libm::hypot(from_plane[0], from_plane[1]);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {until:.6}", case.name),
             stated: speed,
             found: speed + apart,
@@ -135,7 +135,7 @@ fn looks(
     until: f64,
     rate: fn(&Case, &State) -> f64,
     quantity: fn(&State) -> f64,
-) -> Vec<Result<Pair, MotionError>> {
+) -> Vec<Result<Pair, Failure>> {
     let motion = run(&case.plane, case.friction, case.start, until);
     let look = |motion: &Motion, n: u32| {
         let state = motion.at(until * f64::from(n) / f64::from(TIMES + 1))?;
@@ -153,7 +153,7 @@ fn looks(
     };
     match motion {
         Ok(motion) => (1..=TIMES).map(|n| look(&motion, n)).collect(),
-        Err(error) => vec![Err(error)],
+        Err(error) => vec![Err(error.into())],
     }
 }
 
@@ -167,7 +167,7 @@ fn summed(
         let along = |t: f64| motion.at(t).map_or(f64::NAN, |state| rate(&case, &state));
         let scale = case.start.speed();
         let stated = integral_within(along, 0.0, until, 1e-13 * scale)?.value;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {until:.6}", case.name),
             stated,
             found: quantity(&motion.end()) - quantity(&case.start),

@@ -1,10 +1,9 @@
 //! Motions that several trials of the statements about every A(t) look at.
 
 use super::planes::{SHAPES, along_a_line, any_start};
-use crate::claims::escape::runs::{Shared, shared};
 use crate::claims::points::Points;
-use crate::motion::{Motion, MotionError, Phase, Plane, Signal, State, run};
-use std::sync::LazyLock;
+use crate::claims::runs::{Failure, Runs, every};
+use crate::motion::{Motion, Phase, Plane, Signal, State, run};
 
 /// Five periods of a motion from rest.
 pub struct Returning {
@@ -17,9 +16,9 @@ pub struct Returning {
 }
 
 /// The accelerations that exceed μg again and again, and what they do.
-pub fn returning() -> impl Iterator<Item = Result<&'static Returning, MotionError>> {
-    static RETURNING: Shared<Returning> = LazyLock::new(|| {
-        let returning = |(name, plane, period)| {
+pub fn returning() -> impl Iterator<Item = Result<&'static Returning, Failure>> {
+    static RETURNING: Runs<Vec<Returning>> = Runs::new(|| {
+        let returning = |(name, plane, period)| -> Result<_, Failure> {
             let motion = run(&plane, 1.0, AT_REST, 5.0 * period)?;
             Ok(Returning {
                 name,
@@ -27,9 +26,9 @@ pub fn returning() -> impl Iterator<Item = Result<&'static Returning, MotionErro
                 phases: motion.phases().to_vec(),
             })
         };
-        bounded_that_return().map(returning).collect()
+        every(bounded_that_return().map(returning))
     });
-    shared(&RETURNING)
+    RETURNING.each()
 }
 
 /// Accelerations that are larger than μg once a period at least, from 1.1 to 3 times, of all shapes; friction 1.
@@ -89,9 +88,9 @@ pub struct Pulled {
 }
 
 /// All strong accelerations.
-pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, MotionError>> {
-    static PULLED: Shared<Pulled> = LazyLock::new(|| {
-        let pulled = |(name, plane, start)| {
+pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, Failure>> {
+    static PULLED: Runs<Vec<Pulled>> = Runs::new(|| {
+        let pulled = |(name, plane, start)| -> Result<_, Failure> {
             let motion = run(&plane, 1.0, start, 400.0)?;
             Ok(Pulled {
                 name,
@@ -99,9 +98,9 @@ pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, MotionError>> {
                 gained: motion.end().speed() - motion.at(200.0)?.speed(),
             })
         };
-        strong().map(pulled).collect()
+        every(strong().map(pulled))
     });
-    shared(&PULLED)
+    PULLED.each()
 }
 
 /// The steps on which the speed does not grow, from a time on.

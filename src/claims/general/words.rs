@@ -30,7 +30,7 @@ pub fn stops_census() -> Evidence {
     let compared = "0 with the steps on which the speed does not fall, and the motions that do not stop by v₀/(μg − max |A|)";
     census(Subject::Printed, compared).over(bounded(21, 0.95), |case| {
         let broken = unlike_a_stop(&case)?;
-        Ok::<_, Failure>(count(case.name, broken))
+        Ok(count(case.name, broken))
     })
 }
 
@@ -57,7 +57,7 @@ pub fn stops_integration() -> Evidence {
         let v0 = case.start.speed();
         let motion = run_to_stop(&case.plane, case.friction, case.start, 100.0 * v0)?;
         let stop = motion.first_stop().unwrap_or(f64::INFINITY);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: case.name,
             stated: stop.clamp(v0 / 1.9, v0 / 0.1),
             found: stop,
@@ -75,7 +75,7 @@ pub fn rest_census() -> Evidence {
             period,
             phases,
         } = returning?;
-        Ok::<_, Failure>(count(name.clone(), long_rests(phases, *period)))
+        Ok(count(name.clone(), long_rests(phases, *period)))
     })
 }
 
@@ -101,7 +101,7 @@ pub fn rest_integration() -> Evidence {
             let (from, to) = (f64::from(n) * period, f64::from(n + 1) * period);
             slides(phases, from, to)
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: name.clone(),
             stated: 1.0,
             found: f64::from(u8::from((0..5).all(slid))),
@@ -126,7 +126,7 @@ pub fn rest_outside() -> Evidence {
     trial.over(0..40, |_| {
         let (strength, length) = (points.uniform(1.1, 5.0), points.log_uniform(1e-6, 1.0));
         let fastest = |length: f64| pushed(strength, length);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!(
                 "A = {strength:.6} μg at one instant, from pushes of {length:.6} and half of it"
             ),
@@ -152,7 +152,7 @@ pub fn grows_census() -> Evidence {
     let compared = "0 with the steps after t = 200 on which the speed does not grow";
     census(Subject::Within, compared).over(pulled(), |pulled| {
         let Pulled { name, falls, .. } = pulled?;
-        Ok::<_, Failure>(count(name.clone(), *falls))
+        Ok(count(name.clone(), *falls))
     })
 }
 
@@ -163,7 +163,7 @@ pub fn grows_integration() -> Evidence {
     let trial = Trial::motion(Subject::Within, compared);
     trial.over(pulled(), |pulled| {
         let Pulled { name, gained, .. } = pulled?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: name.clone(),
             stated: enough(*gained),
             found: *gained,
@@ -196,7 +196,7 @@ pub fn grows_outside() -> Evidence {
         };
         let motion = run(&Plane::along([-1.0, 0.0], size), 1.0, start, t + 1.0)?;
         let (before, after) = (motion.at(t)?.speed(), motion.at(t + 1.0)?.speed());
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("|A| = μg (1 + exp(−t²)), v₀ = 3, θ₀ = {theta0:.6}, t = {t:.6}"),
             stated: after.max(before),
             found: after,
@@ -210,7 +210,7 @@ pub fn across_census() -> Evidence {
     let compared = "0 with the steps on which |v⊥| grows, or stays while it is not zero";
     census(Subject::Printed, compared).over(fixed_direction(27), |case| {
         let broken = grows_across(&case)?;
-        Ok::<_, Failure>(count(case.name, broken))
+        Ok(count(case.name, broken))
     })
 }
 
@@ -234,7 +234,7 @@ pub fn across_quadrature() -> Evidence {
         let motion = run(&case.plane, 1.0, case.start, until)?;
         let rate = |t: f64| motion.at(t).map_or(f64::NAN, |s| 1.0 / s.speed());
         let stated = integral_within(rate, 0.0, until, 1e-14)?.value;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {until:.6}", case.name),
             stated,
             found: libm::log(case.across(&case.start) / case.across(&motion.end())),
@@ -257,7 +257,7 @@ pub fn across_limit() -> Evidence {
             late *= 2.0;
             found = case.across(&run(&case.plane, 1.0, case.start, late)?.end());
         }
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, t = {late:.6}", case.name),
             stated: 0.0,
             found,
@@ -284,7 +284,7 @@ pub fn across_integration() -> Evidence {
         let (v0, across0) = (case.start.speed(), case.across(&case.start));
         let bound = across_bound(across0, v0, largest, late);
         let across = case.across(&end);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, {more:.6} times that, t = {late:.6}", case.name),
             stated: across.min(bound),
             found: across,

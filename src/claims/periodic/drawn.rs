@@ -1,7 +1,7 @@
 //! What the chapter's figures show: the same drives and motions that are tried.
 
 use super::drives::{Phase, motion, named, phase, phase_of, pulses, rest_share, third_harmonic};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::drive::{Drive, DriveError};
 use crate::paper::periodic as printed;
@@ -113,14 +113,14 @@ pub fn shares_motion() -> Evidence {
     let side = 33;
     let shares = match shares(side) {
         Ok(shares) => shares,
-        Err(error) => return trial.over([error], Err),
+        Err(error) => return trial.over([error], |error| Err(error.into())),
     };
     trial.over(shares.iter().enumerate(), |(cell, found)| {
         let (eta, lambda) = (friction(cell % side, side), friction(cell / side, side));
         let [_, stop] = printed::eq44_ends(lambda, eta);
         let share = 1.0 - stop / std::f64::consts::PI;
         let large = lambda > printed::eq46_lambda_c(eta);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("η = {eta:.6}, λ₀ = {lambda:.6}"),
             stated: if large { share } else { 0.0 },
             found: *found,

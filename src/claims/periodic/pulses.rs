@@ -134,7 +134,7 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
         let (until, stated) = expected(eta, points.uniform(0.0, PI));
         let rest = State { phi: 0.0, w: 0.0 };
         let path = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, rest, until)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("η = {eta:.6}, φ = {until:.6}"),
             stated,
             found: path.end.w,
@@ -196,7 +196,7 @@ pub fn eq46_root() -> Evidence {
     let compared = "(46) with λ₀ at which rests appear in the motion, by bisection";
     let trial = Trial::by(Route::Root, Subject::Printed, compared, THRESHOLD);
     trial.over(widths(), |eta| {
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("η = {eta:.6}"),
             stated: printed::eq46_lambda_c(eta),
             found: bracketed(eta)?,
@@ -216,7 +216,7 @@ pub fn eq46_census() -> Evidence {
             Phase::Rests(rests) => rests as f64,
             Phase::Still | Phase::Drifts => return Err(Failure::from("no periodic slip")),
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at((eta, lambda)),
             stated: if lambda > printed::eq46_lambda_c(eta) {
                 2.0
@@ -268,7 +268,7 @@ pub fn extremes_census() -> Evidence {
                 Some(Phase::Drifts) | None => return Err(Failure::from("the motion drifts")),
             };
             let moves = eta > 0.0;
-            Ok::<_, Failure>(Pair {
+            Ok(Pair {
                 at: at((eta, lambda)),
                 stated: if moves { 0.0 } else { 1.0 },
                 found,
@@ -293,7 +293,7 @@ pub fn extremes_limit() -> Evidence {
             } else {
                 threshold
             };
-            Ok::<_, Failure>(Pair {
+            Ok(Pair {
                 at: format!("η = {eta:.6}"),
                 stated: 1.0,
                 found: width / delta,

@@ -3,7 +3,7 @@
 //! While w > 0, w' = h − λ₀ ≤ 1 − λ₀, and likewise for w < 0: |w| is used up within |w₀|/(λ₀ − 1).
 
 use super::drives::{Harmonics, Phase, named, phase};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
@@ -39,7 +39,7 @@ pub fn within_time() -> Evidence {
         let until = phi + w.abs() / (lambda - 1.0) * (1.0 + 1e-6);
         let end = one.drive.advance(both, start, until)?.end;
         let later = one.drive.advance(both, end, until + 2.0 * TAU)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(one.name, lambda, start),
             stated: 0.0,
             found: left(end.w, &later.intervals),
@@ -79,7 +79,7 @@ pub fn stopping_time() -> Evidence {
             Ok(gain) => w.abs() + gain.value,
             Err(_) => f64::NAN,
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at("three harmonics", lambda, start),
             stated: root(size, phi, phi + longest)?,
             found: stop.map_or(f64::NAN, |i| i.start),
@@ -101,7 +101,7 @@ pub fn sharp() -> Evidence {
             let one = &drives[k % drives.len()];
             let still = phase(&one.drive, 1.0 + excess)? == Phase::Still;
             let number = |truth: bool| f64::from(u8::from(truth));
-            Ok::<_, Failure>(Pair {
+            Ok(Pair {
                 at: format!("{}: λ₀ − 1 = {excess:e}", one.name),
                 stated: number(excess >= 0.0),
                 found: number(still),

@@ -91,7 +91,7 @@ pub fn both_ends() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let drives = match admitted() {
         Ok(drives) => drives,
-        Err(error) => return trial.over([error], Err),
+        Err(error) => return trial.over([error], |error| Err(error.into())),
     };
     let cases = drives.iter().flat_map(|one| {
         let Bounds { low, high } = bounds(&one.drive);
@@ -146,7 +146,7 @@ pub fn two_zeros_root() -> Evidence {
         let shape = Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, a, p), (3, b, r)])?;
         let drive = shape.drive()?;
         let Bounds { low, high } = bounds(&drive);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("sin φ + {a:.6} sin(2φ + {p:.6}) + {b:.6} sin(3φ + {r:.6}), scaled"),
             stated: two_zero_threshold(&shape)?,
             found: boundary(low, high, |lambda| {
@@ -169,7 +169,7 @@ pub fn again_and_again() -> Evidence {
             .map(|k| Ok::<_, DriveError>(phase(&drive, 0.005 * f64::from(k))?.rests()))
             .collect();
         let changes = seen?.windows(2).filter(|w| w[0] != w[1]).count();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("a = {a:.6}"),
             stated: 3.0,
             found: changes as f64,

@@ -1,8 +1,8 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::escape::runs::Shared;
-use crate::claims::escape::runs::shared;
+use crate::claims::runs::{Runs, every};
+
 use crate::claims::points::Points;
 use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, NONE, THIRD_ORDER};
 use crate::corrections::rest as corrected;
@@ -14,7 +14,6 @@ use crate::motion::turntable::{Fate, Start, fate};
 use crate::numerics::roots::root;
 use crate::paper::rest as printed;
 use std::f64::consts::PI;
-use std::sync::LazyLock;
 
 /// A point of the boundary.
 #[derive(Debug, Clone, Copy)]
@@ -40,13 +39,13 @@ pub fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
 }
 
 /// Points of the boundary: α = 0.3, 0.1, 0.03, 0.01, and twelve ψ all round.
-pub fn borders() -> impl Iterator<Item = Result<&'static Border, MotionError>> {
-    static BORDERS: Shared<Border> = LazyLock::new(|| {
+pub fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>> {
+    static BORDERS: Runs<Vec<Border>> = Runs::new(|| {
         let angles = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
         let points = angles.flat_map(|psi| [0.3, 0.1, 0.03, 0.01].map(|alpha| (alpha, psi)));
-        points.map(|(alpha, psi)| border(alpha, psi)).collect()
+        every(points.map(|(alpha, psi)| border(alpha, psi)))
     });
-    shared(&BORDERS)
+    BORDERS.each()
 }
 
 /// A on the boundary by (147).
@@ -84,7 +83,7 @@ pub fn printed_root() -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
     trial.over(borders(), |border| {
         let Border { alpha, psi, a } = *border?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(alpha, psi),
             stated: printed_a(alpha),
             found: a,
@@ -100,7 +99,7 @@ pub fn printed_slow() -> Evidence {
     trial.over(0..20, |i| {
         let alpha = 0.02 + 0.01 * f64::from(i);
         let found = border(alpha, 2.0 * alpha)?.a;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(alpha, 2.0 * alpha),
             stated: printed_a(alpha),
             found,
@@ -115,7 +114,7 @@ pub fn corrected_root() -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
     trial.over(borders(), |border| {
         let Border { alpha, psi, a } = *border?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(alpha, psi),
             stated: corrected_a(alpha, psi),
             found: a,
@@ -155,27 +154,26 @@ const UNDECIDED: MotionError = MotionError::Steps {
 const STARTS: [usize; 2] = [4000, 1000];
 
 /// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
-pub fn census() -> impl Iterator<Item = Result<&'static Case, MotionError>> {
-    static CENSUS: Shared<Case> = LazyLock::new(|| {
+pub fn census() -> impl Iterator<Item = Result<&'static Case, Failure>> {
+    static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
         let mut points = Points::stream(640);
         let [near, away] = STARTS;
-        (0..near + away)
-            .map(|i| {
-                let (low, high, reach) = if i < near {
-                    (0.65, 1.02, 0.3)
-                } else {
-                    (0.05, 1.2, 1.5)
-                };
-                let a = points.uniform(low, high);
-                let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
-                Ok(Case {
-                    start: [a, alpha, psi],
-                    rests: rests(&Start::hyperbolic(a, alpha, psi)?)?.ok_or(UNDECIDED)?,
-                })
+        let case = |i| -> Result<_, Failure> {
+            let (low, high, reach) = if i < near {
+                (0.65, 1.02, 0.3)
+            } else {
+                (0.05, 1.2, 1.5)
+            };
+            let a = points.uniform(low, high);
+            let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
+            Ok(Case {
+                start: [a, alpha, psi],
+                rests: rests(&Start::hyperbolic(a, alpha, psi)?)?.ok_or(UNDECIDED)?,
             })
-            .collect()
+        };
+        every((0..near + away).map(case))
     });
-    shared(&CENSUS)
+    CENSUS.each()
 }
 
 fn counted(case: &Case, rests: bool) -> Pair {
@@ -194,7 +192,7 @@ pub fn printed_census() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(census(), |case| {
         let case = case?;
-        Ok::<_, Failure>(counted(case, rests_as_printed(case.start)))
+        Ok(counted(case, rests_as_printed(case.start)))
     })
 }
 
@@ -207,7 +205,7 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 pub fn corrected_census() -> Evidence {
     let compared = "1 for rest, 0 for escape, by 1 − α f₁(ψ) + α² f₂(ψ) with what the motion does, where A is farther from it than 6α³";
     let trial = Trial::by(Route::Census, Subject::Corrected, compared, NONE);
-    let wanted = |case: &Result<&Case, MotionError>| {
+    let wanted = |case: &Result<&Case, Failure>| {
         case.as_ref().map_or(true, |case| {
             let [a, alpha, psi] = case.start;
             alpha < 0.3 && is_clear(a, alpha, psi)
@@ -216,7 +214,7 @@ pub fn corrected_census() -> Evidence {
     trial.over(census().filter(wanted), |case| {
         let case = case?;
         let [a, alpha, psi] = case.start;
-        Ok::<_, Failure>(counted(case, a < corrected_a(alpha, psi)))
+        Ok(counted(case, a < corrected_a(alpha, psi)))
     })
 }
 
@@ -233,17 +231,9 @@ pub struct Surface {
 
 /// Twenty such places.
 pub fn surfaces() -> impl Iterator<Item = Result<&'static Surface, Failure>> {
-    static SURFACES: LazyLock<Result<Vec<Surface>, String>> = LazyLock::new(|| {
-        let all: Result<_, Failure> = (0..20)
-            .map(|i| surface(0.99 + 4e-4 * f64::from(i)))
-            .collect();
-        all.map_err(|e| e.to_string())
-    });
-    let (all, error) = match &*SURFACES {
-        Ok(all) => (&all[..], None),
-        Err(error) => (&[][..], Some(Err(Failure::from(error.as_str())))),
-    };
-    all.iter().map(Ok).chain(error)
+    static SURFACES: Runs<Vec<Surface>> =
+        Runs::new(|| every((0..20).map(|i| surface(0.99 + 4e-4 * f64::from(i)))));
+    SURFACES.each()
 }
 
 /// ψ = 2α + 2α², in which the boundary leads to A = 1, α = 0.
@@ -273,7 +263,7 @@ fn slopes(subject: Subject, compared: &'static str, stated: fn(f64, f64) -> f64)
     let trial = Trial::by(Route::Root, subject, compared, CLOSING_SURFACES);
     trial.over(surfaces(), |surface| {
         let surface = surface?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("σ = {:.6}, α = {:.6}", surface.sigma, surface.alpha),
             stated: stated(surface.sigma, surface.alpha),
             found: surface.slope,

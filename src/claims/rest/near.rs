@@ -8,8 +8,9 @@ use super::runs::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::escape::runs::{Shared, alpha, rates, shared};
+use crate::claims::escape::runs::{alpha, rates};
 use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
@@ -19,7 +20,6 @@ use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
 use crate::paper::{rest as printed, turntable as law};
 use std::f64::consts::PI;
-use std::sync::LazyLock;
 
 /// What an equation says and what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> (f64, f64, f64);
@@ -63,7 +63,7 @@ fn straight(compared: &'static str, sides: Sides) -> Evidence {
         let straight = straight?;
         let (sigma, close) = close(straight)?;
         let (stated, found, scale) = sides(sigma, &close);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, α = {:.6e}", straight.at(), close.alpha),
             stated,
             found,
@@ -134,14 +134,12 @@ fn eq145_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
 }
 
 /// On the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
-fn borders_near_one() -> impl Iterator<Item = Result<&'static Border, MotionError>> {
-    static BORDERS: Shared<Border> = LazyLock::new(|| {
+fn borders_near_one() -> impl Iterator<Item = Result<&'static Border, Failure>> {
+    static BORDERS: Runs<Vec<Border>> = Runs::new(|| {
         let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
-        alphas
-            .map(|alpha| border(alpha, angle_towards_one(alpha)))
-            .collect()
+        every(alphas.map(|alpha| border(alpha, angle_towards_one(alpha))))
     });
-    shared(&BORDERS)
+    BORDERS.each()
 }
 
 /// At σ = 1, where the motion takes for ever: on the boundary.
@@ -150,7 +148,7 @@ fn at_one(compared: &'static str, sides: fn([f64; 3]) -> (f64, f64, f64)) -> Evi
     trial.over(borders_near_one(), |border| {
         let Border { alpha, psi, a } = *border?;
         let (stated, found, scale) = sides([a, alpha, psi]);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("σ = 1, α = {alpha:.3}, ψ = {psi:.6}"),
             stated,
             found,
@@ -242,7 +240,7 @@ pub fn corrected140() -> Evidence {
         let straight = straight?;
         let (sigma, close) = close(straight)?;
         let stated = corrected::alpha_rate_straight_in(sigma);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: straight.at(),
             stated,
             found: close.alpha_rate,
@@ -345,7 +343,7 @@ fn constants(subject: Subject, compared: &'static str, ranges: &'static [(f64, f
     trial.over(gentle_approaches_to(ranges), |approach| {
         let approach = approach?;
         let (found, alpha) = constant(approach)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, α = {alpha:.6e}", approach.at()),
             stated: printed::eq143_constant(approach.sigma),
             found,
@@ -367,7 +365,7 @@ fn exponents(
         let [far, near] = levels(approach.sigma);
         let (far, near) = (approach.close(far)?, approach.close(near)?);
         let ratio = far.ratio_slope() / near.ratio_slope();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, α = {:.6e}", approach.at(), near.alpha),
             stated: printed::eq143_exponent(approach.sigma),
             found: libm::log(ratio.abs()) / libm::log(far.alpha / near.alpha),
@@ -414,7 +412,7 @@ pub fn eq143_one_half() -> Evidence {
     trial.over(approaches_to_one_half(), |approach| {
         let approach = approach?;
         let close = approach.close(1e-10)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: approach.at(),
             stated: printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
             found: close.ratio(),
@@ -430,7 +428,7 @@ pub fn eq143_regular() -> Evidence {
         let approach = approach?;
         let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
         let c = far.ratio() - corrected::psi(0.5, 0.0, far.alpha) / (2.0 * far.alpha);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: approach.at(),
             stated: corrected::psi(0.5, c, near.alpha) / (2.0 * near.alpha),
             found: near.ratio(),
@@ -452,7 +450,7 @@ pub fn near_rest_angle() -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
     trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
         let approach = approach?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: approach.at(),
             stated: 0.0,
             found: approach.run.end().psi(),
@@ -472,7 +470,7 @@ pub fn near_rest_census() -> Evidence {
     );
     trial.over(approaches(), |approach| {
         let approach = approach?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: approach.at(),
             stated: 0.0,
             found: idle(&tenfold(&approach.run)) as f64,
@@ -511,7 +509,7 @@ pub fn corrected_near_rest() -> Evidence {
     trial.over(within_one(), |straight| {
         let straight = straight?;
         let (sigma, close) = close(straight)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: straight.at(),
             stated: PI - corrected::angle_straight_in(sigma, close.alpha),
             found: close.psi,

@@ -1,13 +1,13 @@
 //! The motions that the statements about rest are held against: particles followed down to p = 10⁻³⁰.
 
 use crate::claims::compare::Failure;
-use crate::claims::escape::runs::{Shared, a, alpha, rates, shared};
+use crate::claims::escape::runs::{a, alpha, rates};
 use crate::claims::points::Points;
-use crate::motion::MotionError;
+use crate::claims::runs::{Runs, every};
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, fate};
 use crate::numerics::roots::root;
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::{Mutex, PoisonError};
 
 /// A motion that ends at rest.
 #[derive(Debug)]
@@ -67,7 +67,7 @@ impl Approach {
     ///
     /// # Errors
     /// Those of the motion.
-    pub fn new(start: [f64; 3]) -> Result<Option<Self>, MotionError> {
+    pub fn new(start: [f64; 3]) -> Result<Option<Self>, Failure> {
         let [rho, p, psi] = start;
         let run = Run::new(&Start::polar(rho, p, psi)?, 50.0)?;
         let end = run.end();
@@ -129,8 +129,8 @@ impl Approach {
 }
 
 /// Motions to rest at σ from 0.05 to 0.98.
-pub fn approaches() -> impl Iterator<Item = Result<&'static Approach, MotionError>> {
-    static APPROACHES: Shared<Approach> = LazyLock::new(|| {
+pub fn approaches() -> impl Iterator<Item = Result<&'static Approach, Failure>> {
+    static APPROACHES: Runs<Vec<Approach>> = Runs::new(|| {
         let mut points = Points::stream(620);
         let mut found = Vec::new();
         for _ in 0..160 {
@@ -143,13 +143,13 @@ pub fn approaches() -> impl Iterator<Item = Result<&'static Approach, MotionErro
         }
         Ok(found)
     });
-    shared(&APPROACHES)
+    APPROACHES.each()
 }
 
 /// Those that end at a σ in one of the ranges.
 pub fn approaches_to(
     ranges: &'static [(f64, f64)],
-) -> impl Iterator<Item = Result<&'static Approach, MotionError>> {
+) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
     approaches().filter(move |approach| {
         let inside = |s: f64| ranges.iter().any(|&(low, high)| low < s && s < high);
         approach.as_ref().map_or(true, |a| inside(a.sigma))
@@ -159,24 +159,18 @@ pub fn approaches_to(
 /// Of those, the ones that do not start near ψ = π, where the constant c of (143) is large.
 pub fn gentle_approaches_to(
     ranges: &'static [(f64, f64)],
-) -> impl Iterator<Item = Result<&'static Approach, MotionError>> {
+) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
     let gentle = |a: &&Approach| a.start[2].abs() < 2.2;
     approaches_to(ranges).filter(move |approach| approach.as_ref().map_or(true, gentle))
 }
 
 /// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.
 pub fn approaches_to_one_half() -> impl Iterator<Item = Result<&'static Approach, Failure>> {
-    static HALF: LazyLock<Result<Vec<Approach>, String>> = LazyLock::new(|| {
+    static HALF: Runs<Vec<Approach>> = Runs::new(|| {
         let mut points = Points::stream(621);
-        let found =
-            (0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5)));
-        found.collect::<Result<_, _>>().map_err(|e| e.to_string())
+        every((0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5))))
     });
-    let (runs, error) = match &*HALF {
-        Ok(runs) => (&runs[..], None),
-        Err(error) => (&[][..], Some(Err(Failure::from(error.as_str())))),
-    };
-    runs.iter().map(Ok).chain(error)
+    HALF.each()
 }
 
 fn to_one_half(p: f64, psi: f64) -> Result<Approach, Failure> {

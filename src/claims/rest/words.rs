@@ -1,11 +1,10 @@
 //! Trials of where rest is possible, (139) and its words.
 
 use super::boundary::census;
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial, noted};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NEAR_CORNER, NONE};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, inertial};
@@ -19,7 +18,7 @@ pub fn eq139_nudge() -> Evidence {
     trial.over(0..20, |i| {
         let psi = 2.8 * (f64::from(i) - 9.5) / 9.5;
         let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("p = 0.0001, ψ = {psi:.6}"),
             stated: printed::eq139_largest_sigma(),
             found,
@@ -31,7 +30,7 @@ pub fn eq139_nudge() -> Evidence {
 /// (139) with a particle that rides with a table of any Ω, μ, g: whether it stays, seen from the laboratory.
 pub fn eq139_stays() -> Evidence {
     // Two claims ask for it.
-    static EVIDENCE: LazyLock<Evidence> = LazyLock::new(riders);
+    static EVIDENCE: LazyLock<Evidence> = LazyLock::new(|| noted(riders));
     EVIDENCE.clone()
 }
 
@@ -59,7 +58,7 @@ fn riders() -> Evidence {
         let until = 2.0 / table.omega.abs();
         let path = inertial::run(&table, &table.to_laboratory(&rides), until)?;
         let moved = (path.on_table(until)?.radius() / table.length() - sigma).abs();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!(
                 "σ = {sigma:.6}, Ω = {:.6}, μ = {:.6}, g = {:.6}",
                 table.omega, table.mu, table.g
@@ -88,7 +87,7 @@ pub fn resting_places() -> Evidence {
         let sigma = Run::new(&Start::hyperbolic(a, alpha, psi)?, LONG)?
             .end()
             .rho();
-        Ok::<_, MotionError>(Pair {
+        Ok(Pair {
             at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
             stated: 0.0,
             found: if sigma <= 1.0 { 0.0 } else { 1.0 },

@@ -3,12 +3,12 @@
 use super::runs::{ORIGIN, Particle, drive, each, lambda_c, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::PlanarState;
 use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_PI_2, TAU};
-use std::sync::LazyLock;
 
 /// A motion in the plane, once a period from φ = 0 on.
 pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<PlanarState>, Failure> {
@@ -81,8 +81,10 @@ impl Flight {
 }
 
 /// The flights of which `wanted` holds: 20 below λ_c, 10 between λ_c and 1, 10 above 1.
-pub fn flights_where(wanted: fn(&Flight) -> bool) -> impl Iterator<Item = Result<Flight, Failure>> {
-    static FLIGHTS: LazyLock<Vec<Result<Flight, String>>> = LazyLock::new(|| {
+pub fn flights_where(
+    wanted: fn(&Flight) -> bool,
+) -> impl Iterator<Item = Result<&'static Flight, Failure>> {
+    static FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| {
         let mut points = Points::stream(160);
         let flight = |i: u32| {
             let lambda = match i % 4 {
@@ -91,14 +93,12 @@ pub fn flights_where(wanted: fn(&Flight) -> bool) -> impl Iterator<Item = Result
                 _ => points.uniform(1.0, 1.4),
             };
             let start = [points.uniform(0.2, 1.0), points.log_uniform(0.05, 1.0)];
-            Flight::from(lambda, start).map_err(|error| error.to_string())
+            Flight::from(lambda, start)
         };
-        (0..40).map(flight).collect()
+        every((0..40).map(flight))
     });
-    let all = FLIGHTS
-        .iter()
-        .map(|flight| flight.clone().map_err(Into::into));
-    all.filter(move |flight: &Result<Flight, Failure>| flight.as_ref().map_or(true, wanted))
+    let wanted = move |flight: &Result<&Flight, _>| flight.as_ref().map_or(true, |f| wanted(f));
+    FLIGHTS.each().filter(wanted)
 }
 
 fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
@@ -111,7 +111,7 @@ pub fn vanishes_limit() -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
     trial.over(flights_where(|_| true), |flight| {
         let flight = flight?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.at(),
             stated: 0.0,
             found: Scalar::exp(flight.last()?.ln_w_y),
@@ -129,7 +129,7 @@ pub fn vanishes_motion() -> Evidence {
         let lambda = points.uniform(0.25, 1.4);
         let v = [points.uniform(-1.0, 1.0), points.uniform(0.05, 1.0)];
         let end = Particle::plain(lambda).run(0.0, v, 5.0 * TAU)?.end();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at([lambda, v[0], v[1]]),
             stated: 0.0,
             found: end.v[1],
@@ -149,7 +149,7 @@ pub fn vanishes_census() -> Evidence {
         // Beside a huge logarithm a change of order one is lost in rounding.
         let rounding = |s: &PlanarState| 1e-13 * s.ln_w_y.abs().min(f64::MAX);
         let grows = steps.filter(|s| s[1].ln_w_y > s[0].ln_w_y + rounding(&s[0]));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.at(),
             stated: 0.0,
             found: grows.count() as f64,
@@ -169,7 +169,7 @@ pub fn first_stage() -> Evidence {
         let w_y = points.log_uniform(3e4, 3e5);
         let states = strobed(lambda, w_x, w_y, 1)?;
         let [first, last] = [0, 1].map(|k: usize| Scalar::exp(states[k].ln_w_y));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at([lambda, w_x, w_y]),
             stated: -lambda,
             found: (last - first) / TAU,
@@ -185,7 +185,7 @@ pub fn second_stage() -> Evidence {
     trial.over(flights_where(Flight::never_rests), |flight| {
         let flight = flight?;
         let strobe: Vec<_> = flight.strobe().map(|s| s.ln_w_y).collect();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.at(),
             stated: 1.0,
             found: third_over_second(&strobe)?,
@@ -241,7 +241,7 @@ pub fn ignores_census() -> Evidence {
             let states = drive()?.planar(lambda, start, &phases)?;
             curves.push(states.iter().map(|s| s.w_x).collect::<Vec<_>>());
         }
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6} at φ = 0"),
             stated: 1.0,
             found: f64::from(u8::from(each_differs(&curves))),

@@ -42,7 +42,7 @@ pub fn period_factor() -> Evidence {
         };
         let states = drive()?.planar(lambda, start, &[phi + TAU])?;
         let stated = 1.0 / corrected::contraction(lambda);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated,
             found: states[0].ln_w_y / start.ln_w_y,
@@ -67,7 +67,7 @@ pub fn period_factor_reached() -> Evidence {
             None => f64::NAN,
         };
         let stated = 1.0 / corrected::contraction(flight.lambda);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: flight.at(),
             stated,
             found: factor,
@@ -90,7 +90,7 @@ pub fn first_stage_correction() -> Evidence {
         let slope = (last - first) / TAU;
         let middle = 0.5 * (first + last);
         let stated = corrected::first_stage_lean(w_x);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}"),
             stated,
             found: (slope / -lambda - 1.0) * middle * middle,
@@ -105,13 +105,13 @@ pub fn passage_limit() -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
     trial.over(below(172, 0.42), |lambda| {
         let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
-        let through = |v_y: f64| {
+        let through = |v_y: f64| -> Result<_, Failure> {
             let motion = Particle::plain(lambda).run(phi, [w_x, v_y], phi + PI)?;
-            Ok::<_, Failure>(Scalar::ln(motion.end().v[1]))
+            Ok(Scalar::ln(motion.end().v[1]))
         };
         let after = through(1e-6)? - through(1e-8)?;
         let stated = corrected::passage_factor(lambda, corrected::drive_at_zero(lambda));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated,
             found: after / Scalar::ln(100.0),
@@ -128,7 +128,7 @@ pub fn passage_quadrature() -> Evidence {
         let attractor = settled(lambda, ORIGIN)?;
         let zero = forward(attractor.intervals()).ok_or("no slip")?.end;
         // In ln(distance) the integrand is smooth; the coefficient is its mean over a decade.
-        let coefficient = |side: f64| {
+        let coefficient = |side: f64| -> Result<_, Failure> {
             let integrand = |x: f64| {
                 let distance = Scalar::exp(x);
                 lambda * distance / attractor.w(zero + side * distance).abs()
@@ -136,11 +136,11 @@ pub fn passage_quadrature() -> Evidence {
             let (low, high) = (Scalar::ln(1e-6), Scalar::ln(1e-5));
             // So near the zero, 𝔴 has nine digits.
             let sum = integral_within(integrand, low, high, 1e-9)?.value;
-            Ok::<_, Failure>(sum / (high - low))
+            Ok(sum / (high - low))
         };
         let (p, q) = (coefficient(-1.0)?, coefficient(1.0)?);
         let stated = corrected::passage_factor(lambda, corrected::drive_at_zero(lambda));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated,
             found: (1.0 + q) / (1.0 - p),
@@ -160,7 +160,7 @@ pub fn finite_end() -> Evidence {
             let last = flight.last()?;
             let line = settled(flight.lambda, ORIGIN)?.w(last.phi);
             let ended = last.ln_w_y == f64::NEG_INFINITY && (last.w_x - line).abs() < 1e-12;
-            Ok::<_, Failure>(Pair {
+            Ok(Pair {
                 at: flight.at(),
                 stated: 1.0,
                 found: f64::from(u8::from(ended)),
@@ -183,7 +183,7 @@ pub fn last_stage() -> Evidence {
         let motion = Particle::plain(lambda).run(phi, [0.0, v_y], phi + 1.0)?;
         let stop = motion.first_stop().ok_or("no stop")?;
         let stated = corrected::last_stage(lambda, h, v_y) / v_y;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, φ = {phi:.6}, v_y = 1e-7"),
             stated,
             found: (stop - phi) / v_y,

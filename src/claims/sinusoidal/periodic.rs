@@ -105,7 +105,7 @@ fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
     trial.over(frictions, |lambda| {
         let friction = Friction::new(lambda, lambda)?;
         let agreement = drive()?.attractors_agree(friction, &starts(), 200)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated: 1.0,
             found: f64::from(u8::from(agreement.agree)),
@@ -143,7 +143,7 @@ pub fn eq38_approach() -> Evidence {
             w = values[1];
             // The distance is small, but far above rounding.
             if w - limit <= 1e-6 {
-                return Ok::<_, Failure>(Pair {
+                return Ok(Pair {
                     at: at(lambda, phi),
                     stated: corrected::contraction(lambda),
                     found: ratio,
@@ -171,7 +171,7 @@ pub fn eq39_motion() -> Evidence {
         let stated = printed::eq39_phi_t1(Conditioned::measured(lambda));
         let mut pair = Pair::conditioned(format!("λ₀ = {lambda:.6}"), stated, found);
         pair.scale += 1.0 / (1.0 - attractor.contraction());
-        Ok::<_, Failure>(pair)
+        Ok(pair)
     })
 }
 

@@ -22,7 +22,7 @@ fn by_root(formula: Formula, quarter: u8, compared: &'static str) -> Evidence {
         let excess = |phi: f64| libm::sin(phi).abs() - lambda;
         let found = root(excess, from, from + FRAC_PI_2)?;
         let stated = formula(Conditioned::measured(lambda));
-        Ok::<_, Failure>(Pair::conditioned(at(lambda), stated, found))
+        Ok(Pair::conditioned(at(lambda), stated, found))
     })
 }
 
@@ -77,7 +77,7 @@ fn by_release(formula: Formula, from: f64, compared: &'static str) -> Evidence {
         let path = drive()?.advance(Friction::new(lambda, lambda)?, rest, from + 2.0)?;
         let first = path.intervals.first().filter(|i| i.sign == Sign::Rest);
         let found = first.ok_or("no rest")?.end;
-        Ok::<_, Failure>(beside_a_motion(lambda, formula, found))
+        Ok(beside_a_motion(lambda, formula, found))
     })
 }
 
@@ -129,7 +129,7 @@ fn by_extremum(formula: Formula, side: Sign, compared: &'static str) -> Evidence
         } else {
             f64::NAN
         };
-        Ok::<_, Failure>(beside_a_motion(lambda, formula, found))
+        Ok(beside_a_motion(lambda, formula, found))
     })
 }
 
@@ -184,7 +184,7 @@ pub fn four_points_census() -> Evidence {
     let compared = "4 with the number of phases in a period at which |h| equals the friction";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     trial.over(all(), |lambda| {
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated: 4.0,
             found: balanced(drive()?, lambda).len() as f64,
@@ -223,7 +223,7 @@ pub fn four_points_outside() -> Evidence {
         let a = points.uniform(0.0, TAU);
         let zeros = balanced(drive()?, 0.0);
         let all = zeros.iter().flat_map(|phi| [*phi, phi + TAU]);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = 0, a = {a:.6}"),
             stated: 4.0,
             found: all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
@@ -255,7 +255,7 @@ pub fn rest_ends_motion() -> Evidence {
         let nearer = if off(phi1) < off(phi3) { phi1 } else { phi3 };
         let mut pair = Pair::conditioned(format!("λ₀ = {lambda:.6}, φ = {end:.6}"), nearer, phase);
         pair.scale += end;
-        Ok::<_, Failure>(pair)
+        Ok(pair)
     })
 }
 
@@ -297,7 +297,7 @@ pub fn rest_ends_census() -> Evidence {
             known.into_iter().all(|phi| off(phi) > 1e-10)
         };
         let wrong = ends.iter().filter(elsewhere).count();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, v_y = {:.6}", v[1]),
             stated: 0.0,
             found: if ends.is_empty() {

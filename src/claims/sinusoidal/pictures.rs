@@ -2,13 +2,13 @@
 
 use super::runs::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{PlanarState, Sign};
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
-use std::sync::LazyLock;
 
 /// λ₀ of fig-3.
 pub const SMALL: f64 = FRAC_1_PI;
@@ -55,15 +55,13 @@ impl Transient {
 /// # Errors
 /// As [`crate::motion::drive::Drive::planar`].
 pub fn transients() -> Result<&'static [Transient], Failure> {
-    static CURVES: LazyLock<Result<Vec<Transient>, String>> = LazyLock::new(|| {
+    static CURVES: Runs<Vec<Transient>> = Runs::new(|| {
         let pairs = [SMALL, LARGE]
             .into_iter()
             .flat_map(|lambda| W_Y.into_iter().map(move |w_y| (lambda, w_y)));
-        pairs
-            .map(|(lambda, w_y)| transient(lambda, w_y).map_err(|error| error.to_string()))
-            .collect()
+        every(pairs.map(|(lambda, w_y)| transient(lambda, w_y)))
     });
-    CURVES.as_deref().map_err(|error| error.clone().into())
+    Ok(CURVES.get()?)
 }
 
 fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
@@ -158,7 +156,7 @@ fn drawn(
     };
     trial.over(points, |point| {
         let [phi, found] = point?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("φ = {phi:.6}"),
             stated: form(phi)?,
             found,
@@ -253,7 +251,7 @@ fn framed(lambda: f64, top: f64, compared: &'static str) -> Evidence {
     };
     trial.over(points, |point| {
         let [phi, w] = point?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("φ = {phi:.6}"),
             stated: 1.0,
             found: f64::from(u8::from(w.abs() < top)),

@@ -3,19 +3,18 @@
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
+use crate::claims::runs::Runs;
 use crate::evidence::Evidence;
-use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Interval, Sign, State};
-use crate::motion::{Motion, MotionError, Plane, Signal, particle, trajectory};
+use crate::motion::drive::{Attractor, Drive, Friction, Interval, Sign, State};
+use crate::motion::{Motion, Plane, Signal, particle, trajectory};
 use crate::numerics::NumericsError;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
-use std::sync::LazyLock;
 
 /// The sine as a drive: the motion knows it as a function to evaluate, no more.
-pub fn drive() -> Result<&'static Drive, DriveError> {
-    static DRIVE: LazyLock<Result<Drive, DriveError>> =
-        LazyLock::new(|| Drive::new(libm::sin, &[]));
-    DRIVE.as_ref().map_err(Clone::clone)
+pub fn drive() -> Result<&'static Drive, Failure> {
+    static DRIVE: Runs<Drive> = Runs::new(|| Ok(Drive::new(libm::sin, &[])?));
+    DRIVE.get()
 }
 
 /// The printed λ_c, which divides the frictions of the trials.
@@ -156,14 +155,14 @@ impl Particle {
     }
 
     /// The motion from a velocity at a time.
-    pub fn run(&self, t: f64, v: [f64; 2], until: f64) -> Result<Motion, MotionError> {
+    pub fn run(&self, t: f64, v: [f64; 2], until: f64) -> Result<Motion, Failure> {
         let sine = Signal::Sine {
             frequency: self.varpi,
             phase: 0.0,
         };
         let start = trajectory::State { t, v, x: [0.0; 2] };
         let plane = Plane::along([-self.a0, 0.0], sine);
-        particle::run(&plane, self.friction, start, until)
+        Ok(particle::run(&plane, self.friction, start, until)?)
     }
 }
 

@@ -3,13 +3,13 @@
 use super::runs::{ORIGIN, Particle, drive, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Friction, Sign};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
-use std::sync::LazyLock;
 
 const fn consistency(compared: &'static str) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
@@ -36,7 +36,7 @@ pub fn eq21() -> Evidence {
             let [ax, ay] = printed::eq21_acceleration(a0, varpi, t);
             ay - ax
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("A₀ = {a0:.6}, ϖ = {varpi:.6}, t = {from:.6} to {t:.6}"),
             stated: integral_within(rate, from, t, 1e-13 * scale)?.value,
             found: end.v[0] + (end.v[1] - scale),
@@ -62,14 +62,12 @@ struct Twins {
 }
 
 /// Two dozen pairs of twins.
-fn all_twins() -> impl Iterator<Item = Result<Twins, Failure>> {
-    static TWINS: LazyLock<Vec<Result<Twins, String>>> = LazyLock::new(|| {
+fn all_twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
+    static TWINS: Runs<Vec<Twins>> = Runs::new(|| {
         let mut points = Points::stream(111);
-        (0..24)
-            .map(|_| twins(&mut points).map_err(|error| error.to_string()))
-            .collect()
+        every((0..24).map(|_| twins(&mut points)))
     });
-    TWINS.iter().map(|twins| twins.clone().map_err(Into::into))
+    TWINS.each()
 }
 
 fn twins(points: &mut Points) -> Result<Twins, Failure> {
@@ -104,8 +102,8 @@ pub fn eq22() -> Evidence {
     let trial = consistency("𝔴 of w′ = h ∓ λ₀, λ₀ by (22), with ϖ v_x/A₀ of the particle");
     trial.over(all_twins(), |twins| {
         let twins = twins?;
-        Ok::<_, Failure>(Pair {
-            at: twins.at,
+        Ok(Pair {
+            at: twins.at.clone(),
             stated: twins.twin_w,
             found: twins.varpi * twins.vx / twins.a0,
             scale: 1.0,
@@ -120,8 +118,8 @@ pub fn eq23() -> Evidence {
     );
     trial.over(all_twins(), |twins| {
         let twins = twins?;
-        Ok::<_, Failure>(Pair {
-            at: twins.at,
+        Ok(Pair {
+            at: twins.at.clone(),
             stated: printed::eq23_phase(twins.varpi, twins.release),
             found: twins.twin_release,
             scale: 10.0,
@@ -135,8 +133,8 @@ pub fn eq24() -> Evidence {
         consistency("(24) of the particle's v_x with the velocity of its twin without units");
     trial.over(all_twins(), |twins| {
         let twins = twins?;
-        Ok::<_, Failure>(Pair {
-            at: twins.at,
+        Ok(Pair {
+            at: twins.at.clone(),
             stated: printed::eq24_w(twins.varpi, twins.vx, twins.a0),
             found: twins.twin_w,
             scale: 1.0,
@@ -164,7 +162,7 @@ pub fn eq25_motion() -> Evidence {
     trial.over(around_one(114), |lambda| {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
         let [left, right] = printed::eq25_sides(lambda);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated: holds(left < right),
             found: holds(!motion.starts().is_empty()),
@@ -181,7 +179,7 @@ pub fn eq25_census() -> Evidence {
         let attractor = settled(lambda, ORIGIN)?;
         let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);
         let [left, right] = printed::eq25_sides(lambda);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated: holds(left < right),
             found: holds(moves),
@@ -214,7 +212,7 @@ pub fn eq26_quadrature() -> Evidence {
         // Inside a slip the sign of 𝔴 is all of it that (26) sees.
         let middle = motion.at(0.5 * (from + to))?.v[0];
         let rate = |phi: f64| printed::eq26_rate(lambda, phi, middle);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
             stated: integral_within(rate, from, to, 1e-14)?.value,
             found: motion.at(to)?.v[0] - motion.at(from)?.v[0],

@@ -1,7 +1,7 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
 use super::runs::{ORIGIN, Particle, Slip, all, dense, drive, each, phi_t2, phi_t2_spread, small};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
@@ -39,7 +39,7 @@ pub fn eq32_root() -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(all(), |lambda| {
         let stated = phi_t2(lambda)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated,
             found: Slip::of(lambda)?.end,
@@ -62,7 +62,7 @@ pub fn eq32_motion() -> Evidence {
         let end = motion.first_stop().ok_or("no stop")?;
         let [l, phi] = [lambda, end].map(Conditioned::measured);
         let stated = printed::eq32_left(l, printed::eq27_phi1(l), phi);
-        Ok::<_, Failure>(Pair::conditioned(at(lambda), stated, 0.0))
+        Ok(Pair::conditioned(at(lambda), stated, 0.0))
     })
 }
 
@@ -75,7 +75,7 @@ pub fn eq32_census() -> Evidence {
         let slip = Slip::of(lambda)?;
         let phi1 = printed::eq27_phi1(lambda);
         let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated: 0.0,
             found: not_positive(slip.start, slip.end, left) as f64,
@@ -97,7 +97,7 @@ pub fn bracket_census() -> Evidence {
     trial.over(dense(), |lambda| {
         let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
         let end = Slip::of(lambda)?.end;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated: 1.0,
             found: f64::from(u8::from(low < end && end < high)),
@@ -123,7 +123,7 @@ pub fn bracket_limit() -> Evidence {
             let gap = Slip::of(lambda)?.end - printed::eq28_phi2(lambda);
             (lambda, leading, gap)
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.12}"),
             stated: 1.0,
             found: gap / leading,
@@ -142,7 +142,7 @@ fn left_with_motion(left: fn(Conditioned) -> Conditioned, compared: &'static str
         let phi3 = release.intervals.first().ok_or("no interval")?.end;
         let found = drive()?.advance(friction, ORIGIN, phi3)?.end.w;
         let stated = left(Conditioned::measured(lambda));
-        Ok::<_, Failure>(Pair::conditioned(at(lambda), stated, found))
+        Ok(Pair::conditioned(at(lambda), stated, found))
     })
 }
 
@@ -177,7 +177,7 @@ pub fn ends_early(inequality: fn(f64) -> bool, compared: &'static str) -> Eviden
     trial.over(dense(), |lambda| {
         let slip = Slip::of(lambda)?;
         // The backward slip could begin half a period after the forward one did.
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated: is(inequality(lambda)),
             found: is(slip.end < slip.start + PI),

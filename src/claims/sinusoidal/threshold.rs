@@ -4,13 +4,13 @@ use super::runs::{ORIGIN, Slip, dense, forward, lambda_c, settled, small};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{NONE, ONSET, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Sign, State};
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
-use std::sync::LazyLock;
 
 /// A start, and the friction from which on the motion that it leads to has rests.
 #[derive(Debug, Clone, Copy)]
@@ -20,21 +20,18 @@ struct Onset {
 }
 
 /// The onset of rest for 24 starts: bisection on the simulation alone, down to neighbouring numbers.
-fn onsets() -> impl Iterator<Item = Result<Onset, Failure>> {
-    static ONSETS: LazyLock<Vec<Result<Onset, String>>> = LazyLock::new(|| {
+fn onsets() -> impl Iterator<Item = Result<&'static Onset, Failure>> {
+    static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
         let mut points = Points::stream(130);
         let mut start = || State {
             phi: points.uniform(0.0, TAU),
             w: points.uniform(-3.0, 3.0),
         };
         let starts: Vec<_> = (0..24).map(|_| start()).collect();
-        let found = |start: State| match onset(start) {
-            Ok(lambda) => Ok(Onset { start, lambda }),
-            Err(error) => Err(error.to_string()),
-        };
-        starts.into_iter().map(found).collect()
+        let found = |start: State| onset(start).map(|lambda| Onset { start, lambda });
+        every(starts.into_iter().map(found))
     });
-    ONSETS.iter().map(|onset| onset.clone().map_err(Into::into))
+    ONSETS.each()
 }
 
 fn onset(start: State) -> Result<f64, Failure> {
@@ -60,8 +57,8 @@ pub fn eq37_motion() -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, ONSET);
     trial.over(onsets(), |onset| {
         let onset = onset?;
-        Ok::<_, Failure>(Pair {
-            at: at(&onset),
+        Ok(Pair {
+            at: at(onset),
             stated: printed::eq37_lambda_c(),
             found: onset.lambda,
             scale: 1.0,
@@ -85,7 +82,7 @@ pub fn eq37_root() -> Evidence {
     let mut points = Points::stream(131);
     trial.over(0..24, |_| {
         let (low, high) = (points.uniform(0.01, 0.5), points.uniform(0.6, 0.99));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ between {low:.6} and {high:.6}"),
             stated: printed::eq37_lambda_c(),
             found: root(eq34_of, low, high)?,
@@ -101,8 +98,8 @@ pub fn eq34_root() -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ONSET);
     trial.over(onsets(), |onset| {
         let onset = onset?;
-        Ok::<_, Failure>(Pair {
-            at: at(&onset),
+        Ok(Pair {
+            at: at(onset),
             stated: root(eq34_of, 0.01, 0.99)?,
             found: onset.lambda,
             scale: 1.0,
@@ -118,7 +115,7 @@ pub fn eq40_census() -> Evidence {
     trial.over(dense(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let [left, right] = printed::eq40_sides(lambda);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated: is(left < right),
             found: is(attractor.intervals().iter().all(|i| i.sign != Sign::Rest)),
@@ -141,7 +138,7 @@ pub fn eq41_motion() -> Evidence {
         let mut pair =
             Pair::conditioned(at, left - right, if found > 0.0 { found } else { f64::NAN });
         pair.scale += 1.0 / (1.0 - attractor.contraction());
-        Ok::<_, Failure>(pair)
+        Ok(pair)
     })
 }
 
@@ -156,7 +153,7 @@ pub fn eq41_census() -> Evidence {
         let turn = forward(attractor.intervals());
         let [left, right] =
             printed::eq41_sides(printed::eq39_phi_t1(lambda), printed::eq27_phi1(lambda));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated: is(left > right),
             found: is(turn.ok_or("no slip")?.start > Slip::of(lambda)?.start),

@@ -22,7 +22,7 @@ pub fn no_rest_census() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let below = dense().into_iter().filter(|l| *l < lambda_c()).step_by(7);
     trial.over(below, |lambda| {
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated: 0.0,
             found: all_rests(lambda)? as f64,
@@ -51,7 +51,7 @@ pub fn no_rest_motion() -> Evidence {
         let end = phi_t2(lambda)?;
         let friction = Friction::new(lambda, lambda)?;
         let w = drive()?.advance(friction, ORIGIN, phi1 + TAU)?.end.w;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated: -2.0 * lambda * (end - phi1 - PI),
             found: if w < 0.0 { w } else { f64::NAN },
@@ -104,7 +104,7 @@ pub fn trichotomy_census() -> Evidence {
         frictions().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
-            Ok::<_, Failure>(Pair {
+            Ok(Pair {
                 at: at(lambda),
                 stated: stated_kind(lambda),
                 found: listed_kind(attractor.intervals()),
@@ -130,7 +130,7 @@ pub fn trichotomy_motion() -> Evidence {
         let rests = phases.filter(|p| p.kind == PhaseKind::Stick);
         let begun = rests.filter(|p| within(p.from)).count();
         let still = stops == 0 && motion.end().speed() == 0.0;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, from φ = {start:.6}"),
             stated: stated_kind(lambda),
             found: kind(stops.saturating_sub(begun), begun, still),
@@ -147,7 +147,7 @@ pub fn trichotomy_outside() -> Evidence {
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 3.0);
         let attractor = settled(0.0, State { phi: 0.0, w })?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
             stated: stated_kind(0.0),
             found: listed_kind(attractor.intervals()),
@@ -170,7 +170,7 @@ pub fn weak_drive_motion() -> Evidence {
         for phi in fourth_period(from) {
             largest = largest.max(motion.at(phi)?.speed());
         }
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
             stated: 0.0,
             found: largest,
@@ -190,7 +190,7 @@ pub fn weak_drive_census() -> Evidence {
         "1 with 1 where the simulated large-time motion is rest throughout, from seven starts";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(frictions().into_iter().filter(|l| *l > 1.0), |lambda| {
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(lambda),
             stated: 1.0,
             found: f64::from(u8::from(all_still(lambda)?)),

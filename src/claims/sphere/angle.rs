@@ -4,6 +4,7 @@ use super::runs::sphere;
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::MOTION;
 use crate::corrections::constant::{speed, time};
 use crate::corrections::sphere as corrected;
@@ -15,7 +16,6 @@ use crate::numerics::roots::root;
 use crate::paper::sphere as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;
-use std::sync::LazyLock;
 
 /// A sphere under A = −A x̂, and what its slip has become.
 #[derive(Debug, Clone)]
@@ -131,19 +131,9 @@ impl Turn {
     }
 }
 
-type Shared = LazyLock<Result<Vec<Turn>, String>>;
-
-fn shared(runs: &'static Shared) -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    let (runs, error) = match &**runs {
-        Ok(runs) => (&runs[..], None),
-        Err(error) => (&[][..], Some(Err(Failure::from(error.clone())))),
-    };
-    runs.iter().map(Ok).chain(error)
-}
-
 /// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ.
 fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Shared = LazyLock::new(|| {
+    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
         let mut points = Points::stream(404);
         let turn = |i: usize| {
             let lambda = match i {
@@ -161,25 +151,25 @@ fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
             };
             // Late slips at large friction have next to no angle left.
             let elapsed = points.uniform(0.05, 0.8);
-            Turn::new(i, &mut points, lambda, theta0, elapsed).map_err(|e| e.to_string())
+            Turn::new(i, &mut points, lambda, theta0, elapsed)
         };
-        (0..200).map(turn).collect()
+        every((0..200).map(turn))
     });
-    shared(&TURNS)
+    TURNS.each()
 }
 
 /// Slips along the line of the acceleration.
 fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Shared = LazyLock::new(|| {
+    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
         let mut points = Points::stream(405);
         let turn = |i: usize| {
             let lambda = points.uniform(0.1, 4.0);
             let theta0 = [0.0, PI][i % 2];
-            Turn::new(i, &mut points, lambda, theta0, 0.2).map_err(|e| e.to_string())
+            Turn::new(i, &mut points, lambda, theta0, 0.2)
         };
-        (0..40).map(turn).collect()
+        every((0..40).map(turn))
     });
-    shared(&TURNS)
+    TURNS.each()
 }
 
 /// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
@@ -207,7 +197,7 @@ pub fn eq80() -> Evidence {
         let b = printed::eq67_factor(kappa);
         let lambda = printed::eq80_lambda(b, sphere.mu, sphere.g, turn.a);
         let particle = run(&Plane::constant([-1.0, 0.0]), lambda, start, t)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: turn.u / turn.u0,
             found: particle.end().speed(),
@@ -226,7 +216,7 @@ pub fn eq81() -> Evidence {
         let turn = turn?;
         let [lambda, u0, theta0, theta, ..] = turn.numbers();
         let stated = printed::eq81_slip(lambda, u0, theta0, theta);
-        Ok::<_, Failure>(Pair::conditioned(turn.at(), stated, turn.u))
+        Ok(Pair::conditioned(turn.at(), stated, turn.u))
     })
 }
 
@@ -238,7 +228,7 @@ pub fn eq81_outside() -> Evidence {
     );
     trial.over(straight(), |turn| {
         let turn = turn?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: printed::eq81_slip(turn.lambda, turn.u0, turn.theta0, turn.theta),
             found: turn.u,
@@ -253,7 +243,7 @@ pub fn regular_slip() -> Evidence {
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
         let turn = turn?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: speed(turn.lambda, turn.u0, turn.theta0, turn.r()),
             found: turn.u,
@@ -277,7 +267,7 @@ pub fn regular_straight() -> Evidence {
         } = *turn;
         let late = |ln_r: f64| time(lambda, gamma, u0, theta0, libm::exp(ln_r)) - tau;
         let r = libm::exp(root(late, -20.0, 0.0)?);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: speed(lambda, u0, theta0, r),
             found: turn.u,
@@ -292,7 +282,7 @@ fn late(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
     let turns = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
     Trial::motion(subject, compared).over(turns, |turn| {
         let turn = turn?;
-        Ok::<_, Failure>(Pair::conditioned(
+        Ok(Pair::conditioned(
             turn.at(),
             formula(turn, turn.numbers()),
             turn.tau,
@@ -337,7 +327,7 @@ pub fn corrected82_quadrature() -> Evidence {
         let stated = corrected::time(n[0], n[5], n[1], n[2], n[3]);
         let mut pair = Pair::conditioned(turn.at(), stated, found);
         pair.scale = pair.scale.max(found * turn.condition());
-        Ok::<_, Failure>(pair)
+        Ok(pair)
     })
 }
 
@@ -346,7 +336,7 @@ pub fn regular_time() -> Evidence {
     let compared = "the regular form of τ with the motion, λ = 1 and cos θ₀ = −λ included";
     Trial::motion(Subject::Corrected, compared).over(turns(), |turn| {
         let turn = turn?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: turn.at(),
             stated: time(turn.lambda, turn.gamma, turn.u0, turn.theta0, turn.r()),
             found: turn.tau,
@@ -358,7 +348,7 @@ pub fn regular_time() -> Evidence {
 fn slip_at_time(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
     Trial::motion(subject, compared).over(turns(), |turn| {
         let turn = turn?;
-        Ok::<_, Failure>(Pair::conditioned(
+        Ok(Pair::conditioned(
             turn.at(),
             formula(turn, turn.numbers()),
             turn.u,

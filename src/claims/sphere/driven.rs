@@ -5,6 +5,7 @@ use super::runs::sphere;
 use super::words::rolling_time;
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
+use crate::claims::runs::Runs;
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, Drive, Friction, Interval, Sign, State};
@@ -13,7 +14,6 @@ use crate::motion::{Plane, Signal};
 use crate::numerics::roots::root;
 use crate::paper::sphere as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use std::sync::LazyLock;
 
 /// Periods after which the motion counts as settled.
 const SETTLED: f64 = 10.0;
@@ -105,9 +105,8 @@ fn settled(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, Failure> 
 }
 
 fn sine_drive() -> Result<&'static Drive, Failure> {
-    static DRIVE: LazyLock<Result<Drive, String>> =
-        LazyLock::new(|| Drive::new(libm::sin, &[]).map_err(|error| error.to_string()));
-    DRIVE.as_ref().map_err(|error| Failure::from(error.clone()))
+    static DRIVE: Runs<Drive> = Runs::new(|| Ok(Drive::new(libm::sin, &[])?));
+    DRIVE.get()
 }
 
 /// 2 for two zeros and no rest in a period, 20 for two rests, −1 for rest throughout, 0 for all else.
@@ -169,7 +168,7 @@ fn rolled(motion: &Motion, from: f64, to: f64) -> Result<f64, Failure> {
 
 /// λ_c, where the drive's simulated motion begins to rest.
 fn lambda_c() -> Result<f64, Failure> {
-    static LAMBDA: LazyLock<Result<f64, String>> = LazyLock::new(|| {
+    static LAMBDA: Runs<f64> = Runs::new(|| {
         let rests = |lambda: f64| -> Result<bool, Failure> {
             let attractor = settled(sine_drive()?, Friction::new(lambda, lambda)?)?;
             Ok(listed(attractor.intervals()) == 20.0)
@@ -177,15 +176,11 @@ fn lambda_c() -> Result<f64, Failure> {
         let (mut low, mut high) = (0.1, 0.9);
         for _ in 0..50 {
             let middle = 0.5 * (low + high);
-            match rests(middle) {
-                Ok(true) => high = middle,
-                Ok(false) => low = middle,
-                Err(error) => return Err(error.to_string()),
-            }
+            *(if rests(middle)? { &mut high } else { &mut low }) = middle;
         }
         Ok(high)
     });
-    LAMBDA.clone().map_err(Failure::from)
+    LAMBDA.get().copied()
 }
 
 /// (84): the slip obeys the drive of section 2.2 with this λ₀.
@@ -215,7 +210,7 @@ pub fn eq84() -> Evidence {
             .sphere
             .run(&swing.sine(), &swing.start(w, share), swing.t(phi))?;
         let found = motion.slip(swing.t(phi))?[0] * swing.frequency / swing.a0;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, 𝔴 = {w:.6}, φ = {phi:.6}", swing.at()),
             stated,
             found,
@@ -263,7 +258,7 @@ pub fn eq85() -> Evidence {
             0.0,
             swing.t(phi),
         )?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, q = {q:.6}, 𝔴 = {w:.6}, φ = {phi:.6}", swing.at()),
             stated,
             found: motion.end.slip * swing.frequency / swing.a0,
@@ -303,7 +298,7 @@ pub fn trichotomy_census() -> Evidence {
         let late = settled_phase(lambda) + 0.1;
         let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: swing.at(),
             stated: stated_kind(lambda, lambda_c),
             found: rolled(&motion, from, to)?,
@@ -340,7 +335,7 @@ pub fn trichotomy_motion() -> Evidence {
             .intervals()
             .iter()
             .filter(|i| i.sign == Sign::Rest);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: swing.at(),
             stated: rests.map(Interval::length).sum::<f64>() / TAU,
             found: rolling_time(&motion, from, to)? / (to - from),
@@ -360,7 +355,7 @@ pub fn trichotomy_outside() -> Evidence {
         let outcome =
             sine_drive()?.attractor(Friction::new(0.0, 0.0)?, State { phi: 0.0, w }, 100)?;
         let attractor = outcome.settled().ok_or("the drive does not settle")?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
             stated: 2.0,
             found: listed(attractor.intervals()),
@@ -382,7 +377,7 @@ pub fn rolling_ends() -> Evidence {
             .sphere
             .run(&swing.sine(), &swing.start(0.0, 0.4), swing.t(2.0))?;
         let first = motion.transitions().first().ok_or("it does not slide")?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: swing.at(),
             stated,
             found: first.t * swing.frequency,
@@ -420,7 +415,7 @@ pub fn pulse_census() -> Evidence {
             swing.t((SETTLED + 1.0) * TAU + 0.01),
         );
         let motion = swing.sphere.run(&swing.pulses(eta), &start, to)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("η = {eta:.6}, {}", swing.at()),
             stated: stated_kind(lambda, eta),
             found: rolled(&motion, from, to)?,
@@ -458,7 +453,7 @@ pub fn pulse_motion() -> Evidence {
             .intervals()
             .iter()
             .filter(|i| i.sign == Sign::Rest);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("η = {eta:.6}, {}", swing.at()),
             stated: rests.map(Interval::length).sum::<f64>() / TAU,
             found: rolling_time(&motion, from, to)? / (to - from),
@@ -512,7 +507,7 @@ pub fn anisotropic_census() -> Evidence {
             .map(|i| i.sign.factor() as i8)
             .collect();
         let same = same_order(&ways, &stated);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("q = {q:.6}, {}", swing.at()),
             stated: 1.0,
             found: f64::from(u8::from(same)),
@@ -542,7 +537,7 @@ pub fn anisotropic_motion() -> Evidence {
             let own = attractor.intervals().iter().filter(|i| i.sign == sign);
             own.map(Interval::length).sum::<f64>() / TAU
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("q = {q:.6}, {}", swing.at()),
             stated: part(Sign::Negative) + 2.0 * part(Sign::Rest),
             found: lengths[0] + 2.0 * lengths[1],

@@ -73,7 +73,7 @@ pub fn eq59() -> Evidence {
         let start = [v[0], v[1], 0.0, 0.0, omega[0], omega[1], 0.0];
         let seen = dop853::end(laboratory, 0.0, start, run.until, 1e-13, 1e-14)?;
         let stated = by_the_laws(run)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(run.until),
             stated: stated[0] + 2.0 * stated[1],
             found: seen[0] - seen[2] + 2.0 * (seen[1] - seen[3]),
@@ -90,7 +90,7 @@ pub fn eq60() -> Evidence {
         let run = run?;
         let [_, _, x, y, z] = by_the_laws(run)?;
         let found = run.motion.end().omega;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(run.until),
             stated: weighed([x, y, z]),
             found: weighed(found),
@@ -115,7 +115,7 @@ pub fn eq61() -> Evidence {
         let (run, t) = state?;
         let ball = run.motion.at(t)?;
         let turning = printed::slip([0.0; 3], ball.omega, run.case.contact());
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(t),
             stated: -weighed(turning),
             found: weighed([ball.v[0], ball.v[1], 0.0]),
@@ -144,7 +144,7 @@ pub fn eq67() -> Evidence {
         let stated = w / (printed::eq67_factor(kappa) * sphere.mu * sphere.g);
         let motion = sphere.run(&Plane::constant([0.0; 2]), &start, 3.0 * stated)?;
         let found = motion.transitions().first().map(|transition| transition.t);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!(
                 "κ = {kappa:.6}, μ = {:.6}, g = {:.6}, w = {w:.6}",
                 sphere.mu, sphere.g
@@ -168,7 +168,7 @@ pub fn eq76() -> Evidence {
             run.tau_rate() * weighed(printed::eq76_nu_rate(gamma))
         };
         let size = run.tau_rate() * run.until * run.case.size / (mu * g);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(run.until),
             stated: integral_within(rate, 0.0, run.until, 1e-13 * size)?.value,
             found: weighed(super::rates::nu(run, run.until)?),

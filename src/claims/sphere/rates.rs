@@ -26,7 +26,7 @@ fn summed(
         let (start, end) = (run.case.start, run.motion.end());
         let (before, after) = (quantity(run, &start), quantity(run, &end));
         let scale = length(before) + length(after);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(run.until),
             stated: integral_within(along, 0.0, run.until, 1e-13 * scale)?.value,
             found: weighed(after) - weighed(before),
@@ -173,7 +173,7 @@ fn spin(subject: Subject, compared: &'static str, formula: Spin) -> Evidence {
     Trial::motion(subject, compared).over(states, |state| {
         let (run, t) = state?;
         let now = run.dimensionless(t)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(t),
             stated: weighed(formula(now.zeta[2], now.u, now.rho_rate)),
             found: weighed(now.zeta),
@@ -222,7 +222,7 @@ pub fn eq79() -> Evidence {
         let without = printed::eq79_velocity(b, zero, start.u, zero);
         let c = [0, 1, 2].map(|i| start.rho_rate[i] - without[i]);
         let nu = nu(run, t)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(t),
             stated: weighed(printed::eq79_velocity(b, nu, now.u, c)),
             found: weighed(now.rho_rate),

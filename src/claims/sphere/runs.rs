@@ -1,11 +1,12 @@
 //! The motions of the rigid sphere that section 3 is held against, with m, R, I, μ and g that are not 1.
 
 use crate::claims::points::Points;
+use crate::claims::runs::{Failure, Runs, every};
+use crate::motion::MotionError;
 use crate::motion::sphere::{Ball, Motion, Sphere};
-use crate::motion::{Acceleration, MotionError, Plane, Signal};
+use crate::motion::{Acceleration, Plane, Signal};
 use crate::paper::sphere as printed;
 use std::f64::consts::{PI, TAU};
-use std::sync::LazyLock;
 
 /// A sphere on a plane, from a start.
 #[derive(Debug, Clone)]
@@ -178,19 +179,9 @@ pub fn case(i: usize, points: &mut Points) -> Case {
     }
 }
 
-type Shared = LazyLock<Result<Vec<Run>, MotionError>>;
-
-fn shared(runs: &'static Shared) -> impl Iterator<Item = Result<&'static Run, MotionError>> {
-    let (runs, error) = match &**runs {
-        Ok(runs) => (&runs[..], None),
-        Err(error) => (&[][..], Some(Err(error.clone()))),
-    };
-    runs.iter().map(Ok).chain(error)
-}
-
 /// Motions that end before sliding does.
-pub fn sliding() -> impl Iterator<Item = Result<&'static Run, MotionError>> {
-    static RUNS: Shared = LazyLock::new(|| {
+pub fn sliding() -> impl Iterator<Item = Result<&'static Run, Failure>> {
+    static RUNS: Runs<Vec<Run>> = Runs::new(|| {
         let mut points = Points::stream(400);
         let run = |i| {
             let case = case(i, &mut points);
@@ -205,23 +196,23 @@ pub fn sliding() -> impl Iterator<Item = Result<&'static Run, MotionError>> {
             let until = 0.7 * slip / (friction + a.fold(0.0, f64::max));
             case.run(until)
         };
-        (0..32).map(run).collect()
+        every((0..32).map(run))
     });
-    shared(&RUNS)
+    RUNS.each()
 }
 
 /// Motions that slide and roll.
-pub fn mixed() -> impl Iterator<Item = Result<&'static Run, MotionError>> {
-    static RUNS: Shared = LazyLock::new(|| {
+pub fn mixed() -> impl Iterator<Item = Result<&'static Run, Failure>> {
+    static RUNS: Runs<Vec<Run>> = Runs::new(|| {
         let mut points = Points::stream(401);
         let run = |i| {
             let case = case(i, &mut points);
             let until = points.uniform(3.0, 9.0);
             case.run(until)
         };
-        (0..32).map(run).collect()
+        every((0..32).map(run))
     });
-    shared(&RUNS)
+    RUNS.each()
 }
 
 /// The times of a motion at which something is compared: three between its start and its end.

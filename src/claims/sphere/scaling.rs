@@ -3,12 +3,12 @@
 use super::runs::{Case, Dimensionless, length, sphere, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::sphere::Ball;
 use crate::motion::{Plane, Signal};
 use crate::paper::sphere as printed;
-use std::sync::LazyLock;
 
 /// Two spheres with the same κ, γ(τ), ρ, dρ/dτ and ζ at the start, at the same τ.
 #[derive(Debug)]
@@ -93,15 +93,15 @@ impl Plan {
 }
 
 fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
-    static TWINS: LazyLock<Result<Vec<Twins>, String>> = LazyLock::new(|| {
+    static TWINS: Runs<Vec<Twins>> = Runs::new(|| {
         let mut points = Points::stream(403);
-        let pair = |i: usize| {
+        let pair = |i: usize| -> Result<_, Failure> {
             let plan = Plan::new(&mut points);
             let (ours, theirs) = (
                 plan.follow(i, &mut points)?,
                 plan.follow(i + 1, &mut points)?,
             );
-            Ok::<_, Failure>(Twins {
+            Ok(Twins {
                 at: format!(
                     "κ = {:.6}, γ = {:.6}, ζ₃ = {:.6}, τ = {:.6}",
                     plan.kappa, plan.gamma, plan.zeta[2], plan.tau
@@ -113,14 +113,9 @@ fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
                 change: [ours.2, theirs.2],
             })
         };
-        let all: Result<Vec<_>, Failure> = (0..24).map(pair).collect();
-        all.map_err(|error| error.to_string())
+        every((0..24).map(pair))
     });
-    let (twins, error) = match &*TWINS {
-        Ok(twins) => (&twins[..], None),
-        Err(error) => (&[][..], Some(Err(Failure::from(error.clone())))),
-    };
-    twins.iter().map(Ok).chain(error)
+    TWINS.each()
 }
 
 fn alike(compared: &'static str, of: impl Fn(&Twins, usize) -> [f64; 3]) -> Evidence {
@@ -129,7 +124,7 @@ fn alike(compared: &'static str, of: impl Fn(&Twins, usize) -> [f64; 3]) -> Evid
         let twins = twins?;
         let (ours, theirs) = (of(twins, 0), of(twins, 1));
         let state = &twins.states[0];
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: twins.at.clone(),
             stated: weighed(ours),
             found: weighed(theirs),

@@ -34,7 +34,7 @@ pub fn reduction_motion() -> Evidence {
             let [sx, sy] = run.motion.slip(t)?;
             let [ux, uy] = run.case.sphere.contact(&run.case.start);
             let push = length(run.case.acceleration(t)).max(run.case.sphere.mu * run.case.sphere.g);
-            Ok::<_, Failure>(Pair {
+            Ok(Pair {
                 at: run.at(t),
                 stated: x + 2.0 * y,
                 found: sx + 2.0 * sy,
@@ -55,7 +55,7 @@ pub fn reduction_rolling() -> Evidence {
             .filter(|phase| phase.kind == PhaseKind::Stick)
             .map(|phase| phase.to - phase.from)
             .sum();
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(run.until),
             stated: rests,
             found: rolling_time(&run.motion, 0.0, run.until)?,
@@ -103,7 +103,7 @@ pub fn reduction_rest() -> Evidence {
         let nu = super::rates::nu(run, t)?;
         let velocity = printed::eq79_velocity(b, nu, u, c);
         let zeta = corrected::spin(start.zeta[2], u, velocity);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(t),
             stated: weighed(velocity) + 7.0 * weighed(zeta),
             found: weighed(now.rho_rate) + 7.0 * weighed(now.zeta),
@@ -136,7 +136,7 @@ pub fn spin_constant() -> Evidence {
         };
         let spin = |value: f64| 7.0 * case.sphere.radius * value;
         let size = length([end.v[0], end.v[1], 0.0]) + case.sphere.radius * length(end.omega);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: run.at(run.until),
             stated: rest(&other) + spin(case.start.omega[2]),
             found: rest(&end) + spin(end.omega[2]),

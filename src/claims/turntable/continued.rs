@@ -2,7 +2,7 @@
 
 use super::complex::Complex;
 use super::stretches::{FASTER, View, stretches};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::quadrature::integral_within;
@@ -28,7 +28,7 @@ pub fn eq122() -> Evidence {
         let [a, alpha] = inner(&view);
         let sum = printed::eq111_p(a, alpha) + Complex::real(2.0) * printed::eq112_rho(a, alpha);
         let found = view.p + 2.0 * view.rho;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stretch.at(),
             stated: if real { sum.re } else { sum.im },
             found: if real { found } else { 0.0 },
@@ -54,7 +54,7 @@ pub fn eq123() -> Evidence {
         };
         let beta = |tau: f64| stretch.view(tau).map(|view| view.outer().1);
         let change = beta(stretch.to)? - beta(stretch.from)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stretch.at(),
             stated: integral_within(rate, stretch.from, stretch.to, 1e-13)?.value,
             found: if real { change } else { 0.0 },

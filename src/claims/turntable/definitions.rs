@@ -3,7 +3,7 @@
 //! The motion is integrated twice: in Cartesian components, and in components along and across the velocity.
 
 use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::tolerances::FRAMES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::Intrinsic;
@@ -23,7 +23,7 @@ fn ends(
         let stretch = stretch?;
         let tau = end(stretch);
         let [stated, found] = pair(&stretch.view(tau)?, &stretch.part(tau)?);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stretch.at(),
             stated,
             found,

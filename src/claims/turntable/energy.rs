@@ -21,7 +21,7 @@ pub fn eq104() -> Evidence {
             let part = stretch.part(tau)?;
             Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stretch.at(),
             stated: value(stretch.to)?,
             found: value(stretch.from)?,
@@ -41,7 +41,7 @@ pub fn eq105() -> Evidence {
             let view = stretch.view(tau);
             view.map_or(f64::NAN, |v| printed::eq105_arc_rate(v.p))
         };
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stretch.at(),
             stated: integral(rate, stretch.from, stretch.to)?.value,
             found: stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
@@ -69,7 +69,7 @@ fn kept(
         let end = launch.still.on_table(launch.to)?;
         let size =
             |s: &State| 0.5 * m * (s.speed() * s.speed() + omega * omega * s.radius() * s.radius());
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: energy(&launch.table, &end, way(launch)?),
             found: energy(&launch.table, &launch.start, 0.0),
@@ -116,7 +116,7 @@ fn work(
     trial.over(launches(), |launch| {
         let launch = launch?;
         let found = friction_work(launch)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: formula(&launch.table, way(launch)?),
             found,
@@ -157,7 +157,7 @@ pub fn coriolis() -> Evidence {
         let friction = friction_work(launch)?;
         let found =
             kinetic(&end) - kinetic(begin) - (centrifugal(&end) - centrifugal(begin)) - friction;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: 0.0,
             found,

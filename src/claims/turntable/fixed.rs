@@ -45,7 +45,7 @@ fn stands_still(
     trial.over(0..30, |_| {
         let (a, alpha) = state(&mut points);
         let rate = |psi: f64| psi_rate(a, alpha, psi).unwrap_or(f64::NAN);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: at(a, alpha),
             stated: formula(alpha),
             found: roots::root(rate, low, high)?,
@@ -80,7 +80,7 @@ pub fn separation() -> Evidence {
             _ => (printed::eq125_psi2(alpha), 1.0),
         };
         let parting = psi_rate(a, alpha, psi + 1e-4)? - psi_rate(a, alpha, psi - 1e-4)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{}, ψ = {psi:.6}", at(a, alpha)),
             stated: sign,
             found: f64::signum(parting),
@@ -104,7 +104,7 @@ pub fn frozen() -> Evidence {
         // Fifty times the time in which a small deviation falls to a third.
         let until = 50.0 * 0.5 * libm::sinh(2.0 * alpha);
         let [end] = dop853::end(rate, 0.0, [start], until, 1e-13, 1e-13)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("α = {alpha:.6}, from ψ = {start:.6}"),
             stated,
             found: end - TAU * libm::round((end - stated) / TAU),
@@ -162,7 +162,7 @@ pub fn escape() -> Evidence {
         });
     trial.over(late, |point| {
         let ([a, alpha, psi], moment) = point?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!(
                 "{}, ψ = {psi:.6}, then for τ = {:.6}",
                 at(a, alpha),

@@ -1,7 +1,7 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
 use super::stretches::{ANY, launches, stretches};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::evidence::{Evidence, Route, Subject};
@@ -26,7 +26,7 @@ pub fn eq86() -> Evidence {
         let table = &launch.table;
         let unit = table.length() * table.omega;
         let rate = |t: f64| launch.turning.at(t).map_or(f64::NAN, |s| law(table, &s)[i]);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: integral_within(rate, 0.0, launch.to, 1e-13 * unit)?.value,
             found: launch.still.on_table(launch.to)?.v[i] - launch.start.v[i],
@@ -72,7 +72,7 @@ pub fn eq86_turns() -> Evidence {
         let begin = [start.x[0], start.x[1], start.v[0], start.v[1]];
         let [x, y, ..] = dop853::end(rate, 0.0, begin, until, 1e-13, 1e-13)?;
         let place = inertial::run(&table, &table.to_laboratory(&start), until)?.on_table(until)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!(
                 "Ω = {:.6}, μ = {:.6}, g = {:.6}, r = {r:.6}, v = {v:.6}",
                 table.omega, table.mu, table.g
@@ -98,7 +98,7 @@ pub fn eq89() -> Evidence {
             })
         };
         let [begin, end] = [stretch.from, stretch.to].map(|tau| stretch.still.on_table(tau));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stretch.at(),
             stated: integral_within(rate, stretch.from, stretch.to, 1e-13)?.value,
             found: weighed(end?.v) - weighed(begin?.v),
@@ -123,7 +123,7 @@ fn scaled(compared: &'static str) -> Evidence {
         };
         let tau = printed::eq88_time(omega, launch.to);
         let found = rotating::run(&Table::default(), &start, tau)?.at(tau)?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: place(launch.still.on_table(launch.to)?.x)[i],
             found: found.x[i],
@@ -165,7 +165,7 @@ pub fn mirror() -> Evidence {
             &other.to_laboratory(&mirrored(launch.start)),
             launch.to,
         )?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: launch.at(),
             stated: mirrored(launch.turning.at(launch.to)?).x[i],
             found: image.on_table(launch.to)?.x[i],

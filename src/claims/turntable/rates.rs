@@ -1,7 +1,7 @@
 //! Printed rates, integrated along motions, against what changed.
 
 use super::stretches::{ANY, Class, FASTER, SLOWER, View, stretches};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::turntable as printed;
@@ -24,7 +24,7 @@ fn change(
             [stretch.view(stretch.from)?, stretch.view(stretch.to)?].map(|v| quantity(&v));
         let scale = 1f64.max(begin.abs()).max(end.abs());
         let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stretch.at(),
             stated: integral_within(at, stretch.from, stretch.to, ASKED * scale)?.value,
             found: end - begin,
@@ -41,7 +41,7 @@ fn turning(compared: &'static str, classes: &[Class], rate: impl Fn(&View) -> f6
         let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
         let stated = integral_within(at, stretch.from, stretch.to, ASKED)?.value;
         let turns = libm::round((stated - found) / TAU);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: stretch.at(),
             stated,
             found: found + TAU * turns,

@@ -1,6 +1,6 @@
 //! The motions that the chapter draws: two launches from the axis, one that comes to rest and one that escapes.
 
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
@@ -82,7 +82,7 @@ pub fn kept() -> Evidence {
     });
     trial.over(all, |point| {
         let (speed, Moment { tau, p, rho, s, .. }) = point?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("launched from the axis with p = {speed}, at τ = {tau:.6}"),
             stated: printed::eq104_constant(p, rho, s),
             found: 0.5 * speed * speed,

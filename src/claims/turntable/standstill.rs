@@ -70,7 +70,7 @@ fn first_moment(
             Begin::Launched => "launched",
         };
         let found = first_rate(&Table::default(), &start, |s| quantity(&View::of(s)))?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("ρ = {rho:.6}, p = {p:.6} ({name})"),
             stated: formula(&View::of(&start)),
             found,
@@ -99,7 +99,7 @@ pub fn eq86() -> Evidence {
             ..unit
         };
         let [ax, ay] = printed::eq86_acceleration(table.omega, table.mu, table.g, start.x, start.v);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!(
                 "Ω = {:.6}, μ = {:.6}, g = {:.6}, r = {:.6}, v = 0",
                 table.omega,

@@ -4,10 +4,10 @@
 //! laboratory, and by components along the velocity. The printed formulas see only its states.
 
 use crate::claims::points::Points;
+use crate::claims::runs::{Failure, Runs};
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Intrinsic, Path, Start, State, Table, inertial, rotating};
-use std::sync::LazyLock;
 
 /// The particle's speed relative to the table against that of the table under it, ρ, over a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -140,7 +140,7 @@ const TRIES: usize = 5000;
 /// How far from rest, from the axis and (but for the last class) from p = ρ a stretch stays.
 const OFF: f64 = 0.1;
 
-static STRETCHES: LazyLock<Result<Vec<Stretch>, MotionError>> = LazyLock::new(|| {
+static STRETCHES: Runs<Vec<Stretch>> = Runs::new(|| {
     let mut points = Points::stream(500);
     let mut found: Vec<Stretch> = Vec::new();
     for _ in 0..TRIES {
@@ -204,10 +204,10 @@ fn class(path: &Path, from: f64, to: f64) -> Result<Option<Class>, MotionError> 
 }
 
 /// The stretches of these classes, the classes in turn.
-pub fn stretches(classes: &[Class]) -> impl Iterator<Item = Result<&'static Stretch, MotionError>> {
-    let (all, error) = match &*STRETCHES {
+pub fn stretches(classes: &[Class]) -> impl Iterator<Item = Result<&'static Stretch, Failure>> {
+    let (all, error) = match STRETCHES.get() {
         Ok(all) => (&all[..], None),
-        Err(error) => (&[][..], Some(Err(error.clone()))),
+        Err(error) => (&[][..], Some(Err(error))),
     };
     let of = |class: &Class| -> Vec<&'static Stretch> {
         all.iter().filter(|s| s.class == *class).collect()
@@ -255,7 +255,7 @@ impl Launch {
     }
 }
 
-static LAUNCHES: LazyLock<Result<Vec<Launch>, MotionError>> = LazyLock::new(|| {
+static LAUNCHES: Runs<Vec<Launch>> = Runs::new(|| {
     let mut points = Points::stream(501);
     let mut found = Vec::new();
     while found.len() < 2 * EACH {
@@ -291,12 +291,8 @@ static LAUNCHES: LazyLock<Result<Vec<Launch>, MotionError>> = LazyLock::new(|| {
 });
 
 /// The launches.
-pub fn launches() -> impl Iterator<Item = Result<&'static Launch, MotionError>> {
-    let (all, error) = match &*LAUNCHES {
-        Ok(all) => (&all[..], None),
-        Err(error) => (&[][..], Some(Err(error.clone()))),
-    };
-    all.iter().map(Ok).chain(error)
+pub fn launches() -> impl Iterator<Item = Result<&'static Launch, Failure>> {
+    LAUNCHES.each()
 }
 
 #[cfg(test)]

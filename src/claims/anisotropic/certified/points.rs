@@ -5,7 +5,7 @@ use crate::certified::drive::arc;
 use crate::certified::error::CertifiedError;
 use crate::certified::interval::{Interval, PI};
 use crate::certified::{krawczyk, values};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::enclosed::{DIGITS, certified, numbers, on_balls};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -54,7 +54,7 @@ pub fn y_rounding() -> Evidence {
     let points = ["q-Y", "lambda-Y"].into_iter().zip(printed::eq58_y());
     trial.over(points, |(name, stated)| {
         let value = values::find(name).ok_or("no such value")?;
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: format!("{name}, rounded"),
             stated,
             found: value.decimal(3)?.parse()?,
@@ -98,7 +98,7 @@ pub fn no_way_back() -> Evidence {
         }
         let last = last_pull([q, lambda0]);
         let velocity = arc(lambda0.asin(), last, lambda0);
-        Ok::<_, Failure>(Pair {
+        Ok(Pair {
             at: "q = 9, λ₀ = 1/10".into(),
             stated: -1.0,
             found: velocity.sign().unwrap_or(f64::NAN),

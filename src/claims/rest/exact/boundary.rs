@@ -4,12 +4,12 @@
 //! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
 
 use crate::claims::compare::proved;
+use crate::claims::runs::Runs;
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
 use crate::evidence::{Evidence, Subject};
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::turntable as motion;
-use std::sync::LazyLock;
 
 /// The boundary is stated to the second order; two more follow.
 const ORDER: i64 = 4;
@@ -117,8 +117,8 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
 }
 
 /// The series, and how they were found.
-static SOLUTION: LazyLock<(Option<Series>, Proof)> =
-    LazyLock::new(|| Proof::finding("the boundary in powers of α", ring(), solve));
+static SOLUTION: Runs<(Option<Series>, Proof)> =
+    Runs::new(|| Ok(Proof::finding("the boundary in powers of α", ring(), solve)));
 
 /// A formula for A agrees with the boundary up to this power of α.
 pub fn prove(formula: Expr, order: i64) -> Proof {
@@ -128,7 +128,7 @@ pub fn prove(formula: Expr, order: i64) -> Proof {
         Err(error) => return Proof::impossible(title, error),
     };
     Proof::of(title, &ring, |p| {
-        let (series, proof) = &*SOLUTION;
+        let (series, proof) = SOLUTION.get().map_err(|_| Obstacle::Empty)?;
         p.carry_on(proof)?;
         let a = series.as_ref().ok_or(Obstacle::Empty)?;
         let small = Series::monomial(Rational::int(1), 1, ENOUGH);

@@ -5,11 +5,11 @@
 //! proved from Newton's law.
 
 use crate::claims::compare::proved;
+use crate::claims::runs::Runs;
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::{Evidence, Subject};
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::{rest as printed, turntable as motion};
-use std::sync::LazyLock;
 
 /// Coefficients to be found at one order.
 const UNKNOWN: [&str; 7] = ["x₀", "x₁", "x₂", "x₃", "x₄", "x₅", "x₆"];
@@ -159,8 +159,13 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
 }
 
 /// The series, and how they were found.
-static SOLUTION: LazyLock<(Option<[Series; 3]>, Proof)> =
-    LazyLock::new(|| Proof::finding("the motions to rest in powers of α", ring(), solve));
+static SOLUTION: Runs<(Option<[Series; 3]>, Proof)> = Runs::new(|| {
+    Ok(Proof::finding(
+        "the motions to rest in powers of α",
+        ring(),
+        solve,
+    ))
+});
 
 /// Carries out a proof that starts from the series of ψ, A and dα/dτ.
 fn from_series(
@@ -170,7 +175,7 @@ fn from_series(
     match ring() {
         Err(error) => Proof::impossible(title, error),
         Ok(ring) => Proof::of(title, &ring, |p| {
-            let (series, proof) = &*SOLUTION;
+            let (series, proof) = SOLUTION.get().map_err(|_| Obstacle::Empty)?;
             p.carry_on(proof)?;
             steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
         }),
