@@ -104,7 +104,8 @@ enum Command {
     },
     /// Calculate at parameters of your own, by formula and by motion
     #[command(
-        after_help = "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot"
+        after_help = "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot\n\n\
+                      A number of up to 15 digits is taken as it stands, a longer one as the floating-point number next to it."
     )]
     Solve(solve::Solve),
     /// Follow many particles on a turntable and say where each ends; rows come while the work goes on

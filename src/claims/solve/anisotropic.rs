@@ -112,7 +112,8 @@ impl<T: Quantity> Problem<T> {
         let formula = by_formula(self.q.into(), self.lambda0.into())?;
         let note = near.note(&formula);
         let motions = [in_units(1.0)?, in_units(UNITS)?];
-        Answer::by_both(formula, motions, PHASES, note)
+        let rounded = by_formula(near.q.into(), near.lambda0.into())?;
+        Answer::by_both([formula, rounded], motions, PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.

@@ -88,7 +88,8 @@ impl<T: Quantity> Problem<T> {
         let near = self.near();
         near.check()?;
         let formula = self.formulas().at(self.at.map(Into::into))?.rounded();
-        Answer::by_either(formula, near.motions(), near.note(&formula))
+        let rounded = near.formulas().at(near.at.map(Into::into))?.rounded();
+        Answer::by_either([formula, rounded], near.motions(), near.note(&formula))
     }
 
     /// The path of the velocity.

@@ -270,27 +270,42 @@ const PHASES: f64 = 1e-13;
 /// What a hundred roundings take from a number of twice the width.
 const ROUNDED: f64 = 1e-29;
 
+/// Where that shows.
+const NEXT_TO_IT: &str =
+    "the motion has the floating-point numbers next to what is given, and that shows";
+
 /// A relative error below this cannot be told from rounding.
 const ROUNDING: f64 = 1e-15;
 
 impl<T: Fields + Clone> Answer<T> {
-    /// From a formula in numbers of twice the width and the motion in `f64`, twice over in different units. Where the motion
-    /// differs from the formula by no more than it does from itself, or nowhere by more than `rounding`, what the formula
-    /// says is known to all digits that it [keeps](Field::lost); else to those in which the two agree.
+    /// From a formula in numbers of twice the width, for what is given and for that rounded to `f64`, and the motion in
+    /// `f64`, twice over in different units. Where the motion differs from the second by no more than it does from itself,
+    /// or nowhere by more than `rounding`, what the formula says is known to all digits that it [keeps](Field::lost); else
+    /// to those in which the two agree.
     fn by_both(
-        formula: T,
+        [formula, rounded]: [T; 2],
         motions: [T; 2],
         rounding: f64,
         note: impl Into<String>,
     ) -> Result<Self, SolveError> {
         let [motion, again] = motions;
-        let answer = Self::compared(formula.clone(), &motion, note)?;
-        let [ours, theirs, same] = [&formula, &motion, &again].map(Fields::fields);
-        let mut triples = ours.iter().zip(theirs.iter().zip(&same));
-        let of_no_size = ours
+        let near = Self::compared(rounded, &motion, note)?;
+        let answer = Self {
+            disagreement: near.disagreement,
+            digits: near.digits,
+            ..Self::compared(formula.clone(), &formula, near.note)?
+        };
+        let [ours, rounded, theirs, same] =
+            [&formula, &near.best, &motion, &again].map(Fields::fields);
+        let mut triples = rounded.iter().zip(theirs.iter().zip(&same));
+        let of_no_size = rounded
             .iter()
             .zip(&theirs)
             .all(|(a, b)| a.is_within(b, rounding));
+        let moved = ours
+            .iter()
+            .zip(&rounded)
+            .any(|(a, b)| a.difference(b) > ALIKE);
         let explained = of_no_size
             || triples.all(|(a, (b, c))| a.difference(b) <= CLOSE + NOISE * b.difference(c));
         Ok(Answer {
@@ -300,19 +315,25 @@ impl<T: Fields + Clone> Answer<T> {
                 Some(_) if explained => Some(kept(&ours)),
                 agreed => agreed,
             },
+            note: if moved {
+                format!("{}; {NEXT_TO_IT}", answer.note)
+            } else {
+                answer.note
+            },
             ..answer
         })
     }
 
     /// From a formula and, where it gets there, a motion.
     fn by_either(
-        formula: T,
+        formulas: [T; 2],
         motions: Option<[T; 2]>,
         note: impl Into<String>,
     ) -> Result<Self, SolveError> {
         if let Some(motions) = motions {
-            return Self::by_both(formula, motions, 0.0, note);
+            return Self::by_both(formulas, motions, 0.0, note);
         }
+        let [formula, _] = formulas;
         let alone = "the motion does not get there in floating-point numbers, so that the digits are those of the formula alone";
         let answer = Self::compared(
             formula.clone(),

@@ -28,7 +28,8 @@ impl<T: Quantity> Problem<T> {
         let near = self.near()?;
         let motions = swings(near.h(), &near.jumps(), near.lambda0)?;
         let (formula, note) = by_formula(self.eta.into(), self.lambda0.into());
-        Answer::by_both(formula, motions, PHASES, note)
+        let (rounded, _) = by_formula(near.eta.into(), near.lambda0.into());
+        Answer::by_both([formula, rounded], motions, PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.

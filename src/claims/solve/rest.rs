@@ -71,7 +71,7 @@ impl<T: Quantity> Problem<T> {
             return Ok(Answer {
                 best: motion,
                 digits,
-                ..Answer::by_both(formula, [motion; 2], 0.0, note)?
+                ..Answer::by_both([formula; 2], [motion; 2], 0.0, note)?
             });
         }
         let note = format!("{by}; the formula that replaces (147) is for small α");

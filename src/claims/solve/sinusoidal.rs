@@ -53,7 +53,8 @@ impl<T: Quantity> Problem<T> {
         friction("lambda0", lambda0)?;
         let motions = swings(libm::sin, &[], lambda0)?;
         let (formula, note) = by_formula(self.lambda0.into())?;
-        Answer::by_both(formula, motions, PHASES, note)
+        let (rounded, _) = by_formula(lambda0.into())?;
+        Answer::by_both([formula, rounded], motions, PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.

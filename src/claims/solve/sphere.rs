@@ -2,8 +2,8 @@
 
 use super::constant::{At, Formulas, check_moment};
 use super::{
-    Answer, Curve, Field, Fields, Quantity, ROUNDED, SolveError, UNITS, check, followed, size,
-    steps,
+    Answer, Curve, Field, Fields, Quantity, ROUNDED, ROUNDING, SolveError, UNITS, check, followed,
+    size, steps,
 };
 use crate::corrections::sphere as corrected;
 use crate::motion::Plane;
@@ -75,8 +75,11 @@ impl<T: Quantity> Problem<T> {
     pub fn solve(&self) -> Result<Answer<State>, SolveError> {
         let near = self.near();
         near.check()?;
-        let formula = self.by_formula()?;
-        Answer::by_either(formula, near.motions(), near.note(&formula))
+        let (formula, rounded) = (self.by_formula()?, near.by_formula()?);
+        let motions = near
+            .motions()
+            .filter(|[motion, _]| !near.loses(&rounded, motion));
+        Answer::by_either([formula, rounded], motions, near.note(&formula))
     }
 
     /// The path of the slip.
@@ -164,6 +167,16 @@ impl Problem {
     /// λ by (80), in the paper's units.
     fn lambda(&self) -> f64 {
         printed::eq80_lambda(self.b(), 1.0, 1.0, self.gamma)
+    }
+
+    /// Whether the motion ends a slip that only becomes so small that its numbers lose it.
+    fn loses(&self, formula: &State, motion: &State) -> bool {
+        let (None, Some(tau)) = (formula.rolls_at, motion.rolls_at) else {
+            return false;
+        };
+        let at = At::Time(tau);
+        let there = Problem { at, ..*self }.by_formula();
+        there.is_ok_and(|there| there.u <= ROUNDING * self.u0)
     }
 
     /// The slip at the start.

@@ -27,16 +27,16 @@ use std::f64::consts::TAU;
 pub enum Problem<T = f64> {
     /// At the distance ρ on the +x axis with the speed p at the angle −ψ.
     Polar {
-        /// ρ, in [0, 10⁹].
+        /// ρ, in [0, 10⁶].
         rho: T,
-        /// p, in [0, 10⁹].
+        /// p, in [0, 10⁶].
         p: T,
         /// ψ, from the velocity to the position, counterclockwise (radians).
         psi: T,
     },
     /// As `Polar`, with p = A sinh α and ρ = A cosh α.
     Hyperbolic {
-        /// A, in [0, 10⁹].
+        /// A, with ρ and p at most 10⁶.
         a: T,
         /// α, in [0, 20].
         alpha: T,
@@ -135,6 +135,8 @@ impl Fields for Moment {
     }
 }
 
+/// Of a distance or speed this large the highest power in a series is a number.
+const LARGEST: f64 = 1e6;
 /// So long may a motion be followed: about a turn of the velocity in a unit of time.
 const LONGEST: f64 = 1e5;
 
@@ -181,7 +183,7 @@ impl<T: Quantity> Problem<T> {
             tau_rest: Some(tau),
         };
         let best = rest(here.sigma.into(), here.tau.into());
-        let second = if here.gap.to_f64() > SLOW {
+        let second = if here.gap.to_f64() > SLOW && exact.p.to_f64() > AT_ITS_STOP {
             let path = near.path(2.0 * here.tau.to_f64() + 1.0)?;
             let place = path.resting_place().map(|[x, y]| libm::hypot(x, y));
             let stop = path.stops().last().copied();
@@ -360,7 +362,7 @@ impl<T: Quantity> Problem<T> {
 
 impl Problem {
     fn start(&self) -> Result<Start, SolveError> {
-        Ok(match *self {
+        let start = match *self {
             Problem::Polar { rho, p, psi } => Start::polar(rho, p, psi)?,
             Problem::Hyperbolic { a, alpha, psi } => {
                 check(
@@ -372,7 +374,11 @@ impl Problem {
                 Start::hyperbolic(a, alpha, psi)?
             }
             Problem::Cartesian { position, velocity } => Start::cartesian(position, velocity)?,
-        })
+        };
+        for (name, size) in [("rho", start.rho()), ("p", start.p)] {
+            check(name, size, size <= LARGEST, "at most 1e6")?;
+        }
+        Ok(start)
     }
 
     fn state(&self) -> State {
@@ -408,7 +414,7 @@ const ORDER: usize = 44;
 const NUDGE: f64 = 1e-28;
 /// Terms of those of `f64`.
 const NARROW: usize = TERMS;
-/// Below this speed the motion in the laboratory, a difference, has too few digits.
+/// Below this speed the motion in the laboratory, a difference, has too few digits, and that in the table's axes.
 const AT_ITS_STOP: f64 = 1e-5;
 /// Above this 1 − σ the integration in the table's axes gets to rest.
 const SLOW: f64 = 0.01;

@@ -43,7 +43,7 @@ pub enum End {
         /// and how closely that is known.
         tau_error: f64,
     },
-    /// It crosses the horizon's distance.
+    /// It crosses the horizon's distance, or starts moving beyond it.
     Far {
         /// When,
         tau: f64,
@@ -161,7 +161,7 @@ trait Watch {
     fn alone(&self, start: &Start) -> Self::End;
 
     /// Whether this motion is one for the steps of many.
-    fn is_for_many(start: &Start) -> bool;
+    fn is_for_many(&self, start: &Start) -> bool;
 
     /// Whether an end is not known well enough.
     fn is_rough(end: &Self::End, extremes: Extremes) -> bool;
@@ -185,7 +185,7 @@ trait Watch {
     #[inline(always)]
     fn run<const L: usize>(&self, starts: &[Start]) -> Vec<Self::End> {
         let mut ends = vec![None; starts.len()];
-        let ours = |(_, start): &(usize, &Start)| Self::is_for_many(start);
+        let ours = |(_, start): &(usize, &Start)| self.is_for_many(start);
         let mut waiting = starts.iter().enumerate().filter(ours);
         let mut batch = Batch::<4, TERMS, L>::new();
         let mut riders: [Option<(usize, u32)>; L] = [None; L];
@@ -282,8 +282,8 @@ impl Watch for Horizon {
         self.closely(start).unwrap_or(End::Unfinished(*start))
     }
 
-    fn is_for_many(start: &Start) -> bool {
-        start.p >= FAST || start.p == 0.0
+    fn is_for_many(&self, start: &Start) -> bool {
+        start.p == 0.0 || start.p >= FAST && !self.is_beyond(start)
     }
 
     fn is_rough(end: &End, extremes: Extremes) -> bool {
@@ -324,11 +324,15 @@ impl Horizon {
                 }
                 sums
             };
-            let tau = at(0, crossing(h, |h| excess(parts(h))));
+            let h = crossing(h, |h| excess(parts(h)));
+            let tau = at(0, h);
             if tau <= self.tau {
+                // A place is rounded, and crosses at the rate dρ/dτ = pξ/ρ.
+                let [p, w, _] = parts(h);
+                let rounded = 2.0 * f64::EPSILON * self.rho * self.rho / (p * (1.0 - w));
                 return Some(End::Far {
                     tau,
-                    tau_error: lost * (tau + amplified),
+                    tau_error: lost * (tau + amplified) + rounded.abs(),
                 });
             }
         }
@@ -338,8 +342,19 @@ impl Horizon {
         })
     }
 
+    /// Whether it starts moving at the horizon's distance or beyond.
+    fn is_beyond(&self, start: &Start) -> bool {
+        start.p > 0.0 && start.rho() >= self.rho
+    }
+
     /// The end of a particle's way, by shorter steps and by the slow equations; nothing where rounding decides.
     fn closely(&self, start: &Start) -> Option<End> {
+        if self.is_beyond(start) {
+            return Some(End::Far {
+                tau: 0.0,
+                tau_error: 0.0,
+            });
+        }
         let [_, lost] = LOST;
         let slow = &*NARROW;
         let Exact { p, deficit, zeta } = Exact::<f64>::from(start);
@@ -513,7 +528,7 @@ impl Watch for Certain {
         fate::rests(start).ok().flatten()
     }
 
-    fn is_for_many(_: &Start) -> bool {
+    fn is_for_many(&self, _: &Start) -> bool {
         true
     }
 
@@ -730,6 +745,31 @@ mod tests {
             Lanes([0.0, 0.0, 0.6]),
         ];
         assert_eq!(Certain.over(&states), [true, true, false]);
+    }
+
+    #[test]
+    fn what_starts_moving_beyond_the_horizon_is_far_at_once() {
+        let at_once = End::Far {
+            tau: 0.0,
+            tau_error: 0.0,
+        };
+        for (rho, p, psi) in [(200.0, 1e-3, 0.0), (101.0, 1.0, 2.0), (100.0, 99.0, 0.0)] {
+            let start = Start::polar(rho, p, psi).unwrap();
+            assert_eq!(HORIZON.follow(&[start]).unwrap(), [at_once], "{rho} {p}");
+        }
+        // Rounding puts this one inside.
+        let start = Start::polar(100.0, 99.0, 1.57).unwrap();
+        let [End::Far { tau, tau_error }] = HORIZON.follow(&[start]).unwrap()[..] else {
+            panic!()
+        };
+        assert!((0.0..=tau_error).contains(&tau) && tau_error < 1e-11);
+        let near = Horizon {
+            rho: 0.4,
+            tau: 50.0,
+        };
+        let [still, moving] = [0.0, 0.3].map(|p| Start::polar(0.5, p, 0.0).unwrap());
+        let ends = near.follow(&[still, moving]).unwrap();
+        assert!(matches!(ends[0], End::Rest { sigma: 0.5, .. }) && ends[1] == at_once);
     }
 
     #[test]
