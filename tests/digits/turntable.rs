@@ -100,6 +100,39 @@ fn follow(rho: f64, p: f64, psi: f64, until: f64) -> Option<Result<[f64; 2], [f6
     None
 }
 
+/// When the motion from ρ on the x axis is first at the distance `far`; nothing where that takes too long.
+fn crosses(rho: f64, p: f64, psi: f64, far: f64) -> Option<f64> {
+    use slipbook::scalar::Scalar;
+    let [rho, p, psi, zero] = [rho, p, psi, 0.0].map(Double::from);
+    let (along, across) = (p * Scalar::cos(psi), -(p * Scalar::sin(psi)));
+    let state = [zero, rho, zero, along, across];
+    let mut integrator = Integrator::<_, _, 5, TERMS>::new(&Table, zero, state, Control::Each);
+    let mut step = Step::empty();
+    let beyond = |x: Double, y: Double| (x * x + y * y).to_f64() - far * far;
+    for _ in 0..2000 {
+        integrator.expand(&mut step).ok()?;
+        let [_, x, y, u, v] = step.at(&Double::from(step.h));
+        if beyond(x, y) >= 0.0 {
+            let [mut low, mut high] = [0.0, step.h];
+            while high - low > 2.0 * f64::EPSILON * high {
+                let middle = 0.5 * (low + high);
+                let [_, x, y, ..] = step.at(&Double::from(middle));
+                *(if beyond(x, y) < 0.0 {
+                    &mut low
+                } else {
+                    &mut high
+                }) = middle;
+            }
+            return Some(step.at(&Double::from(low))[0].to_f64());
+        }
+        if u.hypot(v).to_f64() < 1e-12 {
+            return None;
+        }
+        integrator.advance(&step);
+    }
+    None
+}
+
 /// Starts over the whole domain and on purpose at its edges.
 fn start(rng: &mut fastrand::Rng) -> [f64; 3] {
     let small = |rng: &mut fastrand::Rng, most: f64| 10f64.powf(-most * rng.f64());
@@ -192,6 +225,28 @@ fn rest_by_another_law_in_other_variables() {
         alone[1].closes("library: time", all),
     ];
     assert_eq!(closed, [true; 5]);
+}
+
+#[test]
+fn escape_by_another_law_in_other_variables() {
+    let mut rng = fastrand::Rng::with_seed(24);
+    let mut tally = Tally::default();
+    let wanted = cases(100);
+    while tally.cases() < wanted {
+        let [rho, p, psi] = start(&mut rng);
+        let far = 10f64.powf(0.5 + 2.5 * rng.f64());
+        let Some(exact) = crosses(rho, p, psi, far) else {
+            continue;
+        };
+        let horizon = Horizon { rho: far, tau: 1e3 };
+        let start = Start::polar(rho, p, psi).unwrap();
+        let case = format!("{rho:?} {p:?} {psi:?} {far:?}");
+        let [End::Far { tau, tau_error }] = horizon.follow_alone(&[start]).unwrap()[..] else {
+            panic!("{case}")
+        };
+        tally.number(tau, known(tau, tau_error), exact, &case);
+    }
+    assert!(tally.closes("ensemble: time of escape", wanted >= 10_000));
 }
 
 #[test]

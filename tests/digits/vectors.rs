@@ -10,11 +10,12 @@ use std::fs;
 use std::path::Path;
 
 /// What `snapshots/digits.csv` has counts of.
-pub const KINDS_RECORDED: [&str; 13] = [
+pub const KINDS_RECORDED: [&str; 14] = [
     "anisotropic",
     "constant",
     "ensemble: distance of rest",
     "ensemble: time",
+    "ensemble: time of escape",
     "library: boundary",
     "library: distance of rest",
     "library: time",
