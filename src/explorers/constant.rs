@@ -72,10 +72,10 @@ pub fn portrait(lambda: f64) -> Result<Answer, ExplorerError> {
     })
 }
 
-/// The motion to rest, or for a while where λ ≤ 1.
+/// The motion to rest, or for a while where it never rests.
 fn followed(lambda: f64, theta: f64) -> Result<Motion, MotionError> {
     let launch = Launch::new(lambda, 1.0, 1.0, PI * (theta / 180.0))?;
-    if lambda > 1.0 {
+    if launch.comes_to_rest() {
         launch.motion_to_rest()
     } else {
         launch.motion(WHILE)

@@ -62,15 +62,26 @@ impl Launch {
         run(&self.plane(), self.friction(), self.start(), until)
     }
 
+    /// Whether the particle comes to rest and stays: for λ > 1, and at λ = 1 for a start straight against the
+    /// inertial force, at θ₀ = π.
+    pub fn comes_to_rest(&self) -> bool {
+        self.lambda > 1.0 || self.lambda == 1.0 && self.theta0 == PI
+    }
+
     /// The motion until the particle stops.
     ///
     /// # Errors
-    /// [`MotionError::Argument`] if λ ≤ 1, where the particle need not stop; else as for [`run_to_stop`].
+    /// [`MotionError::Argument`] if it does not [come to rest](Self::comes_to_rest); else as for [`run_to_stop`].
     pub fn motion_to_rest(&self) -> Result<Motion, MotionError> {
-        let range = "above 1 for the particle to stop";
-        check("λ", self.lambda, self.lambda > 1.0, range)?;
-        // The speed falls at least at the rate μg − A.
-        let latest = 2.0 * self.v0 / (self.friction() - self.a);
+        let range = "above 1, or 1 with θ₀ = π, for the particle to stop";
+        check("λ", self.lambda, self.comes_to_rest(), range)?;
+        // The speed falls at least at the rate μg − A; friction against the motion and A together stop it within v₀/A.
+        let rate = self.friction() - self.a;
+        let latest = if rate > 0.0 {
+            2.0 * self.v0 / rate
+        } else {
+            self.v0 / self.a
+        };
         run_to_stop(&self.plane(), self.friction(), self.start(), latest)
     }
 
@@ -139,6 +150,14 @@ mod tests {
             .unwrap();
         assert!((motion.end().t - 4.0 / (2.0 * (3.0 + 1.0))).abs() < 1e-14);
         assert_eq!(motion.end().x[1], 0.0);
+    }
+
+    #[test]
+    fn friction_1_stops_a_launch_against_the_pull() {
+        let launch = |theta0| Launch::new(1.0, 4.0, 3.0, theta0).unwrap();
+        let motion = launch(PI).motion_to_rest().unwrap();
+        assert_eq!((motion.end().t, motion.end().speed()), (3.0 / 8.0, 0.0));
+        assert!(!launch(3.0).comes_to_rest());
     }
 
     #[test]

@@ -17,6 +17,20 @@ mod tally;
 mod turntable;
 mod vectors;
 
+use slipbook::numerics::double::Double;
+
+/// Terms of a Taylor series in numbers of 31 digits.
+const TERMS: usize = 44;
+
+/// Room for the series of `N` quantities that a law needs on its way.
+struct Room<const N: usize>([[Double; TERMS]; N]);
+
+impl<const N: usize> Default for Room<N> {
+    fn default() -> Self {
+        Room([[Double::default(); TERMS]; N])
+    }
+}
+
 /// How many cases of a kind are tried.
 fn cases(usual: usize) -> usize {
     let wanted = std::env::var("SLIPBOOK_DIGITS").ok();

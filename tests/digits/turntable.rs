@@ -1,8 +1,8 @@
 //! The turntable against an integration in numbers of 31 digits in the table's own axes: other variables and another law
 //! than those of the calculators, up to where its steps become too short.
 
-use super::cases;
 use super::tally::Tally;
+use super::{Room, TERMS, cases};
 use slipbook::claims::solve::known;
 use slipbook::claims::solve::turntable::{End, Horizon, Problem, Start};
 use slipbook::motion::turntable::{Fate, boundary, fate};
@@ -12,28 +12,18 @@ use slipbook::numerics::series::{product, sqrt, square, value};
 use slipbook::numerics::taylor::{Control, Integrator, Step, System};
 use std::f64::consts::PI;
 
-const TERMS: usize = 44;
-
 /// x′ = v, v′ = x + 2 v×ẑ − v/|v|, in a time s with dt = |v| ds; components t, x, y, v_x, v_y.
 struct Table;
 
-/// |v|², |v| and the acceleration but for friction.
-struct Work([[Double; TERMS]; 4]);
-
-impl Default for Work {
-    fn default() -> Self {
-        Work([[Double::default(); TERMS]; 4])
-    }
-}
-
 impl System<Double, 5, TERMS> for Table {
-    type Work = Work;
+    /// |v|², |v| and the acceleration but for friction.
+    type Work = Room<4>;
 
-    fn begin(&self, _: &Double, _: &[Double; 5], _: &mut Work) {}
+    fn begin(&self, _: &Double, _: &[Double; 5], _: &mut Room<4>) {}
 
-    fn derivative(&self, k: usize, x: &[[Double; TERMS]; 5], work: &mut Work) -> [Double; 5] {
+    fn derivative(&self, k: usize, x: &[[Double; TERMS]; 5], room: &mut Room<4>) -> [Double; 5] {
         let [_, x, y, u, v] = x;
-        let Work([squared, speed, along_x, along_y]) = work;
+        let Room([squared, speed, along_x, along_y]) = room;
         squared[k] = square(u, k) + square(v, k);
         speed[k] = sqrt(squared, speed, k);
         along_x[k] = x[k] + v[k] + v[k];
@@ -52,25 +42,31 @@ fn size(x: Double, y: Double) -> f64 {
     x.hypot(y).to_f64()
 }
 
+type Follower = Integrator<'static, Table, Double, 5, TERMS>;
+
+/// The motion from ρ on the x axis.
+fn begin(rho: impl Into<Double>, p: impl Into<Double>, psi: f64) -> Follower {
+    use slipbook::scalar::Scalar;
+    let (rho, p, psi, zero) = (rho.into(), p.into(), Double::from(psi), Double::from(0.0));
+    let (along, across) = (p * Scalar::cos(psi), -(p * Scalar::sin(psi)));
+    Integrator::new(
+        &Table,
+        zero,
+        [zero, rho, zero, along, across],
+        Control::Each,
+    )
+}
+
 /// Where the motion from ρ on the x axis stops, and when; or the state at the time `until`. Nothing where it takes too
 /// long.
 fn follow(rho: f64, p: f64, psi: f64, until: f64) -> Option<Result<[f64; 2], [f64; 4]>> {
-    use slipbook::scalar::Scalar;
-    let [rho, p, psi, zero] = [rho, p, psi, 0.0].map(Double::from);
-    let state = [
-        zero,
-        rho,
-        zero,
-        p * Scalar::cos(psi),
-        -(p * Scalar::sin(psi)),
-    ];
-    let mut integrator = Integrator::<_, _, 5, TERMS>::new(&Table, zero, state, Control::Each);
+    let mut integrator = begin(rho, p, psi);
     let mut step = Step::empty();
     for _ in 0..2000 {
         let &[t, x, y, u, v] = integrator.state();
         let speed = u.hypot(v);
         // At a speed so low it does not matter how the deceleration changes on the rest of the way.
-        if speed.to_f64() < 1e-24 * p.to_f64().min(1.0) {
+        if speed.to_f64() < 1e-24 * p.min(1.0) {
             let pull = (x * u + y * v) / speed;
             let left = speed / (Double::from(1.0) - pull);
             let half = left * Double::from(0.5);
@@ -102,11 +98,7 @@ fn follow(rho: f64, p: f64, psi: f64, until: f64) -> Option<Result<[f64; 2], [f6
 
 /// When the motion from ρ on the x axis is first at the distance `far`; nothing where that takes too long.
 fn crosses(rho: f64, p: f64, psi: f64, far: f64) -> Option<f64> {
-    use slipbook::scalar::Scalar;
-    let [rho, p, psi, zero] = [rho, p, psi, 0.0].map(Double::from);
-    let (along, across) = (p * Scalar::cos(psi), -(p * Scalar::sin(psi)));
-    let state = [zero, rho, zero, along, across];
-    let mut integrator = Integrator::<_, _, 5, TERMS>::new(&Table, zero, state, Control::Each);
+    let mut integrator = begin(rho, p, psi);
     let mut step = Step::empty();
     let beyond = |x: Double, y: Double| (x * x + y * y).to_f64() - far * far;
     for _ in 0..2000 {
@@ -319,16 +311,8 @@ fn border(p: Double) -> Double {
 
 /// Whether the motion from ρ on the x axis comes to rest: at last by the side of the border on which the slow motion lies.
 fn rests(rho: Double, p: Double, psi: f64) -> bool {
-    use slipbook::scalar::Scalar;
-    let (zero, one, psi) = (Double::from(0.0), Double::from(1.0), Double::from(psi));
-    let state = [
-        zero,
-        rho,
-        zero,
-        p * Scalar::cos(psi),
-        -(p * Scalar::sin(psi)),
-    ];
-    let mut integrator = Integrator::<_, _, 5, TERMS>::new(&Table, zero, state, Control::Each);
+    let one = Double::from(1.0);
+    let mut integrator = begin(rho, p, psi);
     let mut step = Step::empty();
     let mut settling = 0.0;
     loop {

@@ -3,7 +3,7 @@
 pub mod row;
 
 use super::sinusoidal::{Slip, friction, settle, two_periods};
-use super::{Answer, Curve, Field, Fields, PHASES, Quantity, SolveError, UNITS, check};
+use super::{Answer, Curve, Field, Fields, PHASES, Quantity, Said, SolveError, UNITS, check};
 use crate::motion::drive::{Attractor, Drive, Friction, Sign};
 use crate::numerics::NumericsError;
 use crate::numerics::double::Double;
@@ -109,11 +109,13 @@ impl<T: Quantity> Problem<T> {
                 ..period
             })
         };
-        let formula = by_formula(self.q.into(), self.lambda0.into())?;
-        let note = near.note(&formula);
+        let said = Said::by(|nudge| match nudge {
+            None => by_formula(self.q.into(), self.lambda0.into()),
+            Some(by) => by_formula(near.q.into(), (by * near.lambda0).into()),
+        })?;
+        let note = near.note(&said.given);
         let motions = [in_units(1.0)?, in_units(UNITS)?];
-        let rounded = by_formula(near.q.into(), near.lambda0.into())?;
-        Answer::by_both([formula, rounded], motions, PHASES, note)
+        Answer::by_both(said, motions, PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.

@@ -1,10 +1,10 @@
 //! Constant acceleration: where a launched particle is in its velocity, at an angle or at a time.
 
 use super::{
-    Answer, Curve, Field, Fields, Quantity, SolveError, UNITS, check, followed, size, steps,
+    Answer, Curve, Field, Fields, Quantity, Said, SolveError, UNITS, check, followed, size, steps,
 };
 use crate::corrections::constant as corrected;
-use crate::motion::trajectory::{Motion, PhaseKind};
+use crate::motion::trajectory::Motion;
 use crate::motion::{self, Launch};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
@@ -87,9 +87,19 @@ impl<T: Quantity> Problem<T> {
     pub fn solve(&self) -> Result<Answer<State>, SolveError> {
         let near = self.near();
         near.check()?;
-        let formula = self.formulas().at(self.at.map(Into::into))?.rounded();
-        let rounded = near.formulas().at(near.at.map(Into::into))?.rounded();
-        Answer::by_either([formula, rounded], near.motions(), near.note(&formula))
+        let said = Said::by(|nudge| {
+            let there = match nudge {
+                None => self.formulas().at(self.at.map(Into::into)),
+                Some(by) => {
+                    let lambda = by * near.lambda;
+                    let nudged = Problem { lambda, ..near };
+                    nudged.formulas().at(near.at.map(Into::into))
+                }
+            };
+            there.map(|exactly| exactly.rounded())
+        })?;
+        let note = near.note(&said.given);
+        Answer::by_either(said, near.motions(), note)
     }
 
     /// The path of the velocity.
@@ -168,14 +178,8 @@ impl Problem {
     /// Nothing where the motion stops, as far as its numbers reach, before it has the angle.
     fn by_motion(&self) -> Result<Option<State>, SolveError> {
         let launch = self.launch()?;
-        let to_rest = if self.lambda > 1.0 {
-            Some(launch.motion_to_rest()?)
-        } else {
-            // Friction that only just holds: a particle launched against the inertial force stops within v₀/A.
-            let motion = launch.motion(self.v0 / self.accel)?;
-            let sticks = motion.phases().last().map(|phase| phase.kind) == Some(PhaseKind::Stick);
-            sticks.then_some(motion)
-        };
+        let rests = launch.comes_to_rest();
+        let to_rest = rests.then(|| launch.motion_to_rest()).transpose()?;
         let stop_time = to_rest.as_ref().and_then(Motion::first_stop);
         let state = match self.at {
             At::Time(t) => launch.motion(t)?.end(),
@@ -462,6 +466,8 @@ impl Problem {
         let near = |x: f64, y: f64| (x - y).abs() <= PRINTED * y.abs();
         let formula = if self.formulas().is_on_axis() {
             "by uniformly accelerated motion along the x axis, where (11) and (13) have no value"
+        } else if state.v == 0.0 && matches!(self.at, At::Theta(theta) if theta != 0.0) {
+            "by the limit of (11) and (13): it still moves there, slower than any floating-point number"
         } else if state.v == 0.0 {
             "at rest: (20) is over"
         } else if near(v, state.v) && near(t, state.t) {

@@ -264,6 +264,8 @@ const CLOSE: f64 = 1e-12;
 const NOISE: f64 = 100.0;
 /// Units that no power of two leads to, so that every rounding is another one.
 const UNITS: f64 = 1.1;
+/// or to what a parameter that is off by a few hundred roundings makes of the formula.
+const NUDGES: [f64; 2] = [1.0 - 1e-13, 1.0 + 1e-13];
 /// The rounding of phases and of the velocities of a drive of size 1.
 const PHASES: f64 = 1e-13;
 
@@ -272,24 +274,46 @@ const ROUNDED: f64 = 1e-29;
 
 /// Where that shows.
 const NEXT_TO_IT: &str =
-    "the motion has the floating-point numbers next to what is given, and that shows";
+    "the motion is that of the floating-point numbers next to what is given, and here that shows";
 
 /// A relative error below this cannot be told from rounding.
 const ROUNDING: f64 = 1e-15;
 
+/// What a formula says in numbers of twice the width.
+struct Said<T> {
+    /// For what is given,
+    given: T,
+    /// for that rounded to `f64`,
+    rounded: T,
+    /// and for that nudged, where that is in range.
+    beside: Vec<T>,
+}
+
+impl<T> Said<T> {
+    /// By the formula, a function of what is given (`None`) or of a parameter in `f64` times a number.
+    fn by<E>(formula: impl Fn(Option<f64>) -> Result<T, E>) -> Result<Self, E> {
+        let nudged = |by| formula(Some(by)).ok();
+        Ok(Self {
+            given: formula(None)?,
+            rounded: formula(Some(1.0))?,
+            beside: NUDGES.into_iter().filter_map(nudged).collect(),
+        })
+    }
+}
+
 impl<T: Fields + Clone> Answer<T> {
-    /// From a formula in numbers of twice the width, for what is given and for that rounded to `f64`, and the motion in
-    /// `f64`, twice over in different units. Where the motion differs from the second by no more than it does from itself,
-    /// or nowhere by more than `rounding`, what the formula says is known to all digits that it [keeps](Field::lost); else
-    /// to those in which the two agree.
+    /// From a formula and the motion in `f64`, twice over in different units. Where the motion differs from the formula by
+    /// no more than it does from itself, or than the formula does for parameters next to the given ones, or nowhere by
+    /// more than `rounding`, what the formula says is known to all digits that it [keeps](Field::lost); else to those in
+    /// which the two agree.
     fn by_both(
-        [formula, rounded]: [T; 2],
+        said: Said<T>,
         motions: [T; 2],
         rounding: f64,
         note: impl Into<String>,
     ) -> Result<Self, SolveError> {
         let [motion, again] = motions;
-        let near = Self::compared(rounded, &motion, note)?;
+        let (formula, near) = (said.given, Self::compared(said.rounded, &motion, note)?);
         let answer = Self {
             disagreement: near.disagreement,
             digits: near.digits,
@@ -297,17 +321,22 @@ impl<T: Fields + Clone> Answer<T> {
         };
         let [ours, rounded, theirs, same] =
             [&formula, &near.best, &motion, &again].map(Fields::fields);
-        let mut triples = rounded.iter().zip(theirs.iter().zip(&same));
+        let beside: Vec<_> = said.beside.iter().map(Fields::fields).collect();
         let of_no_size = rounded
             .iter()
             .zip(&theirs)
             .all(|(a, b)| a.is_within(b, rounding));
-        let moved = ours
-            .iter()
-            .zip(&rounded)
-            .any(|(a, b)| a.difference(b) > ALIKE);
-        let explained = of_no_size
-            || triples.all(|(a, (b, c))| a.difference(b) <= CLOSE + NOISE * b.difference(c));
+        let explained = |(i, found): (usize, &Field)| {
+            let nudged = beside.iter().map(|there| rounded[i].difference(&there[i]));
+            let noise = nudged.fold(NOISE * found.difference(&same[i]), f64::max);
+            found.difference(&rounded[i]) <= CLOSE + noise
+        };
+        let explained = of_no_size || theirs.iter().enumerate().all(explained);
+        let mut next = beside.iter().chain([&rounded]);
+        let moved = next.any(|there| {
+            let mut pairs = ours.iter().zip(there);
+            pairs.any(|(a, b)| a.difference(b) > ALIKE)
+        });
         Ok(Answer {
             by_formula: Some(formula),
             by_motion: Some(motion),
@@ -326,14 +355,14 @@ impl<T: Fields + Clone> Answer<T> {
 
     /// From a formula and, where it gets there, a motion.
     fn by_either(
-        formulas: [T; 2],
+        said: Said<T>,
         motions: Option<[T; 2]>,
         note: impl Into<String>,
     ) -> Result<Self, SolveError> {
         if let Some(motions) = motions {
-            return Self::by_both(formulas, motions, 0.0, note);
+            return Self::by_both(said, motions, 0.0, note);
         }
-        let [formula, _] = formulas;
+        let formula = said.given;
         let alone = "the motion does not get there in floating-point numbers, so that the digits are those of the formula alone";
         let answer = Self::compared(
             formula.clone(),

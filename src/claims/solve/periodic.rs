@@ -1,7 +1,7 @@
 //! A train of pulses: the large-time motion.
 
 use super::sinusoidal::{AT_REST, Swing, friction, settle, swings, two_periods};
-use super::{Answer, Curve, PHASES, Quantity, SolveError, check};
+use super::{Answer, Curve, PHASES, Quantity, Said, SolveError, check};
 use crate::corrections::periodic as corrected;
 use crate::motion::drive::{Drive, Friction};
 use crate::numerics::double::Double;
@@ -27,9 +27,15 @@ impl<T: Quantity> Problem<T> {
     pub fn solve(&self) -> Result<Answer<Swing>, SolveError> {
         let near = self.near()?;
         let motions = swings(near.h(), &near.jumps(), near.lambda0)?;
-        let (formula, note) = by_formula(self.eta.into(), self.lambda0.into());
-        let (rounded, _) = by_formula(near.eta.into(), near.lambda0.into());
-        Answer::by_both([formula, rounded], motions, PHASES, note)
+        let (_, note) = by_formula(self.eta.into(), self.lambda0.into());
+        let said = Said::by(|nudge| {
+            let (swing, _) = match nudge {
+                None => by_formula(self.eta.into(), self.lambda0.into()),
+                Some(by) => by_formula(near.eta.into(), (by * near.lambda0).into()),
+            };
+            Ok::<_, SolveError>(swing)
+        })?;
+        Answer::by_both(said, motions, PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.

@@ -1,6 +1,6 @@
 //! The turntable's boundary between rest and escape.
 
-use super::{Answer, Curve, Field, Fields, Quantity, SolveError, check};
+use super::{Answer, Curve, Field, Fields, Quantity, Said, SolveError, check};
 use crate::corrections::rest as corrected;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::fate::{Certain, Ending, follow};
@@ -71,7 +71,12 @@ impl<T: Quantity> Problem<T> {
             return Ok(Answer {
                 best: motion,
                 digits,
-                ..Answer::by_both([formula; 2], [motion; 2], 0.0, note)?
+                ..Answer::by_both(
+                    Said::by(|_| Ok::<_, SolveError>(formula))?,
+                    [motion; 2],
+                    0.0,
+                    note,
+                )?
             });
         }
         let note = format!("{by}; the formula that replaces (147) is for small α");

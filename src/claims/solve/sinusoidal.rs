@@ -1,6 +1,8 @@
 //! A sinusoidal drive: the large-time motion.
 
-use super::{Answer, Curve, Field, Fields, PHASES, Quantity, SolveError, UNITS, check, steps};
+use super::{
+    Answer, Curve, Field, Fields, PHASES, Quantity, Said, SolveError, UNITS, check, steps,
+};
 use crate::motion::drive::{Attractor, Drive, Friction, Outcome, Sign, State};
 use crate::numerics::NumericsError;
 use crate::numerics::double::Double;
@@ -52,9 +54,12 @@ impl<T: Quantity> Problem<T> {
         let lambda0 = self.lambda0.into();
         friction("lambda0", lambda0)?;
         let motions = swings(libm::sin, &[], lambda0)?;
-        let (formula, note) = by_formula(self.lambda0.into())?;
-        let (rounded, _) = by_formula(lambda0.into())?;
-        Answer::by_both([formula, rounded], motions, PHASES, note)
+        let (_, note) = by_formula(self.lambda0.into())?;
+        let said = Said::by(|nudge| {
+            let given = nudge.map_or(self.lambda0.into(), |by| Double::from(by * lambda0));
+            by_formula(given).map(|(swing, _)| swing)
+        })?;
+        Answer::by_both(said, motions, PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.

@@ -2,8 +2,8 @@
 
 use super::constant::{At, Formulas, check_moment};
 use super::{
-    Answer, Curve, Field, Fields, Quantity, ROUNDED, ROUNDING, SolveError, UNITS, check, followed,
-    size, steps,
+    Answer, Curve, Field, Fields, Quantity, ROUNDED, ROUNDING, Said, SolveError, UNITS, check,
+    followed, size, steps,
 };
 use crate::corrections::sphere as corrected;
 use crate::motion::Plane;
@@ -75,11 +75,18 @@ impl<T: Quantity> Problem<T> {
     pub fn solve(&self) -> Result<Answer<State>, SolveError> {
         let near = self.near();
         near.check()?;
-        let (formula, rounded) = (self.by_formula()?, near.by_formula()?);
+        let said = Said::by(|nudge| match nudge {
+            None => self.by_formula(),
+            Some(by) => {
+                let gamma = by * near.gamma;
+                Problem { gamma, ..near }.by_formula()
+            }
+        })?;
         let motions = near
             .motions()
-            .filter(|[motion, _]| !near.loses(&rounded, motion));
-        Answer::by_either([formula, rounded], motions, near.note(&formula))
+            .filter(|[motion, _]| !near.loses(&said.rounded, motion));
+        let note = near.note(&said.given);
+        Answer::by_either(said, motions, note)
     }
 
     /// The path of the slip.

@@ -91,9 +91,14 @@ fn a_formula_is_trusted_where_rounding_explains_what_the_motion_says() {
             vec![Field::new("x", self.0)]
         }
     }
+    let said = |[given, rounded, beside]: [f64; 3]| Said {
+        given: One(given),
+        rounded: One(rounded),
+        beside: vec![One(beside)],
+    };
     let digits = |motions: [f64; 2], rounding| {
         let motions = motions.map(One);
-        Answer::by_both([2.0, 2.0].map(One), motions, rounding, "")
+        Answer::by_both(said([2.0; 3]), motions, rounding, "")
             .unwrap()
             .digits
     };
@@ -103,14 +108,19 @@ fn a_formula_is_trusted_where_rounding_explains_what_the_motion_says() {
     assert_eq!(digits([2.0 + 2e-9, 2.0 + 2e-9], 1e-8), Some(15));
     assert_eq!(digits([2.0 + 1e-12, 2.0 + 1e-12], 0.0), Some(15));
     // What rounding the start changes is held against the motion from the rounded start.
-    let [near, far] = [[2.1, 2.1], [2.0, 2.0]]
-        .map(|motions| Answer::by_both([2.0, 2.1].map(One), motions.map(One), 0.0, "by").unwrap());
+    let [near, far] = [[2.1, 2.1], [2.0, 2.0]].map(|motions| {
+        Answer::by_both(said([2.0, 2.1, 2.1]), motions.map(One), 0.0, "by").unwrap()
+    });
     assert_eq!(
         (near.best.0, near.digits, far.digits),
         (2.0, Some(15), Some(1))
     );
     assert_eq!(near.note, format!("by; {NEXT_TO_IT}"));
-    let alone = Answer::by_either([2.0, 2.1].map(One), None, "").unwrap();
+    // What moves the formula as much as the motion differs explains it.
+    let beside = said([2.0, 2.0, 2.0 + 1e-9]);
+    let nudged = Answer::by_both(beside, [2.0 + 9e-10; 2].map(One), 0.0, "").unwrap();
+    assert_eq!(nudged.digits, Some(15));
+    let alone = Answer::by_either(said([2.0, 2.1, 2.1]), None, "").unwrap();
     assert_eq!((alone.digits, alone.disagreement), (Some(15), None));
 }
 

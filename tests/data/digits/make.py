@@ -747,13 +747,13 @@ KINDS = [
         "q,lambda0,region,positive,negative,rest_after_positive,rest_after_negative,drift_per_period",
         ROWS,
     ),
-    ("explorer-constant", ask_explorer_constant, explorer_constant, "lambda,theta,flag,t,vx,vy,x,y", 2000),
+    ("explorer-constant", ask_explorer_constant, explorer_constant, "lambda,theta,flag,t,vx,vy,x,y", ROWS),
     (
         "explorer-anisotropic",
         ask_explorer_anisotropic,
         explorer_anisotropic,
         "q,lambda0,w,region,mean_velocity,largest_speed,rest_share",
-        2000,
+        ROWS,
     ),
 ]
 
@@ -770,7 +770,11 @@ def make(name, ask, answer, header, count):
     began, rows, skipped = time.time(), [], 0
     while len(rows) < count:
         given = ask(rng)
-        row = [text(x) for x in (*given, *sure(answer, *given))]
+        try:
+            row = [text(x) for x in (*given, *sure(answer, *given))]
+        except ArithmeticError:
+            # A number that is exactly zero has no relative precision.
+            row = [None]
         if None in row:
             skipped += 1
             continue

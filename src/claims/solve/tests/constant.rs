@@ -204,6 +204,11 @@ fn a_note_says_which_formulas_gave_the_state() {
             "by uniformly accelerated motion",
         ),
         ([1.5, 1.0, 2.0, 1.0], At::Time(9.0), "at rest: (20) is over"),
+        (
+            [400.0, 1.0, 0.3, 1.0],
+            At::Theta(0.003),
+            "by the limit of (11) and (13): it still moves there, slower than any floating-point number",
+        ),
     ] {
         let note = note(given, at);
         assert!(note.starts_with(begins), "{given:?} {at:?}: {note}");
