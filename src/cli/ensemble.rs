@@ -2,8 +2,8 @@
 //! their way.
 
 use super::output::{Failure, Format, VERSION, complain, number};
-use crate::claims::solve::known;
 use crate::claims::solve::turntable::{End, Horizon, Start};
+use crate::claims::solve::{Double, known};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
@@ -159,10 +159,15 @@ impl Ensemble {
             let places: Vec<_> = piece.map(|i| self.place(i)).collect();
             let starts: Result<Vec<_>, _> = places.iter().map(|&place| start(place)).collect();
             let ends = horizon.follow(&starts?).map_err(Failure::from)?;
-            for (place, end) in places.iter().zip(&ends) {
+            for (place, end) in places.iter().zip(ends) {
+                let end = if is_rough(&end) {
+                    exactly(horizon, place)?
+                } else {
+                    end
+                };
                 counts.rest += u64::from(matches!(end, End::Rest { .. }));
                 counts.far += u64::from(matches!(end, End::Far { .. }));
-                writer.row(place, end)?;
+                writer.row(place, &end)?;
             }
             counts.done += places.len() as u64;
             writer.flush()?;
@@ -183,6 +188,23 @@ impl Ensemble {
 
 fn start([rho, p, psi]: [f64; 3]) -> Result<Start, Failure> {
     Ok(Start::polar(rho, p, psi)?)
+}
+
+/// An end whose time is less well known than this part of it is found again, exactly.
+const ROUGH: f64 = 1e-5;
+
+fn is_rough(end: &End) -> bool {
+    match *end {
+        End::Rest { tau, tau_error, .. } | End::Far { tau, tau_error } => tau_error > ROUGH * tau,
+        End::Late(_) => false,
+        End::Unfinished(_) => true,
+    }
+}
+
+/// The end of the way from a place as its row shows it.
+fn exactly(horizon: &Horizon, place: &[f64; 3]) -> Result<End, Failure> {
+    let [rho, p, psi] = place.map(|x| number(x).parse::<Double>());
+    Ok(horizon.follow_exactly(rho?, p?, psi?)?)
 }
 
 /// Why the work ends early.

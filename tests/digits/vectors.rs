@@ -4,7 +4,7 @@ use super::cases;
 use super::tally::Tally;
 use slipbook::claims::solve::constant::At;
 use slipbook::claims::solve::{
-    anisotropic, constant, periodic, rest, sinusoidal, sphere, turntable,
+    anisotropic, constant, known, periodic, rest, sinusoidal, sphere, turntable,
 };
 use std::fs;
 use std::path::Path;
@@ -151,12 +151,42 @@ fn start(row: &Row<'_>) -> turntable::Problem {
 
 #[test]
 fn rest_on_the_turntable() {
-    let mut tally = Tally::default();
+    let [mut alone, mut of_many] = [(), ()].map(|()| Tally::default());
+    let horizon = turntable::Horizon {
+        rho: 100.0,
+        tau: 100.0,
+    };
     rows("turntable-rest", cases(100), |row| {
         let answer = start(row).fate().unwrap();
-        tally.answer(&answer, |name| row.exact(name), row.line);
+        alone.answer(&answer, |name| row.exact(name), row.line);
+        let [rho, p, psi] = ["rho", "p", "psi"].map(|name| row.number(name));
+        if p == 0.0 && rho > 1.0 {
+            // No start of an ensemble.
+            return;
+        }
+        let [rho, p, psi] = [rho, p, psi].map(Into::into);
+        let end = horizon.follow_exactly(rho, p, psi).unwrap();
+        let turntable::End::Rest {
+            sigma,
+            sigma_error,
+            tau,
+            tau_error,
+        } = end
+        else {
+            let far = matches!(end, turntable::End::Far { .. });
+            assert!(
+                far && row.text("outcome") == "escape",
+                "{}: {end:?}",
+                row.line
+            );
+            return;
+        };
+        for (name, value, error) in [("sigma", sigma, sigma_error), ("tau_rest", tau, tau_error)] {
+            of_many.number(value, known(value, error), row.number(name), row.line);
+        }
     });
-    assert!(tally.closes("rest on the turntable", false));
+    assert!(alone.closes("rest on the turntable", false));
+    assert!(of_many.closes("one of an ensemble, exactly", false));
 }
 
 #[test]

@@ -7,10 +7,12 @@
 
 use super::fate::{self, Speeds, judge};
 use super::intrinsic::{Exact, Law, Start, check};
-use super::slow::Slow;
+use super::slow::{Slow, Width};
 use crate::motion::error::MotionError;
 use crate::numerics::batch::Batch;
+use crate::numerics::double::Double;
 use crate::numerics::lanes::{Lanes, Wide, widest};
+use crate::numerics::number::Real;
 use crate::numerics::series::{arrival, value};
 use crate::numerics::taylor::{Control, Integrator, Step};
 #[cfg(feature = "book")]
@@ -26,8 +28,9 @@ pub struct Horizon {
     pub tau: f64,
 }
 
-/// The slow equations of particles that are followed alone.
+/// The slow equations of particles that are followed alone, in both kinds of numbers.
 static NARROW: LazyLock<Slow<f64>> = LazyLock::new(Slow::new);
+static WIDE: LazyLock<Slow<Double>> = LazyLock::new(Slow::new);
 
 /// How a particle's way ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +55,7 @@ pub enum End {
     },
     /// It does neither within the horizon's time.
     Late(Start),
-    /// So close to the border of rest and escape that rounding decides.
+    /// So close to the border of rest and escape that the rounding of the start decides.
     Unfinished(Start),
 }
 
@@ -63,8 +66,9 @@ pub const STEPS: u32 = 5000;
 const TERMS: usize = 20;
 const TOLERANCE: f64 = -40.0;
 
-/// Terms of the series of a particle that is followed alone.
+/// Terms of the series of a particle that is followed alone, in both kinds of numbers.
 const CLOSELY: usize = 24;
+const EXACTLY: usize = 44;
 
 /// Particles that share a register.
 const LANES: usize = 16;
@@ -75,9 +79,11 @@ const SLOW: f64 = 1e-6;
 /// Wanted half-width of the bounds of σ.
 const RADIUS: f64 = 2e-10;
 
-/// What the steps of many at once cost, less than 2^TOLERANCE as measured, and those of a particle alone, at most so many
-/// spacings of `f64`.
-const LOST: [f64; 2] = [7e-13, 64.0 * f64::EPSILON];
+/// What the steps of many at once cost: less than 2^TOLERANCE, as measured.
+const LOST: f64 = 7e-13;
+
+/// What the steps of a particle alone cost, in spacings of its numbers, at most.
+const LOST_ALONE: f64 = 64.0;
 
 /// The steps of many know a speed to what they cost beside 1. A particle that begins slower is followed alone.
 const FAST: f64 = 1e-3;
@@ -115,6 +121,20 @@ impl Horizon {
     pub fn follow_alone(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
         self.check(starts)?;
         Ok(self.piece(starts))
+    }
+
+    /// The end of the way of one particle from the distance `rho` with the speed `p` and the angle `psi` (radians), all
+    /// three taken as exact, in numbers of twice the width: also where their rounding to `f64` would decide. Some
+    /// hundred times the work of [`follow`](Self::follow).
+    ///
+    /// # Errors
+    /// As for [`follow`](Self::follow) and [`Start::polar`].
+    pub fn follow_exactly(&self, rho: Double, p: Double, psi: Double) -> Result<End, MotionError> {
+        let near = Start::polar(rho.to_f64(), p.to_f64(), psi.to_f64())?;
+        self.check(&[near])?;
+        let exact = Exact::polar(rho, p, psi);
+        let end = self.closely::<_, EXACTLY>(exact, &WIDE);
+        Ok(end.unwrap_or(End::Unfinished(near)))
     }
 
     fn check(&self, starts: &[Start]) -> Result<(), MotionError> {
@@ -272,14 +292,14 @@ impl Watch for Horizon {
         state: &[f64; 4],
         Extremes { brink, most }: Extremes,
     ) -> Option<End> {
-        let [lost, _] = LOST;
         let amplified = 1.0 / (brink * brink);
-        self.ended(series, h, state, [lost, amplified])
+        self.ended(series, h, state, [LOST, amplified])
             .or_else(|| settled(state, most))
     }
 
     fn alone(&self, start: &Start) -> End {
-        self.closely(start).unwrap_or(End::Unfinished(*start))
+        let end = self.closely::<f64, CLOSELY>(Exact::from(start), &NARROW);
+        end.unwrap_or(End::Unfinished(*start))
     }
 
     fn is_for_many(&self, start: &Start) -> bool {
@@ -348,26 +368,25 @@ impl Horizon {
     }
 
     /// The end of a particle's way, by shorter steps and by the slow equations; nothing where rounding decides.
-    fn closely(&self, start: &Start) -> Option<End> {
-        if self.is_beyond(start) {
+    fn closely<T: Width, const N: usize>(&self, start: Exact<T>, slow: &Slow<T>) -> Option<End> {
+        let zero = T::from_f64(0.0);
+        let mut state = [zero, start.p, start.deficit, start.zeta];
+        if self.is_beyond(&start_of(&state.map(T::to_f64))) {
             return Some(End::Far {
                 tau: 0.0,
                 tau_error: 0.0,
             });
         }
-        let [_, lost] = LOST;
-        let slow = &*NARROW;
-        let Exact { p, deficit, zeta } = Exact::<f64>::from(start);
-        let mut state = [0.0, p, deficit, zeta];
+        let lost = LOST_ALONE * T::ROUNDING;
         let (mut brink, mut speeds) = (f64::INFINITY, Speeds::default());
         // Into the slow equations and out again at most.
         for _ in 0..3 {
-            let mut fast = Integrator::<_, _, 4, CLOSELY>::new(&Law, 0.0, state, Control::Each);
+            let mut fast = Integrator::<_, _, 4, N>::new(&Law, zero, state, Control::Each);
             let mut step = Step::empty();
             let [tau, p, w] = loop {
                 let &[tau, p, w, zeta] = fast.state();
-                brink = brink.min(p.max(w.abs()));
-                speeds.most = speeds.most.max(p);
+                brink = brink.min(p.magnitude().max(w.magnitude()));
+                speeds.most = speeds.most.max(p.to_f64());
                 if let Some(end) = ends_closely(fast.state(), speeds) {
                     return Some(end);
                 }
@@ -377,24 +396,25 @@ impl Horizon {
                 fast.expand(&mut step).ok()?;
                 fast.advance(&step);
                 let amplified = speeds.entry.unwrap_or(brink) / (brink * brink);
-                if let Some(end) =
-                    self.ended(|| step.series, step.h, fast.state(), [lost, amplified])
-                {
-                    return Some(end);
+                let series = || step.series.each_ref().map(|row| row.map(T::to_f64));
+                let there = fast.state().map(T::to_f64);
+                if let Some(end) = self.ended(series, step.h, &there, [lost, amplified]) {
+                    // It went away from the brink at which it was slowest; a start that is rounded may have come to rest.
+                    return (amplified * T::ROUNDING < 1.0).then_some(end);
                 }
             };
-            speeds.entry = Some(p);
-            let begin = [tau, p, w, 0.0, 0.0];
-            let mut slowly = Integrator::<_, _, 5, CLOSELY>::new(slow, 0.0, begin, Control::Each);
+            speeds.entry = Some(p.to_f64());
+            let begin = [tau, p, w, zero, zero];
+            let mut slowly = Integrator::<_, _, 5, N>::new(slow, zero, begin, Control::Each);
             let mut step = Step::empty();
             state = loop {
                 let &[tau, p, w, ..] = slowly.state();
-                brink = brink.min(p.max(w.abs()));
+                brink = brink.min(p.magnitude().max(w.magnitude()));
                 let state = [tau, p, w, slow.zeta(p, w)];
                 if let Some(end) = ends_closely(&state, speeds) {
                     return Some(end);
                 }
-                if p < f64::EPSILON {
+                if p.magnitude() < T::ROUNDING {
                     return None;
                 }
                 if !slow.serves(p, w, state[3]) {
@@ -403,10 +423,12 @@ impl Horizon {
                 slowly.expand(&mut step).ok()?;
                 slowly.advance(&step);
                 let &[after, ..] = slowly.state();
-                if after > self.tau {
-                    let h = arrival(&step.series[0], self.tau - tau, step.h);
-                    let [_, p, w, ..] = step.at(&h);
-                    return Some(End::Late(start_of(&[self.tau, p, w, slow.zeta(p, w)])));
+                if after.to_f64() > self.tau {
+                    let clock = step.series[0].map(T::to_f64);
+                    let h = arrival(&clock, self.tau - tau.to_f64(), step.h);
+                    let [_, p, w, ..] = step.at(&T::from_f64(h));
+                    let there = [tau, p, w, slow.zeta(p, w)].map(T::to_f64);
+                    return Some(End::Late(start_of(&there)));
                 }
             };
         }
@@ -444,8 +466,7 @@ fn settled(state: &[f64; 4], most: f64) -> Option<End> {
         most: 1.0,
         entry: Some(most),
     };
-    let [many, _] = LOST;
-    let [sigma_error, tau_error] = estimated.errors(many, speeds);
+    let [sigma_error, tau_error] = estimated.errors(LOST, speeds);
     Some(End::Rest {
         sigma,
         sigma_error,
@@ -455,16 +476,15 @@ fn settled(state: &[f64; 4], most: f64) -> Option<End> {
 }
 
 /// The end of a motion that is followed alone, if it is certain to come to rest and all is known that can be.
-fn ends_closely(state: &[f64; 4], speeds: Speeds) -> Option<End> {
+fn ends_closely<T: Width>(state: &[T; 4], speeds: Speeds) -> Option<End> {
     let (fate::Certain::Rest(rest), true) = judge(state)? else {
         return None;
     };
-    let [_, alone] = LOST;
-    let [sigma_error, tau_error] = rest.errors(alone, speeds);
+    let [sigma_error, tau_error] = rest.errors(LOST_ALONE * T::ROUNDING, speeds);
     Some(End::Rest {
-        sigma: rest.sigma,
+        sigma: rest.sigma.to_f64(),
         sigma_error,
-        tau: rest.tau,
+        tau: rest.tau.to_f64(),
         tau_error,
     })
 }
@@ -628,6 +648,31 @@ mod tests {
             }
         }
         assert!(rests > 50 && far > 50);
+    }
+
+    #[test]
+    fn a_start_that_is_rounded_across_the_border_is_told_so() {
+        // ρ + p = 1 as decimals, not in `f64`. The times are those of tests/data/digits/turntable.py.
+        for (rho, p, time, error) in [
+            ("0.999999999", "1e-9", 10.910_939_064_057_26, 1e-13),
+            ("0.9999999999", "1e-10", 12.062_231_609_429_283, 1e-11),
+            ("0.999999999999", "1e-12", 14.364_816_702_299_58, 1e-6),
+        ] {
+            let [rho, p] = [rho, p].map(|text| text.parse::<Double>().unwrap());
+            let near = Start::polar(rho.to_f64(), p.to_f64(), 0.0).unwrap();
+            assert!(!matches!(
+                HORIZON.follow(&[near]).unwrap()[..],
+                [End::Rest { .. }]
+            ));
+            let end = HORIZON.follow_exactly(rho, p, Double::from(0.0)).unwrap();
+            let End::Rest { tau, tau_error, .. } = end else {
+                panic!("{end:?}")
+            };
+            assert!(
+                (tau - time).abs() < tau_error + 1e-14 && tau_error < error,
+                "{tau} {tau_error}"
+            );
+        }
     }
 
     #[test]

@@ -96,19 +96,20 @@ pub(crate) struct Speeds {
     pub(crate) entry: Option<f64>,
 }
 
-impl Rest<f64> {
+impl<T: Width> Rest<T> {
     /// How closely σ and τ are known if so much is `lost` on the way: it grows on the last of it, the more the closer to
     /// the border. A start, too, is rounded. Away from the brink an eighth is lost, as measured.
     pub(crate) fn errors(&self, lost: f64, Speeds { most, entry }: Speeds) -> [f64; 2] {
-        if self.tau == 0.0 {
+        let (tau, gap) = (self.tau.to_f64(), self.gap.to_f64());
+        if tau == 0.0 {
             return [0.0; 2];
         }
         let (lost, entry) = entry.map_or((lost / 8.0, most), |entry| (lost, entry));
-        let growth = entry.max(self.gap) / self.gap + 1.0;
-        let rounded = f64::EPSILON * entry / (self.gap * self.gap);
+        let growth = entry.max(gap) / gap + 1.0;
+        let rounded = T::ROUNDING * entry / (gap * gap);
         [
             self.error + lost * growth,
-            self.late + lost * (self.tau + growth * most.min(1.0) / self.gap) + rounded,
+            self.late + lost * (tau + growth * most.min(1.0) / gap) + rounded,
         ]
     }
 }

@@ -209,13 +209,13 @@ impl<T: Real> Exact<T> {
         }
     }
 
-    /// A start beside this one, by the part `delta` of its sizes.
+    /// A start beside this one, by the part `delta` of its sizes, and by what rounding a place near ρ = 1 makes of 1 − ξ.
     pub(crate) fn beside(&self, delta: T) -> Self {
         let Self { p, deficit, zeta } = *self;
         let size = |x: T| T::from_f64(x.magnitude());
         Self {
             p: p + delta * p,
-            deficit: deficit + delta * (size(deficit) + size(zeta)),
+            deficit: deficit + delta * (size(deficit) + size(zeta)) + T::from_f64(T::ROUNDING),
             zeta: zeta + delta * (size(zeta) + p),
         }
     }
