@@ -4,7 +4,7 @@
 use criterion::{BenchmarkGroup, Criterion, Throughput, measurement::WallTime};
 use rayon::prelude::*;
 use slipbook::certified::values;
-use slipbook::claims::constant::exact::proof;
+use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
 use slipbook::claims::points::Points;
 use slipbook::claims::solve::anisotropic::row::{Arcs, Column, Row};
 use slipbook::motion::drive::{Attractor, Drive, Friction, Sign, State};
@@ -270,8 +270,8 @@ fn stable(&[lambda, theta0, theta, v0, a]: &[f64; 5]) -> f64 {
 
 /// The identities behind (11) to (14).
 fn four() -> bool {
-    let holds = |id| proof(id).is_some_and(|proof| proof.holds());
-    ["eq-11", "eq-12", "eq-13", "eq-14"].into_iter().all(holds)
+    let laws = [EQ11, EQ12, EQ13, EQ14];
+    laws.iter().all(|law| law.proof().holds())
 }
 
 fn proofs(c: &mut Criterion) -> Result<(), Failure> {

@@ -21,6 +21,8 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         samples: Vec::new(),
         steps: Vec::new(),
         partial: false,
+        trial: "example",
+        title: String::new(),
         read: Default::default(),
     }
 }

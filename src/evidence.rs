@@ -151,6 +151,8 @@ pub struct Sample {
 /// What one trial brought.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Evidence {
+    /// The name of the trial: the path of its function, or of the statement that it proves.
+    pub trial: &'static str,
     /// How it was obtained.
     pub route: Route,
     /// What it speaks about.
@@ -171,6 +173,8 @@ pub struct Evidence {
     pub tolerance: Tolerance,
     /// A few of the compared pairs.
     pub samples: Vec<Sample>,
+    /// The title of a proof; empty for a measurement.
+    pub title: String,
     /// The steps of a proof, in order, as plain text; none for a measurement.
     pub steps: Vec<String>,
     /// True if it covers a part of the claim only: it can speak against the claim, but not for the whole of it.

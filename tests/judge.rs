@@ -20,6 +20,8 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         samples: vec![],
         steps: vec![],
         partial: false,
+        trial: "",
+        title: String::new(),
         read: BTreeSet::new(),
     }
 }

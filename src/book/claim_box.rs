@@ -135,14 +135,14 @@ fn trials(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
         return Ok(String::new());
     }
     // Proofs first: they outrank what is measured.
-    let code = filler.code().trials(entry.topic, entry.claim);
+    let code = |i: usize| filler.code().trial(entry.claim.trials.get(i)?);
     let trials = entry.evidence.iter().enumerate();
     let (proofs, others): (Vec<_>, Vec<_>) = trials.partition(|(_, e)| e.route.is_proof());
     let conditional = entry.is_conditional();
     let items: Result<String, Fault> = proofs
         .into_iter()
         .chain(others)
-        .map(|(i, e)| trial(filler.maths(), e, conditional, code.get(i)))
+        .map(|(i, e)| trial(filler.maths(), e, conditional, code(i).as_ref()))
         .collect();
     let Tally { rejected, tried } = entry.tally();
     let variants = match tried {

@@ -1,6 +1,7 @@
 //! The code behind the claims: the sources as pages of the book, and where in them a claim's parts stand.
 
 use super::text::escape;
+use crate::claims::attempt::Attempt;
 use crate::claims::{Claim, Topic};
 use include_dir::{Dir, DirEntry, include_dir};
 use std::collections::BTreeMap;
@@ -145,39 +146,11 @@ impl Code {
         files.find_map(|(file, source)| Some((file, source.text, source.text.find(&start)?)))
     }
 
-    /// Where each trial of a claim is written, in their order; a trial that is not a function of its own
-    /// stands in the row.
-    pub(super) fn trials(&self, topic: &Topic, claim: &Claim) -> Vec<Place> {
-        let Some((row, text, at)) = self.row_text(topic, claim) else {
-            return Vec::new();
-        };
-        let in_row = || Place {
-            file: row,
-            name: claim.id.to_owned(),
-        };
-        let list = text[at..]
-            .split_once("trials: &[")
-            .map_or("", |(_, list)| list);
-        let items = items(list);
-        items
-            .map(|item| self.function(topic, item).unwrap_or_else(in_row))
-            .collect()
-    }
-
-    /// The function that a trial calls: `laws::size`, or what a closure calls first.
-    fn function(&self, topic: &Topic, item: &str) -> Option<Place> {
-        let path = item.trim_start_matches("||").trim();
-        let end = path.find(|c: char| !(c.is_alphanumeric() || c == '_' || c == ':'));
-        let mut parts = path[..end.unwrap_or(path.len())].rsplit("::");
-        let (name, module) = (parts.next()?, parts.next());
-        let has = |source: &Source| source.functions.iter().any(|(_, known)| *known == name);
-        let found: Vec<_> = self
-            .of_topic("claims", topic)
-            .filter(|(_, source)| has(source))
-            .collect();
-        let stem = |file: &'static str| file.trim_end_matches(".rs").rsplit('/').next();
-        let named = found.iter().find(|(file, _)| stem(file) == module);
-        let (file, _) = named.or(found.first())?;
+    /// Where a trial is written.
+    pub(super) fn trial(&self, trial: &Attempt) -> Option<Place> {
+        let path = format!("{}.rs", trial.file());
+        let (file, _) = self.files.get_key_value(path.strip_prefix("src/")?)?;
+        let (_, name) = trial.name().rsplit_once("::")?;
         Some(Place {
             file,
             name: name.to_owned(),
@@ -203,45 +176,18 @@ impl Code {
     }
 }
 
-/// The functions of a source, with their lines counted from 0.
+/// The functions and constants of a source, with their lines counted from 0.
 fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines().enumerate().filter_map(|(i, line)| {
         let mut words = line.trim_start();
-        for word in ["pub ", "pub(super) ", "pub(crate) ", "const "] {
+        for word in ["pub ", "pub(super) ", "pub(crate) "] {
             words = words.strip_prefix(word).unwrap_or(words);
         }
-        let name = words.strip_prefix("fn ")?;
-        Some((i, &name[..name.find(['(', '<'])?]))
+        let constant = words.strip_prefix("const ");
+        let name = constant.unwrap_or(words);
+        let name = name.strip_prefix("fn ").or(constant)?;
+        Some((i, &name[..name.find(['(', '<', ':'])?]))
     })
-}
-
-/// The items of a list up to its closing bracket, parted by the commas that stand in no bracket and no string.
-fn items(list: &str) -> impl Iterator<Item = &str> {
-    let mut depth = 0_usize;
-    let mut quoted = false;
-    let mut from = 0;
-    let mut items = Vec::new();
-    for (at, c) in list.char_indices() {
-        match c {
-            '"' => quoted = !quoted,
-            _ if quoted => {}
-            '(' | '[' | '{' => depth += 1,
-            ']' if depth == 0 => {
-                items.push(&list[from..at]);
-                break;
-            }
-            ')' | ']' | '}' => depth = depth.saturating_sub(1),
-            ',' if depth == 0 => {
-                items.push(&list[from..at]);
-                from = at + 1;
-            }
-            _ => {}
-        }
-    }
-    items
-        .into_iter()
-        .map(str::trim)
-        .filter(|item| !item.is_empty())
 }
 
 fn code_page(file: &str, source: &Source) -> String {
@@ -361,9 +307,8 @@ mod tests {
                 claim.id
             );
             assert!(code.motion(topic).is_some());
-            let trials = code.trials(topic, claim);
-            assert_eq!(trials.len(), claim.trials.len(), "{}", claim.id);
-            for trial in trials {
+            for trial in claim.trials {
+                let trial = code.trial(trial).unwrap_or_else(|| panic!("{trial:?}"));
                 let shown = code_page(trial.file, &code.files[trial.file]);
                 assert!(
                     shown.contains(&format!("<a id=\"{}\"></a>", trial.name)),
@@ -384,7 +329,5 @@ mod tests {
             "<i class=\"k\">let</i> a = <i class=\"s\">&quot;b \\&quot; // c&quot;</i>; <i class=\"c\">// &lt;d&gt;</i>"
         );
         assert!(highlight("x(\"open", State::Plain, &mut out) == State::Text);
-        let list: Vec<_> = items("a::b, || c(1, \"],\"), ] rest").collect();
-        assert_eq!(list, ["a::b", "|| c(1, \"],\")"]);
     }
 }

@@ -59,6 +59,8 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
             Vec::new()
         },
         partial: false,
+        trial: "",
+        title: String::new(),
         read: BTreeSet::new(),
     }
 }

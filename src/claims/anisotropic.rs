@@ -13,6 +13,7 @@ pub mod rows;
 pub mod runs;
 mod setup;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -58,7 +59,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-21"],
-        trials: &[exact::defined, setup::eq47],
+        trials: trials![&exact::DEFINED, setup::eq47],
         ..Claim::BLANK
     },
     Claim {
@@ -74,7 +75,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-21"],
-        trials: &[exact::defined, setup::eq48],
+        trials: trials![&exact::DEFINED, setup::eq48],
         ..Claim::BLANK
     },
     Claim {
@@ -86,7 +87,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_+=\lambda_0",
         plain: "λ₊ = λ₀",
         depends_on: &["eq-47"],
-        trials: &[exact::defined, setup::eq49],
+        trials: trials![&exact::DEFINED, setup::eq49],
         ..Claim::BLANK
     },
     Claim {
@@ -98,7 +99,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_-=q \lambda_0",
         plain: "λ₋ = q λ₀",
         depends_on: &["eq-48", "eq-49"],
-        trials: &[exact::defined, setup::eq50],
+        trials: trials![&exact::DEFINED, setup::eq50],
         ..Claim::BLANK
     },
     Claim {
@@ -114,7 +115,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26", "eq-49"],
-        trials: &[exact::eq51, setup::eq51_quadrature],
+        trials: trials![&exact::EQ51, setup::eq51_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -130,7 +131,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26", "eq-50"],
-        trials: &[exact::eq52, setup::eq52_quadrature],
+        trials: trials![&exact::EQ52, setup::eq52_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -146,12 +147,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52"],
-        trials: &[
-            exact::eq53,
+        trials: trials![
+            &exact::EQ53,
             curves::eq53_root,
             curves::eq53_census,
             curves::eq53_limit,
-            certified::a_once,
+            certified::a_once
         ],
         ..Claim::BLANK
     },
@@ -174,17 +175,17 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-51", "eq-52"],
-        trials: &[
-            exact::eq54,
+        trials: trials![
+            &exact::EQ54,
             curves::eq54_root,
             curves::eq54_census,
             curves::eq54_outside,
-            exact::e,
+            &exact::E,
             curves::e_root,
             curves::e_census,
             curves::e_limit,
             certified::b_once,
-            certified::e_once,
+            certified::e_once
         ],
         correction: Some(CURVE_E),
     },
@@ -207,12 +208,12 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-52"],
-        trials: &[
-            exact::eq55,
+        trials: trials![
+            &exact::EQ55,
             curves::eq55_root,
             curves::eq55_census,
             curves::eq55_outside,
-            curves::eq55_census_outside,
+            curves::eq55_census_outside
         ],
         ..Claim::BLANK
     },
@@ -229,7 +230,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51"],
-        trials: &[exact::eq56, curves::eq56_root, curves::eq56_census],
+        trials: trials![&exact::EQ56, curves::eq56_root, curves::eq56_census],
         ..Claim::BLANK
     },
     Claim {
@@ -241,7 +242,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"X=(q=1,\lambda_0=\lambda_\mathrm{c})",
         plain: "X = (q = 1, λ₀ = λ_c)",
         depends_on: &["eq-37", "eq-53", "eq-54"],
-        trials: &[exact::x, corners::x_root, certified::points::x_unique],
+        trials: trials![&exact::X, corners::x_root, certified::points::x_unique],
         ..Claim::BLANK
     },
     Claim {
@@ -253,10 +254,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"Y=(q=4.603,\lambda_0=0.217)",
         plain: "Y = (q = 4.603, λ₀ = 0.217)",
         depends_on: &["eq-54", "eq-55"],
-        trials: &[
+        trials: trials![
             corners::y_decimals,
             corners::y_limit,
-            certified::points::y_rounding,
+            certified::points::y_rounding
         ],
         ..Claim::BLANK
     },
@@ -267,7 +268,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"Taking $q\geq1$ is no loss of generality.",
         plain: "Taking q ≥ 1 is no loss of generality.",
         depends_on: &["eq-51", "eq-52"],
-        trials: &[exact::mirror, mirror::integration, mirror::census],
+        trials: trials![&exact::MIRROR, mirror::integration, mirror::census],
         ..Claim::BLANK
     },
     Claim {
@@ -281,7 +282,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-53"],
-        trials: &[regions::first_census, regions::first_ends],
+        trials: trials![regions::first_census, regions::first_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -295,14 +296,14 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-53", "eq-54", "eq-55"],
-        trials: &[
+        trials: trials![
             regions::second_census,
             regions::second_ends,
             regions::second_corrected_census,
             regions::second_corrected_ends,
             regions::between_e_and_c,
             certified::points::no_way_back,
-            certified::e_below_c,
+            certified::e_below_c
         ],
         correction: Some(SECOND_REGION),
         ..Claim::BLANK
@@ -318,7 +319,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-54", "eq-55"],
-        trials: &[regions::third_census, regions::third_ends],
+        trials: trials![regions::third_census, regions::third_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -332,7 +333,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-55", "eq-56"],
-        trials: &[regions::fourth_census, regions::fourth_ends],
+        trials: trials![regions::fourth_census, regions::fourth_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -346,7 +347,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-51", "eq-52", "eq-56"],
-        trials: &[regions::fifth_census, regions::fifth_ends],
+        trials: trials![regions::fifth_census, regions::fifth_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -356,11 +357,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"A and B meet at $X=(1,\lambda_\mathrm{c})$.",
         plain: "A and B meet at X = (1, λ_c).",
         depends_on: &["eq-57"],
-        trials: &[
-            exact::x,
+        trials: trials![
+            &exact::X,
             corners::x_root,
             corners::x_both,
-            certified::points::x_unique,
+            certified::points::x_unique
         ],
         ..Claim::BLANK
     },
@@ -371,12 +372,12 @@ const CLAIMS: &[Claim] = &[
         latex: "B and C meet at $Y=(4.603,0.217)$ and are tangent there.",
         plain: "B and C meet at Y = (4.603, 0.217) and are tangent there.",
         depends_on: &["eq-58"],
-        trials: &[
-            exact::y,
+        trials: trials![
+            &exact::Y,
             corners::y_digits,
             corners::y_contact,
             corners::y_curvature,
-            certified::points::y_digits,
+            certified::points::y_digits
         ],
         ..Claim::BLANK
     },
@@ -388,11 +389,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"The regions I to V with the curves A to D and the points $X$, $Y$; axes $q$ from $1$ to $7$, $\lambda_0$ from $0$ to $1.4$.",
         plain: "The regions I to V with the curves A to D and the points X, Y; axes q from 1 to 7, λ₀ from 0 to 1.4.",
         depends_on: &["eq-53", "eq-54", "eq-55", "eq-56", "eq-57", "eq-58"],
-        trials: &[
+        trials: trials![
             regions::diagram,
             regions::corrected_diagram,
             regions::corrected_curves,
-            certified::order,
+            certified::order
         ],
         correction: Some(DIAGRAM),
         ..Claim::BLANK
@@ -411,7 +412,7 @@ const CLAIMS: &[Claim] = &[
             "s24-region-4",
             "s24-region-5",
         ],
-        trials: &[panels::quadrature, panels::census],
+        trials: trials![panels::quadrature, panels::census],
         ..Claim::BLANK
     },
 ];

@@ -89,6 +89,8 @@ impl Trial {
             samples: Vec::new(),
             steps: Vec::new(),
             partial: false,
+            trial: "",
+            title: String::new(),
             read: BTreeSet::new(),
         };
         for point in points {
@@ -167,7 +169,7 @@ impl Pair {
 }
 
 /// What a trial brings, and which formulas it has read for it.
-pub fn noted(trial: fn() -> Evidence) -> Evidence {
+pub fn noted(trial: impl FnOnce() -> Evidence) -> Evidence {
     let (mut evidence, read) = reading::of(trial);
     evidence.read.extend(read);
     evidence
@@ -194,6 +196,8 @@ pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Eviden
         samples: Vec::new(),
         steps: proof.steps().iter().map(Step::to_string).collect(),
         partial: false,
+        trial: "",
+        title: proof.title().to_owned(),
         read: BTreeSet::new(),
     }
 }

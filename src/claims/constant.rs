@@ -10,8 +10,9 @@ mod setup;
 mod time;
 mod words;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
-use crate::evidence::{Change, Kind, Subject};
+use crate::evidence::{Change, Kind};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -47,7 +48,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A>0$, constant",
             stated: true,
         }],
-        trials: &[exact::defined, setup::eq3],
+        trials: trials![&exact::DEFINED, setup::eq3],
         ..Claim::BLANK
     },
     Claim {
@@ -58,7 +59,7 @@ const CLAIMS: &[Claim] = &[
         title: "the velocity by speed and angle",
         latex: r"\bm{v}=v (\hat{\bm{x}} \cos\theta+\hat{\bm{y}} \sin\theta)",
         plain: "𝐯 = v (x̂ cos θ + ŷ sin θ)",
-        trials: &[exact::defined, setup::eq4],
+        trials: trials![&exact::DEFINED, setup::eq4],
         ..Claim::BLANK
     },
     Claim {
@@ -70,7 +71,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda=\frac{\mu g}{A}",
         plain: "λ = μ g / A",
         depends_on: &["eq-3"],
-        trials: &[exact::defined, setup::eq5],
+        trials: trials![&exact::DEFINED, setup::eq5],
         ..Claim::BLANK
     },
     Claim {
@@ -82,10 +83,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \cos\theta)}{\mathrm{d} t}=A (1-\lambda \cos\theta)",
         plain: "d(v cos θ)/dt = A (1 − λ cos θ)",
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
-        trials: &[
-            || exact::evidence("eq-6", Subject::Printed),
-            hodograph::eq6_motion,
-        ],
+        trials: trials![&exact::EQ6, hodograph::eq6_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -97,10 +95,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} t}=-A \lambda \sin\theta",
         plain: "d(v sin θ)/dt = −A λ sin θ",
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
-        trials: &[
-            || exact::evidence("eq-7", Subject::Printed),
-            hodograph::eq7_motion,
-        ],
+        trials: trials![&exact::EQ7, hodograph::eq7_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -112,10 +107,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} (v \cos\theta)}= -\frac{\lambda \sin\theta}{1-\lambda \cos\theta}",
         plain: "d(v sin θ)/d(v cos θ) = −λ sin θ / (1 − λ cos θ)",
         depends_on: &["eq-6", "eq-7"],
-        trials: &[
-            || exact::evidence("eq-8", Subject::Printed),
-            hodograph::eq8_motion,
-        ],
+        trials: trials![&exact::EQ8, hodograph::eq8_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -131,10 +123,10 @@ const CLAIMS: &[Claim] = &[
             text: r"$\theta\neq0,\pi$: along the line of the acceleration the speed changes while $\mathrm d\theta=0$",
             stated: false,
         }],
-        trials: &[
-            || exact::evidence("eq-9", Subject::Within),
+        trials: trials![
+            &exact::EQ9,
             hodograph::eq9_quadrature,
-            hodograph::eq9_outside,
+            hodograph::eq9_outside
         ],
         ..Claim::BLANK
     },
@@ -151,10 +143,10 @@ const CLAIMS: &[Claim] = &[
             text: r"$0<\theta<\pi$: a power of a negative tangent has no real value",
             stated: false,
         }],
-        trials: &[
-            || exact::evidence("eq-10", Subject::Within),
+        trials: trials![
+            &exact::EQ10,
             hodograph::eq10_motion,
-            hodograph::eq10_outside,
+            hodograph::eq10_outside
         ],
         ..Claim::BLANK
     },
@@ -171,13 +163,13 @@ const CLAIMS: &[Claim] = &[
             text: r"$\theta_0\neq0,\pi$: along the line of the acceleration it is $0/0$",
             stated: false,
         }],
-        trials: &[
-            || exact::evidence("eq-11", Subject::Within),
+        trials: trials![
+            &exact::EQ11,
             hodograph::eq11_motion,
             hodograph::eq11_quadrature,
             hodograph::eq11_outside,
             time::regular_speed,
-            time::regular_straight,
+            time::regular_straight
         ],
         correction: Some(REGULAR_SPEED),
     },
@@ -194,11 +186,7 @@ const CLAIMS: &[Claim] = &[
             text: r"$0<\theta<\pi$ and $\lambda\neq0$: at $\lambda=0$ it is $0/0$",
             stated: false,
         }],
-        trials: &[
-            || exact::evidence("eq-12", Subject::Within),
-            time::eq12_quadrature,
-            time::eq12_outside,
-        ],
+        trials: trials![&exact::EQ12, time::eq12_quadrature, time::eq12_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -220,14 +208,14 @@ const CLAIMS: &[Claim] = &[
                 stated: false,
             },
         ],
-        trials: &[
-            || exact::evidence("eq-13", Subject::Within),
+        trials: trials![
+            &exact::EQ13,
             time::eq13_motion,
             time::eq13_quadrature,
             time::eq13_root,
             time::eq13_singular,
             time::eq13_straight,
-            time::regular_time,
+            time::regular_time
         ],
         correction: Some(REGULAR_TIME),
     },
@@ -244,11 +232,7 @@ const CLAIMS: &[Claim] = &[
             text: r"$\cos\theta\neq-\lambda$, where it is $0/0$",
             stated: false,
         }],
-        trials: &[
-            || exact::evidence("eq-14", Subject::Within),
-            time::eq14_motion,
-            time::eq14_outside,
-        ],
+        trials: trials![&exact::EQ14, time::eq14_motion, time::eq14_outside],
         ..Claim::BLANK
     },
     Claim {
@@ -264,10 +248,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-6"],
-        trials: &[
-            || exact::evidence("eq-15", Subject::Printed),
-            limits::eq15_motion,
-        ],
+        trials: trials![&exact::EQ15, limits::eq15_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -283,10 +264,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-7"],
-        trials: &[
-            || exact::evidence("eq-16", Subject::Printed),
-            limits::eq16_motion,
-        ],
+        trials: trials![&exact::EQ16, limits::eq16_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -302,10 +280,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-11"],
-        trials: &[
-            || exact::evidence("eq-17", Subject::Printed),
-            limits::eq17_motion,
-        ],
+        trials: trials![&exact::EQ17, limits::eq17_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -327,11 +302,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
-        trials: &[
-            || exact::evidence("eq-18", Subject::Printed),
-            limits::eq18_limit,
-            limits::eq18_quadrature,
-        ],
+        trials: trials![&exact::EQ18, limits::eq18_limit, limits::eq18_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -353,10 +324,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
-        trials: &[
-            || exact::evidence("eq-19", Subject::Printed),
-            limits::eq19_limit,
-        ],
+        trials: trials![&exact::EQ19, limits::eq19_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -372,11 +340,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-14"],
-        trials: &[
-            || exact::evidence("eq-20", Subject::Printed),
-            limits::eq20_motion,
-            limits::eq20_quadrature,
-        ],
+        trials: trials![&exact::EQ20, limits::eq20_motion, limits::eq20_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -386,11 +350,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda=0$, $v_y$ stays constant and $v_x$ grows linearly with $t$; the path is in general a parabola.",
         plain: "For λ = 0, v_y stays constant and v_x grows linearly with t; the path is in general a parabola.",
         depends_on: &["eq-15", "eq-16"],
-        trials: &[
-            || exact::evidence("eq-15", Subject::Printed),
-            || exact::evidence("eq-16", Subject::Printed),
+        trials: trials![
+            &exact::EQ15,
+            &exact::EQ16,
             limits::parabola_motion,
-            limits::parabola_quadrature,
+            limits::parabola_quadrature
         ],
         ..Claim::BLANK
     },
@@ -405,10 +369,10 @@ const CLAIMS: &[Claim] = &[
             text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it",
             stated: false,
         }],
-        trials: &[
+        trials: trials![
             words::small_friction_limit,
             words::small_friction_census,
-            words::small_friction_outside,
+            words::small_friction_outside
         ],
         ..Claim::BLANK
     },
@@ -419,12 +383,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda=1$ the velocity tends to a constant at large times, the one of (18) and (19).",
         plain: "For λ = 1 the velocity tends to a constant at large times, the one of (18) and (19).",
         depends_on: &["eq-18", "eq-19"],
-        trials: &[
-            || exact::evidence("eq-18", Subject::Printed),
-            || exact::evidence("eq-19", Subject::Printed),
+        trials: trials![
+            &exact::EQ18,
+            &exact::EQ19,
             limits::eq18_limit,
             limits::eq18_quadrature,
-            limits::eq19_limit,
+            limits::eq19_limit
         ],
         ..Claim::BLANK
     },
@@ -439,13 +403,13 @@ const CLAIMS: &[Claim] = &[
             text: r"$\theta_0\neq\pi$: that particle stops at $T$ without turning",
             stated: false,
         }],
-        trials: &[
-            || exact::evidence("eq-20", Subject::Within),
+        trials: trials![
+            &exact::EQ20_WITHIN,
             limits::eq20_motion,
             limits::eq20_quadrature,
             words::large_friction_limit,
             words::large_friction_turns,
-            words::large_friction_outside,
+            words::large_friction_outside
         ],
         ..Claim::BLANK
     },
@@ -456,7 +420,7 @@ const CLAIMS: &[Claim] = &[
         latex: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         plain: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         depends_on: &["eq-11", "eq-13", "eq-20"],
-        trials: &[incline::speed, incline::time, incline::forces],
+        trials: trials![incline::speed, incline::time, incline::forces],
         ..Claim::BLANK
     },
     Claim {
@@ -471,7 +435,7 @@ const CLAIMS: &[Claim] = &[
             "s21-small-friction-aligns",
             "s21-large-friction-stops",
         ],
-        trials: &[portrait::points, portrait::ends],
+        trials: trials![portrait::points, portrait::ends],
         ..Claim::BLANK
     },
 ];

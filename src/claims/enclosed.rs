@@ -35,6 +35,8 @@ pub fn certified(
         samples: Vec::new(),
         steps: Vec::new(),
         partial: false,
+        trial: "",
+        title: String::new(),
         read: BTreeSet::new(),
     }
 }

@@ -6,6 +6,7 @@ pub mod runs;
 pub mod straight;
 pub mod words;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -125,11 +126,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dα/dτ ≈ 1 − 1/A",
         conditions: SMALL_ALPHA,
         depends_on: &["eq-114", "eq-124", "s4-quasi-fixed-stability"],
-        trials: &[
-            exact::eq126_evidence,
-            words::eq126_relaxed,
-            words::eq126_order,
-        ],
+        trials: trials![&exact::EQ126, words::eq126_relaxed, words::eq126_order],
         ..Claim::BLANK
     },
     Claim {
@@ -142,7 +139,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A > 1",
         conditions: INNER,
         depends_on: &["eq-111", "eq-112"],
-        trials: &[words::above_one_census, words::eq127_root],
+        trials: trials![words::above_one_census, words::eq127_root],
         ..Claim::BLANK
     },
     Claim {
@@ -160,11 +157,7 @@ const CLAIMS: &[Claim] = &[
             latex: r"\dot\alpha\simeq\frac{\sqrt2}{\cosh(2\alpha)}-\frac{\cosh\alpha}{A}",
             plain: "dα/dτ ≃ √2/cosh(2α) − (cosh α)/A",
         }),
-        trials: &[
-            laws::eq128_limit,
-            || exact::evidence("eq-128"),
-            laws::corrected128_limit,
-        ],
+        trials: trials![laws::eq128_limit, &exact::EQ128, laws::corrected128_limit],
     },
     Claim {
         id: "eq-129",
@@ -181,11 +174,7 @@ const CLAIMS: &[Claim] = &[
             latex: r"(\cosh\alpha)\cosh(2\alpha)\simeq\frac{3\sqrt2}{4}A",
             plain: "cosh α cosh(2α) ≃ (3√2/4) A",
         }),
-        trials: &[
-            laws::eq129_limit,
-            || exact::evidence("eq-129"),
-            laws::corrected129_limit,
-        ],
+        trials: trials![laws::eq129_limit, &exact::EQ129, laws::corrected129_limit],
     },
     Claim {
         id: "eq-130",
@@ -202,11 +191,7 @@ const CLAIMS: &[Claim] = &[
             latex: r"\alpha\simeq\frac{1}{3}\ln(3\sqrt2 A)",
             plain: "α ≃ (1/3) ln(3√2 A)",
         }),
-        trials: &[
-            laws::eq130_limit,
-            || exact::evidence("eq-130"),
-            laws::corrected130_limit,
-        ],
+        trials: trials![laws::eq130_limit, &exact::EQ130, laws::corrected130_limit],
     },
     Claim {
         id: "eq-131",
@@ -223,11 +208,7 @@ const CLAIMS: &[Claim] = &[
             latex: r"\dot A\simeq\frac{(3\sqrt2 A)^{1/3}}{2}",
             plain: "dA/dτ ≃ (3√2 A)^(1/3)/2",
         }),
-        trials: &[
-            laws::eq131_limit,
-            || exact::evidence("eq-131"),
-            laws::corrected131_limit,
-        ],
+        trials: trials![laws::eq131_limit, &exact::EQ131, laws::corrected131_limit],
     },
     Claim {
         id: "eq-132",
@@ -244,12 +225,12 @@ const CLAIMS: &[Claim] = &[
             latex: r"A\sim\frac{2^{1/4}}{3}\tau^{3/2}\left[1-\frac{9\sqrt2}{8}\frac{\ln\tau}{\tau}+\cdots\right]",
             plain: "A ~ (2^(1/4)/3) τ^(3/2) [1 − (9√2/8) (ln τ)/τ + ⋯]",
         }),
-        trials: &[
+        trials: trials![
             laws::eq132_limit,
             laws::eq132_exponent,
-            || exact::evidence("eq-132"),
+            &exact::EQ132,
             laws::corrected132_limit,
-            laws::corrected132_delay,
+            laws::corrected132_delay
         ],
     },
     Claim {
@@ -267,11 +248,7 @@ const CLAIMS: &[Claim] = &[
             latex: r"\alpha=\frac12\ln(\sqrt2\tau)+o(1)",
             plain: "α = (1/2) ln(√2 τ) + o(1)",
         }),
-        trials: &[
-            laws::eq133_limit,
-            || exact::evidence("eq-133"),
-            laws::corrected133_limit,
-        ],
+        trials: trials![laws::eq133_limit, &exact::EQ133, laws::corrected133_limit],
     },
     Claim {
         id: "eq-134",
@@ -288,13 +265,13 @@ const CLAIMS: &[Claim] = &[
             latex: r"\psi\sim\frac\pi2-\frac2\tau\left[1+\frac{3\sqrt2}{4}\frac{\ln\tau}{\tau}+\cdots\right]",
             plain: "ψ ~ π/2 − (2/τ) [1 + (3√2/4) (ln τ)/τ + ⋯]",
         }),
-        trials: &[
+        trials: trials![
             laws::eq134_exponent,
             laws::eq134_limit,
-            || exact::evidence("eq-134"),
+            &exact::EQ134,
             laws::corrected134_exponent,
             laws::corrected134_limit,
-            laws::corrected134_delay,
+            laws::corrected134_delay
         ],
     },
     Claim {
@@ -312,12 +289,12 @@ const CLAIMS: &[Claim] = &[
             latex: r"p\sim\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}{2}\frac{\ln\tau}{\tau}+\cdots\right]",
             plain: "p ~ (τ²/(3√2)) [1 − (3√2/2) (ln τ)/τ + ⋯]",
         }),
-        trials: &[
+        trials: trials![
             laws::eq135_limit,
             laws::eq135_exponent,
-            || exact::evidence("eq-135"),
+            &exact::EQ135,
             laws::corrected135_limit,
-            laws::corrected135_delay,
+            laws::corrected135_delay
         ],
     },
     Claim {
@@ -335,12 +312,12 @@ const CLAIMS: &[Claim] = &[
             latex: r"\rho\sim\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}{2}\frac{\ln\tau}{\tau}+\cdots\right]",
             plain: "ρ ~ (τ²/(3√2)) [1 − (3√2/2) (ln τ)/τ + ⋯]",
         }),
-        trials: &[
+        trials: trials![
             laws::eq136_limit,
             laws::eq136_exponent,
-            || exact::evidence("eq-136"),
+            &exact::EQ136,
             laws::corrected136_limit,
-            laws::corrected136_delay,
+            laws::corrected136_delay
         ],
     },
     Claim {
@@ -358,12 +335,12 @@ const CLAIMS: &[Claim] = &[
             latex: r"s\sim\frac{\tau^3}{9\sqrt2}\left[1-\frac{9\sqrt2}{4}\frac{\ln\tau}{\tau}+\cdots\right]",
             plain: "s ~ (τ³/(9√2)) [1 − (9√2/4) (ln τ)/τ + ⋯]",
         }),
-        trials: &[
+        trials: trials![
             laws::eq137_limit,
             laws::eq137_exponent,
-            || exact::evidence("eq-137"),
+            &exact::EQ137,
             laws::corrected137_limit,
-            laws::corrected137_delay,
+            laws::corrected137_delay
         ],
     },
     Claim {
@@ -376,7 +353,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A²/2 ~ s",
         conditions: ESCAPING_LATE,
         depends_on: &["eq-104", "eq-132", "eq-137"],
-        trials: &[exact::eq138_evidence, laws::eq138_limit],
+        trials: trials![&exact::EQ138, laws::eq138_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -387,7 +364,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A never decreases, and grows without end unless α → 0.",
         conditions: INNER,
         depends_on: &["eq-113"],
-        trials: &[words::never_decreases_way, words::never_decreases_census],
+        trials: trials![words::never_decreases_way, words::never_decreases_census],
         ..Claim::BLANK
     },
     Claim {
@@ -398,10 +375,10 @@ const CLAIMS: &[Claim] = &[
         plain: "Near α = 0 the angle ψ goes rapidly to ψ₁, itself near zero, and then (126) holds.",
         conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-115", "eq-124", "eq-126"],
-        trials: &[
+        trials: trials![
             words::small_alpha_angle,
             words::small_alpha_rate,
-            words::small_alpha_straight,
+            words::small_alpha_straight
         ],
         ..Claim::BLANK
     },
@@ -413,11 +390,11 @@ const CLAIMS: &[Claim] = &[
         plain: "If A > 1 at the start, A grows without end and the speed never vanishes.",
         conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-126", "eq-127", "s4-A-never-decreases", "s4-small-alpha"],
-        trials: &[
+        trials: trials![
             words::above_one_within,
             words::a_grows,
             words::straight_stops,
-            words::straight_rate,
+            words::straight_rate
         ],
         ..Claim::BLANK
     },
@@ -429,7 +406,7 @@ const CLAIMS: &[Claim] = &[
         plain: "If A > 1 at the start, α grows without end, like A.",
         conditions: INNER,
         depends_on: &["eq-128", "s4-escape-if-A-above-1"],
-        trials: &[words::alpha_grows, words::alpha_census],
+        trials: trials![words::alpha_grows, words::alpha_census],
         ..Claim::BLANK
     },
 ];

@@ -5,6 +5,7 @@ mod planes;
 mod runs;
 mod words;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Topic};
 use crate::evidence::Kind;
 
@@ -38,11 +39,11 @@ const CLAIMS: &[Claim] = &[
                 stated: true,
             },
         ],
-        trials: &[
-            law::eq1_exact,
+        trials: trials![
+            &law::EQ1,
             law::eq1_laboratory,
             law::eq1_quadrature,
-            law::eq1_motion,
+            law::eq1_motion
         ],
         ..Claim::BLANK
     },
@@ -59,7 +60,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-1"],
-        trials: &[law::eq2_exact, law::eq2_quadrature, law::eq2_motion],
+        trials: trials![&law::EQ2, law::eq2_quadrature, law::eq2_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -69,7 +70,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"If the largest value of $\lvert\bm{A}\rvert$ is below $\mu g$, the speed falls and the particle is at rest after a finite time.",
         plain: "If max |𝐀| < μ g, the speed falls and the particle is at rest after a finite time.",
         depends_on: &["eq-2"],
-        trials: &[words::stops_census, words::stops_integration],
+        trials: trials![words::stops_census, words::stops_integration],
         ..Claim::BLANK
     },
     Claim {
@@ -83,10 +84,10 @@ const CLAIMS: &[Claim] = &[
             text: r"$\lvert\bm A\rvert>\mu g$ for a stretch of time, as for a continuous $\bm A$, and not only at single instants",
             stated: false,
         }],
-        trials: &[
+        trials: trials![
             words::rest_census,
             words::rest_integration,
-            words::rest_outside,
+            words::rest_outside
         ],
         ..Claim::BLANK
     },
@@ -101,10 +102,10 @@ const CLAIMS: &[Claim] = &[
             text: r"$\lvert\bm A\rvert$ stays above $\mu g$ by a fixed margin",
             stated: false,
         }],
-        trials: &[
+        trials: trials![
             words::grows_census,
             words::grows_integration,
-            words::grows_outside,
+            words::grows_outside
         ],
         ..Claim::BLANK
     },
@@ -115,11 +116,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"If $\bm{A}$ has a fixed direction, the part $\bm{v}_\perp$ of the velocity across it shrinks; if $\lvert\bm{A}\rvert$ is bounded as well, $\bm{v}_\perp\to0$ at large times.",
         plain: "If 𝐀 has a fixed direction, the part 𝐯⊥ of the velocity across it shrinks; if |𝐀| is bounded as well, 𝐯⊥ → 0 at large times.",
         depends_on: &["eq-1"],
-        trials: &[
+        trials: trials![
             words::across_census,
             words::across_quadrature,
             words::across_limit,
-            words::across_integration,
+            words::across_integration
         ],
         ..Claim::BLANK
     },

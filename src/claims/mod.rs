@@ -4,6 +4,8 @@
 //! said here: the [ledger](crate::ledger) judges.
 
 #[cfg(feature = "book")]
+pub mod attempt;
+#[cfg(feature = "book")]
 pub mod by_hand;
 #[cfg(feature = "book")]
 pub mod compare;
@@ -20,6 +22,8 @@ pub mod reading;
 #[cfg(feature = "book")]
 pub mod runs;
 pub mod solve;
+#[cfg(feature = "book")]
+pub mod statement;
 #[cfg(feature = "book")]
 pub mod tolerances;
 #[cfg(feature = "book")]
@@ -46,7 +50,9 @@ pub mod sphere;
 #[cfg(feature = "book")]
 pub mod turntable;
 
-use crate::evidence::{Change, Evidence, Kind};
+use crate::evidence::{Change, Kind};
+#[cfg(feature = "book")]
+use attempt::Attempt;
 
 /// A condition under which a claim is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -92,7 +98,7 @@ pub struct Claim {
     /// What replaces it, where it fails.
     pub correction: Option<Correction>,
     /// How it is tried.
-    pub trials: &'static [fn() -> Evidence],
+    pub trials: &'static [Attempt],
 }
 
 impl Claim {

@@ -7,6 +7,7 @@ mod pulses;
 mod rest;
 pub mod threshold;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Topic};
 use crate::evidence::Kind;
 
@@ -31,7 +32,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26"],
-        trials: &[pulses::eq42],
+        trials: trials![pulses::eq42],
         ..Claim::BLANK
     },
     Claim {
@@ -43,7 +44,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"h(\pi+\phi)=-h(\phi)",
         plain: "h(π + φ) = −h(φ)",
         depends_on: &["eq-42"],
-        trials: &[pulses::eq43],
+        trials: trials![pulses::eq43],
         ..Claim::BLANK
     },
     Claim {
@@ -65,7 +66,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26", "eq-42"],
-        trials: &[exact::eq44, pulses::eq44_motion],
+        trials: trials![&exact::EQ44, pulses::eq44_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -87,7 +88,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-43", "eq-44"],
-        trials: &[exact::eq45, pulses::eq45_motion],
+        trials: trials![&exact::EQ45, pulses::eq45_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -99,12 +100,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_\mathrm{c}=\eta",
         plain: "λ_c = η",
         depends_on: &["eq-44"],
-        trials: &[
-            exact::eq46,
+        trials: trials![
+            &exact::EQ46,
             pulses::eq46_root,
             pulses::eq46_census,
             pulses::below_motion,
-            drawn::shares_motion,
+            drawn::shares_motion
         ],
         ..Claim::BLANK
     },
@@ -119,7 +120,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26"],
-        trials: &[rest::within_time, rest::stopping_time, rest::sharp],
+        trials: trials![rest::within_time, rest::stopping_time, rest::sharp],
         ..Claim::BLANK
     },
     Claim {
@@ -151,13 +152,13 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26"],
-        trials: &[
+        trials: trials![
             threshold::both_ends,
             threshold::two_zeros_root,
             threshold::again_and_again,
             threshold::with_mean,
             threshold::two_valued,
-            threshold::level,
+            threshold::level
         ],
         ..Claim::BLANK
     },
@@ -168,7 +169,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For the pulses of (42), (43): $\eta=1$ has no large-friction phase, $\eta=0$ has no small-friction phase.",
         plain: "For the pulses of (42), (43): η = 1 has no large-friction phase, η = 0 has no small-friction phase.",
         depends_on: &["eq-43", "eq-46"],
-        trials: &[pulses::extremes_census, pulses::extremes_limit],
+        trials: trials![pulses::extremes_census, pulses::extremes_limit],
         ..Claim::BLANK
     },
 ];

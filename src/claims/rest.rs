@@ -7,6 +7,7 @@ pub mod near;
 pub mod runs;
 pub mod words;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -96,11 +97,7 @@ const CLAIMS: &[Claim] = &[
         plain: "σ ≤ 1",
         conditions: AT_REST,
         depends_on: &["eq-89"],
-        trials: &[
-            || exact::evidence("eq-139"),
-            words::eq139_nudge,
-            words::eq139_stays,
-        ],
+        trials: trials![&exact::EQ139, words::eq139_nudge, words::eq139_stays],
         ..Claim::BLANK
     },
     Claim {
@@ -113,13 +110,13 @@ const CLAIMS: &[Claim] = &[
         plain: "dα/dτ = 1 − 1/σ + ⋯",
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-114", "eq-115", "eq-139"],
-        trials: &[
-            || exact::near::evidence("eq-140"),
+        trials: trials![
+            &exact::near::EQ140,
             near::eq140_motion,
             near::eq140_order,
             near::eq140_straight,
             near::corrected140,
-            near::eq140_at_one,
+            near::eq140_at_one
         ],
         ..Claim::BLANK
     },
@@ -133,13 +130,13 @@ const CLAIMS: &[Claim] = &[
         plain: "α = (σ − 1) τ/σ + ⋯",
         conditions: NEAR_REST_CLOCK,
         depends_on: &["eq-140"],
-        trials: &[
-            || exact::near::evidence("eq-141"),
+        trials: trials![
+            &exact::near::EQ141,
             near::eq141_motion,
             near::eq141_order,
             near::eq141_straight,
             near::eq141_at_one,
-            near::eq141_clock,
+            near::eq141_clock
         ],
         ..Claim::BLANK
     },
@@ -153,12 +150,12 @@ const CLAIMS: &[Claim] = &[
         plain: "((σ − 1)/σ) dψ/dα ≈ 2 [1 − ψ/(2α)]",
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-115", "eq-140"],
-        trials: &[
-            || exact::near::evidence("eq-142"),
+        trials: trials![
+            &exact::near::EQ142,
             near::eq142_motion,
             near::eq142_order,
             near::eq142_straight,
-            near::eq142_at_one,
+            near::eq142_at_one
         ],
         ..Claim::BLANK
     },
@@ -172,15 +169,15 @@ const CLAIMS: &[Claim] = &[
         plain: "ψ = 2α [σ/(2σ − 1) + c α^((2σ − 1)/(1 − σ))] + ⋯, c constant",
         conditions: NEAR_REST_TWO_TERMS,
         depends_on: &["eq-142"],
-        trials: &[
-            || exact::near::evidence("eq-143"),
+        trials: trials![
+            &exact::near::EQ143,
             near::eq143_constant,
             near::eq143_exponent,
             near::eq143_small_sigma,
             near::eq143_large_sigma,
             near::eq143_one_half,
             near::eq143_straight,
-            near::eq143_regular,
+            near::eq143_regular
         ],
         ..Claim::BLANK
     },
@@ -194,12 +191,12 @@ const CLAIMS: &[Claim] = &[
         plain: "((σ − 1)/σ) dA/dα ≈ α",
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-113", "eq-140"],
-        trials: &[
-            || exact::near::evidence("eq-144"),
+        trials: trials![
+            &exact::near::EQ144,
             near::eq144_motion,
             near::eq144_order,
             near::eq144_straight,
-            near::eq144_at_one,
+            near::eq144_at_one
         ],
         ..Claim::BLANK
     },
@@ -213,12 +210,12 @@ const CLAIMS: &[Claim] = &[
         plain: "A = σ + (σ/(σ − 1)) α²/2 + ⋯",
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-144"],
-        trials: &[
-            || exact::near::evidence("eq-145"),
+        trials: trials![
+            &exact::near::EQ145,
             near::eq145_motion,
             near::eq145_order,
             near::eq145_straight,
-            near::eq145_at_one,
+            near::eq145_at_one
         ],
         ..Claim::BLANK
     },
@@ -232,10 +229,10 @@ const CLAIMS: &[Claim] = &[
         plain: "0 = 1 − (1/(σ − 1)²) α²/2 + ⋯",
         depends_on: &["eq-145"],
         conditions: TRUNCATED,
-        trials: &[
-            || exact::evidence("eq-146"),
+        trials: trials![
+            &exact::EQ146,
             boundary::real_surfaces,
-            boundary::closing_surfaces,
+            boundary::closing_surfaces
         ],
         ..Claim::BLANK
     },
@@ -249,7 +246,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A = (1 − α/√2)² + ⋯",
         depends_on: &["eq-145", "eq-146"],
         conditions: TRUNCATED,
-        trials: &[|| exact::evidence("eq-147"), boundary::printed_slow],
+        trials: trials![&exact::EQ147, boundary::printed_slow],
         ..Claim::BLANK
     },
     Claim {
@@ -259,11 +256,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"A particle can stay at rest at $\rho=\sigma$ only if $\sigma\le1$: farther out the centrifugal force exceeds the greatest static friction.",
         plain: "A particle can stay at rest at ρ = σ only if σ ≤ 1: farther out the centrifugal force exceeds the greatest static friction.",
         depends_on: &["eq-139"],
-        trials: &[
-            || exact::evidence("eq-139"),
-            words::eq139_stays,
-            words::resting_places,
-        ],
+        trials: trials![&exact::EQ139, words::eq139_stays, words::resting_places],
         ..Claim::BLANK
     },
     Claim {
@@ -274,11 +267,11 @@ const CLAIMS: &[Claim] = &[
         plain: "As the particle comes to rest, α and ψ tend to zero, as in (140) to (145).",
         depends_on: &["eq-140", "eq-141", "eq-142", "eq-143", "eq-144", "eq-145"],
         conditions: &[TO_ZERO],
-        trials: &[
+        trials: trials![
             near::near_rest_angle,
             near::near_rest_census,
             near::near_rest_straight,
-            near::corrected_near_rest,
+            near::corrected_near_rest
         ],
         ..Claim::BLANK
     },
@@ -295,15 +288,15 @@ const CLAIMS: &[Claim] = &[
             latex: r"$A=1-\alpha C^2+\alpha^2\left[\tfrac76C^4+2SC^3-S^2C^2+\tfrac23S^3C-\tfrac14S^4\right]+O(\alpha^3),\quad C=\cos\tfrac\psi2,\ S=\sin\tfrac\psi2$",
             plain: "A = 1 − α C² + α² [(7/6) C⁴ + 2 S C³ − S² C² + (2/3) S³ C − (1/4) S⁴] + O(α³), C = cos(ψ/2), S = sin(ψ/2)",
         }),
-        trials: &[
+        trials: trials![
             boundary::printed_census,
             boundary::printed_root,
-            exact::boundary::printed_evidence,
+            &exact::boundary::PRINTED,
             boundary::corrected_census,
             boundary::corrected_root,
-            exact::boundary::evidence,
+            &exact::boundary::CORRECTED,
             certified::printed,
-            certified::corrected,
+            certified::corrected
         ],
         ..Claim::BLANK
     },

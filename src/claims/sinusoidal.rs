@@ -13,6 +13,7 @@ mod slip;
 mod threshold;
 mod words;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -49,7 +50,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A_0>0$",
             stated: true,
         }],
-        trials: &[exact::definitions, setup::eq21],
+        trials: trials![&exact::DEFINITIONS, setup::eq21],
         ..Claim::BLANK
     },
     Claim {
@@ -61,7 +62,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{\mu g}{A_0}",
         plain: "λ₀ = μ g / A₀",
         depends_on: &["eq-21"],
-        trials: &[exact::definitions, setup::eq22],
+        trials: trials![&exact::DEFINITIONS, setup::eq22],
         ..Claim::BLANK
     },
     Claim {
@@ -73,7 +74,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\phi=\varpi t",
         plain: "φ = ϖ t",
         depends_on: &["eq-21"],
-        trials: &[exact::definitions, setup::eq23],
+        trials: trials![&exact::DEFINITIONS, setup::eq23],
         ..Claim::BLANK
     },
     Claim {
@@ -85,7 +86,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\mathfrak{w}=\frac{\varpi v_x}{A_0}",
         plain: "w = ϖ v_x / A₀",
         depends_on: &["eq-21"],
-        trials: &[exact::definitions, setup::eq24],
+        trials: trials![&exact::DEFINITIONS, setup::eq24],
         ..Claim::BLANK
     },
     Claim {
@@ -101,7 +102,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-22"],
-        trials: &[exact::eq25, setup::eq25_motion, setup::eq25_census],
+        trials: trials![&exact::EQ25, setup::eq25_motion, setup::eq25_census],
         ..Claim::BLANK
     },
     Claim {
@@ -130,7 +131,7 @@ const CLAIMS: &[Claim] = &[
             "eq-24",
             "s22-vy-vanishes",
         ],
-        trials: &[exact::eq26, setup::eq26_quadrature],
+        trials: trials![&exact::EQ26, setup::eq26_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -146,7 +147,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-25", "eq-26"],
-        trials: &[exact::eq27, phases::eq27_root, phases::eq27_motion],
+        trials: trials![&exact::EQ27, phases::eq27_root, phases::eq27_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -162,7 +163,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-25", "eq-26"],
-        trials: &[exact::eq28, phases::eq28_root, phases::eq28_motion],
+        trials: trials![&exact::EQ28, phases::eq28_root, phases::eq28_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -178,7 +179,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-25", "eq-26"],
-        trials: &[exact::eq29, phases::eq29_root, phases::eq29_motion],
+        trials: trials![&exact::EQ29, phases::eq29_root, phases::eq29_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -194,7 +195,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-25", "eq-26"],
-        trials: &[exact::eq30, phases::eq30_root, phases::eq30_motion],
+        trials: trials![&exact::EQ30, phases::eq30_root, phases::eq30_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -220,7 +221,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26", "eq-27"],
-        trials: &[exact::eq31, slip::eq31_motion],
+        trials: trials![&exact::EQ31, slip::eq31_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -236,12 +237,12 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-31"],
-        trials: &[
-            exact::eq32,
+        trials: trials![
+            &exact::EQ32,
             slip::eq32_root,
             slip::eq32_motion,
             slip::eq32_census,
-            certified::one_end,
+            certified::one_end
         ],
         ..Claim::BLANK
     },
@@ -264,7 +265,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-29", "eq-31", "eq-32", "s22-rest-ends"],
-        trials: &[exact::eq33, periodic::eq33_motion, periodic::eq33_unique],
+        trials: trials![&exact::EQ33, periodic::eq33_motion, periodic::eq33_unique],
         ..Claim::BLANK
     },
     Claim {
@@ -280,11 +281,11 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-29", "eq-32"],
-        trials: &[
-            exact::eq34,
+        trials: trials![
+            &exact::EQ34,
             slip::eq34_motion,
             slip::eq34_census,
-            threshold::eq34_root,
+            threshold::eq34_root
         ],
         ..Claim::BLANK
     },
@@ -301,11 +302,11 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-29", "eq-34"],
-        trials: &[
-            exact::eq35,
+        trials: trials![
+            &exact::EQ35,
             slip::eq35_motion,
             slip::eq35_census,
-            certified::threshold,
+            certified::threshold
         ],
         ..Claim::BLANK
     },
@@ -322,7 +323,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-35", "eq-37"],
-        trials: &[exact::eq36, slip::eq36_census],
+        trials: trials![&exact::EQ36, slip::eq36_census],
         ..Claim::BLANK
     },
     Claim {
@@ -334,11 +335,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}",
         plain: "λ_c = 2 / √(4 + π²)",
         depends_on: &["eq-35"],
-        trials: &[
-            exact::eq37,
+        trials: trials![
+            &exact::EQ37,
             threshold::eq37_root,
             threshold::eq37_motion,
-            certified::lambda_c,
+            certified::lambda_c
         ],
         ..Claim::BLANK
     },
@@ -358,12 +359,12 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26", "eq-36", "s22-no-rest-below"],
-        trials: &[
-            exact::eq38,
+        trials: trials![
+            &exact::EQ38,
             periodic::eq38_motion,
             periodic::eq38_unique,
             periodic::eq38_approach,
-            periodic::eq38_outside,
+            periodic::eq38_outside
         ],
         ..Claim::BLANK
     },
@@ -380,7 +381,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-38"],
-        trials: &[exact::eq39, periodic::eq39_motion],
+        trials: trials![&exact::EQ39, periodic::eq39_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -396,7 +397,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-37", "eq-38"],
-        trials: &[exact::eq40, threshold::eq40_census],
+        trials: trials![&exact::EQ40, threshold::eq40_census],
         ..Claim::BLANK
     },
     Claim {
@@ -412,11 +413,11 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-27", "eq-39", "eq-40"],
-        trials: &[
-            exact::eq40,
+        trials: trials![
+            &exact::EQ40,
             threshold::eq41_motion,
             threshold::eq41_census,
-            certified::turns,
+            certified::turns
         ],
         ..Claim::BLANK
     },
@@ -431,10 +432,10 @@ const CLAIMS: &[Claim] = &[
             text: r"$\mu>0$: there is friction",
             stated: true,
         }],
-        trials: &[
+        trials: trials![
             across::vanishes_limit,
             across::vanishes_motion,
-            across::vanishes_census,
+            across::vanishes_census
         ],
         ..Claim::BLANK
     },
@@ -445,7 +446,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $A_0<\mu g$, $v_x$ too vanishes at large times.",
         plain: "For A₀ < μ g, v_x too vanishes at large times.",
         depends_on: &["s2-stops-if-weak", "eq-21"],
-        trials: &[words::weak_drive_motion, words::weak_drive_census],
+        trials: trials![words::weak_drive_motion, words::weak_drive_census],
         ..Claim::BLANK
     },
     Claim {
@@ -459,7 +460,7 @@ const CLAIMS: &[Claim] = &[
             text: r"$\mu>0$: there is friction",
             stated: true,
         }],
-        trials: &[
+        trials: trials![
             across::first_stage,
             across::second_stage,
             decay::first_stage_correction,
@@ -468,7 +469,7 @@ const CLAIMS: &[Claim] = &[
             decay::passage_limit,
             decay::passage_quadrature,
             decay::finite_end,
-            decay::last_stage,
+            decay::last_stage
         ],
         correction: Some(DECAY),
         ..Claim::BLANK
@@ -484,7 +485,7 @@ const CLAIMS: &[Claim] = &[
             text: r"$\mu>0$: there is friction",
             stated: true,
         }],
-        trials: &[across::ignores_motion, across::ignores_census],
+        trials: trials![across::ignores_motion, across::ignores_census],
         ..Claim::BLANK
     },
     Claim {
@@ -495,7 +496,7 @@ const CLAIMS: &[Claim] = &[
         latex: "$v_x$ against time for one initial $v_x$ and several initial $v_y$.",
         plain: "v_x against time for one initial v_x and several initial v_y.",
         depends_on: &["eq-1", "eq-21", "s22-attractor-ignores-vy"],
-        trials: &[pictures::fig2_motion, pictures::fig2_limit],
+        trials: trials![pictures::fig2_motion, pictures::fig2_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -515,10 +516,10 @@ const CLAIMS: &[Claim] = &[
                 stated: false,
             },
         ],
-        trials: &[
+        trials: trials![
             phases::four_points_census,
             phases::four_points_root,
-            phases::four_points_outside,
+            phases::four_points_outside
         ],
         ..Claim::BLANK
     },
@@ -529,7 +530,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"Within $[0,2\pi]$ an interval of rest can end only at $\phi_1$ or $\phi_3$.",
         plain: "Within [0, 2π] an interval of rest can end only at φ₁ or φ₃.",
         depends_on: &["eq-26", "eq-27", "eq-29"],
-        trials: &[phases::rest_ends_motion, phases::rest_ends_census],
+        trials: trials![phases::rest_ends_motion, phases::rest_ends_census],
         ..Claim::BLANK
     },
     Claim {
@@ -539,10 +540,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\phi_2<\tilde\phi_2<\phi_4$.",
         plain: "φ₂ < φ̃₂ < φ₄.",
         depends_on: &["eq-28", "eq-30", "eq-32"],
-        trials: &[
+        trials: trials![
             slip::bracket_census,
             slip::bracket_limit,
-            certified::bracket,
+            certified::bracket
         ],
         ..Claim::BLANK
     },
@@ -553,10 +554,10 @@ const CLAIMS: &[Claim] = &[
         latex: r"If $\tilde\phi_2<\phi_3$, the large-time motion is (33), at rest on $[\tilde\phi_2,\phi_3]$ and again half a period later.",
         plain: "If φ̃₂ < φ₃, the large-time motion is (33), at rest on [φ̃₂, φ₃] and again half a period later.",
         depends_on: &["eq-33"],
-        trials: &[
+        trials: trials![
             periodic::rest_interval_root,
             periodic::rest_interval_reached,
-            periodic::eq33_unique,
+            periodic::eq33_unique
         ],
         ..Claim::BLANK
     },
@@ -567,7 +568,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda_0<\lambda_\mathrm{c}$ no periodic motion vanishes on an interval.",
         plain: "For λ₀ < λ_c no periodic motion vanishes on an interval.",
         depends_on: &["eq-26", "eq-32", "eq-36", "s22-rest-ends"],
-        trials: &[words::no_rest_census, words::no_rest_motion],
+        trials: trials![words::no_rest_census, words::no_rest_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -584,10 +585,10 @@ const CLAIMS: &[Claim] = &[
             "s22-no-rest-below",
         ],
         conditions: &[SOME_FRICTION],
-        trials: &[
+        trials: trials![
             words::trichotomy_census,
             words::trichotomy_motion,
-            words::trichotomy_outside,
+            words::trichotomy_outside
         ],
         ..Claim::BLANK
     },
@@ -599,7 +600,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$, that is (38) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.8$.",
         plain: "w(φ) over two periods for λ₀ = 1/π, that is (38) for φ from 0 to 4π; the axis of w bears the mark 0.8.",
         depends_on: &["eq-38", "eq-39"],
-        trials: &[pictures::fig3_motion, pictures::fig3_frame],
+        trials: trials![pictures::fig3_motion, pictures::fig3_frame],
         ..Claim::BLANK
     },
     Claim {
@@ -610,7 +611,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$, that is (33) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.3$.",
         plain: "w(φ) over two periods for λ₀ = 1/√2, that is (33) for φ from 0 to 4π; the axis of w bears the mark 0.3.",
         depends_on: &["eq-33"],
-        trials: &[pictures::fig4_motion, pictures::fig4_frame],
+        trials: trials![pictures::fig4_motion, pictures::fig4_frame],
         ..Claim::BLANK
     },
 ];

@@ -10,8 +10,9 @@ mod runs;
 mod scaling;
 mod words;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
-use crate::evidence::{Change, Kind, Subject};
+use crate::evidence::{Change, Kind};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -98,7 +99,7 @@ const CLAIMS: &[Claim] = &[
         title: "Newton's law for the centre",
         latex: r"m \frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-m \bm{A}+\bm{F}",
         plain: "m d²𝐫/dt² = −m 𝐀 + 𝐅",
-        trials: &[|| exact::evidence("eq-59", Subject::Printed), laws::eq59],
+        trials: trials![&exact::EQ59, laws::eq59],
         ..Claim::BLANK
     },
     Claim {
@@ -109,7 +110,7 @@ const CLAIMS: &[Claim] = &[
         title: "Newton's law for the spin",
         latex: r"I \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=\bm{R}\times\bm{F}",
         plain: "I d𝛚/dt = 𝐑 × 𝐅",
-        trials: &[|| exact::evidence("eq-60", Subject::Printed), laws::eq60],
+        trials: trials![&exact::EQ60, laws::eq60],
         ..Claim::BLANK
     },
     Claim {
@@ -120,7 +121,7 @@ const CLAIMS: &[Claim] = &[
         title: "from the centre to the contact",
         latex: r"\bm{R}=-R \hat{\bm{z}}",
         plain: "𝐑 = −R ẑ",
-        trials: &[laws::eq61],
+        trials: trials![laws::eq61],
         ..Claim::BLANK
     },
     Claim {
@@ -131,7 +132,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless moment of inertia",
         latex: r"\kappa=\frac{I}{m R^2}",
         plain: "κ = I/(m R²)",
-        trials: &[|| exact::evidence("eq-62", Subject::Printed), scaling::eq62],
+        trials: trials![&exact::EQ62, scaling::eq62],
         ..Claim::BLANK
     },
     Claim {
@@ -144,7 +145,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d²𝐫/dt² = −𝐀 − μ g 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
         conditions: SLIDES,
         depends_on: &["eq-59", "eq-61"],
-        trials: &[|| exact::evidence("eq-63", Subject::Printed), rates::eq63],
+        trials: trials![&exact::EQ63, rates::eq63],
         ..Claim::BLANK
     },
     Claim {
@@ -157,7 +158,7 @@ const CLAIMS: &[Claim] = &[
         plain: "κ R² d𝛚/dt = −μ g 𝐑 × 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
         conditions: SLIDES,
         depends_on: &["eq-60", "eq-61", "eq-62"],
-        trials: &[|| exact::evidence("eq-64", Subject::Printed), rates::eq64],
+        trials: trials![&exact::EQ64, rates::eq64],
         ..Claim::BLANK
     },
     Claim {
@@ -170,7 +171,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d(𝛚 × 𝐑)/dt = −(μ g/κ) 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
         conditions: SLIDES,
         depends_on: &["eq-61", "eq-64"],
-        trials: &[|| exact::evidence("eq-65", Subject::Printed), rates::eq65],
+        trials: trials![&exact::EQ65, rates::eq65],
         ..Claim::BLANK
     },
     Claim {
@@ -183,7 +184,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d𝐰/dt = −𝐀 − b μ g 𝐰/|𝐰|, 𝐰 = d𝐫/dt + 𝛚 × 𝐑",
         conditions: SLIDES,
         depends_on: &["eq-63", "eq-65", "eq-67"],
-        trials: &[|| exact::evidence("eq-66", Subject::Printed), rates::eq66],
+        trials: trials![&exact::EQ66, rates::eq66],
         ..Claim::BLANK
     },
     Claim {
@@ -195,7 +196,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"b=1+\frac{1}{\kappa}",
         plain: "b = 1 + 1/κ",
         depends_on: &["eq-62"],
-        trials: &[laws::eq67],
+        trials: trials![laws::eq67],
         ..Claim::BLANK
     },
     Claim {
@@ -206,7 +207,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless position",
         latex: r"\bm{\rho}=\frac{\bm{r}}{R}",
         plain: "𝛒 = 𝐫/R",
-        trials: &[|| exact::evidence("eq-68", Subject::Printed), scaling::eq68],
+        trials: trials![&exact::EQ68, scaling::eq68],
         ..Claim::BLANK
     },
     Claim {
@@ -217,7 +218,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless time",
         latex: r"\tau=\sqrt{\frac{\mu g}{R}} t",
         plain: "τ = √(μ g/R) t",
-        trials: &[|| exact::evidence("eq-69", Subject::Printed), scaling::eq69],
+        trials: trials![&exact::EQ69, scaling::eq69],
         ..Claim::BLANK
     },
     Claim {
@@ -228,7 +229,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless angular velocity",
         latex: r"\bm{\zeta}=\sqrt{\frac{R}{\mu g}} \bm{\omega}",
         plain: "𝛇 = √(R/(μ g)) 𝛚",
-        trials: &[|| exact::evidence("eq-70", Subject::Printed), scaling::eq70],
+        trials: trials![&exact::EQ70, scaling::eq70],
         ..Claim::BLANK
     },
     Claim {
@@ -240,7 +241,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{u}=\frac{1}{\sqrt{\mu g R}} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)",
         plain: "𝐮 = (d𝐫/dt + 𝛚 × 𝐑)/√(μ g R)",
         depends_on: &["eq-61"],
-        trials: &[|| exact::evidence("eq-71", Subject::Printed), scaling::eq71],
+        trials: trials![&exact::EQ71, scaling::eq71],
         ..Claim::BLANK
     },
     Claim {
@@ -251,7 +252,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless acceleration",
         latex: r"\bm{\gamma}=\frac{\bm{A}}{\mu g}",
         plain: "𝛄 = 𝐀/(μ g)",
-        trials: &[|| exact::evidence("eq-72", Subject::Printed), scaling::eq72],
+        trials: trials![&exact::EQ72, scaling::eq72],
         ..Claim::BLANK
     },
     Claim {
@@ -264,7 +265,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d²𝛒/dτ² = −𝛄 − 𝐮/u",
         conditions: SLIDES,
         depends_on: &["eq-63", "eq-68", "eq-69", "eq-71", "eq-72"],
-        trials: &[|| exact::evidence("eq-73", Subject::Printed), rates::eq73],
+        trials: trials![&exact::EQ73, rates::eq73],
         ..Claim::BLANK
     },
     Claim {
@@ -277,7 +278,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d𝐮/dτ = −𝛄 − b 𝐮/u",
         conditions: SLIDES,
         depends_on: &["eq-66", "eq-69", "eq-71", "eq-72"],
-        trials: &[|| exact::evidence("eq-74", Subject::Printed), rates::eq74],
+        trials: trials![&exact::EQ74, rates::eq74],
         ..Claim::BLANK
     },
     Claim {
@@ -289,11 +290,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{\zeta}=\hat{\bm{z}} \zeta_3+\hat{\bm{z}}\times(\bm{u}-\dot{\bm{\rho}})",
         plain: "𝛇 = ẑ ζ₃ + ẑ × (𝐮 − d𝛒/dτ)",
         depends_on: &["eq-61", "eq-68", "eq-69", "eq-70", "eq-71"],
-        trials: &[
+        trials: trials![
             rates::eq75,
-            || exact::evidence("eq-75", Subject::Printed),
+            &exact::EQ75,
             rates::corrected75,
-            || exact::evidence("corrected-75", Subject::Corrected),
+            &exact::CORRECTED_75
         ],
         correction: Some(SPIN),
         ..Claim::BLANK
@@ -307,7 +308,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot{\bm{\nu}}=\bm{\gamma}",
         plain: "d𝛎/dτ = 𝛄",
         depends_on: &["eq-69", "eq-72"],
-        trials: &[laws::eq76],
+        trials: trials![laws::eq76],
         ..Claim::BLANK
     },
     Claim {
@@ -320,7 +321,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d(d𝛒/dτ + 𝛎)/dτ = −𝐮/u",
         conditions: SLIDES,
         depends_on: &["eq-73", "eq-76"],
-        trials: &[|| exact::evidence("eq-77", Subject::Printed), rates::eq77],
+        trials: trials![&exact::EQ77, rates::eq77],
         ..Claim::BLANK
     },
     Claim {
@@ -333,7 +334,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d(𝐮 + 𝛎)/dτ = −b 𝐮/u",
         conditions: SLIDES,
         depends_on: &["eq-74", "eq-76"],
-        trials: &[|| exact::evidence("eq-78", Subject::Printed), rates::eq78],
+        trials: trials![&exact::EQ78, rates::eq78],
         ..Claim::BLANK
     },
     Claim {
@@ -345,7 +346,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot{\bm{\rho}}=-\left(1-\frac{1}{b}\right) \bm{\nu}+\frac{\bm{u}}{b}+\bm{c}",
         plain: "d𝛒/dτ = −(1 − 1/b) 𝛎 + 𝐮/b + 𝐜, 𝐜 constant",
         depends_on: &["eq-77", "eq-78"],
-        trials: &[|| exact::evidence("eq-79", Subject::Printed), rates::eq79],
+        trials: trials![&exact::EQ79, rates::eq79],
         ..Claim::BLANK
     },
     Claim {
@@ -357,7 +358,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda=\frac{b \mu g}{A}",
         plain: "λ = b μ g/A",
         depends_on: &["eq-3", "eq-67"],
-        trials: &[angle::eq80],
+        trials: trials![angle::eq80],
         ..Claim::BLANK
     },
     Claim {
@@ -370,12 +371,12 @@ const CLAIMS: &[Claim] = &[
         plain: "u = u₀ (sin θ₀/sin θ) [tan(θ/2)/tan(θ₀/2)]^λ",
         conditions: NOT_STRAIGHT,
         depends_on: &["eq-11", "eq-74", "eq-80"],
-        trials: &[
-            || exact::evidence("eq-81", Subject::Within),
+        trials: trials![
+            &exact::EQ81,
             angle::eq81,
             angle::eq81_outside,
             angle::regular_slip,
-            angle::regular_straight,
+            angle::regular_straight
         ],
         correction: Some(REGULAR_SLIP),
     },
@@ -389,13 +390,13 @@ const CLAIMS: &[Claim] = &[
         plain: "τ = u₀ (λ + cos θ₀)/(1 − λ²) · {[(λ + cos θ) sin θ₀]/[(λ + cos θ₀) sin θ] · [tan(θ/2)/tan(θ₀/2)]^λ − 1}",
         conditions: TIME_HAS_A_VALUE,
         depends_on: &["eq-13", "eq-69", "eq-71", "eq-74", "eq-80"],
-        trials: &[
+        trials: trials![
             angle::eq82,
-            || exact::evidence("eq-82", Subject::Printed),
+            &exact::EQ82,
             angle::corrected82,
             angle::corrected82_quadrature,
-            || exact::evidence("corrected-82", Subject::Corrected),
-            angle::regular_time,
+            &exact::CORRECTED_82,
+            angle::regular_time
         ],
         correction: Some(TIME),
     },
@@ -409,11 +410,11 @@ const CLAIMS: &[Claim] = &[
         plain: "u = [(1 − λ²) τ + u₀ (λ + cos θ₀)]/(λ + cos θ)",
         conditions: SLIP_HAS_A_VALUE,
         depends_on: &["eq-14", "eq-81", "eq-82"],
-        trials: &[
+        trials: trials![
             angle::eq83,
-            || exact::evidence("eq-83", Subject::Printed),
+            &exact::EQ83,
             angle::corrected83,
-            || exact::evidence("corrected-83", Subject::Corrected),
+            &exact::CORRECTED_83
         ],
         correction: Some(SLIP_AT_TIME),
     },
@@ -426,7 +427,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{b \mu g}{A_0}",
         plain: "λ₀ = b μ g/A₀",
         depends_on: &["eq-22", "eq-67"],
-        trials: &[driven::eq84],
+        trials: trials![driven::eq84],
         ..Claim::BLANK
     },
     Claim {
@@ -438,7 +439,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{b \mu_+ g}{A_0}",
         plain: "λ₀ = b μ₊ g/A₀",
         depends_on: &["eq-47", "eq-49", "eq-67"],
-        trials: &[driven::eq85],
+        trials: trials![driven::eq85],
         ..Claim::BLANK
     },
     Claim {
@@ -448,11 +449,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"The slip velocity $\bm{u}$ moves like a particle's velocity under the same $\bm{A}$ with $b\mu$ in place of $\mu$; the velocity of the centre and the spin then follow from $\bm{u}$.",
         plain: "The slip velocity 𝐮 moves like a particle's velocity under the same 𝐀 with bμ in place of μ; the velocity of the centre and the spin then follow from 𝐮.",
         depends_on: &["eq-1", "eq-74", "eq-75", "eq-79"],
-        trials: &[
-            || exact::evidence("s3-reduction", Subject::Printed),
+        trials: trials![
+            &exact::S3_REDUCTION,
             words::reduction_motion,
             words::reduction_rolling,
-            words::reduction_rest,
+            words::reduction_rest
         ],
         ..Claim::BLANK
     },
@@ -463,10 +464,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\zeta_3$ keeps its value and enters no other equation.",
         plain: "ζ₃ keeps its value and enters no other equation.",
         depends_on: &["eq-64", "eq-73", "eq-74", "eq-75"],
-        trials: &[
-            || exact::evidence("s3-spin-constant", Subject::Printed),
-            words::spin_constant,
-        ],
+        trials: trials![&exact::S3_SPIN_CONSTANT, words::spin_constant],
         ..Claim::BLANK
     },
     Claim {
@@ -480,11 +478,11 @@ const CLAIMS: &[Claim] = &[
             text: r"$\lambda_0>0$: without friction no start is forgotten",
             stated: false,
         }],
-        trials: &[
+        trials: trials![
             driven::trichotomy_census,
             driven::trichotomy_motion,
             driven::rolling_ends,
-            driven::trichotomy_outside,
+            driven::trichotomy_outside
         ],
         ..Claim::BLANK
     },
@@ -495,7 +493,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"With $\lambda_0$ of (84), the pulse train of (42), (43) has the same boundary $\lambda_\mathrm{c}=\eta$ for the sphere.",
         plain: "With λ₀ of (84), the pulse train of (42), (43) has the same boundary λ_c = η for the sphere.",
         depends_on: &["eq-42", "eq-43", "eq-46", "eq-84", "s3-reduction"],
-        trials: &[driven::pulse_census, driven::pulse_motion],
+        trials: trials![driven::pulse_census, driven::pulse_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -505,7 +503,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"With $\lambda_0$ of (85), the slip velocity has the regions I to V of the particle.",
         plain: "With λ₀ of (85), the slip velocity has the regions I to V of the particle.",
         depends_on: &["fig-5", "eq-85", "s3-reduction"],
-        trials: &[driven::anisotropic_census, driven::anisotropic_motion],
+        trials: trials![driven::anisotropic_census, driven::anisotropic_motion],
         ..Claim::BLANK
     },
 ];

@@ -12,8 +12,9 @@ pub mod shown;
 mod standstill;
 pub mod stretches;
 
+use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
-use crate::evidence::{Change, Kind, Subject};
+use crate::evidence::{Change, Kind};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -121,17 +122,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=\Omega^2 \bm{r}+2 \Omega \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\times\hat{\bm{z}} -\mu g \left\vert \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}\right\vert ^{-1} \frac{\mathrm{d} \bm{r}}{\mathrm{d} t}",
         plain: "d²𝐫/dt² = Ω² 𝐫 + 2Ω d𝐫/dt × ẑ − μ g (d𝐫/dt)/|d𝐫/dt|",
         conditions: &[SLIDES],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-86",
-                    Subject::Within,
-                    "the acceleration in the laboratory that (86) leads to, with friction alone",
-                )
-            },
+        trials: trials![
+            &exact::EQ86,
             frames::eq86,
             frames::eq86_turns,
-            standstill::eq86,
+            standstill::eq86
         ],
         ..Claim::BLANK
     },
@@ -144,16 +139,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{\rho}=\frac{\Omega^2}{\mu g} \bm{r}",
         plain: "𝛒 = (Ω²/(μ g)) 𝐫",
         conditions: POSITIVE,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-87",
-                    Subject::Printed,
-                    "(86) in the symbols (87) and (88) with (89)",
-                )
-            },
-            frames::eq87,
-        ],
+        trials: trials![&exact::EQ87, frames::eq87],
         ..Claim::BLANK
     },
     Claim {
@@ -165,16 +151,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\tau=\Omega t",
         plain: "τ = Ω t",
         conditions: POSITIVE,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-88",
-                    Subject::Printed,
-                    "(86) in the symbols (87) and (88) with (89)",
-                )
-            },
-            frames::eq88,
-        ],
+        trials: trials![&exact::EQ88, frames::eq88],
         ..Claim::BLANK
     },
     Claim {
@@ -187,17 +164,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d²𝛒/dτ² = 𝛒 + 2 d𝛒/dτ × ẑ − (d𝛒/dτ)/|d𝛒/dτ|",
         depends_on: &["eq-86", "eq-87", "eq-88"],
         conditions: POSITIVE_SLIDES,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-89",
-                    Subject::Within,
-                    "(89) with (86) in the units of (87) and (88)",
-                )
-            },
-            frames::eq89,
-            standstill::eq89,
-        ],
+        trials: trials![&exact::EQ89, frames::eq89, standstill::eq89],
         ..Claim::BLANK
     },
     Claim {
@@ -209,10 +176,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot{\bm{\rho}}\cdot\ddot{\bm{\rho}}=\bm{\rho}\cdot\dot{\bm{\rho}}-\vert \dot{\bm{\rho}}\vert",
         plain: "(d𝛒/dτ)·(d²𝛒/dτ²) = 𝛒·(d𝛒/dτ) − |d𝛒/dτ|",
         depends_on: &["eq-89"],
-        trials: &[
-            || exact::evidence("eq-90", Subject::Printed, "the two sides, with (89)"),
-            rates::eq90,
-        ],
+        trials: trials![&exact::EQ90, rates::eq90],
         ..Claim::BLANK
     },
     Claim {
@@ -225,11 +189,7 @@ const CLAIMS: &[Claim] = &[
         plain: "ẑ·(𝛒 × d²𝛒/dτ²) = −2 𝛒·(d𝛒/dτ) − ẑ·(𝛒 × d𝛒/dτ)/|d𝛒/dτ|",
         depends_on: &["eq-89"],
         conditions: &[NOT_AT_REST],
-        trials: &[
-            || exact::evidence("eq-91", Subject::Within, "the two sides, with (89)"),
-            rates::eq91,
-            standstill::eq91,
-        ],
+        trials: trials![&exact::EQ91, rates::eq91, standstill::eq91],
         ..Claim::BLANK
     },
     Claim {
@@ -242,11 +202,7 @@ const CLAIMS: &[Claim] = &[
         plain: "𝛒·(d²𝛒/dτ²) + |d𝛒/dτ|² = 𝛒·𝛒 + 2 ẑ·(𝛒 × d𝛒/dτ) − 𝛒·(d𝛒/dτ)/|d𝛒/dτ| + |d𝛒/dτ|²",
         depends_on: &["eq-89"],
         conditions: &[NOT_AT_REST],
-        trials: &[
-            || exact::evidence("eq-92", Subject::Within, "the two sides, with (89)"),
-            rates::eq92,
-            standstill::eq92,
-        ],
+        trials: trials![&exact::EQ92, rates::eq92, standstill::eq92],
         ..Claim::BLANK
     },
     Claim {
@@ -258,16 +214,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=\vert \dot{\bm{\rho}}\vert",
         plain: "p = |d𝛒/dτ|",
         depends_on: &["eq-87", "eq-88"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-93",
-                    Subject::Printed,
-                    "(93) with the size of the velocity",
-                )
-            },
-            definitions::eq93,
-        ],
+        trials: trials![&exact::EQ93, definitions::eq93],
         ..Claim::BLANK
     },
     Claim {
@@ -279,10 +226,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\xi=\rho \cos\psi",
         plain: "ξ = ρ cos ψ",
         depends_on: &["eq-87"],
-        trials: &[
-            || exact::evidence("eq-94", Subject::Printed, "(94) with 𝛒·(d𝛒/dτ)/p"),
-            definitions::eq94,
-        ],
+        trials: trials![&exact::EQ94, definitions::eq94],
         ..Claim::BLANK
     },
     Claim {
@@ -294,10 +238,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\ell=-\rho \sin\psi",
         plain: "ℓ = −ρ sin ψ",
         depends_on: &["eq-87"],
-        trials: &[
-            || exact::evidence("eq-95", Subject::Printed, "(95) with ẑ·(𝛒 × d𝛒/dτ)/p"),
-            definitions::eq95,
-        ],
+        trials: trials![&exact::EQ95, definitions::eq95],
         ..Claim::BLANK
     },
     Claim {
@@ -309,10 +250,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p \ell=\hat{\bm{z}}\cdot\bm{\rho}\times\dot{\bm{\rho}}",
         plain: "p ℓ = ẑ·(𝛒 × d𝛒/dτ)",
         depends_on: &["eq-93", "eq-95"],
-        trials: &[
-            || exact::evidence("eq-96", Subject::Printed, "the two sides, with (95)"),
-            definitions::eq96,
-        ],
+        trials: trials![&exact::EQ96, definitions::eq96],
         ..Claim::BLANK
     },
     Claim {
@@ -324,10 +262,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p \xi=\bm{\rho}\cdot\dot{\bm{\rho}}",
         plain: "p ξ = 𝛒·(d𝛒/dτ)",
         depends_on: &["eq-93", "eq-94"],
-        trials: &[
-            || exact::evidence("eq-97", Subject::Printed, "the two sides, with (94)"),
-            definitions::eq97,
-        ],
+        trials: trials![&exact::EQ97, definitions::eq97],
         ..Claim::BLANK
     },
     Claim {
@@ -339,16 +274,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{\rho}\cdot\bm{\rho}=\ell^2+\xi^2",
         plain: "𝛒·𝛒 = ℓ² + ξ²",
         depends_on: &["eq-94", "eq-95"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-98",
-                    Subject::Printed,
-                    "the two sides, with (94) and (95)",
-                )
-            },
-            definitions::eq98,
-        ],
+        trials: trials![&exact::EQ98, definitions::eq98],
         ..Claim::BLANK
     },
     Claim {
@@ -361,17 +287,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dp/dτ = ξ − 1",
         depends_on: &["eq-90", "eq-93", "eq-97"],
         conditions: &[MOVES],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-99",
-                    Subject::Within,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq99,
-            standstill::eq99,
-        ],
+        trials: trials![&exact::EQ99, rates::eq99, standstill::eq99],
         ..Claim::BLANK
     },
     Claim {
@@ -384,17 +300,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dℓ/dτ = −ξ (2p + ℓ)/p",
         depends_on: &["eq-91", "eq-96", "eq-97", "eq-99"],
         conditions: &[NOT_AT_REST],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-100",
-                    Subject::Within,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq100,
-            standstill::eq100,
-        ],
+        trials: trials![&exact::EQ100, rates::eq100, standstill::eq100],
         ..Claim::BLANK
     },
     Claim {
@@ -407,17 +313,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dξ/dτ = (p + ℓ)²/p",
         depends_on: &["eq-92", "eq-96", "eq-97", "eq-98", "eq-99"],
         conditions: &[NOT_AT_REST],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-101",
-                    Subject::Within,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq101,
-            standstill::eq101,
-        ],
+        trials: trials![&exact::EQ101, rates::eq101, standstill::eq101],
         ..Claim::BLANK
     },
     Claim {
@@ -429,16 +325,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"=p (\dot p+1)",
         plain: "ρ dρ/dτ = ℓ dℓ/dτ + ξ dξ/dτ = ξ p = p (dp/dτ + 1)",
         depends_on: &["eq-98", "eq-99", "eq-100", "eq-101"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-102",
-                    Subject::Printed,
-                    "each printed expression with ρ dρ/dτ by (89)",
-                )
-            },
-            rates::eq102,
-        ],
+        trials: trials![&exact::EQ102, rates::eq102],
         ..Claim::BLANK
     },
     Claim {
@@ -450,16 +337,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\left(\frac{p^2-\rho^2}{2}\right)^{\cdot}=-p",
         plain: "d[(p² − ρ²)/2]/dτ = −p",
         depends_on: &["eq-102"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-103",
-                    Subject::Printed,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq103,
-        ],
+        trials: trials![&exact::EQ103, rates::eq103],
         ..Claim::BLANK
     },
     Claim {
@@ -471,17 +349,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{p^2-\rho^2}{2}+s=\text{constant}",
         plain: "(p² − ρ²)/2 + s = constant",
         depends_on: &["eq-103", "eq-105"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-104",
-                    Subject::Printed,
-                    "the rate of (104) along (89) with 0",
-                )
-            },
-            energy::eq104,
-            shown::kept,
-        ],
+        trials: trials![&exact::EQ104, energy::eq104, shown::kept],
         ..Claim::BLANK
     },
     Claim {
@@ -493,7 +361,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot s=p",
         plain: "ds/dτ = p",
         depends_on: &["eq-93"],
-        trials: &[energy::eq105],
+        trials: trials![energy::eq105],
         ..Claim::BLANK
     },
     Claim {
@@ -506,17 +374,11 @@ const CLAIMS: &[Claim] = &[
         plain: "(m/2) (d𝐫/dt)·(d𝐫/dt) − m Ω² r²/2 + m g s = constant",
         depends_on: &["eq-87", "eq-88", "eq-104"],
         correction: Some(ENERGY),
-        trials: &[
+        trials: trials![
             energy::eq106,
-            exact::printed_106,
-            || {
-                exact::evidence(
-                    "corrected-106",
-                    Subject::Corrected,
-                    "the rate of (106) with mμgs, along (86), with 0",
-                )
-            },
-            energy::eq106_corrected,
+            &exact::PRINTED_106,
+            &exact::CORRECTED_106,
+            energy::eq106_corrected
         ],
         ..Claim::BLANK
     },
@@ -530,17 +392,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dp/dτ = ρ cos ψ − 1",
         depends_on: &["eq-94", "eq-99"],
         conditions: &[MOVES],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-107",
-                    Subject::Within,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq107,
-            standstill::eq107,
-        ],
+        trials: trials![&exact::EQ107, rates::eq107, standstill::eq107],
         ..Claim::BLANK
     },
     Claim {
@@ -552,16 +404,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\rho=p \cos\psi",
         plain: "dρ/dτ = p cos ψ",
         depends_on: &["eq-94", "eq-102"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-108",
-                    Subject::Printed,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq108,
-        ],
+        trials: trials![&exact::EQ108, rates::eq108],
         ..Claim::BLANK
     },
     Claim {
@@ -574,17 +417,11 @@ const CLAIMS: &[Claim] = &[
         plain: "dψ/dτ = 2 − (p/ρ + ρ/p) sin ψ",
         depends_on: &["eq-94", "eq-95", "eq-100", "eq-108"],
         conditions: &[NOT_AT_REST, OFF_AXIS],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-109",
-                    Subject::Within,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
+        trials: trials![
+            &exact::EQ109,
             rates::eq109,
             standstill::eq109,
-            standstill::eq109_on_the_axis,
+            standstill::eq109_on_the_axis
         ],
         ..Claim::BLANK
     },
@@ -597,16 +434,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p^2-\rho^2<0",
         plain: "p² − ρ² < 0",
         depends_on: &["eq-93"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-110",
-                    Subject::Printed,
-                    "(110), by (111) and (112), with −A²",
-                )
-            },
-            definitions::eq110,
-        ],
+        trials: trials![&exact::EQ110, definitions::eq110],
         ..Claim::BLANK
     },
     Claim {
@@ -618,16 +446,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=A \sinh\alpha",
         plain: "p = A sinh α",
         depends_on: &["eq-110"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-111",
-                    Subject::Printed,
-                    "ρ ± p by (111) and (112) with A exp(±α)",
-                )
-            },
-            definitions::eq111,
-        ],
+        trials: trials![&exact::EQ111, definitions::eq111],
         ..Claim::BLANK
     },
     Claim {
@@ -639,16 +458,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\rho=A \cosh\alpha",
         plain: "ρ = A cosh α",
         depends_on: &["eq-110"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-112",
-                    Subject::Printed,
-                    "ρ ± p by (111) and (112) with A exp(±α)",
-                )
-            },
-            definitions::eq112,
-        ],
+        trials: trials![&exact::EQ112, definitions::eq112],
         ..Claim::BLANK
     },
     Claim {
@@ -661,16 +471,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dA/dτ = sinh α",
         depends_on: &["eq-107", "eq-108", "eq-111", "eq-112"],
         conditions: INNER,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-113",
-                    Subject::Printed,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq113,
-        ],
+        trials: trials![&exact::EQ113, rates::eq113],
         ..Claim::BLANK
     },
     Claim {
@@ -683,17 +484,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dα/dτ = cos ψ − (cosh α)/A",
         depends_on: &["eq-107", "eq-108", "eq-111", "eq-112"],
         conditions: INNER_MOVES,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-114",
-                    Subject::Within,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq114,
-            standstill::eq114,
-        ],
+        trials: trials![&exact::EQ114, rates::eq114, standstill::eq114],
         ..Claim::BLANK
     },
     Claim {
@@ -706,17 +497,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dψ/dτ = 2 [1 − sin ψ coth(2α)]",
         depends_on: &["eq-109", "eq-111", "eq-112"],
         conditions: INNER_NOT_AT_REST,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-115",
-                    Subject::Within,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq115,
-            standstill::eq115,
-        ],
+        trials: trials![&exact::EQ115, rates::eq115, standstill::eq115],
         ..Claim::BLANK
     },
     Claim {
@@ -728,16 +509,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p^2-\rho^2>0",
         plain: "p² − ρ² > 0",
         depends_on: &["eq-93"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-116",
-                    Subject::Printed,
-                    "(116), by (117) and (118), with B²",
-                )
-            },
-            definitions::eq116,
-        ],
+        trials: trials![&exact::EQ116, definitions::eq116],
         ..Claim::BLANK
     },
     Claim {
@@ -749,16 +521,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"p=B \cosh\beta",
         plain: "p = B cosh β",
         depends_on: &["eq-116"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-117",
-                    Subject::Printed,
-                    "p ± ρ by (117) and (118) with B exp(±β)",
-                )
-            },
-            definitions::eq117,
-        ],
+        trials: trials![&exact::EQ117, definitions::eq117],
         ..Claim::BLANK
     },
     Claim {
@@ -770,16 +533,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\rho=B \sinh\beta",
         plain: "ρ = B sinh β",
         depends_on: &["eq-116"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-118",
-                    Subject::Printed,
-                    "p ± ρ by (117) and (118) with B exp(±β)",
-                )
-            },
-            definitions::eq118,
-        ],
+        trials: trials![&exact::EQ118, definitions::eq118],
         ..Claim::BLANK
     },
     Claim {
@@ -792,16 +546,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dB/dτ = −cosh β",
         depends_on: &["eq-107", "eq-108", "eq-117", "eq-118"],
         conditions: OUTER,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-119",
-                    Subject::Printed,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq119,
-        ],
+        trials: trials![&exact::EQ119, rates::eq119],
         ..Claim::BLANK
     },
     Claim {
@@ -814,16 +559,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dβ/dτ = cos ψ + (sinh β)/B",
         depends_on: &["eq-107", "eq-108", "eq-117", "eq-118"],
         conditions: OUTER,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-120",
-                    Subject::Printed,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq120,
-        ],
+        trials: trials![&exact::EQ120, rates::eq120],
         ..Claim::BLANK
     },
     Claim {
@@ -836,17 +572,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dψ/dτ = 2 [1 − sin ψ coth(2β)]",
         depends_on: &["eq-109", "eq-117", "eq-118"],
         conditions: OUTER_OFF_AXIS,
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-121",
-                    Subject::Within,
-                    "the printed rate with the rate by (89), exactly",
-                )
-            },
-            rates::eq121,
-            standstill::eq121,
-        ],
+        trials: trials![&exact::EQ121, rates::eq121, standstill::eq121],
         ..Claim::BLANK
     },
     Claim {
@@ -858,16 +584,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"A=-\mathrm{i} B",
         plain: "A = −i B",
         depends_on: &["eq-111", "eq-112", "eq-117", "eq-118"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-122",
-                    Subject::Printed,
-                    "(111) to (115), with (122) and (123) put in, with (117) to (121)",
-                )
-            },
-            continued::eq122,
-        ],
+        trials: trials![&exact::EQ122, continued::eq122],
         ..Claim::BLANK
     },
     Claim {
@@ -879,16 +596,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\alpha=\frac{\mathrm{i} \pi}{2}+\beta",
         plain: "α = iπ/2 + β",
         depends_on: &["eq-111", "eq-112", "eq-117", "eq-118"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "eq-123",
-                    Subject::Printed,
-                    "(111) to (115), with (122) and (123) put in, with (117) to (121)",
-                )
-            },
-            continued::eq123,
-        ],
+        trials: trials![&exact::EQ123, continued::eq123],
         ..Claim::BLANK
     },
     Claim {
@@ -901,10 +609,7 @@ const CLAIMS: &[Claim] = &[
         plain: "ψ₁ = asin[tanh(2α)]",
         depends_on: &["eq-115"],
         conditions: INNER,
-        trials: &[
-            || exact::evidence("eq-124", Subject::Printed, "(115) at this angle with 0"),
-            fixed::psi1,
-        ],
+        trials: trials![&exact::EQ124, fixed::psi1],
         ..Claim::BLANK
     },
     Claim {
@@ -917,10 +622,7 @@ const CLAIMS: &[Claim] = &[
         plain: "ψ₂ = π − asin[tanh(2α)]",
         depends_on: &["eq-115"],
         conditions: INNER,
-        trials: &[
-            || exact::evidence("eq-125", Subject::Printed, "(115) at this angle with 0"),
-            fixed::psi2,
-        ],
+        trials: trials![&exact::EQ125, fixed::psi2],
         ..Claim::BLANK
     },
     Claim {
@@ -930,16 +632,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"A solution for $\Omega$, mirrored, is a solution for $-\Omega$; so $\Omega>0$ loses nothing.",
         plain: "A solution for Ω, mirrored, is a solution for −Ω; so Ω > 0 loses nothing.",
         depends_on: &["eq-86"],
-        trials: &[
-            || {
-                exact::evidence(
-                    "s4-mirror",
-                    Subject::Printed,
-                    "the mirrored accelerations of (86) with those of (86) for −Ω at the mirrored state",
-                )
-            },
-            frames::mirror,
-        ],
+        trials: trials![&exact::S4_MIRROR, frames::mirror],
         ..Claim::BLANK
     },
     Claim {
@@ -950,18 +643,12 @@ const CLAIMS: &[Claim] = &[
         plain: "(106) is the work-energy theorem in the rotating frame, −m g s the work of the friction; the Coriolis force does no work.",
         depends_on: &["eq-86", "eq-106"],
         correction: Some(WORK),
-        trials: &[
+        trials: trials![
             energy::friction,
-            exact::printed_work,
+            &exact::PRINTED_WORK,
             energy::coriolis,
-            || {
-                exact::evidence(
-                    "corrected-work",
-                    Subject::Corrected,
-                    "the power of the Coriolis force with 0, and the rate of −mμgs with the power of friction, in (86)",
-                )
-            },
-            energy::friction_corrected,
+            &exact::CORRECTED_WORK,
+            energy::friction_corrected
         ],
         ..Claim::BLANK
     },
@@ -973,17 +660,11 @@ const CLAIMS: &[Claim] = &[
         plain: "ψ₁ of (124) attracts, ψ₂ of (125) repels.",
         depends_on: &["eq-115", "eq-124", "eq-125"],
         conditions: FROZEN,
-        trials: &[
-            || {
-                exact::evidence(
-                    "s4-quasi-fixed-stability",
-                    Subject::Within,
-                    "the slope of (115) at ψ₁ and ψ₂ with −2/sinh 2α and 2/sinh 2α",
-                )
-            },
+        trials: trials![
+            &exact::S4_QUASI_FIXED_STABILITY,
             fixed::separation,
             fixed::frozen,
-            fixed::escape,
+            fixed::escape
         ],
         ..Claim::BLANK
     },

@@ -42,6 +42,8 @@ pub struct Row<'a> {
 /// What one trial brought.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct EvidenceRow<'a> {
+    /// The name of the trial: the last two names of the path of its function, or of the statement that it proves.
+    pub trial: &'a str,
     /// How it was obtained, in lower case.
     pub route: &'a str,
     /// What it speaks about, in lower case.
@@ -56,6 +58,8 @@ pub struct EvidenceRow<'a> {
     pub tolerance: f64,
     /// Where the tolerance comes from.
     pub reason: &'a str,
+    /// The title of a proof; nothing for a measurement.
+    pub title: Option<&'a str>,
     /// What became of a proof: proved, disproved, not proved; nothing for a measurement.
     pub proof: Option<&'a str>,
     /// True if it covers a part of the claim only.
@@ -89,6 +93,7 @@ impl Entry {
 
 fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
     EvidenceRow {
+        trial: e.trial,
         route: e.route.name(),
         subject: e.subject,
         compared: e.compared,
@@ -96,6 +101,7 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
         worst: e.worst,
         tolerance: e.tolerance.value,
         reason: e.tolerance.reason,
+        title: Some(e.title.as_str()).filter(|title| !title.is_empty()),
         proof: e.proof_words(),
         partial: e.partial,
     }

@@ -1,7 +1,7 @@
 //! Trying claims on all cores, and judging them in view of one another.
 
 use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
-use crate::claims::compare::noted;
+use crate::claims::attempt::Attempt;
 use crate::claims::{self, Claim, Topic};
 use rayon::prelude::*;
 use std::iter;
@@ -11,7 +11,7 @@ use std::sync::{Mutex, PoisonError};
 impl Entry {
     /// Tries one claim and judges it.
     pub fn try_claim(topic: &'static Topic, claim: &'static Claim) -> Self {
-        let evidence: Vec<_> = claim.trials.par_iter().map(|trial| noted(*trial)).collect();
+        let evidence: Vec<_> = claim.trials.par_iter().map(Attempt::evidence).collect();
         let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
         Entry {
             claim,

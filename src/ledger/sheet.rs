@@ -54,6 +54,9 @@ fn trial(text: &mut String, e: &Evidence, conditional: bool) {
             n => format!(" in {n} steps"),
         };
         let _ = writeln!(text, "    {proof}{steps}");
+        if !e.title.is_empty() {
+            let _ = writeln!(text, "    {}", e.title);
+        }
     } else {
         let _ = writeln!(text, "    {} points, {said}", e.points);
     }

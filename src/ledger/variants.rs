@@ -55,7 +55,7 @@ impl Entry {
         order.into_iter().any(|i| {
             let now = Evidence {
                 read: self.evidence[i].read.clone(),
-                ..seeded::with(variant.seed, claim.trials[i])
+                ..seeded::with(variant.seed, || claim.trials[i].evidence())
             };
             let outcome = now.outcome();
             if fails {

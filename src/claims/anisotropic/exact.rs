@@ -4,9 +4,9 @@
 //! are rational in the tangents of half these angles. An arc from rest at φ₀ is ∫ (sin φ ∓ λ±) dφ =
 //! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
 
-use crate::claims::compare::proved;
+use crate::claims::statement::Statement;
 use crate::corrections::anisotropic as corrected;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
@@ -108,14 +108,12 @@ fn prove_eq52(formula: Expr) -> Proof {
 }
 
 /// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
-pub fn defined() -> Evidence {
-    let proof = prove_rates(definitions(), printed_rates());
-    proved(
-        &proof,
-        Subject::Printed,
-        "Newton's law in the symbols (47) to (50) with (51) and (52)",
-    )
-}
+pub const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    "Newton's law in the symbols (47) to (50) with (51) and (52)",
+    || (definitions(), printed_rates()),
+    |(a, b)| prove_rates(a, b),
+);
 
 /// (53): forward motion from φ = α, where a rest would end, for 2K; backward motion for the rest of the period.
 fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
@@ -361,18 +359,20 @@ fn prove_eq56(curve: Expr) -> Proof {
 }
 
 /// (55).
-pub fn eq55() -> Evidence {
-    let proof = prove_eq55(printed::eq55_lambda0(Expr::symbol("q")));
-    let compared = "(52) with q (λ₀ − (55)) plus a square that vanishes at φ = 3π/2";
-    proved(&proof, Subject::Within, compared)
-}
+pub const EQ55: Statement = Statement::new(
+    Subject::Within,
+    "(52) with q (λ₀ − (55)) plus a square that vanishes at φ = 3π/2",
+    || printed::eq55_lambda0(Expr::symbol("q")),
+    prove_eq55,
+);
 
 /// (56).
-pub fn eq56() -> Evidence {
-    let proof = prove_eq56(printed::eq56_lambda0());
-    let compared = "(51) with (56) − λ₀ less a square that vanishes at φ = π/2";
-    proved(&proof, Subject::Printed, compared)
-}
+pub const EQ56: Statement = Statement::new(
+    Subject::Printed,
+    "(51) with (56) − λ₀ less a square that vanishes at φ = π/2",
+    printed::eq56_lambda0,
+    prove_eq56,
+);
 
 /// The mirror takes each printed rate into the other.
 fn prove_mirror([forward, backward]: [Expr; 2]) -> Proof {
@@ -403,81 +403,74 @@ fn printed_rates() -> [Expr; 2] {
 }
 
 /// (51).
-pub fn eq51() -> Evidence {
-    let [lambda0, phi] = symbols(["λ₀", "φ"]);
-    let proof = prove_eq51(printed::eq51_rate(lambda0, phi));
-    proved(
-        &proof,
-        Subject::Printed,
-        "(51) with Newton's law along x, in the units of (23), (24), (47) to (50)",
-    )
-}
+pub const EQ51: Statement = Statement::new(
+    Subject::Printed,
+    "(51) with Newton's law along x, in the units of (23), (24), (47) to (50)",
+    || {
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        printed::eq51_rate(lambda0, phi)
+    },
+    prove_eq51,
+);
 
 /// (52).
-pub fn eq52() -> Evidence {
-    let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
-    let proof = prove_eq52(printed::eq52_rate(q, lambda0, phi));
-    proved(
-        &proof,
-        Subject::Printed,
-        "(52) with Newton's law along x, in the units of (23), (24), (47) to (50)",
-    )
-}
+pub const EQ52: Statement = Statement::new(
+    Subject::Printed,
+    "(52) with Newton's law along x, in the units of (23), (24), (47) to (50)",
+    || {
+        let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+        printed::eq52_rate(q, lambda0, phi)
+    },
+    prove_eq52,
+);
 
 /// (53).
-pub fn eq53() -> Evidence {
-    let proof = prove_eq53(printed::eq53_k(Expr::symbol("q")), sides_of_a());
-    proved(
-        &proof,
-        Subject::Printed,
-        "(53) with the balance of friction over a period and a forward arc of length 2K from asin λ₀",
-    )
-}
+pub const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    "(53) with the balance of friction over a period and a forward arc of length 2K from asin λ₀",
+    || (printed::eq53_k(Expr::symbol("q")), sides_of_a()),
+    |(a, b)| prove_eq53(a, b),
+);
 
 /// (54), as the condition that a forward arc ends at π + asin(qλ₀).
-pub fn eq54() -> Evidence {
-    proved(
-        &prove_eq54(sides_of_b()),
-        Subject::Within,
-        "(54) with the forward arc from asin λ₀ to π + asin(qλ₀)",
-    )
-}
+pub const EQ54: Statement<[Expr; 2]> = Statement::new(
+    Subject::Within,
+    "(54) with the forward arc from asin λ₀ to π + asin(qλ₀)",
+    sides_of_b,
+    prove_eq54,
+);
 
 /// E, as the condition that a forward arc ends at 2π − asin(qλ₀).
-pub fn e() -> Evidence {
-    proved(
-        &prove_e(sides_of_e()),
-        Subject::Corrected,
-        "E with the forward arc from asin λ₀ to 2π − asin(qλ₀)",
-    )
-}
+pub const E: Statement<[Expr; 2]> = Statement::new(
+    Subject::Corrected,
+    "E with the forward arc from asin λ₀ to 2π − asin(qλ₀)",
+    sides_of_e,
+    prove_e,
+);
 
 /// (57).
-pub fn x() -> Evidence {
-    proved(
-        &prove_x(printed::eq57_x()),
-        Subject::Printed,
-        "X with (53) and (54) at q = 1",
-    )
-}
+pub const X: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    "X with (53) and (54) at q = 1",
+    printed::eq57_x,
+    prove_x,
+);
 
 /// The touch at Y.
-pub fn y() -> Evidence {
-    proved(
-        &prove_y(sides_of_b()),
-        Subject::Printed,
-        "the direction of (54) with that of (55) where they meet, which is where tan x = x with q = √(1 + x²)",
-    )
-}
+pub const Y: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    "the direction of (54) with that of (55) where they meet, which is where tan x = x with q = √(1 + x²)",
+    sides_of_b,
+    prove_y,
+);
 
 /// The mirror.
-pub fn mirror() -> Evidence {
-    proved(
-        &prove_mirror(printed_rates()),
-        Subject::Printed,
-        "(51) and (52) with each other, under φ → φ + π, 𝔴 → −𝔴, λ₀ → qλ₀, q → 1/q",
-    )
-}
+pub const MIRROR: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    "(51) and (52) with each other, under φ → φ + π, 𝔴 → −𝔴, λ₀ → qλ₀, q → 1/q",
+    printed_rates,
+    prove_mirror,
+);
 
 #[cfg(test)]
 mod tests {

@@ -11,33 +11,23 @@ mod tests;
 use cases::*;
 use sliding::*;
 
-use crate::claims::compare::proved;
-use crate::evidence::{Evidence, Subject};
+use crate::claims::statement::Statement;
+use crate::evidence::Subject;
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::constant as paper;
 use crate::paper::general::eq1_velocity_rate;
 use crate::scalar::Scalar;
 
-/// A printed formula and the way to prove it.
+/// A statement of section 2.1.
+pub type Law = Statement<Expr, Setting>;
+
+/// How a formula is read.
 #[derive(Debug, Clone, Copy)]
-pub struct Statement {
-    /// Id of the claim; `corrected-11` for a correction.
-    pub id: &'static str,
-    /// The formula.
-    pub printed: fn() -> Expr,
-    /// Tries to prove what the claim says of a formula that stands in the printed one's place.
-    pub prove: fn(Expr) -> Proof,
+pub struct Setting {
     /// Which friction it is about.
     pub friction: Friction,
     /// True if the claim only says that the formula keeps its value.
     pub invariant: bool,
-}
-
-impl Statement {
-    /// The proof of the formula as it stands.
-    pub fn proof(&self) -> Proof {
-        (self.prove)((self.printed)())
-    }
 }
 
 /// The friction λ of a statement.
@@ -53,62 +43,73 @@ pub enum Friction {
     One,
 }
 
-/// All statements of section 2.1 that are proved.
-pub const STATEMENTS: &[Statement] = &[
-    statement("eq-6", eq6, prove_eq6, Friction::Any),
-    statement("eq-7", eq7, prove_eq7, Friction::Any),
-    statement("eq-8", eq8, prove_eq8, Friction::Any),
-    statement("eq-9", eq9, prove_eq9, Friction::Any),
-    invariant("eq-10", eq10, prove_eq10, Friction::Any),
-    statement("eq-11", eq11, prove_eq11, Friction::Any),
-    statement("eq-12", eq12, prove_eq12, Friction::Any),
-    statement("eq-13", eq13, prove_eq13, Friction::Any),
-    statement("eq-14", eq14, prove_eq14, Friction::Any),
-    statement("eq-15", eq15, prove_eq15, Friction::Zero),
-    statement("eq-16", eq16, prove_eq16, Friction::Zero),
-    invariant("eq-17", eq17, prove_eq17, Friction::One),
-    statement("eq-18", eq18, prove_eq18, Friction::One),
-    statement("eq-19", eq19, prove_eq19, Friction::One),
-    statement("eq-20", eq20, prove_eq20, Friction::BeyondOne),
-    statement(
-        "corrected-11",
-        corrected_speed,
-        prove_corrected_speed,
-        Friction::Any,
-    ),
-];
-
-/// The proof of the formula with this id.
-pub fn proof(id: &str) -> Option<Proof> {
-    STATEMENTS.iter().find(|s| s.id == id).map(Statement::proof)
-}
-
-const fn statement(
-    id: &'static str,
-    printed: fn() -> Expr,
+#[track_caller]
+const fn law(
+    subject: Subject,
+    formula: fn() -> Expr,
     prove: fn(Expr) -> Proof,
     friction: Friction,
-) -> Statement {
-    Statement {
-        id,
-        printed,
-        prove,
+    invariant: bool,
+) -> Law {
+    let compared = "the printed formula with Newton's law (1), as rational functions of tan(θ/2) and its powers";
+    let setting = Setting {
         friction,
-        invariant: false,
-    }
+        invariant,
+    };
+    Statement::within(subject, compared, formula, prove, setting)
 }
 
-const fn invariant(
-    id: &'static str,
-    printed: fn() -> Expr,
-    prove: fn(Expr) -> Proof,
-    friction: Friction,
-) -> Statement {
-    Statement {
-        invariant: true,
-        ..statement(id, printed, prove, friction)
-    }
-}
+pub const EQ6: Law = law(Subject::Printed, eq6, prove_eq6, Friction::Any, false);
+pub const EQ7: Law = law(Subject::Printed, eq7, prove_eq7, Friction::Any, false);
+pub const EQ8: Law = law(Subject::Printed, eq8, prove_eq8, Friction::Any, false);
+pub const EQ9: Law = law(Subject::Within, eq9, prove_eq9, Friction::Any, false);
+pub const EQ10: Law = law(Subject::Within, eq10, prove_eq10, Friction::Any, true);
+pub const EQ11: Law = law(Subject::Within, eq11, prove_eq11, Friction::Any, false);
+pub const EQ12: Law = law(Subject::Within, eq12, prove_eq12, Friction::Any, false);
+pub const EQ13: Law = law(Subject::Within, eq13, prove_eq13, Friction::Any, false);
+pub const EQ14: Law = law(Subject::Within, eq14, prove_eq14, Friction::Any, false);
+pub const EQ15: Law = law(Subject::Printed, eq15, prove_eq15, Friction::Zero, false);
+pub const EQ16: Law = law(Subject::Printed, eq16, prove_eq16, Friction::Zero, false);
+pub const EQ17: Law = law(Subject::Printed, eq17, prove_eq17, Friction::One, true);
+pub const EQ18: Law = law(Subject::Printed, eq18, prove_eq18, Friction::One, false);
+pub const EQ19: Law = law(Subject::Printed, eq19, prove_eq19, Friction::One, false);
+pub const EQ20: Law = law(
+    Subject::Printed,
+    eq20,
+    prove_eq20,
+    Friction::BeyondOne,
+    false,
+);
+pub const CORRECTED_11: Law = law(
+    Subject::Corrected,
+    corrected_speed,
+    prove_corrected_speed,
+    Friction::Any,
+    false,
+);
+/// The same for a claim of which it says more.
+pub const EQ20_WITHIN: Law = EQ20.about(Subject::Within);
+
+/// All of them.
+#[cfg(test)]
+const ALL: &[Law] = &[
+    EQ6,
+    EQ7,
+    EQ8,
+    EQ9,
+    EQ10,
+    EQ11,
+    EQ12,
+    EQ13,
+    EQ14,
+    EQ15,
+    EQ16,
+    EQ17,
+    EQ18,
+    EQ19,
+    EQ20,
+    CORRECTED_11,
+];
 
 /// Newton's law in a ring.
 #[derive(Debug)]
@@ -266,14 +267,12 @@ fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
 }
 
 /// (3) to (5) by the use made of them.
-pub fn defined() -> Evidence {
-    let compared = "(1) in the symbols (3) to (5) with (6) and (7)";
-    proved(
-        &prove_definitions(definitions()),
-        Subject::Printed,
-        compared,
-    )
-}
+pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
+    Subject::Printed,
+    "(1) in the symbols (3) to (5) with (6) and (7)",
+    definitions,
+    prove_definitions,
+);
 
 fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
     names.map(Expr::symbol)
@@ -281,14 +280,4 @@ fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
 
 fn at_start(formula: Expr) -> Expr {
     formula.with("θ", Expr::symbol("θ₀"))
-}
-
-/// Evidence of the proof of the formula with this id.
-pub fn evidence(id: &str, subject: Subject) -> Evidence {
-    let compared = "the printed formula with Newton's law (1), as rational functions of tan(θ/2) and its powers";
-    let proof = proof(id).unwrap_or_else(|| {
-        let name = id.to_owned();
-        Proof::impossible(id, ExactError::UnknownSymbol { name })
-    });
-    proved(&proof, subject, compared)
 }

@@ -2,10 +2,10 @@
 
 pub mod late;
 
-use crate::claims::compare::proved;
+use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::Subject;
 use crate::exact::{
     Binary, ExactError, Expr, Function, Node, Obstacle, Proof, Prover, Rational, Ring, Series,
 };
@@ -37,85 +37,83 @@ fn exponential(law: Expr, n: i64) -> Expr {
     (int(n) * law).exp()
 }
 
-/// What is said of the escape.
-#[derive(Debug, Clone, Copy)]
-pub struct Statement {
-    /// Id of the claim.
-    pub id: &'static str,
-    /// The law that replaces the printed one.
-    pub law: fn() -> Expr,
-    /// The printed law, where it reads in the same way.
-    pub printed: fn() -> Expr,
-    /// Tries to prove what the claim says of a law that stands in its place.
-    pub prove: fn(Expr) -> Proof,
+/// What replaces a printed law, and the printed one, where it reads in the same way.
+pub type Law = Statement<Expr, fn() -> Expr>;
+
+#[track_caller]
+const fn law(corrected: fn() -> Expr, printed: fn() -> Expr, prove: fn(Expr) -> Proof) -> Law {
+    let compared = "the corrected law with the series in 1/τ and ln τ that solves (107) to (109), of which it has the first terms";
+    Law::within(Subject::Corrected, compared, corrected, prove, printed)
 }
 
-/// All corrected laws.
-pub const STATEMENTS: [Statement; 10] = [
-    Statement {
-        id: "eq-128",
-        law: || law::alpha_rate(Expr::symbol("α"), Expr::symbol("A")),
-        printed: || printed::eq128_alpha_rate(Expr::symbol("α"), Expr::symbol("A")),
-        prove: eq128,
+/// (128) as corrected.
+pub const EQ128: Law = law(
+    || law::alpha_rate(Expr::symbol("α"), Expr::symbol("A")),
+    || printed::eq128_alpha_rate(Expr::symbol("α"), Expr::symbol("A")),
+    eq128,
+);
+/// (129) as corrected.
+pub const EQ129: Law = law(
+    || law::product_over_a::<Expr>() * Expr::symbol("A"),
+    || Expr::symbol("A"),
+    eq129,
+);
+/// (130) as corrected.
+pub const EQ130: Law = law(
+    || law::alpha_by_a(Expr::symbol("A")),
+    || printed::eq130_alpha(Expr::symbol("A")),
+    eq130,
+);
+/// (131) as corrected.
+pub const EQ131: Law = law(
+    || law::a_rate(Expr::symbol("A")),
+    || printed::eq131_a_rate(Expr::symbol("A")),
+    eq131,
+);
+/// (132) as corrected.
+pub const EQ132: Law = law(
+    || delayed(law::a(tau()), 3),
+    || printed::eq132_a(tau()),
+    |law| in_time(law, "A", true, |late| &late.a),
+);
+/// (133) as corrected.
+pub const EQ133: Law = law(
+    || law::alpha(tau()),
+    || printed::eq133_alpha(tau()),
+    |law| {
+        in_time(exponential(law, 2), "e^(2α)", false, |late| {
+            &late.twice_alpha_exp
+        })
     },
-    Statement {
-        id: "eq-129",
-        law: || law::product_over_a::<Expr>() * Expr::symbol("A"),
-        printed: || Expr::symbol("A"),
-        prove: eq129,
-    },
-    Statement {
-        id: "eq-130",
-        law: || law::alpha_by_a(Expr::symbol("A")),
-        printed: || printed::eq130_alpha(Expr::symbol("A")),
-        prove: eq130,
-    },
-    Statement {
-        id: "eq-131",
-        law: || law::a_rate(Expr::symbol("A")),
-        printed: || printed::eq131_a_rate(Expr::symbol("A")),
-        prove: eq131,
-    },
-    Statement {
-        id: "eq-132",
-        law: || delayed(law::a(tau()), 3),
-        printed: || printed::eq132_a(tau()),
-        prove: |law| in_time(law, "A", true, |late| &late.a),
-    },
-    Statement {
-        id: "eq-133",
-        law: || law::alpha(tau()),
-        printed: || printed::eq133_alpha(tau()),
-        prove: |law| {
-            in_time(exponential(law, 2), "e^(2α)", false, |late| {
-                &late.twice_alpha_exp
-            })
-        },
-    },
-    Statement {
-        id: "eq-134",
-        law: || delayed(law::lag(tau()), -2),
-        printed: || printed::eq134_lag(tau()),
-        prove: |law| in_time(law, "π/2 − ψ", true, |late| &late.lag),
-    },
-    Statement {
-        id: "eq-135",
-        law: || delayed(law::rho(tau()), 4),
-        printed: || printed::eq135_p(tau()),
-        prove: |law| in_time(law, "p", true, |late| &late.p),
-    },
-    Statement {
-        id: "eq-136",
-        law: || delayed(law::rho(tau()), 4),
-        printed: || printed::eq136_rho(tau()),
-        prove: |law| in_time(law, "ρ", true, |late| &late.rho),
-    },
-    Statement {
-        id: "eq-137",
-        law: || delayed(law::s(tau()), 6),
-        printed: || printed::eq137_s(tau()),
-        prove: |law| in_time(law, "s", true, |late| &late.s),
-    },
+);
+/// (134) as corrected.
+pub const EQ134: Law = law(
+    || delayed(law::lag(tau()), -2),
+    || printed::eq134_lag(tau()),
+    |law| in_time(law, "π/2 − ψ", true, |late| &late.lag),
+);
+/// (135) as corrected.
+pub const EQ135: Law = law(
+    || delayed(law::rho(tau()), 4),
+    || printed::eq135_p(tau()),
+    |law| in_time(law, "p", true, |late| &late.p),
+);
+/// (136) as corrected.
+pub const EQ136: Law = law(
+    || delayed(law::rho(tau()), 4),
+    || printed::eq136_rho(tau()),
+    |law| in_time(law, "ρ", true, |late| &late.rho),
+);
+/// (137) as corrected.
+pub const EQ137: Law = law(
+    || delayed(law::s(tau()), 6),
+    || printed::eq137_s(tau()),
+    |law| in_time(law, "s", true, |late| &late.s),
+);
+
+#[cfg(test)]
+const ALL: [Law; 10] = [
+    EQ128, EQ129, EQ130, EQ131, EQ132, EQ133, EQ134, EQ135, EQ136, EQ137,
 ];
 
 /// A law in τ for a quantity, with or without the term in (ln τ)/τ.
@@ -175,25 +173,6 @@ fn eq131(law: Expr) -> Proof {
     })
 }
 
-/// The proof that belongs to a claim's correction.
-pub fn proof(id: &str) -> Proof {
-    match STATEMENTS.iter().find(|s| s.id == id) {
-        Some(statement) => (statement.prove)((statement.law)()),
-        None => Proof::impossible(
-            id,
-            ExactError::UnknownSymbol {
-                name: id.to_owned(),
-            },
-        ),
-    }
-}
-
-/// Evidence for the correction of a claim.
-pub fn evidence(id: &str) -> Evidence {
-    let compared = "the corrected law with the series in 1/τ and ln τ that solves (107) to (109), of which it has the first terms";
-    proved(&proof(id), Subject::Corrected, compared)
-}
-
 /// (126): dα/dτ where ψ is at ψ₁, to the first order in α.
 pub fn eq126(formula: Expr) -> Proof {
     let ring = || {
@@ -204,7 +183,7 @@ pub fn eq126(formula: Expr) -> Proof {
         ring
     };
     Proof::of("(126): dα/dτ near α = 0", &ring(), |p| {
-        turntable::given(p, &["eq-114", "eq-124"])?;
+        given(p, &[&turntable::EQ114, &turntable::EQ124])?;
         let [a, alpha, psi] = ["A", "α", "ψ"].map(Expr::symbol);
         let small = Series::monomial(Rational::int(1), 1, 6);
         let values = [("α", &small)];
@@ -218,12 +197,13 @@ pub fn eq126(formula: Expr) -> Proof {
     })
 }
 
-/// Evidence for (126).
-pub fn eq126_evidence() -> Evidence {
-    let compared = "(126) with the first term in α of (114) at ψ₁";
-    let proof = eq126(printed::eq126_alpha_rate(Expr::symbol("A")));
-    proved(&proof, Subject::Printed, compared)
-}
+/// (126) against the motion.
+pub const EQ126: Statement = Statement::new(
+    Subject::Printed,
+    "(126) with the first term in α of (114) at ψ₁",
+    || printed::eq126_alpha_rate(Expr::symbol("A")),
+    eq126,
+);
 
 /// (138): A²/2 and s have the same rate, whatever the motion; so the check cannot fail.
 pub fn eq138(formula: Expr) -> Proof {
@@ -231,7 +211,7 @@ pub fn eq138(formula: Expr) -> Proof {
     ring.symbol("A");
     ring.hyperbolic("α");
     Proof::of("d(A²/2)/dτ = ds/dτ, whatever A and α are", &ring, |p| {
-        turntable::given(p, &["eq-113"])?;
+        given(p, &[&turntable::EQ113])?;
         let [a, alpha] = ["A", "α"].map(Expr::symbol);
         let half = p.read("(138)", formula)?;
         let rate = p.read("dA/dτ by (113)", motion::eq113_a_rate(alpha))?;
@@ -242,12 +222,13 @@ pub fn eq138(formula: Expr) -> Proof {
     })
 }
 
-/// Evidence for (138).
-pub fn eq138_evidence() -> Evidence {
-    let compared = "d(A²/2)/dτ with ds/dτ, for any A and α";
-    let proof = eq138(printed::eq138_s(Expr::symbol("A")));
-    proved(&proof, Subject::Printed, compared)
-}
+/// (138) against any motion.
+pub const EQ138: Statement = Statement::new(
+    Subject::Printed,
+    "d(A²/2)/dτ with ds/dτ, for any A and α",
+    || printed::eq138_s(Expr::symbol("A")),
+    eq138,
+);
 
 #[cfg(test)]
 mod tests {
@@ -282,19 +263,16 @@ mod tests {
     #[test]
     fn every_law_is_proved_and_no_changed_law_is() {
         let mut tried = 0;
-        for statement in STATEMENTS {
-            let (count, left) = survivors((statement.law)(), statement.prove);
+        for statement in ALL {
+            let (count, left) = survivors((statement.formulas)(), statement.prove);
             tried += count;
-            assert!(left.is_empty(), "{}: {left:?}", statement.id);
+            assert!(left.is_empty(), "{left:?}");
         }
-        for (formula, prove) in [
-            (
-                printed::eq126_alpha_rate(Expr::symbol("A")),
-                eq126 as fn(Expr) -> Proof,
-            ),
-            (printed::eq138_s(Expr::symbol("A")), eq138),
-        ] {
-            let (count, left) = survivors(formula, prove);
+        for Statement {
+            formulas, prove, ..
+        } in [EQ126, EQ138]
+        {
+            let (count, left) = survivors(formulas(), prove);
             tried += count;
             assert!(left.is_empty(), "{left:?}");
         }
@@ -304,17 +282,15 @@ mod tests {
     #[test]
     fn the_printed_laws_are_disproved() {
         let mut disproved = Vec::new();
-        for statement in STATEMENTS {
-            let proof = (statement.prove)((statement.printed)());
+        for statement in ALL {
+            let proof = (statement.prove)((statement.setting)());
             assert!(!proof.holds(), "{proof}");
             if let Some(Obstacle::NotZero { .. }) = proof.obstacle() {
-                disproved.push(statement.id);
+                disproved.push(statement.place);
             }
         }
         // The ring has not the roots of 3 and 4 that the others need.
-        let readable = [
-            "eq-128", "eq-129", "eq-130", "eq-133", "eq-135", "eq-136", "eq-137",
-        ];
+        let readable = [EQ128, EQ129, EQ130, EQ133, EQ135, EQ136, EQ137].map(|law| law.place);
         assert_eq!(disproved, readable);
     }
 

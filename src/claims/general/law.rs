@@ -1,7 +1,8 @@
 //! Trials of (1) and (2): the law seen from the plane against the law seen from the laboratory.
 
 use super::planes::{Case, bounded};
-use crate::claims::compare::{Failure, Pair, Trial, proved};
+use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::statement::Statement;
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{ExactError, Expr, Proof, Ring};
@@ -177,10 +178,12 @@ fn summed(
 }
 
 /// (1) from the laboratory, where friction alone acts, against the velocity relative to the plane.
-pub fn eq1_exact() -> Evidence {
-    let compared = "the velocity's rate in the laboratory, by (1) and the plane's acceleration, with friction alone";
-    proved(&eq1_proof(eq1()), Subject::Printed, compared)
-}
+pub const EQ1: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    "the velocity's rate in the laboratory, by (1) and the plane's acceleration, with friction alone",
+    eq1,
+    eq1_proof,
+);
 
 const NAMES: [&str; 6] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"];
 
@@ -237,10 +240,12 @@ fn eq1_proof(formula: [Expr; 2]) -> Proof {
 }
 
 /// (2) from (1): the rate of √(v_x² + v_y²).
-pub fn eq2_exact() -> Evidence {
-    let compared = "(2) with the rate of |v| by (1), as algebraic functions of the components";
-    proved(&eq2_proof(eq2()), Subject::Printed, compared)
-}
+pub const EQ2: Statement = Statement::new(
+    Subject::Printed,
+    "(2) with the rate of |v| by (1), as algebraic functions of the components",
+    eq2,
+    eq2_proof,
+);
 
 fn eq2() -> Expr {
     let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);

@@ -3,9 +3,9 @@
 //! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
 //! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
-use crate::claims::compare::proved;
+use crate::claims::statement::Statement;
 use crate::corrections::periodic as supplied;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::Subject;
 use crate::exact::{Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
@@ -142,38 +142,31 @@ fn small_friction_chain(cases: [Expr; 3]) -> Proof {
 const COMPARED: &str = "the printed formula with 𝔴' = h − λ₀ case by case, and the cases with each other where they meet";
 
 /// Evidence on (44).
-pub fn eq44() -> Evidence {
-    let [lambda, eta, phi] = symbols();
-    let proof = eq44_chain(printed::eq44_cases(lambda, eta, phi));
-    proved(&proof, Subject::Printed, COMPARED)
-}
+pub const EQ44: Statement<[Expr; 3]> = Statement::new(
+    Subject::Printed,
+    COMPARED,
+    || {
+        let [lambda, eta, phi] = symbols();
+        printed::eq44_cases(lambda, eta, phi)
+    },
+    eq44_chain,
+);
 
 /// Evidence on (45).
-pub fn eq45() -> Evidence {
-    let proof = eq45_mirror(printed::eq45_w(Expr::symbol("𝔴")));
-    let compared = "the rate of the mirrored motion with the mirrored force, of opposite friction";
-    proved(&proof, Subject::Printed, compared)
-}
+pub const EQ45: Statement = Statement::new(
+    Subject::Printed,
+    "the rate of the mirrored motion with the mirrored force, of opposite friction",
+    || printed::eq45_w(Expr::symbol("𝔴")),
+    eq45_mirror,
+);
 
 /// Evidence on (46).
-pub fn eq46() -> Evidence {
-    let proof = eq46_meeting(printed::eq46_lambda_c(Expr::symbol("η")));
-    let compared =
-        "the stop of (44), and the start of the motion without rest, with the beginning of a pulse";
-    proved(&proof, Subject::Printed, compared)
-}
-
-/// The proof of a claim, for readers; `None` for an id without one.
-pub fn proof(id: &str) -> Option<Proof> {
-    let [lambda, eta, phi] = symbols();
-    match id {
-        "eq-44" => Some(eq44_chain(printed::eq44_cases(lambda, eta, phi))),
-        "eq-45" => Some(eq45_mirror(printed::eq45_w(Expr::symbol("𝔴")))),
-        "eq-46" => Some(eq46_meeting(printed::eq46_lambda_c(eta))),
-        "small-friction" => Some(small_friction()),
-        _ => None,
-    }
-}
+pub const EQ46: Statement = Statement::new(
+    Subject::Printed,
+    "the stop of (44), and the start of the motion without rest, with the beginning of a pulse",
+    || printed::eq46_lambda_c(Expr::symbol("η")),
+    eq46_meeting,
+);
 
 #[cfg(test)]
 mod tests {
@@ -222,15 +215,13 @@ mod tests {
 
     #[test]
     fn each_claim_has_its_proof() {
-        for (id, title) in [
-            ("eq-44", "(44)"),
-            ("eq-45", "(45)"),
-            ("eq-46", "(46)"),
-            ("small-friction", "Small friction"),
+        for (proof, title) in [
+            (EQ44.proof(), "(44)"),
+            (EQ45.proof(), "(45)"),
+            (EQ46.proof(), "(46)"),
+            (small_friction(), "Small friction"),
         ] {
-            let proof = proof(id).unwrap();
             assert!(proof.holds() && proof.title().starts_with(title), "{proof}");
         }
-        assert_eq!(proof("eq-43"), None);
     }
 }

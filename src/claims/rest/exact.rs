@@ -4,9 +4,9 @@
 pub mod boundary;
 pub mod near;
 
-use crate::claims::compare::proved;
+use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::{rest as printed, turntable as motion};
 use crate::scalar::Scalar;
@@ -35,7 +35,7 @@ fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
 /// (139): no push starts a motion, dp/dτ ≤ 0 in every direction ψ, exactly where σ is not above the bound.
 pub fn eq139(bound: Expr) -> Proof {
     prove("(139): where a push starts no motion", |p| {
-        turntable::given(p, &["eq-107"])?;
+        given(p, &[&turntable::EQ107])?;
         let [sigma, psi] = symbols(["σ", "ψ"]);
         let rate = p.read("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi))?;
         let excess = sigma - bound;
@@ -79,28 +79,32 @@ pub fn eq147(formula: Expr) -> Proof {
     })
 }
 
-/// The evidence of a proof of a printed formula.
-pub fn evidence(id: &str) -> Evidence {
-    let [sigma, alpha] = symbols(["σ", "α"]);
-    let (proof, subject, compared) = match id {
-        "eq-139" => (
-            eq139(printed::eq139_largest_sigma()),
-            Subject::Printed,
-            "(107) at rest with (σ − bound) − 2σ sin²(ψ/2)",
-        ),
-        "eq-146" => (
-            eq146(printed::eq146_right(sigma, alpha)),
-            Subject::Within,
-            "(146) with the derivative of (145), the terms left out being dropped",
-        ),
-        _ => (
-            eq147(printed::eq147_a(alpha)),
-            Subject::Within,
-            "(147) with (145) where (146) holds, the terms left out being dropped",
-        ),
-    };
-    proved(&proof, subject, compared)
-}
+/// (139) against the law of motion.
+pub const EQ139: Statement = Statement::new(
+    Subject::Printed,
+    "(107) at rest with (σ − bound) − 2σ sin²(ψ/2)",
+    printed::eq139_largest_sigma,
+    eq139,
+);
+
+/// (146) against (145).
+pub const EQ146: Statement = Statement::new(
+    Subject::Within,
+    "(146) with the derivative of (145), the terms left out being dropped",
+    || {
+        let [sigma, alpha] = symbols(["σ", "α"]);
+        printed::eq146_right(sigma, alpha)
+    },
+    eq146,
+);
+
+/// (147) against (145) and (146).
+pub const EQ147: Statement = Statement::new(
+    Subject::Within,
+    "(147) with (145) where (146) holds, the terms left out being dropped",
+    || printed::eq147_a(Expr::symbol("α")),
+    eq147,
+);
 
 #[cfg(test)]
 mod tests;

@@ -3,8 +3,8 @@
 //! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
 //! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
 
-use crate::claims::compare::proved;
-use crate::evidence::{Evidence, Subject};
+use crate::claims::statement::Statement;
+use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::sinusoidal as paper;
 use crate::scalar::Scalar;
@@ -23,10 +23,6 @@ pub(super) fn prove(
         Ok(ring) => Proof::of(title, &ring, steps),
         Err(error) => Proof::impossible(title, error),
     }
-}
-
-fn printed(proof: &Proof, compared: &'static str) -> Evidence {
-    proved(proof, Subject::Printed, compared)
 }
 
 /// The ring in which λ₀ = sin φ₁, so that arcsin λ₀ = φ₁ and √(1 − λ₀²) = cos φ₁.
@@ -107,24 +103,27 @@ fn eq26_rate() -> Expr {
 }
 
 /// (21) to (24) by the use made of them: with them Newton's law becomes (26).
-pub fn definitions() -> Evidence {
-    let proof = prove_eq26(units(), eq26_rate(), 1);
-    printed(&proof, "Newton's law in the symbols (21) to (24) with (26)")
-}
+pub const DEFINITIONS: Statement<([Expr; 4], Expr, i64)> = Statement::new(
+    Subject::Printed,
+    "Newton's law in the symbols (21) to (24) with (26)",
+    || (units(), eq26_rate(), 1),
+    |(a, b, c)| prove_eq26(a, b, c),
+);
 
 /// (26), for velocities of both signs.
-pub fn eq26() -> Evidence {
-    let forward = prove_eq26(units(), eq26_rate(), 1);
-    let both = if forward.holds() {
-        prove_eq26(units(), eq26_rate(), -1)
-    } else {
-        forward
-    };
-    printed(
-        &both,
-        "(26) with Newton's law (1) on the line, in the symbols (21) to (24), for both signs of 𝔴",
-    )
-}
+pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
+    Subject::Printed,
+    "(26) with Newton's law (1) on the line, in the symbols (21) to (24), for both signs of 𝔴",
+    || (units(), eq26_rate()),
+    |(units, rate)| {
+        let forward = prove_eq26(units, rate, 1);
+        if forward.holds() {
+            prove_eq26(units, rate, -1)
+        } else {
+            forward
+        }
+    },
+);
 
 /// sin of a printed phase is ±λ₀.
 fn prove_phase(phase: Expr, sign: i64) -> Proof {
@@ -136,29 +135,37 @@ fn prove_phase(phase: Expr, sign: i64) -> Proof {
     })
 }
 
-fn phase(formula: fn(Expr) -> Expr, sign: i64, compared: &'static str) -> Evidence {
-    printed(&prove_phase(formula(Expr::symbol("λ₀")), sign), compared)
-}
-
 /// (27): sin φ₁ = λ₀.
-pub fn eq27() -> Evidence {
-    phase(paper::eq27_phi1, 1, "sin of (27) with λ₀")
-}
+pub const EQ27: Statement = Statement::new(
+    Subject::Printed,
+    "sin of (27) with λ₀",
+    || paper::eq27_phi1(Expr::symbol("λ₀")),
+    |phase| prove_phase(phase, 1),
+);
 
 /// (28): sin φ₂ = λ₀.
-pub fn eq28() -> Evidence {
-    phase(paper::eq28_phi2, 1, "sin of (28) with λ₀")
-}
+pub const EQ28: Statement = Statement::new(
+    Subject::Printed,
+    "sin of (28) with λ₀",
+    || paper::eq28_phi2(Expr::symbol("λ₀")),
+    |phase| prove_phase(phase, 1),
+);
 
 /// (29): sin φ₃ = −λ₀.
-pub fn eq29() -> Evidence {
-    phase(paper::eq29_phi3, -1, "sin of (29) with −λ₀")
-}
+pub const EQ29: Statement = Statement::new(
+    Subject::Printed,
+    "sin of (29) with −λ₀",
+    || paper::eq29_phi3(Expr::symbol("λ₀")),
+    |phase| prove_phase(phase, -1),
+);
 
 /// (30): sin φ₄ = −λ₀.
-pub fn eq30() -> Evidence {
-    phase(paper::eq30_phi4, -1, "sin of (30) with −λ₀")
-}
+pub const EQ30: Statement = Statement::new(
+    Subject::Printed,
+    "sin of (30) with −λ₀",
+    || paper::eq30_phi4(Expr::symbol("λ₀")),
+    |phase| prove_phase(phase, -1),
+);
 
 /// A slip: its slope is sin φ ∓ λ₀, and it is zero at `start`.
 fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obstacle> {
@@ -178,14 +185,15 @@ fn prove_eq31(w: Expr) -> Proof {
 }
 
 /// (31) solves (26) from 𝔴 = 0 at φ₁.
-pub fn eq31() -> Evidence {
-    let [lambda0, phi] = symbols(["λ₀", "φ"]);
-    let w = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
-    printed(
-        &prove_eq31(w),
-        "the slope of (31) with (26) for 𝔴 > 0, and (31) at φ₁ with 0",
-    )
-}
+pub const EQ31: Statement = Statement::new(
+    Subject::Printed,
+    "the slope of (31) with (26) for 𝔴 > 0, and (31) at φ₁ with 0",
+    || {
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi)
+    },
+    prove_eq31,
+);
 
 /// (31) at `end`, which stands for φ̃₂ or φ₃, against the left side of (32) or (34).
 fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
@@ -214,12 +222,12 @@ fn prove_eq32(left: Expr) -> Proof {
 }
 
 /// (32) is that (31) vanishes at φ̃₂.
-pub fn eq32() -> Evidence {
-    printed(
-        &prove_eq32(eq32_left()),
-        "the left side of (32) with (31) at φ̃₂",
-    )
-}
+pub const EQ32: Statement = Statement::new(
+    Subject::Printed,
+    "the left side of (32) with (31) at φ̃₂",
+    eq32_left,
+    prove_eq32,
+);
 
 fn eq34_left() -> Expr {
     let lambda0 = Expr::symbol("λ₀");
@@ -236,12 +244,12 @@ fn prove_eq34(left: Expr) -> Proof {
 }
 
 /// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
-pub fn eq34() -> Evidence {
-    printed(
-        &prove_eq34(eq34_left()),
-        "the left side of (34) with (31) at φ₃",
-    )
-}
+pub const EQ34: Statement = Statement::new(
+    Subject::Printed,
+    "the left side of (34) with (31) at φ₃",
+    eq34_left,
+    prove_eq34,
+);
 
 fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
     let ring = || {
@@ -266,13 +274,12 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
 }
 
 /// (25): the drive exceeds friction at some phase.
-pub fn eq25() -> Evidence {
-    let proof = prove_eq25(paper::eq25_sides(Expr::symbol("λ₀")));
-    printed(
-        &proof,
-        "the drive less friction with the difference of the sides of (25) less a square",
-    )
-}
+pub const EQ25: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    "the drive less friction with the difference of the sides of (25) less a square",
+    || paper::eq25_sides(Expr::symbol("λ₀")),
+    prove_eq25,
+);
 
 fn prove_eq33(cases: [Expr; 4]) -> Proof {
     let ring = || {
@@ -310,19 +317,20 @@ fn prove_eq33(cases: [Expr; 4]) -> Proof {
 }
 
 /// (33) solves (26) on both slips, and is continuous and periodic by (32).
-pub fn eq33() -> Evidence {
-    let [lambda0, phi] = symbols(["λ₀", "φ"]);
-    let cases = paper::eq33_w(
-        lambda0,
-        paper::eq27_phi1(lambda0),
-        paper::eq29_phi3(lambda0),
-        phi,
-    );
-    printed(
-        &prove_eq33(cases),
-        "the slopes of (33) with (26), and its ends with 0, by (32)",
-    )
-}
+pub const EQ33: Statement<[Expr; 4]> = Statement::new(
+    Subject::Printed,
+    "the slopes of (33) with (26), and its ends with 0, by (32)",
+    || {
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        paper::eq33_w(
+            lambda0,
+            paper::eq27_phi1(lambda0),
+            paper::eq29_phi3(lambda0),
+            phi,
+        )
+    },
+    prove_eq33,
+);
 
 fn prove_eq35(left: Expr) -> Proof {
     prove("(35): (34) in the friction alone", ring_of_phi1(), |p| {
@@ -338,13 +346,12 @@ fn prove_eq35(left: Expr) -> Proof {
 }
 
 /// (34) with (27) and (29) is (35).
-pub fn eq35() -> Evidence {
-    let proof = prove_eq35(paper::eq35_left(Expr::symbol("λ₀")));
-    printed(
-        &proof,
-        "the left side of (35) with that of (34), by (27) and (29)",
-    )
-}
+pub const EQ35: Statement = Statement::new(
+    Subject::Printed,
+    "the left side of (35) with that of (34), by (27) and (29)",
+    || paper::eq35_left(Expr::symbol("λ₀")),
+    prove_eq35,
+);
 
 /// Adds √(4 + π²), and √π² = π.
 fn with_lambda_c(mut ring: Ring) -> Result<Ring, ExactError> {
@@ -366,12 +373,12 @@ fn prove_eq37(critical: Expr) -> Proof {
 }
 
 /// The left side of (35) vanishes at λ_c.
-pub fn eq37() -> Evidence {
-    printed(
-        &prove_eq37(paper::eq37_lambda_c()),
-        "the left side of (35) at (37) with 0",
-    )
-}
+pub const EQ37: Statement = Statement::new(
+    Subject::Printed,
+    "the left side of (35) at (37) with 0",
+    paper::eq37_lambda_c,
+    prove_eq37,
+);
 
 /// `found` = (1 + π²/4) (right² − left²): its sign is that of right − left, both being positive.
 fn beside_lambda_c(
@@ -403,13 +410,12 @@ fn prove_eq36(sides: [Expr; 2]) -> Proof {
 }
 
 /// (36): (35) squared. The factor that turns the left side of (35) into a difference of squares is positive.
-pub fn eq36() -> Evidence {
-    let proof = prove_eq36(paper::eq36_sides(Expr::symbol("λ₀")));
-    printed(
-        &proof,
-        "the left side of (35), times the sum of its terms, with (4 + π²) (λ_c² − λ₀²)",
-    )
-}
+pub const EQ36: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    "the left side of (35), times the sum of its terms, with (4 + π²) (λ_c² − λ₀²)",
+    || paper::eq36_sides(Expr::symbol("λ₀")),
+    prove_eq36,
+);
 
 fn prove_eq40(sides: [Expr; 2]) -> Proof {
     let ring = || with_lambda_c(ring_of_phi_t1()?);
@@ -422,10 +428,12 @@ fn prove_eq40(sides: [Expr; 2]) -> Proof {
 
 /// (40): (38) passes through zero without rest where the drive exceeds friction there, sin φ̃₁ > λ₀ = sin φ₁; as both
 /// phases are below π/2, that is (41) too.
-pub fn eq40() -> Evidence {
-    let proof = prove_eq40(paper::eq40_sides(Expr::symbol("λ₀")));
-    printed(&proof, "sin²φ̃₁ − λ₀² by (39) with (1 + π²/4) (λ_c² − λ₀²)")
-}
+pub const EQ40: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    "sin²φ̃₁ − λ₀² by (39) with (1 + π²/4) (λ_c² − λ₀²)",
+    || paper::eq40_sides(Expr::symbol("λ₀")),
+    prove_eq40,
+);
 
 fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
     prove("(38): no rest", ring_of_phi_t1(), |p| {
@@ -441,16 +449,16 @@ fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
 }
 
 /// (38) with (39) solves (26) and closes after a period.
-pub fn eq38() -> Evidence {
-    let [lambda0, phi] = symbols(["λ₀", "φ"]);
-    let turn = paper::eq39_phi_t1(lambda0);
-    let proof = prove_eq38(paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn));
-    proved(
-        &proof,
-        Subject::Within,
-        "the slopes of (38) with (26), and both its ends with 0, by (39)",
-    )
-}
+pub const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
+    Subject::Within,
+    "the slopes of (38) with (26), and both its ends with 0, by (39)",
+    || {
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let turn = paper::eq39_phi_t1(lambda0);
+        (paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn))
+    },
+    |(a, b)| prove_eq38(a, b),
+);
 
 fn prove_eq39(turn: Expr) -> Proof {
     prove("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
@@ -462,10 +470,12 @@ fn prove_eq39(turn: Expr) -> Proof {
 }
 
 /// (39): with it the forward slip of (38) ends in zero.
-pub fn eq39() -> Evidence {
-    let proof = prove_eq39(paper::eq39_phi_t1(Expr::symbol("λ₀")));
-    printed(&proof, "(38) with (39), half a period after φ̃₁, with 0")
-}
+pub const EQ39: Statement = Statement::new(
+    Subject::Printed,
+    "(38) with (39), half a period after φ̃₁, with 0",
+    || paper::eq39_phi_t1(Expr::symbol("λ₀")),
+    prove_eq39,
+);
 
 #[cfg(test)]
 mod tests;

@@ -9,99 +9,247 @@ mod laws;
 #[cfg(test)]
 mod tests;
 
-use crate::claims::compare::proved;
-use crate::evidence::{Evidence, Subject};
-use crate::exact::{ExactError, Expr, Proof};
+use crate::claims::statement::Statement;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Ring};
+use body::Body;
 
 /// Components of a vector, as trees; a scalar has one.
 pub type Components = Vec<Expr>;
 
-/// A printed formula and the way to prove it.
-#[derive(Debug, Clone, Copy)]
-pub struct Statement {
-    /// Id of the claim; `corrected-75` for a correction.
-    pub id: &'static str,
-    /// The formula.
-    pub printed: fn() -> Components,
-    /// Tries to prove what the claim says of a formula that stands in the printed one's place.
-    pub prove: fn(Components) -> Proof,
-}
+/// A statement, and the ring in which its formulas are read.
+pub type Law = Statement<Components, fn() -> Result<Ring, ExactError>>;
 
-impl Statement {
-    /// The proof of the formula as it stands.
-    pub fn proof(&self) -> Proof {
-        (self.prove)((self.printed)())
-    }
-}
+const BY_COMPONENTS: &str =
+    "the formula with the laws of Newton and Euler for the sphere, component by component";
+const BY_DEFINITION: &str =
+    "(74), with the quantity by the definition, with the laws of Newton and Euler for the sphere";
+const AS_A_PARTICLE: &str = "the formula with (11), (13), (14), proved from (1), with γ for A, b for μg and τ for t, as (74) has them";
 
-const fn statement(
-    id: &'static str,
-    printed: fn() -> Components,
-    prove: fn(Components) -> Proof,
-) -> Statement {
-    Statement { id, printed, prove }
-}
+pub const EQ59: Law = Law::within(
+    Subject::Printed,
+    "the formula with Newton's law in the laboratory, where friction alone acts",
+    laws::eq59,
+    laws::prove_eq59,
+    laboratory,
+);
+pub const EQ60: Law = Law::within(
+    Subject::Printed,
+    "the formula with Newton's law for six point masses that move as one body",
+    laws::eq60,
+    laws::prove_eq60,
+    laboratory,
+);
+pub const EQ62: Law = Law::within(
+    Subject::Printed,
+    "(64), with κ by the definition, with Euler's law for the sphere",
+    body::eq62,
+    body::prove_eq62,
+    sliding,
+);
+pub const EQ63: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq63,
+    body::prove_eq63,
+    sliding,
+);
+pub const EQ64: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq64,
+    body::prove_eq64,
+    sliding,
+);
+pub const EQ65: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq65,
+    body::prove_eq65,
+    sliding,
+);
+pub const EQ66: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq66,
+    body::prove_eq66,
+    sliding,
+);
+pub const EQ68: Law = Law::within(
+    Subject::Printed,
+    "(73), with ρ by the definition, with Newton's law for the sphere",
+    body::eq68,
+    body::prove_eq68,
+    sliding,
+);
+pub const EQ69: Law = Law::within(
+    Subject::Printed,
+    BY_DEFINITION,
+    body::eq69,
+    body::prove_eq69,
+    sliding,
+);
+pub const EQ70: Law = Law::within(
+    Subject::Printed,
+    "ζ dτ, with τ by (69), with ω dt",
+    body::eq70,
+    body::prove_eq70,
+    sliding,
+);
+pub const EQ71: Law = Law::within(
+    Subject::Printed,
+    BY_DEFINITION,
+    body::eq71,
+    body::prove_eq71,
+    sliding,
+);
+pub const EQ72: Law = Law::within(
+    Subject::Printed,
+    BY_DEFINITION,
+    body::eq72,
+    body::prove_eq72,
+    sliding,
+);
+pub const EQ73: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq73,
+    body::prove_eq73,
+    sliding,
+);
+pub const EQ74: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq74,
+    body::prove_eq74,
+    sliding,
+);
+pub const EQ75: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq75,
+    body::prove_eq75,
+    sliding,
+);
+pub const CORRECTED_75: Law = Law::within(
+    Subject::Corrected,
+    BY_COMPONENTS,
+    body::corrected75,
+    body::prove_eq75,
+    sliding,
+);
+pub const EQ77: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq77,
+    body::prove_eq77,
+    sliding,
+);
+pub const EQ78: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq78,
+    body::prove_eq78,
+    sliding,
+);
+pub const EQ79: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::eq79,
+    body::prove_eq79,
+    sliding,
+);
+pub const EQ81: Law = Law::within(
+    Subject::Within,
+    AS_A_PARTICLE,
+    angle::eq81,
+    angle::prove_eq81,
+    angle::ring,
+);
+pub const EQ82: Law = Law::within(
+    Subject::Printed,
+    AS_A_PARTICLE,
+    angle::eq82,
+    angle::prove_eq82,
+    angle::ring,
+);
+pub const CORRECTED_82: Law = Law::within(
+    Subject::Corrected,
+    AS_A_PARTICLE,
+    angle::corrected82,
+    angle::prove_eq82,
+    angle::ring,
+);
+pub const EQ83: Law = Law::within(
+    Subject::Printed,
+    AS_A_PARTICLE,
+    angle::eq83,
+    angle::prove_eq83,
+    angle::ring,
+);
+pub const CORRECTED_83: Law = Law::within(
+    Subject::Corrected,
+    AS_A_PARTICLE,
+    angle::corrected83,
+    angle::prove_eq83,
+    angle::ring,
+);
+pub const S3_REDUCTION: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::reduction,
+    body::prove_reduction,
+    sliding,
+);
+pub const S3_SPIN_CONSTANT: Law = Law::within(
+    Subject::Printed,
+    BY_COMPONENTS,
+    body::spin_rate,
+    body::prove_spin_constant,
+    sliding,
+);
 
-/// All statements of section 3 that are proved, or, for (75), (82) and (83), tried as printed and as corrected.
-pub const STATEMENTS: &[Statement] = &[
-    statement("eq-59", laws::eq59, laws::prove_eq59),
-    statement("eq-60", laws::eq60, laws::prove_eq60),
-    statement("eq-62", body::eq62, body::prove_eq62),
-    statement("eq-63", body::eq63, body::prove_eq63),
-    statement("eq-64", body::eq64, body::prove_eq64),
-    statement("eq-65", body::eq65, body::prove_eq65),
-    statement("eq-66", body::eq66, body::prove_eq66),
-    statement("eq-68", body::eq68, body::prove_eq68),
-    statement("eq-69", body::eq69, body::prove_eq69),
-    statement("eq-70", body::eq70, body::prove_eq70),
-    statement("eq-71", body::eq71, body::prove_eq71),
-    statement("eq-72", body::eq72, body::prove_eq72),
-    statement("eq-73", body::eq73, body::prove_eq73),
-    statement("eq-74", body::eq74, body::prove_eq74),
-    statement("eq-75", body::eq75, body::prove_eq75),
-    statement("corrected-75", body::corrected75, body::prove_eq75),
-    statement("eq-77", body::eq77, body::prove_eq77),
-    statement("eq-78", body::eq78, body::prove_eq78),
-    statement("eq-79", body::eq79, body::prove_eq79),
-    statement("eq-81", angle::eq81, angle::prove_eq81),
-    statement("eq-82", angle::eq82, angle::prove_eq82),
-    statement("corrected-82", angle::corrected82, angle::prove_eq82),
-    statement("eq-83", angle::eq83, angle::prove_eq83),
-    statement("corrected-83", angle::corrected83, angle::prove_eq83),
-    statement("s3-reduction", body::reduction, body::prove_reduction),
-    statement(
-        "s3-spin-constant",
-        body::spin_rate,
-        body::prove_spin_constant,
-    ),
+/// All of them; (75), (82) and (83) as printed and as corrected.
+#[cfg(test)]
+const ALL: &[Law] = &[
+    EQ59,
+    EQ60,
+    EQ62,
+    EQ63,
+    EQ64,
+    EQ65,
+    EQ66,
+    EQ68,
+    EQ69,
+    EQ70,
+    EQ71,
+    EQ72,
+    EQ73,
+    EQ74,
+    EQ75,
+    CORRECTED_75,
+    EQ77,
+    EQ78,
+    EQ79,
+    EQ81,
+    EQ82,
+    CORRECTED_82,
+    EQ83,
+    CORRECTED_83,
+    S3_REDUCTION,
+    S3_SPIN_CONSTANT,
 ];
 
-/// The proof of the formula with this id.
-pub fn proof(id: &str) -> Option<Proof> {
-    STATEMENTS.iter().find(|s| s.id == id).map(Statement::proof)
+fn laboratory() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["m", "A_x", "A_y", "F_x", "F_y", "R"] {
+        ring.symbol(name);
+    }
+    Ok(ring)
 }
 
-/// Evidence of the proof of the formula with this id.
-pub fn evidence(id: &str, subject: Subject) -> Evidence {
-    let compared = match id {
-        "eq-59" => "the formula with Newton's law in the laboratory, where friction alone acts",
-        "eq-60" => "the formula with Newton's law for six point masses that move as one body",
-        "eq-62" => "(64), with κ by the definition, with Euler's law for the sphere",
-        "eq-68" => "(73), with ρ by the definition, with Newton's law for the sphere",
-        "eq-69" | "eq-71" | "eq-72" => {
-            "(74), with the quantity by the definition, with the laws of Newton and Euler for the sphere"
-        }
-        "eq-70" => "ζ dτ, with τ by (69), with ω dt",
-        "eq-81" | "eq-82" | "eq-83" | "corrected-82" | "corrected-83" => {
-            "the formula with (11), (13), (14), proved from (1), with γ for A, b for μg and τ for t, as (74) has them"
-        }
-        _ => "the formula with the laws of Newton and Euler for the sphere, component by component",
-    };
-    let proof = proof(id).unwrap_or_else(|| {
-        let name = id.to_owned();
-        Proof::impossible(id, ExactError::UnknownSymbol { name })
-    });
-    proved(&proof, subject, compared)
+fn sliding() -> Result<Ring, ExactError> {
+    Ok(Body::sliding()?.ring)
 }
 
 fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {

@@ -5,22 +5,22 @@ use crate::exact::mutations;
 
 #[test]
 fn every_statement_is_proved() {
-    for statement in STATEMENTS {
+    for statement in ALL {
         let proof = statement.proof();
-        assert!(proof.holds(), "{}\n{proof}", statement.id);
+        assert!(proof.holds(), "{proof}");
     }
 }
 
 /// Whether a mutant says the same as the printed formula: decided by comparison, not by a list.
-fn says_the_same(statement: &Statement, mutant: Expr) -> Result<bool, ExactError> {
-    let mut newton = Newton::new(statement.friction)?;
-    if statement.id == "eq-12" {
+fn says_the_same(statement: &Law, mutant: Expr) -> Result<bool, ExactError> {
+    let mut newton = Newton::new(statement.setting.friction)?;
+    if statement.place == EQ12.place {
         // Any value will do for the derivative D, as long as both formulas get the same.
         newton.ring.symbol("D");
     }
     let ring = &newton.ring;
-    let (ours, theirs) = (ring.read((statement.printed)())?, ring.read(mutant)?);
-    if !statement.invariant {
+    let (ours, theirs) = (ring.read((statement.formulas)())?, ring.read(mutant)?);
+    if !statement.setting.invariant {
         return ring.is_zero(&(ours - theirs));
     }
     // Two expressions that both keep their values, one being the other times a number.
@@ -54,12 +54,12 @@ fn number(name: &str) -> Option<f64> {
 
 /// Whether a formula that the ring cannot read is another function than the printed one, or, for an
 /// invariant, does not keep its value from one angle to the next.
-fn differs_in_numbers(statement: &Statement, mutant: Expr) -> bool {
-    let (ours, theirs) = if statement.invariant {
+fn differs_in_numbers(statement: &Law, mutant: Expr) -> bool {
+    let (ours, theirs) = if statement.setting.invariant {
         let later = mutant.with("v", eq11()).with("θ", Expr::int(1));
         (mutant.with("v", eq11()), later)
     } else {
-        ((statement.printed)(), mutant)
+        ((statement.formulas)(), mutant)
     };
     let [ours, theirs] = [ours, theirs].map(|formula| formula.evaluate(&number));
     let (Some(ours), Some(theirs)) = (ours, theirs) else {
@@ -72,13 +72,10 @@ fn differs_in_numbers(statement: &Statement, mutant: Expr) -> bool {
 #[test]
 fn every_mutant_fails_that_differs_in_value() {
     let (mut refuted, mut unreadable, mut same) = (0, 0, 0);
-    for statement in STATEMENTS {
-        for mutation in mutations((statement.printed)()) {
+    for statement in ALL {
+        for mutation in mutations((statement.formulas)()) {
             let proof = (statement.prove)(mutation.formula);
-            let who = format!(
-                "{}, {}: {}",
-                statement.id, mutation.change, mutation.formula
-            );
+            let who = format!("{}: {}", mutation.change, mutation.formula);
             let expected = says_the_same(statement, mutation.formula) == Ok(true);
             assert_eq!(proof.holds(), expected, "{who}\n{proof}");
             match proof.obstacle() {
@@ -103,7 +100,7 @@ fn every_mutant_fails_that_differs_in_value() {
 
 #[test]
 fn a_proof_reads_as_steps() {
-    let text = proof("eq-9").expect("eq-9 is there").to_string();
+    let text = EQ9.proof().to_string();
     assert!(
         text.contains("The printed rate: (λ − cos(θ))/sin(θ) = "),
         "{text}"

@@ -4,6 +4,7 @@
 //! coefficients of xᵏ are polynomials in L of degree k. The first order fixes q₀, u₀, d₀; a shift of τ leaves one constant
 //! of the second order free, b.
 
+use crate::claims::statement::given;
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
@@ -73,7 +74,10 @@ fn rates() -> [Expr; 3] {
 
 /// They are (107) to (109).
 fn rewritten(p: &mut Prover<'_>) -> Result<(), Obstacle> {
-    turntable::given(p, &["eq-107", "eq-108", "eq-109"])?;
+    given(
+        p,
+        &[&turntable::EQ107, &turntable::EQ108, &turntable::EQ109],
+    )?;
     let [rho, u, delta] = symbols(["ρ", "u", "δ"]);
     let psi = Expr::pi() / Expr::int(2) - delta;
     let outwards = motion::eq108_rho_rate(rho - u, psi);

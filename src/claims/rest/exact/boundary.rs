@@ -3,11 +3,11 @@
 //! With t = tan(ψ/2), Fₖ = (aₖ + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ. The equation of the order k gives the xₙ of Fₖ, and the
 //! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
 
-use crate::claims::compare::proved;
 use crate::claims::runs::Runs;
+use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::Subject;
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::turntable as motion;
 
@@ -48,7 +48,10 @@ fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
 }
 
 fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
-    turntable::given(p, &["eq-113", "eq-114", "eq-115"])?;
+    given(
+        p,
+        &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
+    )?;
     let ring = p.ring();
     p.note(
         "To be found",
@@ -148,15 +151,18 @@ pub fn stated() -> Expr {
     corrected::boundary_a(alpha, psi)
 }
 
-/// Evidence on the boundary as corrected.
-pub fn evidence() -> Evidence {
-    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the power series in α that solves the equations of motion, to order four";
-    proved(&prove(stated(), 2), Subject::Corrected, compared)
-}
+/// The boundary as corrected.
+pub const CORRECTED: Statement = Statement::new(
+    Subject::Corrected,
+    "1 − α f₁(ψ) + α² f₂(ψ) with the power series in α that solves the equations of motion, to order four",
+    stated,
+    |formula| prove(formula, 2),
+);
 
-/// Evidence on (147) as the boundary.
-pub fn printed_evidence() -> Evidence {
-    let formula = crate::paper::rest::eq147_a(Expr::symbol("α"));
-    let compared = "(147) with the power series in α that solves the equations of motion";
-    proved(&prove(formula, 1), Subject::Printed, compared)
-}
+/// (147) as the boundary.
+pub const PRINTED: Statement = Statement::new(
+    Subject::Printed,
+    "(147) with the power series in α that solves the equations of motion",
+    || crate::paper::rest::eq147_a(Expr::symbol("α")),
+    |formula| prove(formula, 1),
+);

@@ -4,10 +4,10 @@
 //! that (143) prints. The coefficients are found order by order from the equations of motion (113) to (115), which are
 //! proved from Newton's law.
 
-use crate::claims::compare::proved;
 use crate::claims::runs::Runs;
+use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::Subject;
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::{rest as printed, turntable as motion};
 
@@ -94,7 +94,10 @@ fn with(known: &[Rational], next: &Rational, start: i64) -> Series {
 }
 
 fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
-    turntable::given(p, &["eq-113", "eq-114", "eq-115"])?;
+    given(
+        p,
+        &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
+    )?;
     p.note("Small", "α, and ζ with α dζ/dα = ζ (2σ − 1)/(1 − σ)");
     let ring = p.ring();
     let (mut psi, mut a) = (Vec::new(), vec![ring.named("σ")?]);
@@ -303,27 +306,68 @@ pub fn eq145(formula: Expr) -> Proof {
     })
 }
 
-/// Evidence of the formula of a claim as printed.
-pub fn evidence(id: &'static str) -> Evidence {
-    let compared = "the first term of the power series in α and ζ that solves (113) to (115), which three orders of it confirm";
-    proved(&proof(id), Subject::Within, compared)
-}
+const SERIES: &str = "the first term of the power series in α and ζ that solves (113) to (115), which three orders of it confirm";
 
-/// The proof of a claim as printed.
-pub fn proof(id: &str) -> Proof {
-    let [sigma, alpha, psi, tau, c, slope] = symbols(["σ", "α", "ψ", "τ", "c", "slope"]);
-    match id {
-        "eq-140" => eq140(printed::eq140_alpha_rate(sigma)),
-        "eq-141" => eq141(printed::eq141_alpha(sigma, tau)),
-        "eq-142" => eq142([
+/// (140) against the motions to rest.
+pub const EQ140: Statement = Statement::new(
+    Subject::Within,
+    SERIES,
+    || printed::eq140_alpha_rate(Expr::symbol("σ")),
+    eq140,
+);
+/// (141) against them.
+pub const EQ141: Statement = Statement::new(
+    Subject::Within,
+    SERIES,
+    || {
+        let [sigma, tau] = symbols(["σ", "τ"]);
+        printed::eq141_alpha(sigma, tau)
+    },
+    eq141,
+);
+/// Both sides of (142) against them.
+pub const EQ142: Statement<[Expr; 2]> = Statement::new(
+    Subject::Within,
+    SERIES,
+    || {
+        let [sigma, alpha, psi, slope] = symbols(["σ", "α", "ψ", "slope"]);
+        [
             printed::eq142_left(sigma, slope),
             printed::eq142_right(alpha, psi),
-        ]),
-        "eq-143" => eq143(printed::eq143_psi(sigma, c, alpha)),
-        "eq-144" => eq144([
+        ]
+    },
+    eq142,
+);
+/// (143) against them.
+pub const EQ143: Statement = Statement::new(
+    Subject::Within,
+    SERIES,
+    || {
+        let [sigma, alpha, c] = symbols(["σ", "α", "c"]);
+        printed::eq143_psi(sigma, c, alpha)
+    },
+    eq143,
+);
+/// Both sides of (144) against them.
+pub const EQ144: Statement<[Expr; 2]> = Statement::new(
+    Subject::Within,
+    SERIES,
+    || {
+        let [sigma, alpha, slope] = symbols(["σ", "α", "slope"]);
+        [
             printed::eq144_left(sigma, slope),
             printed::eq144_right(alpha),
-        ]),
-        _ => eq145(printed::eq145_a(sigma, alpha)),
-    }
-}
+        ]
+    },
+    eq144,
+);
+/// (145) against them.
+pub const EQ145: Statement = Statement::new(
+    Subject::Within,
+    SERIES,
+    || {
+        let [sigma, alpha] = symbols(["σ", "α"]);
+        printed::eq145_a(sigma, alpha)
+    },
+    eq145,
+);

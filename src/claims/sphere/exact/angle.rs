@@ -27,7 +27,7 @@ pub(super) fn ring() -> Result<Ring, ExactError> {
 
 fn prove(
     title: &str,
-    rests_on: &'static str,
+    rests_on: &constant::Law,
     steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
 ) -> Proof {
     match ring() {
@@ -35,11 +35,7 @@ fn prove(
         Ok(ring) => Proof::of(title, &ring, |p| {
             p.rests_on(&body::prove_eq74(body::eq74()))?;
             p.rests_on(&body::prove_reduction(body::reduction()))?;
-            let Some(known) = constant::proof(rests_on) else {
-                let name = rests_on.to_owned();
-                return Err(ExactError::UnknownSymbol { name }.into());
-            };
-            p.rests_on(&known)?;
+            p.rests_on(&rests_on.proof())?;
             p.note(
                 "(74) is (1) with",
                 "u for v, γ for A, b for μg, τ for t; λ = b/γ",
@@ -65,7 +61,7 @@ pub(super) fn eq81() -> Components {
 }
 pub(super) fn prove_eq81(formula: Components) -> Proof {
     let [lambda, u0, theta0, theta] = symbols(["λ", "u₀", "θ₀", "θ"]);
-    prove("(81): u at the angle θ", "eq-11", |p| {
+    prove("(81): u at the angle θ", &constant::EQ11, |p| {
         same(p, formula, particle::eq11_speed(lambda, u0, theta0, theta))
     })
 }
@@ -80,7 +76,7 @@ pub(super) fn corrected82() -> Components {
 }
 pub(super) fn prove_eq82(formula: Components) -> Proof {
     let [lambda, gamma, u0, theta0, theta] = symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
-    prove("(82): τ at the angle θ", "eq-13", |p| {
+    prove("(82): τ at the angle θ", &constant::EQ13, |p| {
         same(
             p,
             formula,
@@ -101,11 +97,15 @@ pub(super) fn corrected83() -> Components {
 }
 pub(super) fn prove_eq83(formula: Components) -> Proof {
     let [lambda, gamma, u0, theta0, theta, tau] = symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
-    prove("(83): u at the angle θ and the time τ", "eq-14", |p| {
-        same(
-            p,
-            formula,
-            particle::eq14_speed_at_time(lambda, gamma, u0, theta0, theta, tau),
-        )
-    })
+    prove(
+        "(83): u at the angle θ and the time τ",
+        &constant::EQ14,
+        |p| {
+            same(
+                p,
+                formula,
+                particle::eq14_speed_at_time(lambda, gamma, u0, theta0, theta, tau),
+            )
+        },
+    )
 }

@@ -24,7 +24,6 @@ pub(super) struct Body {
 }
 
 impl Body {
-    #[cfg(test)]
     /// Sliding, as most statements have it.
     pub(super) fn sliding() -> Result<Self, ExactError> {
         Self::new(Friction::Sliding)

@@ -3,59 +3,45 @@
 use super::*;
 use crate::exact::{Obstacle, Ring, mutations};
 
-const MISPRINTS: [&str; 3] = ["eq-75", "eq-82", "eq-83"];
+/// Printed forms that do not hold.
+fn is_misprint(law: &Law) -> bool {
+    [EQ75, EQ82, EQ83]
+        .iter()
+        .any(|misprint| misprint.place == law.place)
+}
 
 #[test]
 fn every_statement_but_the_misprints_is_proved() {
-    for statement in STATEMENTS {
-        let proof = statement.proof();
-        let misprint = MISPRINTS.contains(&statement.id);
-        assert_eq!(proof.holds(), !misprint, "{}\n{proof}", statement.id);
-        if misprint {
+    for law in ALL {
+        let proof = law.proof();
+        assert_eq!(proof.holds(), !is_misprint(law), "{proof}");
+        if is_misprint(law) {
             let refuted = matches!(proof.obstacle(), Some(Obstacle::NotZero { .. }));
-            assert!(refuted, "{}\n{proof}", statement.id);
+            assert!(refuted, "{proof}");
         }
-    }
-}
-
-fn rings(id: &str) -> Option<Ring> {
-    match id {
-        "eq-59" | "eq-60" => {
-            let mut ring = Ring::new();
-            for name in ["m", "A_x", "A_y", "F_x", "F_y", "R"] {
-                ring.symbol(name);
-            }
-            Some(ring)
-        }
-        "eq-81" | "corrected-82" | "corrected-83" => angle::ring().ok(),
-        _ => body::Body::sliding().ok().map(|body| body.ring),
     }
 }
 
 #[test]
 fn every_mutant_fails_that_differs_in_value() {
     let (mut refuted, mut same) = (0, 0);
-    for statement in STATEMENTS.iter().filter(|s| !MISPRINTS.contains(&s.id)) {
-        let ring = rings(statement.id).expect("the ring can be set up");
-        let printed = (statement.printed)();
+    for law in ALL.iter().filter(|law| !is_misprint(law)) {
+        let ring = (law.setting)().expect("the ring can be set up");
+        let printed = (law.formulas)();
         // One component of each vector: the others have the same form.
         for (i, component) in printed.iter().enumerate().take(1) {
             for mutation in mutations(*component) {
                 let mut mutant = printed.clone();
                 mutant[i] = mutation.formula;
-                let proof = (statement.prove)(mutant);
-                let who = format!(
-                    "{}, {}: {}",
-                    statement.id, mutation.change, mutation.formula
-                );
-                let says_the_same = match statement.id {
-                    // (79) leaves a constant free: another one says the same.
-                    "eq-79" => differ_by_a_constant(&ring, *component, mutation.formula),
-                    _ => {
-                        let theirs = ring.read(mutation.formula);
-                        let difference = theirs.and_then(|x| Ok(x - ring.read(*component)?));
-                        difference.and_then(|d| ring.is_zero(&d)) == Ok(true)
-                    }
+                let proof = (law.prove)(mutant);
+                let who = format!("{}: {}", mutation.change, mutation.formula);
+                let says_the_same = if law.place == EQ79.place {
+                    // It leaves a constant free: another one says the same.
+                    differ_by_a_constant(&ring, *component, mutation.formula)
+                } else {
+                    let theirs = ring.read(mutation.formula);
+                    let difference = theirs.and_then(|x| Ok(x - ring.read(*component)?));
+                    difference.and_then(|d| ring.is_zero(&d)) == Ok(true)
                 };
                 assert_eq!(proof.holds(), says_the_same, "{who}\n{proof}");
                 if says_the_same {

@@ -29,8 +29,8 @@ pub(super) fn eq96() -> Vec<Expr> {
     paper::eq96_angular_momentum(p, ell, position, rate).into()
 }
 
-pub(super) fn prove_eq96(printed: &[Expr]) -> Proof {
-    sides("(96), with (95)", printed)
+pub(super) fn prove_eq96(printed: Vec<Expr>) -> Proof {
+    sides("(96), with (95)", &printed)
 }
 
 pub(super) fn eq97() -> Vec<Expr> {
@@ -39,8 +39,8 @@ pub(super) fn eq97() -> Vec<Expr> {
     paper::eq97_radial(p, xi, position, rate).into()
 }
 
-pub(super) fn prove_eq97(printed: &[Expr]) -> Proof {
-    sides("(97), with (94)", printed)
+pub(super) fn prove_eq97(printed: Vec<Expr>) -> Proof {
+    sides("(97), with (94)", &printed)
 }
 
 pub(super) fn eq98() -> Vec<Expr> {
@@ -48,16 +48,16 @@ pub(super) fn eq98() -> Vec<Expr> {
     paper::eq98_distance(vectors()[0], ell, xi).into()
 }
 
-pub(super) fn prove_eq98(printed: &[Expr]) -> Proof {
-    sides("(98), with (94) and (95)", printed)
+pub(super) fn prove_eq98(printed: Vec<Expr>) -> Proof {
+    sides("(98), with (94) and (95)", &printed)
 }
 
 pub(super) fn eq99() -> Vec<Expr> {
     vec![paper::eq99_p_rate(Expr::symbol("ξ"))]
 }
 
-pub(super) fn prove_eq99(printed: &[Expr]) -> Proof {
-    rate("(99): dp/dτ", "p", printed)
+pub(super) fn prove_eq99(printed: Vec<Expr>) -> Proof {
+    rate("(99): dp/dτ", "p", &printed)
 }
 
 pub(super) fn eq100() -> Vec<Expr> {
@@ -65,8 +65,8 @@ pub(super) fn eq100() -> Vec<Expr> {
     vec![paper::eq100_ell_rate(p, ell, xi)]
 }
 
-pub(super) fn prove_eq100(printed: &[Expr]) -> Proof {
-    rate("(100): dℓ/dτ", "ℓ", printed)
+pub(super) fn prove_eq100(printed: Vec<Expr>) -> Proof {
+    rate("(100): dℓ/dτ", "ℓ", &printed)
 }
 
 pub(super) fn eq101() -> Vec<Expr> {
@@ -74,8 +74,8 @@ pub(super) fn eq101() -> Vec<Expr> {
     vec![paper::eq101_xi_rate(p, ell)]
 }
 
-pub(super) fn prove_eq101(printed: &[Expr]) -> Proof {
-    rate("(101): dξ/dτ", "ξ", printed)
+pub(super) fn prove_eq101(printed: Vec<Expr>) -> Proof {
+    rate("(101): dξ/dτ", "ξ", &printed)
 }
 
 pub(super) fn eq102() -> Vec<Expr> {
@@ -83,12 +83,12 @@ pub(super) fn eq102() -> Vec<Expr> {
     paper::eq102_rate(ell, xi, p).into()
 }
 
-pub(super) fn prove_eq102(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq102(printed: Vec<Expr>) -> Proof {
     prove("(102): ρ dρ/dτ", Setting::polar(), |p, setting| {
         let rho = p.ring().named("ρ")?;
         let rate = p.derivative("dρ/dτ by (89)", &rho, &setting.motion)?;
         for formula in printed {
-            let printed = p.read("A printed expression", *formula)?;
+            let printed = p.read("A printed expression", formula)?;
             p.equal("Against ρ dρ/dτ", &printed, &(&rho * &rate))?;
         }
         Ok(())
@@ -100,8 +100,8 @@ pub(super) fn eq107() -> Vec<Expr> {
     vec![paper::eq107_p_rate(rho, psi)]
 }
 
-pub(super) fn prove_eq107(printed: &[Expr]) -> Proof {
-    rate("(107): dp/dτ", "p", printed)
+pub(super) fn prove_eq107(printed: Vec<Expr>) -> Proof {
+    rate("(107): dp/dτ", "p", &printed)
 }
 
 pub(super) fn eq108() -> Vec<Expr> {
@@ -109,8 +109,8 @@ pub(super) fn eq108() -> Vec<Expr> {
     vec![paper::eq108_rho_rate(p, psi)]
 }
 
-pub(super) fn prove_eq108(printed: &[Expr]) -> Proof {
-    rate("(108): dρ/dτ", "ρ", printed)
+pub(super) fn prove_eq108(printed: Vec<Expr>) -> Proof {
+    rate("(108): dρ/dτ", "ρ", &printed)
 }
 
 pub(super) fn eq109() -> Vec<Expr> {
@@ -118,6 +118,6 @@ pub(super) fn eq109() -> Vec<Expr> {
     vec![paper::eq109_psi_rate(p, rho, psi)]
 }
 
-pub(super) fn prove_eq109(printed: &[Expr]) -> Proof {
-    rate("(109): dψ/dτ", "ψ", printed)
+pub(super) fn prove_eq109(printed: Vec<Expr>) -> Proof {
+    rate("(109): dψ/dτ", "ψ", &printed)
 }

@@ -26,7 +26,7 @@ fn speed() -> Expr {
 pub(super) fn eq93() -> Vec<Expr> {
     vec![paper::eq93_speed(vectors()[1])]
 }
-pub(super) fn prove_eq93(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq93(printed: Vec<Expr>) -> Proof {
     let expected = ("The size p of the velocity p (cos χ, sin χ)", speed());
     is("(93): p", Setting::polar(), printed[0], expected)
 }
@@ -35,7 +35,7 @@ pub(super) fn eq94() -> Vec<Expr> {
     let [rho, psi] = symbols(["ρ", "ψ"]);
     vec![paper::eq94_xi(rho, psi)]
 }
-pub(super) fn prove_eq94(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq94(printed: Vec<Expr>) -> Proof {
     let [[x, y], [u, v]] = vectors();
     let along = (x * u + y * v) / speed();
     let expected = ("The position along the velocity", along);
@@ -46,7 +46,7 @@ pub(super) fn eq95() -> Vec<Expr> {
     let [rho, psi] = symbols(["ρ", "ψ"]);
     vec![paper::eq95_ell(rho, psi)]
 }
-pub(super) fn prove_eq95(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq95(printed: Vec<Expr>) -> Proof {
     let [[x, y], [u, v]] = vectors();
     let across = (x * v - y * u) / speed();
     let expected = ("The moment of the velocity about the axis, over p", across);
@@ -75,7 +75,7 @@ pub(super) fn eq110() -> Vec<Expr> {
     let [p, rho] = symbols(["p", "ρ"]);
     vec![paper::eq110_case(p, rho)]
 }
-pub(super) fn prove_eq110(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq110(printed: Vec<Expr>) -> Proof {
     let expected = ("−A², negative", -Expr::symbol("A").squared());
     is(
         "(110): with (111) and (112)",
@@ -89,7 +89,7 @@ pub(super) fn eq111() -> Vec<Expr> {
     let [a, alpha] = symbols(["A", "α"]);
     vec![paper::eq111_p(a, alpha)]
 }
-pub(super) fn prove_eq111(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq111(printed: Vec<Expr>) -> Proof {
     prove("(111): ρ ± p = A exp(±α)", Setting::slower(), |p, _| {
         sums(p, [eq112()[0], printed[0]], symbols(["A", "α"]))
     })
@@ -99,7 +99,7 @@ pub(super) fn eq112() -> Vec<Expr> {
     let [a, alpha] = symbols(["A", "α"]);
     vec![paper::eq112_rho(a, alpha)]
 }
-pub(super) fn prove_eq112(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq112(printed: Vec<Expr>) -> Proof {
     prove("(112): ρ ± p = A exp(±α)", Setting::slower(), |p, _| {
         sums(p, [printed[0], eq111()[0]], symbols(["A", "α"]))
     })
@@ -109,7 +109,7 @@ pub(super) fn eq116() -> Vec<Expr> {
     let [p, rho] = symbols(["p", "ρ"]);
     vec![paper::eq116_case(p, rho)]
 }
-pub(super) fn prove_eq116(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq116(printed: Vec<Expr>) -> Proof {
     let expected = ("B², positive", Expr::symbol("B").squared());
     is(
         "(116): with (117) and (118)",
@@ -123,7 +123,7 @@ pub(super) fn eq117() -> Vec<Expr> {
     let [b, beta] = symbols(["B", "β"]);
     vec![paper::eq117_p(b, beta)]
 }
-pub(super) fn prove_eq117(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq117(printed: Vec<Expr>) -> Proof {
     prove("(117): p ± ρ = B exp(±β)", Setting::faster(), |p, _| {
         sums(p, [printed[0], eq118()[0]], symbols(["B", "β"]))
     })
@@ -133,7 +133,7 @@ pub(super) fn eq118() -> Vec<Expr> {
     let [b, beta] = symbols(["B", "β"]);
     vec![paper::eq118_rho(b, beta)]
 }
-pub(super) fn prove_eq118(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq118(printed: Vec<Expr>) -> Proof {
     prove("(118): p ± ρ = B exp(±β)", Setting::faster(), |p, _| {
         sums(p, [eq117()[0], printed[0]], symbols(["B", "β"]))
     })

@@ -11,7 +11,7 @@ pub(super) fn eq103() -> Vec<Expr> {
     vec![paper::eq103_energy(p, rho), paper::eq103_energy_rate(p)]
 }
 
-pub(super) fn prove_eq103(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq103(printed: Vec<Expr>) -> Proof {
     prove(
         "(103): d[(p² − ρ²)/2]/dτ",
         Setting::polar(),
@@ -51,7 +51,7 @@ fn keeps_its_value(
     })
 }
 
-pub(super) fn prove_eq104(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq104(printed: Vec<Expr>) -> Proof {
     keeps_its_value(
         "(104): an expression keeps its value",
         Setting::polar(),
@@ -71,7 +71,7 @@ pub(super) fn corrected_106() -> Vec<Expr> {
     vec![corrections::constant(m, mu, g, omega, r, v, s)]
 }
 
-pub(super) fn prove_106(formula: &[Expr]) -> Proof {
+pub(super) fn prove_106(formula: Vec<Expr>) -> Proof {
     let title = "(106): an energy keeps its value";
     keeps_its_value(title, Setting::dimensional(), formula[0])
 }
@@ -87,7 +87,7 @@ pub(super) fn works() -> Vec<Expr> {
 }
 
 /// Of the forces in (86), the Coriolis force has no power, and friction that by which the given work grows.
-pub(super) fn prove_works(work: &[Expr]) -> Proof {
+pub(super) fn prove_works(work: Vec<Expr>) -> Proof {
     let title = "the works of the Coriolis force and of friction";
     prove(title, Setting::dimensional(), |p, setting| {
         let [omega, mu, g, m] = symbols(["Ω", "μ", "g", "m"]);

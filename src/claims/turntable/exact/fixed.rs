@@ -64,7 +64,7 @@ fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstac
 }
 
 /// (115) is zero at the given angle, α held fixed.
-pub(super) fn prove_zero(printed: &[Expr]) -> Proof {
+pub(super) fn prove_zero(printed: Vec<Expr>) -> Proof {
     let title = "(115) is zero at a quasi-fixed point";
     prove(title, Setting::fixed(), |p, _| {
         let [alpha, psi] = symbols(["α", "ψ"]);
@@ -80,7 +80,7 @@ pub(super) fn slope() -> Vec<Expr> {
 }
 
 /// A deviation from ψ₁ shrinks at the rate 2/sinh 2α, one from ψ₂ grows at that rate.
-pub(super) fn prove_slope(printed: &[Expr]) -> Proof {
+pub(super) fn prove_slope(printed: Vec<Expr>) -> Proof {
     let title = "the slope of (115) at its zeros, α held fixed";
     prove(title, Setting::fixed(), |p, _| {
         let ring = p.ring();

@@ -14,7 +14,7 @@ pub(super) fn eq86() -> Vec<Expr> {
 
 /// The second derivative of a position in the laboratory, X = (x cos φ − y sin φ, x sin φ + y cos φ), if (u, v)
 /// has the given rates, against friction alone.
-pub(super) fn prove_eq86(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq86(printed: Vec<Expr>) -> Proof {
     let title = "(86): friction alone acts in the laboratory";
     prove(title, Setting::dimensional(), |p, _| {
         let ring = p.ring();
@@ -54,8 +54,13 @@ pub(super) fn eq89() -> Vec<Expr> {
     paper::eq89_acceleration(position, rate).into()
 }
 
-pub(super) fn prove_eq89(printed: &[Expr]) -> Proof {
-    without_dimensions("(89) from (86), (87) and (88)", &eq87(), eq88()[0], printed)
+pub(super) fn prove_eq89(printed: Vec<Expr>) -> Proof {
+    without_dimensions(
+        "(89) from (86), (87) and (88)",
+        &eq87(),
+        eq88()[0],
+        &printed,
+    )
 }
 
 pub(super) fn eq87() -> Vec<Expr> {
@@ -63,8 +68,8 @@ pub(super) fn eq87() -> Vec<Expr> {
     paper::eq87_position(omega, mu, g, vectors()[0]).into()
 }
 
-pub(super) fn prove_eq87(printed: &[Expr]) -> Proof {
-    without_dimensions("(86) becomes (89) with (87)", printed, eq88()[0], &eq89())
+pub(super) fn prove_eq87(printed: Vec<Expr>) -> Proof {
+    without_dimensions("(86) becomes (89) with (87)", &printed, eq88()[0], &eq89())
 }
 
 /// With s for the time.
@@ -73,7 +78,7 @@ pub(super) fn eq88() -> Vec<Expr> {
     vec![paper::eq88_time(omega, time)]
 }
 
-pub(super) fn prove_eq88(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq88(printed: Vec<Expr>) -> Proof {
     without_dimensions("(86) becomes (89) with (88)", &eq87(), printed[0], &eq89())
 }
 
@@ -139,7 +144,7 @@ pub(super) fn eq90() -> Vec<Expr> {
     vec![paper::eq90_power(position, rate)]
 }
 
-pub(super) fn prove_eq90(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq90(printed: Vec<Expr>) -> Proof {
     prove("(90) from (89)", Setting::cartesian(), |p, setting| {
         let [_, rate, acceleration] = elements(p, setting)?;
         let printed = p.read("The printed right-hand side", printed[0])?;
@@ -156,7 +161,7 @@ pub(super) fn eq91() -> Vec<Expr> {
     vec![paper::eq91_moment(position, rate)]
 }
 
-pub(super) fn prove_eq91(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq91(printed: Vec<Expr>) -> Proof {
     prove("(91) from (89)", Setting::cartesian(), |p, setting| {
         let [position, _, a] = elements(p, setting)?;
         let moment = &position[0] * &a[1] - &position[1] * &a[0];
@@ -170,7 +175,7 @@ pub(super) fn eq92() -> Vec<Expr> {
     vec![paper::eq92_virial(position, rate)]
 }
 
-pub(super) fn prove_eq92(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq92(printed: Vec<Expr>) -> Proof {
     prove("(92) from (89)", Setting::cartesian(), |p, setting| {
         let [position, rate, acceleration] = elements(p, setting)?;
         let left = dot(&position, &acceleration) + dot(&rate, &rate);
@@ -180,7 +185,7 @@ pub(super) fn prove_eq92(printed: &[Expr]) -> Proof {
 }
 
 /// The mirror image of a solution, y → −y, has the accelerations that the formulas give with −Ω.
-pub(super) fn prove_mirror(printed: &[Expr]) -> Proof {
+pub(super) fn prove_mirror(printed: Vec<Expr>) -> Proof {
     let title = "(86) in the mirror y → −y";
     prove(title, Setting::dimensional(), |p, setting| {
         let [[x, y], [u, v]] = vectors();

@@ -25,8 +25,8 @@ pub(super) fn eq113() -> Vec<Expr> {
     vec![paper::eq113_a_rate(Expr::symbol("α"))]
 }
 
-pub(super) fn prove_eq113(printed: &[Expr]) -> Proof {
-    rate("(113): dA/dτ", Setting::slower(), "A", printed)
+pub(super) fn prove_eq113(printed: Vec<Expr>) -> Proof {
+    rate("(113): dA/dτ", Setting::slower(), "A", &printed)
 }
 
 pub(super) fn eq114() -> Vec<Expr> {
@@ -34,8 +34,8 @@ pub(super) fn eq114() -> Vec<Expr> {
     vec![paper::eq114_alpha_rate(a, alpha, psi)]
 }
 
-pub(super) fn prove_eq114(printed: &[Expr]) -> Proof {
-    rate("(114): dα/dτ", Setting::slower(), "α", printed)
+pub(super) fn prove_eq114(printed: Vec<Expr>) -> Proof {
+    rate("(114): dα/dτ", Setting::slower(), "α", &printed)
 }
 
 pub(super) fn eq115() -> Vec<Expr> {
@@ -43,16 +43,16 @@ pub(super) fn eq115() -> Vec<Expr> {
     vec![paper::eq115_psi_rate(alpha, psi)]
 }
 
-pub(super) fn prove_eq115(printed: &[Expr]) -> Proof {
-    rate("(115): dψ/dτ", Setting::slower(), "ψ", printed)
+pub(super) fn prove_eq115(printed: Vec<Expr>) -> Proof {
+    rate("(115): dψ/dτ", Setting::slower(), "ψ", &printed)
 }
 
 pub(super) fn eq119() -> Vec<Expr> {
     vec![paper::eq119_b_rate(Expr::symbol("β"))]
 }
 
-pub(super) fn prove_eq119(printed: &[Expr]) -> Proof {
-    rate("(119): dB/dτ", Setting::faster(), "B", printed)
+pub(super) fn prove_eq119(printed: Vec<Expr>) -> Proof {
+    rate("(119): dB/dτ", Setting::faster(), "B", &printed)
 }
 
 pub(super) fn eq120() -> Vec<Expr> {
@@ -60,8 +60,8 @@ pub(super) fn eq120() -> Vec<Expr> {
     vec![paper::eq120_beta_rate(b, beta, psi)]
 }
 
-pub(super) fn prove_eq120(printed: &[Expr]) -> Proof {
-    rate("(120): dβ/dτ", Setting::faster(), "β", printed)
+pub(super) fn prove_eq120(printed: Vec<Expr>) -> Proof {
+    rate("(120): dβ/dτ", Setting::faster(), "β", &printed)
 }
 
 pub(super) fn eq121() -> Vec<Expr> {
@@ -69,8 +69,8 @@ pub(super) fn eq121() -> Vec<Expr> {
     vec![paper::eq121_psi_rate(beta, psi)]
 }
 
-pub(super) fn prove_eq121(printed: &[Expr]) -> Proof {
-    rate("(121): dψ/dτ", Setting::faster(), "ψ", printed)
+pub(super) fn prove_eq121(printed: Vec<Expr>) -> Proof {
+    rate("(121): dψ/dτ", Setting::faster(), "ψ", &printed)
 }
 
 pub(super) fn eq122() -> Vec<Expr> {
@@ -78,7 +78,7 @@ pub(super) fn eq122() -> Vec<Expr> {
     vec![paper::eq122_a(i, b)]
 }
 
-pub(super) fn prove_eq122(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq122(printed: Vec<Expr>) -> Proof {
     continuation("(122), with (123)", printed[0], eq123()[0])
 }
 
@@ -87,7 +87,7 @@ pub(super) fn eq123() -> Vec<Expr> {
     vec![paper::eq123_alpha(i, beta)]
 }
 
-pub(super) fn prove_eq123(printed: &[Expr]) -> Proof {
+pub(super) fn prove_eq123(printed: Vec<Expr>) -> Proof {
     continuation("(123), with (122)", eq122()[0], printed[0])
 }
 

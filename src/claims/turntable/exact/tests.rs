@@ -6,18 +6,15 @@ use crate::scalar::Scalar;
 
 #[test]
 fn every_statement_is_proved() {
-    for statement in STATEMENTS {
+    for statement in ALL {
         let proof = statement.proof();
-        assert!(proof.holds(), "{}\n{proof}", statement.id);
+        assert!(proof.holds(), "{proof}");
     }
 }
 
 #[test]
 fn what_lacks_the_friction_coefficient_is_not_proved() {
-    for proof in [
-        energy::prove_106(&energy::printed_106()),
-        energy::prove_works(&energy::printed_works()),
-    ] {
+    for proof in [PRINTED_106.proof(), PRINTED_WORK.proof()] {
         let text = proof.to_string();
         assert!(!proof.holds() && text.contains("Not proved"), "{text}");
         assert!(matches!(proof.obstacle(), Some(Obstacle::NotZero { .. })));
@@ -26,9 +23,9 @@ fn what_lacks_the_friction_coefficient_is_not_proved() {
 
 /// Whether a mutant says the same as the printed formula: decided by comparison in the ring. An unreadable one
 /// does not.
-fn says_the_same(statement: &Statement, ours: Expr, theirs: Expr) -> bool {
+fn says_the_same(statement: &Law, ours: Expr, theirs: Expr) -> bool {
     let compare = || -> Result<bool, ExactError> {
-        let setting = (statement.setting)()?;
+        let setting = (statement.setting.setting)()?;
         let ring = &setting.ring;
         let [(ours_by_q, of), (theirs_by_q, other)] = [ours, theirs].map(fixed::name_arcsine);
         if of.is_some() {
@@ -37,7 +34,7 @@ fn says_the_same(statement: &Statement, ours: Expr, theirs: Expr) -> bool {
             return Ok(of == other && ring.is_zero(&ring.read(apart.sin())?)?);
         }
         let (ours, theirs) = (ring.read(ours)?, ring.read(theirs)?);
-        if !statement.invariant {
+        if !statement.setting.invariant {
             return ring.is_zero(&(ours - theirs));
         }
         // A multiple of what keeps its value keeps it too; here only small whole ones can come up.
@@ -54,18 +51,15 @@ fn says_the_same(statement: &Statement, ours: Expr, theirs: Expr) -> bool {
 #[test]
 fn every_mutant_fails_that_differs_in_value() {
     let (mut refuted, mut unreadable, mut same) = (0, 0, 0);
-    for statement in STATEMENTS {
-        let printed = (statement.printed)();
+    for statement in ALL {
+        let printed = (statement.formulas)();
         for place in 0..printed.len() {
             for mutation in mutations(printed[place]) {
                 let mut formulas = printed.clone();
                 formulas[place] = mutation.formula;
-                let proof = (statement.prove)(&formulas);
+                let proof = (statement.prove)(formulas);
                 let expected = says_the_same(statement, printed[place], mutation.formula);
-                let who = format!(
-                    "{}, {}: {}",
-                    statement.id, mutation.change, mutation.formula
-                );
+                let who = format!("{}: {}", mutation.change, mutation.formula);
                 assert_eq!(proof.holds(), expected, "{who}\n{proof}");
                 match proof.obstacle() {
                     None => same += 1,

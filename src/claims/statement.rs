@@ -1,0 +1,103 @@
+//! A statement that can be proved: formulas, what is said of them, and the proof, in one value that rows name.
+
+use super::compare::proved;
+use crate::evidence::{Evidence, Subject};
+use crate::exact::{Obstacle, Proof, Prover};
+use std::panic::Location;
+
+/// What is said of formulas in the shape `F`. `S` is what else their readers have to know of them.
+#[derive(Debug, Clone, Copy)]
+pub struct Statement<F = crate::exact::Expr, S = ()> {
+    /// What it speaks about.
+    pub subject: Subject,
+    /// What is compared with what.
+    pub compared: &'static str,
+    /// The formulas as the code has them.
+    pub formulas: fn() -> F,
+    /// Tries to prove what is said, of formulas that stand in their place.
+    pub prove: fn(F) -> Proof,
+    /// Where the formulas are read, or how.
+    pub setting: S,
+    /// Where it is written.
+    pub place: &'static Location<'static>,
+}
+
+impl<F> Statement<F> {
+    /// A statement whose readers need not know more.
+    #[track_caller]
+    pub const fn new(
+        subject: Subject,
+        compared: &'static str,
+        formulas: fn() -> F,
+        prove: fn(F) -> Proof,
+    ) -> Self {
+        Self::within(subject, compared, formulas, prove, ())
+    }
+}
+
+impl<F, S: Copy> Statement<F, S> {
+    /// A statement in its setting.
+    #[track_caller]
+    pub const fn within(
+        subject: Subject,
+        compared: &'static str,
+        formulas: fn() -> F,
+        prove: fn(F) -> Proof,
+        setting: S,
+    ) -> Self {
+        Self {
+            subject,
+            compared,
+            formulas,
+            prove,
+            setting,
+            place: Location::caller(),
+        }
+    }
+
+    /// The same for a claim of which it says this.
+    pub const fn about(self, subject: Subject) -> Self {
+        Self { subject, ..self }
+    }
+
+    /// The proof of the formulas as they stand.
+    pub fn proof(&self) -> Proof {
+        (self.prove)((self.formulas)())
+    }
+}
+
+/// A statement of any shape.
+pub trait Proved: Sync {
+    /// The proof of the formulas as they stand.
+    fn proof(&self) -> Proof;
+
+    /// What the proof brings.
+    fn evidence(&self) -> Evidence;
+
+    /// Where it is written.
+    fn place(&self) -> &'static Location<'static>;
+}
+
+impl<F, S: Copy + Sync> Proved for Statement<F, S> {
+    fn proof(&self) -> Proof {
+        Statement::proof(self)
+    }
+
+    fn evidence(&self) -> Evidence {
+        proved(&Statement::proof(self), self.subject, self.compared)
+    }
+
+    fn place(&self) -> &'static Location<'static> {
+        self.place
+    }
+}
+
+/// Rests a proof on those of other statements.
+///
+/// # Errors
+/// [`Obstacle`] if one of them does not hold.
+pub fn given(p: &mut Prover<'_>, known: &[&dyn Proved]) -> Result<(), Obstacle> {
+    known
+        .iter()
+        .try_for_each(|known| p.rests_on(&known.proof()))
+}
