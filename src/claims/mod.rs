@@ -1,6 +1,6 @@
 //! Where the two wings meet: one row per claim of the paper, and the trials that try it.
 //!
-//! A claim is data; a trial is a function that returns [`Evidence`]. Whether a claim holds is not
+//! A claim is data; a trial is a function that returns [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not
 //! said here: the [ledger](crate::ledger) judges.
 
 #[cfg(feature = "book")]
@@ -98,6 +98,7 @@ pub struct Claim {
     /// What replaces it, where it fails.
     pub correction: Option<Correction>,
     /// How it is tried.
+    #[cfg(feature = "book")]
     pub trials: &'static [Attempt],
 }
 
