@@ -39,26 +39,19 @@ const fn law(
     prove: fn(Vec<Expr>) -> Proof,
     setting: fn() -> Result<Setting, ExactError>,
 ) -> Law {
-    let read = Read {
-        setting,
-        invariant: false,
-    };
-    Law::within(subject, compared, formulas, prove, read)
+    let invariant = false;
+    Law::within(
+        subject,
+        compared,
+        formulas,
+        prove,
+        Read { setting, invariant },
+    )
 }
 
-#[track_caller]
-const fn invariant(
-    subject: Subject,
-    compared: &'static str,
-    formulas: fn() -> Vec<Expr>,
-    prove: fn(Vec<Expr>) -> Proof,
-    setting: fn() -> Result<Setting, ExactError>,
-) -> Law {
-    let read = Read {
-        setting,
-        invariant: true,
-    };
-    Law::within(subject, compared, formulas, prove, read)
+const fn invariant(mut law: Law) -> Law {
+    law.setting.invariant = true;
+    law
 }
 
 const RATE: &str = "the printed rate with the rate by (89), exactly";
@@ -190,20 +183,20 @@ pub const EQ103: Law = law(
     energy::prove_eq103,
     Setting::polar,
 );
-pub const EQ104: Law = invariant(
+pub const EQ104: Law = invariant(law(
     Subject::Printed,
     "the rate of (104) along (89) with 0",
     energy::eq104,
     energy::prove_eq104,
     Setting::polar,
-);
-pub const CORRECTED_106: Law = invariant(
+));
+pub const CORRECTED_106: Law = invariant(law(
     Subject::Corrected,
     "the rate of (106) with mμgs, along (86), with 0",
     energy::corrected_106,
     energy::prove_106,
     Setting::dimensional,
-);
+));
 pub const EQ107: Law = law(
     Subject::Within,
     RATE,
@@ -431,13 +424,13 @@ fn vectors() -> [[Expr; 2]; 2] {
 }
 
 /// (106) as printed.
-pub const PRINTED_106: Law = invariant(
+pub const PRINTED_106: Law = invariant(law(
     Subject::Printed,
     "the rate of (106) along (86) with 0",
     energy::printed_106,
     energy::prove_106,
     Setting::dimensional,
-);
+));
 
 /// The work as printed.
 pub const PRINTED_WORK: Law = law(
