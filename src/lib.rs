@@ -52,3 +52,5 @@ pub mod numerics;
 pub mod paper;
 pub mod scalar;
 pub mod seeded;
+#[cfg(feature = "book")]
+pub mod symbols;

@@ -15,7 +15,7 @@ pub mod reading;
 #[cfg(feature = "book")]
 pub use number::{Seeded, evaluate};
 #[cfg(feature = "book")]
-pub use parts::{Formula, Parts, symbols};
+pub use parts::{Formula, Parts, Symbol, letters, symbol};
 
 #[cfg(feature = "book")]
 use std::cell::{Cell, RefCell};
@@ -105,9 +105,9 @@ fn pass(place: Place) -> Option<Mistake> {
 }
 
 /// Formulas in which a mistake can be seeded, and `formulas()`, the list of them. Each is generic over `S: Scalar`,
-/// its arguments and its value are of type `S` or arrays of `S`.
+/// its arguments and its value are of type `S` or arrays of `S`. The arguments' letters are those of the symbols.
 macro_rules! formulas {
-    ($(
+    (symbols $symbols:expr; $(
         $(#[$about:meta])*
         pub fn $name:ident<S: Scalar>($($argument:ident: $type:ty),* $(,)?) -> $value:ty $body:block
     )*) => {
@@ -130,18 +130,16 @@ macro_rules! formulas {
         /// The formulas of this file.
         #[cfg(feature = "book")]
         pub fn formulas<S: Scalar>() -> Vec<$crate::seeded::Formula<S>> {
-            use $crate::seeded::{Formula, Parts, symbols};
+            use $crate::seeded::{Formula, Parts, letters};
             vec![$(Formula {
                 path: concat!(module_path!(), "::", stringify!($name)),
                 name: stringify!($name),
-                symbols: [Vec::new(), $(symbols(
-                    <$type as Parts<S>>::COUNT,
+                arguments: &[$(stringify!($argument)),*],
+                symbols: [Vec::new(), $(letters(
+                    $symbols,
+                    module_path!(),
                     stringify!($argument),
-                    &[
-                        concat!(stringify!($argument), "₁"),
-                        concat!(stringify!($argument), "₂"),
-                        concat!(stringify!($argument), "₃"),
-                    ],
+                    <$type as Parts<S>>::COUNT,
                 )),*].concat(),
                 value: |_arguments| {
                     let mut _arguments = _arguments.iter().copied();

@@ -12,8 +12,9 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("numerics", &["scalar"]),
     ("motion", &["numerics", "scalar"]),
     ("explorers", &["motion"]),
-    ("paper", &["scalar", "seeded"]),
-    ("corrections", &["scalar", "seeded"]),
+    ("symbols", &["seeded"]),
+    ("paper", &["scalar", "seeded", "symbols"]),
+    ("corrections", &["scalar", "seeded", "symbols"]),
     ("exact", &["scalar"]),
     ("certified", &["numerics", "scalar"]),
     (
@@ -28,11 +29,15 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "exact",
             "certified",
             "seeded",
+            "symbols",
         ],
     ),
     ("ledger", &["evidence", "claims", "seeded"]),
     ("figures", &["claims", "motion"]),
-    ("book", &["evidence", "claims", "ledger", "figures"]),
+    (
+        "book",
+        &["evidence", "claims", "ledger", "figures", "symbols"],
+    ),
     ("cli", &["claims", "ledger", "figures", "book"]),
 ];
 

@@ -14,6 +14,8 @@ pub mod conditioned;
 #[cfg(feature = "book")]
 pub mod enclosed;
 #[cfg(feature = "book")]
+pub mod formulas;
+#[cfg(feature = "book")]
 pub mod measured;
 #[cfg(feature = "book")]
 pub mod points;

@@ -1,6 +1,6 @@
 //! Whether evidence has read what it is about: a formula of its own claim, as printed or as corrected.
 
-use super::variants;
+use super::formulas;
 use crate::evidence::{Evidence, Subject};
 
 /// A trial that reads no formula of its claim, and why it need not.
@@ -78,7 +78,7 @@ pub fn is_missing(id: &str, evidence: &Evidence) -> bool {
         Subject::Corrected => "::corrections::",
         Subject::Printed | Subject::Within | Subject::Outside => "::paper::",
     };
-    let own = |path: &str| path.contains(side) && variants::claim(path).as_deref() == Some(id);
-    let mut formulas = variants::formulas::<f64>().into_iter();
-    formulas.any(|formula| own(formula.path)) && !evidence.read.iter().any(|path| own(path))
+    let own = |path: &str| path.contains(side) && formulas::claim(path).as_deref() == Some(id);
+    let mut all = formulas::formulas::<f64>().into_iter();
+    all.any(|formula| own(formula.path)) && !evidence.read.iter().any(|path| own(path))
 }

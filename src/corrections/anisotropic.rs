@@ -19,6 +19,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// Curve E: the two sides, equal on the curve, from λ₀ and the product qλ₀. For q ≥ q_Y, 0 < λ₀ ≤ 1/q; λ₀ = 0
 /// solves it too and is no part of E.
 pub fn e_sides<S: Scalar>(lambda0: S, q_lambda0: S) -> [S; 2] {

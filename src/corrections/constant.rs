@@ -17,6 +17,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// The speed where tan(θ/2) has fallen to `r` times its initial value; (length/time). For 0 < r ≤ 1.
 pub fn speed<S: Scalar>(lambda: S, v0: S, theta0: S, r: S) -> S {
     let one = S::int(1);

@@ -35,6 +35,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// k: the angle by which the particle circles the axis, in the laboratory, is k ln τ.
 pub fn winding<S: Scalar>() -> S {
     S::int(2).sqrt()

@@ -47,6 +47,8 @@ pub fn psi(sigma: f64, c: f64, alpha: f64) -> f64 {
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// dα/dτ on the way into a stop with ψ → π.
 pub fn alpha_rate_straight_in<S: Scalar>(sigma: S) -> S {
     -(S::int(1) + S::int(1) / sigma)

@@ -22,6 +22,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// s = sin φ̃₁: the size of the drive where the periodic motion without rest passes through zero. Dimensionless; real
 /// for λ₀ ≤ 2/π, and above λ₀ for λ₀ < λ_c.
 pub fn drive_at_zero<S: Scalar>(lambda0: S) -> S {

@@ -26,6 +26,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (75) with the right sign: ζ, dimensionless.
 pub fn spin<S: Scalar>(zeta3: S, u: [S; 3], rho_rate: [S; 3]) -> [S; 3] {
     // −ẑ × (x, y, z) = (y, −x, 0).

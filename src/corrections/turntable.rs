@@ -13,6 +13,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// The energy that keeps its value: kinetic, centrifugal, and what friction has taken along the way `s` (a length).
 pub fn constant<S: Scalar>(m: S, mu: S, g: S, omega: S, r: [S; 2], v: [S; 2], s: S) -> S {
     let square = |a: [S; 2]| a[0].squared() + a[1].squared();

@@ -9,9 +9,11 @@ mod pieces;
 #[cfg(feature = "book")]
 mod plain;
 mod record;
+#[cfg(feature = "book")]
 mod row;
 #[cfg(feature = "book")]
 mod run;
+#[cfg(feature = "book")]
 mod sheet;
 mod table;
 mod tally;
@@ -28,6 +30,7 @@ pub use pieces::{Piece, decimal, pieces};
 #[cfg(feature = "book")]
 pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
+#[cfg(feature = "book")]
 pub use row::{EvidenceRow, Row};
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};

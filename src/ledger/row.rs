@@ -1,7 +1,7 @@
 //! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
 
 use super::Entry;
-use crate::claims::Condition;
+use crate::claims::{Condition, formulas};
 use serde::Serialize;
 
 /// A claim with its verdict and its evidence.
@@ -31,6 +31,9 @@ pub struct Row<'a> {
     pub depends_on: &'a [&'a str],
     /// What replaces it, in LaTeX, where it fails.
     pub corrected: Option<&'a str>,
+    /// The functions of this library that the claim tries, each as its path, arguments and formula in plain text, written
+    /// from what the code computes.
+    pub code: Vec<String>,
     /// How many wrong variants of its formula, and of what replaces it, were tried.
     pub variants: usize,
     /// How many of them its trials reject.
@@ -84,6 +87,7 @@ impl Entry {
             conditions: claim.conditions,
             depends_on: claim.depends_on,
             corrected: claim.correction.map(|c| c.latex),
+            code: formulas::of_claim(claim.id),
             variants: tally.tried,
             rejected: tally.rejected,
             evidence: self.evidence.iter().map(evidence).collect(),

@@ -1,6 +1,7 @@
 //! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
 
 use super::Entry;
+use crate::claims::formulas;
 use crate::evidence::{Evidence, Outcome};
 use std::fmt::Write;
 
@@ -24,6 +25,10 @@ impl Entry {
         let _ = writeln!(text, "\n    {}\n", claim.plain);
         if let Some(correction) = claim.correction {
             let _ = writeln!(text, "corrected:\n\n    {}\n", correction.plain);
+        }
+        let formulas = formulas::of_claim(claim.id);
+        if !formulas.is_empty() {
+            let _ = writeln!(text, "in code:\n\n    {}\n", formulas.join("\n    "));
         }
         for condition in claim.conditions {
             let by = if condition.stated { "stated" } else { "added" };

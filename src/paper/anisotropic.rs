@@ -8,6 +8,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (47): λ₊, from the friction coefficient μ₊ of forward motion, gravity g and the drive's amplitude A₀.
 pub fn eq47_lambda_plus<S: Scalar>(mu_plus: S, g: S, a0: S) -> S {
     mu_plus * g / a0

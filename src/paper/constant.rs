@@ -9,6 +9,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (3): the plane's acceleration vector, (A_x, A_y).
 pub fn eq3_acceleration<S: Scalar>(a: S) -> [S; 2] {
     [-a, S::int(0)]

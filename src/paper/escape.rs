@@ -9,6 +9,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (126): dα/dτ near α = 0.
 pub fn eq126_alpha_rate<S: Scalar>(a: S) -> S {
     S::int(1) - S::int(1) / a

@@ -8,6 +8,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (1): d𝐯/dt of a sliding particle, seen from the plane.
 pub fn eq1_velocity_rate<S: Scalar>(acceleration: [S; 2], mu: S, g: S, velocity: [S; 2]) -> [S; 2] {
     let v = length(velocity);

@@ -8,6 +8,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (42): h in its two cases, for 0 ≤ φ < ηπ and for ηπ ≤ φ < π.
 pub fn eq42_cases<S: Scalar>() -> [S; 2] {
     [S::int(1), S::int(0)]

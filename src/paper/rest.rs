@@ -9,6 +9,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (139): the largest σ.
 pub fn eq139_largest_sigma<S: Scalar>() -> S {
     S::int(1)
@@ -24,9 +26,9 @@ pub fn eq141_alpha<S: Scalar>(sigma: S, tau: S) -> S {
     (sigma - S::int(1)) * tau / sigma
 }
 
-/// (142), left side: `slope` is dψ/dα.
-pub fn eq142_left<S: Scalar>(sigma: S, slope: S) -> S {
-    (sigma - S::int(1)) / sigma * slope
+/// (142), left side: `psi_slope` is dψ/dα.
+pub fn eq142_left<S: Scalar>(sigma: S, psi_slope: S) -> S {
+    (sigma - S::int(1)) / sigma * psi_slope
 }
 
 /// (142), right side. No value at α = 0.
@@ -49,9 +51,9 @@ pub fn eq143_psi<S: Scalar>(sigma: S, c: S, alpha: S) -> S {
     S::int(2) * alpha * (eq143_constant(sigma) + c * alpha.pow(eq143_exponent(sigma)))
 }
 
-/// (144), left side: `slope` is dA/dα.
-pub fn eq144_left<S: Scalar>(sigma: S, slope: S) -> S {
-    (sigma - S::int(1)) / sigma * slope
+/// (144), left side: `a_slope` is dA/dα.
+pub fn eq144_left<S: Scalar>(sigma: S, a_slope: S) -> S {
+    (sigma - S::int(1)) / sigma * a_slope
 }
 
 /// (144), right side.

@@ -10,6 +10,8 @@ use crate::seeded::formulas;
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (21): the plane's acceleration vector at time `t`, (A_x, A_y).
 pub fn eq21_acceleration<S: Scalar>(a0: S, varpi: S, t: S) -> [S; 2] {
     [-a0 * (varpi * t).sin(), S::int(0)]

@@ -52,6 +52,8 @@ pub fn slip<S: Scalar>(velocity: Vector<S>, omega: Vector<S>, contact: Vector<S>
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (59): m d²r/dt², under the friction force `force`.
 pub fn eq59_momentum_rate<S: Scalar>(m: S, a: Vector<S>, force: Vector<S>) -> Vector<S> {
     plus(times(-m, a), force)

@@ -30,6 +30,8 @@ fn length<S: Scalar>(a: [S; 2]) -> S {
 
 formulas! {
 
+symbols crate::symbols::SYMBOLS;
+
 /// (86): d²𝐫/dt². No value at rest.
 pub fn eq86_acceleration<S: Scalar>(omega: S, mu: S, g: S, r: [S; 2], v: [S; 2]) -> [S; 2] {
     let (coriolis, speed) = (cross_z(v), length(v));

@@ -168,10 +168,23 @@ impl<S: Scalar> Scalar for Seeded<'_, S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Mistake, Place, Seed, formulas, places, with};
+    use super::super::{Mistake, Place, Seed, Symbol, formulas, places, with};
     use crate::scalar::Scalar;
 
+    const SYMBOLS: &[Symbol] = &[Symbol {
+        topic: "",
+        argument: "v",
+        plain: "v",
+        parts: &["v_x", "v_y"],
+        latex: "v",
+        meaning: "velocity",
+        unit: "length/time",
+        claim: "",
+    }];
+
     formulas! {
+
+    symbols SYMBOLS;
 
     pub fn energy<S: Scalar>(m: S, v: [S; 2]) -> S {
         m * (v[0].squared() + v[1].squared()) / S::int(2)
@@ -190,7 +203,7 @@ mod tests {
 
     #[test]
     fn a_mistake_is_made_in_its_place_while_it_is_seeded() {
-        assert_eq!(formulas::<f64>()[0].symbols, ["m", "v₁", "v₂"]);
+        assert_eq!(formulas::<f64>()[0].symbols, ["m", "v_x", "v_y"]);
         let value = || energy(2.0, [3.0, 5.0]);
         for (place, mistake, wrong) in [
             (0, Mistake::Symbol(2), 25.0 + 25.0),

@@ -58,6 +58,8 @@ mod tests {
 
     formulas! {
 
+    symbols &[];
+
     /// One formula.
     pub fn first<S: Scalar>(x: S) -> S {
         x + x

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use slipbook::certified::ball::Ball;
 use slipbook::certified::interval::Interval;
 use slipbook::certified::values::values;
-use slipbook::claims::variants::formulas;
+use slipbook::claims::formulas::formulas;
 use slipbook::scalar::Scalar;
 
 /// A pair of bounds in order, or the whole line.

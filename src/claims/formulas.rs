@@ -1,0 +1,168 @@
+//! Every formula, printed and corrected, and the claim that tries it.
+
+use crate::exact::Expr;
+use crate::scalar::Scalar;
+use crate::seeded::Formula;
+use crate::{corrections, paper};
+
+/// The formulas without a number of their own, and the claims that try them. What serves no claim is not here.
+const TRIED_IN: [(&str, &str); 32] = [
+    ("corrections::anisotropic::a_far", "eq-53"),
+    ("corrections::anisotropic::contact", "s24-Y"),
+    ("corrections::anisotropic::e_far", "eq-54"),
+    ("corrections::anisotropic::e_sides", "eq-54"),
+    ("corrections::constant::speed", "eq-11"),
+    ("corrections::escape::a", "eq-132"),
+    ("corrections::escape::a_rate", "eq-131"),
+    ("corrections::escape::alpha", "eq-133"),
+    ("corrections::escape::alpha_by_a", "eq-130"),
+    ("corrections::escape::alpha_rate", "eq-128"),
+    ("corrections::escape::amplitude", "eq-135"),
+    ("corrections::escape::delay", "eq-134"),
+    ("corrections::escape::lag", "eq-134"),
+    ("corrections::escape::product_over_a", "eq-129"),
+    ("corrections::escape::rho", "eq-135"),
+    ("corrections::escape::s", "eq-137"),
+    ("corrections::escape::thrice_alpha_exp", "eq-130"),
+    ("corrections::escape::twice_alpha_exp", "eq-133"),
+    ("corrections::rest::alpha_rate_straight_in", "eq-140"),
+    ("corrections::rest::angle_straight_in", "s4-near-rest"),
+    ("corrections::rest::boundary_a", "s4-envelope-is-boundary"),
+    (
+        "corrections::rest::boundary_curvature",
+        "s4-envelope-is-boundary",
+    ),
+    (
+        "corrections::rest::boundary_slope",
+        "s4-envelope-is-boundary",
+    ),
+    (
+        "corrections::sinusoidal::drive_at_zero",
+        "s22-vy-two-stages",
+    ),
+    (
+        "corrections::sinusoidal::first_stage_lean",
+        "s22-vy-two-stages",
+    ),
+    ("corrections::sinusoidal::last_stage", "s22-vy-two-stages"),
+    (
+        "corrections::sinusoidal::passage_factor",
+        "s22-vy-two-stages",
+    ),
+    ("corrections::sphere::slip_at_time", "eq-83"),
+    ("corrections::sphere::spin", "eq-75"),
+    ("corrections::sphere::time", "eq-82"),
+    ("corrections::turntable::constant", "eq-106"),
+    ("paper::turntable::friction_work", "s4-coriolis-no-work"),
+];
+
+/// Every formula of the paper, and every one that replaces one or adds to it.
+pub fn formulas<S: Scalar>() -> Vec<Formula<S>> {
+    [
+        paper::general::formulas(),
+        paper::constant::formulas(),
+        paper::sinusoidal::formulas(),
+        paper::periodic::formulas(),
+        paper::anisotropic::formulas(),
+        paper::sphere::formulas(),
+        paper::turntable::formulas(),
+        paper::escape::formulas(),
+        paper::rest::formulas(),
+        corrections::constant::formulas(),
+        corrections::sinusoidal::formulas(),
+        corrections::anisotropic::formulas(),
+        corrections::sphere::formulas(),
+        corrections::turntable::formulas(),
+        corrections::escape::formulas(),
+        corrections::rest::formulas(),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+/// The id of the claim that tries the formula of this path: `slipbook::paper::constant::eq13_time`.
+pub fn claim(path: &str) -> Option<String> {
+    let name = path.rsplit("::").next()?;
+    let number = name
+        .strip_prefix("eq")
+        .and_then(|rest| rest.split('_').next());
+    let tried_in = || {
+        let path = path.strip_prefix("slipbook::")?;
+        let (_, id) = TRIED_IN.iter().find(|(formula, _)| *formula == path)?;
+        Some((*id).to_owned())
+    };
+    number.map(|n| format!("eq-{n}")).or_else(tried_in)
+}
+
+/// A formula as plain text, components one after the other: written from what the code computes.
+pub fn text(formula: &Formula<Expr>) -> String {
+    let symbols: Vec<_> = formula.symbols.iter().map(|s| Expr::symbol(s)).collect();
+    let parts = (formula.value)(&symbols);
+    parts
+        .iter()
+        .map(Expr::to_string)
+        .collect::<Vec<_>>()
+        .join("; ")
+}
+
+/// The formulas that the claim of this id tries, those of the paper first: `paper::constant::eq13_time(λ, A, …) = …`.
+pub fn of_claim(id: &str) -> Vec<String> {
+    let own = formulas::<Expr>().into_iter();
+    own.filter(|formula| claim(formula.path).as_deref() == Some(id))
+        .map(|formula| {
+            let path = formula.path.split_once("::").map_or("", |(_, path)| path);
+            format!(
+                "{path}({}) = {}",
+                formula.symbols.join(", "),
+                text(&formula)
+            )
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::seeded::symbol;
+    use crate::symbols::SYMBOLS;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn a_formula_is_tried_by_the_claim_of_its_number_or_of_the_list() {
+        let formulas = formulas::<f64>();
+        let tried = |path: &str| {
+            let formula = formulas.iter().find(|f| f.path.ends_with(path));
+            claim(formula.unwrap_or_else(|| panic!("{path}")).path)
+        };
+        for (path, id) in TRIED_IN {
+            assert_eq!(tried(path).as_deref(), Some(id), "{path}");
+            assert!(crate::claims::find(id).is_some(), "{id}");
+        }
+        assert_eq!(tried("constant::eq13_time").as_deref(), Some("eq-13"));
+        assert_eq!(tried("corrections::escape::winding"), None);
+    }
+
+    #[test]
+    fn every_argument_is_a_declared_symbol_and_introduced_by_a_claim() {
+        for formula in formulas::<f64>() {
+            let module = formula.path.rsplit_once("::").unwrap().0;
+            for argument in formula.arguments {
+                assert!(
+                    symbol(SYMBOLS, module, argument).is_some(),
+                    "{argument} of {}",
+                    formula.path
+                );
+            }
+            let letters: BTreeSet<_> = formula.symbols.iter().collect();
+            assert_eq!(letters.len(), formula.symbols.len(), "{}", formula.path);
+        }
+        for symbol in SYMBOLS {
+            assert!(
+                crate::claims::find(symbol.claim).is_some(),
+                "{}",
+                symbol.argument
+            );
+        }
+    }
+}
