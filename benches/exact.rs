@@ -2,7 +2,8 @@
 
 use slipbook::claims;
 use slipbook::claims::attempt::Attempt;
-use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14, Law};
+use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
+use slipbook::claims::statement::Statement;
 use slipbook::evidence::Evidence;
 use std::hint::black_box;
 use std::process::Command;
@@ -12,7 +13,7 @@ use std::time::{Duration, Instant};
 const TIMES: usize = 100;
 
 /// The identities behind (11), (13) and (14); (12) is the step from (11) to (13).
-const FOUR: [Law; 4] = [EQ11, EQ12, EQ13, EQ14];
+const FOUR: [Statement; 4] = [EQ11, EQ12, EQ13, EQ14];
 
 /// In place of an option: prove the four and end.
 const COLD: &str = "cold";

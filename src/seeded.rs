@@ -30,8 +30,10 @@ pub enum Mistake {
     Factor,
     /// An argument, for the one of this number.
     Symbol(usize),
-    /// An exponent or a whole number, by one; sin for cos and the like; a product for a quotient.
-    Exponent,
+    /// An exponent or a whole number, one more; sin for cos and the like; a product for a quotient.
+    More,
+    /// A whole number or the exponent of a square, one less; the other sign of an exponent; 1 for π.
+    Less,
 }
 
 /// A place that an evaluation passes: where an argument is read, or what an operation gives.
@@ -40,8 +42,28 @@ pub enum Mistake {
 pub enum Place {
     /// The argument of this number is read.
     Argument(usize),
-    /// An operation; true if it has something like an exponent.
-    Operation(bool),
+    /// An operation: whether it can be done with [`Mistake::More`], and with [`Mistake::Less`].
+    Operation([bool; 2]),
+}
+
+#[cfg(feature = "book")]
+impl Place {
+    /// The mistakes that can be made here, in a formula with so many arguments.
+    fn mistakes(self, arguments: usize) -> Vec<Mistake> {
+        let mut all = vec![Mistake::Sign, Mistake::Factor];
+        match self {
+            Place::Argument(here) => {
+                all.push(Mistake::More);
+                let others = (0..arguments).filter(|other| *other != here);
+                all.extend(others.map(Mistake::Symbol));
+            }
+            Place::Operation([more, less]) => {
+                all.extend(more.then_some(Mistake::More));
+                all.extend(less.then_some(Mistake::Less));
+            }
+        }
+        all
+    }
 }
 
 /// A mistake at a place of a formula.

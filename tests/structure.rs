@@ -15,7 +15,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("symbols", &["seeded"]),
     ("paper", &["scalar", "seeded", "symbols"]),
     ("corrections", &["scalar", "seeded", "symbols"]),
-    ("exact", &["scalar"]),
+    ("exact", &["scalar", "seeded"]),
     ("certified", &["numerics", "scalar"]),
     (
         "claims",

@@ -5,9 +5,9 @@ use crate::evidence::{Evidence, Subject};
 use crate::exact::{Obstacle, Proof, Prover};
 use std::panic::Location;
 
-/// What is said of formulas in the shape `F`. `S` is what else their readers have to know of them.
+/// What is said of formulas in the shape `F`.
 #[derive(Debug, Clone, Copy)]
-pub struct Statement<F = crate::exact::Expr, S = ()> {
+pub struct Statement<F = crate::exact::Expr> {
     /// What it speaks about.
     pub subject: Subject,
     /// What is compared with what.
@@ -16,14 +16,12 @@ pub struct Statement<F = crate::exact::Expr, S = ()> {
     pub formulas: fn() -> F,
     /// Tries to prove what is said, of formulas that stand in their place.
     pub prove: fn(F) -> Proof,
-    /// Where the formulas are read, or how.
-    pub setting: S,
     /// Where it is written.
     pub place: &'static Location<'static>,
 }
 
 impl<F> Statement<F> {
-    /// A statement whose readers need not know more.
+    /// A statement, written where this is called.
     #[track_caller]
     pub const fn new(
         subject: Subject,
@@ -31,26 +29,11 @@ impl<F> Statement<F> {
         formulas: fn() -> F,
         prove: fn(F) -> Proof,
     ) -> Self {
-        Self::within(subject, compared, formulas, prove, ())
-    }
-}
-
-impl<F, S: Copy> Statement<F, S> {
-    /// A statement in its setting.
-    #[track_caller]
-    pub const fn within(
-        subject: Subject,
-        compared: &'static str,
-        formulas: fn() -> F,
-        prove: fn(F) -> Proof,
-        setting: S,
-    ) -> Self {
         Self {
             subject,
             compared,
             formulas,
             prove,
-            setting,
             place: Location::caller(),
         }
     }
@@ -78,7 +61,7 @@ pub trait Proved: Sync {
     fn place(&self) -> &'static Location<'static>;
 }
 
-impl<F, S: Copy + Sync> Proved for Statement<F, S> {
+impl<F> Proved for Statement<F> {
     fn proof(&self) -> Proof {
         Statement::proof(self)
     }

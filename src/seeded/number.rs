@@ -39,29 +39,32 @@ impl<S: Scalar> Seeded<'_, S> {
             Some(Mistake::Sign) => -self.value,
             Some(Mistake::Factor) => S::int(2) * self.value,
             Some(Mistake::Symbol(other)) => arguments[other],
-            Some(Mistake::Exponent) => self.value.squared(),
+            Some(Mistake::More) => self.value.squared(),
+            Some(Mistake::Less) => self.value,
         }
     }
 
-    /// What an operation gives; `instead` is what it gives with an exponent off by one.
-    fn from(value: S, instead: Option<&dyn Fn() -> S>) -> Self {
-        let value = match (pass(Place::Operation(instead.is_some())), instead) {
-            (Some(Mistake::Sign), _) => -value,
-            (Some(Mistake::Factor), _) => S::int(2) * value,
-            (Some(Mistake::Exponent), Some(instead)) => instead(),
-            _ => value,
+    /// What an operation gives; `more` and `less` are what it gives by these mistakes.
+    fn from(value: S, more: Option<&dyn Fn() -> S>, less: Option<&dyn Fn() -> S>) -> Self {
+        let can = [more, less].map(|instead| instead.is_some());
+        let instead = match pass(Place::Operation(can)) {
+            Some(Mistake::Sign) => Some(-value),
+            Some(Mistake::Factor) => Some(S::int(2) * value),
+            Some(Mistake::More) => more.map(|more| more()),
+            Some(Mistake::Less) => less.map(|less| less()),
+            Some(Mistake::Symbol(_)) | None => None,
         };
         Seeded {
-            value,
+            value: instead.unwrap_or(value),
             argument: None,
         }
     }
 
-    fn call(self, f: fn(S) -> S, instead: Option<fn(S) -> S>) -> Self {
+    fn call(self, f: fn(S) -> S, more: Option<fn(S) -> S>) -> Self {
         let x = self.read();
-        match instead {
-            Some(g) => Self::from(f(x), Some(&|| g(x))),
-            None => Self::from(f(x), None),
+        match more {
+            Some(g) => Self::from(f(x), Some(&|| g(x)), None),
+            None => Self::from(f(x), None, None),
         }
     }
 }
@@ -69,14 +72,14 @@ impl<S: Scalar> Seeded<'_, S> {
 impl<S: Scalar> Add for Seeded<'_, S> {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        Self::from(self.read() + other.read(), None)
+        Self::from(self.read() + other.read(), None, None)
     }
 }
 
 impl<S: Scalar> Sub for Seeded<'_, S> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
-        Self::from(self.read() - other.read(), None)
+        Self::from(self.read() - other.read(), None, None)
     }
 }
 
@@ -88,7 +91,7 @@ impl<S: Scalar> Mul for Seeded<'_, S> {
     )]
     fn mul(self, other: Self) -> Self {
         let (x, y) = (self.read(), other.read());
-        Self::from(x * y, Some(&|| x / y))
+        Self::from(x * y, Some(&|| x / y), None)
     }
 }
 
@@ -100,23 +103,23 @@ impl<S: Scalar> Div for Seeded<'_, S> {
     )]
     fn div(self, other: Self) -> Self {
         let (x, y) = (self.read(), other.read());
-        Self::from(x / y, Some(&|| x * y))
+        Self::from(x / y, Some(&|| x * y), None)
     }
 }
 
 impl<S: Scalar> Neg for Seeded<'_, S> {
     type Output = Self;
     fn neg(self) -> Self {
-        Self::from(-self.read(), None)
+        Self::from(-self.read(), None, None)
     }
 }
 
 impl<S: Scalar> Scalar for Seeded<'_, S> {
     fn int(n: i64) -> Self {
-        Self::from(S::int(n), Some(&|| S::int(n + 1)))
+        Self::from(S::int(n), Some(&|| S::int(n + 1)), Some(&|| S::int(n - 1)))
     }
     fn pi() -> Self {
-        Self::from(S::pi(), Some(&|| S::pi().squared()))
+        Self::from(S::pi(), Some(&|| S::pi().squared()), Some(&|| S::int(1)))
     }
     fn sin(self) -> Self {
         self.call(S::sin, Some(S::cos))
@@ -147,7 +150,11 @@ impl<S: Scalar> Scalar for Seeded<'_, S> {
     }
     fn pow(self, exponent: Self) -> Self {
         let (x, n) = (self.read(), exponent.read());
-        Self::from(x.pow(n), Some(&|| x.pow(n + S::int(1))))
+        Self::from(
+            x.pow(n),
+            Some(&|| x.pow(n + S::int(1))),
+            Some(&|| x.pow(-n)),
+        )
     }
     fn tan(self) -> Self {
         self.call(S::tan, Some(S::cot))
@@ -162,7 +169,8 @@ impl<S: Scalar> Scalar for Seeded<'_, S> {
         self.call(S::coth, Some(S::tanh))
     }
     fn squared(self) -> Self {
-        self.call(S::squared, Some(|x| x.squared() * x))
+        let x = self.read();
+        Self::from(x.squared(), Some(&|| x.squared() * x), Some(&|| x))
     }
 }
 
@@ -207,11 +215,13 @@ mod tests {
         let value = || energy(2.0, [3.0, 5.0]);
         for (place, mistake, wrong) in [
             (0, Mistake::Symbol(2), 25.0 + 25.0),
-            (0, Mistake::Exponent, 81.0 + 25.0),
+            (0, Mistake::More, 81.0 + 25.0),
             (3, Mistake::Sign, 9.0 - 25.0),
             (4, Mistake::Factor, 68.0),
-            (6, Mistake::Exponent, 2.0 / 34.0 / 2.0),
-            (7, Mistake::Exponent, 68.0 / 3.0),
+            (6, Mistake::More, 2.0 / 34.0 / 2.0),
+            (7, Mistake::More, 68.0 / 3.0),
+            (7, Mistake::Less, 68.0),
+            (3, Mistake::Less, 9.0 + 5.0),
             (8, Mistake::Sign, -34.0),
             (9, Mistake::Sign, 34.0),
         ] {

@@ -1,5 +1,6 @@
 //! What formulas are made of, laid out flat: arguments and values as lists of numbers.
 
+use super::{Place, Seed, places};
 use crate::scalar::Scalar;
 
 /// A formula by its name and on flat lists.
@@ -14,6 +15,24 @@ pub struct Formula<S> {
     pub symbols: Vec<&'static str>,
     /// Its value at as many arguments, component by component.
     pub value: fn(&[S]) -> Vec<S>,
+}
+
+impl<S> Formula<S> {
+    /// Every mistake at every place that the evaluation at these arguments passes.
+    pub fn seeds(&self, arguments: &[S]) -> Vec<Seed> {
+        let passed = places(self.path, || drop((self.value)(arguments)));
+        let of_place = |(place, kind): (usize, &Place)| {
+            let mistakes = kind.mistakes(arguments.len()).into_iter();
+            mistakes.map(move |mistake| (place, mistake))
+        };
+        let all = passed.iter().enumerate().flat_map(of_place);
+        all.map(|(place, mistake)| Seed {
+            formula: self.path,
+            place,
+            mistake,
+        })
+        .collect()
+    }
 }
 
 /// A number, or an array of numbers.

@@ -18,18 +18,6 @@ use crate::paper::constant as paper;
 use crate::paper::general::eq1_velocity_rate;
 use crate::scalar::Scalar;
 
-/// A statement of section 2.1.
-pub type Law = Statement<Expr, Setting>;
-
-/// How a formula is read.
-#[derive(Debug, Clone, Copy)]
-pub struct Setting {
-    /// Which friction it is about.
-    pub friction: Friction,
-    /// True if the claim only says that the formula keeps its value.
-    pub invariant: bool,
-}
-
 /// The friction λ of a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Friction {
@@ -44,72 +32,29 @@ pub enum Friction {
 }
 
 #[track_caller]
-const fn law(
-    subject: Subject,
-    formula: fn() -> Expr,
-    prove: fn(Expr) -> Proof,
-    friction: Friction,
-    invariant: bool,
-) -> Law {
+const fn law(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
     let compared = "the printed formula with Newton's law (1), as rational functions of tan(θ/2) and its powers";
-    let setting = Setting {
-        friction,
-        invariant,
-    };
-    Statement::within(subject, compared, formula, prove, setting)
+    Statement::new(subject, compared, formula, prove)
 }
 
-pub const EQ6: Law = law(Subject::Printed, eq6, prove_eq6, Friction::Any, false);
-pub const EQ7: Law = law(Subject::Printed, eq7, prove_eq7, Friction::Any, false);
-pub const EQ8: Law = law(Subject::Printed, eq8, prove_eq8, Friction::Any, false);
-pub const EQ9: Law = law(Subject::Within, eq9, prove_eq9, Friction::Any, false);
-pub const EQ10: Law = law(Subject::Within, eq10, prove_eq10, Friction::Any, true);
-pub const EQ11: Law = law(Subject::Within, eq11, prove_eq11, Friction::Any, false);
-pub const EQ12: Law = law(Subject::Within, eq12, prove_eq12, Friction::Any, false);
-pub const EQ13: Law = law(Subject::Within, eq13, prove_eq13, Friction::Any, false);
-pub const EQ14: Law = law(Subject::Within, eq14, prove_eq14, Friction::Any, false);
-pub const EQ15: Law = law(Subject::Printed, eq15, prove_eq15, Friction::Zero, false);
-pub const EQ16: Law = law(Subject::Printed, eq16, prove_eq16, Friction::Zero, false);
-pub const EQ17: Law = law(Subject::Printed, eq17, prove_eq17, Friction::One, true);
-pub const EQ18: Law = law(Subject::Printed, eq18, prove_eq18, Friction::One, false);
-pub const EQ19: Law = law(Subject::Printed, eq19, prove_eq19, Friction::One, false);
-pub const EQ20: Law = law(
-    Subject::Printed,
-    eq20,
-    prove_eq20,
-    Friction::BeyondOne,
-    false,
-);
-pub const CORRECTED_11: Law = law(
-    Subject::Corrected,
-    corrected_speed,
-    prove_corrected_speed,
-    Friction::Any,
-    false,
-);
+pub const EQ6: Statement = law(Subject::Printed, eq6, prove_eq6);
+pub const EQ7: Statement = law(Subject::Printed, eq7, prove_eq7);
+pub const EQ8: Statement = law(Subject::Printed, eq8, prove_eq8);
+pub const EQ9: Statement = law(Subject::Within, eq9, prove_eq9);
+pub const EQ10: Statement = law(Subject::Within, eq10, prove_eq10);
+pub const EQ11: Statement = law(Subject::Within, eq11, prove_eq11);
+pub const EQ12: Statement = law(Subject::Within, eq12, prove_eq12);
+pub const EQ13: Statement = law(Subject::Within, eq13, prove_eq13);
+pub const EQ14: Statement = law(Subject::Within, eq14, prove_eq14);
+pub const EQ15: Statement = law(Subject::Printed, eq15, prove_eq15);
+pub const EQ16: Statement = law(Subject::Printed, eq16, prove_eq16);
+pub const EQ17: Statement = law(Subject::Printed, eq17, prove_eq17);
+pub const EQ18: Statement = law(Subject::Printed, eq18, prove_eq18);
+pub const EQ19: Statement = law(Subject::Printed, eq19, prove_eq19);
+pub const EQ20: Statement = law(Subject::Printed, eq20, prove_eq20);
+pub const CORRECTED_11: Statement = law(Subject::Corrected, corrected_speed, prove_corrected_speed);
 /// The same for a claim of which it says more.
-pub const EQ20_WITHIN: Law = EQ20.about(Subject::Within);
-
-/// All of them.
-#[cfg(test)]
-const ALL: &[Law] = &[
-    EQ6,
-    EQ7,
-    EQ8,
-    EQ9,
-    EQ10,
-    EQ11,
-    EQ12,
-    EQ13,
-    EQ14,
-    EQ15,
-    EQ16,
-    EQ17,
-    EQ18,
-    EQ19,
-    EQ20,
-    CORRECTED_11,
-];
+pub const EQ20_WITHIN: Statement = EQ20.about(Subject::Within);
 
 /// Newton's law in a ring.
 #[derive(Debug)]
@@ -225,7 +170,7 @@ fn prove(
 
 /// (3), (4), (5): two components, two components, λ.
 fn definitions() -> [Expr; 5] {
-    let [a, v, theta, mu, g] = symbols(["A", "v", "θ", "μ", "g"]);
+    let [a, v, theta, mu, g] = Expr::symbols(["A", "v", "θ", "μ", "g"]);
     let [ax, ay] = paper::eq3_acceleration(a);
     let [vx, vy] = paper::eq4_velocity(v, theta);
     [ax, ay, vx, vy, paper::eq5_lambda(mu, g, a)]
@@ -250,7 +195,7 @@ fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
         Err(error) => return Proof::impossible(title, error),
     };
     Proof::of(title, &ring, |p| {
-        let [lambda, a, theta, mu, g] = symbols(["λ", "A", "θ", "μ", "g"]);
+        let [lambda, a, theta, mu, g] = Expr::symbols(["λ", "A", "θ", "μ", "g"]);
         p.read("λ by (5)", lambda)?;
         let rates = eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
         let printed = [
@@ -273,10 +218,6 @@ pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
     definitions,
     prove_definitions,
 );
-
-fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
-    names.map(Expr::symbol)
-}
 
 fn at_start(formula: Expr) -> Expr {
     formula.with("θ", Expr::symbol("θ₀"))

@@ -11,7 +11,7 @@ use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
 
 fn symbols() -> [Expr; 3] {
-    ["λ₀", "η", "φ"].map(Expr::symbol)
+    Expr::symbols(["λ₀", "η", "φ"])
 }
 
 fn ring() -> Ring {
@@ -86,7 +86,7 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
 pub fn eq45_mirror(mirrored: Expr) -> Proof {
     let ring = ring();
     Proof::of("(45): the second half period", &ring, |p| {
-        let [h, friction] = ["h", "λ₀"].map(Expr::symbol);
+        let [h, friction] = Expr::symbols(["h", "λ₀"]);
         let force = p.ring().read(h - friction)?;
         let motion = p.ring().along(&[("𝔴", force)])?;
         let w = p.read("The printed velocity there", mirrored)?;
@@ -171,47 +171,6 @@ pub const EQ46: Statement = Statement::new(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::exact::{ExactError, mutations};
-
-    /// Whether the mutant is another formula, decided in the ring; one that cannot be read is another.
-    fn differs(ours: Expr, theirs: Expr) -> bool {
-        let read = || -> Result<bool, ExactError> {
-            let ring = ring();
-            ring.is_zero(&(ring.read(ours)? - ring.read(theirs)?))
-        };
-        !read().unwrap_or(false)
-    }
-
-    fn every_mutant_fails(formula: Expr, prove: impl Fn(Expr) -> Proof) -> usize {
-        assert!(prove(formula).holds(), "{}", prove(formula));
-        let all = mutations(formula);
-        for mutation in &all {
-            let fails = !prove(mutation.formula).holds();
-            let what = format!("{} in {formula}", mutation.change);
-            assert_eq!(fails, differs(formula, mutation.formula), "{what}");
-        }
-        all.len()
-    }
-
-    #[test]
-    fn every_mutant_of_every_formula_fails() {
-        let [lambda, eta, phi] = symbols();
-        let mut tried = 0;
-        for i in 0..3 {
-            let with = |cases: [Expr; 3], mutant| {
-                let mut cases = cases;
-                cases[i] = mutant;
-                cases
-            };
-            let cases = printed::eq44_cases(lambda, eta, phi);
-            tried += every_mutant_fails(cases[i], |m| eq44_chain(with(cases, m)));
-            let cases = supplied::small_friction_cases(lambda, eta, phi);
-            tried += every_mutant_fails(cases[i], |m| small_friction_chain(with(cases, m)));
-        }
-        tried += every_mutant_fails(printed::eq45_w(Expr::symbol("𝔴")), eq45_mirror);
-        tried += every_mutant_fails(printed::eq46_lambda_c(eta), eq46_meeting);
-        assert!(tried > 60, "{tried}");
-    }
 
     #[test]
     fn each_claim_has_its_proof() {

@@ -28,15 +28,11 @@ fn prove(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle
     }
 }
 
-fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
-    names.map(Expr::symbol)
-}
-
 /// (139): no push starts a motion, dp/dτ ≤ 0 in every direction ψ, exactly where σ is not above the bound.
 pub fn eq139(bound: Expr) -> Proof {
     prove("(139): where a push starts no motion", |p| {
         given(p, &[&turntable::EQ107])?;
-        let [sigma, psi] = symbols(["σ", "ψ"]);
+        let [sigma, psi] = Expr::symbols(["σ", "ψ"]);
         let rate = p.read("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi))?;
         let excess = sigma - bound;
         let less = Expr::int(2) * sigma * (psi / Expr::int(2)).sin().squared();
@@ -53,7 +49,7 @@ pub fn eq139(bound: Expr) -> Proof {
 /// (146) is the derivative of (145) with respect to σ.
 pub fn eq146(formula: Expr) -> Proof {
     prove("(146) is the derivative of (145) by σ", |p| {
-        let [sigma, alpha] = symbols(["σ", "α"]);
+        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         let a = p.read("(145)", printed::eq145_a(sigma, alpha))?;
         let slope = p.derivative("∂A/∂σ", &a, &p.ring().by("σ")?)?;
         let right = p.read("Right side of (146)", formula)?;
@@ -64,7 +60,7 @@ pub fn eq146(formula: Expr) -> Proof {
 /// (147) is (145) where (146) holds, with σ < 1.
 pub fn eq147(formula: Expr) -> Proof {
     prove("(147) is (145) with (146) put in", |p| {
-        let [sigma, alpha] = symbols(["σ", "α"]);
+        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         let solved = Expr::int(1) - alpha / Expr::int(2).sqrt();
         p.note("(146) solved for σ < 1", "σ = 1 − α/√2");
         let right = printed::eq146_right(sigma, alpha).with("σ", solved);
@@ -92,7 +88,7 @@ pub const EQ146: Statement = Statement::new(
     Subject::Within,
     "(146) with the derivative of (145), the terms left out being dropped",
     || {
-        let [sigma, alpha] = symbols(["σ", "α"]);
+        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         printed::eq146_right(sigma, alpha)
     },
     eq146,

@@ -201,7 +201,8 @@ pub fn lambda_c() -> Evidence {
 mod tests {
     use super::*;
     use crate::certified::ball::Ball;
-    use crate::exact::mutations;
+    use crate::claims::variants::of_formula;
+    use crate::seeded::with;
 
     #[test]
     fn the_statements_are_proved() {
@@ -236,10 +237,10 @@ mod tests {
             refused(&prove_bracket(phases(), left() - off, ""));
         }
         // Of the same value, or with the slope and the ends that count.
-        let kept = mutations(left())
-            .into_iter()
-            .filter(|m| prove_bracket(phases(), m.formula, "").worst == 0.0);
-        let kept: Vec<_> = kept.map(|m| m.change).collect();
+        let holds = || prove_bracket(phases(), left(), "").worst == 0.0;
+        let kept = of_formula("eq32_left").into_iter();
+        let kept = kept.filter(|variant| with(variant.seed, holds));
+        let kept: Vec<_> = kept.map(|variant| variant.text).collect();
         assert!(kept.is_empty(), "{kept:?}");
     }
 
@@ -253,9 +254,10 @@ mod tests {
         refused(&threshold(|l| -printed::eq35_left(l), critical));
         let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
         refused(&prove_turns(phi_t1, off, ""));
-        for mutation in mutations(phi_t1) {
-            let evidence = prove_turns(mutation.formula, critical, "");
-            assert_ne!(evidence.worst, 0.0, "{}", mutation.change);
+        for variant in of_formula("eq39_phi_t1") {
+            let phi_t1 = || printed::eq39_phi_t1(Expr::symbol("λ₀"));
+            let evidence = prove_turns(with(variant.seed, phi_t1), critical, "");
+            assert_ne!(evidence.worst, 0.0, "{}", variant.text);
         }
     }
 

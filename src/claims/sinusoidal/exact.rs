@@ -9,10 +9,6 @@ use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational
 use crate::paper::sinusoidal as paper;
 use crate::scalar::Scalar;
 
-fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
-    names.map(Expr::symbol)
-}
-
 /// Carries out a proof in a ring, if the ring can be set up.
 pub(super) fn prove(
     title: &str,
@@ -53,7 +49,7 @@ pub(super) fn ring_of_phi_t1() -> Result<Ring, ExactError> {
 
 /// (21) to (24): the acceleration along x, λ₀, φ, and 𝔴.
 fn units() -> [Expr; 4] {
-    let [a0, varpi, t, mu, g, vx] = symbols(["A₀", "ϖ", "t", "μ", "g", "v_x"]);
+    let [a0, varpi, t, mu, g, vx] = Expr::symbols(["A₀", "ϖ", "t", "μ", "g", "v_x"]);
     let [ax, _] = paper::eq21_acceleration(a0, varpi, t);
     [
         ax,
@@ -77,7 +73,7 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
         Ok(ring)
     };
     prove("(26): d𝔴/dφ", ring(), |p| {
-        let [varpi, mu, g, phi] = symbols(["ϖ", "μ", "g", "φ"]);
+        let [varpi, mu, g, phi] = Expr::symbols(["ϖ", "μ", "g", "φ"]);
         p.note("The velocity's sign", sign.to_string());
         p.read("λ₀ by (22)", friction)?;
         let at_phase = |formula: Expr| formula.with("t", phi / varpi);
@@ -98,7 +94,7 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
 }
 
 fn eq26_rate() -> Expr {
-    let [lambda0, phi, w] = symbols(["λ₀", "φ", "𝔴"]);
+    let [lambda0, phi, w] = Expr::symbols(["λ₀", "φ", "𝔴"]);
     paper::eq26_rate(lambda0, phi, w)
 }
 
@@ -169,7 +165,7 @@ pub const EQ30: Statement = Statement::new(
 
 /// A slip: its slope is sin φ ∓ λ₀, and it is zero at `start`.
 fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obstacle> {
-    let [lambda0, phi] = symbols(["λ₀", "φ"]);
+    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
     let value = p.read("The printed 𝔴", w)?;
     let slope = p.derivative("Its slope", &value, &p.ring().by("φ")?)?;
     let expected = p.read("The slope by (26)", phi.sin() - Expr::int(sign) * lambda0)?;
@@ -189,7 +185,7 @@ pub const EQ31: Statement = Statement::new(
     Subject::Printed,
     "the slope of (31) with (26) for 𝔴 > 0, and (31) at φ₁ with 0",
     || {
-        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi)
     },
     prove_eq31,
@@ -203,7 +199,7 @@ fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
         Ok(ring)
     };
     prove(title, ring(), |p| {
-        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let slip = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
         p.rests_on(&prove_eq31(slip))?;
         let value = p.read("(31) there", slip.with("φ", end))?;
@@ -213,7 +209,7 @@ fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
 }
 
 fn eq32_left() -> Expr {
-    let [lambda0, end] = symbols(["λ₀", "φ̃₂"]);
+    let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
     paper::eq32_left(lambda0, paper::eq27_phi1(lambda0), end)
 }
 
@@ -259,7 +255,7 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
         Ok(ring)
     };
     prove("(25): where the drive can start a slip", ring(), |p| {
-        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let excess = p.read("The drive less friction, by (26)", phi.sin() - lambda0)?;
         let half = phi / Expr::int(2);
         let square = (half.sin() - half.cos()).squared();
@@ -288,7 +284,7 @@ fn prove_eq33(cases: [Expr; 4]) -> Proof {
         Ok(ring)
     };
     prove("(33): slips and rests", ring(), |p| {
-        let [lambda0, end] = symbols(["λ₀", "φ̃₂"]);
+        let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
         let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
         let [forward, first_rest, backward, second_rest] = cases;
         slip(p, forward, 1, phi1)?;
@@ -321,7 +317,7 @@ pub const EQ33: Statement<[Expr; 4]> = Statement::new(
     Subject::Printed,
     "the slopes of (33) with (26), and its ends with 0, by (32)",
     || {
-        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         paper::eq33_w(
             lambda0,
             paper::eq27_phi1(lambda0),
@@ -444,7 +440,9 @@ fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
             let value = p.read("Where the slip ends", w.with("φ", end))?;
             p.zero("It is zero there", &value)?;
         }
-        Ok(())
+        let length = p.read("From where it begins to where it ends", ends[2] - ends[0])?;
+        let period = p.read("A period", Expr::int(2) * Expr::pi())?;
+        p.equal("Its length is a period", &length, &period)
     })
 }
 
@@ -453,7 +451,7 @@ pub const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
     Subject::Within,
     "the slopes of (38) with (26), and both its ends with 0, by (39)",
     || {
-        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let turn = paper::eq39_phi_t1(lambda0);
         (paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn))
     },

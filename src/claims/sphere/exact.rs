@@ -11,14 +11,13 @@ mod tests;
 
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Ring};
-use body::Body;
+use crate::exact::Expr;
 
 /// Components of a vector, as trees; a scalar has one.
 pub type Components = Vec<Expr>;
 
-/// A statement, and the ring in which its formulas are read.
-pub type Law = Statement<Components, fn() -> Result<Ring, ExactError>>;
+/// A statement about the sphere.
+pub type Law = Statement<Components>;
 
 const BY_COMPONENTS: &str =
     "the formula with the laws of Newton and Euler for the sphere, component by component";
@@ -26,235 +25,162 @@ const BY_DEFINITION: &str =
     "(74), with the quantity by the definition, with the laws of Newton and Euler for the sphere";
 const AS_A_PARTICLE: &str = "the formula with (11), (13), (14), proved from (1), with γ for A, b for μg and τ for t, as (74) has them";
 
-pub const EQ59: Law = Law::within(
+pub const EQ59: Law = Law::new(
     Subject::Printed,
     "the formula with Newton's law in the laboratory, where friction alone acts",
     laws::eq59,
     laws::prove_eq59,
-    laboratory,
 );
-pub const EQ60: Law = Law::within(
+pub const EQ60: Law = Law::new(
     Subject::Printed,
     "the formula with Newton's law for six point masses that move as one body",
     laws::eq60,
     laws::prove_eq60,
-    laboratory,
 );
-pub const EQ62: Law = Law::within(
+pub const EQ62: Law = Law::new(
     Subject::Printed,
     "(64), with κ by the definition, with Euler's law for the sphere",
     body::eq62,
     body::prove_eq62,
-    sliding,
 );
-pub const EQ63: Law = Law::within(
+pub const EQ63: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq63,
     body::prove_eq63,
-    sliding,
 );
-pub const EQ64: Law = Law::within(
+pub const EQ64: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq64,
     body::prove_eq64,
-    sliding,
 );
-pub const EQ65: Law = Law::within(
+pub const EQ65: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq65,
     body::prove_eq65,
-    sliding,
 );
-pub const EQ66: Law = Law::within(
+pub const EQ66: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq66,
     body::prove_eq66,
-    sliding,
 );
-pub const EQ68: Law = Law::within(
+pub const EQ68: Law = Law::new(
     Subject::Printed,
     "(73), with ρ by the definition, with Newton's law for the sphere",
     body::eq68,
     body::prove_eq68,
-    sliding,
 );
-pub const EQ69: Law = Law::within(
+pub const EQ69: Law = Law::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq69,
     body::prove_eq69,
-    sliding,
 );
-pub const EQ70: Law = Law::within(
+pub const EQ70: Law = Law::new(
     Subject::Printed,
     "ζ dτ, with τ by (69), with ω dt",
     body::eq70,
     body::prove_eq70,
-    sliding,
 );
-pub const EQ71: Law = Law::within(
+pub const EQ71: Law = Law::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq71,
     body::prove_eq71,
-    sliding,
 );
-pub const EQ72: Law = Law::within(
+pub const EQ72: Law = Law::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq72,
     body::prove_eq72,
-    sliding,
 );
-pub const EQ73: Law = Law::within(
+pub const EQ73: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq73,
     body::prove_eq73,
-    sliding,
 );
-pub const EQ74: Law = Law::within(
+pub const EQ74: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq74,
     body::prove_eq74,
-    sliding,
 );
-pub const EQ75: Law = Law::within(
+pub const EQ75: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq75,
     body::prove_eq75,
-    sliding,
 );
-pub const CORRECTED_75: Law = Law::within(
+pub const CORRECTED_75: Law = Law::new(
     Subject::Corrected,
     BY_COMPONENTS,
     body::corrected75,
     body::prove_eq75,
-    sliding,
 );
-pub const EQ77: Law = Law::within(
+pub const EQ77: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq77,
     body::prove_eq77,
-    sliding,
 );
-pub const EQ78: Law = Law::within(
+pub const EQ78: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq78,
     body::prove_eq78,
-    sliding,
 );
-pub const EQ79: Law = Law::within(
+pub const EQ79: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq79,
     body::prove_eq79,
-    sliding,
 );
-pub const EQ81: Law = Law::within(
+pub const EQ81: Law = Law::new(
     Subject::Within,
     AS_A_PARTICLE,
     angle::eq81,
     angle::prove_eq81,
-    angle::ring,
 );
-pub const EQ82: Law = Law::within(
+pub const EQ82: Law = Law::new(
     Subject::Printed,
     AS_A_PARTICLE,
     angle::eq82,
     angle::prove_eq82,
-    angle::ring,
 );
-pub const CORRECTED_82: Law = Law::within(
+pub const CORRECTED_82: Law = Law::new(
     Subject::Corrected,
     AS_A_PARTICLE,
     angle::corrected82,
     angle::prove_eq82,
-    angle::ring,
 );
-pub const EQ83: Law = Law::within(
+pub const EQ83: Law = Law::new(
     Subject::Printed,
     AS_A_PARTICLE,
     angle::eq83,
     angle::prove_eq83,
-    angle::ring,
 );
-pub const CORRECTED_83: Law = Law::within(
+pub const CORRECTED_83: Law = Law::new(
     Subject::Corrected,
     AS_A_PARTICLE,
     angle::corrected83,
     angle::prove_eq83,
-    angle::ring,
 );
-pub const S3_REDUCTION: Law = Law::within(
+pub const S3_REDUCTION: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::reduction,
     body::prove_reduction,
-    sliding,
 );
-pub const S3_SPIN_CONSTANT: Law = Law::within(
+pub const S3_SPIN_CONSTANT: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::spin_rate,
     body::prove_spin_constant,
-    sliding,
 );
-
-/// All of them; (75), (82) and (83) as printed and as corrected.
-#[cfg(test)]
-const ALL: &[Law] = &[
-    EQ59,
-    EQ60,
-    EQ62,
-    EQ63,
-    EQ64,
-    EQ65,
-    EQ66,
-    EQ68,
-    EQ69,
-    EQ70,
-    EQ71,
-    EQ72,
-    EQ73,
-    EQ74,
-    EQ75,
-    CORRECTED_75,
-    EQ77,
-    EQ78,
-    EQ79,
-    EQ81,
-    EQ82,
-    CORRECTED_82,
-    EQ83,
-    CORRECTED_83,
-    S3_REDUCTION,
-    S3_SPIN_CONSTANT,
-];
-
-fn laboratory() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["m", "A_x", "A_y", "F_x", "F_y", "R"] {
-        ring.symbol(name);
-    }
-    Ok(ring)
-}
-
-fn sliding() -> Result<Ring, ExactError> {
-    Ok(Body::sliding()?.ring)
-}
-
-fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
-    names.map(Expr::symbol)
-}
 
 /// Names of a vector's components, for the steps of a proof.
 const AXES: [&str; 3] = ["along x", "along y", "along z"];

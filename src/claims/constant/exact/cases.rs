@@ -1,13 +1,13 @@
 //! The special cases: λ = 0, (15) and (16); λ = 1, (17) to (19); λ > 1, (20).
 
 use super::sliding::{constant_of_motion, eq11, eq13, prove_eq11, prove_eq13};
-use super::{Friction, Newton, prove, symbols};
+use super::{Friction, Newton, prove};
 use crate::exact::{Expr, Obstacle, Proof, Prover};
 use crate::paper::constant as paper;
 use crate::scalar::Scalar;
 
 pub(super) fn eq15() -> Expr {
-    let [a, v0x, t] = symbols(["A", "v₀x", "t"]);
+    let [a, v0x, t] = Expr::symbols(["A", "v₀x", "t"]);
     paper::eq15_vx(a, v0x, t)
 }
 
@@ -28,7 +28,7 @@ fn component(
 
 pub(super) fn prove_eq15(printed: Expr) -> Proof {
     prove("(15): v_x without friction", Friction::Zero, |p, newton| {
-        let [v, theta, start] = symbols(["v", "θ", "v₀x"]);
+        let [v, theta, start] = Expr::symbols(["v", "θ", "v₀x"]);
         component(p, newton, [v * theta.cos(), start, printed])
     })
 }
@@ -39,13 +39,13 @@ pub(super) fn eq16() -> Expr {
 
 pub(super) fn prove_eq16(printed: Expr) -> Proof {
     prove("(16): v_y without friction", Friction::Zero, |p, newton| {
-        let [v, theta, start] = symbols(["v", "θ", "v₀y"]);
+        let [v, theta, start] = Expr::symbols(["v", "θ", "v₀y"]);
         component(p, newton, [v * theta.sin(), start, printed])
     })
 }
 
 pub(super) fn eq17() -> Expr {
-    let [v, theta] = symbols(["v", "θ"]);
+    let [v, theta] = Expr::symbols(["v", "θ"]);
     paper::eq17_invariant(v, theta)
 }
 
@@ -58,13 +58,13 @@ pub(super) fn prove_eq17(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq18() -> Expr {
-    let [v0, theta0] = symbols(["v₀", "θ₀"]);
+    let [v0, theta0] = Expr::symbols(["v₀", "θ₀"]);
     paper::eq18_vx_limit(v0, theta0)
 }
 
 /// λ = 1: the speed, after a proof that θ reaches 0 at no finite time.
 fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Obstacle> {
-    let [lambda, v0, theta0, theta, a] = symbols(["λ", "v₀", "θ₀", "θ", "A"]);
+    let [lambda, v0, theta0, theta, a] = Expr::symbols(["λ", "v₀", "θ₀", "θ", "A"]);
     p.rests_on(&prove_eq11(eq11()))?;
     let speed = paper::eq11_speed(lambda, v0, theta0, theta);
     let read = p.read("The speed by (11)", speed)?;
@@ -119,7 +119,7 @@ pub(super) fn prove_eq19(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq20() -> Expr {
-    let [lambda, a, v0, theta0] = symbols(["λ", "A", "v₀", "θ₀"]);
+    let [lambda, a, v0, theta0] = Expr::symbols(["λ", "A", "v₀", "θ₀"]);
     paper::eq20_stop_time(lambda, a, v0, theta0)
 }
 

@@ -1,19 +1,19 @@
 //! Any friction: (6) to (14), and the form of (11) that replaces it.
 
-use super::{Friction, Newton, at_start, prove, symbols};
+use super::{Friction, Newton, at_start, prove};
 use crate::corrections;
 use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::constant as paper;
 use crate::scalar::Scalar;
 
 pub(super) fn eq6() -> Expr {
-    let [lambda, a, theta] = symbols(["λ", "A", "θ"]);
+    let [lambda, a, theta] = Expr::symbols(["λ", "A", "θ"]);
     paper::eq6_vx_rate(lambda, a, theta)
 }
 
 pub(super) fn prove_eq6(printed: Expr) -> Proof {
     prove("(6): d(v cos θ)/dt", Friction::Any, |p, newton| {
-        let [v, theta] = symbols(["v", "θ"]);
+        let [v, theta] = Expr::symbols(["v", "θ"]);
         let vx = p.read("The component along x", v * theta.cos())?;
         let rate = p.derivative("Its rate by (1)", &vx, &newton.motion)?;
         let printed = p.read("The printed rate", printed)?;
@@ -22,13 +22,13 @@ pub(super) fn prove_eq6(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq7() -> Expr {
-    let [lambda, a, theta] = symbols(["λ", "A", "θ"]);
+    let [lambda, a, theta] = Expr::symbols(["λ", "A", "θ"]);
     paper::eq7_vy_rate(lambda, a, theta)
 }
 
 pub(super) fn prove_eq7(printed: Expr) -> Proof {
     prove("(7): d(v sin θ)/dt", Friction::Any, |p, newton| {
-        let [v, theta] = symbols(["v", "θ"]);
+        let [v, theta] = Expr::symbols(["v", "θ"]);
         let vy = p.read("The component along y", v * theta.sin())?;
         let rate = p.derivative("Its rate by (1)", &vy, &newton.motion)?;
         let printed = p.read("The printed rate", printed)?;
@@ -37,7 +37,7 @@ pub(super) fn prove_eq7(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq8() -> Expr {
-    let [lambda, theta] = symbols(["λ", "θ"]);
+    let [lambda, theta] = Expr::symbols(["λ", "θ"]);
     paper::eq8_hodograph_slope(lambda, theta)
 }
 
@@ -46,7 +46,7 @@ pub(super) fn prove_eq8(printed: Expr) -> Proof {
         "(8): d(v sin θ)/d(v cos θ)",
         Friction::Any,
         |p, newton| {
-            let [v, theta] = symbols(["v", "θ"]);
+            let [v, theta] = Expr::symbols(["v", "θ"]);
             let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
             let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
             let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
@@ -58,7 +58,7 @@ pub(super) fn prove_eq8(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq9() -> Expr {
-    let [lambda, theta] = symbols(["λ", "θ"]);
+    let [lambda, theta] = Expr::symbols(["λ", "θ"]);
     paper::eq9_log_speed_rate(lambda, theta)
 }
 
@@ -77,7 +77,7 @@ pub(super) fn prove_eq9(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq10() -> Expr {
-    let [lambda, v, theta] = symbols(["λ", "v", "θ"]);
+    let [lambda, v, theta] = Expr::symbols(["λ", "v", "θ"]);
     paper::eq10_invariant(lambda, v, theta)
 }
 
@@ -111,7 +111,7 @@ pub(super) fn prove_eq10(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq11() -> Expr {
-    let [lambda, v0, theta0, theta] = symbols(["λ", "v₀", "θ₀", "θ"]);
+    let [lambda, v0, theta0, theta] = Expr::symbols(["λ", "v₀", "θ₀", "θ"]);
     paper::eq11_speed(lambda, v0, theta0, theta)
 }
 
@@ -132,7 +132,7 @@ pub(super) fn prove_eq11(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq12() -> Expr {
-    let [lambda, v0, theta0, theta, d_power] = symbols(["λ", "v₀", "θ₀", "θ", "D"]);
+    let [lambda, v0, theta0, theta, d_power] = Expr::symbols(["λ", "v₀", "θ₀", "θ", "D"]);
     paper::eq12_time_rate(lambda, v0, theta0, theta, d_power)
 }
 
@@ -164,7 +164,7 @@ pub(super) fn prove_eq12(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq13() -> Expr {
-    let [lambda, a, v0, theta0, theta] = symbols(["λ", "A", "v₀", "θ₀", "θ"]);
+    let [lambda, a, v0, theta0, theta] = Expr::symbols(["λ", "A", "v₀", "θ₀", "θ"]);
     paper::eq13_time(lambda, a, v0, theta0, theta)
 }
 
@@ -187,7 +187,7 @@ pub(super) fn prove_eq13(printed: Expr) -> Proof {
 }
 
 pub(super) fn eq14() -> Expr {
-    let [lambda, a, v0, theta0, theta, t] = symbols(["λ", "A", "v₀", "θ₀", "θ", "t"]);
+    let [lambda, a, v0, theta0, theta, t] = Expr::symbols(["λ", "A", "v₀", "θ₀", "θ", "t"]);
     paper::eq14_speed_at_time(lambda, a, v0, theta0, theta, t)
 }
 
@@ -209,7 +209,7 @@ pub(super) fn prove_eq14(printed: Expr) -> Proof {
 }
 
 pub(super) fn corrected_speed() -> Expr {
-    let [lambda, v0, theta0, theta] = symbols(["λ", "v₀", "θ₀", "θ"]);
+    let [lambda, v0, theta0, theta] = Expr::symbols(["λ", "v₀", "θ₀", "θ"]);
     let half_tan = |angle: Expr| (angle / Expr::int(2)).tan();
     corrections::constant::speed(lambda, v0, theta0, half_tan(theta) / half_tan(theta0))
 }

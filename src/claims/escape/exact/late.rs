@@ -56,13 +56,9 @@ pub fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
-    names.map(Expr::symbol)
-}
-
 /// dρ/dτ, du/dτ and dδ/dτ in terms of ρ, u and δ.
 fn rates() -> [Expr; 3] {
-    let [rho, u, delta] = symbols(["ρ", "u", "δ"]);
+    let [rho, u, delta] = Expr::symbols(["ρ", "u", "δ"]);
     let half = (delta / Expr::int(2)).sin();
     let p = rho - u;
     [
@@ -78,7 +74,7 @@ fn rewritten(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         p,
         &[&turntable::EQ107, &turntable::EQ108, &turntable::EQ109],
     )?;
-    let [rho, u, delta] = symbols(["ρ", "u", "δ"]);
+    let [rho, u, delta] = Expr::symbols(["ρ", "u", "δ"]);
     let psi = Expr::pi() / Expr::int(2) - delta;
     let outwards = motion::eq108_rho_rate(rho - u, psi);
     let printed = [
@@ -325,7 +321,7 @@ mod tests {
     fn what_is_to_be_found_is_a_sum_of_powers_of_the_logarithm() {
         let ring = ring().unwrap();
         let found = polynomial(&ring, &["x₁", "x₂", "x₀"]).unwrap();
-        let [x0, x1, x2, log] = symbols(["x₀", "x₁", "x₂", "L"]);
+        let [x0, x1, x2, log] = Expr::symbols(["x₀", "x₁", "x₂", "L"]);
         let expected = ring.read(x0 + x2 * log + x1 * log * log).unwrap();
         assert!(ring.is_zero(&(found - expected)).unwrap());
     }

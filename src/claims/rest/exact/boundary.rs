@@ -32,7 +32,7 @@ fn ring() -> Result<Ring, ExactError> {
 
 /// What the boundary lacks to consist of motions: dA/dτ less ∂A/∂α dα/dτ and ∂A/∂ψ dψ/dτ.
 fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
-    let [size, alpha, psi] = ["A", "α", "ψ"].map(Expr::symbol);
+    let [size, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
     let small = Series::monomial(Rational::int(1), 1, ENOUGH);
     let values = [("A", a), ("α", &small)];
     let expand = |formula| ring.expand(formula, &values, ENOUGH);
@@ -147,7 +147,7 @@ pub fn prove(formula: Expr, order: i64) -> Proof {
 
 /// A on the boundary, to second order in α.
 pub fn stated() -> Expr {
-    let [alpha, psi] = ["α", "ψ"].map(Expr::symbol);
+    let [alpha, psi] = Expr::symbols(["α", "ψ"]);
     corrected::boundary_a(alpha, psi)
 }
 

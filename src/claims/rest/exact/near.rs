@@ -20,10 +20,6 @@ const ORDER: i64 = 6;
 /// To which power numbers and α itself are carried along.
 const ENOUGH: i64 = ORDER + 3;
 
-fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
-    names.map(Expr::symbol)
-}
-
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     for name in ["σ", "c", "ζ", "slope", "y", "a₂"].iter().chain(&UNKNOWN) {
@@ -42,7 +38,7 @@ fn small() -> Series {
 
 /// What α d/dα is of ζ.
 fn moving(ring: &Ring) -> Result<Derivation, ExactError> {
-    let [sigma, zeta] = symbols(["σ", "ζ"]);
+    let [sigma, zeta] = Expr::symbols(["σ", "ζ"]);
     ring.along(&[("ζ", ring.read(zeta * printed::eq143_exponent(sigma))?)])
 }
 
@@ -79,7 +75,7 @@ fn imbalance(
 
 /// dα/dτ by (114), dA/dτ by (113), dψ/dτ by (115).
 fn rates(ring: &Ring, psi: &Series, a: &Series) -> Result<[Series; 3], ExactError> {
-    let [size, alpha, angle] = symbols(["A", "α", "ψ"]);
+    let [size, alpha, angle] = Expr::symbols(["A", "α", "ψ"]);
     let values = [("A", a), ("α", &small()), ("ψ", psi)];
     let expand = |formula| ring.expand(formula, &values, ENOUGH);
     Ok([
@@ -279,7 +275,7 @@ pub fn eq144([left, right]: [Expr; 2]) -> Proof {
 pub fn eq143(formula: Expr) -> Proof {
     from_series("(143): ψ near rest", |p, [psi, ..]| {
         let ring = p.ring();
-        let [sigma, alpha, c] = symbols(["σ", "α", "c"]);
+        let [sigma, alpha, c] = Expr::symbols(["σ", "α", "c"]);
         let zeta = p.read(
             "ζ",
             c * crate::scalar::Scalar::pow(alpha, printed::eq143_exponent(sigma)),
@@ -320,7 +316,7 @@ pub const EQ141: Statement = Statement::new(
     Subject::Within,
     SERIES,
     || {
-        let [sigma, tau] = symbols(["σ", "τ"]);
+        let [sigma, tau] = Expr::symbols(["σ", "τ"]);
         printed::eq141_alpha(sigma, tau)
     },
     eq141,
@@ -330,7 +326,7 @@ pub const EQ142: Statement<[Expr; 2]> = Statement::new(
     Subject::Within,
     SERIES,
     || {
-        let [sigma, alpha, psi, slope] = symbols(["σ", "α", "ψ", "slope"]);
+        let [sigma, alpha, psi, slope] = Expr::symbols(["σ", "α", "ψ", "slope"]);
         [
             printed::eq142_left(sigma, slope),
             printed::eq142_right(alpha, psi),
@@ -343,7 +339,7 @@ pub const EQ143: Statement = Statement::new(
     Subject::Within,
     SERIES,
     || {
-        let [sigma, alpha, c] = symbols(["σ", "α", "c"]);
+        let [sigma, alpha, c] = Expr::symbols(["σ", "α", "c"]);
         printed::eq143_psi(sigma, c, alpha)
     },
     eq143,
@@ -353,7 +349,7 @@ pub const EQ144: Statement<[Expr; 2]> = Statement::new(
     Subject::Within,
     SERIES,
     || {
-        let [sigma, alpha, slope] = symbols(["σ", "α", "slope"]);
+        let [sigma, alpha, slope] = Expr::symbols(["σ", "α", "slope"]);
         [
             printed::eq144_left(sigma, slope),
             printed::eq144_right(alpha),
@@ -366,7 +362,7 @@ pub const EQ145: Statement = Statement::new(
     Subject::Within,
     SERIES,
     || {
-        let [sigma, alpha] = symbols(["σ", "α"]);
+        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         printed::eq145_a(sigma, alpha)
     },
     eq145,

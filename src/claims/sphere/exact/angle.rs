@@ -1,8 +1,9 @@
 //! Constant acceleration, (81) to (83): (74) is (1) with γ for A, b for μg and τ for t, so that (11), (13) and (14)
 //! say what has to be proved.
 
-use super::{Components, body, symbols};
+use super::{Components, body};
 use crate::claims::constant::exact as constant;
+use crate::claims::statement::Statement;
 use crate::corrections::sphere as corrected;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
 use crate::paper::constant as particle;
@@ -27,7 +28,7 @@ pub(super) fn ring() -> Result<Ring, ExactError> {
 
 fn prove(
     title: &str,
-    rests_on: &constant::Law,
+    rests_on: &Statement,
     steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
 ) -> Proof {
     match ring() {
@@ -56,26 +57,26 @@ fn same(p: &mut Prover<'_>, formula: Components, particle: Expr) -> Result<(), O
 }
 
 pub(super) fn eq81() -> Components {
-    let [lambda, u0, theta0, theta] = symbols(["λ", "u₀", "θ₀", "θ"]);
+    let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
     vec![paper::eq81_slip(lambda, u0, theta0, theta)]
 }
 pub(super) fn prove_eq81(formula: Components) -> Proof {
-    let [lambda, u0, theta0, theta] = symbols(["λ", "u₀", "θ₀", "θ"]);
+    let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
     prove("(81): u at the angle θ", &constant::EQ11, |p| {
         same(p, formula, particle::eq11_speed(lambda, u0, theta0, theta))
     })
 }
 
 pub(super) fn eq82() -> Components {
-    let [lambda, u0, theta0, theta] = symbols(["λ", "u₀", "θ₀", "θ"]);
+    let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
     vec![paper::eq82_time(lambda, u0, theta0, theta)]
 }
 pub(super) fn corrected82() -> Components {
-    let [lambda, gamma, u0, theta0, theta] = symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
+    let [lambda, gamma, u0, theta0, theta] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
     vec![corrected::time(lambda, gamma, u0, theta0, theta)]
 }
 pub(super) fn prove_eq82(formula: Components) -> Proof {
-    let [lambda, gamma, u0, theta0, theta] = symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
+    let [lambda, gamma, u0, theta0, theta] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
     prove("(82): τ at the angle θ", &constant::EQ13, |p| {
         same(
             p,
@@ -86,17 +87,17 @@ pub(super) fn prove_eq82(formula: Components) -> Proof {
 }
 
 pub(super) fn eq83() -> Components {
-    let [lambda, u0, theta0, theta, tau] = symbols(["λ", "u₀", "θ₀", "θ", "τ"]);
+    let [lambda, u0, theta0, theta, tau] = Expr::symbols(["λ", "u₀", "θ₀", "θ", "τ"]);
     vec![paper::eq83_slip_at_time(lambda, u0, theta0, theta, tau)]
 }
 pub(super) fn corrected83() -> Components {
-    let [lambda, gamma, u0, theta0, theta, tau] = symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
+    let [lambda, gamma, u0, theta0, theta, tau] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
     vec![corrected::slip_at_time(
         lambda, gamma, u0, theta0, theta, tau,
     )]
 }
 pub(super) fn prove_eq83(formula: Components) -> Proof {
-    let [lambda, gamma, u0, theta0, theta, tau] = symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
+    let [lambda, gamma, u0, theta0, theta, tau] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
     prove(
         "(83): u at the angle θ and the time τ",
         &constant::EQ14,

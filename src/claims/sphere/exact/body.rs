@@ -1,6 +1,6 @@
 //! The sliding sphere, (63) to (79): rates by the laws of motion against printed rates.
 
-use super::{AXES, Components, symbols};
+use super::{AXES, Components};
 use crate::corrections::sphere as corrected;
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::general::eq1_velocity_rate;
@@ -24,11 +24,6 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// Sliding, as most statements have it.
-    pub(super) fn sliding() -> Result<Self, ExactError> {
-        Self::new(Friction::Sliding)
-    }
-
     fn new(friction: Friction) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
         let [m, inertia, radius, mu, k] = ["m", "I", "R", "μ", "k"].map(|name| ring.symbol(name));
@@ -121,15 +116,15 @@ fn zero() -> Expr {
     Expr::int(0)
 }
 fn acceleration() -> [Expr; 3] {
-    let [x, y] = symbols(["A_x", "A_y"]);
+    let [x, y] = Expr::symbols(["A_x", "A_y"]);
     [x, y, zero()]
 }
 fn velocity() -> [Expr; 3] {
-    let [x, y] = symbols(["v_x", "v_y"]);
+    let [x, y] = Expr::symbols(["v_x", "v_y"]);
     [x, y, zero()]
 }
 fn omega() -> [Expr; 3] {
-    symbols(["ω_x", "ω_y", "ω_z"])
+    Expr::symbols(["ω_x", "ω_y", "ω_z"])
 }
 fn contact() -> [Expr; 3] {
     paper::eq61_contact(Expr::symbol("R"))
@@ -138,7 +133,7 @@ fn slip() -> [Expr; 3] {
     paper::slip(velocity(), omega(), contact())
 }
 fn mu_g_radius() -> [Expr; 3] {
-    symbols(["μ", "g", "R"])
+    Expr::symbols(["μ", "g", "R"])
 }
 /// u by (71).
 fn u() -> [Expr; 3] {
@@ -163,7 +158,7 @@ fn rho_rate() -> [Expr; 3] {
     paper::eq68_position(Expr::symbol("R"), velocity()).map(|c| c / tau_rate())
 }
 fn nu() -> [Expr; 3] {
-    let [x, y] = symbols(["ν_x", "ν_y"]);
+    let [x, y] = Expr::symbols(["ν_x", "ν_y"]);
     [x, y, zero()]
 }
 pub(super) fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
@@ -297,7 +292,7 @@ pub(super) fn prove_eq78(printed: Components) -> Proof {
 }
 
 pub(super) fn eq79() -> Components {
-    let [cx, cy] = symbols(["c_x", "c_y"]);
+    let [cx, cy] = Expr::symbols(["c_x", "c_y"]);
     paper::eq79_velocity(Expr::symbol("b"), nu(), u(), [cx, cy, zero()]).into()
 }
 /// Both sides change alike under any friction force, so that they differ by a constant.
@@ -317,7 +312,7 @@ pub(super) fn prove_eq79(printed: Components) -> Proof {
 }
 
 pub(super) fn eq62() -> Components {
-    let [inertia, m, radius] = symbols(["I", "m", "R"]);
+    let [inertia, m, radius] = Expr::symbols(["I", "m", "R"]);
     vec![paper::eq62_kappa(inertia, m, radius)]
 }
 /// κ makes (64) the law for the spin.

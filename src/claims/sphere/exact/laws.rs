@@ -1,6 +1,6 @@
 //! The laws themselves: (59) from the laboratory, (60) from the sphere's parts.
 
-use super::{AXES, Components, symbols};
+use super::{AXES, Components};
 use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
 use crate::paper::sphere as paper;
 use crate::scalar::Scalar;
@@ -16,7 +16,7 @@ fn sum(a: &Vector, b: &Vector) -> Vector {
 }
 
 pub(super) fn eq59() -> Components {
-    let [m, ax, ay, fx, fy] = symbols(["m", "A_x", "A_y", "F_x", "F_y"]);
+    let [m, ax, ay, fx, fy] = Expr::symbols(["m", "A_x", "A_y", "F_x", "F_y"]);
     let zero = Expr::int(0);
     paper::eq59_momentum_rate(m, [ax, ay, zero], [fx, fy, zero]).into()
 }
@@ -75,7 +75,7 @@ pub(super) fn prove_eq59(printed: Components) -> Proof {
 }
 
 pub(super) fn eq60() -> Components {
-    let [radius, fx, fy] = symbols(["R", "F_x", "F_y"]);
+    let [radius, fx, fy] = Expr::symbols(["R", "F_x", "F_y"]);
     let contact = paper::eq61_contact(radius);
     paper::eq60_spin_rate(contact, [fx, fy, Expr::int(0)]).into()
 }

@@ -1,6 +1,6 @@
 //! The motion by p, ℓ, ξ and by p, ρ, ψ: (96) to (102), (107) to (109).
 
-use super::{Setting, prove, symbols, vectors};
+use super::{Setting, prove, vectors};
 use crate::exact::{Expr, Proof};
 use crate::paper::turntable as paper;
 
@@ -24,7 +24,7 @@ fn sides(title: &str, printed: &[Expr]) -> Proof {
 }
 
 pub(super) fn eq96() -> Vec<Expr> {
-    let [p, ell] = symbols(["p", "ℓ"]);
+    let [p, ell] = Expr::symbols(["p", "ℓ"]);
     let [position, rate] = vectors();
     paper::eq96_angular_momentum(p, ell, position, rate).into()
 }
@@ -34,7 +34,7 @@ pub(super) fn prove_eq96(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq97() -> Vec<Expr> {
-    let [p, xi] = symbols(["p", "ξ"]);
+    let [p, xi] = Expr::symbols(["p", "ξ"]);
     let [position, rate] = vectors();
     paper::eq97_radial(p, xi, position, rate).into()
 }
@@ -44,7 +44,7 @@ pub(super) fn prove_eq97(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq98() -> Vec<Expr> {
-    let [ell, xi] = symbols(["ℓ", "ξ"]);
+    let [ell, xi] = Expr::symbols(["ℓ", "ξ"]);
     paper::eq98_distance(vectors()[0], ell, xi).into()
 }
 
@@ -61,7 +61,7 @@ pub(super) fn prove_eq99(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq100() -> Vec<Expr> {
-    let [p, ell, xi] = symbols(["p", "ℓ", "ξ"]);
+    let [p, ell, xi] = Expr::symbols(["p", "ℓ", "ξ"]);
     vec![paper::eq100_ell_rate(p, ell, xi)]
 }
 
@@ -70,7 +70,7 @@ pub(super) fn prove_eq100(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq101() -> Vec<Expr> {
-    let [p, ell] = symbols(["p", "ℓ"]);
+    let [p, ell] = Expr::symbols(["p", "ℓ"]);
     vec![paper::eq101_xi_rate(p, ell)]
 }
 
@@ -79,7 +79,7 @@ pub(super) fn prove_eq101(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq102() -> Vec<Expr> {
-    let [ell, xi, p] = [["ℓ", "dℓ/dτ"], ["ξ", "dξ/dτ"], ["p", "dp/dτ"]].map(symbols);
+    let [ell, xi, p] = [["ℓ", "dℓ/dτ"], ["ξ", "dξ/dτ"], ["p", "dp/dτ"]].map(Expr::symbols);
     paper::eq102_rate(ell, xi, p).into()
 }
 
@@ -96,7 +96,7 @@ pub(super) fn prove_eq102(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq107() -> Vec<Expr> {
-    let [rho, psi] = symbols(["ρ", "ψ"]);
+    let [rho, psi] = Expr::symbols(["ρ", "ψ"]);
     vec![paper::eq107_p_rate(rho, psi)]
 }
 
@@ -105,7 +105,7 @@ pub(super) fn prove_eq107(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq108() -> Vec<Expr> {
-    let [p, psi] = symbols(["p", "ψ"]);
+    let [p, psi] = Expr::symbols(["p", "ψ"]);
     vec![paper::eq108_rho_rate(p, psi)]
 }
 
@@ -114,7 +114,7 @@ pub(super) fn prove_eq108(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq109() -> Vec<Expr> {
-    let [p, rho, psi] = symbols(["p", "ρ", "ψ"]);
+    let [p, rho, psi] = Expr::symbols(["p", "ρ", "ψ"]);
     vec![paper::eq109_psi_rate(p, rho, psi)]
 }
 

@@ -1,6 +1,6 @@
 //! The definitions (93) to (95), (110) to (112), (116) to (118), by what they have to be consistent with.
 
-use super::{Setting, prove, symbols, vectors};
+use super::{Setting, prove, vectors};
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover};
 use crate::paper::turntable as paper;
 use crate::scalar::Scalar;
@@ -32,7 +32,7 @@ pub(super) fn prove_eq93(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq94() -> Vec<Expr> {
-    let [rho, psi] = symbols(["ρ", "ψ"]);
+    let [rho, psi] = Expr::symbols(["ρ", "ψ"]);
     vec![paper::eq94_xi(rho, psi)]
 }
 pub(super) fn prove_eq94(printed: Vec<Expr>) -> Proof {
@@ -43,7 +43,7 @@ pub(super) fn prove_eq94(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq95() -> Vec<Expr> {
-    let [rho, psi] = symbols(["ρ", "ψ"]);
+    let [rho, psi] = Expr::symbols(["ρ", "ψ"]);
     vec![paper::eq95_ell(rho, psi)]
 }
 pub(super) fn prove_eq95(printed: Vec<Expr>) -> Proof {
@@ -72,7 +72,7 @@ fn sums(
 }
 
 pub(super) fn eq110() -> Vec<Expr> {
-    let [p, rho] = symbols(["p", "ρ"]);
+    let [p, rho] = Expr::symbols(["p", "ρ"]);
     vec![paper::eq110_case(p, rho)]
 }
 pub(super) fn prove_eq110(printed: Vec<Expr>) -> Proof {
@@ -86,27 +86,27 @@ pub(super) fn prove_eq110(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq111() -> Vec<Expr> {
-    let [a, alpha] = symbols(["A", "α"]);
+    let [a, alpha] = Expr::symbols(["A", "α"]);
     vec![paper::eq111_p(a, alpha)]
 }
 pub(super) fn prove_eq111(printed: Vec<Expr>) -> Proof {
     prove("(111): ρ ± p = A exp(±α)", Setting::slower(), |p, _| {
-        sums(p, [eq112()[0], printed[0]], symbols(["A", "α"]))
+        sums(p, [eq112()[0], printed[0]], Expr::symbols(["A", "α"]))
     })
 }
 
 pub(super) fn eq112() -> Vec<Expr> {
-    let [a, alpha] = symbols(["A", "α"]);
+    let [a, alpha] = Expr::symbols(["A", "α"]);
     vec![paper::eq112_rho(a, alpha)]
 }
 pub(super) fn prove_eq112(printed: Vec<Expr>) -> Proof {
     prove("(112): ρ ± p = A exp(±α)", Setting::slower(), |p, _| {
-        sums(p, [printed[0], eq111()[0]], symbols(["A", "α"]))
+        sums(p, [printed[0], eq111()[0]], Expr::symbols(["A", "α"]))
     })
 }
 
 pub(super) fn eq116() -> Vec<Expr> {
-    let [p, rho] = symbols(["p", "ρ"]);
+    let [p, rho] = Expr::symbols(["p", "ρ"]);
     vec![paper::eq116_case(p, rho)]
 }
 pub(super) fn prove_eq116(printed: Vec<Expr>) -> Proof {
@@ -120,21 +120,21 @@ pub(super) fn prove_eq116(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq117() -> Vec<Expr> {
-    let [b, beta] = symbols(["B", "β"]);
+    let [b, beta] = Expr::symbols(["B", "β"]);
     vec![paper::eq117_p(b, beta)]
 }
 pub(super) fn prove_eq117(printed: Vec<Expr>) -> Proof {
     prove("(117): p ± ρ = B exp(±β)", Setting::faster(), |p, _| {
-        sums(p, [printed[0], eq118()[0]], symbols(["B", "β"]))
+        sums(p, [printed[0], eq118()[0]], Expr::symbols(["B", "β"]))
     })
 }
 
 pub(super) fn eq118() -> Vec<Expr> {
-    let [b, beta] = symbols(["B", "β"]);
+    let [b, beta] = Expr::symbols(["B", "β"]);
     vec![paper::eq118_rho(b, beta)]
 }
 pub(super) fn prove_eq118(printed: Vec<Expr>) -> Proof {
     prove("(118): p ± ρ = B exp(±β)", Setting::faster(), |p, _| {
-        sums(p, [eq117()[0], printed[0]], symbols(["B", "β"]))
+        sums(p, [eq117()[0], printed[0]], Expr::symbols(["B", "β"]))
     })
 }

@@ -1,13 +1,13 @@
 //! Work and energy: (103), (104), (106) as printed and corrected, the powers of the forces.
 
-use super::{Setting, prove, symbols, vectors};
+use super::{Setting, prove, vectors};
 use crate::corrections::turntable as corrections;
 use crate::exact::{Expr, Proof};
 use crate::paper::turntable as paper;
 use crate::scalar::Scalar;
 
 pub(super) fn eq103() -> Vec<Expr> {
-    let [p, rho] = symbols(["p", "ρ"]);
+    let [p, rho] = Expr::symbols(["p", "ρ"]);
     vec![paper::eq103_energy(p, rho), paper::eq103_energy_rate(p)]
 }
 
@@ -25,7 +25,7 @@ pub(super) fn prove_eq103(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq104() -> Vec<Expr> {
-    let [p, rho, s] = symbols(["p", "ρ", "s"]);
+    let [p, rho, s] = Expr::symbols(["p", "ρ", "s"]);
     vec![paper::eq104_constant(p, rho, s)]
 }
 
@@ -60,13 +60,13 @@ pub(super) fn prove_eq104(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn printed_106() -> Vec<Expr> {
-    let [m, g, omega, s] = symbols(["m", "g", "Ω", "s"]);
+    let [m, g, omega, s] = Expr::symbols(["m", "g", "Ω", "s"]);
     let [r, v] = vectors();
     vec![paper::eq106_constant(m, g, omega, r, v, s)]
 }
 
 pub(super) fn corrected_106() -> Vec<Expr> {
-    let [m, mu, g, omega, s] = symbols(["m", "μ", "g", "Ω", "s"]);
+    let [m, mu, g, omega, s] = Expr::symbols(["m", "μ", "g", "Ω", "s"]);
     let [r, v] = vectors();
     vec![corrections::constant(m, mu, g, omega, r, v, s)]
 }
@@ -77,12 +77,12 @@ pub(super) fn prove_106(formula: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn printed_works() -> Vec<Expr> {
-    let [m, g, s] = symbols(["m", "g", "s"]);
+    let [m, g, s] = Expr::symbols(["m", "g", "s"]);
     vec![paper::friction_work(m, g, s)]
 }
 
 pub(super) fn works() -> Vec<Expr> {
-    let [m, mu, g, s] = symbols(["m", "μ", "g", "s"]);
+    let [m, mu, g, s] = Expr::symbols(["m", "μ", "g", "s"]);
     vec![corrections::friction_work(m, mu, g, s)]
 }
 
@@ -90,7 +90,7 @@ pub(super) fn works() -> Vec<Expr> {
 pub(super) fn prove_works(work: Vec<Expr>) -> Proof {
     let title = "the works of the Coriolis force and of friction";
     prove(title, Setting::dimensional(), |p, setting| {
-        let [omega, mu, g, m] = symbols(["Ω", "μ", "g", "m"]);
+        let [omega, mu, g, m] = Expr::symbols(["Ω", "μ", "g", "m"]);
         let [r, v] = vectors();
         let zero = Expr::int(0);
         let power = |[ax, ay]: [Expr; 2]| m * (ax * v[0] + ay * v[1]);

@@ -1,6 +1,6 @@
 //! The quasi-fixed points (124) and (125), and their stability.
 
-use super::{Setting, prove, symbols};
+use super::{Setting, prove};
 use crate::exact::{Expr, Node, Obstacle, Proof, Prover, Rational};
 use crate::paper::turntable as paper;
 use crate::scalar::Scalar;
@@ -67,7 +67,7 @@ fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstac
 pub(super) fn prove_zero(printed: Vec<Expr>) -> Proof {
     let title = "(115) is zero at a quasi-fixed point";
     prove(title, Setting::fixed(), |p, _| {
-        let [alpha, psi] = symbols(["α", "ψ"]);
+        let [alpha, psi] = Expr::symbols(["α", "ψ"]);
         let rate = at_angle(p, paper::eq115_psi_rate(alpha, psi), printed[0])?;
         p.zero("dψ/dτ", &rate)
     })
@@ -75,7 +75,7 @@ pub(super) fn prove_zero(printed: Vec<Expr>) -> Proof {
 
 /// dψ̇/dψ of (115), and its value at ψ₁ and ψ₂.
 pub(super) fn slope() -> Vec<Expr> {
-    let [alpha, psi] = symbols(["α", "ψ"]);
+    let [alpha, psi] = Expr::symbols(["α", "ψ"]);
     vec![paper::eq115_psi_rate(alpha, psi)]
 }
 
@@ -84,7 +84,7 @@ pub(super) fn prove_slope(printed: Vec<Expr>) -> Proof {
     let title = "the slope of (115) at its zeros, α held fixed";
     prove(title, Setting::fixed(), |p, _| {
         let ring = p.ring();
-        let [alpha, psi] = symbols(["α", "ψ"]);
+        let [alpha, psi] = Expr::symbols(["α", "ψ"]);
         let expected = Expr::int(2) / (Expr::int(2) * alpha).sinh();
         let read = p.read("(115)", printed[0])?;
         let found = p.derivative("Its derivative with respect to ψ", &read, &ring.by("ψ")?)?;

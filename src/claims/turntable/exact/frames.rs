@@ -1,13 +1,13 @@
 //! The law of motion in the two frames and without dimensions, (86) and (89); its projections (90) to (92); its
 //! mirror image.
 
-use super::{Setting, prove, symbols, vectors};
+use super::{Setting, prove, vectors};
 use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::turntable as paper;
 use crate::scalar::Scalar;
 
 pub(super) fn eq86() -> Vec<Expr> {
-    let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
+    let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);
     let [r, v] = vectors();
     paper::eq86_acceleration(omega, mu, g, r, v).into()
 }
@@ -28,7 +28,7 @@ pub(super) fn prove_eq86(printed: Vec<Expr>) -> Proof {
         ])?;
         p.note("Instead of that law", "the one given by the formulas read");
         let [[x, y], [u, v]] = vectors();
-        let [phi, mu, g] = symbols(["φ", "μ", "g"]);
+        let [phi, mu, g] = Expr::symbols(["φ", "μ", "g"]);
         let speed = (u.squared() + v.squared()).sqrt();
         let seen =
             |a: Expr, b: Expr| [a * phi.cos() - b * phi.sin(), a * phi.sin() + b * phi.cos()];
@@ -64,7 +64,7 @@ pub(super) fn prove_eq89(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq87() -> Vec<Expr> {
-    let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
+    let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);
     paper::eq87_position(omega, mu, g, vectors()[0]).into()
 }
 
@@ -74,7 +74,7 @@ pub(super) fn prove_eq87(printed: Vec<Expr>) -> Proof {
 
 /// With s for the time.
 pub(super) fn eq88() -> Vec<Expr> {
-    let [omega, time] = symbols(["Ω", "s"]);
+    let [omega, time] = Expr::symbols(["Ω", "s"]);
     vec![paper::eq88_time(omega, time)]
 }
 

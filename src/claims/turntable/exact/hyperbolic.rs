@@ -1,7 +1,7 @@
 //! The motion by A, α and by B, β: (113) to (115), (119) to (121), and how the two go over into each other,
 //! (122) and (123).
 
-use super::{Setting, prove, symbols};
+use super::{Setting, prove};
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::turntable as paper;
 use crate::scalar::Scalar;
@@ -30,7 +30,7 @@ pub(super) fn prove_eq113(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq114() -> Vec<Expr> {
-    let [a, alpha, psi] = symbols(["A", "α", "ψ"]);
+    let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
     vec![paper::eq114_alpha_rate(a, alpha, psi)]
 }
 
@@ -39,7 +39,7 @@ pub(super) fn prove_eq114(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq115() -> Vec<Expr> {
-    let [alpha, psi] = symbols(["α", "ψ"]);
+    let [alpha, psi] = Expr::symbols(["α", "ψ"]);
     vec![paper::eq115_psi_rate(alpha, psi)]
 }
 
@@ -56,7 +56,7 @@ pub(super) fn prove_eq119(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq120() -> Vec<Expr> {
-    let [b, beta, psi] = symbols(["B", "β", "ψ"]);
+    let [b, beta, psi] = Expr::symbols(["B", "β", "ψ"]);
     vec![paper::eq120_beta_rate(b, beta, psi)]
 }
 
@@ -65,7 +65,7 @@ pub(super) fn prove_eq120(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq121() -> Vec<Expr> {
-    let [beta, psi] = symbols(["β", "ψ"]);
+    let [beta, psi] = Expr::symbols(["β", "ψ"]);
     vec![paper::eq121_psi_rate(beta, psi)]
 }
 
@@ -74,7 +74,7 @@ pub(super) fn prove_eq121(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq122() -> Vec<Expr> {
-    let [i, b] = symbols(["i", "B"]);
+    let [i, b] = Expr::symbols(["i", "B"]);
     vec![paper::eq122_a(i, b)]
 }
 
@@ -83,7 +83,7 @@ pub(super) fn prove_eq122(printed: Vec<Expr>) -> Proof {
 }
 
 pub(super) fn eq123() -> Vec<Expr> {
-    let [i, beta] = symbols(["i", "β"]);
+    let [i, beta] = Expr::symbols(["i", "β"]);
     vec![paper::eq123_alpha(i, beta)]
 }
 
@@ -97,7 +97,7 @@ const MOST: i64 = 4;
 /// exp(α/2) for α = n β + k iπ/2, by Euler's formula ζᵏ exp(β/2)ⁿ.
 fn half_exponential(p: &mut Prover<'_>, alpha: &Rational) -> Result<Rational, Obstacle> {
     let ring = p.ring();
-    let [i, beta] = symbols(["i", "β"]);
+    let [i, beta] = Expr::symbols(["i", "β"]);
     let quarter = ring.read(i * Expr::pi() / Expr::int(2))?;
     let beta_element = ring.read(beta)?;
     for k in -MOST..=MOST {
@@ -124,7 +124,7 @@ fn half_exponential(p: &mut Prover<'_>, alpha: &Rational) -> Result<Rational, Ob
 fn continuation(title: &str, a: Expr, alpha: Expr) -> Proof {
     prove(title, Setting::continued(), |p, _| {
         let ring = p.ring();
-        let [a_tree, alpha_tree, b, beta, psi, i] = symbols(["A", "α", "B", "β", "ψ", "i"]);
+        let [a_tree, alpha_tree, b, beta, psi, i] = Expr::symbols(["A", "α", "B", "β", "ψ", "i"]);
         let a = p.read("A", a)?;
         let alpha_element = p.read("α", alpha)?;
         let half = half_exponential(p, &alpha_element)?;

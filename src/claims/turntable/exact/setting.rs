@@ -1,6 +1,6 @@
 //! The rings in which the proofs are carried out, each with the motion in it.
 
-use super::{symbols, vectors};
+use super::vectors;
 use crate::exact::{Derivation, ExactError, Expr, Rational, Ring};
 use crate::paper::turntable as paper;
 use crate::scalar::Scalar;
@@ -26,7 +26,7 @@ impl Setting {
         }
         ring.angle("φ");
         let [r, v] = vectors();
-        let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
+        let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);
         root_of_speed(&mut ring)?;
         // Ω, μ and g are positive.
         let unit = ring.read(omega / (mu * g))?;
@@ -99,7 +99,7 @@ impl Setting {
         let mut ring = Ring::new();
         let a = ring.symbol("A");
         ring.hyperbolic("α");
-        let [a_tree, alpha] = symbols(["A", "α"]);
+        let [a_tree, alpha] = Expr::symbols(["A", "α"]);
         for (name, formula) in [
             ("p", paper::eq111_p(a_tree, alpha)),
             ("ρ", paper::eq112_rho(a_tree, alpha)),
@@ -125,7 +125,7 @@ impl Setting {
         let mut ring = Ring::new();
         let b = ring.symbol("B");
         ring.hyperbolic("β");
-        let [b_tree, beta] = symbols(["B", "β"]);
+        let [b_tree, beta] = Expr::symbols(["B", "β"]);
         for (name, formula) in [
             ("p", paper::eq117_p(b_tree, beta)),
             ("ρ", paper::eq118_rho(b_tree, beta)),
@@ -216,7 +216,7 @@ fn rates(ring: &mut Ring) -> Result<Rates, ExactError> {
     for name in ["ψ", "χ"] {
         ring.angle(name);
     }
-    let [p_tree, rho_tree, psi, chi] = symbols(["p", "ρ", "ψ", "χ"]);
+    let [p_tree, rho_tree, psi, chi] = Expr::symbols(["p", "ρ", "ψ", "χ"]);
     let outwards = chi + psi;
     for (name, formula) in [
         ("x", rho_tree * outwards.cos()),
