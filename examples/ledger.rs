@@ -15,6 +15,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         worst,
         at: "x = 1".into(),
         tolerance: Tolerance {
+            name: "EXAMPLE",
             value: 1e-6,
             reason: "six digits were read off",
         },

@@ -131,6 +131,8 @@ impl Subject {
 /// How far two values may differ, and why that far.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Tolerance {
+    /// Its name, as in the code.
+    pub name: &'static str,
     /// The largest disagreement that counts as agreement (dimensionless).
     pub value: f64,
     /// Where this number comes from.

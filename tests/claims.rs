@@ -128,22 +128,19 @@ fn points(entry: &Entry) -> String {
     measured.map(line).collect()
 }
 
-/// The tolerances that are looser, by their reasons, with the worst disagreement of the trials that agree within them.
+/// The tolerances that are looser, by their names, with the worst disagreement of the trials that agree within them.
 fn stale_tolerances(ledger: &Ledger) -> Vec<String> {
-    let mut worst = BTreeMap::<(&str, u64), f64>::new();
+    let mut worst = BTreeMap::<&str, (f64, f64)>::new();
     let evidence = ledger.entries.iter().flat_map(|entry| &entry.evidence);
     for e in evidence.filter(|e| !e.route.is_proof() && e.outcome() == Outcome::Agrees) {
-        let key = (e.tolerance.reason, e.tolerance.value.to_bits());
-        let so_far = worst.entry(key).or_default();
-        *so_far = so_far.max(e.worst);
+        let (tolerance, so_far) = worst.entry(e.tolerance.name).or_default();
+        (*tolerance, *so_far) = (e.tolerance.value, so_far.max(e.worst));
     }
     let loose = worst
         .into_iter()
-        .filter(|((_, bits), worst)| f64::from_bits(*bits) > SLACK * worst);
+        .filter(|(_, (tolerance, worst))| *tolerance > SLACK * worst);
     loose
-        .map(|((reason, bits), worst)| {
-            format!("{:e} for {worst:e}: {reason}", f64::from_bits(bits))
-        })
+        .map(|(name, (tolerance, worst))| format!("{name}: {tolerance:e} for {worst:e}"))
         .collect()
 }
 

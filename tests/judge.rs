@@ -14,6 +14,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         worst,
         at: "x = 1".into(),
         tolerance: Tolerance {
+            name: "EXAMPLE",
             value: 1e-12,
             reason: "test",
         },

@@ -7,7 +7,7 @@ use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
 use crate::claims::measured::{MEASURED, Measured};
 use crate::claims::variants::{SURVIVORS, Survivor};
-use crate::evidence::{Kind, Route};
+use crate::evidence::{Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -214,18 +214,18 @@ pub(super) fn routes(ledger: &Ledger) -> String {
 
 /// The tolerances in use, each with its reason.
 pub(super) fn tolerances(filler: &Filler<'_>) -> Result<String, Fault> {
-    let mut uses: BTreeMap<(u64, &str), usize> = BTreeMap::new();
+    let mut uses: BTreeMap<&str, (Tolerance, usize)> = BTreeMap::new();
     let entries = &filler.ledger().entries;
     for evidence in entries.iter().flat_map(|entry| &entry.evidence) {
         let tolerance = evidence.tolerance;
-        // The bits of positive numbers are in the order of the numbers.
-        let key = (tolerance.value.to_bits(), tolerance.reason);
-        *uses.entry(key).or_default() += 1;
+        uses.entry(tolerance.name).or_insert((tolerance, 0)).1 += 1;
     }
+    let mut uses: Vec<_> = uses.into_values().collect();
+    uses.sort_by(|(a, _), (b, _)| a.value.total_cmp(&b.value));
     let mut rows = Vec::new();
-    for ((bits, reason), trials) in uses {
-        let reason = filler.maths().words(reason)?;
-        rows.push([size(f64::from_bits(bits)), reason, count(trials)]);
+    for (tolerance, trials) in uses {
+        let reason = filler.maths().words(tolerance.reason)?;
+        rows.push([size(tolerance.value), reason, count(trials)]);
     }
     Ok(table("tolerances", ["Tolerance", "Reason", "Trials"], rows))
 }

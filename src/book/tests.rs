@@ -45,6 +45,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         worst,
         at: "λ = 0.5, θ₀ < 1 & v|0 = 2".into(),
         tolerance: Tolerance {
+            name: "EXAMPLE",
             value: 1e-10,
             reason: "ten digits of <both>",
         },

@@ -59,6 +59,8 @@ pub struct EvidenceRow<'a> {
     pub worst: f64,
     /// The largest disagreement that counts as agreement.
     pub tolerance: f64,
+    /// The tolerance's name in the code.
+    pub tolerance_name: &'a str,
     /// Where the tolerance comes from.
     pub reason: &'a str,
     /// The title of a proof; nothing for a measurement.
@@ -104,6 +106,7 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
         points: e.points,
         worst: e.worst,
         tolerance: e.tolerance.value,
+        tolerance_name: e.tolerance.name,
         reason: e.tolerance.reason,
         title: Some(e.title.as_str()).filter(|title| !title.is_empty()),
         proof: e.proof_words(),
