@@ -6,7 +6,7 @@ use slipbook::certified::interval::Interval;
 use slipbook::certified::jet::over;
 use slipbook::certified::turntable::{self, fate_launched, fate_put_down};
 use slipbook::certified::values::{find, values};
-use slipbook::claims::anisotropic::runs::{curve_a, curve_b, curve_e, touching};
+use slipbook::claims::anisotropic::simulated::{curve_a, curve_b, curve_e, touching};
 use slipbook::corrections::escape;
 use slipbook::motion::drive::{Drive, Friction, Sign, State};
 use slipbook::motion::turntable::{Fate, Start, fate};

@@ -1,7 +1,7 @@
 //! What the explorers show: the module in the pages gives the crate's own numbers, and these agree with what the claims
 //! found elsewhere.
 
-use slipbook::claims::anisotropic::runs::Curves;
+use slipbook::claims::anisotropic::simulated::Curves;
 use slipbook::explorers::{Answer, anisotropic, answer, constant, sphere, turntable};
 use slipbook::motion::drive::Sign;
 use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};

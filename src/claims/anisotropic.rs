@@ -6,12 +6,12 @@ mod corners;
 mod curves;
 pub mod drawn;
 pub mod exact;
+mod frictions;
 mod mirror;
 pub mod panels;
 mod regions;
 pub mod rows;
-pub mod runs;
-mod setup;
+pub mod simulated;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
@@ -59,7 +59,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-21"],
-        trials: trials![&exact::DEFINED, setup::eq47],
+        trials: trials![&exact::DEFINED, frictions::eq47],
         ..Claim::BLANK
     },
     Claim {
@@ -75,7 +75,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-21"],
-        trials: trials![&exact::DEFINED, setup::eq48],
+        trials: trials![&exact::DEFINED, frictions::eq48],
         ..Claim::BLANK
     },
     Claim {
@@ -87,7 +87,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_+=\lambda_0",
         plain: "λ₊ = λ₀",
         depends_on: &["eq-47"],
-        trials: trials![&exact::DEFINED, setup::eq49],
+        trials: trials![&exact::DEFINED, frictions::eq49],
         ..Claim::BLANK
     },
     Claim {
@@ -99,7 +99,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_-=q \lambda_0",
         plain: "λ₋ = q λ₀",
         depends_on: &["eq-48", "eq-49"],
-        trials: trials![&exact::DEFINED, setup::eq50],
+        trials: trials![&exact::DEFINED, frictions::eq50],
         ..Claim::BLANK
     },
     Claim {
@@ -115,7 +115,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26", "eq-49"],
-        trials: trials![&exact::EQ51, setup::eq51_quadrature],
+        trials: trials![&exact::EQ51, frictions::eq51_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -131,7 +131,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-26", "eq-50"],
-        trials: trials![&exact::EQ52, setup::eq52_quadrature],
+        trials: trials![&exact::EQ52, frictions::eq52_quadrature],
         ..Claim::BLANK
     },
     Claim {

@@ -3,11 +3,11 @@
 //! The words are ours; the two numbers in them are computed, the stated one from the printed formula, the found one
 //! from the motion. The judge reads none of this.
 
-use super::anisotropic::runs::{self as drift, Curves};
+use super::anisotropic::simulated::{self as drift, Curves};
 use super::compare::Failure;
-use super::escape::laws::{self, Quantity};
-use super::escape::runs::escapes;
-use super::sinusoidal::runs::{ORIGIN, drive, settled};
+use super::escape::escapes::escapes;
+use super::escape::growth::{self, Quantity};
+use super::sinusoidal::settled::{ORIGIN, drive, settled};
 use super::values::boundary_example;
 use crate::motion::drive::{PlanarState, Sign};
 use crate::motion::sphere::{Ball, Motion, Sphere};
@@ -154,8 +154,8 @@ pub static CASES: [ByHand; 19] = [
         reason: "$\\psi$ is put at $\\psi_1$, where $\\dot\\psi=0$. But $\\psi_1$ moves as fast as $\\psi$ relaxes, and $\\cos\\psi$ stays $\\sqrt2$ times as large as $\\cos\\psi_1$",
         case: "At late times $\\mathrm e^{2\\alpha}=\\sqrt2\\,\\tau$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$ (from the laboratory, see (136) and (132)). Then $1/\\cosh2\\alpha=\\sqrt2/\\tau$ and $\\cosh\\alpha/A=\\frac32/\\tau$. The printed right-hand side is $(\\sqrt2-\\frac32)/\\tau={stated}/\\tau$: $\\alpha$ would fall. In the motion $\\dot\\alpha={found}/\\tau$: it grows",
         digits: 4,
-        stated: || late(laws::eq128),
-        found: || late(laws::alpha_rate),
+        stated: || late(growth::eq128),
+        found: || late(growth::alpha_rate),
     },
     ByHand {
         claim: "eq-129",
@@ -163,7 +163,7 @@ pub static CASES: [ByHand; 19] = [
         case: "At late times $\\cosh\\alpha=\\frac12 2^{1/4}\\tau^{1/2}$, $\\cosh2\\alpha=\\tau/\\sqrt2$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, so that $\\cosh\\alpha\\cosh2\\alpha/A=\\frac3{2\\sqrt2}$. Printed: {stated}. In the motion: {found}",
         digits: 4,
         stated: || Ok(1.0),
-        found: || late(laws::product),
+        found: || late(growth::product),
     },
     ByHand {
         claim: "eq-130",
@@ -171,7 +171,7 @@ pub static CASES: [ByHand; 19] = [
         case: "$\\alpha-\\frac13\\ln A$ tends to $\\frac13\\ln4={stated}$ as printed. With $\\mathrm e^{2\\alpha}=\\sqrt2\\,\\tau$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$ it is $\\frac13\\ln(3\\sqrt2)$. In the motion: {found}",
         digits: 4,
         stated: || Ok(escape::eq130_alpha(1.0)),
-        found: || late(laws::alpha_by_a),
+        found: || late(growth::alpha_by_a),
     },
     ByHand {
         claim: "eq-131",
@@ -179,15 +179,15 @@ pub static CASES: [ByHand; 19] = [
         case: "$\\dot A/A^{1/3}$ tends to $\\frac12 4^{1/3}={stated}$ as printed. With $A=\\frac13 2^{1/4}\\tau^{3/2}$ it is $\\frac12(3\\sqrt2)^{1/3}$. In the motion: {found}",
         digits: 4,
         stated: || Ok(escape::eq131_a_rate(1.0)),
-        found: || late(laws::a_rate),
+        found: || late(growth::a_rate),
     },
     ByHand {
         claim: "eq-132",
         reason: "It is the integral of (131). The power is right, the factor is not",
         case: "By (104) $A^2/2=s$ up to a constant, and $s=\\int p\\,\\mathrm d\\tau=\\tau^3/(9\\sqrt2)$, see (136). So $A/\\tau^{3/2}$ tends to $\\frac13 2^{1/4}$. Printed: {stated}. In the motion: {found}",
         digits: 4,
-        stated: || Ok(laws::printed_size()),
-        found: || late(laws::size),
+        stated: || Ok(growth::printed_size()),
+        found: || late(growth::size),
     },
     ByHand {
         claim: "eq-133",
@@ -195,7 +195,7 @@ pub static CASES: [ByHand; 19] = [
         case: "$\\mathrm e^\\alpha=2p/A$ at large $\\alpha$. With $p=\\tau^2/(3\\sqrt2)$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, $\\alpha-\\frac12\\ln\\tau$ tends to $\\frac12\\ln\\sqrt2$. Printed: $\\frac12\\ln\\frac43={stated}$. In the motion: {found}",
         digits: 4,
         stated: || Ok(escape::eq133_alpha(1.0)),
-        found: || late(laws::excess),
+        found: || late(growth::excess),
     },
     ByHand {
         claim: "eq-134",
@@ -203,15 +203,15 @@ pub static CASES: [ByHand; 19] = [
         case: "By (108) $\\dot\\rho=p\\cos\\psi$. If $p=\\rho=c\\tau^2$, then $2c\\tau=c\\tau^2\\cos\\psi$, whatever $c$ is: $\\cos\\psi=2/\\tau$. At $\\tau=1200$ that is an angle of $1/600$ short of $\\pi/2$. Printed: {stated}. By the motion's limit: {found}",
         digits: 5,
         stated: || Ok(escape::eq134_lag(1200.0)),
-        found: || Ok(late(laws::lag)? / 1200.0),
+        found: || Ok(late(growth::lag)? / 1200.0),
     },
     ByHand {
         claim: "eq-135",
         reason: "It is (111) with (132) and (133) put in. The power is right, the factor is not",
         case: "In the laboratory friction is the only force, of size 1, across the position at late times. With $\\rho=p=c\\tau^2$ and the direction $\\vartheta$, the law along the position is $\\ddot\\rho=\\rho\\dot\\vartheta^2$, so $\\dot\\vartheta=\\sqrt2/\\tau$; across it, $\\rho\\ddot\\vartheta+2\\dot\\rho\\dot\\vartheta=3\\sqrt2\\,c$ must be the friction. The printed $c=\\frac29$ needs a friction of {stated}; it is {found}",
         digits: 4,
-        stated: || Ok(3.0 * SQRT_2 * laws::printed_speed()),
-        found: || Ok(3.0 * SQRT_2 * late(laws::speed)?),
+        stated: || Ok(3.0 * SQRT_2 * growth::printed_speed()),
+        found: || Ok(3.0 * SQRT_2 * late(growth::speed)?),
     },
     ByHand {
         claim: "eq-136",
@@ -219,7 +219,7 @@ pub static CASES: [ByHand; 19] = [
         case: "In the laboratory friction is the only force, of size 1, across the position at late times. With $\\rho=c\\tau^2$ and the direction $\\vartheta$, $\\ddot\\rho=\\rho\\dot\\vartheta^2$ gives $\\dot\\vartheta=\\sqrt2/\\tau$, and $\\rho\\ddot\\vartheta+2\\dot\\rho\\dot\\vartheta=1$ gives $3\\sqrt2\\,c=1$. Printed: $c={stated}$. In the motion: $c={found}$",
         digits: 4,
         stated: || Ok(escape::eq136_rho(1.0)),
-        found: || late(laws::distance),
+        found: || late(growth::distance),
     },
     ByHand {
         claim: "eq-137",
@@ -227,7 +227,7 @@ pub static CASES: [ByHand; 19] = [
         case: "$s=\\int p\\,\\mathrm d\\tau$ is a third of $c\\tau^3$, with the $c$ of (136): $s/\\tau^3$ tends to $1/(9\\sqrt2)$. Printed: {stated}. In the motion: {found}",
         digits: 5,
         stated: || Ok(escape::eq137_s(1.0)),
-        found: || late(laws::way),
+        found: || late(growth::way),
     },
     ByHand {
         claim: "s4-envelope-is-boundary",
@@ -242,7 +242,7 @@ pub static CASES: [ByHand; 19] = [
 /// The limit of a quantity of an escape, which does not depend on the start.
 fn late(quantity: Quantity) -> Result<f64, Failure> {
     let escape = escapes().next().ok_or("no escape")??;
-    Ok(laws::limit(escape, quantity)?.value)
+    Ok(growth::limit(escape, quantity)?.value)
 }
 
 /// The factor by which ln v_y grows in a period at friction 1/π.

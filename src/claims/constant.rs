@@ -1,14 +1,14 @@
 //! Constant acceleration: the claims.
 
+mod definitions;
+pub mod drawn;
 pub mod exact;
+mod extremes;
 mod hodograph;
 mod incline;
+mod launches;
 mod limits;
-pub mod portrait;
-mod runs;
-mod setup;
 mod time;
-mod words;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
@@ -48,7 +48,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A>0$, constant",
             stated: true,
         }],
-        trials: trials![&exact::DEFINED, setup::eq3],
+        trials: trials![&exact::DEFINED, definitions::eq3],
         ..Claim::BLANK
     },
     Claim {
@@ -59,7 +59,7 @@ const CLAIMS: &[Claim] = &[
         title: "the velocity by speed and angle",
         latex: r"\bm{v}=v (\hat{\bm{x}} \cos\theta+\hat{\bm{y}} \sin\theta)",
         plain: "𝐯 = v (x̂ cos θ + ŷ sin θ)",
-        trials: trials![&exact::DEFINED, setup::eq4],
+        trials: trials![&exact::DEFINED, definitions::eq4],
         ..Claim::BLANK
     },
     Claim {
@@ -71,7 +71,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda=\frac{\mu g}{A}",
         plain: "λ = μ g / A",
         depends_on: &["eq-3"],
-        trials: trials![&exact::DEFINED, setup::eq5],
+        trials: trials![&exact::DEFINED, definitions::eq5],
         ..Claim::BLANK
     },
     Claim {
@@ -370,9 +370,9 @@ const CLAIMS: &[Claim] = &[
             stated: false,
         }],
         trials: trials![
-            words::small_friction_limit,
-            words::small_friction_census,
-            words::small_friction_outside
+            extremes::small_friction_limit,
+            extremes::small_friction_census,
+            extremes::small_friction_outside
         ],
         ..Claim::BLANK
     },
@@ -407,9 +407,9 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ20_WITHIN,
             limits::eq20_motion,
             limits::eq20_quadrature,
-            words::large_friction_limit,
-            words::large_friction_turns,
-            words::large_friction_outside
+            extremes::large_friction_limit,
+            extremes::large_friction_turns,
+            extremes::large_friction_outside
         ],
         ..Claim::BLANK
     },
@@ -435,7 +435,7 @@ const CLAIMS: &[Claim] = &[
             "s21-small-friction-aligns",
             "s21-large-friction-stops",
         ],
-        trials: trials![portrait::points, portrait::ends],
+        trials: trials![drawn::points, drawn::ends],
         ..Claim::BLANK
     },
 ];

@@ -1,10 +1,10 @@
 //! The turntable: escape: the claims.
 
+pub mod escapes;
 pub mod exact;
-pub mod laws;
-pub mod runs;
+pub mod growth;
+pub mod onset;
 pub mod straight;
-pub mod words;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
@@ -126,7 +126,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dα/dτ ≈ 1 − 1/A",
         conditions: SMALL_ALPHA,
         depends_on: &["eq-114", "eq-124", "s4-quasi-fixed-stability"],
-        trials: trials![&exact::EQ126, words::eq126_relaxed, words::eq126_order],
+        trials: trials![&exact::EQ126, onset::eq126_relaxed, onset::eq126_order],
         ..Claim::BLANK
     },
     Claim {
@@ -139,7 +139,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A > 1",
         conditions: INNER,
         depends_on: &["eq-111", "eq-112"],
-        trials: trials![words::above_one_census, words::eq127_root],
+        trials: trials![onset::above_one_census, onset::eq127_root],
         ..Claim::BLANK
     },
     Claim {
@@ -157,7 +157,11 @@ const CLAIMS: &[Claim] = &[
             latex: r"\dot\alpha\simeq\frac{\sqrt2}{\cosh(2\alpha)}-\frac{\cosh\alpha}{A}",
             plain: "dα/dτ ≃ √2/cosh(2α) − (cosh α)/A",
         }),
-        trials: trials![laws::eq128_limit, &exact::EQ128, laws::corrected128_limit],
+        trials: trials![
+            growth::eq128_limit,
+            &exact::EQ128,
+            growth::corrected128_limit
+        ],
     },
     Claim {
         id: "eq-129",
@@ -174,7 +178,11 @@ const CLAIMS: &[Claim] = &[
             latex: r"(\cosh\alpha)\cosh(2\alpha)\simeq\frac{3\sqrt2}{4}A",
             plain: "cosh α cosh(2α) ≃ (3√2/4) A",
         }),
-        trials: trials![laws::eq129_limit, &exact::EQ129, laws::corrected129_limit],
+        trials: trials![
+            growth::eq129_limit,
+            &exact::EQ129,
+            growth::corrected129_limit
+        ],
     },
     Claim {
         id: "eq-130",
@@ -191,7 +199,11 @@ const CLAIMS: &[Claim] = &[
             latex: r"\alpha\simeq\frac{1}{3}\ln(3\sqrt2 A)",
             plain: "α ≃ (1/3) ln(3√2 A)",
         }),
-        trials: trials![laws::eq130_limit, &exact::EQ130, laws::corrected130_limit],
+        trials: trials![
+            growth::eq130_limit,
+            &exact::EQ130,
+            growth::corrected130_limit
+        ],
     },
     Claim {
         id: "eq-131",
@@ -208,7 +220,11 @@ const CLAIMS: &[Claim] = &[
             latex: r"\dot A\simeq\frac{(3\sqrt2 A)^{1/3}}{2}",
             plain: "dA/dτ ≃ (3√2 A)^(1/3)/2",
         }),
-        trials: trials![laws::eq131_limit, &exact::EQ131, laws::corrected131_limit],
+        trials: trials![
+            growth::eq131_limit,
+            &exact::EQ131,
+            growth::corrected131_limit
+        ],
     },
     Claim {
         id: "eq-132",
@@ -226,11 +242,11 @@ const CLAIMS: &[Claim] = &[
             plain: "A ~ (2^(1/4)/3) τ^(3/2) [1 − (9√2/8) (ln τ)/τ + ⋯]",
         }),
         trials: trials![
-            laws::eq132_limit,
-            laws::eq132_exponent,
+            growth::eq132_limit,
+            growth::eq132_exponent,
             &exact::EQ132,
-            laws::corrected132_limit,
-            laws::corrected132_delay
+            growth::corrected132_limit,
+            growth::corrected132_delay
         ],
     },
     Claim {
@@ -248,7 +264,11 @@ const CLAIMS: &[Claim] = &[
             latex: r"\alpha=\frac12\ln(\sqrt2\tau)+o(1)",
             plain: "α = (1/2) ln(√2 τ) + o(1)",
         }),
-        trials: trials![laws::eq133_limit, &exact::EQ133, laws::corrected133_limit],
+        trials: trials![
+            growth::eq133_limit,
+            &exact::EQ133,
+            growth::corrected133_limit
+        ],
     },
     Claim {
         id: "eq-134",
@@ -266,12 +286,12 @@ const CLAIMS: &[Claim] = &[
             plain: "ψ ~ π/2 − (2/τ) [1 + (3√2/4) (ln τ)/τ + ⋯]",
         }),
         trials: trials![
-            laws::eq134_exponent,
-            laws::eq134_limit,
+            growth::eq134_exponent,
+            growth::eq134_limit,
             &exact::EQ134,
-            laws::corrected134_exponent,
-            laws::corrected134_limit,
-            laws::corrected134_delay
+            growth::corrected134_exponent,
+            growth::corrected134_limit,
+            growth::corrected134_delay
         ],
     },
     Claim {
@@ -290,11 +310,11 @@ const CLAIMS: &[Claim] = &[
             plain: "p ~ (τ²/(3√2)) [1 − (3√2/2) (ln τ)/τ + ⋯]",
         }),
         trials: trials![
-            laws::eq135_limit,
-            laws::eq135_exponent,
+            growth::eq135_limit,
+            growth::eq135_exponent,
             &exact::EQ135,
-            laws::corrected135_limit,
-            laws::corrected135_delay
+            growth::corrected135_limit,
+            growth::corrected135_delay
         ],
     },
     Claim {
@@ -313,11 +333,11 @@ const CLAIMS: &[Claim] = &[
             plain: "ρ ~ (τ²/(3√2)) [1 − (3√2/2) (ln τ)/τ + ⋯]",
         }),
         trials: trials![
-            laws::eq136_limit,
-            laws::eq136_exponent,
+            growth::eq136_limit,
+            growth::eq136_exponent,
             &exact::EQ136,
-            laws::corrected136_limit,
-            laws::corrected136_delay
+            growth::corrected136_limit,
+            growth::corrected136_delay
         ],
     },
     Claim {
@@ -336,11 +356,11 @@ const CLAIMS: &[Claim] = &[
             plain: "s ~ (τ³/(9√2)) [1 − (9√2/4) (ln τ)/τ + ⋯]",
         }),
         trials: trials![
-            laws::eq137_limit,
-            laws::eq137_exponent,
+            growth::eq137_limit,
+            growth::eq137_exponent,
             &exact::EQ137,
-            laws::corrected137_limit,
-            laws::corrected137_delay
+            growth::corrected137_limit,
+            growth::corrected137_delay
         ],
     },
     Claim {
@@ -353,7 +373,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A²/2 ~ s",
         conditions: ESCAPING_LATE,
         depends_on: &["eq-104", "eq-132", "eq-137"],
-        trials: trials![&exact::EQ138, laws::eq138_limit],
+        trials: trials![&exact::EQ138, growth::eq138_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -364,7 +384,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A never decreases, and grows without end unless α → 0.",
         conditions: INNER,
         depends_on: &["eq-113"],
-        trials: trials![words::never_decreases_way, words::never_decreases_census],
+        trials: trials![onset::never_decreases_way, onset::never_decreases_census],
         ..Claim::BLANK
     },
     Claim {
@@ -376,9 +396,9 @@ const CLAIMS: &[Claim] = &[
         conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-115", "eq-124", "eq-126"],
         trials: trials![
-            words::small_alpha_angle,
-            words::small_alpha_rate,
-            words::small_alpha_straight
+            onset::small_alpha_angle,
+            onset::small_alpha_rate,
+            onset::small_alpha_straight
         ],
         ..Claim::BLANK
     },
@@ -391,10 +411,10 @@ const CLAIMS: &[Claim] = &[
         conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-126", "eq-127", "s4-A-never-decreases", "s4-small-alpha"],
         trials: trials![
-            words::above_one_within,
-            words::a_grows,
-            words::straight_stops,
-            words::straight_rate
+            onset::above_one_within,
+            onset::a_grows,
+            onset::straight_stops,
+            onset::straight_rate
         ],
         ..Claim::BLANK
     },
@@ -406,7 +426,7 @@ const CLAIMS: &[Claim] = &[
         plain: "If A > 1 at the start, α grows without end, like A.",
         conditions: INNER,
         depends_on: &["eq-128", "s4-escape-if-A-above-1"],
-        trials: trials![words::alpha_grows, words::alpha_census],
+        trials: trials![onset::alpha_grows, onset::alpha_census],
         ..Claim::BLANK
     },
 ];

@@ -1,9 +1,9 @@
 //! Sliding on an accelerating plane: the claims.
 
+mod examples;
 pub mod law;
 mod planes;
-mod runs;
-mod words;
+mod properties;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Topic};
@@ -70,7 +70,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"If the largest value of $\lvert\bm{A}\rvert$ is below $\mu g$, the speed falls and the particle is at rest after a finite time.",
         plain: "If max |𝐀| < μ g, the speed falls and the particle is at rest after a finite time.",
         depends_on: &["eq-2"],
-        trials: trials![words::stops_census, words::stops_integration],
+        trials: trials![properties::stops_census, properties::stops_integration],
         ..Claim::BLANK
     },
     Claim {
@@ -85,9 +85,9 @@ const CLAIMS: &[Claim] = &[
             stated: false,
         }],
         trials: trials![
-            words::rest_census,
-            words::rest_integration,
-            words::rest_outside
+            properties::rest_census,
+            properties::rest_integration,
+            properties::rest_outside
         ],
         ..Claim::BLANK
     },
@@ -103,9 +103,9 @@ const CLAIMS: &[Claim] = &[
             stated: false,
         }],
         trials: trials![
-            words::grows_census,
-            words::grows_integration,
-            words::grows_outside
+            properties::grows_census,
+            properties::grows_integration,
+            properties::grows_outside
         ],
         ..Claim::BLANK
     },
@@ -117,10 +117,10 @@ const CLAIMS: &[Claim] = &[
         plain: "If 𝐀 has a fixed direction, the part 𝐯⊥ of the velocity across it shrinks; if |𝐀| is bounded as well, 𝐯⊥ → 0 at large times.",
         depends_on: &["eq-1"],
         trials: trials![
-            words::across_census,
-            words::across_quadrature,
-            words::across_limit,
-            words::across_integration
+            properties::across_census,
+            properties::across_quadrature,
+            properties::across_limit,
+            properties::across_integration
         ],
         ..Claim::BLANK
     },

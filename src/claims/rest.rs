@@ -1,11 +1,11 @@
 //! The turntable: rest: the claims.
 
+pub mod approach;
 pub mod boundary;
 pub mod certified;
 pub mod exact;
-pub mod near;
-pub mod runs;
-pub mod words;
+pub mod radius;
+pub mod stops;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
@@ -97,7 +97,7 @@ const CLAIMS: &[Claim] = &[
         plain: "σ ≤ 1",
         conditions: AT_REST,
         depends_on: &["eq-89"],
-        trials: trials![&exact::EQ139, words::eq139_nudge, words::eq139_stays],
+        trials: trials![&exact::EQ139, radius::eq139_nudge, radius::eq139_stays],
         ..Claim::BLANK
     },
     Claim {
@@ -111,12 +111,12 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-114", "eq-115", "eq-139"],
         trials: trials![
-            &exact::near::EQ140,
-            near::eq140_motion,
-            near::eq140_order,
-            near::eq140_straight,
-            near::corrected140,
-            near::eq140_at_one
+            &exact::series::EQ140,
+            approach::eq140_motion,
+            approach::eq140_order,
+            approach::eq140_straight,
+            approach::corrected140,
+            approach::eq140_at_one
         ],
         ..Claim::BLANK
     },
@@ -131,12 +131,12 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_CLOCK,
         depends_on: &["eq-140"],
         trials: trials![
-            &exact::near::EQ141,
-            near::eq141_motion,
-            near::eq141_order,
-            near::eq141_straight,
-            near::eq141_at_one,
-            near::eq141_clock
+            &exact::series::EQ141,
+            approach::eq141_motion,
+            approach::eq141_order,
+            approach::eq141_straight,
+            approach::eq141_at_one,
+            approach::eq141_clock
         ],
         ..Claim::BLANK
     },
@@ -151,11 +151,11 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-115", "eq-140"],
         trials: trials![
-            &exact::near::EQ142,
-            near::eq142_motion,
-            near::eq142_order,
-            near::eq142_straight,
-            near::eq142_at_one
+            &exact::series::EQ142,
+            approach::eq142_motion,
+            approach::eq142_order,
+            approach::eq142_straight,
+            approach::eq142_at_one
         ],
         ..Claim::BLANK
     },
@@ -170,14 +170,14 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TWO_TERMS,
         depends_on: &["eq-142"],
         trials: trials![
-            &exact::near::EQ143,
-            near::eq143_constant,
-            near::eq143_exponent,
-            near::eq143_small_sigma,
-            near::eq143_large_sigma,
-            near::eq143_one_half,
-            near::eq143_straight,
-            near::eq143_regular
+            &exact::series::EQ143,
+            approach::eq143_constant,
+            approach::eq143_exponent,
+            approach::eq143_small_sigma,
+            approach::eq143_large_sigma,
+            approach::eq143_one_half,
+            approach::eq143_straight,
+            approach::eq143_regular
         ],
         ..Claim::BLANK
     },
@@ -192,11 +192,11 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-113", "eq-140"],
         trials: trials![
-            &exact::near::EQ144,
-            near::eq144_motion,
-            near::eq144_order,
-            near::eq144_straight,
-            near::eq144_at_one
+            &exact::series::EQ144,
+            approach::eq144_motion,
+            approach::eq144_order,
+            approach::eq144_straight,
+            approach::eq144_at_one
         ],
         ..Claim::BLANK
     },
@@ -211,11 +211,11 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-144"],
         trials: trials![
-            &exact::near::EQ145,
-            near::eq145_motion,
-            near::eq145_order,
-            near::eq145_straight,
-            near::eq145_at_one
+            &exact::series::EQ145,
+            approach::eq145_motion,
+            approach::eq145_order,
+            approach::eq145_straight,
+            approach::eq145_at_one
         ],
         ..Claim::BLANK
     },
@@ -256,7 +256,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"A particle can stay at rest at $\rho=\sigma$ only if $\sigma\le1$: farther out the centrifugal force exceeds the greatest static friction.",
         plain: "A particle can stay at rest at ρ = σ only if σ ≤ 1: farther out the centrifugal force exceeds the greatest static friction.",
         depends_on: &["eq-139"],
-        trials: trials![&exact::EQ139, words::eq139_stays, words::resting_places],
+        trials: trials![&exact::EQ139, radius::eq139_stays, radius::resting_places],
         ..Claim::BLANK
     },
     Claim {
@@ -268,10 +268,10 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-140", "eq-141", "eq-142", "eq-143", "eq-144", "eq-145"],
         conditions: &[TO_ZERO],
         trials: trials![
-            near::near_rest_angle,
-            near::near_rest_census,
-            near::near_rest_straight,
-            near::corrected_near_rest
+            approach::near_rest_angle,
+            approach::near_rest_census,
+            approach::near_rest_straight,
+            approach::corrected_near_rest
         ],
         ..Claim::BLANK
     },

@@ -3,15 +3,15 @@
 mod across;
 pub mod certified;
 mod decay;
+pub mod drawn;
 pub mod exact;
+mod kinds;
 mod periodic;
 mod phases;
-pub mod pictures;
-pub(super) mod runs;
-mod setup;
+pub(super) mod settled;
 mod slip;
 mod threshold;
-mod words;
+mod units;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
@@ -50,7 +50,7 @@ const CLAIMS: &[Claim] = &[
             text: "$A_0>0$",
             stated: true,
         }],
-        trials: trials![&exact::DEFINITIONS, setup::eq21],
+        trials: trials![&exact::DEFINITIONS, units::eq21],
         ..Claim::BLANK
     },
     Claim {
@@ -62,7 +62,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\lambda_0=\frac{\mu g}{A_0}",
         plain: "λ₀ = μ g / A₀",
         depends_on: &["eq-21"],
-        trials: trials![&exact::DEFINITIONS, setup::eq22],
+        trials: trials![&exact::DEFINITIONS, units::eq22],
         ..Claim::BLANK
     },
     Claim {
@@ -74,7 +74,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\phi=\varpi t",
         plain: "φ = ϖ t",
         depends_on: &["eq-21"],
-        trials: trials![&exact::DEFINITIONS, setup::eq23],
+        trials: trials![&exact::DEFINITIONS, units::eq23],
         ..Claim::BLANK
     },
     Claim {
@@ -86,7 +86,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\mathfrak{w}=\frac{\varpi v_x}{A_0}",
         plain: "w = ϖ v_x / A₀",
         depends_on: &["eq-21"],
-        trials: trials![&exact::DEFINITIONS, setup::eq24],
+        trials: trials![&exact::DEFINITIONS, units::eq24],
         ..Claim::BLANK
     },
     Claim {
@@ -102,7 +102,7 @@ const CLAIMS: &[Claim] = &[
             stated: true,
         }],
         depends_on: &["eq-22"],
-        trials: trials![&exact::EQ25, setup::eq25_motion, setup::eq25_census],
+        trials: trials![&exact::EQ25, units::eq25_motion, units::eq25_census],
         ..Claim::BLANK
     },
     Claim {
@@ -131,7 +131,7 @@ const CLAIMS: &[Claim] = &[
             "eq-24",
             "s22-vy-vanishes",
         ],
-        trials: trials![&exact::EQ26, setup::eq26_quadrature],
+        trials: trials![&exact::EQ26, units::eq26_quadrature],
         ..Claim::BLANK
     },
     Claim {
@@ -446,7 +446,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $A_0<\mu g$, $v_x$ too vanishes at large times.",
         plain: "For A₀ < μ g, v_x too vanishes at large times.",
         depends_on: &["s2-stops-if-weak", "eq-21"],
-        trials: trials![words::weak_drive_motion, words::weak_drive_census],
+        trials: trials![kinds::weak_drive_motion, kinds::weak_drive_census],
         ..Claim::BLANK
     },
     Claim {
@@ -496,7 +496,7 @@ const CLAIMS: &[Claim] = &[
         latex: "$v_x$ against time for one initial $v_x$ and several initial $v_y$.",
         plain: "v_x against time for one initial v_x and several initial v_y.",
         depends_on: &["eq-1", "eq-21", "s22-attractor-ignores-vy"],
-        trials: trials![pictures::fig2_motion, pictures::fig2_limit],
+        trials: trials![drawn::fig2_motion, drawn::fig2_limit],
         ..Claim::BLANK
     },
     Claim {
@@ -568,7 +568,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda_0<\lambda_\mathrm{c}$ no periodic motion vanishes on an interval.",
         plain: "For λ₀ < λ_c no periodic motion vanishes on an interval.",
         depends_on: &["eq-26", "eq-32", "eq-36", "s22-rest-ends"],
-        trials: trials![words::no_rest_census, words::no_rest_motion],
+        trials: trials![kinds::no_rest_census, kinds::no_rest_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -586,9 +586,9 @@ const CLAIMS: &[Claim] = &[
         ],
         conditions: &[SOME_FRICTION],
         trials: trials![
-            words::trichotomy_census,
-            words::trichotomy_motion,
-            words::trichotomy_outside
+            kinds::trichotomy_census,
+            kinds::trichotomy_motion,
+            kinds::trichotomy_outside
         ],
         ..Claim::BLANK
     },
@@ -600,7 +600,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$, that is (38) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.8$.",
         plain: "w(φ) over two periods for λ₀ = 1/π, that is (38) for φ from 0 to 4π; the axis of w bears the mark 0.8.",
         depends_on: &["eq-38", "eq-39"],
-        trials: trials![pictures::fig3_motion, pictures::fig3_frame],
+        trials: trials![drawn::fig3_motion, drawn::fig3_frame],
         ..Claim::BLANK
     },
     Claim {
@@ -611,7 +611,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$, that is (33) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.3$.",
         plain: "w(φ) over two periods for λ₀ = 1/√2, that is (33) for φ from 0 to 4π; the axis of w bears the mark 0.3.",
         depends_on: &["eq-33"],
-        trials: trials![pictures::fig4_motion, pictures::fig4_frame],
+        trials: trials![drawn::fig4_motion, drawn::fig4_frame],
         ..Claim::BLANK
     },
 ];

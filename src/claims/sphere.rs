@@ -1,14 +1,14 @@
 //! A sphere that slips and rolls: the claims.
 
 mod angle;
+mod definitions;
 pub mod drawn;
 mod driven;
+mod every_drive;
 pub mod exact;
-mod laws;
 mod rates;
-mod runs;
 mod scaling;
-mod words;
+mod spheres;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Correction, Topic};
@@ -99,7 +99,7 @@ const CLAIMS: &[Claim] = &[
         title: "Newton's law for the centre",
         latex: r"m \frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-m \bm{A}+\bm{F}",
         plain: "m d²𝐫/dt² = −m 𝐀 + 𝐅",
-        trials: trials![&exact::EQ59, laws::eq59],
+        trials: trials![&exact::EQ59, definitions::eq59],
         ..Claim::BLANK
     },
     Claim {
@@ -110,7 +110,7 @@ const CLAIMS: &[Claim] = &[
         title: "Newton's law for the spin",
         latex: r"I \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=\bm{R}\times\bm{F}",
         plain: "I d𝛚/dt = 𝐑 × 𝐅",
-        trials: trials![&exact::EQ60, laws::eq60],
+        trials: trials![&exact::EQ60, definitions::eq60],
         ..Claim::BLANK
     },
     Claim {
@@ -121,7 +121,7 @@ const CLAIMS: &[Claim] = &[
         title: "from the centre to the contact",
         latex: r"\bm{R}=-R \hat{\bm{z}}",
         plain: "𝐑 = −R ẑ",
-        trials: trials![laws::eq61],
+        trials: trials![definitions::eq61],
         ..Claim::BLANK
     },
     Claim {
@@ -196,7 +196,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"b=1+\frac{1}{\kappa}",
         plain: "b = 1 + 1/κ",
         depends_on: &["eq-62"],
-        trials: trials![laws::eq67],
+        trials: trials![definitions::eq67],
         ..Claim::BLANK
     },
     Claim {
@@ -308,7 +308,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot{\bm{\nu}}=\bm{\gamma}",
         plain: "d𝛎/dτ = 𝛄",
         depends_on: &["eq-69", "eq-72"],
-        trials: trials![laws::eq76],
+        trials: trials![definitions::eq76],
         ..Claim::BLANK
     },
     Claim {
@@ -451,9 +451,9 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-1", "eq-74", "eq-75", "eq-79"],
         trials: trials![
             &exact::S3_REDUCTION,
-            words::reduction_motion,
-            words::reduction_rolling,
-            words::reduction_rest
+            every_drive::reduction_motion,
+            every_drive::reduction_rolling,
+            every_drive::reduction_rest
         ],
         ..Claim::BLANK
     },
@@ -464,7 +464,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\zeta_3$ keeps its value and enters no other equation.",
         plain: "ζ₃ keeps its value and enters no other equation.",
         depends_on: &["eq-64", "eq-73", "eq-74", "eq-75"],
-        trials: trials![&exact::S3_SPIN_CONSTANT, words::spin_constant],
+        trials: trials![&exact::S3_SPIN_CONSTANT, every_drive::spin_constant],
         ..Claim::BLANK
     },
     Claim {

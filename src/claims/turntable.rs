@@ -3,12 +3,12 @@
 mod complex;
 mod continued;
 mod definitions;
+pub mod drawn;
 mod energy;
 pub mod exact;
 pub mod fixed;
 mod frames;
 mod rates;
-pub mod shown;
 mod standstill;
 pub mod stretches;
 
@@ -349,7 +349,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{p^2-\rho^2}{2}+s=\text{constant}",
         plain: "(p² − ρ²)/2 + s = constant",
         depends_on: &["eq-103", "eq-105"],
-        trials: trials![&exact::EQ104, energy::eq104, shown::kept],
+        trials: trials![&exact::EQ104, energy::eq104, drawn::kept],
         ..Claim::BLANK
     },
     Claim {

@@ -4,10 +4,10 @@ mod search;
 
 pub use search::{Match, NotDecimal, search};
 
-use super::anisotropic::runs::touching;
+use super::anisotropic::simulated::touching;
 use super::compare::Failure;
-use super::escape::laws;
-use super::sinusoidal::runs::{ORIGIN, settled};
+use super::escape::growth;
+use super::sinusoidal::settled::{ORIGIN, settled};
 use crate::claims::runs::Runs;
 use crate::corrections::{anisotropic as added, escape as corrected, rest as boundary};
 use crate::motion::turntable;
@@ -176,7 +176,7 @@ pub static VALUES: [Value; 36] = [
         "eq-132",
         6,
         "$A/\\tau^{3/2}$ in an escape: $\\frac13 2^{1/4}$",
-        || Ok(laws::corrected_size()),
+        || Ok(growth::corrected_size()),
     ),
     row(
         "alpha-printed",
@@ -197,14 +197,14 @@ pub static VALUES: [Value; 36] = [
         "eq-135",
         6,
         "$p/\\tau^2$ in an escape, as printed: $\\frac29$",
-        || Ok(laws::printed_speed()),
+        || Ok(growth::printed_speed()),
     ),
     row(
         "p",
         "eq-135",
         6,
         "$p/\\tau^2$ and $\\rho/\\tau^2$ in an escape: $1/(3\\sqrt2)$",
-        || Ok(laws::corrected_speed()),
+        || Ok(growth::corrected_speed()),
     ),
     row(
         "s-printed",

@@ -1,6 +1,6 @@
 //! The census of the plane: the kind of motion at many points, by simulation alone, beside both lists.
 
-use super::runs::{Curves, simulated};
+use super::simulated::{Curves, simulated};
 use crate::claims::compare::Failure;
 use crate::claims::points::Points;
 use crate::claims::runs::Runs;
@@ -210,7 +210,7 @@ mod tests {
     /// The kind of motion does not depend on the start.
     #[test]
     fn other_starts_lead_to_the_same_kind() {
-        use super::super::runs::{attractor_from, fits};
+        use super::super::simulated::{attractor_from, fits};
         let mut random = Points::stream(301);
         for point in points().unwrap().step_by(997) {
             let start = State {

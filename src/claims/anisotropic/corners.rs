@@ -1,6 +1,8 @@
 //! Trials of the points X and Y: where the curves meet, and how.
 
-use super::runs::{START, attractor_from, bisect, change, restless, reverses, simulated, touching};
+use super::simulated::{
+    START, attractor_from, bisect, change, restless, reverses, simulated, touching,
+};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};

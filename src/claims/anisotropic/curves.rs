@@ -1,7 +1,7 @@
 //! Trials of the curves: (53) to (56), and E, which continues B.
 
 use super::rows::{Row, far_rows, rows};
-use super::runs::{Curves, simulated};
+use super::simulated::{Curves, simulated};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::{FAR_A, FAR_E, NONE, ROOT};
 use crate::corrections::anisotropic as corrected;

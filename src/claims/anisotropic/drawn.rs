@@ -3,7 +3,7 @@
 use super::census::{self, Column, LAMBDA0, Q};
 use super::panels::{PANELS, motion};
 use super::rows::{Row, far_rows, rows};
-use super::runs::{Changes, Curves, START, touching};
+use super::simulated::{Changes, Curves, START, touching};
 use crate::claims::compare::Failure;
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;

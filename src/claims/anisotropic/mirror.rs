@@ -1,6 +1,6 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
-use super::runs::{Curves, START, attractor_from, drive, order};
+use super::simulated::{Curves, START, attractor_from, drive, order};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE};

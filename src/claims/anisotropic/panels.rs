@@ -1,6 +1,6 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
-use super::runs::{START, attractor_from, fits};
+use super::simulated::{START, attractor_from, fits};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, QUADRATURE};

@@ -1,6 +1,6 @@
 //! The curves beside the changes of the simulated motion, at many values of q, and the laws far out.
 
-use super::runs::{Changes, Curves, START};
+use super::simulated::{Changes, Curves, START};
 use crate::claims::compare::Failure;
 use crate::claims::runs::Runs;
 use crate::numerics::fit::fit;

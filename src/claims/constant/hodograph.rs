@@ -1,7 +1,7 @@
 //! Trials of (6) to (11): the two components of Newton's law, the hodograph's slope, the speed against the
 //! angle.
 
-use super::runs::{Turn, straight, turns, turns_where};
+use super::launches::{Turn, straight, turns, turns_where};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::DIFFERENCES;

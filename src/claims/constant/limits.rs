@@ -1,6 +1,6 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
-use super::runs::{Stop, Turn, frictionless, settled, stops};
+use super::launches::{Stop, Turn, frictionless, settled, stops};
 use crate::claims::compare::{Failure, Pair, Trial, noted};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::TERMINAL;
@@ -93,13 +93,16 @@ pub fn parabola_quadrature() -> Evidence {
 pub fn eq17_motion() -> Evidence {
     let compared = "(17) at θ over (17) at θ₀, along the motion, with 1";
     let trial = Trial::motion(Subject::Printed, compared);
-    trial.over(super::runs::critical_turns(), |turn: Result<Turn, _>| {
-        let turn = turn?;
-        let number = Conditioned::measured;
-        let at = |v, theta| printed::eq17_invariant(number(v), number(theta));
-        let ratio = at(turn.v, turn.theta) / at(turn.v0, turn.theta0);
-        Ok(Pair::conditioned(turn.at(), ratio, 1.0))
-    })
+    trial.over(
+        super::launches::critical_turns(),
+        |turn: Result<Turn, _>| {
+            let turn = turn?;
+            let number = Conditioned::measured;
+            let at = |v, theta| printed::eq17_invariant(number(v), number(theta));
+            let ratio = at(turn.v, turn.theta) / at(turn.v0, turn.theta0);
+            Ok(Pair::conditioned(turn.at(), ratio, 1.0))
+        },
+    )
 }
 
 /// (18) with v_x after a long time.

@@ -1,6 +1,6 @@
 //! Trials of (12) to (14): the time against the angle.
 
-use super::runs::{Turn, straight, turns, turns_where};
+use super::launches::{Turn, straight, turns, turns_where};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::ROOT;
@@ -193,7 +193,7 @@ pub fn eq14_outside() -> Evidence {
         Subject::Outside,
         "(14) where cos θ = −λ with the speed of the motion",
     );
-    trial.over(super::runs::turns_to_the_gap(), |turn| {
+    trial.over(super::launches::turns_to_the_gap(), |turn| {
         let turn = &turn?;
         Ok(Pair {
             at: turn.at(),

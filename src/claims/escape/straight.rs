@@ -3,7 +3,7 @@
 //! They are found by shooting. Near ψ = π the angle runs away to one side or to the other; between two starts that
 //! do the one and the other lies one that does neither.
 
-use super::runs::alpha;
+use super::escapes::alpha;
 use crate::claims::points::Points;
 use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::MotionError;

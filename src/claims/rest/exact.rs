@@ -2,7 +2,7 @@
 //! and the boundary are power series, in [`near`] and [`boundary`].
 
 pub mod boundary;
-pub mod near;
+pub mod series;
 
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;

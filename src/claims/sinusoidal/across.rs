@@ -1,6 +1,6 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
-use super::runs::{ORIGIN, Particle, drive, each, lambda_c, settled};
+use super::settled::{ORIGIN, Particle, drive, each, lambda_c, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};

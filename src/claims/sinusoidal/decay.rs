@@ -1,7 +1,7 @@
 //! Trials of what replaces the second stage: an exponential of an exponential, or an end after a finite time.
 
 use super::across::{Flight, flights_where, strobed};
-use super::runs::{ORIGIN, Particle, drive, forward, lambda_c, settled};
+use super::settled::{ORIGIN, Particle, drive, forward, lambda_c, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};

@@ -1,6 +1,6 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
-use super::runs::{
+use super::settled::{
     ORIGIN, drive, each, eq33, eq38, large, phi_t2, phi_t2_spread, settled, small, starts,
 };
 use crate::claims::compare::{Failure, Pair, Trial};

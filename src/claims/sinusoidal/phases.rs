@@ -1,6 +1,6 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::runs::{ORIGIN, Particle, all, drive, each, lambda_c};
+use super::settled::{ORIGIN, Particle, all, drive, each, lambda_c};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;

@@ -1,6 +1,8 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
-use super::runs::{ORIGIN, Particle, Slip, all, dense, drive, each, phi_t2, phi_t2_spread, small};
+use super::settled::{
+    ORIGIN, Particle, Slip, all, dense, drive, each, phi_t2, phi_t2_spread, small,
+};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};

@@ -1,6 +1,6 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
-use super::runs::{ORIGIN, Slip, dense, forward, lambda_c, settled, small};
+use super::settled::{ORIGIN, Slip, dense, forward, lambda_c, settled, small};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;

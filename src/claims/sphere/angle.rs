@@ -1,6 +1,6 @@
 //! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
 
-use super::runs::sphere;
+use super::spheres::sphere;
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;

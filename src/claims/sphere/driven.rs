@@ -1,8 +1,8 @@
 //! Trials of (84), (85) and of the statements about a plane that swings: 3.2 to 3.4.
 
 use super::drawn::Swinging;
-use super::runs::sphere;
-use super::words::rolling_time;
+use super::every_drive::rolling_time;
+use super::spheres::sphere;
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::Runs;

@@ -5,7 +5,7 @@
 
 mod angle;
 mod body;
-mod laws;
+mod newton;
 #[cfg(test)]
 mod tests;
 
@@ -28,14 +28,14 @@ const AS_A_PARTICLE: &str = "the formula with (11), (13), (14), proved from (1),
 pub const EQ59: Law = Law::new(
     Subject::Printed,
     "the formula with Newton's law in the laboratory, where friction alone acts",
-    laws::eq59,
-    laws::prove_eq59,
+    newton::eq59,
+    newton::prove_eq59,
 );
 pub const EQ60: Law = Law::new(
     Subject::Printed,
     "the formula with Newton's law for six point masses that move as one body",
-    laws::eq60,
-    laws::prove_eq60,
+    newton::eq60,
+    newton::prove_eq60,
 );
 pub const EQ62: Law = Law::new(
     Subject::Printed,

@@ -1,6 +1,6 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
-use super::runs::{Run, length, mixed, sliding, times, weighed};
+use super::spheres::{Run, length, mixed, sliding, times, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Subject};

@@ -1,6 +1,6 @@
 //! Trials of (62) and (68) to (72): two spheres that differ in all but the dimensionless quantities move alike.
 
-use super::runs::{Case, Dimensionless, length, sphere, weighed};
+use super::spheres::{Case, Dimensionless, length, sphere, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};

@@ -2,7 +2,8 @@
 
 use super::AllFiguresError;
 use crate::claims::anisotropic::{
-    census, drawn as anisotropic_drawn, panels, rows as anisotropic_rows, runs as anisotropic_runs,
+    census, drawn as anisotropic_drawn, panels, rows as anisotropic_rows,
+    simulated as anisotropic_simulated,
 };
 use crate::figures::{Figure, anisotropic as anisotropic_figures};
 
@@ -15,7 +16,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     ])
 }
 
-fn heights(curves: &anisotropic_runs::Curves) -> anisotropic_figures::Heights {
+fn heights(curves: &anisotropic_simulated::Curves) -> anisotropic_figures::Heights {
     anisotropic_figures::Heights {
         q: curves.q,
         a: curves.printed.a,

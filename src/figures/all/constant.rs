@@ -1,7 +1,7 @@
 //! Figures of section 2.1.
 
 use super::AllFiguresError;
-use crate::claims::constant::portrait::{self, Curve};
+use crate::claims::constant::drawn::{self, Curve};
 use crate::figures::Figure;
 use crate::figures::constant::{
     Ending, History, Hodograph, Hodographs, StoppingTimes, fig1, speed_and_angle, stopping_time,
@@ -16,11 +16,11 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
 /// fig-1.
 fn portraits() -> Result<Figure, AllFiguresError> {
     let panel = |lambdas: &[f64]| -> Result<Vec<_>, MotionError> {
-        Ok(portrait::panel(lambdas)?.iter().map(hodograph).collect())
+        Ok(drawn::panel(lambdas)?.iter().map(hodograph).collect())
     };
     Ok(fig1(&Hodographs {
-        weak: panel(&portrait::WEAK)?,
-        strong: panel(&portrait::STRONG)?,
+        weak: panel(&drawn::WEAK)?,
+        strong: panel(&drawn::STRONG)?,
     })?)
 }
 
@@ -57,7 +57,7 @@ fn sampled(curve: &Curve) -> impl Iterator<Item = crate::motion::State> {
 /// Speed and angle against time, from θ₀ = 2π/3.
 fn histories() -> Result<Figure, AllFiguresError> {
     let history = |lambda: f64| -> Result<_, MotionError> {
-        let curve = portrait::curve(lambda, 2.0 * PI / 3.0)?;
+        let curve = drawn::curve(lambda, 2.0 * PI / 3.0)?;
         Ok(History {
             lambda,
             points: sampled(&curve)
@@ -76,7 +76,7 @@ fn stopping_times() -> Result<Figure, AllFiguresError> {
     let times = |lambda: f64| -> Result<_, MotionError> {
         let time = |i: u32| {
             let theta0 = PI * f64::from(i) / 60.0;
-            Ok([theta0, portrait::curve(lambda, theta0)?.motion.end().t])
+            Ok([theta0, drawn::curve(lambda, theta0)?.motion.end().t])
         };
         Ok(StoppingTimes {
             lambda,

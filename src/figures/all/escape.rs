@@ -1,8 +1,8 @@
 //! Figures of section 4, escape.
 
 use super::AllFiguresError;
-use crate::claims::escape::laws::{self, Quantity, lag, size, speed};
-use crate::claims::escape::runs::{Flight, Late, Launch};
+use crate::claims::escape::escapes::{Flight, Late, Launch};
+use crate::claims::escape::growth::{self, Quantity, lag, size, speed};
 use crate::figures::{Figure, escape as escape_figures};
 use crate::motion::MotionError;
 use crate::motion::turntable::{State, Table, critical_radius, inertial};
@@ -40,16 +40,16 @@ fn compensated() -> Result<Figure, AllFiguresError> {
             name: "p/tau^2",
             axis: "p/τ^2",
             range: (0.18, 0.26),
-            printed: Some(laws::printed_speed()),
-            corrected: laws::corrected_speed(),
+            printed: Some(growth::printed_speed()),
+            corrected: growth::corrected_speed(),
             escapes: followed(speed),
         },
         escape_figures::Compensated {
             name: "A/tau^(3/2)",
             axis: "A/τ^{3/2}",
             range: (0.34, 0.42),
-            printed: Some(laws::printed_size()),
-            corrected: laws::corrected_size(),
+            printed: Some(growth::printed_size()),
+            corrected: growth::corrected_size(),
             escapes: followed(size),
         },
         escape_figures::Compensated {
@@ -57,7 +57,7 @@ fn compensated() -> Result<Figure, AllFiguresError> {
             axis: "(π/2 − ψ) τ",
             range: (1.5, 3.0),
             printed: None,
-            corrected: laws::corrected_lag(),
+            corrected: growth::corrected_lag(),
             escapes: followed(lag),
         },
     ])?)

@@ -2,30 +2,30 @@
 
 use super::AllFiguresError;
 use crate::claims::compare::Failure;
-use crate::claims::sinusoidal::pictures;
+use crate::claims::sinusoidal::drawn;
 use crate::figures::{Figure, sinusoidal};
 
 /// The figures of section 2.2.
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     let said = |error: Failure| AllFiguresError::Data(error.to_string());
-    let curves = pictures::transients().map_err(said)?;
+    let curves = drawn::transients().map_err(said)?;
     let panel = |lambda: f64, title: &str| {
         let own = curves.iter().filter(|curve| curve.lambda == lambda);
-        let shown = |curve: &pictures::Transient| sinusoidal::Transient {
+        let shown = |curve: &drawn::Transient| sinusoidal::Transient {
             lambda,
             w_y: curve.w_y,
             points: curve.shown().map(|s| [s.phi, s.w_x]).collect(),
         };
         (title.to_owned(), own.map(shown).collect())
     };
-    let two_periods = |lambda: f64| pictures::two_periods(lambda).map_err(said);
-    let (small, large) = (two_periods(pictures::SMALL)?, two_periods(pictures::LARGE)?);
+    let two_periods = |lambda: f64| drawn::two_periods(lambda).map_err(said);
+    let (small, large) = (two_periods(drawn::SMALL)?, two_periods(drawn::LARGE)?);
     let decay = |lambda: f64| -> Result<_, AllFiguresError> {
-        let points = pictures::depths(lambda).map_err(said)?;
+        let points = drawn::depths(lambda).map_err(said)?;
         Ok(sinusoidal::Decay { lambda, points })
     };
     let periodic = |lambda: f64| -> Result<_, AllFiguresError> {
-        let mut points = pictures::two_periods(lambda).map_err(said)?;
+        let mut points = drawn::two_periods(lambda).map_err(said)?;
         points.truncate(points.len() / 2 + 1);
         Ok(sinusoidal::Periodic { lambda, points })
     };
@@ -36,8 +36,8 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
         .collect();
     Ok(vec![
         sinusoidal::fig2(&[
-            panel(pictures::SMALL, "λ_0 = 1/π"),
-            panel(pictures::LARGE, "λ_0 = 1/√2"),
+            panel(drawn::SMALL, "λ_0 = 1/π"),
+            panel(drawn::LARGE, "λ_0 = 1/√2"),
         ])?,
         sinusoidal::two_periods(&sinusoidal::TwoPeriods {
             id: "fig-3",
@@ -54,10 +54,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
             points: &large,
         })?,
         sinusoidal::decay(&decays?)?,
-        sinusoidal::rest_share(
-            &pictures::rest_shares().map_err(said)?,
-            pictures::critical(),
-        )?,
+        sinusoidal::rest_share(&drawn::rest_shares().map_err(said)?, drawn::critical())?,
         sinusoidal::family(&family?)?,
     ])
 }

@@ -1,12 +1,12 @@
 //! Figures of section 4, the equations.
 
 use super::AllFiguresError;
-use crate::claims::turntable::{fixed, shown};
+use crate::claims::turntable::{drawn, fixed};
 use crate::figures::{Figure, turntable};
 use crate::motion::MotionError;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
-    let [rests, escapes] = shown::SPEEDS.map(launch);
+    let [rests, escapes] = drawn::SPEEDS.map(launch);
     let (rests, escapes) = (rests?, escapes?);
     Ok(vec![
         turntable::energy(&rests)?,
@@ -17,8 +17,8 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
 
 /// A launch from the axis of the turntable.
 fn launch(speed: f64) -> Result<turntable::Launch, MotionError> {
-    let launched = shown::launched(speed)?;
-    let point = |m: &shown::Moment| {
+    let launched = drawn::launched(speed)?;
+    let point = |m: &drawn::Moment| {
         let ([x, y], [bx, by]) = (m.table, m.laboratory);
         [m.tau, x, y, bx, by, m.p, m.rho, m.s]
     };

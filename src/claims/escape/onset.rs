@@ -1,7 +1,7 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
-use super::laws::{Quantity, limit, size};
-use super::runs::{Launch, a, alpha, escapes, flights, rates, relaxed};
+use super::escapes::{Launch, a, alpha, escapes, flights, rates, relaxed};
+use super::growth::{Quantity, limit, size};
 use super::straight::{StraightIn, beyond_one, time_to_stop};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;

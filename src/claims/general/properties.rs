@@ -3,8 +3,8 @@
 //! Each is tried on constant, rotating, growing, decaying, oscillating and sign-changing accelerations, and on
 //! the one that we found to break it.
 
+use super::examples::{AT_REST, Pulled, Returning, breaks, pulled, returning};
 use super::planes::{Case, SHAPES, along_a_line, any_start, bounded};
-use super::runs::{AT_REST, Pulled, Returning, breaks, pulled, returning};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};

@@ -1,6 +1,6 @@
 //! The curves of fig-2 to fig-4: what is tried here is what the book draws.
 
-use super::runs::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, settled};
+use super::settled::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};

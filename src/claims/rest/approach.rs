@@ -4,11 +4,11 @@
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
 use super::boundary::{Border, angle_towards_one, border};
-use super::runs::{
+use super::stops::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::escape::runs::{alpha, rates};
+use crate::claims::escape::escapes::{alpha, rates};
 use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{

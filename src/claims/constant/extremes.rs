@@ -1,6 +1,6 @@
 //! Trials of what section 2.1 says in words.
 
-use super::runs::{Aligned, Stop, Turn, aligned, held, stops};
+use super::launches::{Aligned, Stop, Turn, aligned, held, stops};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::evidence::{Evidence, Route, Subject};

@@ -1,6 +1,6 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
-use super::runs::{Run, length, mixed, sphere, weighed};
+use super::spheres::{Run, length, mixed, sphere, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
@@ -53,7 +53,7 @@ pub fn eq59() -> Evidence {
     let compared =
         "v by (59) and (60) with V − U of the laboratory, where friction alone acts; x + 2y";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
-    trial.over(super::runs::sliding(), |run| {
+    trial.over(super::spheres::sliding(), |run| {
         let run = run?;
         let sphere = run.case.sphere;
         // V, U, the rates of turning about x and y, the time.
@@ -86,7 +86,7 @@ pub fn eq59() -> Evidence {
 pub fn eq60() -> Evidence {
     let compared = "ω by (59) and (60), by a foreign integrator, with ω of the motion; x + 2y + 3z";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
-    trial.over(super::runs::sliding(), |run| {
+    trial.over(super::spheres::sliding(), |run| {
         let run = run?;
         let [_, _, x, y, z] = by_the_laws(run)?;
         let found = run.motion.end().omega;

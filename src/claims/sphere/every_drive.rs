@@ -1,6 +1,6 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
-use super::runs::{length, mixed, times, weighed};
+use super::spheres::{length, mixed, times, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Subject};
@@ -9,7 +9,7 @@ use crate::motion::{PhaseKind, State, run};
 use crate::paper::sphere as printed;
 
 /// The particle with bμ that begins with the sphere's slip velocity.
-fn particle(run_of: &super::runs::Run) -> Result<crate::motion::Motion, Failure> {
+fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failure> {
     let case = &run_of.case;
     let start = State {
         t: 0.0,

@@ -1,6 +1,6 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
-use super::runs::Turn;
+use super::launches::Turn;
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::NONE;

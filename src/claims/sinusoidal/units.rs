@@ -1,6 +1,6 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
-use super::runs::{ORIGIN, Particle, drive, settled};
+use super::settled::{ORIGIN, Particle, drive, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};

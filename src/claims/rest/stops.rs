@@ -1,7 +1,7 @@
 //! The motions that the statements about rest are held against: particles followed down to p = 10⁻³⁰.
 
 use crate::claims::compare::Failure;
-use crate::claims::escape::runs::{a, alpha, rates};
+use crate::claims::escape::escapes::{a, alpha, rates};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::motion::turntable::intrinsic::Run;

@@ -1,6 +1,6 @@
 //! Trials of (47) to (52): the two frictions, and the rates while sliding either way.
 
-use super::runs::{START, attractor, attractor_from};
+use super::simulated::{START, attractor, attractor_from};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::MOTION;

@@ -1,6 +1,6 @@
 //! Trials of (3) to (5): the definitions are consistent with the use made of them.
 
-use super::runs::turns;
+use super::launches::turns;
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::MOTION;

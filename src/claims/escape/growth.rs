@@ -4,7 +4,7 @@
 //! that lags behind τ by a multiple of ln τ (see [`crate::corrections::escape`]); a fit that knows only powers
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
-use super::runs::{Escape, LATE, Late, a, alpha, escapes};
+use super::escapes::{Escape, LATE, Late, a, alpha, escapes};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
@@ -399,7 +399,7 @@ pub fn eq138_limit() -> Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::escape::runs::Launch;
+    use crate::claims::escape::escapes::Launch;
     use crate::motion::turntable::Start;
     use crate::motion::turntable::intrinsic::Run;
 

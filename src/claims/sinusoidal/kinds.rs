@@ -1,6 +1,6 @@
 //! Trials of what section 2.2 says in words of the motion along the line.
 
-use super::runs::{
+use super::settled::{
     ORIGIN, Particle, dense, drive, lambda_c, phi_t2, phi_t2_spread, settled, small, starts,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
