@@ -1,7 +1,5 @@
 //! Anisotropic friction under a sinusoidal drive: the large-time motion and its region.
 
-pub mod row;
-
 use super::sinusoidal::{Slip, friction, settle, two_periods};
 use super::{Answer, Curve, Field, Fields, PHASES, Quantity, Said, SolveError, UNITS, check};
 use crate::motion::drive::{Attractor, Drive, Friction, Sign};

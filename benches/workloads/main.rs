@@ -1,12 +1,14 @@
 //! The workloads on which others are measured as well, each with the accuracy that it reaches:
 //! `cargo bench --bench workloads`. `benches/peers` holds the same work as one would write it with other tools.
 
+mod row;
+
 use criterion::{BenchmarkGroup, Criterion, Throughput, measurement::WallTime};
 use rayon::prelude::*;
+use row::{Arcs, Column, Row};
 use slipbook::certified::values;
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
 use slipbook::claims::points::Points;
-use slipbook::claims::solve::anisotropic::row::{Arcs, Column, Row};
 use slipbook::motion::drive::{Attractor, Drive, Friction, Sign, State};
 use slipbook::motion::turntable::ensemble::{End, Horizon};
 use slipbook::motion::turntable::intrinsic::Run;
