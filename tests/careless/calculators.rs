@@ -72,10 +72,21 @@ proptest! {
             prop_assert!(drawn(start.curve(Some(e))) && drawn(start.curve(None)), "{start:?} {e}");
         }
     }
+}
+
+proptest! {
+    // By far the longest of all: two at a time.
+    #![proptest_config(ProptestConfig { cases: config().cases.div_ceil(2), ..config() })]
 
     #[test]
-    fn the_boundary_of_rest_has_numbers([alpha, psi] in each()) {
-        let boundary = rest::Problem { alpha, psi };
-        prop_assert!(sound(boundary.solve()) && drawn(boundary.curve()), "{boundary:?}");
+    fn the_boundary_of_rest_has_numbers(asked in [each(), each()]) {
+        let two = asked.map(|[alpha, psi]| rest::Problem { alpha, psi });
+        let numbers = |boundary: rest::Problem| sound(boundary.solve()) && drawn(boundary.curve());
+        let answers = std::thread::scope(|scope| {
+            two.map(|boundary| scope.spawn(move || numbers(boundary))).map(|thread| thread.join())
+        });
+        for (boundary, answer) in two.iter().zip(answers) {
+            prop_assert!(answer.is_ok_and(|sound| sound), "{boundary:?}");
+        }
     }
 }
