@@ -51,7 +51,6 @@ fn the_values_are_those_of_pencil_and_paper() {
         ("delay", 0.75 * SQRT_2),
         // (147): A = (1 − α/√2)².
         ("envelope", (1.0 - 0.1 / SQRT_2).powi(2)),
-        ("envelope-far", (1.0 - 2.5 / SQRT_2).powi(2)),
         // −C² at ψ = π/2.
         ("boundary-slope", 0.5),
         ("boundary-curvature", 7.0 / 6.0),

@@ -232,7 +232,7 @@ pub static CASES: [ByHand; 19] = [
     ByHand {
         claim: "s4-envelope-is-boundary",
         reason: "(145) holds for $\\alpha\\ll1-\\sigma$, and its envelope lies at $\\alpha=\\sqrt2(1-\\sigma)$, where it does not. A state has one future: surfaces of different $\\sigma$ never meet and have no envelope",
-        case: "Take $\\alpha=0.1$, $\\psi=0.2$. With $a=A-1$ small, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: the states on $a=-\\alpha$ just come to rest, and those below do too. So the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion: {found}. A start with $A=0.88$ is to go off, and comes to rest",
+        case: "Take $\\alpha=0.1$, $\\psi=0.2$. With $a=A-1$ small, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: the states on $a=-\\alpha$ creep towards $\\alpha=0$ for ever, and those below come to rest. So the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion: {found}. A start with $A=0.88$ is to go off, and comes to rest",
         digits: 4,
         stated: || Ok(rest::eq147_a(0.1)),
         found: || boundary_example(),

@@ -79,7 +79,7 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(6),
         kind: Kind::Equation,
-        title: "motion along the acceleration",
+        title: "velocity along the inertial force",
         latex: r"\frac{\mathrm{d} (v \cos\theta)}{\mathrm{d} t}=A (1-\lambda \cos\theta)",
         plain: "d(v cos θ)/dt = A (1 − λ cos θ)",
         depends_on: &["eq-1", "eq-3", "eq-4", "eq-5"],
@@ -240,7 +240,7 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(15),
         kind: Kind::Equation,
-        title: "no friction: velocity along the acceleration",
+        title: "no friction: velocity along the inertial force",
         latex: "v_x=v_{0 x}+A t",
         plain: "v_x = v₀ₓ + A t",
         conditions: &[Condition {
@@ -288,7 +288,7 @@ const CLAIMS: &[Claim] = &[
         section: "2.1",
         equation: Some(18),
         kind: Kind::Limit,
-        title: "final velocity along the acceleration",
+        title: "final velocity along the inertial force",
         latex: r"v_x(\infty)=\frac{v_0 (1+\cos\theta_0)}{2}",
         plain: "v_x(∞) = v₀ (1 + cos θ₀) / 2",
         conditions: &[

@@ -87,7 +87,7 @@ const fn row(
 }
 
 /// All numbers, in the paper's order.
-pub static VALUES: [Value; 36] = [
+pub static VALUES: [Value; 35] = [
     row(
         "lambda-c",
         "eq-37",
@@ -254,13 +254,6 @@ pub static VALUES: [Value; 36] = [
         4,
         "$A$ on the printed boundary at $\\alpha=0.1$",
         || Ok(rest::eq147_a(0.1)),
-    ),
-    row(
-        "envelope-far",
-        "eq-147",
-        4,
-        "$A$ on the printed boundary at $\\alpha=2.5$",
-        || Ok(rest::eq147_a(2.5)),
     ),
     row(
         "boundary",

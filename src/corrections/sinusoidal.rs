@@ -13,9 +13,9 @@
 //! Along the line, a motion that is δ𝔴 ahead meets zero δ𝔴/(s + λ₀) later and leaves with the slope s − λ₀: the distance
 //! is multiplied by (s − λ₀)/(s + λ₀), the inverse of the same factor.
 //!
-//! During a rest of 𝔴 the drive h stays below λ₀. The direction of a small velocity soon is the one in which friction
-//! balances the drive along x, cos θ = h/λ₀; what is left of friction, √(λ₀² − h²), acts along y, and 𝔴_y reaches
-//! zero in a finite time.
+//! During a rest of 𝔴 the drive h stays below λ₀, and hardly changes in the short time that a small 𝔴_y lasts. So what is
+//! left is a motion under strong friction, λ = λ₀/h > 1, from θ = π/2 on: it turns into the line of the drive and, by (20),
+//! stops after λ₀ 𝔴_y/(λ₀² − h²).
 
 use crate::scalar::Scalar;
 use crate::seeded::formulas;

@@ -65,7 +65,7 @@ pub fn fig1(curves: &Hodographs) -> Result<Figure, FigureError> {
         .caption(
             "How the velocity changes under a constant acceleration along $x$ and dry friction, from \
              the same speed $v_0$ in several directions. (a) $\\lambda\\le 1$: the particle goes on \
-             for ever and turns into the direction of the acceleration; for $\\lambda=1$ its velocity \
+             for ever and turns into the direction of the inertial force; for $\\lambda=1$ its velocity \
              tends to a constant (circles). (b) $\\lambda>1$: it comes to rest (disc).",
         )
         .alt(format!(
@@ -185,7 +185,7 @@ pub fn speed_and_angle(histories: &[History]) -> Result<Figure, FigureError> {
     }
     Plot::new("constant-speed-angle", "Speed and direction against time")
         .caption(
-            "Speed $v$ and angle $\\theta$ between velocity and acceleration against time, for \
+            "Speed $v$ and angle $\\theta$ between velocity and inertial force against time, for \
              several $\\lambda$. A disc marks where the particle comes to rest: there the angle \
              reaches zero as well.",
         )
@@ -241,7 +241,7 @@ pub fn stopping_time(times: &[StoppingTimes]) -> Result<Figure, FigureError> {
     )
     .caption(
         "Time $T$ until the particle is at rest against the initial angle $\\theta_0$, for \
-             several $\\lambda>1$. It is longest when the particle starts along the acceleration.",
+             several $\\lambda>1$. It is longest when the particle starts along the inertial force.",
     )
     .alt(
         "Curves that fall from the initial angle zero to the angle π, the higher and the steeper \

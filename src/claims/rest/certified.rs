@@ -7,9 +7,8 @@ use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 
-/// A, α and ψ of starts for which (147) errs: one that it sends away comes to rest, and one to which it promises rest
-/// escapes.
-pub const WRONG: [[f64; 3]; 2] = [[0.88, 0.1, 0.2], [0.5, 2.5, 2.0]];
+/// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
+pub const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];
 
 /// The radius at rest is of no interest here.
 const ANY: f64 = 1.0;

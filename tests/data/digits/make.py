@@ -458,7 +458,6 @@ def values():
         ("turn", mp.exp(2 * pi / sqrt(two))),
         ("delay", 3 * sqrt(two) / 4),
         ("envelope", (1 - mpf(1) / 10 / sqrt(two)) ** 2),
-        ("envelope-far", (1 - mpf(5) / 2 / sqrt(two)) ** 2),
         ("boundary-slope", slope),
         ("phi-1", mp.asin(half)),
         ("phi-2", pi - mp.asin(half)),
