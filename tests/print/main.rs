@@ -4,10 +4,11 @@
 //! What no formula says, a left side or a relation, is held by its letters against the plain text of the row.
 
 mod compare;
-mod corrected;
 mod hold;
+mod late;
 mod meaning;
 mod mistakes;
+mod slips;
 mod table;
 mod words;
 
@@ -163,53 +164,4 @@ fn every_formula_in_the_words_of_a_row_is_understood() {
         }
     }
     assert!(failures.is_empty(), "{failures:#?}");
-}
-
-/// How many slips of the pen were noticed: by a formula of the code; by the words alone.
-#[derive(Debug, Default, PartialEq)]
-struct Noticed {
-    by_formula: usize,
-    by_words: usize,
-}
-
-#[test]
-fn every_slip_of_the_pen_in_a_print_is_noticed() {
-    let library = Library::new();
-    let mut noticed = Noticed::default();
-    let mut missed = Vec::new();
-    for (number, latex) in printed() {
-        let lines = lines(&library, number);
-        for slip in mistakes::mistakes(latex) {
-            if !lines.iter().all(|line| library.agrees(&slip, line)) {
-                noticed.by_formula += 1;
-            } else if !in_the_same_words(number, &slip) {
-                noticed.by_words += 1;
-            } else {
-                missed.push(format!("({number}) {slip}"));
-            }
-        }
-    }
-    println!("in print: {noticed:?}");
-    assert!(missed.is_empty(), "{missed:#?}");
-}
-
-#[test]
-fn every_slip_of_the_pen_in_a_correction_is_noticed() {
-    let library = Library::new();
-    let mut noticed = Noticed::default();
-    let mut missed = Vec::new();
-    for (id, latex, plain) in corrections() {
-        let lines = corrected(id);
-        for slip in mistakes::mistakes(latex) {
-            if !lines.iter().all(|line| library.agrees(&slip, line)) {
-                noticed.by_formula += 1;
-            } else if words::of_latex(&slip) != words::of_plain(plain) {
-                noticed.by_words += 1;
-            } else {
-                missed.push(format!("{id} {slip}"));
-            }
-        }
-    }
-    println!("in corrections: {noticed:?}");
-    assert!(missed.is_empty(), "{missed:#?}");
 }

@@ -2,7 +2,7 @@
 //!
 //! An equation without a line is held by the default: its right side is its only formula.
 
-use crate::corrected;
+use crate::late;
 use slipbook::exact::Expr;
 use slipbook::seeded::Formula;
 
@@ -32,39 +32,35 @@ use Place::{Ends, FromRightAngle, List, Pieces, Rate, Side, Sides};
 ///
 /// A formula is given by the end of its path, with `.2` for the third of its components; or it is `0` or `π`. A name means
 /// an argument of the formula or a component of one, a formula, a number, or with `@` the right side of that statement.
-pub type Line = (
-    &'static str,
-    usize,
-    Place,
-    &'static str,
-    &'static [(&'static str, &'static str)],
-);
+pub type Line = (&'static str, usize, Place, &'static str, Names);
 
-const NONE: &[(&str, &str)] = &[];
-const D_THETA: (&str, &str) = (r"\mathrm d\theta", "1");
-const D_POWER: &str = r"\mathrm{d}{[(\tan\frac{\theta}{2})^\lambda]}";
-const LAMBDA_C: &[(&str, &str)] = &[(r"\lambda_\mathrm{c}", "eq37_lambda_c")];
-const SLIP: &str = r"\frac{\mathrm d\bm r}{\mathrm dt}+\bm\omega\times\bm R";
+type Names = &'static [(&'static str, &'static str)];
+
+const NONE: Names = &[];
+const BY_THETA: Names = &[(r"\mathrm d\theta", "1")];
+const POWER: Names = &[(r"\mathrm{d}{[(\tan\frac{\theta}{2})^\lambda]}", "d_power")];
+const AT_START: Names = &[("v_0", "v"), (r"\theta_0", "theta")];
+const LAMBDA_C: Names = &[(r"\lambda_\mathrm{c}", "eq37_lambda_c")];
+const SLIP: Names = &[(
+    r"\frac{\mathrm d\bm r}{\mathrm dt}+\bm\omega\times\bm R",
+    "slip",
+)];
+const UPRIGHT_I: Names = &[(r"\mathrm{i}", "i")];
+const SLIP_SPEED: Names = &[("u_0", "v0")];
+const ALONG_X: Names = &[("A", "A_x")];
+const PER_A: Names = &[("A", "1")];
+const PHI_1: Names = &[(r"\tilde\phi_1", "eq39_phi_t1")];
+const HALF_ANGLE: Names = &[("C", "@1"), ("S", "@2")];
+const H: Names = &[(r"h(\phi)", "h")];
+const W: Names = &[(r"\mathfrak{w}(\phi)", "w")];
 
 /// Printed equations that are not held by the default.
 pub const PRINTED: &[Line] = &[
-    ("9", 0, Side(0, 1), "eq9_log_speed_rate", &[D_THETA]),
+    ("9", 0, Side(0, 1), "eq9_log_speed_rate", BY_THETA),
     ("10", 0, Side(0, 0), "eq10_invariant", NONE),
-    (
-        "12",
-        0,
-        Side(0, 1),
-        "eq12_time_rate",
-        &[(D_POWER, "d_power")],
-    ),
+    ("12", 0, Side(0, 1), "eq12_time_rate", POWER),
     ("17", 0, Side(0, 0), "eq17_invariant", NONE),
-    (
-        "17",
-        0,
-        Side(0, 1),
-        "eq17_invariant",
-        &[("v_0", "v"), (r"\theta_0", "theta")],
-    ),
+    ("17", 0, Side(0, 1), "eq17_invariant", AT_START),
     ("25", 0, Sides(0), "eq25_sides", NONE),
     ("32", 0, Sides(0), "eq32_left 0", NONE),
     ("33", 0, Pieces, "eq33_w", NONE),
@@ -78,23 +74,17 @@ pub const PRINTED: &[Line] = &[
     ("41", 0, Sides(0), "eq41_sides", NONE),
     ("42", 0, Pieces, "eq42_cases", NONE),
     ("42", 0, Ends, "0 eq42_end π", NONE),
-    ("43", 0, Side(0, 1), "eq43_h", &[(r"h(\phi)", "h")]),
+    ("43", 0, Side(0, 1), "eq43_h", H),
     ("44", 0, Pieces, "eq44_cases", NONE),
     ("44", 0, Ends, "0 eq44_ends π", NONE),
-    (
-        "45",
-        0,
-        Side(0, 1),
-        "eq45_w",
-        &[(r"\mathfrak{w}(\phi)", "w")],
-    ),
+    ("45", 0, Side(0, 1), "eq45_w", W),
     ("53", 0, Side(0, 1), "eq53_k", NONE),
     ("53", 0, Sides(1), "eq53_sides", NONE),
     ("54", 0, Sides(0), "eq54_sides", NONE),
     ("57", 0, List, "eq57_x", LAMBDA_C),
     ("58", 0, List, "eq58_y", NONE),
-    ("66", 0, Side(0, 1), "eq66_slip_rate", &[(SLIP, "slip")]),
-    ("71", 0, Side(0, 1), "eq71_slip", &[(SLIP, "slip")]),
+    ("66", 0, Side(0, 1), "eq66_slip_rate", SLIP),
+    ("71", 0, Side(0, 1), "eq71_slip", SLIP),
     ("96", 0, Sides(0), "eq96_angular_momentum", NONE),
     ("97", 0, Sides(0), "eq97_radial", NONE),
     ("98", 0, Sides(0), "eq98_distance", NONE),
@@ -105,8 +95,8 @@ pub const PRINTED: &[Line] = &[
     ("106", 0, Side(0, 0), "eq106_constant", NONE),
     ("110", 0, Sides(0), "eq110_case 0", NONE),
     ("116", 0, Sides(0), "eq116_case 0", NONE),
-    ("122", 0, Side(0, 1), "eq122_a", &[(r"\mathrm{i}", "i")]),
-    ("123", 0, Side(0, 1), "eq123_alpha", &[(r"\mathrm{i}", "i")]),
+    ("122", 0, Side(0, 1), "eq122_a", UPRIGHT_I),
+    ("123", 0, Side(0, 1), "eq123_alpha", UPRIGHT_I),
     ("129", 0, Side(0, 0), "eq129_a", NONE),
     ("134", 0, FromRightAngle, "eq134_lag", NONE),
     ("138", 0, Side(0, 0), "eq138_s", NONE),
@@ -131,118 +121,46 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
 
 /// The corrections' formulas, by the claim.
 pub const CORRECTED: &[Line] = &[
-    ("eq-11", 0, Side(0, 1), "corrections::constant::speed", NONE),
-    ("eq-13", 0, Side(0, 1), "corrections::constant::time", NONE),
-    (
-        "eq-54",
-        0,
-        Sides(0),
-        "corrections::anisotropic::e_sides",
-        NONE,
-    ),
-    ("eq-75", 0, Side(0, 1), "corrections::sphere::spin", NONE),
-    (
-        "eq-81",
-        0,
-        Side(0, 1),
-        "corrections::constant::speed",
-        &[("u_0", "v0")],
-    ),
-    ("eq-82", 0, Side(0, 1), "corrections::sphere::time", NONE),
-    (
-        "eq-82",
-        0,
-        Side(1, 1),
-        "eq72_acceleration.0",
-        &[("A", "A_x")],
-    ),
-    (
-        "eq-83",
-        0,
-        Side(0, 1),
-        "corrections::sphere::slip_at_time",
-        NONE,
-    ),
-    (
-        "eq-83",
-        0,
-        Side(1, 1),
-        "eq72_acceleration.0",
-        &[("A", "A_x")],
-    ),
-    (
-        "eq-106",
-        0,
-        Side(0, 0),
-        "corrections::turntable::constant",
-        NONE,
-    ),
-    (
-        "eq-128",
-        0,
-        Side(0, 1),
-        "corrections::escape::alpha_rate",
-        NONE,
-    ),
+    ("eq-11", 0, Side(0, 1), "constant::speed", NONE),
+    ("eq-13", 0, Side(0, 1), "constant::time", NONE),
+    ("eq-54", 0, Sides(0), "anisotropic::e_sides", NONE),
+    ("eq-75", 0, Side(0, 1), "sphere::spin", NONE),
+    ("eq-81", 0, Side(0, 1), "constant::speed", SLIP_SPEED),
+    ("eq-82", 0, Side(0, 1), "sphere::time", NONE),
+    ("eq-82", 0, Side(1, 1), "eq72_acceleration.0", ALONG_X),
+    ("eq-83", 0, Side(0, 1), "sphere::slip_at_time", NONE),
+    ("eq-83", 0, Side(1, 1), "eq72_acceleration.0", ALONG_X),
+    ("eq-106", 0, Side(0, 0), "turntable::constant", NONE),
+    ("eq-128", 0, Side(0, 1), "escape::alpha_rate", NONE),
     ("eq-129", 0, Side(0, 0), "eq129_a", NONE),
-    (
-        "eq-129",
-        0,
-        Side(0, 1),
-        "corrections::escape::product_over_a",
-        &[("A", "1")],
-    ),
-    (
-        "eq-130",
-        0,
-        Side(0, 1),
-        "corrections::escape::alpha_by_a",
-        NONE,
-    ),
-    ("eq-131", 0, Side(0, 1), "corrections::escape::a_rate", NONE),
-    ("eq-132", 0, Side(0, 1), "corrections::escape::late_a", NONE),
-    ("eq-133", 0, Side(0, 1), "corrections::escape::alpha", NONE),
-    (
-        "eq-134",
-        0,
-        FromRightAngle,
-        "corrections::escape::late_lag",
-        NONE,
-    ),
-    (
-        "eq-135",
-        0,
-        Side(0, 1),
-        "corrections::escape::late_rho",
-        NONE,
-    ),
-    (
-        "eq-136",
-        0,
-        Side(0, 1),
-        "corrections::escape::late_rho",
-        NONE,
-    ),
-    ("eq-137", 0, Side(0, 1), "corrections::escape::late_s", NONE),
+    ("eq-129", 0, Side(0, 1), "escape::product_over_a", PER_A),
+    ("eq-130", 0, Side(0, 1), "escape::alpha_by_a", NONE),
+    ("eq-131", 0, Side(0, 1), "escape::a_rate", NONE),
+    ("eq-132", 0, Side(0, 1), "escape::late_a", NONE),
+    ("eq-133", 0, Side(0, 1), "escape::alpha", NONE),
+    ("eq-134", 0, FromRightAngle, "escape::late_lag", NONE),
+    ("eq-135", 0, Side(0, 1), "escape::late_rho", NONE),
+    ("eq-136", 0, Side(0, 1), "escape::late_rho", NONE),
+    ("eq-137", 0, Side(0, 1), "escape::late_s", NONE),
     (
         "s22-vy-two-stages",
         6,
         Side(0, 0),
-        "corrections::sinusoidal::passage_factor",
+        "sinusoidal::passage_factor",
         NONE,
     ),
     (
         "s22-vy-two-stages",
         7,
         Side(0, 1),
-        "corrections::sinusoidal::drive_at_zero",
-        &[(r"\tilde\phi_1", "eq39_phi_t1")],
+        "sinusoidal::drive_at_zero",
+        PHI_1,
     ),
     (
         "s22-vy-two-stages",
         14,
         Side(0, 0),
-        "corrections::sinusoidal::last_stage",
+        "sinusoidal::last_stage",
         NONE,
     ),
     (
@@ -256,8 +174,8 @@ pub const CORRECTED: &[Line] = &[
         "s4-envelope-is-boundary",
         1,
         Side(0, 1),
-        "corrections::rest::boundary_a",
-        &[("C", "@1"), ("S", "@2")],
+        "rest::boundary_a",
+        HALF_ANGLE,
     ),
 ];
 
@@ -271,6 +189,19 @@ pub const WORDS_ONLY: &[(&str, &str)] = &[
         "fig-5",
         "it says in words which curve is to be drawn how far",
     ),
+];
+
+/// Formulas of the corrections that no correction prints: they add to it, or serve another that is printed.
+pub const NOT_PRINTED: &[&str] = &[
+    "sinusoidal::contraction",
+    "sinusoidal::first_stage_lean",
+    "anisotropic::y_from_root",
+    "anisotropic::contact",
+    "anisotropic::a_far",
+    "anisotropic::e_far",
+    "escape::winding",
+    "rest::alpha_rate_straight_in",
+    "rest::angle_straight_in",
 ];
 
 /// Formulas of the corrections that are written for more kinds of numbers than these trees alone, or that a print joins.
@@ -287,31 +218,31 @@ pub fn joined() -> Vec<Formula<Expr>> {
             "slipbook::corrections::constant::time",
             &["lambda", "a", "v0", "theta0", "r"],
             &["λ", "A", "v₀", "θ₀", "r"],
-            corrected::time,
+            late::time,
         ),
         formula(
             "slipbook::corrections::escape::late_a",
             &["tau"],
             &["τ"],
-            corrected::late_a,
+            late::late_a,
         ),
         formula(
             "slipbook::corrections::escape::late_lag",
             &["tau"],
             &["τ"],
-            corrected::late_lag,
+            late::late_lag,
         ),
         formula(
             "slipbook::corrections::escape::late_rho",
             &["tau"],
             &["τ"],
-            corrected::late_rho,
+            late::late_rho,
         ),
         formula(
             "slipbook::corrections::escape::late_s",
             &["tau"],
             &["τ"],
-            corrected::late_s,
+            late::late_s,
         ),
     ]
 }
