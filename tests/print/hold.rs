@@ -47,6 +47,11 @@ impl Library {
             .collect()
     }
 
+    /// Whether the part is understood at all.
+    pub fn reads(&self, latex: &str, line: &Line) -> bool {
+        self.pairs(latex, line).is_ok()
+    }
+
     /// As [`Library::hold`], by values alone.
     pub fn agrees(&self, latex: &str, line: &Line) -> bool {
         let pairs = self.pairs(latex, line);
