@@ -25,6 +25,7 @@ mod error;
 mod expand;
 mod expr;
 mod factor;
+pub mod latex;
 mod linear;
 mod polynomial;
 mod proof;
