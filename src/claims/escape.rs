@@ -154,8 +154,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-114", "eq-124", "eq-127", "s4-quasi-fixed-stability"],
         correction: Some(Correction {
             change: Change::Statement,
-            latex: r"\dot\alpha\simeq\frac{\sqrt2}{\cosh(2\alpha)}-\frac{\cosh\alpha}{A}",
-            plain: "dα/dτ ≃ √2/cosh(2α) − (cosh α)/A",
+            latex: r"\dot\alpha\simeq\frac{\sqrt2}{\cosh(2\alpha)}-\frac{\cosh\alpha}{A}\quad\text{at large times}",
+            plain: "dα/dτ ≃ √2/cosh(2α) − (cosh α)/A at large times",
         }),
         trials: trials![
             growth::eq128_limit,

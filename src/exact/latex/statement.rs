@@ -55,7 +55,7 @@ impl Relation {
     }
 }
 
-/// One formula: its sides and, between them, their relations; a label such as `\text{A:}` is left out.
+/// One formula: its sides and, between them, their relations; a label such as `\text{A:}` before and words after it are left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Statement {
     /// The sides in order, one at least. The first is empty in a line that carries on another.
@@ -107,7 +107,12 @@ fn statement(items: &[Item], at: usize) -> Result<Statement, LatexError> {
         _ => false,
     };
     let label = items.iter().rposition(colon).map_or(0, |last| last + 1);
-    let items = &items[label..];
+    let items = match &items[label..] {
+        [formula @ .., words] if !formula.is_empty() && matches!(words.kind, Kind::Text(_)) => {
+            formula
+        }
+        items => items,
+    };
     let at = items.first().map_or(at, |first| first.at);
     if items.is_empty() {
         return Err(Problem::Missing.at(at));
