@@ -13,7 +13,12 @@ use std::process::Command;
 pub const CONSTANT: &str = "in a constant";
 pub const CHAIN: &str = "does not compile: || after let";
 /// The files that are written in another way.
-const OWN: [&str; 3] = ["Cargo.toml", "src/lib.rs", "src/book/map.rs"];
+const OWN: [&str; 4] = [
+    "Cargo.toml",
+    "src/lib.rs",
+    "trialbook/src/lib.rs",
+    "src/book/map.rs",
+];
 pub const HIDDEN: &str = "not as a branch: hidden type";
 pub const LOST: &str = "its place was not found";
 
@@ -83,7 +88,12 @@ pub fn write(
     let allow = "#![allow(warnings, arithmetic_overflow, unconditional_panic, clippy::all)]\n";
     put(
         &copy.join("src/lib.rs"),
-        format!("{allow}{library}{switch}").as_bytes(),
+        format!("{allow}{library}pub use trialbook::{{Either, mutant}};\n").as_bytes(),
+    )?;
+    let engine = fs::read_to_string("trialbook/src/lib.rs")?;
+    put(
+        &copy.join("trialbook/src/lib.rs"),
+        format!("{allow}{engine}{switch}").as_bytes(),
     )?;
     let map = fs::read_to_string("src/book/map.rs")?.replace("in &TOPICS", "in TOPICS.iter()");
     put(&copy.join("src/book/map.rs"), map.as_bytes())?;
@@ -92,7 +102,7 @@ pub fn write(
         include_bytes!("../copy/claims.rs"),
     )?;
     let manifest = fs::read_to_string("Cargo.toml")?;
-    let target = "\n[[test]]\nname = \"mutants\"\nharness = false\n\n[workspace]\n";
+    let target = "\n[[test]]\nname = \"mutants\"\nharness = false\n";
     put(
         &copy.join("Cargo.toml"),
         format!("{manifest}{target}").as_bytes(),

@@ -22,7 +22,7 @@ impl Value {
     /// An enclosure to about `digits` decimals.
     ///
     /// # Errors
-    /// None that is known for the [values](VALUES): each is proved to exist.
+    /// None that is known for the [`values`]: each is proved to exist.
     pub fn ball(&self, digits: usize) -> Result<Ball, CertifiedError> {
         (self.ball)(bits_for(digits))
     }

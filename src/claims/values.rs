@@ -47,7 +47,7 @@ impl Value {
         Ok(format!("{:.*}", self.decimals, self.number()?))
     }
 
-    /// The number to [`KNOWN`] significant digits, cut off and not rounded.
+    /// The number to 11 significant digits, cut off and not rounded.
     ///
     /// # Errors
     /// A motion that cannot be followed.

@@ -52,16 +52,6 @@ pub enum ErrataError {
     Json(#[from] serde_json::Error),
 }
 
-impl Verdict {
-    /// True for a verdict that asks for a change in the paper.
-    pub fn asks_for_change(self) -> bool {
-        matches!(
-            self,
-            Verdict::Conditional | Verdict::Misprint | Verdict::Refuted
-        )
-    }
-}
-
 impl Ledger {
     /// Ids of all claims that rest on a claim, directly or through others, in the ledger's order.
     pub fn resting_on(&self, id: &str) -> Vec<&'static str> {

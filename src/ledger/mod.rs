@@ -19,7 +19,6 @@ mod table;
 mod tally;
 #[cfg(feature = "book")]
 mod variants;
-mod verdict;
 
 #[cfg(feature = "book")]
 pub use errata::{ErrataError, Erratum};
@@ -33,7 +32,7 @@ pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "book")]
 pub use row::{EvidenceRow, Row};
 pub use tally::Tally;
-pub use verdict::{Judgement, Verdict, in_view_of, judge};
+pub use trialbook::ledger::{Judgement, Verdict, in_view_of, judge};
 
 use crate::claims::{Claim, Topic};
 use crate::evidence::{Evidence, Outcome, Route, Subject};

@@ -5,15 +5,15 @@
 //! that says where: nothing is guessed.
 //!
 //! ```
-//! use slipbook::exact::Expr;
-//! use slipbook::exact::latex::{Lexicon, Value, statements};
+//! use trialbook::exact::Expr;
+//! use trialbook::exact::latex::{Lexicon, Value, statements};
 //!
 //! let mut lexicon = Lexicon::new();
 //! lexicon.add(r"\lambda_0", Value::Number(Expr::symbol("λ₀")))?;
 //! let [printed] = &statements(r"-\pi\lambda_0+2\sqrt{1-\lambda_0^2}<0")?[..] else { panic!() };
 //! let left = printed.sides[0].read(&lexicon)?;
 //! assert_eq!(left.number().unwrap().to_string(), "−π λ₀ + 2 √(1 − λ₀^2)");
-//! # Ok::<(), slipbook::exact::latex::LatexError>(())
+//! # Ok::<(), trialbook::exact::latex::LatexError>(())
 //! ```
 //!
 //! How the paper's LaTeX is read where LaTeX leaves it open:

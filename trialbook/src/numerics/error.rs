@@ -1,7 +1,7 @@
 //! What can go wrong in a numerical method, by name.
 
 /// A number with all its digits, as short as it can be read back.
-pub(crate) fn plain(x: f64) -> String {
+pub fn plain(x: f64) -> String {
     if x == 0.0 || (1e-5..1e15).contains(&x.abs()) {
         format!("{x}")
     } else {
@@ -83,7 +83,10 @@ pub enum NumericsError {
 }
 
 /// Requires a finite argument.
-pub(crate) fn finite(name: &'static str, value: f64) -> Result<f64, NumericsError> {
+///
+/// # Errors
+/// [`NumericsError::Argument`] for any other.
+pub fn finite(name: &'static str, value: f64) -> Result<f64, NumericsError> {
     if value.is_finite() {
         Ok(value)
     } else {

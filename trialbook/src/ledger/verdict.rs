@@ -52,6 +52,14 @@ impl Verdict {
             other => other.words(),
         }
     }
+
+    /// True for a verdict that asks for a change in the paper.
+    pub fn asks_for_change(self) -> bool {
+        matches!(
+            self,
+            Verdict::Conditional | Verdict::Misprint | Verdict::Refuted
+        )
+    }
 }
 
 /// A verdict and what it rests on, in one sentence.

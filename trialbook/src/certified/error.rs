@@ -23,17 +23,17 @@ pub enum CertifiedError {
 
 impl CertifiedError {
     /// False on a box.
-    pub(super) fn failing(cell: &[Interval]) -> Self {
+    pub fn failing(cell: &[Interval]) -> Self {
         CertifiedError::False { at: text(cell) }
     }
 
     /// Not plain on a box that cannot be made smaller.
-    pub(super) fn open(cell: &[Interval]) -> Self {
+    pub fn open(cell: &[Interval]) -> Self {
         Self::unproved("no subdivision makes it plain", cell)
     }
 
     /// Not proved on a box, and why.
-    pub(super) fn unproved(why: &'static str, cell: &[Interval]) -> Self {
+    pub fn unproved(why: &'static str, cell: &[Interval]) -> Self {
         CertifiedError::NotProved {
             why,
             at: text(cell),

@@ -5,8 +5,8 @@
 //! read as a power [`Series`], whose coefficients such equations give. A [`Proof`] keeps the steps for a reader.
 //!
 //! ```
-//! use slipbook::exact::{Expr, Proof, Ring};
-//! use slipbook::scalar::Scalar;
+//! use trialbook::exact::{Expr, Proof, Ring};
+//! use trialbook::scalar::Scalar;
 //!
 //! let mut ring = Ring::new();
 //! ring.angle("θ");

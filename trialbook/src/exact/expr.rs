@@ -1,4 +1,4 @@
-//! A formula as a syntax tree: what a formula of [`crate::paper`] becomes when it is read and not evaluated.
+//! A formula as a syntax tree: what a printed formula becomes when it is read and not evaluated.
 
 use crate::scalar::Scalar;
 use std::cell::RefCell;

@@ -70,7 +70,7 @@ impl Place {
 #[cfg(feature = "book")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Seed {
-    /// The formula's path: `slipbook::paper::constant::eq13_time`.
+    /// The formula's path: `some_crate::some_topic::eq13_time`.
     pub formula: &'static str,
     /// The number of the place, in the order of evaluation.
     pub place: usize,
@@ -128,6 +128,7 @@ fn pass(place: Place) -> Option<Mistake> {
 
 /// Formulas in which a mistake can be seeded, and `formulas()`, the list of them. Each is generic over `S: Scalar`,
 /// its arguments and its value are of type `S` or arrays of `S`. The arguments' letters are those of the symbols.
+#[macro_export]
 macro_rules! formulas {
     (symbols $symbols:expr; $(
         $(#[$about:meta])*
@@ -172,4 +173,4 @@ macro_rules! formulas {
         }
     };
 }
-pub(crate) use formulas;
+pub use formulas;

@@ -5,7 +5,7 @@ use crate::scalar::Scalar;
 
 /// A formula by its name and on flat lists.
 pub struct Formula<S> {
-    /// Its path: `slipbook::paper::constant::eq13_time`.
+    /// Its path: `some_crate::some_topic::eq13_time`.
     pub path: &'static str,
     /// Its name: `eq13_time`.
     pub name: &'static str,

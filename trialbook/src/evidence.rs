@@ -181,7 +181,7 @@ pub struct Evidence {
     pub steps: Vec<String>,
     /// True if it covers a part of the claim only: it can speak against the claim, but not for the whole of it.
     pub partial: bool,
-    /// The formulas that were read for it, by their paths: `slipbook::paper::constant::eq13_time`; also those that were read
+    /// The formulas that were read for it, by their paths: `some_crate::some_topic::eq13_time`; also those that were read
     /// for what it shares with other trials.
     pub read: BTreeSet<&'static str>,
 }
