@@ -15,6 +15,17 @@ const ENGINE: &Rooms = &[
     ("numerics", &["scalar"]),
     ("exact", &["scalar", "seeded"]),
     ("certified", &["numerics", "scalar"]),
+    (
+        "claims",
+        &[
+            "scalar",
+            "evidence",
+            "numerics",
+            "exact",
+            "certified",
+            "seeded",
+        ],
+    ),
     ("ledger", &["evidence"]),
 ];
 

@@ -8,7 +8,7 @@
 //! - [`cover`]: an inequality, or the sign of a slope, holds on a whole range;
 //! - [`flow`]: all motions from a box of starts, by an integrator that bounds what it leaves out.
 //!
-//! [`jet`] differentiates formulas on the way, [`taylor`] more than once.
+//! [`jet`] differentiates formulas on the way, [`taylor`] more than once. A [`value`] is a number with its enclosure.
 //!
 //! What could not be proved is an error that says where, never a guess.
 
@@ -21,3 +21,4 @@ pub mod jet;
 pub mod krawczyk;
 pub mod root;
 pub mod taylor;
+pub mod value;

@@ -80,6 +80,7 @@ impl fmt::Debug for Attempt {
 }
 
 /// The list of a claim's trials: functions, and statements that are proved by reference.
+#[macro_export]
 macro_rules! trials {
     (@ [$($done:expr,)*] & $statement:path, $($rest:tt)*) => {
         $crate::claims::attempt::trials!(@ [
@@ -104,4 +105,4 @@ macro_rules! trials {
     };
 }
 
-pub(crate) use trials;
+pub use trials;

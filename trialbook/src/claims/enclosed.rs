@@ -3,7 +3,7 @@
 use super::tolerances;
 use crate::certified::ball::{Ball, bits_for};
 use crate::certified::error::CertifiedError;
-use crate::certified::values::{self, Value};
+use crate::certified::value::Value;
 use crate::evidence::{Evidence, Route, Sample, Subject};
 use crate::exact::{Binary, Expr, Function, Node};
 use std::collections::BTreeSet;
@@ -44,15 +44,15 @@ pub fn certified(
 /// Evidence from stated numbers and enclosed ones, each to [`DIGITS`] decimals: they agree where they have a number
 /// in common.
 pub fn numbers<const N: usize>(
-    found: [&str; N],
+    found: [Value; N],
     subject: Subject,
     compared: &'static str,
     stated: impl Fn(usize) -> [Option<Ball>; N],
 ) -> Evidence {
     let mut evidence = certified(Ok(N), subject, compared);
-    for (name, stated) in found.into_iter().zip(stated(bits_for(DIGITS))) {
-        let found = values::find(name).map(|value: &Value| value.ball(DIGITS));
-        let (Some(stated), Some(Ok(found))) = (stated, found) else {
+    for (value, stated) in found.into_iter().zip(stated(bits_for(DIGITS))) {
+        let name = value.name;
+        let (Some(stated), Ok(found)) = (stated, value.ball(DIGITS)) else {
             evidence.worst = f64::NAN;
             evidence.at = name.to_owned();
             break;

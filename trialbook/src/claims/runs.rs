@@ -1,9 +1,6 @@
 //! What several trials share: motions that are followed once, and why one could not be.
 
 use crate::certified::error::CertifiedError;
-use crate::claims::values::NotDecimal;
-use crate::motion::MotionError;
-use crate::motion::drive::DriveError;
 use crate::numerics::NumericsError;
 use crate::seeded::reading;
 use std::collections::BTreeSet;
@@ -16,6 +13,13 @@ use std::sync::{Arc, OnceLock};
 #[derive(Debug, Clone)]
 pub struct Failure(Arc<dyn Error + Send + Sync>);
 
+impl Failure {
+    /// An error as the reason.
+    pub fn of(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Failure(error.into().into())
+    }
+}
+
 impl Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.fmt(f)
@@ -24,26 +28,21 @@ impl Display for Failure {
 
 impl Error for Failure {}
 
+/// Makes a [`Failure`] of each of these errors.
+#[macro_export]
 macro_rules! failures {
     ($($error:ty),* $(,)?) => {
-        $(impl From<$error> for Failure {
+        $(impl From<$error> for $crate::claims::runs::Failure {
             fn from(error: $error) -> Self {
-                Failure(Box::<dyn Error + Send + Sync>::from(error).into())
+                $crate::claims::runs::Failure::of(error)
             }
         })*
     };
 }
 
-failures!(
-    &str,
-    String,
-    ParseFloatError,
-    CertifiedError,
-    DriveError,
-    MotionError,
-    NotDecimal,
-    NumericsError
-);
+pub use failures;
+
+failures!(&str, String, ParseFloatError, CertifiedError, NumericsError);
 
 /// What is made when it is first asked for. What formulas it has read is noted for all who ask.
 #[derive(Debug)]
