@@ -27,6 +27,7 @@ const ENGINE: &Rooms = &[
         ],
     ),
     ("ledger", &["evidence"]),
+    ("figures", &[]),
 ];
 
 /// What knows this paper. A room of the engine's name holds what belongs to this paper there.

@@ -5,10 +5,10 @@ use super::fill::{Filler, verdict};
 use super::tables::table;
 use super::text::{count, counted};
 use crate::claims::TOPICS;
-use crate::figures::map::{Node, map};
 use crate::figures::{Figure, FigureError};
 use crate::ledger::{Ledger, Verdict, plain_words};
 use std::collections::{BTreeMap, BTreeSet};
+use trialbook::figures::map::{Node, map};
 
 /// The sign of a verdict where there is no room for its name.
 fn sign(verdict: Verdict) -> &'static str {

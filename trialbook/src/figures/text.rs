@@ -182,6 +182,7 @@ fn push(out: &mut Vec<Run>, chars: &[char], face: Face, level: Level) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     #[test]
     fn quantities_are_italic_and_words_are_not() {
@@ -224,5 +225,36 @@ mod tests {
             assert!(width(label, 16.0) >= 0.0);
         }
         assert!(!markup("a < b").contains('<') || markup("a < b").contains("&lt;"));
+    }
+
+    proptest! {
+        #[test]
+        fn of_a_label_its_words_are_seen_and_nothing_of_its_markup(label in "[a-cvx1φ𝔴_^'{}<>&\" ]{0,12}") {
+            let svg = format!("<text>{}</text>", markup(&label));
+            let mut open = Vec::new();
+            for tag in svg.split('<').skip(1).filter_map(|part| Some(part.split_once('>')?.0)) {
+                let mut words = tag.split(' ');
+                let name = words.next().unwrap_or_default();
+                if let Some(closed) = name.strip_prefix('/') {
+                    prop_assert_eq!(open.pop(), Some(closed), "{}", svg);
+                    continue;
+                }
+                open.push(name);
+                let known = ["font-style", "font-family", "font-size", "dy"];
+                let mut attributes = words.filter_map(|word| word.split_once('='));
+                let right = attributes.all(|(key, value)| known.contains(&key) && value.matches('"').count() == 2);
+                prop_assert!(right && ["text", "tspan"].contains(&name), "{svg}");
+            }
+            prop_assert!(open.is_empty(), "{svg}");
+            let parts = svg.split('<').filter_map(|part| part.split_once('>'));
+            let seen: String = parts.map(|(_, text)| text).collect();
+            let entities = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&amp;", "&")];
+            let seen = entities.iter().fold(seen, |seen, (entity, text)| seen.replace(entity, text));
+            let words = |text: &str| text.replace(['_', '^', '\'', '{', '}'], "");
+            let own = label.replace('𝔴', "w").replace('φ', "ϕ");
+            // Between single quotes letters stay as they are.
+            let upright = |text: &str| words(text).replace('𝔴', "w").replace('φ', "ϕ");
+            prop_assert_eq!(upright(&seen), words(&own), "{}", svg);
+        }
     }
 }
