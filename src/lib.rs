@@ -23,11 +23,11 @@
 //!
 //! ```
 //! # #[cfg(feature = "book")] {
-//! use slipbook::claims;
+//! use slipbook::claims::PAPER;
 //! use slipbook::ledger::{Entry, Verdict};
 //!
-//! let (topic, claim) = claims::find("eq-11").ok_or("no such claim")?;
-//! let entry = Entry::try_claim(topic, claim);
+//! let (topic, claim) = PAPER.find("eq-11").ok_or("no such claim")?;
+//! let entry = Entry::try_claim(&PAPER, topic, claim);
 //! assert_eq!(entry.judgement.verdict, Verdict::Conditional);
 //! # }
 //! # Ok::<(), &str>(())
@@ -45,7 +45,6 @@ pub mod corrections;
 pub mod explorers;
 #[cfg(feature = "book")]
 pub mod figures;
-pub mod ledger;
 pub mod motion;
 pub mod paper;
 #[cfg(feature = "book")]
@@ -53,4 +52,4 @@ pub mod symbols;
 
 #[cfg(feature = "book")]
 pub use trialbook::exact;
-pub use trialbook::{evidence, numerics, scalar, seeded};
+pub use trialbook::{evidence, ledger, numerics, scalar, seeded};

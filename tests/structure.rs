@@ -26,7 +26,7 @@ const ENGINE: &Rooms = &[
             "seeded",
         ],
     ),
-    ("ledger", &["evidence"]),
+    ("ledger", &["evidence", "claims", "seeded"]),
     ("figures", &[]),
 ];
 
@@ -53,7 +53,6 @@ const OF_THE_PAPER: &Rooms = &[
             "symbols",
         ],
     ),
-    ("ledger", &["evidence", "claims", "seeded"]),
     ("figures", &["claims", "motion"]),
     (
         "book",

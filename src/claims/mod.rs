@@ -40,13 +40,13 @@ pub mod sphere;
 #[cfg(feature = "book")]
 pub mod turntable;
 
-pub use trialbook::claims::{Claim, Condition, Correction, Topic};
+pub use trialbook::claims::{Claim, Condition, Correction, Paper, Topic};
 #[cfg(feature = "book")]
 pub use trialbook::claims::{attempt, compare, conditioned, enclosed, points, runs, statement};
 
 /// All topics, in the paper's order.
 #[cfg(feature = "book")]
-pub static TOPICS: [Topic; 9] = [
+static TOPICS: [Topic; 9] = [
     general::TOPIC,
     constant::TOPIC,
     sinusoidal::TOPIC,
@@ -58,15 +58,19 @@ pub static TOPICS: [Topic; 9] = [
     rest::TOPIC,
 ];
 
-/// All claims with their topics, in the order of the topics.
+/// The paper on trial.
 #[cfg(feature = "book")]
-pub fn all() -> impl Iterator<Item = (&'static Topic, &'static Claim)> {
-    let of = |topic: &'static Topic| topic.claims.iter().map(move |claim| (topic, claim));
-    TOPICS.iter().flat_map(of)
-}
-
-/// The claim of this id, with its topic.
-#[cfg(feature = "book")]
-pub fn find(id: &str) -> Option<(&'static Topic, &'static Claim)> {
-    all().find(|(_, claim)| claim.id == id)
-}
+pub static PAPER: Paper = Paper {
+    title: "Slipping and rolling on a rough accelerating surface",
+    authors: "M. Khorrami, A. Aghamohammadi and C. Aghamohammadi",
+    tried: "against Newton's law with Coulomb's friction, integrated without the paper's formulas, and by proofs in exact \
+            arithmetic",
+    topics: TOPICS.as_slice(),
+    record: include_str!("../../snapshots/verdicts.snap"),
+    tallies: include_str!("../../snapshots/variants.snap"),
+    formulas: formulas::FORMULAS,
+    cases: &by_hand::CASES,
+    values: &values::VALUES,
+    measured: measured::MEASURED,
+    survivors: &variants::SURVIVORS,
+};

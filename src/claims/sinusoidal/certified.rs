@@ -202,7 +202,7 @@ pub fn lambda_c() -> Evidence {
 mod tests {
     use super::*;
     use crate::certified::ball::Ball;
-    use crate::claims::variants::of_formula;
+    use crate::claims::PAPER;
     use crate::seeded::with;
 
     #[test]
@@ -239,7 +239,7 @@ mod tests {
         }
         // Of the same value, or with the slope and the ends that count.
         let holds = || prove_bracket(phases(), left(), "").worst == 0.0;
-        let kept = of_formula("eq32_left").into_iter();
+        let kept = PAPER.formulas.variants_of("eq32_left").into_iter();
         let kept = kept.filter(|variant| with(variant.seed, holds));
         let kept: Vec<_> = kept.map(|variant| variant.text).collect();
         assert!(kept.is_empty(), "{kept:?}");
@@ -255,7 +255,7 @@ mod tests {
         refused(&threshold(|l| -printed::eq35_left(l), critical));
         let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
         refused(&prove_turns(phi_t1, off, ""));
-        for variant in of_formula("eq39_phi_t1") {
+        for variant in PAPER.formulas.variants_of("eq39_phi_t1") {
             let phi_t1 = || printed::eq39_phi_t1(Expr::symbol("λ₀"));
             let evidence = prove_turns(with(variant.seed, phi_t1), critical, "");
             assert_ne!(evidence.worst, 0.0, "{}", variant.text);

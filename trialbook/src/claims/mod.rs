@@ -6,19 +6,34 @@
 #[cfg(feature = "book")]
 pub mod attempt;
 #[cfg(feature = "book")]
+pub mod by_hand;
+#[cfg(feature = "book")]
 pub mod compare;
 #[cfg(feature = "book")]
 pub mod conditioned;
 #[cfg(feature = "book")]
 pub mod enclosed;
 #[cfg(feature = "book")]
+pub mod formulas;
+#[cfg(feature = "book")]
+pub mod measured;
+mod paper;
+#[cfg(feature = "book")]
 pub mod points;
+#[cfg(feature = "book")]
+pub mod reading;
 #[cfg(feature = "book")]
 pub mod runs;
 #[cfg(feature = "book")]
 pub mod statement;
 #[cfg(feature = "book")]
 pub mod tolerances;
+#[cfg(feature = "book")]
+pub mod values;
+#[cfg(feature = "book")]
+pub mod variants;
+
+pub use paper::Paper;
 
 use crate::evidence::{Change, Kind};
 #[cfg(feature = "book")]

@@ -1,5 +1,6 @@
 //! What several trials share: motions that are followed once, and why one could not be.
 
+use super::values::NotDecimal;
 use crate::certified::error::CertifiedError;
 use crate::numerics::NumericsError;
 use crate::seeded::reading;
@@ -42,7 +43,14 @@ macro_rules! failures {
 
 pub use failures;
 
-failures!(&str, String, ParseFloatError, CertifiedError, NumericsError);
+failures!(
+    &str,
+    String,
+    ParseFloatError,
+    CertifiedError,
+    NotDecimal,
+    NumericsError
+);
 
 /// What is made when it is first asked for. What formulas it has read is noted for all who ask.
 #[derive(Debug)]

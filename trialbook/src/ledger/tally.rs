@@ -12,10 +12,10 @@ pub struct Tally {
 }
 
 impl Entry {
-    /// The tally of `snapshots/variants.snap`; zeros for a claim without a formula.
+    /// The recorded tally; zeros for a claim without a formula.
     pub fn tally(&self) -> Tally {
         let recorded = || {
-            let lines = include_str!("../../snapshots/variants.snap").lines();
+            let lines = self.paper.tallies.lines();
             let of_claim = |line: &'static str| {
                 let (id, counts) = line.split_once(": ")?;
                 (id == self.claim.id).then(|| counts.split_once(" of "))?

@@ -1,6 +1,6 @@
 //! The search for a number among the known ones, digit by digit.
 
-use super::{VALUES, Value};
+use super::Value;
 use crate::claims::compare::Failure;
 use serde::Serialize;
 
@@ -32,15 +32,15 @@ pub struct NotDecimal(String);
 /// Wrong numbers are graded if at least so many of their first digits are right.
 const ENOUGH: usize = 3;
 
-/// The numbers that agree with `given` to all of its digits; if there is none, those that begin like it, with the
+/// Of `values`, those that agree with `given` to all of its digits; if there is none, those that begin like it, with the
 /// first wrong digit. The last digit given may be rounded or cut off.
 ///
 /// # Errors
 /// A text that is no decimal number, and a value that cannot be computed.
-pub fn search(given: &str) -> Result<Vec<Match>, Failure> {
+pub fn search(values: &[Value], given: &str) -> Result<Vec<Match>, Failure> {
     let wanted = Digits::read(given).ok_or_else(|| NotDecimal(given.to_owned()))?;
     let mut found = Vec::new();
-    for value in &VALUES {
+    for value in values {
         found.extend(wanted.grade(value)?);
     }
     if found.iter().any(|m| m.first_wrong.is_none()) {
@@ -143,10 +143,19 @@ impl Digits {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
+
+    static VALUES: [Value; 3] = [
+        Value::new("lambda-c", "eq-1", 10, "", || {
+            Ok(2.0 / libm::sqrt(4.0 + PI * PI))
+        }),
+        Value::new("q", "eq-2", 10, "", || Ok(4.603_338_848_751_7)),
+        Value::new("minus", "eq-3", 10, "", || Ok(-0.0858)),
+    ];
 
     /// Names, digits that are right, and the place and column of the first wrong one.
     fn found(given: &str) -> Vec<(&'static str, usize, Option<usize>, Option<usize>)> {
-        let found = search(given).unwrap();
+        let found = search(&VALUES, given).unwrap();
         found
             .iter()
             .map(|m| (m.name, m.right, m.first_wrong, m.column))
@@ -214,7 +223,7 @@ mod tests {
             "0x1",
             "1e-2147483649",
         ] {
-            let refused = search(given).unwrap_err();
+            let refused = search(&VALUES, given).unwrap_err();
             assert_eq!(refused.to_string(), NotDecimal(given.into()).to_string());
         }
     }

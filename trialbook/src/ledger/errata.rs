@@ -1,7 +1,6 @@
 //! The errata: what has to be changed in the paper, as data.
 
 use super::{Entry, Ledger, Verdict};
-use crate::claims::by_hand;
 use crate::claims::compare::Failure;
 use crate::evidence::{Evidence, Outcome, Subject};
 use serde::Serialize;
@@ -84,7 +83,7 @@ impl Ledger {
 
     fn erratum(&self, entry: &Entry) -> Result<Erratum, ErrataError> {
         let claim = entry.claim;
-        let by_hand = by_hand::of(claim.id);
+        let by_hand = self.paper.case(claim.id);
         let case = by_hand.map(|case| case.words()).transpose();
         let case = case.map_err(|reason| ErrataError::Case {
             claim: claim.id,

@@ -4,6 +4,7 @@ use super::errata::{ErrataError, Erratum};
 use super::pieces::{Piece, decimal, pieces};
 use super::plain::{self, plain_words};
 use super::{Ledger, Verdict};
+use crate::claims::Paper;
 
 /// A form of the letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -37,13 +38,13 @@ impl Ledger {
         };
         let wrong = of(&[Verdict::Misprint, Verdict::Refuted]);
         let short = of(&[Verdict::Conditional]);
-        let mut text = style.opening();
+        let mut text = style.opening(self.paper);
         text += &style.paragraph(&format!(
-            "All {} numbered equations and statements of the paper were tried by program: against Newton's law with \
-             Coulomb's friction, integrated without the paper's formulas, and by proofs in exact arithmetic. {} do not \
+            "All {} numbered equations and statements of the paper were tried by program: {}. {} do not \
              stand as printed, {} more hold only under a condition that the paper does not state; of the other {} \
              none failed. In this letter every number is computed.",
             self.entries.len(),
+            self.paper.tried,
             wrong.len(),
             short.len(),
             self.entries.len() - errata.len()
@@ -65,7 +66,7 @@ impl Ledger {
 
 /// How the letter is set.
 trait Style {
-    fn opening(&self) -> String;
+    fn opening(&self, paper: &Paper) -> String;
     fn heading(&self, title: &str) -> String;
     fn paragraph(&self, words: &str) -> String;
     fn title(&self, name: &str, erratum: &Erratum) -> String;
@@ -87,16 +88,13 @@ trait Style {
     }
 }
 
-/// The paper that the letter is about.
-const PAPER: &str = "Slipping and rolling on a rough accelerating surface";
-const AUTHORS: &str = "M. Khorrami, A. Aghamohammadi and C. Aghamohammadi";
-
 /// Plain text, 78 characters a line.
 struct Plain;
 
 impl Style for Plain {
-    fn opening(&self) -> String {
-        format!("Comment on \"{PAPER}\"\nby {AUTHORS}\n\n")
+    fn opening(&self, paper: &Paper) -> String {
+        let Paper { title, authors, .. } = paper;
+        format!("Comment on \"{title}\"\nby {authors}\n\n")
     }
     fn heading(&self, title: &str) -> String {
         format!("{}\n{}\n\n", title.to_uppercase(), "=".repeat(title.len()))
@@ -149,11 +147,12 @@ fn wrapped(words: &str, indent: usize) -> String {
 struct Latex;
 
 impl Style for Latex {
-    fn opening(&self) -> String {
+    fn opening(&self, paper: &Paper) -> String {
+        let Paper { title, authors, .. } = paper;
         format!(
             "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm}}\n\
              \\usepackage[margin=25mm]{{geometry}}\n\n\
-             \\title{{Comment on ``{PAPER}'' by {AUTHORS}}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n"
+             \\title{{Comment on ``{title}'' by {authors}}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n"
         )
     }
     fn heading(&self, title: &str) -> String {

@@ -1,7 +1,6 @@
 //! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
 
 use super::Entry;
-use crate::claims::formulas;
 use crate::evidence::{Evidence, Outcome};
 use std::fmt::Write;
 
@@ -26,7 +25,7 @@ impl Entry {
         if let Some(correction) = claim.correction {
             let _ = writeln!(text, "corrected:\n\n    {}\n", correction.plain);
         }
-        let formulas = formulas::of_claim(claim.id);
+        let formulas = self.paper.formulas.of_claim(claim.id);
         if !formulas.is_empty() {
             let _ = writeln!(text, "in code:\n\n    {}\n", formulas.join("\n    "));
         }

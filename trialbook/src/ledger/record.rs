@@ -3,7 +3,7 @@
 use super::{Ledger, Verdict};
 use std::collections::BTreeMap;
 
-/// A verdict per claim id, as reviewed and committed in `snapshots/verdicts.snap`.
+/// A verdict per claim id, as reviewed and committed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Record(BTreeMap<String, Verdict>);
 
@@ -32,14 +32,6 @@ pub struct Difference {
 }
 
 impl Record {
-    /// The record that this build was made with.
-    ///
-    /// # Errors
-    /// [`RecordError`] if the committed file was damaged.
-    pub fn committed() -> Result<Self, RecordError> {
-        Self::parse(include_str!("../../snapshots/verdicts.snap"))
-    }
-
     /// Reads `id: verdict` lines; a snapshot's header, up to its second `---`, is passed over.
     ///
     /// # Errors

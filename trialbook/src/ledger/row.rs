@@ -1,7 +1,7 @@
 //! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
 
 use super::Entry;
-use crate::claims::{Condition, formulas};
+use crate::claims::Condition;
 use serde::Serialize;
 
 /// A claim with its verdict and its evidence.
@@ -89,7 +89,7 @@ impl Entry {
             conditions: claim.conditions,
             depends_on: claim.depends_on,
             corrected: claim.correction.map(|c| c.latex),
-            code: formulas::of_claim(claim.id),
+            code: self.paper.formulas.of_claim(claim.id),
             variants: tally.tried,
             rejected: tally.rejected,
             evidence: self.evidence.iter().map(evidence).collect(),

@@ -2,7 +2,7 @@
 
 use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
 use crate::claims::attempt::Attempt;
-use crate::claims::{self, Claim, Topic};
+use crate::claims::{Claim, Paper, Topic};
 use rayon::prelude::*;
 use std::iter;
 use std::ops::Range;
@@ -10,10 +10,11 @@ use std::sync::{Mutex, PoisonError};
 
 impl Entry {
     /// Tries one claim and judges it.
-    pub fn try_claim(topic: &'static Topic, claim: &'static Claim) -> Self {
+    pub fn try_claim(paper: &'static Paper, topic: &'static Topic, claim: &'static Claim) -> Self {
         let evidence: Vec<_> = claim.trials.par_iter().map(Attempt::evidence).collect();
         let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
         Entry {
+            paper,
             claim,
             topic,
             evidence,
@@ -29,6 +30,7 @@ impl Entry {
 
 /// Tries claims on all cores.
 fn tried(
+    paper: &'static Paper,
     claims: Vec<(&'static Topic, &'static Claim)>,
     done: &(impl Fn(&Claim) + Sync),
 ) -> Vec<Entry> {
@@ -39,7 +41,7 @@ fn tried(
         let shares = &shares;
         iter::from_fn(move || next(shares)).map(|i| {
             let (topic, claim) = claims[i];
-            let entry = Entry::try_claim(topic, claim);
+            let entry = Entry::try_claim(paper, topic, claim);
             done(claim);
             (i, entry)
         })
@@ -86,35 +88,39 @@ fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judg
 }
 
 impl Ledger {
-    /// Tries every claim on all cores; calls `done` after each one.
-    pub fn try_all(done: impl Fn(&Claim) + Sync) -> Self {
-        Self::of(tried(claims::all().collect(), &done))
+    /// Tries every claim of the paper on all cores; calls `done` after each one.
+    pub fn try_all(paper: &'static Paper, done: impl Fn(&Claim) + Sync) -> Self {
+        Self::of(paper, tried(paper, paper.claims().collect(), &done))
     }
 
     /// Tries the claims of these ids; calls `done` after each one. A verdict may rest on those of the claims that
     /// depend on it: they are tried too where that is so, and are no part of this ledger.
-    pub fn try_some(ids: &[&str], done: impl Fn(&Claim) + Sync) -> Self {
-        let mut wanted: Vec<_> = claims::all().filter(|(_, c)| ids.contains(&c.id)).collect();
+    pub fn try_some(paper: &'static Paper, ids: &[&str], done: impl Fn(&Claim) + Sync) -> Self {
+        let mut wanted: Vec<_> = paper
+            .claims()
+            .filter(|(_, c)| ids.contains(&c.id))
+            .collect();
         let mut entries = Vec::new();
         while !wanted.is_empty() {
-            entries.extend(tried(wanted, &done));
-            wanted = claims::all()
+            entries.extend(tried(paper, wanted, &done));
+            wanted = paper
+                .claims()
                 .filter(|(_, claim)| entries.iter().all(|e| e.claim.id != claim.id))
                 .filter(|(_, claim)| entries.iter().any(|e| e.rests_on(claim)))
                 .collect();
         }
-        let mut ledger = Self::of(entries);
+        let mut ledger = Self::of(paper, entries);
         ledger.entries.retain(|e| ids.contains(&e.claim.id));
         ledger
     }
 
     /// The entries, each judged in view of the others.
-    fn of(mut entries: Vec<Entry>) -> Self {
+    fn of(paper: &'static Paper, mut entries: Vec<Entry>) -> Self {
         // A refutation may pass from claim to claim, against the order of derivation.
         while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
             entries[i].judgement = judgement;
         }
-        Ledger { entries }
+        Ledger { paper, entries }
     }
 }
 
