@@ -86,6 +86,7 @@ pub fn formulas<S: Scalar>() -> Vec<Formula<S>> {
 pub const FORMULAS: Formulas = Formulas {
     numbers: formulas,
     trees: formulas,
+    corrections: "::corrections::",
     tried_in: &TRIED_IN,
     up_to_a_factor: &UP_TO_A_FACTOR,
     up_to_a_positive_factor: &UP_TO_A_POSITIVE_FACTOR,

@@ -3,14 +3,15 @@
 use crate::exact::Expr;
 use crate::seeded::Formula;
 
-/// All formulas of a paper. A printed one has `::paper::` in its path, one that replaces it or adds to it
-/// `::corrections::`.
+/// All formulas of a paper.
 #[derive(Debug, Clone, Copy)]
 pub struct Formulas {
     /// Their values.
     pub numbers: fn() -> Vec<Formula<f64>>,
     /// Their trees, in the same order.
     pub trees: fn() -> Vec<Formula<Expr>>,
+    /// What stands in the path of a formula that replaces a printed one or adds to it, and of no other.
+    pub corrections: &'static str,
     /// Those without a number of their own, by their paths below the crate, and the ids of the claims that try them. What
     /// serves no claim is not here.
     pub tried_in: &'static [(&'static str, &'static str)],
@@ -24,6 +25,11 @@ pub struct Formulas {
 }
 
 impl Formulas {
+    /// True if the formula of this path is one of the paper's, false if it replaces one or adds to it.
+    pub fn is_printed(&self, path: &str) -> bool {
+        !path.contains(self.corrections)
+    }
+
     /// The id of the claim that tries the formula of this path: that of the number in its name, or of the list.
     pub fn claim(&self, path: &str) -> Option<String> {
         let name = path.rsplit("::").next()?;

@@ -17,7 +17,6 @@ pub mod enclosed;
 pub mod formulas;
 #[cfg(feature = "book")]
 pub mod measured;
-mod paper;
 #[cfg(feature = "book")]
 pub mod points;
 #[cfg(feature = "book")]
@@ -33,11 +32,12 @@ pub mod values;
 #[cfg(feature = "book")]
 pub mod variants;
 
-pub use paper::Paper;
-
 use crate::evidence::{Change, Kind};
 #[cfg(feature = "book")]
-use attempt::Attempt;
+use {
+    attempt::Attempt, by_hand::ByHand, formulas::Formulas, measured::Measured, values::Value,
+    variants::Survivor,
+};
 
 /// A condition under which a claim is tried.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -124,6 +124,63 @@ pub struct Topic {
     pub title: &'static str,
     /// Its claims, in the paper's order.
     pub claims: &'static [Claim],
+}
+
+/// A paper: what it claims, and all that belongs to its claims.
+#[derive(Debug)]
+pub struct Paper {
+    /// Its title.
+    pub title: &'static str,
+    /// Its authors.
+    pub authors: &'static str,
+    /// How its claims were tried, for a letter to the journal: `against …, and by …`.
+    pub tried: &'static str,
+    /// Its claims, by topics in its own order.
+    pub topics: &'static [Topic],
+    /// The recorded verdicts: a line `id: verdict` for each claim.
+    pub record: &'static str,
+    /// How many wrong variants are rejected, as recorded: a line `id: n of m` for each claim with a formula.
+    pub tallies: &'static str,
+    /// Its formulas.
+    #[cfg(feature = "book")]
+    pub formulas: Formulas,
+    /// Why claims fail, with cases to check by hand.
+    #[cfg(feature = "book")]
+    pub cases: &'static [ByHand],
+    /// The numbers by which claims can be found.
+    #[cfg(feature = "book")]
+    pub values: &'static [Value],
+    /// Why claims have no proof.
+    #[cfg(feature = "book")]
+    pub measured: &'static [Measured],
+    /// The wrong variants that no trial rejects.
+    #[cfg(feature = "book")]
+    pub survivors: &'static [Survivor],
+}
+
+impl Paper {
+    /// All claims with their topics, in the order of the topics.
+    pub fn claims(&self) -> impl Iterator<Item = (&'static Topic, &'static Claim)> + use<> {
+        let of = |topic: &'static Topic| topic.claims.iter().map(move |claim| (topic, claim));
+        self.topics.iter().flat_map(of)
+    }
+
+    /// The claim of this id, with its topic.
+    pub fn find(&self, id: &str) -> Option<(&'static Topic, &'static Claim)> {
+        self.claims().find(|(_, claim)| claim.id == id)
+    }
+
+    /// The case by hand of the claim of this id, if it has one.
+    #[cfg(feature = "book")]
+    pub fn case(&self, id: &str) -> Option<&'static ByHand> {
+        self.cases.iter().find(|case| case.claim == id)
+    }
+
+    /// The number of this short name.
+    #[cfg(feature = "book")]
+    pub fn value(&self, id: &str) -> Option<&'static Value> {
+        self.values.iter().find(|value| value.id == id)
+    }
 }
 
 #[cfg(all(test, feature = "book"))]

@@ -17,11 +17,10 @@ pub struct Elsewhere {
 impl Formulas {
     /// True if the claim of this id has formulas of the kind that the evidence is about, and none of them was read for it.
     pub fn is_missing(&self, id: &str, evidence: &Evidence) -> bool {
-        let side = match evidence.subject {
-            Subject::Corrected => "::corrections::",
-            Subject::Printed | Subject::Within | Subject::Outside => "::paper::",
+        let printed = evidence.subject != Subject::Corrected;
+        let own = |path: &str| {
+            self.is_printed(path) == printed && self.claim(path).as_deref() == Some(id)
         };
-        let own = |path: &str| path.contains(side) && self.claim(path).as_deref() == Some(id);
         let mut all = (self.numbers)().into_iter();
         all.any(|formula| own(formula.path)) && !evidence.read.iter().any(|path| own(path))
     }

@@ -11,17 +11,12 @@ pub struct Variant {
     pub claim: String,
     /// The formula's name.
     pub formula: &'static str,
+    /// True if the formula is one of the paper's, false if it replaces one.
+    pub printed: bool,
     /// The mistake that makes it.
     pub seed: Seed,
     /// The wrong formula as plain text; components one after the other.
     pub text: String,
-}
-
-impl Variant {
-    /// True if the formula is one of the paper's, false if it replaces one.
-    pub fn is_printed(&self) -> bool {
-        self.seed.formula.contains("::paper::")
-    }
 }
 
 /// A wrong variant that no trial rejects, and why none has to.
@@ -78,6 +73,7 @@ impl Formulas {
                 found.push(Variant {
                     claim: claim.clone(),
                     formula: number.name,
+                    printed: self.is_printed(number.path),
                     seed,
                     text,
                 });
@@ -117,6 +113,7 @@ mod tests {
     const FORMULAS: Formulas = Formulas {
         numbers: Vec::new,
         trees: Vec::new,
+        corrections: "::right::",
         tried_in: &[],
         up_to_a_factor: &["eq104_constant"],
         up_to_a_positive_factor: &["eq116_case"],

@@ -49,7 +49,7 @@ impl Entry {
         let change = claim.correction.map(|c| c.change);
         let verdict_of = |evidence: &[Evidence]| judge(claim.kind, change, evidence).verdict;
         let verdict = verdict_of(&self.evidence);
-        let fails = matches!(verdict, Verdict::Misprint | Verdict::Refuted) && variant.is_printed();
+        let fails = matches!(verdict, Verdict::Misprint | Verdict::Refuted) && variant.printed;
         let mut order: Vec<_> = (0..claim.trials.len()).collect();
         order.sort_by_key(|i| self.evidence[*i].points);
         order.into_iter().any(|i| {
