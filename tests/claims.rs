@@ -155,7 +155,7 @@ fn stale_tolerances(ledger: &Ledger) -> Vec<String> {
 
 /// The entries with the verdict that is recorded: of another, its sheet and its verdict tell all.
 fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
-    let record = Record::committed().expect("the record can be read");
+    let record = Record::parse(PAPER.record).expect("the record can be read");
     let changed = record.differences(ledger);
     let same = |entry: &&Entry| changed.iter().all(|d| d.id != entry.claim.id);
     ledger.entries.iter().filter(same).collect()
