@@ -181,13 +181,6 @@ pub static VALUES: [Value; 35] = [
         || Ok(rest::eq147_a(0.1)),
     ),
     Value::new(
-        "envelope-far",
-        "eq-147",
-        4,
-        "$A$ on the printed boundary at $\\alpha=2.5$",
-        || Ok(rest::eq147_a(2.5)),
-    ),
-    Value::new(
         "boundary",
         "s4-envelope-is-boundary",
         4,
