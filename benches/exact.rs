@@ -1,6 +1,6 @@
 //! Exact proofs: all identities, and those behind (11), (13), (14) from a cold start: `cargo bench --bench exact`.
 
-use slipbook::claims;
+use slipbook::claims::PAPER;
 use slipbook::claims::attempt::Attempt;
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
 use slipbook::claims::statement::Statement;
@@ -54,7 +54,7 @@ fn four() -> bool {
 
 /// The evidence of every proof.
 fn all() -> Vec<Evidence> {
-    let trials = claims::all().flat_map(|(_, claim)| claim.trials);
+    let trials = PAPER.claims().flat_map(|(_, claim)| claim.trials);
     let statements = trials.filter_map(Attempt::statement);
     statements.map(|statement| statement.evidence()).collect()
 }

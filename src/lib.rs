@@ -16,16 +16,18 @@
 //! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
 //! of it down. [`cli`] is the command. For parameters of your own there are the calculators of [`claims::solve`].
 //!
+//! What knows no paper is a crate of its own, [`trialbook`]; its rooms stand here under their names.
+//!
 //! With `default-features = false` there are the formulas, the motions, the calculators and the ledger's types
 //! alone, and a handful of dependencies; the feature `book` brings the trials and all that rests on them.
 //!
 //! ```
 //! # #[cfg(feature = "book")] {
-//! use slipbook::claims;
+//! use slipbook::claims::PAPER;
 //! use slipbook::ledger::{Entry, Verdict};
 //!
-//! let (topic, claim) = claims::find("eq-11").ok_or("no such claim")?;
-//! let entry = Entry::try_claim(topic, claim);
+//! let (topic, claim) = PAPER.find("eq-11").ok_or("no such claim")?;
+//! let entry = Entry::try_claim(&PAPER, topic, claim);
 //! assert_eq!(entry.judgement.verdict, Verdict::Conditional);
 //! # }
 //! # Ok::<(), &str>(())
@@ -39,18 +41,15 @@ pub mod claims;
 #[cfg(feature = "book")]
 pub mod cli;
 pub mod corrections;
-pub mod evidence;
-#[cfg(feature = "book")]
-pub mod exact;
 #[cfg(feature = "book")]
 pub mod explorers;
 #[cfg(feature = "book")]
 pub mod figures;
-pub mod ledger;
 pub mod motion;
-pub mod numerics;
 pub mod paper;
-pub mod scalar;
-pub mod seeded;
 #[cfg(feature = "book")]
 pub mod symbols;
+
+#[cfg(feature = "book")]
+pub use trialbook::exact;
+pub use trialbook::{evidence, ledger, numerics, scalar, seeded};

@@ -5,9 +5,9 @@
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::measured::MEASURED;
-use slipbook::claims::reading::{ELSEWHERE, is_missing};
-use slipbook::claims::variants::{self, SPARED, SURVIVORS, Variant};
-use slipbook::claims::{Claim, TOPICS};
+use slipbook::claims::reading::ELSEWHERE;
+use slipbook::claims::variants::{SPARED, SURVIVORS, Variant};
+use slipbook::claims::{Claim, PAPER};
 use slipbook::evidence::{Evidence, Outcome};
 use slipbook::ledger::{Entry, Ledger, Record};
 use slipbook::seeded::with;
@@ -34,7 +34,7 @@ fn main() {
         test_threads: Some(1),
         ..Arguments::from_args()
     };
-    let ledger = Arc::new(Ledger::try_all(|_| {}));
+    let ledger = Arc::new(Ledger::try_all(&PAPER, |_| {}));
     let mut trials: Vec<_> = (0..ledger.entries.len())
         .map(|i| {
             let entry = &ledger.entries[i];
@@ -105,7 +105,10 @@ fn depends_on(entry: &Entry) -> String {
 fn reading(ledger: &Ledger) -> Result<(), Failed> {
     let evidence = ledger.entries.iter().flat_map(|entry| {
         let id = entry.claim.id;
-        let missing = entry.evidence.iter().filter(move |e| is_missing(id, e));
+        let missing = entry
+            .evidence
+            .iter()
+            .filter(move |e| PAPER.formulas.is_missing(id, e));
         missing.map(move |e| (id, e.compared))
     });
     let missing: BTreeSet<_> = evidence.collect();
@@ -152,7 +155,7 @@ fn stale_tolerances(ledger: &Ledger) -> Vec<String> {
 
 /// The entries with the verdict that is recorded: of another, its sheet and its verdict tell all.
 fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
-    let record = Record::committed().expect("the record can be read");
+    let record = Record::parse(PAPER.record).expect("the record can be read");
     let changed = record.differences(ledger);
     let same = |entry: &&Entry| changed.iter().all(|d| d.id != entry.claim.id);
     ledger.entries.iter().filter(same).collect()
@@ -161,7 +164,7 @@ fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
 /// Every proof by algebra fails for every wrong variant of the formulas of its claim that it reads, but for those formulas
 /// for which a reason is given. One that reads none of its claim fails for a variant of what it reads.
 fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
-    let variants = variants::all();
+    let variants = PAPER.formulas.variants();
     let (mut tried, mut spared, mut idle) = (0, BTreeSet::new(), Vec::new());
     let as_recorded = as_recorded(ledger);
     for entry in as_recorded.iter().copied() {
@@ -200,7 +203,7 @@ fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
 
 /// Of every formula, every wrong variant is rejected but those for which a reason is given.
 fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
-    let variants = variants::all();
+    let variants = PAPER.formulas.variants();
     let rejected = ledger.rejected(&variants);
     let mut record = String::new();
     let mut survivors = Vec::new();
@@ -252,7 +255,7 @@ fn reasons(ledger: &Ledger) -> Result<(), Failed> {
 /// Every snapshot of a topic's folder belongs to a claim of that topic, or is the README's picture.
 fn stale() -> Result<(), Failed> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
-    for topic in &TOPICS {
+    for topic in PAPER.topics {
         for file in fs::read_dir(root.join(topic.stem))? {
             let name = file?.file_name().to_string_lossy().into_owned();
             // What `cargo insta review` is to look at.

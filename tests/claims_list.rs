@@ -2,13 +2,14 @@
 //!
 //! Every test gathers all offences before it fails, each with the id of its claim.
 
-use slipbook::claims::{self, Claim, find};
+use slipbook::claims::{Claim, PAPER};
 use slipbook::evidence::Kind;
+use slipbook::ledger::{plain_formula, plain_words};
 use std::collections::BTreeMap;
 
 /// The claims without their topics.
 fn all() -> impl Iterator<Item = &'static Claim> {
-    claims::all().map(|(_, claim)| claim)
+    PAPER.claims().map(|(_, claim)| claim)
 }
 
 const EQUATIONS: &str = include_str!("data/equations.md");
@@ -112,7 +113,7 @@ fn ids_numbers_and_sections_are_those_of_the_list() {
     }
     let twice = seen.iter().filter(|(_, n)| **n > 1);
     let mut offences: Vec<_> = twice.map(|(id, n)| format!("{id}: {n} rows")).collect();
-    let missing = list.keys().filter(|id| find(id).is_none());
+    let missing = list.keys().filter(|id| PAPER.find(id).is_none());
     offences.extend(missing.map(|id| format!("{id}: listed, but no row")));
     for claim in all() {
         let id = claim.id;
@@ -246,7 +247,7 @@ fn dependencies_exist_once_each() {
         for (i, on) in claim.depends_on.iter().enumerate() {
             if *on == claim.id {
                 offences.push(format!("{}: depends on itself", claim.id));
-            } else if find(on).is_none() {
+            } else if PAPER.find(on).is_none() {
                 offences.push(format!(
                     "{}: depends on `{on}`, which is no claim",
                     claim.id
@@ -280,4 +281,21 @@ fn dependencies_have_no_cycle() {
         .iter()
         .map(|c| format!("{}: in a cycle, {:?}", c.id, c.depends_on));
     none(edges.collect());
+}
+
+#[test]
+fn every_claim_can_be_read_so() {
+    let forms = PAPER.claims().flat_map(|(_, claim)| {
+        let latex = [Some(claim.latex), claim.correction.map(|c| c.latex)];
+        latex.into_iter().flatten().map(move |latex| (claim, latex))
+    });
+    for (claim, latex) in forms {
+        let text = match claim.equation {
+            Some(_) if !latex.contains('$') => plain_formula(latex),
+            _ => plain_words(latex),
+        };
+        for left in ["\\", "{}", "mathrm", "frac", "bm", "$"] {
+            assert!(!text.contains(left), "{}: {text}", claim.id);
+        }
+    }
 }

@@ -1,6 +1,7 @@
 //! The numbers that the pages print, worked out once more with paper and pencil; and the search among them.
 
-use slipbook::claims::by_hand::{self, CASES};
+use slipbook::claims::PAPER;
+use slipbook::claims::by_hand::CASES;
 use slipbook::claims::values::{VALUES, search};
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, LN_2, PI, SQRT_2, TAU};
@@ -63,7 +64,7 @@ fn the_values_are_those_of_pencil_and_paper() {
         ("y-root", x),
     ];
     for (id, expected) in by_hand {
-        let value = slipbook::claims::values::find(id).unwrap();
+        let value = PAPER.value(id).unwrap();
         let found = value.number().unwrap();
         assert!(
             (found - expected).abs() < 1e-12 * expected.abs(),
@@ -82,10 +83,7 @@ fn the_values_are_those_of_pencil_and_paper() {
         ("boundary", 0.910_959_636_16),
     ];
     for (id, expected) in bisected {
-        let found = slipbook::claims::values::find(id)
-            .unwrap()
-            .number()
-            .unwrap();
+        let found = PAPER.value(id).unwrap().number().unwrap();
         assert!((found - expected).abs() < 1e-10, "{id}: {found}");
     }
     let tried: BTreeSet<_> = by_hand.iter().chain(&bisected).map(|(id, _)| *id).collect();
@@ -127,7 +125,7 @@ fn the_two_numbers_of_a_case_are_those_of_pencil_and_paper() {
         ),
     ];
     for (id, stated, found) in by_hand {
-        let case = by_hand::of(id).unwrap();
+        let case = PAPER.case(id).unwrap();
         let [left, right] = case.numbers().unwrap();
         let decimals = left.find('.').map_or(0, |point| left.len() - point - 1);
         assert_eq!(
@@ -148,13 +146,13 @@ fn the_two_numbers_of_a_case_are_those_of_pencil_and_paper() {
             "{id}: {words}"
         );
     }
-    assert!(by_hand::of("eq-1").is_none());
+    assert!(PAPER.case("eq-1").is_none());
     assert_eq!(CASES.len(), by_hand.len());
 }
 
 /// Of the numbers found: name, how many digits are right, the first wrong one and where it stands.
 fn found(number: &str) -> Vec<(&'static str, usize, Option<usize>, Option<usize>)> {
-    let all = search(number).unwrap();
+    let all = search(PAPER.values, number).unwrap();
     all.iter()
         .map(|m| (m.name, m.right, m.first_wrong, m.column))
         .collect()
@@ -201,6 +199,6 @@ fn a_number_is_found_by_its_digits_sign_and_size() {
         "1e",
         "1e99999999999",
     ] {
-        assert!(search(no_number).is_err(), "{no_number}");
+        assert!(search(PAPER.values, no_number).is_err(), "{no_number}");
     }
 }

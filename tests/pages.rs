@@ -1,7 +1,7 @@
 //! Numbers and verdicts in the book's prose are the ledger's: a number stands in a claim, in the index of values, in a
 //! case by hand, or in the code of the same page, which runs as a test; a verdict stands in a placeholder.
 
-use slipbook::claims::{self, by_hand::CASES, values::VALUES};
+use slipbook::claims::{PAPER, by_hand::CASES, values::VALUES};
 use slipbook::ledger::{Format, Ledger, plain_words};
 use std::fs;
 use std::path::Path;
@@ -76,7 +76,7 @@ fn vouched() -> Vec<f64> {
                 .filter_map(|(number, _)| number.parse::<f64>().ok()),
         );
     }
-    for (_, claim) in claims::all() {
+    for (_, claim) in PAPER.claims() {
         numbers.extend(
             decimals(claim.plain)
                 .iter()
@@ -137,7 +137,7 @@ fn every_number_in_the_prose_has_a_source() {
 
 #[test]
 fn the_letters_can_be_sent() {
-    let ledger = Ledger::try_all(|_| {});
+    let ledger = Ledger::try_all(&PAPER, |_| {});
     let [text, latex, json] =
         [Format::Text, Format::Latex, Format::Json].map(|format| ledger.letter(format).unwrap());
     for case in &CASES {

@@ -1,5 +1,6 @@
 //! The README's table of verdicts is the ledger's.
 
+use slipbook::claims::PAPER;
 use slipbook::ledger::{Ledger, Verdict};
 use std::collections::BTreeMap;
 use std::fs;
@@ -7,7 +8,7 @@ use std::path::Path;
 
 #[test]
 fn the_table_of_verdicts_is_the_ledgers() {
-    let ledger = Ledger::try_all(|_| {});
+    let ledger = Ledger::try_all(&PAPER, |_| {});
     let mut rows: Vec<(&str, BTreeMap<Verdict, usize>)> = Vec::new();
     for entry in &ledger.entries {
         let title = entry.topic.title;

@@ -5,11 +5,11 @@
 pub mod explorers;
 #[path = "../../src/motion/mod.rs"]
 pub mod motion;
-#[path = "../../src/scalar.rs"]
+#[path = "../../trialbook/src/scalar.rs"]
 pub mod scalar;
 
 /// The tools that the motions use.
-#[path = "../../src/numerics"]
+#[path = "../../trialbook/src/numerics"]
 pub mod numerics {
     pub mod batch;
     pub mod double;

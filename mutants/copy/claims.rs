@@ -6,7 +6,7 @@
 //! the others, those in the table. A limit is in seconds. What the verdicts, the reasons for a measurement and the snapshot edited by hand are
 //! compared with stands in the sheets.
 
-use slipbook::claims::{self, TOPICS, variants};
+use slipbook::claims::{PAPER, variants};
 use slipbook::evidence::{Evidence, Outcome};
 use slipbook::ledger::{Entry, Ledger};
 use std::collections::BTreeMap;
@@ -66,10 +66,10 @@ fn ask(question: &str, worst: &mut Worst) -> bool {
         "v" => wrong_variants(of),
         "d" => {
             let line = |c: &claims::Claim| format!("{}: {}\n", c.id, c.depends_on.join(" "));
-            let all: String = claims::all().map(|(_, claim)| line(claim)).collect();
+            let all: String = PAPER.claims().map(|(_, claim)| line(claim)).collect();
             same("dependencies", &all)
         }
-        "n" => TOPICS.iter().all(|topic| {
+        "n" => PAPER.topics.iter().all(|topic| {
             let mut files = fs::read_dir(format!("{SNAPSHOTS}/{}", topic.stem)).unwrap();
             files.all(|file| {
                 let name = file.unwrap().file_name().to_string_lossy().into_owned();
@@ -93,7 +93,7 @@ fn same(name: &str, text: &str) -> bool {
 }
 
 fn sheet(id: &str, worst: &mut Worst) -> bool {
-    let ledger = Ledger::try_some(&[id], |_| {});
+    let ledger = Ledger::try_some(&PAPER, &[id], |_| {});
     let [entry] = &ledger.entries[..] else {
         return false;
     };
@@ -130,9 +130,9 @@ fn points(entry: &Entry) -> bool {
 }
 
 fn wrong_variants(id: &str) -> bool {
-    let mut all = variants::all();
+    let mut all = PAPER.formulas.variants();
     all.retain(|v| v.claim == id);
-    let ledger = Ledger::try_some(&[id], |_| {});
+    let ledger = Ledger::try_some(&PAPER, &[id], |_| {});
     let rejected = ledger.rejected(&all);
     let survive = || {
         all.iter()

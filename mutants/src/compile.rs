@@ -49,6 +49,7 @@ fn check(copy: &Path) -> Result<BTreeMap<u32, String>, Box<dyn Error>> {
             "cargo",
             "check",
             "-j2",
+            "--workspace",
             "--lib",
             "--message-format=json",
         ])

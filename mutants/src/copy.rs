@@ -13,7 +13,12 @@ use std::process::Command;
 pub const CONSTANT: &str = "in a constant";
 pub const CHAIN: &str = "does not compile: || after let";
 /// The files that are written in another way.
-const OWN: [&str; 3] = ["Cargo.toml", "src/lib.rs", "src/book/map.rs"];
+const OWN: [&str; 4] = [
+    "Cargo.toml",
+    "src/lib.rs",
+    "src/claims/mod.rs",
+    "trialbook/src/lib.rs",
+];
 pub const HIDDEN: &str = "not as a branch: hidden type";
 pub const LOST: &str = "its place was not found";
 
@@ -70,10 +75,11 @@ pub fn write(
         .into_iter()
         .filter(|r| !out.contains_key(&r.id))
         .collect();
-    let claims = texts
-        .get_mut("src/claims/mod.rs")
-        .ok_or("no list of topics")?;
-    *claims = topics(claims, &rows)?;
+    let claims = fs::read_to_string("src/claims/mod.rs")?;
+    put(
+        &copy.join("src/claims/mod.rs"),
+        topics(&claims, &rows)?.as_bytes(),
+    )?;
     for (file, text) in &texts {
         put(&copy.join(file), text.as_bytes())?;
     }
@@ -83,16 +89,19 @@ pub fn write(
     let allow = "#![allow(warnings, arithmetic_overflow, unconditional_panic, clippy::all)]\n";
     put(
         &copy.join("src/lib.rs"),
-        format!("{allow}{library}{switch}").as_bytes(),
+        format!("{allow}{library}pub use trialbook::{{Either, mutant}};\n").as_bytes(),
     )?;
-    let map = fs::read_to_string("src/book/map.rs")?.replace("in &TOPICS", "in TOPICS.iter()");
-    put(&copy.join("src/book/map.rs"), map.as_bytes())?;
+    let engine = fs::read_to_string("trialbook/src/lib.rs")?;
+    put(
+        &copy.join("trialbook/src/lib.rs"),
+        format!("{allow}{engine}{switch}").as_bytes(),
+    )?;
     put(
         &copy.join("tests/mutants.rs"),
         include_bytes!("../copy/claims.rs"),
     )?;
     let manifest = fs::read_to_string("Cargo.toml")?;
-    let target = "\n[[test]]\nname = \"mutants\"\nharness = false\n\n[workspace]\n";
+    let target = "\n[[test]]\nname = \"mutants\"\nharness = false\n";
     put(
         &copy.join("Cargo.toml"),
         format!("{manifest}{target}").as_bytes(),
@@ -111,7 +120,7 @@ fn put(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
 
 /// The list of topics, made when it is first read: a row of a claim is constant and can hold no switch.
 fn topics(text: &str, rows: &[Row]) -> Result<String, Box<dyn Error>> {
-    let (begin, end) = ("pub static TOPICS: [Topic; 9] = [", "\n];");
+    let (begin, end) = ("static TOPICS: [Topic; 9] = [", "\n];");
     let at = text.find(begin).ok_or("no list of topics")?;
     let length = text[at..]
         .find(end)
@@ -130,7 +139,7 @@ fn topics(text: &str, rows: &[Row]) -> Result<String, Box<dyn Error>> {
         .collect();
     let changes: String = changes.into_iter().collect();
     let made = format!(
-        "pub static TOPICS: std::sync::LazyLock<[Topic; 9]> = std::sync::LazyLock::new(|| {{
+        "static TOPICS: std::sync::LazyLock<[Topic; 9]> = std::sync::LazyLock::new(|| {{
     let mut topics = [{list}];
     for (id, claim, change) in CHANGES {{
         if crate::mutant(*id) {{
@@ -147,11 +156,15 @@ fn topics(text: &str, rows: &[Row]) -> Result<String, Box<dyn Error>> {
 const CHANGES: &[(u32, &str, fn(&mut Claim))] = &[
 {changes}];"
     );
-    Ok(format!(
-        "{}{made}{}",
-        &text[..at],
-        &text[at + length + end.len()..]
-    ))
+    // So is the paper that has them.
+    let (constant, made_later) = (
+        "pub static PAPER: Paper = Paper {",
+        "pub static PAPER: std::sync::LazyLock<Paper> = std::sync::LazyLock::new(|| Paper {",
+    );
+    let rest = text[at + length + end.len()..].trim_end();
+    let rest = rest.strip_suffix("};").ok_or("no paper")?;
+    let rest = rest.replace(constant, made_later);
+    Ok(format!("{}{made}{rest}}});\n", &text[..at]))
 }
 
 /// The changes in rows of claims.

@@ -113,6 +113,7 @@ pub fn build(copy: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
             "cargo",
             "test",
             "-j2",
+            "--workspace",
             "--release",
             "--no-run",
             "--message-format=json",

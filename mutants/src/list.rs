@@ -27,7 +27,7 @@ pub fn list(scratch: &Path) -> Result<Vec<Mutant>, Box<dyn Error>> {
     let kept = scratch.join("list.json");
     if !kept.exists() {
         let made = Command::new("cargo")
-            .args(["mutants", "--list", "--json"])
+            .args(["mutants", "--workspace", "--list", "--json"])
             .output()?;
         if !made.status.success() {
             return Err(String::from_utf8_lossy(&made.stderr).into());

@@ -6,7 +6,7 @@ use super::fill::{Filler, verdict};
 use super::maths::Maths;
 use super::plain;
 use super::text::{counted, escape, sentence, size, value};
-use crate::claims::{Claim, by_hand};
+use crate::claims::Claim;
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally, Verdict};
 
@@ -98,7 +98,7 @@ fn by_hand(filler: &Filler<'_>, entry: &Entry) -> Result<String, Fault> {
         entry.judgement.verdict,
         Verdict::Misprint | Verdict::Refuted
     );
-    let Some(case) = by_hand::of(entry.claim.id).filter(|_| fails) else {
+    let Some(case) = entry.paper.case(entry.claim.id).filter(|_| fails) else {
         return Ok(String::new());
     };
     let words = case

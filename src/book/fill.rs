@@ -145,7 +145,7 @@ impl<'a> Filler<'a> {
                 let entries = self.ledger.entries.iter();
                 inline(count(entries.filter(|e| e.is_proved()).count()))
             }
-            ["value", id] => inline(values::shown(id)?),
+            ["value", id] => inline(values::shown(self.ledger.paper, id)?),
             ["count", slug] => inline(count(self.ledger.counts()[&verdict_of(slug)?])),
             _ => Err(Fault::Placeholder("there is no such placeholder".into())),
         }

@@ -4,11 +4,10 @@ use super::error::Fault;
 use super::fill::{Filler, verdict};
 use super::tables::table;
 use super::text::{count, counted};
-use crate::claims::TOPICS;
-use crate::figures::map::{Node, map};
 use crate::figures::{Figure, FigureError};
 use crate::ledger::{Ledger, Verdict, plain_words};
 use std::collections::{BTreeMap, BTreeSet};
+use trialbook::figures::map::{Node, map};
 
 /// The sign of a verdict where there is no room for its name.
 fn sign(verdict: Verdict) -> &'static str {
@@ -56,7 +55,9 @@ pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
             sign: sign(entry.judgement.verdict),
             words: entry.judgement.verdict.words(),
             shaken: shaken.contains(claim.id),
-            lane: TOPICS
+            lane: ledger
+                .paper
+                .topics
                 .iter()
                 .position(|topic| topic.stem == entry.topic.stem)
                 .unwrap_or(0),
@@ -67,7 +68,13 @@ pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
                 .collect(),
         }
     });
-    map(&TOPICS.map(|topic| topic.title), &nodes.collect::<Vec<_>>())
+    let topics: Vec<_> = ledger
+        .paper
+        .topics
+        .iter()
+        .map(|topic| topic.title)
+        .collect();
+    map(&topics, &nodes.collect::<Vec<_>>())
 }
 
 /// The signs and what they mean.
@@ -106,7 +113,7 @@ pub(super) fn what_falls(filler: &Filler<'_>) -> Result<String, Fault> {
 pub(super) fn list(filler: &Filler<'_>) -> Result<String, Fault> {
     let ledger = filler.ledger();
     let mut html = String::new();
-    for topic in &TOPICS {
+    for topic in ledger.paper.topics {
         let of_topic = ledger.entries.iter().filter(|e| e.topic.stem == topic.stem);
         let rows: Result<Vec<_>, Fault> = of_topic
             .map(|entry| {

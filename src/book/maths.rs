@@ -3,7 +3,7 @@
 use super::error::Fault;
 use super::text::escape;
 use super::{expand, pages, plain};
-use crate::claims::{self, Claim};
+use crate::claims::{Claim, PAPER};
 use crate::ledger::plain_formula;
 use katex::macro_expander::MacroMap;
 use katex::macros::MacroDefinition;
@@ -42,11 +42,13 @@ static KNOWN: LazyLock<HashMap<Key, (String, String)>> = LazyLock::new(|| {
         let conditions = claim.conditions.iter().map(|condition| condition.text);
         [claim.title, claim.latex].into_iter().chain(conditions)
     };
-    let inline = claims::all().flat_map(|(_, claim)| words(claim));
+    let inline = PAPER.claims().flat_map(|(_, claim)| words(claim));
     let inline = inline
         .flat_map(parts)
         .map(|latex| (latex.to_owned(), false));
-    let alone = claims::all().filter(|(_, claim)| !claim.latex.contains('$'));
+    let alone = PAPER
+        .claims()
+        .filter(|(_, claim)| !claim.latex.contains('$'));
     let alone = alone.flat_map(|(_, claim)| [true, false].map(|d| (claim.latex.to_owned(), d)));
     let written = pages::WRITTEN
         .iter()

@@ -1,6 +1,6 @@
 //! The pages: which there are, in which order, and their text.
 
-use crate::claims::{TOPICS, Topic};
+use crate::claims::{PAPER, Topic};
 use crate::figures::Figure;
 
 /// One list of the written pages, for the book and for the doctests.
@@ -74,7 +74,7 @@ const REFERENCE: &str = "Reference";
 /// All pages, in the order of the book.
 pub(super) fn pages(figures: &[Figure]) -> Vec<Page> {
     let mut pages = vec![written_page("index", "Slipbook")];
-    pages.extend(TOPICS.iter().map(|topic| topic_page(topic, figures)));
+    pages.extend(PAPER.topics.iter().map(|topic| topic_page(topic, figures)));
     let reference = [
         ("ledger", "The ledger"),
         ("proved", "What is proved, what is measured"),

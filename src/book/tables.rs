@@ -5,11 +5,11 @@ use super::error::Fault;
 use super::fill::{Filler, verdict};
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
-use crate::claims::measured::{MEASURED, Measured};
-use crate::claims::variants::{SURVIVORS, Survivor};
 use crate::evidence::{Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
+use trialbook::claims::measured::Measured;
+use trialbook::claims::variants::Survivor;
 
 /// A table, as a block of HTML. The cells are HTML.
 pub(super) fn table<const N: usize>(
@@ -308,7 +308,7 @@ pub(super) fn measured(filler: &Filler<'_>) -> Result<String, Fault> {
         let links: Result<Vec<_>, Fault> = links.collect();
         Ok([filler.maths().words(measured.reason)?, links?.join(", ")])
     };
-    let rows: Result<Vec<_>, Fault> = MEASURED.iter().map(row).collect();
+    let rows: Result<Vec<_>, Fault> = filler.ledger().paper.measured.iter().map(row).collect();
     Ok(table(
         "measured",
         ["Why there is no proof", "Claims"],
@@ -353,7 +353,7 @@ pub(super) fn survivors(filler: &Filler<'_>) -> Result<String, Fault> {
             filler.maths().words(survivor.reason)?,
         ])
     };
-    let rows: Result<Vec<_>, Fault> = SURVIVORS.iter().map(row).collect();
+    let rows: Result<Vec<_>, Fault> = filler.ledger().paper.survivors.iter().map(row).collect();
     let head = ["Claim", "Wrong variant", "Why it stands"];
     Ok(table("survivors", head, rows?))
 }

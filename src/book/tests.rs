@@ -1,6 +1,6 @@
 use super::pages::{Page, pages};
 use super::*;
-use crate::claims::{self, Claim, Condition, Correction, TOPICS, Topic};
+use crate::claims::{Claim, Condition, Correction, PAPER, Topic};
 use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::ledger::{Entry, judge};
 use std::collections::{BTreeMap, BTreeSet};
@@ -83,14 +83,16 @@ fn ledger() -> Ledger {
         let claim = if claim.id == "eq-13" { &FULL } else { claim };
         let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
         Entry {
+            paper: &PAPER,
             claim,
             topic,
             evidence,
             judgement,
         }
     };
-    let entries = claims::all().map(|(topic, claim)| entry(topic, claim));
+    let entries = PAPER.claims().map(|(topic, claim)| entry(topic, claim));
     Ledger {
+        paper: &PAPER,
         entries: entries.collect(),
     }
 }
@@ -218,7 +220,7 @@ fn the_book_is_whole() {
         .iter()
         .filter(|name| name.starts_with("code/"))
         .count();
-    assert_eq!(pages.len() - of_code, TOPICS.len() + 16);
+    assert_eq!(pages.len() - of_code, PAPER.topics.len() + 16);
 
     for page in &pages {
         let html = text(page);

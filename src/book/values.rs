@@ -3,18 +3,17 @@
 use super::error::Fault;
 use super::fill::Filler;
 use super::tables::table;
-use crate::claims::by_hand::CASES;
+use crate::claims::Paper;
 use crate::claims::compare::Failure;
-use crate::claims::values::{VALUES, find};
 
 fn no_number(failure: &Failure) -> Fault {
     Fault::Placeholder(format!("no number: {failure}"))
 }
 
 /// A number by its short name.
-pub(super) fn shown(id: &str) -> Result<String, Fault> {
+pub(super) fn shown(paper: &Paper, id: &str) -> Result<String, Fault> {
     let unknown = || Fault::Placeholder(format!("there is no value `{id}`"));
-    let value = find(id).ok_or_else(unknown)?;
+    let value = paper.value(id).ok_or_else(unknown)?;
     value.shown().map_err(|failure| no_number(&failure))
 }
 
@@ -31,6 +30,7 @@ fn short(text: &str) -> String {
 
 /// All numbers by size: those with a name, and those of the cases by hand.
 pub(super) fn table_of(filler: &Filler<'_>) -> Result<String, Fault> {
+    let paper = filler.ledger().paper;
     let mut rows: Vec<(f64, [String; 4])> = Vec::new();
     let mut add = |text: String, meaning: String, claim: &str| -> Result<(), Fault> {
         let number = text.parse().unwrap_or(f64::INFINITY);
@@ -39,16 +39,16 @@ pub(super) fn table_of(filler: &Filler<'_>) -> Result<String, Fault> {
         rows.push((number, [known, all, meaning, link]));
         Ok(())
     };
-    for value in &VALUES {
+    for value in paper.values {
         let text = value.shown().map_err(|failure| no_number(&failure))?;
         add(text, filler.maths().words(value.meaning)?, value.claim)?;
     }
-    for case in &CASES {
+    for case in paper.cases {
         let numbers = case.numbers().map_err(|failure| no_number(&failure))?;
         for (text, whose) in numbers.into_iter().zip(["as printed", "in the motion"]) {
             let value: f64 = text.parse().unwrap_or(0.0);
             // Nobody looks a whole number up; and those above need no second row.
-            let known = VALUES.iter().filter(|v| v.claim == case.claim);
+            let known = paper.values.iter().filter(|v| v.claim == case.claim);
             let known = known
                 .filter_map(|v| v.number().ok())
                 .any(|v| (v - value).abs() < 1e-4);

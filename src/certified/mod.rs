@@ -1,15 +1,7 @@
-//! Numbers enclosed, statements on whole ranges proved.
+//! Numbers enclosed, statements on whole ranges proved: Newton's law put to the tools of [`trialbook::certified`].
 //!
-//! Nothing here is "accurate": every result comes with bounds, and the bounds are proved by the way in which they were
-//! computed. An [`Interval`](interval::Interval) lies between two f64 and is fast; a [`Ball`](ball::Ball) has as many
-//! digits as one asks for. On them rest
-//!
-//! - [`root`] and [`krawczyk`]: a root exists in a box and is the only one there;
-//! - [`cover`]: an inequality, or the sign of a slope, holds on a whole range;
-//! - [`flow`]: all motions from a box of starts, by an integrator that bounds what it leaves out.
-//!
-//! [`jet`] differentiates formulas on the way, [`taylor`] more than once. [`drive`] and [`turntable`] put Newton's law to these tools: they know
-//! arcs and polynomial equations of motion, and nothing of the paper. [`values`] lists the numbers.
+//! [`drive`] and [`turntable`] know arcs and polynomial equations of motion, and nothing of the paper. [`values`] lists
+//! the numbers.
 //!
 //! ```
 //! use slipbook::certified::values;
@@ -18,18 +10,9 @@
 //! assert_eq!(q.decimal(50)?, "4.60333884875170035255658202910301651306739713416053");
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
-//!
-//! What could not be proved is an error that says where, never a guess.
 
-pub mod ball;
-pub mod cover;
 pub mod drive;
-pub mod error;
-pub mod flow;
-pub mod interval;
-pub mod jet;
-pub mod krawczyk;
-pub mod root;
-pub mod taylor;
 pub mod turntable;
 pub mod values;
+
+pub use trialbook::certified::*;

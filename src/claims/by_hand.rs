@@ -14,56 +14,7 @@ use crate::motion::sphere::{Ball, Motion, Sphere};
 use crate::motion::{Plane, State, run};
 use crate::paper::{anisotropic, escape, rest, sphere, turntable as table};
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, SQRT_2, TAU};
-
-/// A case of a claim that fails.
-#[derive(Debug, Clone, Copy)]
-pub struct ByHand {
-    /// Id of the claim.
-    pub claim: &'static str,
-    /// Where the derivation goes wrong; formulas in `$…$`.
-    pub reason: &'static str,
-    /// The case; formulas in `$…$`, `{stated}` and `{found}` for the two numbers.
-    pub case: &'static str,
-    /// Digits shown of the numbers.
-    digits: usize,
-    /// The number by the claim as printed.
-    pub stated: fn() -> Result<f64, Failure>,
-    /// The number that the motion has.
-    pub found: fn() -> Result<f64, Failure>,
-}
-
-impl ByHand {
-    /// The stated and the found number, as shown.
-    ///
-    /// # Errors
-    /// A motion that cannot be followed.
-    pub fn numbers(&self) -> Result<[String; 2], Failure> {
-        let shown = |value: f64| {
-            let text = format!("{value:.*}", self.digits);
-            // No sign is left of a zero.
-            let zero = text
-                .strip_prefix('-')
-                .filter(|size| size.parse() == Ok(0.0));
-            zero.map_or(text.clone(), str::to_owned)
-        };
-        Ok([shown((self.stated)()?), shown((self.found)()?)])
-    }
-
-    /// The case with its numbers, formulas in `$…$`.
-    ///
-    /// # Errors
-    /// As [`ByHand::numbers`].
-    pub fn words(&self) -> Result<String, Failure> {
-        let [stated, found] = self.numbers()?;
-        let words = self.case.replace("{stated}", &stated);
-        Ok(words.replace("{found}", &found))
-    }
-}
-
-/// The case of a claim, if it has one.
-pub fn of(claim: &str) -> Option<&'static ByHand> {
-    CASES.iter().find(|case| case.claim == claim)
-}
+pub use trialbook::claims::by_hand::ByHand;
 
 /// All cases, in the paper's order.
 pub static CASES: [ByHand; 19] = [
@@ -319,12 +270,12 @@ fn energy_lost() -> Result<f64, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims;
+    use crate::claims::PAPER;
 
     #[test]
     fn every_case_shows_a_difference() {
         for case in &CASES {
-            assert!(claims::find(case.claim).is_some(), "{}", case.claim);
+            assert!(PAPER.find(case.claim).is_some(), "{}", case.claim);
             let (stated, found) = ((case.stated)().unwrap(), (case.found)().unwrap());
             let step = 0.1_f64.powi(case.digits as i32);
             assert!(
@@ -350,7 +301,11 @@ mod tests {
             ("eq-106", ["25.0", "12.5"]),
             ("s4-coriolis-no-work", ["-25.0", "-12.5"]),
         ] {
-            assert_eq!(of(claim).unwrap().numbers().unwrap(), numbers, "{claim}");
+            assert_eq!(
+                PAPER.case(claim).unwrap().numbers().unwrap(),
+                numbers,
+                "{claim}"
+            );
         }
     }
 }

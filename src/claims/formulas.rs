@@ -1,9 +1,10 @@
 //! Every formula, printed and corrected, and the claim that tries it.
 
-use crate::exact::Expr;
+use super::variants::{UP_TO_A_FACTOR, UP_TO_A_POSITIVE_FACTOR, argument};
 use crate::scalar::Scalar;
 use crate::seeded::Formula;
 use crate::{corrections, paper};
+use trialbook::claims::formulas::Formulas;
 
 /// The formulas without a number of their own, and the claims that try them. What serves no claim is not here.
 const TRIED_IN: [(&str, &str); 32] = [
@@ -81,49 +82,21 @@ pub fn formulas<S: Scalar>() -> Vec<Formula<S>> {
     .collect()
 }
 
-/// The id of the claim that tries the formula of this path: `slipbook::paper::constant::eq13_time`.
-pub fn claim(path: &str) -> Option<String> {
-    let name = path.rsplit("::").next()?;
-    let number = name
-        .strip_prefix("eq")
-        .and_then(|rest| rest.split('_').next());
-    let tried_in = || {
-        let path = path.strip_prefix("slipbook::")?;
-        let (_, id) = TRIED_IN.iter().find(|(formula, _)| *formula == path)?;
-        Some((*id).to_owned())
-    };
-    number.map(|n| format!("eq-{n}")).or_else(tried_in)
-}
-
-/// A formula as plain text, components one after the other: written from what the code computes.
-pub fn text(formula: &Formula<Expr>) -> String {
-    let symbols: Vec<_> = formula.symbols.iter().map(|s| Expr::symbol(s)).collect();
-    let parts = (formula.value)(&symbols);
-    parts
-        .iter()
-        .map(Expr::to_string)
-        .collect::<Vec<_>>()
-        .join("; ")
-}
-
-/// The formulas that the claim of this id tries, those of the paper first: `paper::constant::eq13_time(λ, A, …) = …`.
-pub fn of_claim(id: &str) -> Vec<String> {
-    let own = formulas::<Expr>().into_iter();
-    own.filter(|formula| claim(formula.path).as_deref() == Some(id))
-        .map(|formula| {
-            let path = formula.path.split_once("::").map_or("", |(_, path)| path);
-            format!(
-                "{path}({}) = {}",
-                formula.symbols.join(", "),
-                text(&formula)
-            )
-        })
-        .collect()
-}
+/// The formulas, with what their trials and their wrong variants have to know of them.
+pub const FORMULAS: Formulas = Formulas {
+    numbers: formulas,
+    trees: formulas,
+    corrections: "::corrections::",
+    tried_in: &TRIED_IN,
+    up_to_a_factor: &UP_TO_A_FACTOR,
+    up_to_a_positive_factor: &UP_TO_A_POSITIVE_FACTOR,
+    argument,
+};
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::claims::PAPER;
     use crate::seeded::symbol;
     use crate::symbols::SYMBOLS;
     use std::collections::BTreeSet;
@@ -133,11 +106,11 @@ mod tests {
         let formulas = formulas::<f64>();
         let tried = |path: &str| {
             let formula = formulas.iter().find(|f| f.path.ends_with(path));
-            claim(formula.unwrap_or_else(|| panic!("{path}")).path)
+            FORMULAS.claim(formula.unwrap_or_else(|| panic!("{path}")).path)
         };
         for (path, id) in TRIED_IN {
             assert_eq!(tried(path).as_deref(), Some(id), "{path}");
-            assert!(crate::claims::find(id).is_some(), "{id}");
+            assert!(PAPER.find(id).is_some(), "{id}");
         }
         assert_eq!(tried("constant::eq13_time").as_deref(), Some("eq-13"));
         assert_eq!(tried("corrections::escape::winding"), None);
@@ -158,11 +131,7 @@ mod tests {
             assert_eq!(letters.len(), formula.symbols.len(), "{}", formula.path);
         }
         for symbol in SYMBOLS {
-            assert!(
-                crate::claims::find(symbol.claim).is_some(),
-                "{}",
-                symbol.argument
-            );
+            assert!(PAPER.find(symbol.claim).is_some(), "{}", symbol.argument);
         }
     }
 }

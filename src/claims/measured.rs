@@ -1,13 +1,6 @@
 //! The claims without a proof, each with the reason why there is none. A test holds the list against the ledger.
 
-/// Why some claims are measured and not proved.
-#[derive(Debug, Clone, Copy)]
-pub struct Measured {
-    /// The reason.
-    pub reason: &'static str,
-    /// Ids of the claims.
-    pub claims: &'static [&'static str],
-}
+pub use trialbook::claims::measured::Measured;
 
 /// All claims without a proof, by the reason.
 pub const MEASURED: &[Measured] = &[

@@ -1,18 +1,6 @@
-//! Whether evidence has read what it is about: a formula of its own claim, as printed or as corrected.
+//! The trials that read no formula of their claim.
 
-use super::formulas;
-use crate::evidence::{Evidence, Subject};
-
-/// A trial that reads no formula of its claim, and why it need not.
-#[derive(Debug, Clone, Copy)]
-pub struct Elsewhere {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// What is compared.
-    pub compared: &'static str,
-    /// Why.
-    pub reason: &'static str,
-}
+pub use trialbook::claims::reading::Elsewhere;
 
 const IN_WORDS: &str = "the claim in words: where the motion ends, whatever the formula says";
 const DELAY: &str =
@@ -71,14 +59,3 @@ pub const ELSEWHERE: [Elsewhere; 10] = [
         reason: DELAY,
     },
 ];
-
-/// True if the claim of this id has formulas of the kind that the evidence is about, and none of them was read for it.
-pub fn is_missing(id: &str, evidence: &Evidence) -> bool {
-    let side = match evidence.subject {
-        Subject::Corrected => "::corrections::",
-        Subject::Printed | Subject::Within | Subject::Outside => "::paper::",
-    };
-    let own = |path: &str| path.contains(side) && formulas::claim(path).as_deref() == Some(id);
-    let mut all = formulas::formulas::<f64>().into_iter();
-    all.any(|formula| own(formula.path)) && !evidence.read.iter().any(|path| own(path))
-}

@@ -1,20 +1,7 @@
 //! Every tolerance, with its reason, in one place; sorted by name.
 
-use crate::evidence::Tolerance;
-
-/// Constants of type [`Tolerance`], each with its own name.
-macro_rules! tolerances {
-    ($($(#[$about:meta])* $name:ident = $value:expr, $reason:literal;)*) => {
-        $(
-            $(#[$about])*
-            pub const $name: Tolerance = Tolerance {
-                name: stringify!($name),
-                value: $value,
-                reason: $reason,
-            };
-        )*
-    };
-}
+use trialbook::claims::tolerances::tolerances;
+pub use trialbook::claims::tolerances::{MOTION, NONE, QUADRATURE};
 
 tolerances! {
 
@@ -106,10 +93,6 @@ LIMIT_OF_WIDTH = 5e-10,
 LOGARITHM = 1e-8,
     "terms that stay bounded, beside a logarithm of 1e9";
 
-/// A formula against the integrated motion.
-MOTION = 2e-13,
-    "the motion is good to about 1e-13 where the problem is well conditioned; the scale is what the formula can resolve";
-
 /// A place on the boundary close to A = 1, α = 0.
 NEAR_CORNER = 2e-4,
     "the boundary is within α of 1, and α is about 1e-4";
@@ -122,10 +105,6 @@ NEAR_REST = 5e-8,
 NEAR_REST_EXPONENT = 5e-7,
     "at the levels chosen the terms left out are below 1e-7 of the one measured";
 
-/// Nothing may differ.
-NONE = 0.0,
-    "a count or a normal form: nothing may differ";
-
 /// The friction at which rests appear, found by bisection on the motion.
 ONSET = 2e-14,
     "the bisection ends at neighbouring numbers; rests shorter than 1e-14 are not listed";
@@ -133,10 +112,6 @@ ONSET = 2e-14,
 /// A factor of logarithms across a passage through zero.
 PASSAGE = 1e-5,
     "what stays bounded stands beside a logarithm of at least 1e5; what is linear in the distance, beside 1e-5";
-
-/// A formula against a quadrature.
-QUADRATURE = 5e-13,
-    "the quadrature is asked for 1e-13";
 
 /// What is left of an angle that has relaxed, or of its square.
 RELAXED = 1e-5,

@@ -1,9 +1,5 @@
 //! The numbers by which a claim can be found: computed, each with the claim that it belongs to.
 
-mod search;
-
-pub use search::{Match, NotDecimal, search};
-
 use super::anisotropic::simulated::touching;
 use super::compare::Failure;
 use super::escape::growth;
@@ -13,312 +9,241 @@ use crate::corrections::{anisotropic as added, escape as corrected, rest as boun
 use crate::motion::turntable;
 use crate::paper::{anisotropic, escape, rest, sinusoidal, sphere};
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, PI, SQRT_2, TAU};
-use std::sync::LazyLock;
-
-/// A number, computed when it is first asked for.
-#[derive(Debug)]
-pub struct Value {
-    /// Short name for the pages: `lambda-c`.
-    pub id: &'static str,
-    /// What it is; formulas in `$…$`.
-    pub meaning: &'static str,
-    /// Id of the claim.
-    pub claim: &'static str,
-    /// Decimals shown, all of them certain.
-    pub decimals: usize,
-    number: LazyLock<Result<f64, Failure>>,
-}
-
-impl Value {
-    /// The number.
-    ///
-    /// # Errors
-    /// A motion that cannot be followed.
-    pub fn number(&self) -> Result<f64, Failure> {
-        let failed = |error: &Failure| error.to_string().into();
-        self.number.as_ref().copied().map_err(failed)
-    }
-
-    /// The number as shown.
-    ///
-    /// # Errors
-    /// A motion that cannot be followed.
-    pub fn shown(&self) -> Result<String, Failure> {
-        Ok(format!("{:.*}", self.decimals, self.number()?))
-    }
-
-    /// The number to [`KNOWN`] significant digits, cut off and not rounded.
-    ///
-    /// # Errors
-    /// A motion that cannot be followed.
-    pub fn digits(&self) -> Result<String, Failure> {
-        let value = self.number()?;
-        let power = libm::floor(libm::log10(value.abs())) as i32;
-        let places = (KNOWN as i32 - 1 - power).max(0) as usize;
-        // Five digits more, so that rounding does not reach those that are kept.
-        let mut text = format!("{value:.*}", places + 5);
-        text.truncate(text.len() - 5);
-        Ok(text)
-    }
-}
-
-/// Significant digits that every value is good for: the least come from a bisection on a motion.
-const KNOWN: usize = 11;
-
-/// The number of this short name.
-pub fn find(id: &str) -> Option<&'static Value> {
-    VALUES.iter().find(|value| value.id == id)
-}
-
-const fn row(
-    id: &'static str,
-    claim: &'static str,
-    decimals: usize,
-    meaning: &'static str,
-    number: fn() -> Result<f64, Failure>,
-) -> Value {
-    Value {
-        id,
-        meaning,
-        claim,
-        decimals,
-        number: LazyLock::new(number),
-    }
-}
+pub use trialbook::claims::values::{Match, NotDecimal, Value, search};
 
 /// All numbers, in the paper's order.
 pub static VALUES: [Value; 35] = [
-    row(
+    Value::new(
         "lambda-c",
         "eq-37",
         10,
         "$\\lambda_\\mathrm{c}$, the friction from which on the shaken particle rests",
         || Ok(sinusoidal::eq37_lambda_c()),
     ),
-    row(
+    Value::new(
         "fig-3-start",
         "eq-39",
         4,
         "$\\tilde\\phi_1$ at $\\lambda_0=1/\\pi$",
         || Ok(sinusoidal::eq39_phi_t1(FRAC_1_PI)),
     ),
-    row(
+    Value::new(
         "fig-3-largest",
         "fig-3",
         3,
         "largest $\\mathfrak w$ at $\\lambda_0=1/\\pi$",
         || largest(FRAC_1_PI),
     ),
-    row(
+    Value::new(
         "fig-4-largest",
         "fig-4",
         4,
         "largest $\\mathfrak w$ at $\\lambda_0=1/\\sqrt2$",
         || largest(FRAC_1_SQRT_2),
     ),
-    row("y-q-printed", "eq-58", 3, "$q$ of Y, as printed", || {
+    Value::new("y-q-printed", "eq-58", 3, "$q$ of Y, as printed", || {
         Ok(anisotropic::eq58_y::<f64>()[0])
     }),
-    row(
+    Value::new(
         "y-lambda-printed",
         "eq-58",
         3,
         "$\\lambda_0$ of Y, as printed",
         || Ok(anisotropic::eq58_y::<f64>()[1]),
     ),
-    row(
+    Value::new(
         "y-q",
         "s24-Y",
         12,
         "$q$ of Y, where B and C touch",
         touching,
     ),
-    row("y-lambda", "s24-Y", 12, "$\\lambda_0$ of Y", || {
+    Value::new("y-lambda", "s24-Y", 12, "$\\lambda_0$ of Y", || {
         Ok(1.0 / touching()?)
     }),
-    row(
+    Value::new(
         "contact",
         "s24-Y",
         6,
         "how fast B leaves C at Y: $1/q-\\lambda_0$ over $(q-q_Y)^2$",
         || Ok(added::contact(touching()?)),
     ),
-    row(
+    Value::new(
         "b-solid",
         "eq-67",
         1,
         "$b$ of a solid sphere, $\\kappa=\\frac25$",
         || Ok(sphere::eq67_factor(0.4)),
     ),
-    row(
+    Value::new(
         "b-hollow",
         "eq-67",
         1,
         "$b$ of a thin shell, $\\kappa=\\frac23$",
         || Ok(sphere::eq67_factor(2.0 / 3.0)),
     ),
-    row(
+    Value::new(
         "slip-end",
         "eq-82",
         4,
         "the time $\\frac{14}{33}$ at which the sphere of the example ceases to slip",
         || Ok(14.0 / 33.0),
     ),
-    row(
+    Value::new(
         "a-printed",
         "eq-132",
         6,
         "$A/\\tau^{3/2}$ in an escape, as printed: $2/\\sqrt{27}$",
         || Ok(escape::eq132_a(1.0)),
     ),
-    row(
+    Value::new(
         "a",
         "eq-132",
         6,
         "$A/\\tau^{3/2}$ in an escape: $\\frac13 2^{1/4}$",
         || Ok(growth::corrected_size()),
     ),
-    row(
+    Value::new(
         "alpha-printed",
         "eq-133",
         6,
         "$\\alpha-\\frac12\\ln\\tau$ in an escape, as printed: $\\frac12\\ln\\frac43$",
         || Ok(escape::eq133_alpha(1.0)),
     ),
-    row(
+    Value::new(
         "alpha",
         "eq-133",
         6,
         "$\\alpha-\\frac12\\ln\\tau$ in an escape: $\\frac14\\ln2$",
         || Ok(corrected::alpha(1.0)),
     ),
-    row(
+    Value::new(
         "p-printed",
         "eq-135",
         6,
         "$p/\\tau^2$ in an escape, as printed: $\\frac29$",
         || Ok(growth::printed_speed()),
     ),
-    row(
+    Value::new(
         "p",
         "eq-135",
         6,
         "$p/\\tau^2$ and $\\rho/\\tau^2$ in an escape: $1/(3\\sqrt2)$",
         || Ok(growth::corrected_speed()),
     ),
-    row(
+    Value::new(
         "s-printed",
         "eq-137",
         6,
         "$s/\\tau^3$ in an escape, as printed: $\\frac2{27}$",
         || Ok(escape::eq137_s(1.0)),
     ),
-    row(
+    Value::new(
         "s",
         "eq-137",
         6,
         "$s/\\tau^3$ in an escape: $1/(9\\sqrt2)$",
         || Ok(corrected::s(1.0)),
     ),
-    row(
+    Value::new(
         "turn",
         "eq-136",
         0,
         "the factor in $\\tau$ over which an escape goes once around the axis: $\\mathrm e^{2\\pi/\\sqrt2}$",
         || Ok(libm::exp(TAU / SQRT_2)),
     ),
-    row(
+    Value::new(
         "delay",
         "eq-135",
         6,
         "the lag of the escape's clock over $\\ln\\tau$: $\\frac34\\sqrt2$",
         || Ok(corrected::delay()),
     ),
-    row(
+    Value::new(
         "critical-radius",
         "s4-rest-radius",
         10,
         "how far from the axis a particle at rest in the laboratory may be put down and come to rest, over $\\mu g/\\Omega^2$",
         || Ok(turntable::critical_radius()?),
     ),
-    row(
+    Value::new(
         "critical-speed",
         "s4-rest-radius",
         10,
         "how fast a particle may leave the axis and come to rest, over $\\mu g/\\Omega$",
         || Ok(turntable::critical_speed()?),
     ),
-    row(
+    Value::new(
         "envelope",
         "eq-147",
         4,
         "$A$ on the printed boundary at $\\alpha=0.1$",
         || Ok(rest::eq147_a(0.1)),
     ),
-    row(
+    Value::new(
         "boundary",
         "s4-envelope-is-boundary",
         4,
         "$A$ on the boundary at $\\alpha=0.1$, $\\psi=0.2$",
         boundary_example,
     ),
-    row(
+    Value::new(
         "boundary-slope",
         "s4-envelope-is-boundary",
         4,
         "$-\\mathrm dA/\\mathrm d\\alpha$ of the boundary at $\\alpha=0$, $\\psi=\\pi/2$",
         || Ok(boundary::boundary_slope(PI / 2.0)),
     ),
-    row(
+    Value::new(
         "phi-1",
         "eq-27",
         4,
         "$\\phi_1$ at $\\lambda_0=1/\\sqrt2$",
         || Ok(sinusoidal::eq27_phi1(FRAC_1_SQRT_2)),
     ),
-    row(
+    Value::new(
         "phi-2",
         "eq-28",
         4,
         "$\\phi_2$ at $\\lambda_0=1/\\sqrt2$",
         || Ok(sinusoidal::eq28_phi2(FRAC_1_SQRT_2)),
     ),
-    row(
+    Value::new(
         "phi-3",
         "eq-29",
         4,
         "$\\phi_3$ at $\\lambda_0=1/\\sqrt2$",
         || Ok(sinusoidal::eq29_phi3(FRAC_1_SQRT_2)),
     ),
-    row(
+    Value::new(
         "phi-4",
         "eq-30",
         4,
         "$\\phi_4$ at $\\lambda_0=1/\\sqrt2$",
         || Ok(sinusoidal::eq30_phi4(FRAC_1_SQRT_2)),
     ),
-    row(
+    Value::new(
         "fig-3-friction",
         "fig-3",
         4,
         "$1/\\pi$, the friction of Figure 3",
         || Ok(FRAC_1_PI),
     ),
-    row(
+    Value::new(
         "fig-4-friction",
         "fig-4",
         4,
         "$1/\\sqrt2$, the friction of Figure 4",
         || Ok(FRAC_1_SQRT_2),
     ),
-    row(
+    Value::new(
         "y-root",
         "s24-Y",
         12,
         "$x$ of Y: the least positive root of $\\tan x=x$",
         || touching().map(|q| libm::sqrt(q * q - 1.0)),
     ),
-    row(
+    Value::new(
         "boundary-curvature",
         "s4-envelope-is-boundary",
         4,
@@ -344,15 +269,16 @@ fn largest(lambda: f64) -> Result<f64, Failure> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims;
+    use crate::claims::PAPER;
     use std::collections::BTreeSet;
+    use trialbook::claims::values::KNOWN;
 
     #[test]
     fn every_value_belongs_to_a_claim_and_has_its_digits() {
         let ids: BTreeSet<_> = VALUES.iter().map(|value| value.id).collect();
         assert_eq!(ids.len(), VALUES.len());
         for value in &VALUES {
-            assert!(claims::find(value.claim).is_some(), "{}", value.id);
+            assert!(PAPER.find(value.claim).is_some(), "{}", value.id);
             assert!(value.shown().is_ok(), "{}", value.id);
 
             // As many digits as are known, cut off; nines may be rounded up if there are two of them or more.
@@ -374,7 +300,7 @@ mod tests {
             ("turn", "85.019695223"),
             ("slip-end", "0.42424242424"),
         ] {
-            assert_eq!(find(id).unwrap().digits().unwrap(), digits);
+            assert_eq!(PAPER.value(id).unwrap().digits().unwrap(), digits);
         }
     }
 }

@@ -1,39 +1,6 @@
-//! Wrong variants of the formulas: each differs from its formula in a single place, and in what it states.
+//! What the wrong variants of the formulas have to know: which stand, and where the formulas are stated.
 
-use super::formulas::{claim, formulas, text};
-use crate::exact::Expr;
-use crate::seeded::{Formula, Seed, with};
-
-/// A wrong variant of a formula.
-#[derive(Debug, Clone)]
-pub struct Variant {
-    /// The id of the claim that tries the formula.
-    pub claim: String,
-    /// The formula's name.
-    pub formula: &'static str,
-    /// The mistake that makes it.
-    pub seed: Seed,
-    /// The wrong formula as plain text; components one after the other.
-    pub text: String,
-}
-
-impl Variant {
-    /// True if the formula is one of the paper's, false if it replaces one.
-    pub fn is_printed(&self) -> bool {
-        self.seed.formula.contains("::paper::")
-    }
-}
-
-/// A wrong variant that no trial rejects, and why none has to.
-#[derive(Debug, Clone, Copy)]
-pub struct Survivor {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The wrong formula, as [`Variant::text`] has it.
-    pub text: &'static str,
-    /// Why it is not rejected.
-    pub reason: &'static str,
-}
+pub use trialbook::claims::variants::{Spared, Survivor, Variant};
 
 /// All wrong variants that no trial rejects. A test holds the list against the trials.
 pub const SURVIVORS: [Survivor; 3] = [
@@ -53,17 +20,6 @@ pub const SURVIVORS: [Survivor; 3] = [
         reason: "the formula is stated for large α, where the two hyperbolic functions are equal to leading order",
     },
 ];
-
-/// A formula of a claim of which a proof of the claim does not reject every wrong variant; the claim's other trials do.
-#[derive(Debug, Clone, Copy)]
-pub struct Spared {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The name of the formula.
-    pub formula: &'static str,
-    /// What of it does not enter the proof.
-    pub reason: &'static str,
-}
 
 const BY_ITS_SINE: &str =
     "the proof knows a phase by its sine alone; which phase it is, the motions tell";
@@ -117,7 +73,7 @@ pub const SPARED: [Spared; 14] = [
 ];
 
 /// The formulas that say that something vanishes or keeps its value: a constant factor does not make them wrong.
-const UP_TO_A_FACTOR: [&str; 9] = [
+pub(super) const UP_TO_A_FACTOR: [&str; 9] = [
     "constant",
     "eq10_invariant",
     "eq17_invariant",
@@ -130,96 +86,16 @@ const UP_TO_A_FACTOR: [&str; 9] = [
 ];
 
 /// The formulas that state a sign: a positive factor does not make them wrong.
-const UP_TO_A_POSITIVE_FACTOR: [&str; 2] = ["eq110_case", "eq116_case"];
+pub(super) const UP_TO_A_POSITIVE_FACTOR: [&str; 2] = ["eq110_case", "eq116_case"];
 
-/// Every wrong variant of every formula.
-pub fn all() -> Vec<Variant> {
-    let trees = formulas::<Expr>();
-    let numbers = formulas::<f64>();
-    let both = trees.iter().zip(&numbers);
-    both.flat_map(|(tree, number)| of(tree, number)).collect()
-}
-
-/// The wrong variants of the formula of this name.
-pub fn of_formula(name: &str) -> Vec<Variant> {
-    let named = all().into_iter();
-    named.filter(|variant| variant.formula == name).collect()
-}
-
-/// The wrong variants of one formula, which is given for trees and for numbers.
-fn of(tree: &Formula<Expr>, number: &Formula<f64>) -> Vec<Variant> {
-    let Some(claim) = claim(number.path) else {
-        return Vec::new();
-    };
-    let mut random = fastrand::Rng::with_seed(super::points::SEED);
-    let points: Vec<_> = (0..20).map(|_| point(number, &mut random)).collect();
-    let values = || -> Vec<Vec<f64>> { points.iter().map(|p| (number.value)(p)).collect() };
-    let right = values();
-    let mut found: Vec<Variant> = Vec::new();
-    for seed in number.seeds(&points[0]) {
-        let text = with(seed, || text(tree));
-        let known = found.iter().any(|v| v.text == text);
-        if !known && !same(number.name, &right, &with(seed, values)) {
-            found.push(Variant {
-                claim: claim.clone(),
-                formula: number.name,
-                seed,
-                text,
-            });
-        }
-    }
-    found
-}
-
-/// Arguments between 0 and 1, as the formula is stated for them: vectors of the sphere lie in the plane, but for the
-/// angular velocity, and **R** is upright; h in (43) is that of (42).
-fn point(formula: &Formula<f64>, random: &mut fastrand::Rng) -> Vec<f64> {
-    let value = |letter: &&str| match *letter {
+/// A random value of an argument, by its letter: vectors of the sphere lie in the plane, but for the angular velocity,
+/// and **R** is upright; h in (43) is that of (42).
+pub(super) fn argument(letter: &str, random: &mut fastrand::Rng) -> f64 {
+    match letter {
         "ω_z" | "R_z" => random.f64(),
         "R_x" | "R_y" => 0.0,
         letter if letter.ends_with("_z") => 0.0,
         "h" => f64::from(random.u8(0..2)),
         _ => random.f64(),
-    };
-    formula.symbols.iter().map(value).collect()
-}
-
-/// True if the values state the same as the right ones, wherever those are finite.
-fn same(formula: &str, right: &[Vec<f64>], values: &[Vec<f64>]) -> bool {
-    let pairs = || {
-        let all = right.iter().flatten().zip(values.iter().flatten());
-        all.filter(|(r, _)| r.is_finite())
-    };
-    let factor = pairs().find(|(r, _)| **r != 0.0).map(|(r, v)| v / r);
-    let factor = factor.filter(|f| {
-        UP_TO_A_FACTOR.contains(&formula) && *f != 0.0
-            || UP_TO_A_POSITIVE_FACTOR.contains(&formula) && *f > 0.0
-    });
-    let factor = factor.unwrap_or(1.0);
-    pairs().all(|(r, v)| (v - factor * r).abs() <= 1e-9 * r.abs())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_factor_counts_but_for_what_vanishes_keeps_its_value_or_has_a_sign() {
-        let right = [vec![0.0, f64::NAN], vec![1.0, -2.0]];
-        let times = |factor: f64| {
-            right
-                .clone()
-                .map(|v| v.iter().map(|x| factor * x).collect())
-        };
-        for (formula, like) in [
-            ("eq13_time", [true, false, false, false]),
-            ("eq104_constant", [true, true, true, false]),
-            ("eq116_case", [true, true, false, false]),
-        ] {
-            let found = [1.0, 3.0, -3.0, 0.0].map(|factor| same(formula, &right, &times(factor)));
-            assert_eq!(found, like, "{formula}");
-            // No one factor leads there.
-            assert!(!same(formula, &right, &[vec![0.0, 0.0], vec![1.0, 2.0]]));
-        }
     }
 }

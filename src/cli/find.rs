@@ -1,13 +1,14 @@
 //! The command `find`.
 
 use super::output::{Failure, Format, VERSION, csv, json, say};
+use crate::claims::PAPER;
 use crate::claims::values::{Match, search};
 use crate::ledger::plain_words;
 use std::fmt::Write;
 
 /// Finds the claims that carry a number.
 pub(super) fn find(number: &str, format: Format) -> Result<u8, Failure> {
-    let found = search(number)?;
+    let found = search(PAPER.values, number)?;
     match format {
         Format::Text => say(&text(number, &found))?,
         Format::Json => json(&serde_json::json!({

@@ -1,7 +1,7 @@
 //! The commands that try claims: the main job, `verify`, `show`, `list` and `errata`.
 
 use super::output::{self, Failure, Format, VERSION, csv, json, say};
-use crate::claims::{self, Claim, TOPICS};
+use crate::claims::{Claim, PAPER};
 use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
 use crate::{book, figures};
 use clap::ValueEnum;
@@ -20,7 +20,7 @@ pub(super) fn verdicts() -> PossibleValuesParser {
 
 /// The sections of the paper.
 pub(super) fn sections() -> PossibleValuesParser {
-    let sections: BTreeSet<&str> = claims::all().map(|(_, claim)| claim.section).collect();
+    let sections: BTreeSet<&str> = PAPER.claims().map(|(_, claim)| claim.section).collect();
     PossibleValuesParser::new(sections)
 }
 
@@ -62,7 +62,7 @@ struct Tried {
 impl Tried {
     /// Tries all claims, or those of these ids.
     fn new(ids: Option<&[&str]>) -> Result<Self, Failure> {
-        let record = Record::committed()?;
+        let record = Record::parse(PAPER.record)?;
         let ledger = with_progress(ids);
         let mut differences = record.differences(&ledger);
         if ids.is_some() {
@@ -178,7 +178,7 @@ pub(super) fn list(
     format: Format,
 ) -> Result<u8, Failure> {
     let of_section: Option<Vec<_>> = section.map(|section| {
-        let there = claims::all().filter(|(_, claim)| claim.section == section);
+        let there = PAPER.claims().filter(|(_, claim)| claim.section == section);
         there.map(|(_, claim)| claim.id).collect()
     });
     let tried = Tried::new(of_section.as_deref())?;
@@ -215,7 +215,7 @@ pub(super) fn print_errata(kind: ErrataFormat, format: Format) -> Result<u8, Fai
 
 /// The id of a claim, if there is one of this name.
 fn known(id: &str) -> Result<&'static str, Failure> {
-    match claims::find(id) {
+    match PAPER.find(id) {
         Some((_, claim)) => Ok(claim.id),
         None => Err(format!("there is no claim `{id}`: `slipbook list` names all").into()),
     }
@@ -268,7 +268,7 @@ fn table(entries: &[&Entry]) -> Result<(), Failure> {
 
 /// Tries claims with a progress bar, which shows on a terminal only.
 fn with_progress(ids: Option<&[&str]>) -> Ledger {
-    let all = || TOPICS.iter().map(|topic| topic.claims.len()).sum();
+    let all = || PAPER.topics.iter().map(|topic| topic.claims.len()).sum();
     let style = ProgressStyle::with_template("{bar:40} {pos}/{len} claims  {msg}");
     let bar = ProgressBar::new(ids.map_or_else(all, <[_]>::len) as u64)
         .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
@@ -277,8 +277,8 @@ fn with_progress(ids: Option<&[&str]>) -> Ledger {
         bar.inc(1);
     };
     let ledger = match ids {
-        Some(ids) => Ledger::try_some(ids, done),
-        None => Ledger::try_all(done),
+        Some(ids) => Ledger::try_some(&PAPER, ids, done),
+        None => Ledger::try_all(&PAPER, done),
     };
     bar.finish_and_clear();
     ledger

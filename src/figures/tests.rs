@@ -2,7 +2,6 @@
 
 use super::constant::{Ending, History, Hodograph, Hodographs, StoppingTimes};
 use super::*;
-use proptest::prelude::*;
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
@@ -273,27 +272,6 @@ fn tags(svg: &str) -> Vec<(String, Vec<(String, String)>)> {
     }
     assert!(open.is_empty() && rest.is_empty());
     all
-}
-
-proptest! {
-    #[test]
-    fn of_a_label_its_words_are_seen_and_nothing_of_its_markup(label in "[a-cvx1φ𝔴_^'{}<>&\" ]{0,12}") {
-        let svg = format!("<text>{}</text>", super::text::markup(&label));
-        for (name, attributes) in tags(&svg) {
-            let known = ["font-style", "font-family", "font-size", "dy"];
-            let right = attributes.iter().all(|(key, _)| known.contains(&key.as_str()));
-            prop_assert!(right && ["text", "tspan"].contains(&name.as_str()), "{svg}");
-        }
-        let parts = svg.split('<').filter_map(|part| part.split_once('>'));
-        let seen: String = parts.map(|(_, text)| text).collect();
-        let entities = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&amp;", "&")];
-        let seen = entities.iter().fold(seen, |seen, (entity, text)| seen.replace(entity, text));
-        let words = |text: &str| text.replace(['_', '^', '\'', '{', '}'], "");
-        let own = label.replace('𝔴', "w").replace('φ', "ϕ");
-        // Between single quotes letters stay as they are.
-        let upright = |text: &str| words(text).replace('𝔴', "w").replace('φ', "ϕ");
-        prop_assert_eq!(upright(&seen), words(&own), "{}", svg);
-    }
 }
 
 #[test]

@@ -159,23 +159,31 @@ impl Piece {
     }
 }
 
-impl Step<f64, 5, TERMS> {
-    /// Time at the beginning of a step of sliding.
+/// A step of sliding, in which the time is one of the components.
+pub(super) trait SlideStep {
+    /// Time at the beginning.
+    fn t_start(&self) -> f64;
+    /// The s in the step by which the time `elapsed` has gone by.
+    fn s_at(&self, elapsed: f64) -> f64;
+    /// The time that goes by in the step.
+    fn elapsed(&self) -> f64;
+    /// State at `s`, when the time is `t`.
+    fn state(&self, s: f64, t: f64) -> State;
+}
+
+impl SlideStep for Step<f64, 5, TERMS> {
     fn t_start(&self) -> f64 {
         self.series[2][0]
     }
 
-    /// The s in the step by which the time `elapsed` has gone by.
-    pub(super) fn s_at(&self, elapsed: f64) -> f64 {
+    fn s_at(&self, elapsed: f64) -> f64 {
         arrival(&self.series[2], elapsed, self.h)
     }
 
-    /// The time that goes by in the step.
-    pub(super) fn elapsed(&self) -> f64 {
+    fn elapsed(&self) -> f64 {
         change(&self.series[2], &self.h)
     }
 
-    /// State at `s`, when the time is `t`.
     fn state(&self, s: f64, t: f64) -> State {
         let [vx, vy, _, x, y] = self.at(&s);
         State {

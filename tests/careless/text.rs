@@ -3,6 +3,7 @@
 
 use crate::config;
 use proptest::prelude::*;
+use slipbook::claims::PAPER;
 use slipbook::claims::values::search;
 use slipbook::cli;
 use slipbook::figures::{Cell, Table};
@@ -97,7 +98,7 @@ proptest! {
 
     #[test]
     fn any_number_is_graded_or_refused(number in text()) {
-        if let Ok(found) = search(&number) {
+        if let Ok(found) = search(PAPER.values, &number) {
             prop_assert!(number.parse::<f64>().is_ok_and(f64::is_finite), "{number}");
             for found in found {
                 prop_assert!(found.right >= 1 && found.first_wrong.is_none_or(|n| n == found.right + 1), "{found:?}");

@@ -2,7 +2,8 @@
 
 use super::cases;
 use super::vectors::rows;
-use slipbook::claims::values;
+use slipbook::claims::PAPER;
+use slipbook::claims::values::search;
 use slipbook::motion::turntable::{critical_radius, critical_speed};
 
 #[test]
@@ -10,7 +11,7 @@ fn every_known_number_has_its_digits() {
     let mut known = 0;
     rows("values", usize::MAX, |row| {
         let (id, exact) = (row.text("id"), row.text("value"));
-        let value = values::find(id).unwrap_or_else(|| panic!("no value {id}"));
+        let value = PAPER.value(id).unwrap_or_else(|| panic!("no value {id}"));
         let digits = value.digits().unwrap();
         let decimals = digits.split_once('.').map_or(0, |(_, part)| part.len());
         let whole = exact
@@ -66,7 +67,7 @@ fn the_first_wrong_digit_is_found() {
             *digit = b'0' + (*digit - b'0' + 5) % 10;
         }
         let given = String::from_utf8(given).unwrap();
-        let matches = values::search(&given).unwrap();
+        let matches = search(PAPER.values, &given).unwrap();
         let own = matches.iter().find(|found| found.name == *id);
         match (changed, own) {
             (None, Some(found)) => assert_eq!(

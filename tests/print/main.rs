@@ -14,7 +14,7 @@ mod words;
 
 use compare::Same;
 use hold::Library;
-use slipbook::claims;
+use slipbook::claims::PAPER;
 use slipbook::exact::latex::statements;
 use std::collections::BTreeSet;
 use table::{Line, Place};
@@ -48,7 +48,7 @@ fn corrected(id: &str) -> Vec<Line> {
 
 /// The corrections in LaTeX and plain text, by the ids of the claims.
 fn corrections() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    claims::all().filter_map(|(_, claim)| {
+    PAPER.claims().filter_map(|(_, claim)| {
         let correction = claim.correction?;
         Some((claim.id, correction.latex, correction.plain))
     })
@@ -60,7 +60,7 @@ fn in_the_same_words(number: &str, latex: &str) -> bool {
     if let Some((_, left)) = table::OTHER_WORDS.iter().find(|row| row.0 == number) {
         return printed.starts_with(&words::of_plain(left));
     }
-    let (_, claim) = claims::find(&format!("eq-{number}")).unwrap();
+    let (_, claim) = PAPER.find(&format!("eq-{number}")).unwrap();
     // What a constant is, the print says in the text around it.
     let plain = claim.plain.trim_end_matches(", c constant");
     printed == words::of_plain(plain.trim_end_matches(", 𝐜 constant"))
@@ -126,7 +126,7 @@ fn every_row_prints_the_equation_of_the_paper() {
         latex.replace([' ', '&'], "")
     };
     for (number, latex) in printed() {
-        let (_, claim) = claims::find(&format!("eq-{number}")).unwrap();
+        let (_, claim) = PAPER.find(&format!("eq-{number}")).unwrap();
         assert_eq!(bare(claim.latex), bare(latex), "({number})");
     }
 }
@@ -156,7 +156,7 @@ fn every_correction_is_the_formula_of_the_code() {
 #[test]
 fn every_formula_in_the_words_of_a_row_is_understood() {
     let mut failures = Vec::new();
-    for (_, claim) in claims::all().filter(|(_, claim)| claim.equation.is_none()) {
+    for (_, claim) in PAPER.claims().filter(|(_, claim)| claim.equation.is_none()) {
         for formula in claim.latex.split('$').skip(1).step_by(2) {
             if let Err(why) = statements(formula) {
                 failures.push(format!("{}: {formula}: {why}", claim.id));

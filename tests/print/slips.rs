@@ -4,7 +4,7 @@ use crate::hold::Library;
 use crate::mistakes::mistakes;
 use crate::table::{self, Line};
 use crate::{compare, corrected, corrections, in_the_same_words, lines, meaning, printed, words};
-use slipbook::claims::{self, formulas::formulas};
+use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::exact::Expr;
 use slipbook::seeded::{self, Formula};
 
@@ -122,7 +122,7 @@ fn every_mistake_in_a_correction_that_is_printed_is_noticed() {
             .iter()
             .filter(|line| topic(line.3) == topic(name))
             .collect();
-        let latex = |id: &str| claims::find(id).unwrap().1.correction.unwrap().latex;
+        let latex = |id: &str| PAPER.find(id).unwrap().1.correction.unwrap().latex;
         let mut own = Seeded::default();
         own.seed(&formula, || {
             lines.iter().all(|line| library.agrees(latex(line.0), line))

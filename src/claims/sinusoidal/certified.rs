@@ -17,6 +17,7 @@ use crate::certified::error::CertifiedError;
 use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
 use crate::certified::taylor::Taylor;
+use crate::certified::values::LAMBDA_C;
 use crate::claims::enclosed::{certified, numbers, on_balls};
 use crate::evidence::{Evidence, Subject};
 use crate::exact::{Expr, Obstacle, Proof, Step};
@@ -192,7 +193,7 @@ pub fn turns() -> Evidence {
 /// (37), fifty digits.
 pub fn lambda_c() -> Evidence {
     let compared = "(37) to 50 digits with the enclosure of the one friction in (0.48, 0.56) under which an arc of Newton's law ends half a period after it began";
-    numbers(["lambda-c"], Subject::Printed, compared, |bits| {
+    numbers([LAMBDA_C], Subject::Printed, compared, |bits| {
         [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)]
     })
 }
@@ -201,7 +202,7 @@ pub fn lambda_c() -> Evidence {
 mod tests {
     use super::*;
     use crate::certified::ball::Ball;
-    use crate::claims::variants::of_formula;
+    use crate::claims::PAPER;
     use crate::seeded::with;
 
     #[test]
@@ -238,7 +239,7 @@ mod tests {
         }
         // Of the same value, or with the slope and the ends that count.
         let holds = || prove_bracket(phases(), left(), "").worst == 0.0;
-        let kept = of_formula("eq32_left").into_iter();
+        let kept = PAPER.formulas.variants_of("eq32_left").into_iter();
         let kept = kept.filter(|variant| with(variant.seed, holds));
         let kept: Vec<_> = kept.map(|variant| variant.text).collect();
         assert!(kept.is_empty(), "{kept:?}");
@@ -254,7 +255,7 @@ mod tests {
         refused(&threshold(|l| -printed::eq35_left(l), critical));
         let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
         refused(&prove_turns(phi_t1, off, ""));
-        for variant in of_formula("eq39_phi_t1") {
+        for variant in PAPER.formulas.variants_of("eq39_phi_t1") {
             let phi_t1 = || printed::eq39_phi_t1(Expr::symbol("λ₀"));
             let evidence = prove_turns(with(variant.seed, phi_t1), critical, "");
             assert_ne!(evidence.worst, 0.0, "{}", variant.text);
@@ -268,7 +269,7 @@ mod tests {
             let tiny = &(&small * &small) * &small;
             Some(on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)? + tiny)
         };
-        let evidence = numbers(["lambda-c"], Subject::Printed, "", |bits| [stated(bits)]);
+        let evidence = numbers([LAMBDA_C], Subject::Printed, "", |bits| [stated(bits)]);
         assert_eq!(evidence.worst, f64::INFINITY);
     }
 

@@ -6,7 +6,7 @@
 //! A stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
 
 use super::super::acceleration::Coefficients;
-use super::super::trajectory::{Arc, Piece, State};
+use super::super::trajectory::{Arc, Piece, SlideStep, State};
 use super::{MotionError, Run};
 use crate::numerics::number::Number;
 use crate::numerics::series::{convolution, product, sqrt, square};

@@ -1,7 +1,7 @@
 //! Many particles on the table at once: each is followed until it rests, until it is far out, or until its time is up.
 //!
 //! The law of motion is that of [`intrinsic`](super::intrinsic), the certainty of a rest that of
-//! [`fate`](super::fate). What is new is only how the work is laid out: eight particles share a vector register, and
+//! [`fate`](super::fate()). What is new is only how the work is laid out: eight particles share a vector register, and
 //! a particle that has come to its end makes room for the next at once. One that comes so close to the border of rest and
 //! escape that these steps are too rough is followed once more, alone and more closely.
 
@@ -557,7 +557,7 @@ impl Watch for Certain {
     }
 }
 
-/// Whether each of these particles comes to rest, as [`fate::rests`](super::fate::rests) finds for one, at a tenth of
+/// Whether each of these particles comes to rest, as [`fate::rests`] finds for one, at a tenth of
 /// the time: good for pictures, since a start within about 10⁻⁹ of the boundary may be told wrongly. On one core.
 ///
 /// # Errors

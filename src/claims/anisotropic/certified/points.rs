@@ -66,7 +66,7 @@ pub fn y_rounding() -> Evidence {
 /// (54) and (55) at Y.
 pub fn y_digits() -> Evidence {
     let compared = "q = √(1 + x²) for the one x in (4.4, 4.6) with tan x = x, to 50 digits, with the sum of q and the difference of the sides of (54) on (55)";
-    numbers(["q-Y"], Subject::Printed, compared, |bits| {
+    numbers([values::Q_Y], Subject::Printed, compared, |bits| {
         let spare = bits + 32;
         let y = values::find("q-Y").and_then(|value| value.ball(DIGITS + 8).ok());
         let q = Expr::symbol("q");

@@ -1,0 +1,7 @@
+//! Why a motion gives no number.
+
+use crate::motion::MotionError;
+use crate::motion::drive::DriveError;
+use trialbook::claims::runs::failures;
+
+failures!(DriveError, MotionError);

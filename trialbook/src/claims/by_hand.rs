@@ -1,0 +1,51 @@
+//! Why a claim fails, with a case in which a reader can see it with paper and pencil.
+//!
+//! The two numbers in its words are computed, the stated one from the printed formula, the found one without it. The judge
+//! reads none of this.
+
+use super::compare::Failure;
+
+/// A case of a claim that fails.
+#[derive(Debug, Clone, Copy)]
+pub struct ByHand {
+    /// Id of the claim.
+    pub claim: &'static str,
+    /// Where the derivation goes wrong; formulas in `$…$`.
+    pub reason: &'static str,
+    /// The case; formulas in `$…$`, `{stated}` and `{found}` for the two numbers.
+    pub case: &'static str,
+    /// Digits shown of the numbers.
+    pub digits: usize,
+    /// The number by the claim as printed.
+    pub stated: fn() -> Result<f64, Failure>,
+    /// The number that the motion has.
+    pub found: fn() -> Result<f64, Failure>,
+}
+
+impl ByHand {
+    /// The stated and the found number, as shown.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed.
+    pub fn numbers(&self) -> Result<[String; 2], Failure> {
+        let shown = |value: f64| {
+            let text = format!("{value:.*}", self.digits);
+            // No sign is left of a zero.
+            let zero = text
+                .strip_prefix('-')
+                .filter(|size| size.parse() == Ok(0.0));
+            zero.map_or(text.clone(), str::to_owned)
+        };
+        Ok([shown((self.stated)()?), shown((self.found)()?)])
+    }
+
+    /// The case with its numbers, formulas in `$…$`.
+    ///
+    /// # Errors
+    /// As [`ByHand::numbers`].
+    pub fn words(&self) -> Result<String, Failure> {
+        let [stated, found] = self.numbers()?;
+        let words = self.case.replace("{stated}", &stated);
+        Ok(words.replace("{found}", &found))
+    }
+}

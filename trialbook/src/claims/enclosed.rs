@@ -1,0 +1,117 @@
+//! How a certificate becomes [`Evidence`], and how a formula is evaluated on balls.
+
+use super::tolerances;
+use crate::certified::ball::{Ball, bits_for};
+use crate::certified::error::CertifiedError;
+use crate::certified::value::Value;
+use crate::evidence::{Evidence, Route, Sample, Subject};
+use crate::exact::{Binary, Expr, Function, Node};
+use std::collections::BTreeSet;
+
+/// Decimals to which a stated number is held against an enclosure.
+pub const DIGITS: usize = 50;
+
+/// Evidence from a certificate, given as the number of parts that it took. What was proved false disagrees; what
+/// was not proved gives no number.
+pub fn certified(
+    proof: Result<usize, CertifiedError>,
+    subject: Subject,
+    compared: &'static str,
+) -> Evidence {
+    let (points, worst, at) = match proof {
+        Ok(parts) => (parts, 0.0, String::new()),
+        Err(error @ CertifiedError::False { .. }) => (1, f64::INFINITY, error.to_string()),
+        Err(error @ CertifiedError::NotProved { .. }) => (1, f64::NAN, error.to_string()),
+    };
+    Evidence {
+        fingerprint: 0,
+        route: Route::Certified,
+        subject,
+        compared,
+        points,
+        worst,
+        at,
+        tolerance: tolerances::NONE,
+        samples: Vec::new(),
+        steps: Vec::new(),
+        partial: false,
+        trial: "",
+        title: String::new(),
+        read: BTreeSet::new(),
+    }
+}
+
+/// Evidence from stated numbers and enclosed ones, each to [`DIGITS`] decimals: they agree where they have a number
+/// in common.
+pub fn numbers<const N: usize>(
+    found: [Value; N],
+    subject: Subject,
+    compared: &'static str,
+    stated: impl Fn(usize) -> [Option<Ball>; N],
+) -> Evidence {
+    let mut evidence = certified(Ok(N), subject, compared);
+    for (value, stated) in found.into_iter().zip(stated(bits_for(DIGITS))) {
+        let name = value.name;
+        let (Some(stated), Ok(found)) = (stated, value.ball(DIGITS)) else {
+            evidence.worst = f64::NAN;
+            evidence.at = name.to_owned();
+            break;
+        };
+        let enough = bits_for(DIGITS) - 8;
+        if stated.known_bits().min(found.known_bits()) < enough {
+            evidence.worst = f64::NAN;
+            evidence.at = format!("{name}, too wide");
+        } else if !stated.meets(&found) {
+            evidence.worst = f64::INFINITY;
+            evidence.at = name.to_owned();
+        }
+        evidence.samples.push(Sample {
+            at: format!("{name}, {DIGITS} digits"),
+            stated: stated.interval().mid(),
+            found: found.interval().mid(),
+        });
+    }
+    evidence
+}
+
+/// A formula's value on balls, with `symbol` for each of its symbols; `None` where it has none, or where one of its
+/// functions is not known for balls.
+pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball>) -> Option<Ball> {
+    let of = |x: Expr| on_balls(x, bits, symbol);
+    Some(match formula.node() {
+        Node::Int(n) => Ball::int(n, bits),
+        Node::Pi => Ball::pi(bits),
+        Node::Symbol(name) => symbol(name)?,
+        Node::Neg(x) => -of(x)?,
+        Node::Binary(Binary::Add, x, y) => of(x)? + of(y)?,
+        Node::Binary(Binary::Sub, x, y) => of(x)? - of(y)?,
+        Node::Binary(Binary::Mul, x, y) => of(x)? * of(y)?,
+        Node::Binary(Binary::Div, x, y) => of(x)?.over(&of(y)?)?,
+        Node::Call(Function::Sqrt, x) => of(x)?.sqrt()?,
+        Node::Call(Function::Asin, x) => of(x)?.asin()?,
+        Node::Call(Function::Sin, x) => {
+            let [sine, _] = of(x)?.sin_cos();
+            sine
+        }
+        Node::Call(Function::Cos, x) => {
+            let [_, cosine] = of(x)?.sin_cos();
+            cosine
+        }
+        Node::Binary(Binary::Pow, ..) | Node::Call(..) => return None,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn signs_are_kept_on_balls() {
+        let two = |_: &str| Some(Ball::int(2, 64));
+        let x = || Expr::symbol("x");
+        let value = |formula: Expr| on_balls(formula, 64, &two).unwrap();
+        for formula in [-x(), x() - x() - x()] {
+            assert_eq!(value(formula).interval(), Ball::int(-2, 64).interval());
+        }
+    }
+}

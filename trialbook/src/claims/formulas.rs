@@ -1,0 +1,72 @@
+//! The formulas of a paper, printed and corrected, and the claims that try them.
+
+use crate::exact::Expr;
+use crate::seeded::Formula;
+
+/// All formulas of a paper.
+#[derive(Debug, Clone, Copy)]
+pub struct Formulas {
+    /// Their values.
+    pub numbers: fn() -> Vec<Formula<f64>>,
+    /// Their trees, in the same order.
+    pub trees: fn() -> Vec<Formula<Expr>>,
+    /// What stands in the path of a formula that replaces a printed one or adds to it, and of no other.
+    pub corrections: &'static str,
+    /// Those without a number of their own, by their paths below the crate, and the ids of the claims that try them. What
+    /// serves no claim is not here.
+    pub tried_in: &'static [(&'static str, &'static str)],
+    /// The names of those that say that something vanishes or keeps its value: a constant factor does not make them
+    /// wrong.
+    pub up_to_a_factor: &'static [&'static str],
+    /// The names of those that state a sign: a positive factor does not make them wrong.
+    pub up_to_a_positive_factor: &'static [&'static str],
+    /// A random value of the argument of this letter, between 0 and 1, as the formulas are stated for it.
+    pub argument: fn(&str, &mut fastrand::Rng) -> f64,
+}
+
+impl Formulas {
+    /// True if the formula of this path is one of the paper's, false if it replaces one or adds to it.
+    pub fn is_printed(&self, path: &str) -> bool {
+        !path.contains(self.corrections)
+    }
+
+    /// The id of the claim that tries the formula of this path: that of the number in its name, or of the list.
+    pub fn claim(&self, path: &str) -> Option<String> {
+        let name = path.rsplit("::").next()?;
+        let number = name
+            .strip_prefix("eq")
+            .and_then(|rest| rest.split('_').next());
+        let tried_in = || {
+            let (_, path) = path.split_once("::")?;
+            let (_, id) = self.tried_in.iter().find(|(formula, _)| *formula == path)?;
+            Some((*id).to_owned())
+        };
+        number.map(|n| format!("eq-{n}")).or_else(tried_in)
+    }
+
+    /// The formulas that the claim of this id tries, those of the paper first: `paper::topic::eq13_time(λ, A, …) = …`.
+    pub fn of_claim(&self, id: &str) -> Vec<String> {
+        let own = (self.trees)().into_iter();
+        own.filter(|formula| self.claim(formula.path).as_deref() == Some(id))
+            .map(|formula| {
+                let path = formula.path.split_once("::").map_or("", |(_, path)| path);
+                format!(
+                    "{path}({}) = {}",
+                    formula.symbols.join(", "),
+                    text(&formula)
+                )
+            })
+            .collect()
+    }
+}
+
+/// A formula as plain text, components one after the other: written from what the code computes.
+pub fn text(formula: &Formula<Expr>) -> String {
+    let symbols: Vec<_> = formula.symbols.iter().map(|s| Expr::symbol(s)).collect();
+    let parts = (formula.value)(&symbols);
+    parts
+        .iter()
+        .map(Expr::to_string)
+        .collect::<Vec<_>>()
+        .join("; ")
+}

@@ -1,0 +1,221 @@
+//! What a claim is, and how it is tried.
+//!
+//! A claim is data; a trial is a function that returns [`Evidence`](crate::evidence::Evidence), or a statement that is
+//! proved. Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
+
+#[cfg(feature = "book")]
+pub mod attempt;
+#[cfg(feature = "book")]
+pub mod by_hand;
+#[cfg(feature = "book")]
+pub mod compare;
+#[cfg(feature = "book")]
+pub mod conditioned;
+#[cfg(feature = "book")]
+pub mod enclosed;
+#[cfg(feature = "book")]
+pub mod formulas;
+#[cfg(feature = "book")]
+pub mod measured;
+#[cfg(feature = "book")]
+pub mod points;
+#[cfg(feature = "book")]
+pub mod reading;
+#[cfg(feature = "book")]
+pub mod runs;
+#[cfg(feature = "book")]
+pub mod statement;
+#[cfg(feature = "book")]
+pub mod tolerances;
+#[cfg(feature = "book")]
+pub mod values;
+#[cfg(feature = "book")]
+pub mod variants;
+
+use crate::evidence::{Change, Kind};
+#[cfg(feature = "book")]
+use {
+    attempt::Attempt, by_hand::ByHand, formulas::Formulas, measured::Measured, values::Value,
+    variants::Survivor,
+};
+
+/// A condition under which a claim is tried.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Condition {
+    /// The condition, as LaTeX inside `$…$` and plain words.
+    pub text: &'static str,
+    /// True if the paper states it, false if we had to add it.
+    pub stated: bool,
+}
+
+/// What replaces a claim that fails.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+pub struct Correction {
+    /// How much it changes.
+    pub change: Change,
+    /// What is right, in LaTeX.
+    pub latex: &'static str,
+    /// What is right, in plain text.
+    pub plain: &'static str,
+}
+
+/// One claim of the paper.
+#[derive(Debug, Clone, Copy)]
+pub struct Claim {
+    /// Permanent id: `eq-13`, `s22-no-rest-below`, `fig-3`.
+    pub id: &'static str,
+    /// Section of the paper: `2.1`.
+    pub section: &'static str,
+    /// Number of the equation, for a numbered one.
+    pub equation: Option<u16>,
+    /// What sort of statement it is.
+    pub kind: Kind,
+    /// What it is about, in a few words.
+    pub title: &'static str,
+    /// The statement in LaTeX: the formula as printed, or our words with the formulas in `$…$`.
+    pub latex: &'static str,
+    /// The statement in plain text, for terminals and snapshots.
+    pub plain: &'static str,
+    /// The conditions under which it is stated or has to be read.
+    pub conditions: &'static [Condition],
+    /// Ids of the claims that it is derived from or refers to.
+    pub depends_on: &'static [&'static str],
+    /// What replaces it, where it fails.
+    pub correction: Option<Correction>,
+    /// How it is tried.
+    #[cfg(feature = "book")]
+    pub trials: &'static [Attempt],
+}
+
+impl Claim {
+    /// What a row need not say: a property without a number, no conditions, no correction, no trials.
+    #[cfg(feature = "book")]
+    pub const BLANK: Claim = Claim {
+        id: "",
+        section: "",
+        equation: None,
+        kind: Kind::Property,
+        title: "",
+        latex: "",
+        plain: "",
+        conditions: &[],
+        depends_on: &[],
+        correction: None,
+        trials: &[],
+    };
+
+    /// What the claim is called for short: `(11)`, `Figure 3`, or its title; formulas in `$…$`.
+    pub fn name(&self) -> String {
+        match (self.equation, self.kind) {
+            (Some(number), _) => format!("({number})"),
+            (None, Kind::Figure) => format!("Figure {}", self.id.trim_start_matches("fig-")),
+            (None, _) if self.title.is_empty() => self.id.to_owned(),
+            (None, _) => self.title.to_owned(),
+        }
+    }
+}
+
+/// A topic: a chapter of the book, and the stem of its files in every room.
+#[derive(Debug, Clone, Copy)]
+pub struct Topic {
+    /// Stem of the files: `constant`.
+    pub stem: &'static str,
+    /// Title of the chapter.
+    pub title: &'static str,
+    /// Its claims, in the paper's order.
+    pub claims: &'static [Claim],
+}
+
+/// A paper: what it claims, and all that belongs to its claims.
+#[derive(Debug)]
+pub struct Paper {
+    /// Its title.
+    pub title: &'static str,
+    /// Its authors.
+    pub authors: &'static str,
+    /// How its claims were tried, for a letter to the journal: `against …, and by …`.
+    pub tried: &'static str,
+    /// Its claims, by topics in its own order.
+    pub topics: &'static [Topic],
+    /// The recorded verdicts: a line `id: verdict` for each claim.
+    pub record: &'static str,
+    /// How many wrong variants are rejected, as recorded: a line `id: n of m` for each claim with a formula.
+    pub tallies: &'static str,
+    /// Its formulas.
+    #[cfg(feature = "book")]
+    pub formulas: Formulas,
+    /// Why claims fail, with cases to check by hand.
+    #[cfg(feature = "book")]
+    pub cases: &'static [ByHand],
+    /// The numbers by which claims can be found.
+    #[cfg(feature = "book")]
+    pub values: &'static [Value],
+    /// Why claims have no proof.
+    #[cfg(feature = "book")]
+    pub measured: &'static [Measured],
+    /// The wrong variants that no trial rejects.
+    #[cfg(feature = "book")]
+    pub survivors: &'static [Survivor],
+}
+
+impl Paper {
+    /// All claims with their topics, in the order of the topics.
+    pub fn claims(&self) -> impl Iterator<Item = (&'static Topic, &'static Claim)> + use<> {
+        let of = |topic: &'static Topic| topic.claims.iter().map(move |claim| (topic, claim));
+        self.topics.iter().flat_map(of)
+    }
+
+    /// The claim of this id, with its topic.
+    pub fn find(&self, id: &str) -> Option<(&'static Topic, &'static Claim)> {
+        self.claims().find(|(_, claim)| claim.id == id)
+    }
+
+    /// The case by hand of the claim of this id, if it has one.
+    #[cfg(feature = "book")]
+    pub fn case(&self, id: &str) -> Option<&'static ByHand> {
+        self.cases.iter().find(|case| case.claim == id)
+    }
+
+    /// The number of this short name.
+    #[cfg(feature = "book")]
+    pub fn value(&self, id: &str) -> Option<&'static Value> {
+        self.values.iter().find(|value| value.id == id)
+    }
+}
+
+#[cfg(all(test, feature = "book"))]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_claim_is_called_by_its_number_its_figure_its_title_or_its_id() {
+        let claim = Claim {
+            id: "fig-3",
+            ..Claim::BLANK
+        };
+        let title = "Rest";
+        let numbered = Some(11);
+        for (claim, name) in [
+            (claim, "fig-3"),
+            (Claim { title, ..claim }, "Rest"),
+            (
+                Claim {
+                    kind: Kind::Figure,
+                    title,
+                    ..claim
+                },
+                "Figure 3",
+            ),
+            (
+                Claim {
+                    equation: numbered,
+                    title,
+                    ..claim
+                },
+                "(11)",
+            ),
+        ] {
+            assert_eq!(claim.name(), name);
+        }
+    }
+}

@@ -1,0 +1,27 @@
+//! Whether evidence has read what it is about: a formula of its own claim, as printed or as corrected.
+
+use super::formulas::Formulas;
+use crate::evidence::{Evidence, Subject};
+
+/// A trial that reads no formula of its claim, and why it need not.
+#[derive(Debug, Clone, Copy)]
+pub struct Elsewhere {
+    /// The id of the claim.
+    pub claim: &'static str,
+    /// What is compared.
+    pub compared: &'static str,
+    /// Why.
+    pub reason: &'static str,
+}
+
+impl Formulas {
+    /// True if the claim of this id has formulas of the kind that the evidence is about, and none of them was read for it.
+    pub fn is_missing(&self, id: &str, evidence: &Evidence) -> bool {
+        let printed = evidence.subject != Subject::Corrected;
+        let own = |path: &str| {
+            self.is_printed(path) == printed && self.claim(path).as_deref() == Some(id)
+        };
+        let mut all = (self.numbers)().into_iter();
+        all.any(|formula| own(formula.path)) && !evidence.read.iter().any(|path| own(path))
+    }
+}

@@ -1,0 +1,102 @@
+//! What several trials share: motions that are followed once, and why one could not be.
+
+use super::values::NotDecimal;
+use crate::certified::error::CertifiedError;
+use crate::numerics::NumericsError;
+use crate::seeded::reading;
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::fmt::{self, Display};
+use std::num::ParseFloatError;
+use std::sync::{Arc, OnceLock};
+
+/// Why our own side gave no number.
+#[derive(Debug, Clone)]
+pub struct Failure(Arc<dyn Error + Send + Sync>);
+
+impl Failure {
+    /// An error as the reason.
+    pub fn of(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Failure(error.into().into())
+    }
+}
+
+impl Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl Error for Failure {}
+
+/// Makes a [`Failure`] of each of these errors.
+#[macro_export]
+macro_rules! failures {
+    ($($error:ty),* $(,)?) => {
+        $(impl From<$error> for $crate::claims::runs::Failure {
+            fn from(error: $error) -> Self {
+                $crate::claims::runs::Failure::of(error)
+            }
+        })*
+    };
+}
+
+pub use failures;
+
+failures!(
+    &str,
+    String,
+    ParseFloatError,
+    CertifiedError,
+    NotDecimal,
+    NumericsError
+);
+
+/// What is made when it is first asked for. What formulas it has read is noted for all who ask.
+#[derive(Debug)]
+pub struct Runs<T: 'static> {
+    made: OnceLock<(Result<T, Failure>, BTreeSet<&'static str>)>,
+    make: fn() -> Result<T, Failure>,
+}
+
+impl<T> Runs<T> {
+    /// Runs that `make` makes.
+    pub const fn new(make: fn() -> Result<T, Failure>) -> Self {
+        Runs {
+            made: OnceLock::new(),
+            make,
+        }
+    }
+
+    /// The runs.
+    ///
+    /// # Errors
+    /// Why there are none.
+    pub fn get(&self) -> Result<&T, Failure> {
+        let (made, read) = self.made.get_or_init(|| reading::of(self.make));
+        reading::also(read);
+        made.as_ref().map_err(Failure::clone)
+    }
+}
+
+/// All of what is found, or why one is not.
+///
+/// # Errors
+/// The first.
+pub fn every<T, E: Into<Failure>>(
+    found: impl IntoIterator<Item = Result<T, E>>,
+) -> Result<Vec<T>, Failure> {
+    let found = found.into_iter();
+    found.map(|one| one.map_err(Into::into)).collect()
+}
+
+impl<T> Runs<Vec<T>> {
+    /// One run after the other; if there are none, the reason in place of the first.
+    pub fn each(&'static self) -> impl Iterator<Item = Result<&'static T, Failure>> + Clone {
+        let (runs, failure) = match self.get() {
+            Ok(runs) => (&runs[..], None),
+            Err(failure) => (&[][..], Some(Err(failure))),
+        };
+        runs.iter().map(Ok).chain(failure)
+    }
+}

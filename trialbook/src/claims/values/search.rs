@@ -1,0 +1,246 @@
+//! The search for a number among the known ones, digit by digit.
+
+use super::Value;
+use crate::claims::compare::Failure;
+use serde::Serialize;
+
+/// A number found among those of the claims.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Match {
+    /// Its short name.
+    pub name: &'static str,
+    /// Its value, to as many digits as are known.
+    pub value: String,
+    /// What it is; formulas in `$…$`.
+    pub meaning: &'static str,
+    /// Id of the claim that carries it.
+    pub claim: &'static str,
+    /// How many of the given significant digits are right, from the first on.
+    pub right: usize,
+    /// Which significant digit is the first wrong one, counted from 1; nothing if all are right or beyond what is
+    /// known.
+    pub first_wrong: Option<usize>,
+    /// Where that digit stands in the number as it was given, counted from 0.
+    pub column: Option<usize>,
+}
+
+/// What cannot be searched for.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("`{0}` is no decimal number such as 0.537 or -4.6e0")]
+pub struct NotDecimal(String);
+
+/// Wrong numbers are graded if at least so many of their first digits are right.
+const ENOUGH: usize = 3;
+
+/// Of `values`, those that agree with `given` to all of its digits; if there is none, those that begin like it, with the
+/// first wrong digit. The last digit given may be rounded or cut off.
+///
+/// # Errors
+/// A text that is no decimal number, and a value that cannot be computed.
+pub fn search(values: &[Value], given: &str) -> Result<Vec<Match>, Failure> {
+    let wanted = Digits::read(given).ok_or_else(|| NotDecimal(given.to_owned()))?;
+    let mut found = Vec::new();
+    for value in values {
+        found.extend(wanted.grade(value)?);
+    }
+    if found.iter().any(|m| m.first_wrong.is_none()) {
+        found.retain(|m| m.first_wrong.is_none());
+    } else {
+        let most = found.iter().map(|m| m.right).max().unwrap_or(0);
+        found.retain(|m| m.right == most && most >= ENOUGH);
+    }
+    Ok(found)
+}
+
+/// A decimal number by its significant digits.
+struct Digits {
+    negative: bool,
+    /// From the first that is not zero on.
+    digits: Vec<u8>,
+    /// Where each stands in the text.
+    columns: Vec<usize>,
+    /// The power of ten of the first one.
+    power: i64,
+}
+
+impl Digits {
+    fn read(text: &str) -> Option<Self> {
+        let value: f64 = text.parse().ok().filter(|v: &f64| v.is_finite())?;
+        let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+        let exponent: i64 = exponent.parse::<i32>().ok()?.into();
+        let (mut digits, mut columns) = (Vec::new(), Vec::new());
+        let (mut power, mut after_point) = (exponent - 1, false);
+        for (column, c) in mantissa.chars().enumerate() {
+            let Some(digit) = c.to_digit(10) else {
+                after_point |= c == '.';
+                continue;
+            };
+            if digits.is_empty() && digit == 0 {
+                power -= i64::from(after_point);
+                continue;
+            }
+            digits.push(digit as u8);
+            columns.push(column);
+            power += i64::from(!after_point);
+        }
+        (!digits.is_empty()).then_some(Digits {
+            negative: value < 0.0,
+            digits,
+            columns,
+            power,
+        })
+    }
+
+    /// How far a value has these digits; nothing if not even sign and size are the same.
+    fn grade(&self, value: &Value) -> Result<Option<Match>, Failure> {
+        let decimals = value.digits()?;
+        let known = Digits::read(&decimals).ok_or_else(|| NotDecimal(decimals.clone()))?;
+        if known.negative != self.negative || known.power != self.power {
+            return Ok(None);
+        }
+        let given = self.digits.len();
+        let same = self
+            .digits
+            .iter()
+            .zip(&known.digits)
+            .take_while(|(a, b)| a == b)
+            .count();
+        // A number that ends, such as 7/2, is known to any length.
+        let settled = same == given.min(known.digits.len()) || self.rounds(&known.digits);
+        let right = if settled {
+            given.min(known.digits.len())
+        } else {
+            same
+        };
+        Ok(Some(Match {
+            name: value.id,
+            value: decimals,
+            meaning: value.meaning,
+            claim: value.claim,
+            right,
+            first_wrong: (!settled).then_some(same + 1),
+            column: (!settled).then(|| self.columns[same]),
+        }))
+    }
+
+    /// Whether these digits are the first of the known ones, rounded up.
+    fn rounds(&self, known: &[u8]) -> bool {
+        let given = self.digits.len();
+        if given >= known.len() || known[given] < 5 {
+            return false;
+        }
+        let mut rounded = known[..given].to_vec();
+        for digit in rounded.iter_mut().rev() {
+            *digit = (*digit + 1) % 10;
+            if *digit != 0 {
+                break;
+            }
+        }
+        rounded == self.digits
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    static VALUES: [Value; 3] = [
+        Value::new("lambda-c", "eq-1", 10, "", || {
+            Ok(2.0 / libm::sqrt(4.0 + PI * PI))
+        }),
+        Value::new("q", "eq-2", 10, "", || Ok(4.603_338_848_751_7)),
+        Value::new("minus", "eq-3", 10, "", || Ok(-0.0858)),
+    ];
+
+    /// Names, digits that are right, and the place and column of the first wrong one.
+    fn found(given: &str) -> Vec<(&'static str, usize, Option<usize>, Option<usize>)> {
+        let found = search(&VALUES, given).unwrap();
+        found
+            .iter()
+            .map(|m| (m.name, m.right, m.first_wrong, m.column))
+            .collect()
+    }
+
+    #[test]
+    fn a_number_is_found_however_it_is_written() {
+        // λ_c = 0.53702927…
+        for given in [
+            "0.537", ".537", "0.5370", "+5.37e-1", "537e-3", "0.0537E1", "0.54", "0.53703",
+        ] {
+            let [("lambda-c", right, None, None)] = found(given)[..] else {
+                panic!("{given}: {:?}", found(given))
+            };
+            let digits = given.split(['e', 'E']).next().unwrap();
+            let digits = digits.chars().filter(char::is_ascii_digit);
+            assert_eq!(right, digits.skip_while(|c| *c == '0').count(), "{given}");
+        }
+    }
+
+    #[test]
+    fn the_first_wrong_digit_is_marked_where_it_stands() {
+        assert_eq!(found("0.53701"), [("lambda-c", 4, Some(5), Some(6))]);
+        assert_eq!(found("5371e-4"), [("lambda-c", 3, Some(4), Some(3))]);
+    }
+
+    #[test]
+    fn sign_and_size_have_to_be_right() {
+        for given in ["-0.537", "5.37", "0.0537", "537"] {
+            assert!(found(given).iter().all(|m| m.0 != "lambda-c"), "{given}");
+        }
+    }
+
+    #[test]
+    fn digits_are_rounded_with_a_carry() {
+        let known = |text: &str| Digits::read(text).unwrap();
+        for (given, all, rounds) in [
+            ("0.54", "0.537", true),
+            ("0.53", "0.537", false),
+            ("0.40", "0.397", true),
+            ("0.54", "0.534", false),
+            ("0.537", "0.537", false),
+            ("0.535", "0.5345", true),
+            ("0.56", "0.537", false),
+        ] {
+            assert_eq!(
+                known(given).rounds(&known(all).digits),
+                rounds,
+                "{given} {all}"
+            );
+        }
+    }
+
+    #[test]
+    fn what_is_no_decimal_number_is_refused() {
+        for given in [
+            "",
+            "twelve",
+            "0",
+            "0.00",
+            "nan",
+            "inf",
+            "1e",
+            "0x1",
+            "1e-2147483649",
+        ] {
+            let refused = search(&VALUES, given).unwrap_err();
+            assert_eq!(refused.to_string(), NotDecimal(given.into()).to_string());
+        }
+    }
+
+    #[test]
+    fn a_number_is_read_by_sign_digits_and_power() {
+        for (given, negative, digits, power) in [
+            ("537", false, [5, 3, 7], 2),
+            ("-5.37", true, [5, 3, 7], 0),
+            ("0.0537", false, [5, 3, 7], -2),
+            ("-.100", true, [1, 0, 0], -1),
+            ("5.37e3", false, [5, 3, 7], 3),
+            ("-053.7E-10", true, [5, 3, 7], -9),
+        ] {
+            let read = Digits::read(given).unwrap();
+            assert_eq!((read.negative, read.power), (negative, power), "{given}");
+            assert_eq!(read.digits, digits, "{given}");
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! What a claim is and what a trial of it brings: the vocabulary of the claims and of their judge.
+
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+/// What sort of statement a claim is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Kind {
+    /// Introduces a symbol or sets up a problem.
+    Definition,
+    /// Says that two expressions are equal.
+    Equation,
+    /// Says that one expression exceeds another.
+    Inequality,
+    /// States a number.
+    Number,
+    /// States what something tends to, or how.
+    Limit,
+    /// Says in words how the motion behaves.
+    Property,
+    /// A picture.
+    Figure,
+}
+
+impl Kind {
+    /// The kind's name, in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Definition => "definition",
+            Kind::Equation => "equation",
+            Kind::Inequality => "inequality",
+            Kind::Number => "number",
+            Kind::Limit => "limit",
+            Kind::Property => "property",
+            Kind::Figure => "figure",
+        }
+    }
+}
+
+/// How much a correction changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Change {
+    /// A sign.
+    Sign,
+    /// A factor.
+    Factor,
+    /// One symbol for another.
+    Symbol,
+    /// The statement itself.
+    Statement,
+}
+
+/// The way by which a trial came to its evidence. Two trials are independent when their routes differ.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Route {
+    /// Zero-testing in exact arithmetic: a proof.
+    Exact,
+    /// A rigorous enclosure: a proof.
+    Certified,
+    /// Integration of the equation of motion.
+    Integration,
+    /// Quadrature of an integrand.
+    Quadrature,
+    /// Root-finding.
+    Root,
+    /// The approach to a limit, its rate included.
+    Limit,
+    /// A count over many cases.
+    Census,
+    /// Dimensions, and the use that the paper makes of a definition.
+    Consistency,
+}
+
+impl Route {
+    /// True for a route that proves and does not merely measure.
+    pub fn is_proof(self) -> bool {
+        matches!(self, Route::Exact | Route::Certified)
+    }
+
+    /// The fewest points from which evidence by this route counts.
+    pub fn min_points(self) -> usize {
+        if self.is_proof() { 1 } else { 20 }
+    }
+
+    /// The route's name, in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Route::Exact => "exact",
+            Route::Certified => "certified",
+            Route::Integration => "integration",
+            Route::Quadrature => "quadrature",
+            Route::Root => "root",
+            Route::Limit => "limit",
+            Route::Census => "census",
+            Route::Consistency => "consistency",
+        }
+    }
+}
+
+/// What a trial's comparison speaks about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Subject {
+    /// The claim as printed, wherever the paper's own conditions hold.
+    Printed,
+    /// The claim as printed, where a condition that the paper does not state holds as well.
+    Within,
+    /// The claim as printed, where that condition does not hold: disagreement is expected.
+    Outside,
+    /// What replaces a claim that fails.
+    Corrected,
+}
+
+impl Subject {
+    /// What the trial was about, in words; `conditional` for a claim that holds under a condition, in which
+    /// nothing is corrected.
+    pub fn words(self, conditional: bool) -> &'static str {
+        match self {
+            Subject::Printed => "as printed",
+            Subject::Within => "under the condition",
+            Subject::Outside => "without the condition",
+            Subject::Corrected if conditional => "in the form that holds without the condition",
+            Subject::Corrected => "as corrected",
+        }
+    }
+}
+
+/// How far two values may differ, and why that far.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Tolerance {
+    /// Its name, as in the code.
+    pub name: &'static str,
+    /// The largest disagreement that counts as agreement (dimensionless).
+    pub value: f64,
+    /// Where this number comes from.
+    pub reason: &'static str,
+}
+
+/// One compared pair, for readers.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Sample {
+    /// The point, in the claim's own symbols.
+    pub at: String,
+    /// The value that the claim states there.
+    pub stated: f64,
+    /// The value found without the claim.
+    pub found: f64,
+}
+
+/// What one trial brought.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Evidence {
+    /// The name of the trial: the path of its function, or of the statement that it proves.
+    pub trial: &'static str,
+    /// How it was obtained.
+    pub route: Route,
+    /// What it speaks about.
+    pub subject: Subject,
+    /// What was compared with what.
+    pub compared: &'static str,
+    /// How many points were compared.
+    pub points: usize,
+    /// A number that changes when a trial looks elsewhere, takes another scale or finds something else; 0 where no points
+    /// were compared.
+    pub fingerprint: u64,
+    /// The largest disagreement, in units of the scale that the comparison names; infinite where the
+    /// claim has no value and the motion has one; NaN where our own side failed.
+    pub worst: f64,
+    /// Where the largest disagreement was.
+    pub at: String,
+    /// What counts as agreement.
+    pub tolerance: Tolerance,
+    /// A few of the compared pairs.
+    pub samples: Vec<Sample>,
+    /// The title of a proof; empty for a measurement.
+    pub title: String,
+    /// The steps of a proof, in order, as plain text; none for a measurement.
+    pub steps: Vec<String>,
+    /// True if it covers a part of the claim only: it can speak against the claim, but not for the whole of it.
+    pub partial: bool,
+    /// The formulas that were read for it, by their paths: `some_crate::some_topic::eq13_time`; also those that were read
+    /// for what it shares with other trials.
+    pub read: BTreeSet<&'static str>,
+}
+
+/// What a piece of evidence says by itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Within the tolerance.
+    Agrees,
+    /// Beyond the tolerance.
+    Disagrees,
+    /// Our own side gave no number.
+    NotANumber,
+    /// Not enough points to say anything.
+    TooFewPoints,
+}
+
+impl Evidence {
+    /// The same evidence, about a part of the claim only.
+    pub fn of_a_part(self) -> Self {
+        Evidence {
+            fingerprint: 0,
+            partial: true,
+            ..self
+        }
+    }
+
+    /// Which form of the claim it is about, and whether about the whole of it, in words; `conditional` as in
+    /// [`Subject::words`].
+    pub fn about(&self, conditional: bool) -> String {
+        let part = if self.partial { ", a part of it" } else { "" };
+        format!("{}{part}", self.subject.words(conditional))
+    }
+
+    /// What became of a proof, in one word or two; `None` for a measurement.
+    pub fn proof_words(&self) -> Option<&'static str> {
+        self.route.is_proof().then(|| match self.outcome() {
+            Outcome::Agrees => "proved",
+            Outcome::Disagrees => "disproved",
+            Outcome::NotANumber | Outcome::TooFewPoints => "not proved",
+        })
+    }
+
+    /// Reads the evidence by its own tolerance.
+    pub fn outcome(&self) -> Outcome {
+        if self.worst.is_nan() || !self.tolerance.value.is_finite() {
+            Outcome::NotANumber
+        } else if self.points < self.route.min_points() {
+            Outcome::TooFewPoints
+        } else if self.worst <= self.tolerance.value {
+            Outcome::Agrees
+        } else {
+            Outcome::Disagrees
+        }
+    }
+}

@@ -1,0 +1,44 @@
+//! Proofs in exact arithmetic: identities among a paper's formulas, decided and not measured.
+//!
+//! A formula is read as a tree ([`Expr`]), put into a differential ring ([`Ring`]) where sines, exponentials,
+//! powers and roots are rational functions of a few generators, and tested for zero exactly. A formula may also be
+//! read as a power [`Series`], whose coefficients such equations give. A [`Proof`] keeps the steps for a reader.
+//!
+//! ```
+//! use trialbook::exact::{Expr, Proof, Ring};
+//! use trialbook::scalar::Scalar;
+//!
+//! let mut ring = Ring::new();
+//! ring.angle("θ");
+//! let theta = Expr::symbol("θ");
+//! let proof = Proof::of("sin′ = cos", &ring, |p| {
+//!     let sine = p.read("the sine", theta.sin())?;
+//!     let slope = p.derivative("d sin θ/dθ", &sine, &ring.by("θ")?)?;
+//!     let cosine = p.read("the cosine", theta.cos())?;
+//!     p.equal("they are the same", &slope, &cosine)
+//! });
+//! assert!(proof.holds());
+//! ```
+
+mod calculus;
+mod error;
+mod expand;
+mod expr;
+mod factor;
+pub mod latex;
+mod linear;
+mod polynomial;
+mod proof;
+mod rational;
+mod read;
+mod ring;
+mod series;
+
+pub use calculus::Derivation;
+pub use error::ExactError;
+pub use expr::{Binary, Expr, Function, Node};
+pub use polynomial::Polynomial;
+pub use proof::{Obstacle, Proof, Prover, Step};
+pub use rational::Rational;
+pub use ring::Ring;
+pub use series::Series;

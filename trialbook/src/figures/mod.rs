@@ -1,0 +1,145 @@
+//! Figures: functions from data to a drawing with its numbers.
+//!
+//! A figure never computes physics. Whoever calls it integrates, counts or bisects, and hands plain
+//! data over; a function turns them into a [`Figure`]: an SVG
+//! text, the same numbers as CSV, a caption and a description in words. The same data give the same
+//! bytes.
+//!
+//! The drawing tools are small. A [`Plot`] is a grid of [`Panel`]s; a panel has two [`Axis`] and a
+//! list of marks: [`Curve`], [`Points`], [`Area`], [`Raster`], [`Rule`], [`Note`]. Three habits hold
+//! everywhere:
+//!
+//! - *Ink follows the page.* Text and axes are drawn in `currentColor`, series in CSS variables
+//!   `--fig-1` to `--fig-6` whose fall-backs are legible on white and on near-black. Colour is never
+//!   alone: a series also has its own dash pattern or marker, and a label beside it.
+//! - *A gap is a gap.* A point with a coordinate that is not finite interrupts a curve and is not
+//!   marked; it is not an error, since a trajectory that ends is ordinary. A value ≤ 0 on a
+//!   logarithmic axis is one ([`FigureError::NotPositive`]): there the caller has lost a sign.
+//! - *Nothing is wider than a phone.* A panel is 480 units wide with type of 15 and 16 units, which
+//!   is 12 pixels or more on a screen of 390; panels stand below each other unless asked otherwise.
+//!
+//! ```
+//! use trialbook::figures::{Axis, Curve, Panel, Plot, Table};
+//!
+//! let parabola: Vec<[f64; 2]> = (0..=100).map(|i| f64::from(i) / 50.0).map(|x| [x, x * x]).collect();
+//! let mut table = Table::new(&["x (m)", "y (m)"]);
+//! for [x, y] in &parabola {
+//!     table.row([x.into(), y.into()])?;
+//! }
+//! let figure = Plot::new("parabola", "A parabola")
+//!     .caption("The path $y = x^2$.")
+//!     .alt("A curve that rises ever more steeply.")
+//!     .panel(
+//!         Panel::new(Axis::linear("x (m)"), Axis::linear("y (m)"))
+//!             .curve(Curve::new(parabola).label("y = x^2").arrows(&[0.6])),
+//!     )
+//!     .figure(table)?;
+//! assert!(figure.svg.starts_with("<svg"));
+//! # Ok::<(), trialbook::figures::FigureError>(())
+//! ```
+
+mod axes;
+mod csv;
+mod labels;
+pub mod map;
+mod marks;
+mod panel;
+mod path;
+mod plot;
+mod raster;
+mod sketch;
+mod svg;
+mod text;
+mod ticks;
+
+pub use axes::Axis;
+pub use csv::{Cell, Table};
+pub use marks::{Align, Area, Curve, Marker, Note, Points, Rule, Stroke};
+pub use panel::Panel;
+pub use plot::Plot;
+pub use raster::{BLANK, Raster};
+
+/// A finished figure.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Figure {
+    /// Permanent id: `fig-1`. Prefix of every id inside the SVG.
+    pub id: &'static str,
+    /// What a reader should see in it; formulas in `$…$`.
+    pub caption: String,
+    /// What it shows, in words for those who do not see it. Plain text.
+    pub alt: String,
+    /// The drawing: one `<svg>` element without blank lines, to stand in a page or in a file.
+    pub svg: String,
+    /// The data drawn: a header with names and units, then rows, 12 significant digits.
+    pub csv: String,
+}
+
+/// Why a figure cannot be drawn.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FigureError {
+    /// A value on a logarithmic axis that has no logarithm.
+    #[error("axis \"{axis}\" is logarithmic: values must be > 0, got {value}")]
+    NotPositive {
+        /// Label of the axis.
+        axis: String,
+        /// The value.
+        value: f64,
+    },
+    /// The ends of an axis do not span an interval that can be divided.
+    #[error(
+        "axis \"{axis}\": ends must be finite with from < to, apart by more than 1e-9 of \
+         themselves, and their sizes within 1e-280 to 1e280, got {from} and {to}"
+    )]
+    Range {
+        /// Label of the axis.
+        axis: String,
+        /// Lower end.
+        from: f64,
+        /// Upper end.
+        to: f64,
+    },
+    /// An axis without fixed ends and without a finite value to take them from.
+    #[error("axis \"{axis}\": no finite value to draw, and no range given")]
+    NoData {
+        /// Label of the axis.
+        axis: String,
+    },
+    /// A row of a table with too few or too many cells.
+    #[error("a row of the table must have {expected} cells, got {found}")]
+    Row {
+        /// Number of columns.
+        expected: usize,
+        /// Number of cells in the row.
+        found: usize,
+    },
+    /// A raster whose cells do not fill its rows and columns.
+    #[error(
+        "a raster of {columns} × {rows} (each ≥ 1) must have {columns} × {rows} cells, got {cells}"
+    )]
+    RasterShape {
+        /// Number of columns.
+        columns: usize,
+        /// Number of rows.
+        rows: usize,
+        /// Number of cells.
+        cells: usize,
+    },
+    /// A raster cell of a class that is not described.
+    #[error("a raster cell must be one of its {classes} classes or BLANK, got {class}")]
+    RasterClass {
+        /// Number of classes.
+        classes: usize,
+        /// The class found.
+        class: u8,
+    },
+    /// A plot without panels, or with a size that leaves no room to draw.
+    #[error("{parameter} must be {allowed}, got {value}")]
+    Layout {
+        /// The parameter.
+        parameter: &'static str,
+        /// What it may be.
+        allowed: &'static str,
+        /// What it is.
+        value: f64,
+    },
+}

@@ -1,0 +1,208 @@
+//! The errata: what has to be changed in the paper, as data.
+
+use super::{Entry, Ledger, Verdict};
+use crate::claims::compare::Failure;
+use crate::evidence::{Evidence, Outcome, Subject};
+use serde::Serialize;
+use std::collections::BTreeSet;
+
+/// One claim that does not stand as printed.
+#[derive(Debug, Clone, Serialize)]
+pub struct Erratum {
+    /// Id of the claim.
+    pub id: &'static str,
+    /// Section of the paper.
+    pub section: &'static str,
+    /// Number of the equation, for a numbered one.
+    pub equation: Option<u16>,
+    /// What the claim is about.
+    pub title: &'static str,
+    /// The verdict.
+    pub verdict: Verdict,
+    /// What is printed; formulas in `$…$`.
+    pub old: String,
+    /// What should stand there; formulas in `$…$`.
+    pub new: String,
+    /// Why; formulas in `$…$`.
+    pub reason: String,
+    /// A case that can be checked on paper, with its numbers; formulas in `$…$`.
+    pub case: Option<String>,
+    /// What was compared, and what came of it; one sentence a trial, formulas in `$…$`.
+    pub evidence: Vec<String>,
+    /// Ids of all claims that rest on this one, directly or not, and fall too.
+    pub fallen: Vec<&'static str>,
+    /// Ids of all others that rest on it, directly or not.
+    pub standing: Vec<&'static str>,
+}
+
+/// Why there are no errata.
+#[derive(Debug, thiserror::Error)]
+pub enum ErrataError {
+    /// The numbers of a case cannot be had.
+    #[error("the case by hand of {claim}: {reason}")]
+    Case {
+        /// Id of the claim.
+        claim: &'static str,
+        /// What failed.
+        reason: Failure,
+    },
+    /// No JSON.
+    #[error("the errata as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+}
+
+impl Ledger {
+    /// Ids of all claims that rest on a claim, directly or through others, in the ledger's order.
+    pub fn resting_on(&self, id: &str) -> Vec<&'static str> {
+        let mut found = BTreeSet::from([id]);
+        loop {
+            let before = found.len();
+            for entry in &self.entries {
+                if entry.claim.depends_on.iter().any(|on| found.contains(on)) {
+                    found.insert(entry.claim.id);
+                }
+            }
+            if found.len() == before {
+                break;
+            }
+        }
+        let ids = self.entries.iter().map(|entry| entry.claim.id);
+        ids.filter(|other| *other != id && found.contains(other))
+            .collect()
+    }
+
+    /// Every claim that does not stand as printed, in the paper's order.
+    ///
+    /// # Errors
+    /// [`ErrataError::Case`] if a motion cannot be followed.
+    pub fn errata(&self) -> Result<Vec<Erratum>, ErrataError> {
+        let entries = self.entries.iter();
+        let wrong = entries.filter(|entry| entry.judgement.verdict.asks_for_change());
+        wrong.map(|entry| self.erratum(entry)).collect()
+    }
+
+    fn erratum(&self, entry: &Entry) -> Result<Erratum, ErrataError> {
+        let claim = entry.claim;
+        let by_hand = self.paper.case(claim.id);
+        let case = by_hand.map(|case| case.words()).transpose();
+        let case = case.map_err(|reason| ErrataError::Case {
+            claim: claim.id,
+            reason,
+        })?;
+        let fails = |id: &&'static str| {
+            let entry = self.entry(id);
+            entry.is_some_and(|e| {
+                matches!(e.judgement.verdict, Verdict::Misprint | Verdict::Refuted)
+            })
+        };
+        let (fallen, standing) = self.resting_on(claim.id).into_iter().partition(fails);
+        Ok(Erratum {
+            id: claim.id,
+            section: claim.section,
+            equation: claim.equation,
+            title: claim.title,
+            verdict: entry.judgement.verdict,
+            old: statement(claim.latex, claim.equation),
+            new: new_text(entry),
+            reason: by_hand
+                .map_or_else(|| reason_of_condition(entry), |case| case.reason.to_owned()),
+            case,
+            evidence: entry
+                .evidence
+                .iter()
+                .map(|e| said(e, entry.is_conditional()))
+                .collect(),
+            fallen,
+            standing,
+        })
+    }
+
+    /// What a claim is called: `(82)`, `Figure 5`, or its title.
+    pub fn name(&self, id: &str) -> String {
+        let Some(entry) = self.entry(id) else {
+            return id.to_owned();
+        };
+        entry.claim.name()
+    }
+}
+
+/// A statement with its formulas in `$…$`.
+fn statement(latex: &str, equation: Option<u16>) -> String {
+    match equation {
+        Some(_) if !latex.contains('$') => format!("${latex}$"),
+        _ => latex.to_owned(),
+    }
+}
+
+/// What should be printed: the correction, or what is printed with the missing conditions.
+fn new_text(entry: &Entry) -> String {
+    let claim = entry.claim;
+    let missing = claim
+        .conditions
+        .iter()
+        .filter(|c| !c.stated)
+        .map(|c| c.text);
+    let missing: Vec<_> = missing.collect();
+    if entry.judgement.verdict == Verdict::Conditional {
+        let general = claim.correction.map_or(String::new(), |c| {
+            format!(
+                ". A form that needs no condition: {}",
+                statement(c.latex, claim.equation)
+            )
+        });
+        return format!("add: {}{general}", missing.join("; "));
+    }
+    let Some(correction) = claim.correction else {
+        return String::new();
+    };
+    let new = statement(correction.latex, claim.equation);
+    match missing.is_empty() {
+        true => new,
+        false => format!("{new}, for {}", missing.join("; ")),
+    }
+}
+
+/// Why a condition is needed: what happens without it.
+fn reason_of_condition(entry: &Entry) -> String {
+    let outside = entry
+        .evidence
+        .iter()
+        .filter(|e| e.subject == Subject::Outside);
+    let fails = outside
+        .filter(|e| e.outcome() == Outcome::Disagrees)
+        .map(|e| {
+            let how = match e.worst.is_infinite() {
+                true => "no value where the motion has one".to_owned(),
+                false => format!("a disagreement of {:.1e}", e.worst),
+            };
+            let at = match e.at.as_str() {
+                "" => String::new(),
+                at => format!(", for instance at {at}"),
+            };
+            format!("without the condition ({}): {how}{at}", e.compared)
+        });
+    fails.collect::<Vec<_>>().join("; ")
+}
+
+/// A trial in one sentence.
+fn said(e: &Evidence, conditional: bool) -> String {
+    let measured = match e.outcome() {
+        Outcome::Agrees if e.tolerance.value == 0.0 => format!("agrees at {} points", e.points),
+        Outcome::Agrees => format!("agrees to {:.0e} at {} points", e.tolerance.value, e.points),
+        Outcome::Disagrees if e.worst.is_infinite() => {
+            "has no value where the motion has one".to_owned()
+        }
+        Outcome::Disagrees => format!(
+            "differs by up to {:.1e}, {:.0e} allowed, {} points",
+            e.worst, e.tolerance.value, e.points
+        ),
+        Outcome::NotANumber | Outcome::TooFewPoints => "open".to_owned(),
+    };
+    let outcome = e.proof_words().map_or(measured, str::to_owned);
+    format!(
+        "{}, by {}: {}: {outcome}",
+        e.about(conditional),
+        e.route.name(),
+        e.compared
+    )
+}

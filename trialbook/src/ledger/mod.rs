@@ -1,0 +1,139 @@
+//! The ledger: every claim with its evidence and the verdict that follows from it.
+
+#[cfg(feature = "book")]
+mod errata;
+#[cfg(feature = "book")]
+mod letter;
+#[cfg(feature = "book")]
+mod pieces;
+#[cfg(feature = "book")]
+mod plain;
+mod record;
+#[cfg(feature = "book")]
+mod row;
+#[cfg(feature = "book")]
+mod run;
+#[cfg(feature = "book")]
+mod sheet;
+mod table;
+mod tally;
+#[cfg(feature = "book")]
+mod variants;
+mod verdict;
+
+#[cfg(feature = "book")]
+pub use errata::{ErrataError, Erratum};
+#[cfg(feature = "book")]
+pub use letter::Format;
+#[cfg(feature = "book")]
+pub use pieces::{Piece, decimal, pieces};
+#[cfg(feature = "book")]
+pub use plain::{plain_formula, plain_words};
+pub use record::{Difference, Record, RecordError};
+#[cfg(feature = "book")]
+pub use row::{EvidenceRow, Row};
+pub use tally::Tally;
+pub use verdict::{Judgement, Verdict, in_view_of, judge};
+
+use crate::claims::{Claim, Paper, Topic};
+use crate::evidence::{Evidence, Outcome, Route, Subject};
+use std::collections::BTreeMap;
+
+/// One claim, tried and judged.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// The paper.
+    pub paper: &'static Paper,
+    /// The claim.
+    pub claim: &'static Claim,
+    /// The topic that it belongs to.
+    pub topic: &'static Topic,
+    /// What its trials brought, in the order of the trials.
+    pub evidence: Vec<Evidence>,
+    /// The verdict and its ground.
+    pub judgement: Judgement,
+}
+
+impl Entry {
+    /// True for a claim that holds under a condition.
+    pub fn is_conditional(&self) -> bool {
+        self.judgement.verdict == Verdict::Conditional
+    }
+
+    /// The strongest route by which it holds what the verdict rests on: the whole of the claim, or of what is right
+    /// in its place. Proofs come before measurements.
+    pub fn strongest(&self) -> Option<Route> {
+        let corrected = match self.judgement.verdict {
+            Verdict::Misprint | Verdict::Refuted => true,
+            Verdict::Undecided => return None,
+            Verdict::Confirmed | Verdict::Conditional | Verdict::Definition => false,
+        };
+        let counts = |e: &&Evidence| match e.subject {
+            Subject::Printed | Subject::Within => !corrected,
+            Subject::Corrected => corrected,
+            Subject::Outside => false,
+        };
+        let evidence = self.evidence.iter().filter(counts).filter(|e| !e.partial);
+        let agrees = evidence.filter(|e| e.outcome() == Outcome::Agrees);
+        agrees.map(|e| e.route).min()
+    }
+
+    /// True if what the verdict rests on is proved.
+    pub fn is_proved(&self) -> bool {
+        self.strongest().is_some_and(Route::is_proof)
+    }
+
+    /// Of the measurements that agree, the one whose worst disagreement is closest to its tolerance.
+    pub fn closest(&self) -> Option<&Evidence> {
+        let agrees = |e: &&Evidence| !e.route.is_proof() && e.outcome() == Outcome::Agrees;
+        let excess = |e: &Evidence| match e.tolerance.value {
+            // Nothing may differ, and nothing does.
+            0.0 => 0.0,
+            tolerance => e.worst / tolerance,
+        };
+        let measured = self.evidence.iter().filter(agrees);
+        measured.max_by(|a, b| excess(a).total_cmp(&excess(b)))
+    }
+
+    /// The largest disagreement that was measured inside the conditions, by its tolerance.
+    pub fn worst(&self) -> Option<&Evidence> {
+        self.evidence
+            .iter()
+            .filter(|e| e.subject != Subject::Outside && !e.route.is_proof())
+            .max_by(|a, b| {
+                let excess = |e: &Evidence| e.worst / e.tolerance.value;
+                excess(a).total_cmp(&excess(b))
+            })
+    }
+}
+
+/// Every claim, tried and judged, in the paper's order of topics.
+#[derive(Debug, Clone)]
+pub struct Ledger {
+    /// The paper.
+    pub paper: &'static Paper,
+    /// One entry per claim.
+    pub entries: Vec<Entry>,
+}
+
+impl Ledger {
+    /// The entry of the claim of this id.
+    pub fn entry(&self, id: &str) -> Option<&Entry> {
+        self.entries.iter().find(|entry| entry.claim.id == id)
+    }
+
+    /// How many claims got each verdict.
+    pub fn counts(&self) -> BTreeMap<Verdict, usize> {
+        let mut counts = BTreeMap::from(Verdict::ALL.map(|v| (v, 0)));
+        for entry in &self.entries {
+            *counts.entry(entry.judgement.verdict).or_default() += 1;
+        }
+        counts
+    }
+
+    /// How many comparisons all trials made together.
+    pub fn points(&self) -> usize {
+        let evidence = self.entries.iter().flat_map(|entry| &entry.evidence);
+        evidence.map(|e| e.points).sum()
+    }
+}

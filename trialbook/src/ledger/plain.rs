@@ -1,0 +1,318 @@
+//! LaTeX as plain text: for letters, terminals and the search.
+
+/// Words with formulas in `$…$`, as plain text.
+pub fn plain_words(text: &str) -> String {
+    let parts = text.split('$').enumerate();
+    parts
+        .map(|(i, part)| match i % 2 {
+            0 => part.to_owned(),
+            _ => plain_formula(part),
+        })
+        .collect()
+}
+
+/// A formula as plain text: `\frac{\mu g}{A_0}` is (μ g)/A₀. What is not known keeps its name.
+pub fn plain_formula(latex: &str) -> String {
+    let mut reader = Reader { rest: latex };
+    let text = reader.until_closed();
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        // Blanks come from several sources: one is enough.
+        if !(c == ' ' && (out.is_empty() || out.ends_with([' ', '(', '[']))) {
+            out.push(c);
+        }
+    }
+    let out = out.trim_end().replace(" )", ")").replace(" ]", "]");
+    out.replace(" ,", ",").replace(" ;", ";").replace(" .", ".")
+}
+
+/// What is left to read.
+struct Reader<'a> {
+    rest: &'a str,
+}
+
+/// Commands that stand for a character or a few.
+const SYMBOLS: &[(&str, &str)] = &[
+    ("alpha", "α"),
+    ("beta", "β"),
+    ("gamma", "γ"),
+    ("delta", "δ"),
+    ("epsilon", "ε"),
+    ("varepsilon", "ε"),
+    ("zeta", "ζ"),
+    ("eta", "η"),
+    ("theta", "θ"),
+    ("vartheta", "ϑ"),
+    ("kappa", "κ"),
+    ("lambda", "λ"),
+    ("mu", "μ"),
+    ("nu", "ν"),
+    ("xi", "ξ"),
+    ("ell", "ℓ"),
+    ("pi", "π"),
+    ("varpi", "ϖ"),
+    ("rho", "ρ"),
+    ("sigma", "σ"),
+    ("tau", "τ"),
+    ("phi", "φ"),
+    ("psi", "ψ"),
+    ("omega", "ω"),
+    ("Delta", "Δ"),
+    ("Omega", "Ω"),
+    ("Theta", "Θ"),
+    ("approx", " ≈ "),
+    ("simeq", " ≃ "),
+    ("sim", " ~ "),
+    ("neq", " ≠ "),
+    ("ne", " ≠ "),
+    ("leq", " ≤ "),
+    ("le", " ≤ "),
+    ("geq", " ≥ "),
+    ("ge", " ≥ "),
+    ("ll", " ≪ "),
+    ("gg", " ≫ "),
+    ("propto", " ∝ "),
+    ("equiv", " ≡ "),
+    ("to", " → "),
+    ("longrightarrow", " → "),
+    ("Rightarrow", " ⇒ "),
+    ("Longrightarrow", " ⇒ "),
+    ("iff", " ⇔ "),
+    ("in", " ∈ "),
+    ("infty", "∞"),
+    ("cdot", "·"),
+    ("times", "×"),
+    ("pm", "±"),
+    ("mp", "∓"),
+    ("int", "∫"),
+    ("sum", "Σ"),
+    ("ldots", "…"),
+    ("cdots", "…"),
+    ("dots", "…"),
+    ("lvert", "|"),
+    ("rvert", "|"),
+    ("vert", "|"),
+    ("Vert", "‖"),
+    ("circ", "°"),
+    ("prime", "′"),
+    ("lbrace", "{"),
+    ("rbrace", "}"),
+    ("perp", "⊥"),
+    ("partial", "∂"),
+    ("sphericalangle", "∠"),
+    ("quad", "  "),
+    ("qquad", "  "),
+];
+
+/// Characters of our own words that have another command in LaTeX, or none of their own above.
+const OTHERS: &[(char, &str)] = &[
+    ('−', "-"),
+    ('√', r"\surd"),
+    ('𝔴', r"\mathfrak w"),
+    ('²', "^2"),
+    ('³', "^3"),
+    ('⁴', "^4"),
+    ('⁻', "^-"),
+    ('⁵', "^5"),
+    ('⁰', "^0"),
+    ('¹', "^1"),
+    ('⁸', "^8"),
+    ('½', r"\frac12"),
+    ('ẑ', r"\hat z"),
+    ('φ', r"\phi"),
+    ('˙', r"\cdot"),
+    ('⅓', r"\frac13"),
+    ('∠', r"\angle"),
+    ('|', "|"),
+    ('→', r"\to"),
+    ('′', "'"),
+    ('⟨', r"\langle"),
+    ('⟩', r"\rangle"),
+    ('𝐫', r"\bm r"),
+    ('𝛒', r"\bm\rho"),
+    ('\u{303}', r"\tilde{}"),
+];
+
+/// The LaTeX command, for use in a formula, of a character that is not ASCII.
+pub(super) fn command(c: char) -> Option<String> {
+    if let Some((_, command)) = OTHERS.iter().find(|(known, _)| *known == c) {
+        return Some((*command).to_owned());
+    }
+    if let Some(digit) = SMALL_LOW.chars().position(|known| known == c) {
+        return Some(format!("_{}", SMALL.chars().nth(digit)?));
+    }
+    let known = SYMBOLS
+        .iter()
+        .find(|(_, symbol)| symbol.trim().chars().eq([c]));
+    known.map(|(name, _)| format!("\\{name}"))
+}
+
+/// Digits and signs, and how they look as sub- and superscripts.
+const SMALL: &str = "0123456789+-";
+const SMALL_LOW: &str = "₀₁₂₃₄₅₆₇₈₉₊₋";
+const SMALL_HIGH: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻";
+
+/// Commands that only change how their argument looks, and those that leave no trace.
+const SILENT: &[&str] = &[
+    "mathrm",
+    "mathfrak",
+    "mathsf",
+    "mathit",
+    "boldsymbol",
+    "bm",
+    "mbox",
+    "text",
+    "operatorname",
+    "left",
+    "right",
+    "big",
+    "Big",
+    "bigl",
+    "bigr",
+    "Bigl",
+    "Bigr",
+    "displaystyle",
+    "tfrac",
+    "limits",
+    "nonumber",
+    "underbrace",
+    "mathbin",
+    "mathrel",
+    "mathopen",
+    "mathclose",
+];
+
+/// Commands that put a mark over their argument.
+const MARKS: &[(&str, char)] = &[
+    ("dot", '\u{307}'),
+    ("ddot", '\u{308}'),
+    ("hat", '\u{302}'),
+    ("tilde", '\u{303}'),
+    ("bar", '\u{304}'),
+    ("vec", '\u{20d7}'),
+];
+
+impl Reader<'_> {
+    /// All up to the brace that closes the group being read, or to the end.
+    fn until_closed(&mut self) -> String {
+        let mut out = String::new();
+        while let Some(item) = self.item() {
+            out.push_str(&item);
+        }
+        out
+    }
+
+    /// The next item; none at a closing brace, which is passed, or at the end.
+    fn item(&mut self) -> Option<String> {
+        let c = self.rest.chars().next()?;
+        self.rest = &self.rest[c.len_utf8()..];
+        Some(match c {
+            '}' => return None,
+            '{' => self.until_closed(),
+            '\\' => self.command(),
+            '_' => script(&self.argument(), "_", SMALL_LOW),
+            '^' => script(&self.argument(), "^", SMALL_HIGH),
+            '-' => "−".into(),
+            '~' => " ".into(),
+            '=' | '<' | '>' => format!(" {c} "),
+            '&' | '\n' => " ".into(),
+            ',' => ", ".into(),
+            c => c.into(),
+        })
+    }
+
+    /// The argument of a command: a group, a command or a character.
+    fn argument(&mut self) -> String {
+        self.rest = self.rest.trim_start();
+        self.item().unwrap_or_default()
+    }
+
+    fn command(&mut self) -> String {
+        let letters = self.rest.find(|c: char| !c.is_ascii_alphabetic());
+        let end = match letters.unwrap_or(self.rest.len()) {
+            0 => self.rest.chars().next().map_or(0, char::len_utf8),
+            end => end,
+        };
+        let (name, rest) = self.rest.split_at(end);
+        self.rest = rest;
+        if let Some((_, symbol)) = SYMBOLS.iter().find(|(known, _)| *known == name) {
+            return (*symbol).to_owned();
+        }
+        if let Some((_, mark)) = MARKS.iter().find(|(known, _)| *known == name) {
+            let under = self.argument();
+            return format!("{under}{mark}");
+        }
+        match name {
+            "frac" | "tfrac" | "dfrac" => {
+                let above = whole(self.argument());
+                format!("{above}/{}", whole(self.argument()))
+            }
+            "sqrt" => format!("√{}", whole(self.argument())),
+            "mathrm" | "text" | "mbox" if self.rest.starts_with('{') => self.argument(),
+            "begin" | "end" => {
+                self.argument();
+                String::new()
+            }
+            "\\" => "; ".into(),
+            "," | ";" | ":" | " " | "!" => " ".into(),
+            "{" | "}" | "%" | "|" | "$" => name.to_owned(),
+            name if SILENT.contains(&name) => {
+                // A point that stands for no bracket.
+                self.rest = self.rest.strip_prefix('.').unwrap_or(self.rest);
+                String::new()
+            }
+            name => format!("{name} "),
+        }
+    }
+}
+
+/// A sub- or superscript: in small digits, or behind its sign.
+fn script(text: &str, sign: &str, to: &str) -> String {
+    let small = |c: char| {
+        let place = SMALL.chars().position(|known| known == c)?;
+        to.chars().nth(place)
+    };
+    let text = text.replace('−', "-");
+    match text.chars().map(small).collect::<Option<String>>() {
+        Some(small) if !small.is_empty() => small,
+        _ if text.starts_with(['·', '′']) => text.replace('·', "˙"),
+        _ => format!("{sign}{}", whole(text)),
+    }
+}
+
+/// A term in brackets if it has parts.
+fn whole(term: String) -> String {
+    let term = term.trim();
+    if term.contains([' ', '+', '−', '/', '±', '=']) {
+        format!("({term})")
+    } else {
+        term.to_owned()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn formulas_read_as_one_would_type_them() {
+        for (latex, plain) in [
+            (
+                r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}",
+                "λ_c = 2/(√(4+π²))",
+            ),
+            (r"\lambda_0=\frac{\mu g}{A_0}", "λ₀ = (μ g)/A₀"),
+            (r"\dot\alpha\approx1-\frac{1}{A}", "α̇ ≈ 1−1/A"),
+            (
+                r"\left(\tan\frac{\theta}{2}\right)^{-\lambda}",
+                "(tan θ/2)^-λ",
+            ),
+            (r"\bm{A}=-A \hat{\bm{x}}", "A = −A x̂"),
+            (r"\tau\to\infty", "τ → ∞"),
+            (r"2^{1/4}", "2^(1/4)"),
+        ] {
+            assert_eq!(plain_formula(latex), plain, "{latex}");
+        }
+        assert_eq!(plain_words(r"if $\mu>0$, then"), "if μ > 0, then");
+    }
+}

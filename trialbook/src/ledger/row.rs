@@ -1,0 +1,115 @@
+//! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
+
+use super::Entry;
+use crate::claims::Condition;
+use serde::Serialize;
+
+/// A claim with its verdict and its evidence.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Row<'a> {
+    /// Permanent id.
+    pub id: &'a str,
+    /// Number of the equation, for a numbered one.
+    pub equation: Option<u16>,
+    /// Section of the paper.
+    pub section: &'a str,
+    /// What sort of statement it is, in lower case.
+    pub kind: &'a str,
+    /// What it is about, in a few words.
+    pub title: &'a str,
+    /// The statement in LaTeX.
+    pub formula: &'a str,
+    /// The statement in plain text.
+    pub plain: &'a str,
+    /// The verdict, by its slug.
+    pub verdict: &'a str,
+    /// What the verdict rests on.
+    pub ground: &'a str,
+    /// The conditions under which it is tried.
+    pub conditions: &'a [Condition],
+    /// Ids of the claims that it is derived from or refers to.
+    pub depends_on: &'a [&'a str],
+    /// What replaces it, in LaTeX, where it fails.
+    pub corrected: Option<&'a str>,
+    /// The functions of this library that the claim tries, each as its path, arguments and formula in plain text, written
+    /// from what the code computes.
+    pub code: Vec<String>,
+    /// How many wrong variants of its formula, and of what replaces it, were tried.
+    pub variants: usize,
+    /// How many of them its trials reject.
+    pub rejected: usize,
+    /// What its trials brought.
+    pub evidence: Vec<EvidenceRow<'a>>,
+}
+
+/// What one trial brought.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct EvidenceRow<'a> {
+    /// The name of the trial: the last two names of the path of its function, or of the statement that it proves.
+    pub trial: &'a str,
+    /// How it was obtained, in lower case.
+    pub route: &'a str,
+    /// What it speaks about, in lower case.
+    pub subject: crate::evidence::Subject,
+    /// What was compared with what.
+    pub compared: &'a str,
+    /// How many points were compared.
+    pub points: usize,
+    /// The largest disagreement; written as `null` where it is infinite or not a number.
+    pub worst: f64,
+    /// The largest disagreement that counts as agreement.
+    pub tolerance: f64,
+    /// The tolerance's name in the code.
+    pub tolerance_name: &'a str,
+    /// Where the tolerance comes from.
+    pub reason: &'a str,
+    /// The title of a proof; nothing for a measurement.
+    pub title: Option<&'a str>,
+    /// What became of a proof: proved, disproved, not proved; nothing for a measurement.
+    pub proof: Option<&'a str>,
+    /// True if it covers a part of the claim only.
+    pub partial: bool,
+}
+
+impl Entry {
+    /// The entry as a row.
+    pub fn row(&self) -> Row<'_> {
+        let claim = self.claim;
+        let tally = self.tally();
+        Row {
+            id: claim.id,
+            equation: claim.equation,
+            section: claim.section,
+            kind: claim.kind.name(),
+            title: claim.title,
+            formula: claim.latex,
+            plain: claim.plain,
+            verdict: self.judgement.verdict.slug(),
+            ground: &self.judgement.ground,
+            conditions: claim.conditions,
+            depends_on: claim.depends_on,
+            corrected: claim.correction.map(|c| c.latex),
+            code: self.paper.formulas.of_claim(claim.id),
+            variants: tally.tried,
+            rejected: tally.rejected,
+            evidence: self.evidence.iter().map(evidence).collect(),
+        }
+    }
+}
+
+fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
+    EvidenceRow {
+        trial: e.trial,
+        route: e.route.name(),
+        subject: e.subject,
+        compared: e.compared,
+        points: e.points,
+        worst: e.worst,
+        tolerance: e.tolerance.value,
+        tolerance_name: e.tolerance.name,
+        reason: e.tolerance.reason,
+        title: Some(e.title.as_str()).filter(|title| !title.is_empty()),
+        proof: e.proof_words(),
+        partial: e.partial,
+    }
+}

@@ -1,0 +1,145 @@
+//! Trying claims on all cores, and judging them in view of one another.
+
+use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
+use crate::claims::attempt::Attempt;
+use crate::claims::{Claim, Paper, Topic};
+use rayon::prelude::*;
+use std::iter;
+use std::ops::Range;
+use std::sync::{Mutex, PoisonError};
+
+impl Entry {
+    /// Tries one claim and judges it.
+    pub fn try_claim(paper: &'static Paper, topic: &'static Topic, claim: &'static Claim) -> Self {
+        let evidence: Vec<_> = claim.trials.par_iter().map(Attempt::evidence).collect();
+        let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
+        Entry {
+            paper,
+            claim,
+            topic,
+            evidence,
+            judgement,
+        }
+    }
+
+    /// Whether the verdict may change with that of `claim`: a misprint's, with what follows from it.
+    fn rests_on(&self, claim: &Claim) -> bool {
+        self.judgement.verdict == Verdict::Misprint && claim.depends_on.contains(&self.claim.id)
+    }
+}
+
+/// Tries claims on all cores.
+fn tried(
+    paper: &'static Paper,
+    claims: Vec<(&'static Topic, &'static Claim)>,
+    done: &(impl Fn(&Claim) + Sync),
+) -> Vec<Entry> {
+    let workers = rayon::current_num_threads();
+    let shares = Shares::new(claims.len(), workers);
+    let work = |worker| {
+        let next = move |shares: &Shares| shares.next(worker);
+        let shares = &shares;
+        iter::from_fn(move || next(shares)).map(|i| {
+            let (topic, claim) = claims[i];
+            let entry = Entry::try_claim(paper, topic, claim);
+            done(claim);
+            (i, entry)
+        })
+    };
+    let workers = (0..workers).into_par_iter().with_max_len(1);
+    let mut entries: Vec<_> = workers.flat_map_iter(work).collect();
+    entries.sort_by_key(|(i, _)| *i);
+    entries.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// Which claims each worker has yet to try. Neighbours share runs, and of two workers that need the same runs one waits
+/// for the other: so each keeps to its own part, and who has finished helps the one with most left from its far end.
+struct Shares(Mutex<Vec<Range<usize>>>);
+
+impl Shares {
+    fn new(claims: usize, workers: usize) -> Self {
+        let bound = |worker| claims * worker / workers;
+        let parts = (0..workers).map(|worker| bound(worker)..bound(worker + 1));
+        Shares(Mutex::new(parts.collect()))
+    }
+
+    fn next(&self, worker: usize) -> Option<usize> {
+        // Whole at any time: nothing panics while it is locked.
+        let mut parts = self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        parts[worker].next().or_else(|| {
+            let longest = parts.iter_mut().max_by_key(|part| part.len())?;
+            longest.next_back()
+        })
+    }
+}
+
+/// Finds out whether an entry's judgement changes in view of the claims that depend on it.
+fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judgement)> {
+    move |(i, entry)| {
+        let follows = |e: &&Entry| e.claim.depends_on.contains(&entry.claim.id);
+        let dependents: Vec<_> = entries
+            .iter()
+            .filter(follows)
+            .map(|e| (e.claim.id, e.judgement.verdict))
+            .collect();
+        let judgement = in_view_of(entry.judgement.clone(), &dependents);
+        (judgement != entry.judgement).then_some((i, judgement))
+    }
+}
+
+impl Ledger {
+    /// Tries every claim of the paper on all cores; calls `done` after each one.
+    pub fn try_all(paper: &'static Paper, done: impl Fn(&Claim) + Sync) -> Self {
+        Self::of(paper, tried(paper, paper.claims().collect(), &done))
+    }
+
+    /// Tries the claims of these ids; calls `done` after each one. A verdict may rest on those of the claims that
+    /// depend on it: they are tried too where that is so, and are no part of this ledger.
+    pub fn try_some(paper: &'static Paper, ids: &[&str], done: impl Fn(&Claim) + Sync) -> Self {
+        let mut wanted: Vec<_> = paper
+            .claims()
+            .filter(|(_, c)| ids.contains(&c.id))
+            .collect();
+        let mut entries = Vec::new();
+        while !wanted.is_empty() {
+            entries.extend(tried(paper, wanted, &done));
+            wanted = paper
+                .claims()
+                .filter(|(_, claim)| entries.iter().all(|e| e.claim.id != claim.id))
+                .filter(|(_, claim)| entries.iter().any(|e| e.rests_on(claim)))
+                .collect();
+        }
+        let mut ledger = Self::of(paper, entries);
+        ledger.entries.retain(|e| ids.contains(&e.claim.id));
+        ledger
+    }
+
+    /// The entries, each judged in view of the others.
+    fn of(paper: &'static Paper, mut entries: Vec<Entry>) -> Self {
+        // A refutation may pass from claim to claim, against the order of derivation.
+        while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
+            entries[i].judgement = judgement;
+        }
+        Ledger { paper, entries }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_keeps_to_its_part_and_then_helps_from_the_far_end() {
+        let shares = Shares::new(10, 3);
+        let own = [0, 1, 2].map(|_| shares.next(0));
+        assert_eq!(own, [0, 1, 2].map(Some));
+        assert_eq!(shares.next(1), Some(3));
+        // The third has 6 to 9 left, the second 4 and 5.
+        assert_eq!([shares.next(0), shares.next(0)], [Some(9), Some(8)]);
+        let mut left: Vec<_> = iter::from_fn(|| shares.next(1)).collect();
+        assert_eq!(left[..2], [4, 5]);
+        left.sort_unstable();
+        assert_eq!(left, [4, 5, 6, 7]);
+        assert_eq!([shares.next(0), shares.next(2)], [None, None]);
+    }
+}

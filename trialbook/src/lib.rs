@@ -1,0 +1,24 @@
+//! Puts the claims of a paper on trial.
+//!
+//! A trial compares what a paper [claims] with what is found without it, and turns the comparison into [`evidence`]; the
+//! [`ledger`] judges: evidence in, verdict out. A printed formula is written once, over any [`scalar`], and then is a
+//! number or a tree. In it a mistake can be [`seeded`], to see that its trials notice.
+//!
+//! What is found without the paper is found with [`numerics`]. [`exact`] proves identities, [`certified`] encloses
+//! numbers and proves statements on whole ranges. [`figures`] draws.
+//!
+//! Nothing here knows which paper is on trial. With `default-features = false` there are the formulas, the numerics that
+//! a motion needs, and the judge alone; the feature `book` brings the trials and all that rests on them.
+
+#[cfg(feature = "book")]
+pub mod certified;
+pub mod claims;
+pub mod evidence;
+#[cfg(feature = "book")]
+pub mod exact;
+#[cfg(feature = "book")]
+pub mod figures;
+pub mod ledger;
+pub mod numerics;
+pub mod scalar;
+pub mod seeded;

@@ -1,0 +1,176 @@
+//! Seeded mistakes: a formula evaluated with one place changed, to see that its trials reject it.
+//!
+//! A formula written inside `formulas!` is what stands there, except on a thread on which [`with`] has seeded a
+//! mistake in it. Then its arguments become [`Seeded`] numbers, which count the places that the evaluation passes
+//! and change the chosen one. So a mistake reaches every kind of [`Scalar`](crate::scalar::Scalar) alike, numbers
+//! and trees, and a trial cannot tell it from a misprint. What [`reading`] watches is noted too: which formulas it reads.
+
+#[cfg(feature = "book")]
+mod number;
+#[cfg(feature = "book")]
+mod parts;
+#[cfg(feature = "book")]
+pub mod reading;
+
+#[cfg(feature = "book")]
+pub use number::{Seeded, evaluate};
+#[cfg(feature = "book")]
+pub use parts::{Formula, Parts, Symbol, letters, symbol};
+
+#[cfg(feature = "book")]
+use std::cell::{Cell, RefCell};
+
+/// What is changed at a place.
+#[cfg(feature = "book")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mistake {
+    /// The sign.
+    Sign,
+    /// A factor of 2.
+    Factor,
+    /// An argument, for the one of this number.
+    Symbol(usize),
+    /// An exponent or a whole number, one more; sin for cos and the like; a product for a quotient.
+    More,
+    /// A whole number or the exponent of a square, one less; the other sign of an exponent; 1 for π.
+    Less,
+}
+
+/// A place that an evaluation passes: where an argument is read, or what an operation gives.
+#[cfg(feature = "book")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Place {
+    /// The argument of this number is read.
+    Argument(usize),
+    /// An operation: whether it can be done with [`Mistake::More`], and with [`Mistake::Less`].
+    Operation([bool; 2]),
+}
+
+#[cfg(feature = "book")]
+impl Place {
+    /// The mistakes that can be made here, in a formula with so many arguments.
+    fn mistakes(self, arguments: usize) -> Vec<Mistake> {
+        let mut all = vec![Mistake::Sign, Mistake::Factor];
+        match self {
+            Place::Argument(here) => {
+                all.push(Mistake::More);
+                let others = (0..arguments).filter(|other| *other != here);
+                all.extend(others.map(Mistake::Symbol));
+            }
+            Place::Operation([more, less]) => {
+                all.extend(more.then_some(Mistake::More));
+                all.extend(less.then_some(Mistake::Less));
+            }
+        }
+        all
+    }
+}
+
+/// A mistake at a place of a formula.
+#[cfg(feature = "book")]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Seed {
+    /// The formula's path: `some_crate::some_topic::eq13_time`.
+    pub formula: &'static str,
+    /// The number of the place, in the order of evaluation.
+    pub place: usize,
+    /// The mistake.
+    pub mistake: Mistake,
+}
+
+#[cfg(feature = "book")]
+thread_local! {
+    static SEED: Cell<Option<Seed>> = const { Cell::new(None) };
+    static PLACES: RefCell<Vec<Place>> = const { RefCell::new(Vec::new()) };
+}
+
+/// Calls `f` with the mistake seeded on this thread, and on no other.
+#[cfg(feature = "book")]
+pub fn with<T>(seed: Seed, f: impl FnOnce() -> T) -> T {
+    struct Before(Option<Seed>);
+    impl Drop for Before {
+        fn drop(&mut self) {
+            SEED.set(self.0);
+        }
+    }
+    let _before = Before(SEED.replace(Some(seed)));
+    f()
+}
+
+/// The formula of this path is read: true if a mistake is seeded in it.
+#[cfg(feature = "book")]
+pub fn is_in(formula: &'static str) -> bool {
+    reading::note(formula);
+    SEED.get().is_some_and(|seed| seed.formula == formula)
+}
+
+/// The places that `evaluation` of the formula of this path passes, in order.
+#[cfg(feature = "book")]
+pub fn places(formula: &'static str, evaluation: impl FnOnce()) -> Vec<Place> {
+    let nowhere = Seed {
+        formula,
+        place: usize::MAX,
+        mistake: Mistake::Sign,
+    };
+    with(nowhere, evaluation);
+    PLACES.take()
+}
+
+/// Passes a place: the mistake to make there, if any.
+#[cfg(feature = "book")]
+fn pass(place: Place) -> Option<Mistake> {
+    PLACES.with_borrow_mut(|places| {
+        places.push(place);
+        let here = |seed: &Seed| places.len().checked_sub(1) == Some(seed.place);
+        SEED.get().filter(here).map(|seed| seed.mistake)
+    })
+}
+
+/// Formulas in which a mistake can be seeded, and `formulas()`, the list of them. Each is generic over `S: Scalar`,
+/// its arguments and its value are of type `S` or arrays of `S`. The arguments' letters are those of the symbols.
+#[macro_export]
+macro_rules! formulas {
+    (symbols $symbols:expr; $(
+        $(#[$about:meta])*
+        pub fn $name:ident<S: Scalar>($($argument:ident: $type:ty),* $(,)?) -> $value:ty $body:block
+    )*) => {
+        $(
+            $(#[$about])*
+            pub fn $name<S: Scalar>($($argument: $type),*) -> $value {
+                fn written<S: Scalar>($($argument: $type),*) -> $value $body
+                #[cfg(feature = "book")]
+                if $crate::seeded::is_in(concat!(module_path!(), "::", stringify!($name))) {
+                    use $crate::seeded;
+                    let arguments: Vec<S> = [Vec::new(), $(seeded::Parts::parts($argument)),*].concat();
+                    return seeded::evaluate(&arguments, |_next| {
+                        written::<seeded::Seeded<'_, S>>($({ let $argument = seeded::Parts::of(_next); $argument }),*)
+                    });
+                }
+                written($($argument),*)
+            }
+        )*
+
+        /// The formulas of this file.
+        #[cfg(feature = "book")]
+        pub fn formulas<S: Scalar>() -> Vec<$crate::seeded::Formula<S>> {
+            use $crate::seeded::{Formula, Parts, letters};
+            vec![$(Formula {
+                path: concat!(module_path!(), "::", stringify!($name)),
+                name: stringify!($name),
+                arguments: &[$(stringify!($argument)),*],
+                symbols: [Vec::new(), $(letters(
+                    $symbols,
+                    module_path!(),
+                    stringify!($argument),
+                    <$type as Parts<S>>::COUNT,
+                )),*].concat(),
+                value: |_arguments| {
+                    let mut _arguments = _arguments.iter().copied();
+                    let _next = &mut || _arguments.next().expect("one for each symbol");
+                    Parts::parts($name::<S>($({ let $argument = Parts::of(_next); $argument }),*))
+                },
+            }),*]
+        }
+    };
+}
+pub use formulas;

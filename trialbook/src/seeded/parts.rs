@@ -1,0 +1,113 @@
+//! What formulas are made of, laid out flat: arguments and values as lists of numbers.
+
+use super::{Place, Seed, places};
+use crate::scalar::Scalar;
+
+/// A formula by its name and on flat lists.
+pub struct Formula<S> {
+    /// Its path: `some_crate::some_topic::eq13_time`.
+    pub path: &'static str,
+    /// Its name: `eq13_time`.
+    pub name: &'static str,
+    /// The names of its arguments.
+    pub arguments: &'static [&'static str],
+    /// The letters of its arguments, by the symbols of its file; one for each component of a vector.
+    pub symbols: Vec<&'static str>,
+    /// Its value at as many arguments, component by component.
+    pub value: fn(&[S]) -> Vec<S>,
+}
+
+impl<S> Formula<S> {
+    /// Every mistake at every place that the evaluation at these arguments passes.
+    pub fn seeds(&self, arguments: &[S]) -> Vec<Seed> {
+        let passed = places(self.path, || drop((self.value)(arguments)));
+        let of_place = |(place, kind): (usize, &Place)| {
+            let mistakes = kind.mistakes(arguments.len()).into_iter();
+            mistakes.map(move |mistake| (place, mistake))
+        };
+        let all = passed.iter().enumerate().flat_map(of_place);
+        all.map(|(place, mistake)| Seed {
+            formula: self.path,
+            place,
+            mistake,
+        })
+        .collect()
+    }
+}
+
+/// A number, or an array of numbers.
+pub trait Parts<S> {
+    /// How many numbers it has.
+    const COUNT: usize;
+    /// Of the next numbers.
+    fn of(next: &mut dyn FnMut() -> S) -> Self;
+    /// Its numbers.
+    fn parts(self) -> Vec<S>;
+}
+
+impl<S: Scalar> Parts<S> for S {
+    const COUNT: usize = 1;
+    fn of(next: &mut dyn FnMut() -> S) -> Self {
+        next()
+    }
+    fn parts(self) -> Vec<S> {
+        vec![self]
+    }
+}
+
+impl<S: Scalar, const N: usize> Parts<S> for [S; N] {
+    const COUNT: usize = N;
+    fn of(next: &mut dyn FnMut() -> S) -> Self {
+        std::array::from_fn(|_| next())
+    }
+    fn parts(self) -> Vec<S> {
+        self.to_vec()
+    }
+}
+
+/// A symbol of formulas.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Symbol {
+    /// The topic in which the name means this; empty where it means this in every topic that says nothing else.
+    pub topic: &'static str,
+    /// The argument's name.
+    pub argument: &'static str,
+    /// Its letter, as plain text.
+    pub plain: &'static str,
+    /// The letters of its components; of a pair that is no vector, of the quantity and its rate.
+    pub parts: &'static [&'static str],
+    /// Its letter in LaTeX.
+    pub latex: &'static str,
+    /// What it means, with mathematics between dollar signs.
+    pub meaning: &'static str,
+    /// Its unit in words; "1" if it is dimensionless.
+    pub unit: &'static str,
+    /// The id of the claim that introduces it.
+    pub claim: &'static str,
+}
+
+/// The symbol that an argument of a formula in the module of this path stands for.
+pub fn symbol(all: &'static [Symbol], module: &str, argument: &str) -> Option<&'static Symbol> {
+    let topic = module.rsplit("::").next();
+    let named = |own: bool| {
+        let topic = if own { topic } else { Some("") };
+        all.iter()
+            .find(|s| s.argument == argument && Some(s.topic) == topic)
+    };
+    named(true).or_else(|| named(false))
+}
+
+/// The letters of an argument's numbers: its own where it is one number, else those of its parts. An argument that is
+/// not declared keeps its name, once for each number.
+pub fn letters(
+    all: &'static [Symbol],
+    module: &str,
+    argument: &'static str,
+    count: usize,
+) -> Vec<&'static str> {
+    match symbol(all, module, argument) {
+        Some(symbol) if count == 1 => vec![symbol.plain],
+        Some(symbol) if symbol.parts.len() >= count => symbol.parts[..count].to_vec(),
+        _ => vec![argument; count],
+    }
+}
