@@ -4,7 +4,7 @@ mod slide;
 mod start;
 mod stick;
 
-#[cfg(test)]
+#[cfg(all(test, feature = "book"))]
 mod tests;
 
 use super::acceleration::{Acceleration, Coefficients};

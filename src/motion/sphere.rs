@@ -19,7 +19,7 @@ mod line;
 mod run;
 mod slide;
 
-#[cfg(test)]
+#[cfg(all(test, feature = "book"))]
 mod tests;
 
 pub use line::{Directed, LineMotion, LineState, Stretch};

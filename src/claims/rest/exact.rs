@@ -1,5 +1,5 @@
 //! Rest, exactly: where it is possible, (139); the envelope of the truncated surfaces, (146) and (147). The motions to rest
-//! and the boundary are power series, in [`near`] and [`boundary`].
+//! and the boundary are power series, in [`series`] and [`boundary`].
 
 pub mod boundary;
 pub mod series;

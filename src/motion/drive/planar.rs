@@ -281,5 +281,5 @@ impl<'d> Flight<'d> {
     }
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "book"))]
 mod tests;
