@@ -36,8 +36,8 @@ symbols! {
     theta0 = "θ₀", r"\theta_0", "direction of the velocity at the start", "radians", "eq-11";
     v0 = "v₀", "v_0", "speed at the start", "length/time", "eq-11";
     d_power = "(d(tan θ/2)^λ/dθ)", r"\frac{\mathrm d}{\mathrm d\theta}\left(\tan\frac\theta2\right)^\lambda", "a derivative", "1", "eq-12";
-    v0x = "v₀ₓ", "v_{0x}", "velocity along the acceleration at the start", "length/time", "eq-15";
-    v0y = "v₀y", "v_{0y}", "velocity across the acceleration at the start", "length/time", "eq-16";
+    v0x = "v₀ₓ", "v_{0x}", "velocity along the inertial force at the start", "length/time", "eq-15";
+    v0y = "v₀y", "v_{0y}", "velocity across it at the start", "length/time", "eq-16";
     eq20_stop_time = "T", "T", "time at which the particle stops", "time", "eq-20";
     r in constant = "r", "r", r"$\tan\frac{\theta}{2}$ over its value at the start", "1", "eq-11";
     ln_r in constant = "ln r", r"\ln r", "its logarithm", "1", "eq-11";

@@ -109,10 +109,10 @@ fn reading(ledger: &Ledger) -> Result<(), Failed> {
             .evidence
             .iter()
             .filter(move |e| PAPER.formulas.is_missing(id, e));
-        missing.map(move |e| (id, e.compared))
+        missing.map(move |e| (id, e.trial))
     });
     let missing: BTreeSet<_> = evidence.collect();
-    let excused = ELSEWHERE.iter().map(|e| (e.claim, e.compared)).collect();
+    let excused = ELSEWHERE.iter().map(|e| (e.claim, e.trial)).collect();
     if missing != excused {
         let both = missing.symmetric_difference(&excused);
         return Err(format!(

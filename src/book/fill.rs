@@ -102,6 +102,7 @@ impl<'a> Filler<'a> {
             ["measured"] => block(tables::measured(self)?),
             ["accuracy"] => block(tables::accuracy(self)?),
             ["survivors"] => block(tables::survivors(self)?),
+            ["spared"] => block(tables::spared(self)?),
             ["sheet", id] => block(format!(
                 "<pre><code class=\"language-text\">{}</code></pre>\n",
                 self.entry(id)?

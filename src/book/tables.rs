@@ -5,11 +5,12 @@ use super::error::Fault;
 use super::fill::{Filler, verdict};
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
+use crate::claims::variants::SPARED;
 use crate::evidence::{Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 use trialbook::claims::measured::Measured;
-use trialbook::claims::variants::Survivor;
+use trialbook::claims::variants::{Spared, Survivor};
 
 /// A table, as a block of HTML. The cells are HTML.
 pub(super) fn table<const N: usize>(
@@ -356,4 +357,18 @@ pub(super) fn survivors(filler: &Filler<'_>) -> Result<String, Fault> {
     let rows: Result<Vec<_>, Fault> = filler.ledger().paper.survivors.iter().map(row).collect();
     let head = ["Claim", "Wrong variant", "Why it stands"];
     Ok(table("survivors", head, rows?))
+}
+
+/// The formulas of which a proof does not reject every wrong variant.
+pub(super) fn spared(filler: &Filler<'_>) -> Result<String, Fault> {
+    let row = |spared: &Spared| {
+        Ok([
+            filler.link(filler.entry(spared.claim)?)?,
+            format!("<code>{}</code>", escape(spared.formula)),
+            filler.maths().words(spared.reason)?,
+        ])
+    };
+    let rows: Result<Vec<_>, Fault> = SPARED.iter().map(row).collect();
+    let head = ["Claim", "Formula", "Why the proof does not reject all"];
+    Ok(table("spared", head, rows?))
 }

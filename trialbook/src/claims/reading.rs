@@ -8,8 +8,8 @@ use crate::evidence::{Evidence, Subject};
 pub struct Elsewhere {
     /// The id of the claim.
     pub claim: &'static str,
-    /// What is compared.
-    pub compared: &'static str,
+    /// The trial's name.
+    pub trial: &'static str,
     /// Why.
     pub reason: &'static str,
 }
