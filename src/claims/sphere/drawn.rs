@@ -1,19 +1,8 @@
 //! What the figures of section 3 show: motions and points of the trials.
 
 use super::angle;
-use super::driven;
+use super::driven::{self, Swinging};
 use crate::claims::compare::Failure;
-
-/// The slip velocity and the velocity of the centre of a solid sphere on a swinging plane, over two late periods.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Swinging {
-    /// λ₀ of (84).
-    pub lambda: f64,
-    /// (φ, ϖ w_x/A₀, ϖ v_x/A₀), φ from 0 to 4π; all dimensionless.
-    pub points: Vec<[f64; 3]>,
-    /// The phases between which it rolls.
-    pub rolls: Vec<[f64; 2]>,
-}
 
 /// One motion for each λ₀.
 ///

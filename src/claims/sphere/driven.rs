@@ -1,6 +1,5 @@
 //! Trials of (84), (85) and of the statements about a plane that swings: 3.2 to 3.4.
 
-use super::drawn::Swinging;
 use super::every_drive::rolling_time;
 use super::spheres::sphere;
 use crate::claims::compare::{Failure, Pair, Trial};
@@ -544,6 +543,17 @@ pub fn anisotropic_motion() -> Evidence {
             scale: 1.0,
         })
     })
+}
+
+/// The slip velocity and the velocity of the centre of a solid sphere on a swinging plane, over two late periods.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Swinging {
+    /// λ₀ of (84).
+    pub lambda: f64,
+    /// (φ, ϖ w_x/A₀, ϖ v_x/A₀), φ from 0 to 4π; all dimensionless.
+    pub points: Vec<[f64; 3]>,
+    /// The phases between which it rolls.
+    pub rolls: Vec<[f64; 2]>,
 }
 
 /// Two late periods of a solid sphere.
