@@ -6,25 +6,16 @@ use slipbook::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::judge;
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
+    const SIX_DIGITS: Tolerance = Tolerance {
+        name: "SIX_DIGITS",
+        value: 1e-6,
+        reason: "six digits were read off",
+    };
     Evidence {
-        route,
-        subject,
-        compared: "a formula with a measurement",
         points: 100,
-        fingerprint: 0,
         worst,
         at: "x = 1".into(),
-        tolerance: Tolerance {
-            name: "EXAMPLE",
-            value: 1e-6,
-            reason: "six digits were read off",
-        },
-        samples: Vec::new(),
-        steps: Vec::new(),
-        partial: false,
-        trial: "example",
-        title: String::new(),
-        read: Default::default(),
+        ..Evidence::new(route, subject, "a formula with a measurement", SIX_DIGITS)
     }
 }
 

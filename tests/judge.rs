@@ -2,28 +2,18 @@
 
 use slipbook::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
-use std::collections::BTreeSet;
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
+    const EXAMPLE: Tolerance = Tolerance {
+        name: "EXAMPLE",
+        value: 1e-12,
+        reason: "test",
+    };
     Evidence {
-        fingerprint: 0,
-        route,
-        subject,
-        compared: "a with b",
         points: 1000,
         worst,
         at: "x = 1".into(),
-        tolerance: Tolerance {
-            name: "EXAMPLE",
-            value: 1e-12,
-            reason: "test",
-        },
-        samples: vec![],
-        steps: vec![],
-        partial: false,
-        trial: "",
-        title: String::new(),
-        read: BTreeSet::new(),
+        ..Evidence::new(route, subject, "a with b", EXAMPLE)
     }
 }
 

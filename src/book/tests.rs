@@ -36,19 +36,16 @@ static FULL: Claim = Claim {
 };
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
+    const TEN_DIGITS: Tolerance = Tolerance {
+        name: "TEN_DIGITS",
+        value: 1e-10,
+        reason: "ten digits of <both>",
+    };
+    let compared = "<script>alert(1)</script> against the *motion*";
     Evidence {
-        fingerprint: 0,
-        route,
-        subject,
-        compared: "<script>alert(1)</script> against the *motion*",
         points: 1234,
         worst,
         at: "λ = 0.5, θ₀ < 1 & v|0 = 2".into(),
-        tolerance: Tolerance {
-            name: "EXAMPLE",
-            value: 1e-10,
-            reason: "ten digits of <both>",
-        },
         samples: vec![Sample {
             at: "a_1 < 2".into(),
             stated: 0.25,
@@ -59,10 +56,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         } else {
             Vec::new()
         },
-        partial: false,
-        trial: "",
-        title: String::new(),
-        read: BTreeSet::new(),
+        ..Evidence::new(route, subject, compared, TEN_DIGITS)
     }
 }
 

@@ -200,6 +200,31 @@ pub enum Outcome {
 }
 
 impl Evidence {
+    /// Evidence of no point yet; by whom it is found and what it reads is noted by who runs the trial.
+    pub fn new(
+        route: Route,
+        subject: Subject,
+        compared: &'static str,
+        tolerance: Tolerance,
+    ) -> Self {
+        Evidence {
+            trial: "",
+            route,
+            subject,
+            compared,
+            points: 0,
+            fingerprint: 0,
+            worst: 0.0,
+            at: String::new(),
+            tolerance,
+            samples: Vec::new(),
+            title: String::new(),
+            steps: Vec::new(),
+            partial: false,
+            read: BTreeSet::new(),
+        }
+    }
+
     /// The same evidence, about a part of the claim only.
     pub fn of_a_part(self) -> Self {
         Evidence {

@@ -5,7 +5,6 @@ use super::tolerances;
 use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
 use crate::exact::{Obstacle, Proof, Step};
 use crate::seeded::reading;
-use std::collections::BTreeSet;
 
 /// One comparison.
 pub struct Pair {
@@ -77,22 +76,7 @@ impl Trial {
         points: impl IntoIterator<Item = P>,
         mut pair: impl FnMut(P) -> Result<Pair, Failure>,
     ) -> Evidence {
-        let mut evidence = Evidence {
-            fingerprint: 0,
-            route: self.route,
-            subject: self.subject,
-            compared: self.compared,
-            points: 0,
-            worst: 0.0,
-            at: String::new(),
-            tolerance: self.tolerance,
-            samples: Vec::new(),
-            steps: Vec::new(),
-            partial: false,
-            trial: "",
-            title: String::new(),
-            read: BTreeSet::new(),
-        };
+        let mut evidence = Evidence::new(self.route, self.subject, self.compared, self.tolerance);
         for point in points {
             if !take(&mut evidence, pair(point)) {
                 break;
@@ -178,10 +162,6 @@ pub fn noted(trial: impl FnOnce() -> Evidence) -> Evidence {
 /// Evidence from a proof, with its steps: it holds or it does not.
 pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Evidence {
     Evidence {
-        fingerprint: 0,
-        route: Route::Exact,
-        subject,
-        compared,
         points: 1,
         // A step that cannot be carried out says nothing about the claim.
         worst: match proof.obstacle() {
@@ -192,12 +172,8 @@ pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Eviden
         at: proof.obstacle().map_or(String::new(), |obstacle| {
             format!("a step of the proof ({obstacle})")
         }),
-        tolerance: tolerances::NONE,
-        samples: Vec::new(),
         steps: proof.steps().iter().map(Step::to_string).collect(),
-        partial: false,
-        trial: "",
         title: proof.title().to_owned(),
-        read: BTreeSet::new(),
+        ..Evidence::new(Route::Exact, subject, compared, tolerances::NONE)
     }
 }

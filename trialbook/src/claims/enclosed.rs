@@ -6,7 +6,6 @@ use crate::certified::error::CertifiedError;
 use crate::certified::value::Value;
 use crate::evidence::{Evidence, Route, Sample, Subject};
 use crate::exact::{Binary, Expr, Function, Node};
-use std::collections::BTreeSet;
 
 /// Decimals to which a stated number is held against an enclosure.
 pub const DIGITS: usize = 50;
@@ -24,20 +23,10 @@ pub fn certified(
         Err(error @ CertifiedError::NotProved { .. }) => (1, f64::NAN, error.to_string()),
     };
     Evidence {
-        fingerprint: 0,
-        route: Route::Certified,
-        subject,
-        compared,
         points,
         worst,
         at,
-        tolerance: tolerances::NONE,
-        samples: Vec::new(),
-        steps: Vec::new(),
-        partial: false,
-        trial: "",
-        title: String::new(),
-        read: BTreeSet::new(),
+        ..Evidence::new(Route::Certified, subject, compared, tolerances::NONE)
     }
 }
 
