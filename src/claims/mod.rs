@@ -6,6 +6,8 @@
 #[cfg(feature = "book")]
 pub mod by_hand;
 #[cfg(feature = "book")]
+pub mod distrust;
+#[cfg(feature = "book")]
 mod failure;
 #[cfg(feature = "book")]
 pub mod formulas;

@@ -150,6 +150,18 @@ pub struct Sample {
     pub found: f64,
 }
 
+/// A number each for what was stated, what was found and the scale of their difference, at all points together; it changes
+/// with the last bit of any of them. Seen by a mistake that is seeded in what is stated, and not elsewhere.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Sides {
+    /// What the claim states.
+    pub stated: u64,
+    /// What was found without it.
+    pub found: u64,
+    /// In what units they are compared.
+    pub scale: u64,
+}
+
 /// What one trial brought.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Evidence {
@@ -166,6 +178,9 @@ pub struct Evidence {
     /// A number that changes when a trial looks elsewhere, takes another scale or finds something else; 0 where no points
     /// were compared.
     pub fingerprint: u64,
+    /// What was stated, found and taken for a scale, at all points to the last bit.
+    #[serde(skip)]
+    pub sides: Sides,
     /// The largest disagreement, in units of the scale that the comparison names; infinite where the
     /// claim has no value and the motion has one; NaN where our own side failed.
     pub worst: f64,
@@ -214,6 +229,7 @@ impl Evidence {
             compared,
             points: 0,
             fingerprint: 0,
+            sides: Sides::default(),
             worst: 0.0,
             at: String::new(),
             tolerance,

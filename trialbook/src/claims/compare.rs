@@ -97,6 +97,14 @@ fn take(evidence: &mut Evidence, pair: Result<Pair, Failure>) -> bool {
     };
     evidence.points += 1;
     evidence.fingerprint = mixed(evidence.fingerprint, &pair);
+    let sides = &mut evidence.sides;
+    for (side, value) in [
+        (&mut sides.stated, pair.stated),
+        (&mut sides.found, pair.found),
+        (&mut sides.scale, pair.scale),
+    ] {
+        *side = with_word(*side, value.to_bits());
+    }
     let disagreement = pair.disagreement();
     if disagreement.is_nan() {
         (evidence.worst, evidence.at) = (f64::NAN, pair.at);
@@ -127,9 +135,11 @@ fn mixed(fingerprint: u64, pair: &Pair) -> u64 {
     let found = (pair.found / pair.scale * 65_536.0).round() as i64;
     words
         .chain([scale, found as u64])
-        .fold(fingerprint, |sum, word| {
-            (sum.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95)
-        })
+        .fold(fingerprint, with_word)
+}
+
+fn with_word(sum: u64, word: u64) -> u64 {
+    (sum.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95)
 }
 
 /// How many compared pairs are kept for readers: the first ones, so that they do not depend on last bits.

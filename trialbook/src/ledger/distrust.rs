@@ -1,0 +1,160 @@
+//! Trials held against the mistakes that can be seeded in what they read: each has to notice, and what it finds without
+//! the paper has to stay where it is.
+
+use super::{Entry, Ledger};
+use crate::claims::variants::Variant;
+use crate::evidence::Outcome;
+use crate::seeded::{self, Seed};
+use rayon::ThreadPoolBuilder;
+use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread::{available_parallelism, scope};
+
+/// What a trial does when a mistake is seeded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Reaction {
+    /// Its outcome is another one.
+    pub rejects: bool,
+    /// What it takes for stated is another number somewhere.
+    pub stated: bool,
+    /// What it finds is another number, or is looked for at other points.
+    pub found: bool,
+    /// It compares in other units.
+    pub scale: bool,
+}
+
+/// How many mistakes are seeded in each formula that a trial reads.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// All.
+    Every,
+    /// A few, and then others until one is rejected.
+    Few,
+}
+
+/// Mistakes that [`Extent::Few`] seeds in any case.
+const FEW: usize = 4;
+
+/// A trial, and what it does when mistakes are seeded in what it reads.
+#[derive(Debug, Clone)]
+pub struct Tried {
+    /// The number of the entry in the ledger.
+    pub entry: usize,
+    /// The number of the trial.
+    pub trial: usize,
+    /// The reactions, with the numbers of the variants.
+    pub reactions: Vec<(usize, Reaction)>,
+}
+
+impl Tried {
+    /// How many mistakes it rejects.
+    pub fn rejected(&self) -> usize {
+        self.reactions.iter().filter(|(_, r)| r.rejects).count()
+    }
+
+    /// The first variant that changes what it finds.
+    pub fn leans_on(&self) -> Option<usize> {
+        let first = self.reactions.iter().find(|(_, r)| r.found);
+        first.map(|(variant, _)| *variant)
+    }
+}
+
+impl Entry {
+    /// What the trial of this number does with the mistake; all that it does has to stay on this thread.
+    fn reaction(&self, trial: usize, seed: Seed) -> Reaction {
+        let before = &self.evidence[trial];
+        let after = seeded::with(seed, || self.claim.trials[trial].evidence());
+        Reaction {
+            rejects: after.outcome() != before.outcome(),
+            stated: after.sides.stated != before.sides.stated,
+            found: !after.route.is_proof()
+                && (after.sides.found, after.points) != (before.sides.found, before.points),
+            scale: after.sides.scale != before.sides.scale,
+        }
+    }
+}
+
+impl Ledger {
+    /// What every trial does when mistakes are seeded in the formulas that it reads. `done` is called after each trial.
+    pub fn distrust(
+        &self,
+        variants: &[Variant],
+        extent: Extent,
+        done: impl Fn() + Sync,
+    ) -> Vec<Tried> {
+        let mut of_formula = BTreeMap::<&str, Vec<usize>>::new();
+        for (i, variant) in variants.iter().enumerate() {
+            of_formula.entry(variant.seed.formula).or_default().push(i);
+        }
+        let entries = self.entries.iter().enumerate();
+        let trials: Vec<_> = entries
+            .flat_map(|(entry, e)| (0..e.evidence.len()).map(move |trial| (entry, trial)))
+            .collect();
+        let next = AtomicUsize::new(0);
+        let work = || {
+            // A mistake is seeded on one thread alone, so all that a trial does has to stay on this one.
+            let alone = ThreadPoolBuilder::new().num_threads(1).use_current_thread();
+            let pool = alone.build().expect("the thread is in no pool yet");
+            let mut tried = Vec::new();
+            while let Some((entry, trial)) = trials.get(next.fetch_add(1, Ordering::Relaxed)) {
+                let (entry, trial) = (*entry, *trial);
+                let read = &self.entries[entry].evidence[trial].read;
+                let read: Vec<_> = read.iter().filter_map(|f| of_formula.get(f)).collect();
+                let reactions = || self.reactions(entry, trial, &read, variants, extent);
+                let reactions = pool.install(reactions);
+                tried.push(Tried {
+                    entry,
+                    trial,
+                    reactions,
+                });
+                done();
+            }
+            tried
+        };
+        let threads = available_parallelism().map_or(1, usize::from);
+        let mut tried: Vec<_> = scope(|scope| {
+            let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+            let tried = workers.into_iter();
+            tried
+                .flat_map(|worker| worker.join().expect("no trial panics"))
+                .collect()
+        });
+        tried.sort_by_key(|tried| (tried.entry, tried.trial));
+        tried
+    }
+
+    fn reactions(
+        &self,
+        entry: usize,
+        trial: usize,
+        read: &[&Vec<usize>],
+        variants: &[Variant],
+        extent: Extent,
+    ) -> Vec<(usize, Reaction)> {
+        let entry = &self.entries[entry];
+        let reaction = |i: usize| (i, entry.reaction(trial, variants[i].seed));
+        if extent == Extent::Every {
+            return read
+                .iter()
+                .copied()
+                .flatten()
+                .copied()
+                .map(reaction)
+                .collect();
+        }
+        let few = read.iter().flat_map(|of_one| {
+            let step = of_one.len().div_ceil(FEW);
+            of_one.iter().step_by(step.max(1))
+        });
+        let mut reactions: Vec<_> = few.copied().map(reaction).collect();
+        let agrees = entry.evidence[trial].outcome() == Outcome::Agrees;
+        let mut others = read.iter().copied().flatten();
+        while agrees
+            && reactions.iter().all(|(_, r)| !r.rejects)
+            && let Some(other) = others.next()
+        {
+            reactions.push(reaction(*other));
+        }
+        reactions
+    }
+}
