@@ -38,6 +38,7 @@ symbols! {
     d_power = "(d(tan θ/2)^λ/dθ)", r"\frac{\mathrm d}{\mathrm d\theta}\left(\tan\frac\theta2\right)^\lambda", "a derivative", "1", "eq-12";
     v0x = "v₀ₓ", "v_{0x}", "velocity along the inertial force at the start", "length/time", "eq-15";
     v0y = "v₀y", "v_{0y}", "velocity across it at the start", "length/time", "eq-16";
+    y in constant = "y", "y", "place across the inertial force, from the launch on", "length", "s21-frictionless-parabola";
     eq20_stop_time = "T", "T", "time at which the particle stops", "time", "eq-20";
     r in constant = "r", "r", r"$\tan\frac{\theta}{2}$ over its value at the start", "1", "eq-11";
     ln_r in constant = "ln r", r"\ln r", "its logarithm", "1", "eq-11";

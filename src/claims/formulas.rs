@@ -7,12 +7,17 @@ use crate::{corrections, paper};
 use trialbook::claims::formulas::Formulas;
 
 /// The formulas without a number of their own, and the claims that try them. What serves no claim is not here.
-const TRIED_IN: [(&str, &str); 32] = [
+const TRIED_IN: &[(&str, &str)] = &[
     ("corrections::anisotropic::a_far", "eq-53"),
     ("corrections::anisotropic::contact", "s24-Y"),
     ("corrections::anisotropic::e_far", "eq-54"),
     ("corrections::anisotropic::e_sides", "eq-54"),
     ("corrections::constant::speed", "eq-11"),
+    ("corrections::constant::time", "eq-13"),
+    (
+        "corrections::constant::turning_slopes",
+        "s21-large-friction-stops",
+    ),
     ("corrections::escape::a", "eq-132"),
     ("corrections::escape::a_rate", "eq-131"),
     ("corrections::escape::alpha", "eq-133"),
@@ -29,6 +34,9 @@ const TRIED_IN: [(&str, &str); 32] = [
     ("corrections::rest::alpha_rate_straight_in", "eq-140"),
     ("corrections::rest::angle_straight_in", "s4-near-rest"),
     ("corrections::rest::boundary_a", "s4-envelope-is-boundary"),
+    ("corrections::periodic::small_friction_cases", "eq-46"),
+    ("corrections::periodic::small_friction_ends", "eq-46"),
+    ("corrections::periodic::small_friction_start", "eq-46"),
     (
         "corrections::rest::boundary_curvature",
         "s4-envelope-is-boundary",
@@ -54,6 +62,26 @@ const TRIED_IN: [(&str, &str); 32] = [
     ("corrections::sphere::spin", "eq-75"),
     ("corrections::sphere::time", "eq-82"),
     ("corrections::turntable::constant", "eq-106"),
+    (
+        "paper::constant::s21_keeps_moving_sides",
+        "s21-small-friction-aligns",
+    ),
+    (
+        "paper::constant::s21_late_angle",
+        "s21-small-friction-aligns",
+    ),
+    ("paper::constant::s21_parabola", "s21-frictionless-parabola"),
+    ("paper::periodic::s23_rest_sides", "s23-rest-above-one"),
+    (
+        "paper::sinusoidal::s22_first_stage_slope",
+        "s22-vy-two-stages",
+    ),
+    ("paper::sinusoidal::s22_late_vy", "s22-vy-vanishes"),
+    ("paper::sinusoidal::s22_points", "s22-four-points"),
+    (
+        "paper::sinusoidal::s22_second_stage_ratio",
+        "s22-vy-two-stages",
+    ),
     ("paper::turntable::friction_work", "s4-coriolis-no-work"),
 ];
 
@@ -71,6 +99,7 @@ pub fn formulas<S: Scalar>() -> Vec<Formula<S>> {
         paper::rest::formulas(),
         corrections::constant::formulas(),
         corrections::sinusoidal::formulas(),
+        corrections::periodic::formulas(),
         corrections::anisotropic::formulas(),
         corrections::sphere::formulas(),
         corrections::turntable::formulas(),
@@ -87,7 +116,7 @@ pub const FORMULAS: Formulas = Formulas {
     numbers: formulas,
     trees: formulas,
     corrections: "::corrections::",
-    tried_in: &TRIED_IN,
+    tried_in: TRIED_IN,
     up_to_a_factor: &UP_TO_A_FACTOR,
     up_to_a_positive_factor: &UP_TO_A_POSITIVE_FACTOR,
     argument,
@@ -108,7 +137,7 @@ mod tests {
             let formula = formulas.iter().find(|f| f.path.ends_with(path));
             FORMULAS.claim(formula.unwrap_or_else(|| panic!("{path}")).path)
         };
-        for (path, id) in TRIED_IN {
+        for &(path, id) in TRIED_IN {
             assert_eq!(tried(path).as_deref(), Some(id), "{path}");
             assert!(PAPER.find(id).is_some(), "{id}");
         }

@@ -26,6 +26,18 @@ pub fn speed<S: Scalar>(lambda: S, v0: S, theta0: S, r: S) -> S {
     v0 * (half.cos().squared() * r.pow(lambda - one) + half.sin().squared() * r.pow(lambda + one))
 }
 
+/// The time at which tan(θ/2) has fallen to `r` times its initial value. For 0 < r ≤ 1.
+pub fn time<S: Scalar>(lambda: S, a: S, v0: S, theta0: S, r: S) -> S {
+    let (one, half) = (S::int(1), theta0 / S::int(2));
+    v0 / a * (half.cos().squared() * r.power_fall(lambda - one) + half.sin().squared() * r.power_fall(lambda + one))
+}
+
+/// The least and the largest d ln tan(θ/2)/d ln v = 1/(λ − cos θ) for λ > 1; the largest is the last, where θ → 0.
+pub fn turning_slopes<S: Scalar>(lambda: S) -> [S; 2] {
+    let one = S::int(1);
+    [one / (lambda + one), one / (lambda - one)]
+}
+
 }
 
 /// [`speed`] by ln r, for motions so long that r is below every number.
@@ -33,11 +45,6 @@ pub fn speed_by_log<S: Scalar>(lambda: S, v0: S, theta0: S, ln_r: S) -> S {
     let (one, half) = (S::int(1), theta0 / S::int(2));
     v0 * (half.cos().squared() * ((lambda - one) * ln_r).exp()
         + half.sin().squared() * ((lambda + one) * ln_r).exp())
-}
-
-/// The time at which tan(θ/2) has fallen to `r` times its initial value. For 0 < r ≤ 1.
-pub fn time(lambda: f64, a: f64, v0: f64, theta0: f64, r: f64) -> f64 {
-    time_by_log(lambda, a, v0, theta0, libm::log(r))
 }
 
 /// [`time`] by ln r.

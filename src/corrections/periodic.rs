@@ -25,6 +25,11 @@
 //! The pulses attain the first bound: ⟨|h|⟩ = η = λ_c.
 
 use crate::scalar::Scalar;
+use crate::seeded::formulas;
+
+formulas! {
+
+symbols crate::symbols::SYMBOLS;
 
 /// φ₀: the phase (radians) at which w of the pulse train becomes positive, for 0 < λ₀ ≤ η.
 pub fn small_friction_start<S: Scalar>(lambda: S, eta: S) -> S {
@@ -46,6 +51,8 @@ pub fn small_friction_cases<S: Scalar>(lambda: S, eta: S, phi: S) -> [S; 3] {
 /// The phases (radians) where the first and the second case end; the third ends at φ₀ + π.
 pub fn small_friction_ends<S: Scalar>(eta: S) -> [S; 2] {
     [eta * S::pi(), S::pi()]
+}
+
 }
 
 /// Which case holds at φ, counted from 0; between two cases, the later one.

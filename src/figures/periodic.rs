@@ -88,8 +88,8 @@ pub fn census(rows: &[CensusRow]) -> Result<Figure, FigureError> {
         .caption(
             "Number of rests per period against $\\lambda_0$ for ten drives, by simulation alone. Of each \
              drive the largest $\\lvert h\\rvert$ is 1. The first seven have no rest at small friction and \
-             at least one to the right of the disc, the mean of $\\lvert h\\rvert$; the last three break one condition \
-             each.",
+             at least one to the right of the disc, the mean of $\\lvert h\\rvert$; the last three each break a condition: \
+             $\\lvert h\\rvert$ is 1 throughout, the antiderivative is level at its median, the mean is not 0.",
         )
         .alt(
             "Ten horizontal bars from λ₀ = 0 to 1, coloured by the number of rests per period. For the \

@@ -87,6 +87,22 @@ pub fn eq16_vy<S: Scalar>(v0y: S) -> S {
     v0y
 }
 
+/// λ = 0: the place x of the path at `y`, both from the launch on. No value for v_0y = 0.
+pub fn s21_parabola<S: Scalar>(a: S, v0x: S, v0y: S, y: S) -> S {
+    let t = y / v0y;
+    v0x * t + a * t.squared() / S::int(2)
+}
+
+/// The two sides of λ ≤ 1, where the particle keeps moving.
+pub fn s21_keeps_moving_sides<S: Scalar>(lambda: S) -> [S; 2] {
+    [lambda, S::int(1)]
+}
+
+/// λ ≤ 1: θ at large times.
+pub fn s21_late_angle<S: Scalar>() -> S {
+    S::int(0)
+}
+
 /// (17), λ = 1: the expression that keeps its value.
 pub fn eq17_invariant<S: Scalar>(v: S, theta: S) -> S {
     v * (S::int(1) + theta.cos())

@@ -46,6 +46,11 @@ pub fn eq45_w<S: Scalar>(w: S) -> S {
     -w
 }
 
+/// The two sides of 1 < λ₀, from where on every motion comes to rest for ever under a drive whose largest size is 1.
+pub fn s23_rest_sides<S: Scalar>(lambda: S) -> [S; 2] {
+    [S::int(1), lambda]
+}
+
 /// (46): λ_c.
 pub fn eq46_lambda_c<S: Scalar>(eta: S) -> S {
     eta

@@ -42,6 +42,26 @@ pub fn eq26_rate<S: Scalar>(lambda0: S, phi: S, w: S) -> S {
     phi.sin() - lambda0 * w / w.squared().sqrt()
 }
 
+/// v_y at large times.
+pub fn s22_late_vy<S: Scalar>() -> S {
+    S::int(0)
+}
+
+/// The rate of 𝔴_y with the phase as long as 𝔴_y is far above 𝔴.
+pub fn s22_first_stage_slope<S: Scalar>(lambda0: S) -> S {
+    -lambda0
+}
+
+/// By how much more ln 𝔴_y falls in one period than in the one before, once 𝔴_y is small: an exponential.
+pub fn s22_second_stage_ratio<S: Scalar>() -> S {
+    S::int(1)
+}
+
+/// The number of phases in a period at which the drive is as large as the friction.
+pub fn s22_points<S: Scalar>() -> S {
+    S::int(4)
+}
+
 /// (27): φ₁, for λ₀ ≤ 1.
 pub fn eq27_phi1<S: Scalar>(lambda0: S) -> S {
     lambda0.asin()

@@ -63,6 +63,10 @@ pub trait Scalar:
     fn coth(self) -> Self {
         self.cosh() / self.sinh()
     }
+    /// (1 − xᵏ)/k, where the number can tell k from zero also there: −ln x.
+    fn power_fall(self, k: Self) -> Self {
+        (Self::int(1) - self.pow(k)) / k
+    }
     /// `self` times itself.
     fn squared(self) -> Self {
         self * self
@@ -112,6 +116,14 @@ impl Scalar for f64 {
     }
     fn ln_1p(self) -> Self {
         libm::log1p(self)
+    }
+    fn power_fall(self, k: Self) -> Self {
+        let ln = libm::log(self);
+        if k == 0.0 {
+            -ln
+        } else {
+            -libm::expm1(k * ln) / k
+        }
     }
     fn tan(self) -> Self {
         libm::tan(self)

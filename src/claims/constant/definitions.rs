@@ -12,9 +12,11 @@ const fn consistency(compared: &'static str) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
 }
 
-/// (3): under this acceleration a particle at rest on a smooth plane is left behind along +x.
+/// (3): a particle at rest on a smooth plane is left behind, against this acceleration.
 pub fn eq3() -> Evidence {
-    let trial = consistency("A t with v_x of a particle from rest without friction, under (3)");
+    let trial = consistency(
+        "−(3) t with the velocity of a particle from rest without friction, on a plane that is pulled towards −x",
+    );
     let mut points = Points::stream(8);
     trial.over(0..1000, |_| {
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 5.0));
@@ -23,12 +25,10 @@ pub fn eq3() -> Evidence {
             v: [0.0; 2],
             x: [0.0; 2],
         };
-        let v = run(&Plane::constant(printed::eq3_acceleration(a)), 0.0, rest, t)?
-            .end()
-            .v;
+        let v = run(&Plane::constant([-a, 0.0]), 0.0, rest, t)?.end().v;
         Ok(Pair {
             at: format!("A = {a:.6}, t = {t:.6}"),
-            stated: a * t,
+            stated: along_alone(printed::eq3_acceleration(a).map(|rate| -rate * t)),
             found: along_alone(v),
             scale: a * t,
         })
@@ -81,7 +81,7 @@ pub fn eq5() -> Evidence {
         };
         Ok(Pair {
             at: format!("μ = {mu:.6}, g = {g:.6}, A = {a:.6}, θ₀ = {theta0:.6}, A t/v₀ = {t:.6}"),
-            stated: vx(lambda, 1.0, 1.0)?,
+            stated: vx(lambda, 1.0, 1.0).unwrap_or(f64::NAN),
             found: vx(mu * g, a, 3.0)?,
             scale: 1.0,
         })

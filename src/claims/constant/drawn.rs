@@ -110,9 +110,10 @@ pub fn ends() -> Evidence {
     trial.over(both_panels(), |curve| {
         let curve = curve?;
         let is = |truth: bool| f64::from(u8::from(truth));
+        let [left, right] = printed::s21_keeps_moving_sides(curve.lambda);
         Ok(Pair {
             at: format!("λ = {}, θ₀ = {:.6}", curve.lambda, curve.theta0),
-            stated: is(curve.lambda <= 1.0),
+            stated: is(left <= right),
             found: is(curve.motion.end().speed() > 0.0),
             scale: 1.0,
         })

@@ -3,9 +3,11 @@
 use super::launches::{Aligned, Stop, Turn, aligned, held, stops};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
+use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::State;
+use crate::paper::constant as printed;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 pub fn small_friction_limit() -> Evidence {
@@ -15,23 +17,28 @@ pub fn small_friction_limit() -> Evidence {
         let Aligned { start, angle, .. } = aligned?;
         Ok(Pair {
             at: start.at(),
-            stated: 0.0,
+            stated: printed::s21_late_angle(),
             found: *angle,
             scale: 1.0,
         })
     })
 }
 
-/// λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving.
+/// λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving; for λ > 1 it does not.
 pub fn small_friction_census() -> Evidence {
-    let compared = "0 with the steps on which the angle grows and the phases of rest";
+    let compared = "1 for λ ≤ 1 and 0 above with 1 where the particle never rests and on no step its angle grows";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
-    trial.over(aligned(), |aligned| {
-        let Aligned { start, broken, .. } = aligned?;
+    let moving = aligned().map(|aligned| aligned.map(|a| (a.start, a.broken == 0)));
+    let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
+    let stopping = stops().map(|stop| stop.map(|s| (s.start, !at_rest(s))));
+    trial.over(moving.chain(stopping), |motion| {
+        let (start, aligns) = motion?;
+        let [left, right] = printed::s21_keeps_moving_sides(start.lambda);
+        let is = |truth: bool| f64::from(u8::from(truth));
         Ok(Pair {
             at: start.at(),
-            stated: 0.0,
-            found: *broken as f64,
+            stated: is(left <= right),
+            found: is(aligns),
             scale: 1.0,
         })
     })
@@ -69,11 +76,12 @@ pub fn large_friction_limit() -> Evidence {
     });
     trial.over(turning, |stop| {
         let stop = stop?;
+        let found = last_slope(stop);
         Ok(Pair {
             at: stop.start.at(),
-            stated: 1.0 / (stop.start.lambda - 1.0),
-            found: last_slope(stop),
-            scale: 1.0 / (stop.start.lambda - 1.0),
+            stated: corrected::turning_slopes(stop.start.lambda)[1],
+            found,
+            scale: found,
         })
     })
 }
@@ -105,9 +113,10 @@ pub fn large_friction_turns() -> Evidence {
         let found = falls
             .next_back()
             .map_or(f64::NAN, |(turn, slow)| turn / slow);
+        let [least, most] = corrected::turning_slopes(lambda);
         Ok(Pair {
             at: stop.start.at(),
-            stated: found.clamp(1.0 / (lambda + 1.0), 1.0 / (lambda - 1.0)),
+            stated: found.max(least).min(most),
             found,
             scale: found.abs() * stop.start.condition(),
         })

@@ -59,8 +59,7 @@ impl Incline {
     }
 
     fn velocity(&self, v: f64, theta: f64) -> Vector3<f64> {
-        let [x, y] = printed::eq4_velocity(v, theta);
-        self.down * x + self.across * y
+        self.down * (v * libm::cos(theta)) + self.across * (v * libm::sin(theta))
     }
 
     fn at(&self) -> String {

@@ -6,6 +6,7 @@ use crate::claims::points::Points;
 use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::{Launch, Motion, MotionError, PhaseKind, State};
 use crate::numerics::NumericsError;
+use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use std::f64::consts::PI;
 
@@ -72,6 +73,24 @@ impl Turn {
             f(theta) * libm::sin(theta)
         };
         Ok(integral_within(rate, y(self.theta0), y(self.theta), enough)?.value)
+    }
+
+    /// ln tan(θ/2), less what it was at the start.
+    pub fn ln_fall(&self) -> f64 {
+        let ln = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
+        ln(self.theta) - ln(self.theta0)
+    }
+
+    /// The time in which ln tan(θ/2) changes by `ln_fall`. With y for this logarithm Newton's law says
+    /// d ln v = (λ − cos θ) dy along the velocity and A dt = −v dy across it, where cos θ = −tanh y.
+    pub fn time_over_the_angle(&self, ln_fall: f64) -> Result<f64, NumericsError> {
+        let start = libm::log(libm::tan(self.theta0.abs() / 2.0));
+        let rate = |s: f64, [ln_v, _]: &[f64; 2]| {
+            let along = self.lambda + libm::tanh(start - s);
+            [-along, libm::exp(*ln_v)]
+        };
+        let [_, time] = dop853::end(rate, 0.0, [0.0; 2], -ln_fall, 1e-14, 1e-14)?;
+        Ok(time * self.v0 / self.a)
     }
 
     /// The time at which A t/v₀ has this value.
@@ -234,6 +253,19 @@ fn rate(motion: &Motion, t: f64, h: f64) -> Result<[f64; 2], MotionError> {
     };
     let (near, far) = (difference(h)?, difference(2.0 * h)?);
     Ok([0, 1].map(|i| (4.0 * near[i] - far[i]) / 3.0))
+}
+
+/// The times of those stops with λ > 1.1, over the angle; later than forty times the time in which the speed falls to an
+/// e-th nothing is left.
+pub fn stops_over_the_angle() -> impl Iterator<Item = Result<&'static (Turn, f64), Failure>> {
+    static TIMES: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
+        let starts = every(stops())?.into_iter().map(|stop| stop.start);
+        every(starts.filter(|start| start.lambda > 1.1).map(|start| {
+            let time = start.time_over_the_angle(-40.0 / (start.lambda - 1.0));
+            time.map(|time| (start, time))
+        }))
+    });
+    TIMES.each()
 }
 
 /// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.

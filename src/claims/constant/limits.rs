@@ -1,15 +1,13 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
-use super::launches::{Stop, Turn, frictionless, settled, stops};
-use crate::claims::compare::{Failure, Pair, Trial, noted};
+use super::launches::{Turn, frictionless, settled, stops, stops_over_the_angle};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::TERMINAL;
-use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::quadrature::{integral, integral_within};
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
-use std::sync::LazyLock;
 
 /// (15) with v_x of the motion without friction.
 pub fn eq15_motion() -> Evidence {
@@ -57,10 +55,9 @@ pub fn parabola_motion() -> Evidence {
     trial.over(flights, |flight| {
         let (start, state) = flight?;
         let [vx, vy] = start.velocity0()?;
-        let t = state.x[1] / vy;
         Ok(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
-            stated: vx * t + start.a * t * t / 2.0,
+            stated: printed::s21_parabola(start.a, vx, vy, state.x[1]),
             found: state.x[0],
             scale: (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs(),
         })
@@ -162,45 +159,24 @@ pub fn eq20_motion() -> Evidence {
     );
     trial.over(stops(), |stop| {
         let stop = stop?;
-        Ok(Pair::conditioned(stop.start.at(), eq20(stop), stop.t))
+        Ok(Pair::conditioned(
+            stop.start.at(),
+            eq20(&stop.start),
+            stop.t,
+        ))
     })
 }
 
-/// (20) with the integral of dt over the whole turn, in the variable r of the regular form.
+/// (20) with the integral of dt over the whole turn.
 pub fn eq20_quadrature() -> Evidence {
-    // Two claims ask for it.
-    static EVIDENCE: LazyLock<Evidence> = LazyLock::new(|| noted(integrated_stops));
-    EVIDENCE.clone()
-}
-
-fn integrated_stops() -> Evidence {
-    let trial = Trial::quadrature(
-        Subject::Printed,
-        "(20) with ∫ dt = ∫ v dr/(A r) over 0 < r < 1",
-    );
-    // Below, r^(λ−1) would be lost to underflow.
-    let wanted = |s: &Result<&Stop, Failure>| s.as_ref().map_or(true, |s| s.start.lambda > 1.1);
-    trial.over(stops().filter(wanted), |stop| {
-        let stop = stop?;
-        let Turn {
-            lambda,
-            a,
-            v0,
-            theta0,
-            ..
-        } = stop.start;
-        // With r = x^(8/(λ−1)) the integrand is smooth at 0: it begins with x⁷.
-        let k = 8.0 / (lambda - 1.0);
-        let rate = |x: f64| {
-            let r = Scalar::pow(x, k);
-            corrected::speed(lambda, v0, theta0, r) * k / (a * x)
-        };
-        let found = integral_within(rate, 0.0, 1.0, 1e-13 * stop.t)?.value;
-        Ok(Pair::conditioned(stop.start.at(), eq20(stop), found))
+    let compared = "(20) with ∫ dt over the angle, along and across the velocity";
+    let trial = Trial::quadrature(Subject::Printed, compared);
+    trial.over(stops_over_the_angle(), |stop| {
+        let (start, time) = stop?;
+        Ok(Pair::conditioned(start.at(), eq20(start), *time))
     })
 }
-
-fn eq20(stop: &Stop) -> Conditioned {
+fn eq20(start: &Turn) -> Conditioned {
     let number = Conditioned::measured;
     let Turn {
         lambda,
@@ -208,6 +184,6 @@ fn eq20(stop: &Stop) -> Conditioned {
         v0,
         theta0,
         ..
-    } = stop.start;
+    } = *start;
     printed::eq20_stop_time(number(lambda), number(a), number(v0), number(theta0))
 }

@@ -87,17 +87,15 @@ pub fn eq13_motion() -> Evidence {
 
 /// (13) with the integral of dt.
 pub fn eq13_quadrature() -> Evidence {
-    let trial = Trial::quadrature(Subject::Within, "(13) with −∫ v dθ/(A sin θ), v from (11)");
+    let trial = Trial::quadrature(
+        Subject::Within,
+        "(13) with ∫ dt over the angle, along and across the velocity",
+    );
     trial.over(
         turns_where(|turn| eq13_has_a_value(turn) && turn.is_gentle()),
         |turn| {
             let turn = turn?;
-            let rate = |theta: f64| {
-                let v = printed::eq11_speed(turn.lambda, turn.v0, turn.theta0, theta);
-                -v / (turn.a * Scalar::sin(theta))
-            };
-            let enough = 1e-14 * turn.condition() * turn.t;
-            let found = turn.integral(rate, enough)?;
+            let found = turn.time_over_the_angle(turn.ln_fall())?;
             let mut pair = Pair::conditioned(turn.at(), eq13(turn), found);
             pair.scale = pair.scale.max(found * turn.condition());
             Ok(pair)
@@ -121,14 +119,15 @@ pub fn eq13_root() -> Evidence {
         let late =
             |theta| printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t;
         let (low, high) = (0.9 * turn.theta, turn.theta0);
-        let found = root(late, low.min(high), low.max(high))?;
-        // The formula resolves t to its spread, and so θ to its spread over dt/dθ.
+        let stated = root(late, low.min(high), low.max(high)).unwrap_or(f64::NAN);
+        // What rounding, enlarged by 1/(1 − λ), leaves of the time leaves an angle open by dθ/dt.
         let slope = turn.v / (turn.a * Scalar::sin(turn.theta).abs());
+        let open = turn.t * turn.condition() / (1.0 - turn.lambda).abs().min(1.0);
         Ok(Pair {
             at: turn.at(),
-            stated: found,
+            stated,
             found: turn.theta,
-            scale: turn.theta.abs().max(eq13(turn).spread / slope),
+            scale: turn.theta.abs().max(open / slope),
         })
     })
 }
@@ -221,9 +220,9 @@ pub fn regular_time() -> Evidence {
     })
 }
 
-/// The regular forms along the line of the acceleration: the speed at the time that they give for r = 0.7.
+/// The regular forms along the line of the acceleration: the speed at the r that they give for a time.
 pub fn regular_straight() -> Evidence {
-    let compared = "the regular form of the speed along the line of the acceleration, at the regular time, with the motion";
+    let compared = "the regular form of the speed along the line of the acceleration, at the root r of the regular time, with the motion";
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(straight(), |turn| {
         let Turn {
@@ -233,11 +232,13 @@ pub fn regular_straight() -> Evidence {
             theta0,
             ..
         } = turn?;
-        let t = corrected::time(lambda, a, v0, theta0, 0.7);
+        let t = 0.3 * v0 / (a * (1.0 + lambda));
+        let late = |r| corrected::time(lambda, a, v0, theta0, r) - t;
+        let r = root(late, 0.1, 1.0).unwrap_or(f64::NAN);
         let found = Turn::launch(lambda, a, v0, theta0).motion(t)?.end().speed();
         Ok(Pair {
             at: format!("{}, t = {t:.6}", Turn::launch(lambda, a, v0, theta0).at()),
-            stated: corrected::speed(lambda, v0, theta0, 0.7),
+            stated: corrected::speed(lambda, v0, theta0, r),
             found,
             scale: v0,
         })

@@ -2,7 +2,6 @@
 
 use crate::claims::points::Points;
 use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Sign, State};
-use crate::paper::periodic as printed;
 use std::f64::consts::{PI, TAU};
 
 /// From here a motion starts whose kind is asked for.
@@ -86,16 +85,15 @@ pub fn boundary<E>(
     Ok(0.5 * (low + high))
 }
 
-/// The pulses as printed in (42) and (43).
+/// Pulses of size 1 that fill the share η of each half period, there and back.
 pub fn pulses(eta: f64) -> Result<Drive, DriveError> {
-    let h = move |phi: f64| {
-        if phi < PI {
-            printed::eq42_h(eta, phi)
-        } else {
-            printed::eq43_h(printed::eq42_h(eta, phi - PI))
-        }
+    let end = eta * PI;
+    let h = move |phi: f64| match phi {
+        phi if phi < end => 1.0,
+        phi if PI <= phi && phi < PI + end => -1.0,
+        _ => 0.0,
     };
-    Drive::new(h, &[eta * PI, PI, PI + eta * PI])
+    Drive::new(h, &[end, PI, PI + end])
 }
 
 /// A sum of harmonics, a constant included: m + Σ aₖ sin(kφ + pₖ), then divided by its largest size.

@@ -6,7 +6,7 @@ use crate::claims::points::Points;
 use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Attractor, DriveError, Friction, State};
+use crate::motion::drive::{Attractor, DriveError, Friction, Sign, State};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;
@@ -61,28 +61,18 @@ fn phases(start: f64, ends: [f64; 2]) -> impl Iterator<Item = f64> {
     grid.chain(ends.into_iter().filter(inside))
 }
 
-/// The pair at the phase where the two differ most, from (phase, stated, found).
-fn worst(
-    point: (f64, f64),
-    scale: f64,
-    values: impl Iterator<Item = [f64; 3]>,
-) -> Result<Pair, Failure> {
-    let apart = |[_, stated, found]: [f64; 3]| (stated - found).abs();
-    // What is no number is worse than all that are.
-    let worse = |a: [f64; 3], b: [f64; 3]| {
-        if apart(a) >= apart(b) || apart(a).is_nan() {
-            a
-        } else {
-            b
-        }
-    };
-    let [phi, stated, found] = values.reduce(worse).ok_or("no phase to compare at")?;
-    Ok(Pair {
+/// The largest difference of stated and found values, at (phase, stated, found), with none; what is no number is larger
+/// than all that are.
+fn worst(point: (f64, f64), scale: f64, values: impl Iterator<Item = [f64; 3]>) -> Pair {
+    let apart = values.map(|[phi, stated, found]| (phi, (stated - found).abs()));
+    let larger = |a: (f64, f64), b: (f64, f64)| if a.1 >= b.1 || a.1.is_nan() { a } else { b };
+    let (phi, stated) = apart.fold((0.0, 0.0), larger);
+    Pair {
         at: format!("{}, φ = {phi:.6}", at(point)),
         stated,
-        found,
+        found: 0.0,
         scale,
-    })
+    }
 }
 
 /// (44) at φ in [0, π].
@@ -103,19 +93,37 @@ fn with_motion<T>(
     }
 }
 
+/// The phases of the first half period at which the pulse ends and the motion comes to rest.
+fn joints(eta: f64, motion: &Attractor<'_>) -> [f64; 2] {
+    let rest = motion.intervals().iter().find(|i| i.sign == Sign::Rest);
+    [eta * PI, rest.map_or(PI, |i| i.start.rem_euclid(PI))]
+}
+
 /// (42): a smooth particle gains what the printed pulse gives until φ.
 pub fn eq42() -> Evidence {
     let trial = consistency(
-        "min(φ, η π), the area of the pulse, with 𝔴 of a smooth particle that starts at rest under (42)",
+        "the area of (42) up to φ with 𝔴 of a smooth particle that starts at rest under pulses that fill the share η",
     );
-    gains(&trial, |eta, phi| (phi, phi.min(eta * PI)))
+    gains(&trial, |eta, phi| {
+        (phi, area(printed::eq42_cases(), eta, phi))
+    })
 }
 
 /// (43): the second half takes back what the first has given.
 pub fn eq43() -> Evidence {
     let trial =
-        consistency("η π − min(φ, η π) with 𝔴 of a smooth particle at π + φ under (42) and (43)");
-    gains(&trial, |eta, phi| (PI + phi, eta * PI - phi.min(eta * PI)))
+        consistency("the area of (42) and, up to π + φ, of (43) with 𝔴 of a smooth particle there");
+    gains(&trial, |eta, phi| {
+        let first = printed::eq42_cases();
+        let second = first.map(printed::eq43_h);
+        (PI + phi, area(first, eta, PI) + area(second, eta, phi))
+    })
+}
+
+/// The area under a pulse and the gap after it, up to φ.
+fn area([pulse, gap]: [f64; 2], eta: f64, phi: f64) -> f64 {
+    let end = phi.min(printed::eq42_end(eta));
+    pulse * end + gap * (phi - end)
 }
 
 const fn consistency(compared: &'static str) -> Trial {
@@ -146,29 +154,29 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
 /// (44) with the simulated motion, over half a period.
 pub fn eq44_motion() -> Evidence {
     let compared =
-        "(44) with 𝔴 of the motion, at the phase of the first half period where they differ most";
+        "the largest difference of (44) from 𝔴 of the motion, over the first half period, with 0";
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
-            let ends = printed::eq44_ends(point.1, point.0);
+            let ends = joints(point.0, motion);
             // No term of (44) is larger.
             let scale = point.0 * PI;
             let values = phases(0.0, ends).map(|phi| [phi, eq44(point, phi), motion.w(phi)]);
-            worst(point, scale, values)
+            Ok(worst(point, scale, values))
         })
     })
 }
 
 /// (45), with (44) in it, with the simulated motion over the other half.
 pub fn eq45_motion() -> Evidence {
-    let compared = "(45) of (44) with 𝔴 of the motion, at the phase of the second half period where they differ most";
+    let compared = "the largest difference of (45) of (44) from 𝔴 of the motion, over the second half period, with 0";
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
-            let ends = printed::eq44_ends(point.1, point.0);
+            let ends = joints(point.0, motion);
             let value = |phi| [phi, printed::eq45_w(eq44(point, phi)), motion.w(PI + phi)];
             // π + φ is known to the spacing of numbers near 2π.
-            worst(point, PI, phases(0.0, ends).map(value))
+            Ok(worst(point, PI, phases(0.0, ends).map(value)))
         })
     })
 }
@@ -231,25 +239,25 @@ pub fn eq46_census() -> Evidence {
 
 /// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
 pub fn below_motion() -> Evidence {
-    let compared = "the motion without rest for λ₀ below (46), from our own derivation, with 𝔴 of the motion, where they differ most";
+    let compared = "the largest difference of the motion without rest for λ₀ below (46), from our own derivation, from 𝔴 of the motion, with 0";
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(below(), |(eta, lambda)| {
         with_motion((eta, lambda), |motion| {
-            let start = supplied::small_friction_start(lambda, eta);
-            let ends = supplied::small_friction_ends(eta);
-            let values = phases(start, ends).flat_map(|phi| {
+            let start = motion.intervals().first().map_or(0.0, |i| i.start);
+            let start = start.rem_euclid(PI);
+            let values = phases(start, [eta * PI, PI]).flat_map(|phi| {
                 let case = supplied::small_friction_case(eta, phi);
                 let w = supplied::small_friction_cases(lambda, eta, phi)[case];
                 [(phi, w), (PI + phi, -w)].map(|(phi, w)| [phi, w, motion.w(phi)])
             });
-            worst((eta, lambda), PI, values)
+            Ok(worst((eta, lambda), PI, values))
         })
     })
 }
 
 /// η = 1 and η = 0 themselves.
 pub fn extremes_census() -> Evidence {
-    let compared = "η = 1: 0 with the number of rests per period; η = 0: 1, for a particle at rest for ever, with what the motion does";
+    let compared = "0 below (46) and 1 above with the rests per period, 1 for a particle at rest for ever, at η = 1 and η = 0";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(204);
     let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
@@ -267,10 +275,10 @@ pub fn extremes_census() -> Evidence {
                 Some(Phase::Still) => 1.0,
                 Some(Phase::Drifts) | None => return Err(Failure::from("the motion drifts")),
             };
-            let moves = eta > 0.0;
+            let small = lambda < printed::eq46_lambda_c(eta);
             Ok(Pair {
                 at: at((eta, lambda)),
-                stated: if moves { 0.0 } else { 1.0 },
+                stated: if small { 0.0 } else { 1.0 },
                 found,
                 scale: 1.0,
             })
@@ -280,23 +288,24 @@ pub fn extremes_census() -> Evidence {
 
 /// η → 1 and η → 0: the phase that is to vanish is as narrow as 1 − η, or as η.
 pub fn extremes_limit() -> Evidence {
-    let compared = "1 with the width of the vanishing phase over δ, for η = 1 − δ (large friction) and η = δ (small friction)";
+    let compared = "the width of the vanishing phase by (46), over δ, with that in the motion, for η = 1 − δ (large friction) and η = δ (small friction)";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, LIMIT_OF_WIDTH);
     let distances = (1..13).map(|k| Scalar::pow(10.0, -0.25 * f64::from(k)));
     trial.over(
         distances.flat_map(|delta| [(delta, true), (delta, false)]),
         |(delta, nearly_one)| {
             let eta = if nearly_one { 1.0 - delta } else { delta };
-            let threshold = bracketed(eta)?;
-            let width = if nearly_one {
-                1.0 - threshold
-            } else {
-                threshold
+            let width = |threshold: f64| {
+                if nearly_one {
+                    1.0 - threshold
+                } else {
+                    threshold
+                }
             };
             Ok(Pair {
                 at: format!("η = {eta:.6}"),
-                stated: 1.0,
-                found: width / delta,
+                stated: width(printed::eq46_lambda_c(eta)) / delta,
+                found: width(bracketed(eta)?) / delta,
                 scale: 1.0,
             })
         },

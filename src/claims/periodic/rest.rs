@@ -10,12 +10,9 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Friction, Interval, Sign, State};
 use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
+use crate::paper::general as law;
+use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
-
-/// λ₀ > 1, near 1 and far from it.
-fn friction(points: &mut Points) -> f64 {
-    1.0 + points.log_uniform(1e-3, 1e2)
-}
 
 fn at(name: &str, lambda: f64, start: State) -> String {
     let State { phi, w } = start;
@@ -24,28 +21,47 @@ fn at(name: &str, lambda: f64, start: State) -> String {
 
 /// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
 pub fn within_time() -> Evidence {
-    let compared = "0 with |𝔴| of the motion a millionth later than |𝔴₀|/(λ₀ − 1) after any start, and with how long it moves after that";
+    let compared = "1 for λ₀ > 1 and 0 below with 1 where the motion rests from |𝔴₀|/(λ₀ − 1), and a millionth, after any start on; for λ₀ < 1 from a period after it on";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(210);
     let drives = named();
     trial.over(0..1000, |i| {
         let drives = drives.as_ref().map_err(Clone::clone)?;
         let one = &drives[i % drives.len()];
-        let lambda = friction(&mut points);
+        let excess = points.log_uniform(1e-3, 1e2);
+        let lambda = if i % 5 == 4 {
+            1.0 / (1.0 + excess)
+        } else {
+            1.0 + excess
+        };
         let w = points.sign() * points.log_uniform(1e-6, 90.0);
         let phi = points.uniform(0.0, TAU);
         let start = State { phi, w };
         let both = Friction::new(lambda, lambda)?;
-        let until = phi + w.abs() / (lambda - 1.0) * (1.0 + 1e-6);
+        let longest = match lambda {
+            small if small < 1.0 => TAU,
+            large => w.abs() / (large - 1.0) * (1.0 + 1e-6),
+        };
+        let until = phi + longest;
         let end = one.drive.advance(both, start, until)?.end;
         let later = one.drive.advance(both, end, until + 2.0 * TAU)?;
         Ok(Pair {
             at: at(one.name, lambda, start),
-            stated: 0.0,
-            found: left(end.w, &later.intervals),
+            stated: stated_rest(lambda),
+            found: number(left(end.w, &later.intervals) == 0.0),
             scale: 1.0,
         })
     })
+}
+
+/// 1 where the claim lets nothing move in the end; at λ₀ = 1 itself nothing does either.
+fn stated_rest(lambda: f64) -> f64 {
+    let [left, right] = printed::s23_rest_sides(lambda);
+    number(left <= right)
+}
+
+fn number(truth: bool) -> f64 {
+    f64::from(u8::from(truth))
 }
 
 /// |𝔴|, and how long it moves later.
@@ -56,8 +72,7 @@ fn left(w: f64, later: &[Interval]) -> f64 {
 
 /// When it comes to rest: the motion's first rest with the root of the equation's integral.
 pub fn stopping_time() -> Evidence {
-    let compared =
-        "the root of |𝔴₀| + ∫(±h − λ₀) dφ with the phase at which the motion comes to rest";
+    let compared = "the root of |𝔴₀| + ∫ (1) dφ, along the velocity, with the phase at which the motion comes to rest";
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     let mut points = Points::stream(211);
     trial.over(0..60, |_| {
@@ -74,14 +89,18 @@ pub fn stopping_time() -> Evidence {
                 .drive()?
                 .advance(Friction::new(lambda, lambda)?, start, phi + longest + 1.0)?;
         let stop = path.intervals.iter().find(|i| i.sign == Sign::Rest);
-        let force = |x: f64| w.signum() * shape.h(x) - lambda;
+        // Along the velocity, by (1), in units in which the drive is h.
+        let force = |x: f64| {
+            let rate = law::eq1_velocity_rate([-shape.h(x), 0.0], lambda, 1.0, [w, 0.0]);
+            w.signum() * rate[0]
+        };
         let size = |x: f64| match integral_within(force, phi, x, 1e-14) {
             Ok(gain) => w.abs() + gain.value,
             Err(_) => f64::NAN,
         };
         Ok(Pair {
             at: at("three harmonics", lambda, start),
-            stated: root(size, phi, phi + longest)?,
+            stated: root(size, phi, phi + longest).unwrap_or(f64::NAN),
             found: stop.map_or(f64::NAN, |i| i.start),
             scale: 1.0,
         })
@@ -100,10 +119,9 @@ pub fn sharp() -> Evidence {
             let drives = drives.as_ref().map_err(Clone::clone)?;
             let one = &drives[k % drives.len()];
             let still = phase(&one.drive, 1.0 + excess)? == Phase::Still;
-            let number = |truth: bool| f64::from(u8::from(truth));
             Ok(Pair {
                 at: format!("{}: λ₀ − 1 = {excess:e}", one.name),
-                stated: number(excess >= 0.0),
+                stated: stated_rest(1.0 + excess),
                 found: number(still),
                 scale: 1.0,
             })

@@ -1,12 +1,14 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
-use super::settled::{ORIGIN, Particle, drive, each, lambda_c, settled};
+use super::settled::{Particle, drive, each, lambda_c, printed_late};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::PlanarState;
+use crate::paper::general as law;
+use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -69,6 +71,13 @@ impl Flight {
         self.lambda < lambda_c() && !self.states.iter().any(|s| rested(&s))
     }
 
+    /// True where (1), in units in which the drive is the sine, lets 𝔴_y grow.
+    fn is_to_grow(&self, state: &PlanarState) -> bool {
+        let w = [state.w_x, Scalar::exp(state.ln_w_y)];
+        let drive = [-Scalar::sin(state.phi), 0.0];
+        w[1] * law::eq1_velocity_rate(drive, self.lambda, 1.0, w)[1] > 0.0
+    }
+
     /// The flight in the claims' symbols.
     pub fn at(&self) -> String {
         let Flight {
@@ -113,7 +122,7 @@ pub fn vanishes_limit() -> Evidence {
         let flight = flight?;
         Ok(Pair {
             at: flight.at(),
-            stated: 0.0,
+            stated: printed::s22_late_vy(),
             found: Scalar::exp(flight.last()?.ln_w_y),
             scale: flight.start[1],
         })
@@ -131,7 +140,7 @@ pub fn vanishes_motion() -> Evidence {
         let end = Particle::plain(lambda).run(0.0, v, 5.0 * TAU)?.end();
         Ok(Pair {
             at: at([lambda, v[0], v[1]]),
-            stated: 0.0,
+            stated: printed::s22_late_vy(),
             found: end.v[1],
             scale: v[1],
         })
@@ -140,8 +149,7 @@ pub fn vanishes_motion() -> Evidence {
 
 /// On the way v_y never grows.
 pub fn vanishes_census() -> Evidence {
-    let compared =
-        "0 with the steps of an eighth of a period on which ln 𝔴_y grows, over ten periods";
+    let compared = "the states at which (1) lets 𝔴_y > 0 grow, with the steps of an eighth of a period on which ln 𝔴_y grows, over ten periods";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(flights_where(|_| true), |flight| {
         let flight = flight?;
@@ -151,7 +159,11 @@ pub fn vanishes_census() -> Evidence {
         let grows = steps.filter(|s| s[1].ln_w_y > s[0].ln_w_y + rounding(&s[0]));
         Ok(Pair {
             at: flight.at(),
-            stated: 0.0,
+            stated: flight
+                .states
+                .iter()
+                .filter(|s| flight.is_to_grow(s))
+                .count() as f64,
             found: grows.count() as f64,
             scale: 1.0,
         })
@@ -171,7 +183,7 @@ pub fn first_stage() -> Evidence {
         let [first, last] = [0, 1].map(|k: usize| Scalar::exp(states[k].ln_w_y));
         Ok(Pair {
             at: at([lambda, w_x, w_y]),
-            stated: -lambda,
+            stated: printed::s22_first_stage_slope(lambda),
             found: (last - first) / TAU,
             scale: lambda,
         })
@@ -187,7 +199,7 @@ pub fn second_stage() -> Evidence {
         let strobe: Vec<_> = flight.strobe().map(|s| s.ln_w_y).collect();
         Ok(Pair {
             at: flight.at(),
-            stated: 1.0,
+            stated: printed::s22_second_stage_ratio(),
             found: third_over_second(&strobe)?,
             scale: 1.0,
         })
@@ -207,15 +219,14 @@ fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
 
 /// The large-time v_x, from several v_y, is that of a motion on the line.
 pub fn ignores_motion() -> Evidence {
-    let compared = "𝔴 of the large-time motion on the line with 𝔴 of a motion in the plane at eight phases of its tenth period";
+    let compared = "𝔴 by (38), (33) or rest, as λ₀ says, with 𝔴 of a motion in the plane at eight phases of its tenth period";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FORGOTTEN);
     each(&trial, flights_where(|_| true), |flight| {
         let flight = flight?;
-        let line = settled(flight.lambda, ORIGIN)?;
         let last = flight.states.iter().rev().take(A_PERIOD as usize);
         let pair = |state: &PlanarState| Pair {
             at: format!("{}, φ = {:.6}", flight.at(), state.phi),
-            stated: line.w(state.phi),
+            stated: printed_late(flight.lambda, state.phi),
             found: state.w_x,
             scale: 1.0,
         };

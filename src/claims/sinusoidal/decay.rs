@@ -41,12 +41,12 @@ pub fn period_factor() -> Evidence {
             ln_w_y: -1e9,
         };
         let states = drive()?.planar(lambda, start, &[phi + TAU])?;
-        let stated = 1.0 / corrected::contraction(lambda);
+        let found = states[0].ln_w_y / start.ln_w_y;
         Ok(Pair {
             at: at(lambda),
-            stated,
-            found: states[0].ln_w_y / start.ln_w_y,
-            scale: stated,
+            stated: 1.0 / corrected::contraction(lambda),
+            found,
+            scale: found,
         })
     })
 }
@@ -66,12 +66,11 @@ pub fn period_factor_reached() -> Evidence {
             Some(before) => strobe[last].ln_w_y / strobe[before].ln_w_y,
             None => f64::NAN,
         };
-        let stated = 1.0 / corrected::contraction(flight.lambda);
         Ok(Pair {
             at: flight.at(),
-            stated,
+            stated: 1.0 / corrected::contraction(flight.lambda),
             found: factor,
-            scale: stated,
+            scale: factor,
         })
     })
 }
@@ -110,12 +109,12 @@ pub fn passage_limit() -> Evidence {
             Ok(Scalar::ln(motion.end().v[1]))
         };
         let after = through(1e-6)? - through(1e-8)?;
-        let stated = corrected::passage_factor(lambda, corrected::drive_at_zero(lambda));
+        let found = after / Scalar::ln(100.0);
         Ok(Pair {
             at: at(lambda),
-            stated,
-            found: after / Scalar::ln(100.0),
-            scale: stated,
+            stated: corrected::passage_factor(lambda, corrected::drive_at_zero(lambda)),
+            found,
+            scale: found,
         })
     })
 }
@@ -139,12 +138,12 @@ pub fn passage_quadrature() -> Evidence {
             Ok(sum / (high - low))
         };
         let (p, q) = (coefficient(-1.0)?, coefficient(1.0)?);
-        let stated = corrected::passage_factor(lambda, corrected::drive_at_zero(lambda));
+        let found = (1.0 + q) / (1.0 - p);
         Ok(Pair {
             at: at(lambda),
-            stated,
-            found: (1.0 + q) / (1.0 - p),
-            scale: stated / (1.0 - lambda / corrected::drive_at_zero(lambda)),
+            stated: corrected::passage_factor(lambda, corrected::drive_at_zero(lambda)),
+            found,
+            scale: found / (1.0 - p),
         })
     })
 }
@@ -182,12 +181,12 @@ pub fn last_stage() -> Evidence {
         let v_y = 1e-7;
         let motion = Particle::plain(lambda).run(phi, [0.0, v_y], phi + 1.0)?;
         let stop = motion.first_stop().ok_or("no stop")?;
-        let stated = corrected::last_stage(lambda, h, v_y) / v_y;
+        let found = (stop - phi) / v_y;
         Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, φ = {phi:.6}, v_y = 1e-7"),
-            stated,
-            found: (stop - phi) / v_y,
-            scale: stated,
+            stated: corrected::last_stage(lambda, h, v_y) / v_y,
+            found,
+            scale: found,
         })
     })
 }

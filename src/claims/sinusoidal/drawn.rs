@@ -1,6 +1,6 @@
 //! The curves of fig-2 to fig-4: what is tried here is what the book draws.
 
-use super::settled::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, settled};
+use super::settled::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
@@ -116,14 +116,14 @@ pub fn fig2_motion() -> Evidence {
 
 /// fig-2: where all its curves end.
 pub fn fig2_limit() -> Evidence {
-    let compared = "𝔴 of each drawn motion, 15 to 16 periods later, with that of the large-time motion on the line";
+    let compared =
+        "𝔴 by (38) or (33), as λ₀ says, with that of each drawn motion 15 to 16 periods later";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FORGOTTEN);
     over_curves(&trial, |curve| {
-        let attractor = settled(curve.lambda, ORIGIN)?;
         let late = curve.states.iter().rev().take(POINTS as usize).step_by(12);
         let pair = |state: &PlanarState| Pair {
             at: curve.at(state.phi),
-            stated: attractor.w(state.phi),
+            stated: printed_late(curve.lambda, state.phi),
             found: state.w_x,
             scale: 1.0,
         };
@@ -183,7 +183,7 @@ pub fn fig3_motion() -> Evidence {
 /// fig-4: the drawn points with (33).
 pub fn fig4_motion() -> Evidence {
     let from = printed::eq27_phi1(LARGE);
-    let form = |phi| Ok(eq33(LARGE, phi_t2(LARGE)?, within_period(from, phi)).value);
+    let form = |phi| Ok(eq33(LARGE, phi_t2(LARGE), within_period(from, phi)).value);
     drawn(
         LARGE,
         form,

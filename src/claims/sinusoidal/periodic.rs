@@ -1,7 +1,7 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
 use super::settled::{
-    ORIGIN, drive, each, eq33, eq38, large, phi_t2, phi_t2_spread, settled, small, starts,
+    ORIGIN, Slip, drive, each, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
@@ -11,7 +11,7 @@ use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, Friction, Interval, Sign, State};
 use crate::paper::sinusoidal as printed;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Phases over a period at which a periodic form is compared.
 const PHASES: u32 = 256;
@@ -52,8 +52,8 @@ pub fn eq33_motion() -> Evidence {
         large().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
-            let end = phi_t2(lambda)?;
-            let from = printed::eq27_phi1(lambda);
+            let end = phi_t2(lambda);
+            let from = Slip::of(lambda)?.start;
             let form = |phi| eq33(lambda, end, phi);
             Ok(over_a_period(lambda, &attractor, from, form))
         },
@@ -70,7 +70,7 @@ pub fn eq38_motion() -> Evidence {
         small().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
-            let from = printed::eq39_phi_t1(lambda);
+            let from = interval(&attractor, Sign::Positive)?.start;
             Ok(over_a_period(lambda, &attractor, from, |phi| {
                 eq38(lambda, phi)
             }))
@@ -89,7 +89,7 @@ pub fn eq38_outside() -> Evidence {
             w: points.uniform(0.5, 3.0),
         };
         let attractor = settled(0.0, start)?;
-        let from = printed::eq39_phi_t1(0.0);
+        let from = FRAC_PI_2;
         let pair = |phi: f64| {
             let at = format!("λ₀ = 0, 𝔴 = {:.6} at φ = 0, φ = {phi:.6}", start.w);
             Pair::conditioned(at, eq38(0.0, phi), attractor.w(phi))
@@ -124,17 +124,18 @@ pub fn eq38_unique() -> Evidence {
     one_motion(small(), Subject::Within)
 }
 
-/// Periods after which the motion has to be near (38): twice what the least friction tried takes.
+/// Periods after which the motion has to be near the periodic one: twice what the least friction tried takes.
 const PERIODS: u32 = 320;
 
-/// How fast (38) is approached: the distance to it, period by period.
+/// How fast the periodic motion is approached: the distance to it, period by period.
 pub fn eq38_approach() -> Evidence {
-    let compared = "((s − λ₀)/(s + λ₀))², s = sin φ̃₁, with the factor by which the simulated motion's distance to (38) shrinks in a period";
+    let compared = "((s − λ₀)/(s + λ₀))², s = sin φ̃₁, with the factor by which a simulated motion's distance to the periodic one shrinks in a period";
     let trial = Trial::by(Route::Limit, Subject::Within, compared, APPROACH);
     let frictions = small().into_iter().filter(|l| (0.02..0.5).contains(l));
     trial.over(frictions, |lambda| {
-        let phi = printed::eq39_phi_t1(lambda) + 1.0;
-        let limit = eq38(lambda, phi).value;
+        let attractor = settled(lambda, ORIGIN)?;
+        let phi = interval(&attractor, Sign::Positive)?.start + 1.0;
+        let limit = attractor.w(phi);
         let mut w = limit + 0.3;
         let friction = Friction::new(lambda, lambda)?;
         for _ in 0..PERIODS {
@@ -151,7 +152,7 @@ pub fn eq38_approach() -> Evidence {
                 });
             }
         }
-        Err("the motion does not come near to (38)".into())
+        Err("the motion does not come near to the periodic one".into())
     })
 }
 
@@ -180,13 +181,14 @@ pub fn rest_interval_root() -> Evidence {
     let compared = "the ends of [φ̃₂, φ₃] and [φ̃₂ + π, φ₁ + 2π], φ̃₂ the root of (32), with the ends of the simulated rests";
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     each(&trial, large(), |lambda| {
-        let end = phi_t2(lambda)?;
+        let end = phi_t2(lambda);
         let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
         let [_, stated @ ..] = printed::eq33_ends(phi1, end, phi3);
         let list = settled(lambda, ORIGIN)?;
         let rests = list.intervals().iter().filter(|i| i.sign == Sign::Rest);
         let found: Vec<_> = rests.flat_map(|i| [i.start, i.end]).collect();
-        let spread = phi_t2_spread(lambda, end) + 10.0 / libm::cos(phi1);
+        let slip = Slip::of(lambda)?;
+        let spread = end_spread(lambda, slip.end) + 10.0 / libm::cos(slip.start);
         let pair = |(i, stated): (usize, f64)| Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated,
@@ -211,7 +213,7 @@ pub fn rest_interval_reached() -> Evidence {
         let path = drive()?.advance(friction, start, start.phi + 40.0)?;
         let first = path.intervals.iter().find(|i| i.sign == Sign::Rest);
         let from = first.ok_or("no rest")?.end;
-        let (end, phi1) = (phi_t2(lambda)?, printed::eq27_phi1(lambda));
+        let (end, phi1) = (phi_t2(lambda), printed::eq27_phi1(lambda));
         let mut pairs = Vec::new();
         for k in 1..=40 {
             let phi = from + TAU * f64::from(k) / 40.5;

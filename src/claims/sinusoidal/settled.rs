@@ -7,9 +7,9 @@ use crate::claims::runs::Runs;
 use crate::evidence::Evidence;
 use crate::motion::drive::{Attractor, Drive, Friction, Interval, Sign, State};
 use crate::motion::{Motion, Plane, Signal, particle, trajectory};
-use crate::numerics::NumericsError;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
+use std::f64::consts::{PI, TAU};
 
 /// The sine as a drive: the motion knows it as a function to evaluate, no more.
 pub fn drive() -> Result<&'static Drive, Failure> {
@@ -17,9 +17,16 @@ pub fn drive() -> Result<&'static Drive, Failure> {
     DRIVE.get()
 }
 
-/// The printed λ_c, which divides the frictions of the trials.
+/// The friction at which a slip from rest ends just where the next one could begin, which divides the frictions of the
+/// trials: by the motion alone. NaN where that fails, which no trial survives.
 pub fn lambda_c() -> f64 {
-    printed::eq37_lambda_c()
+    static ONSET: Runs<f64> = Runs::new(|| Ok(root(excess_length, 0.2, 0.9)?));
+    ONSET.get().copied().unwrap_or(f64::NAN)
+}
+
+/// By how much a slip from rest lasts longer than half a period; NaN where it cannot be followed.
+pub fn excess_length(lambda: f64) -> f64 {
+    Slip::of(lambda).map_or(f64::NAN, |slip| slip.end - slip.start - PI)
 }
 
 /// Periods that an attractor may take.
@@ -119,18 +126,16 @@ impl Slip {
     }
 }
 
-/// φ̃₂ by the printed (32): its root between φ₂ and φ₄.
-pub fn phi_t2(lambda: f64) -> Result<f64, NumericsError> {
+/// φ̃₂ by the printed (32): its root between φ₂ and φ₄; not a number if there is none.
+pub fn phi_t2(lambda: f64) -> f64 {
     let phi1 = printed::eq27_phi1(lambda);
     let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
-    root(left, printed::eq28_phi2(lambda), printed::eq30_phi4(lambda))
+    root(left, printed::eq28_phi2(lambda), printed::eq30_phi4(lambda)).unwrap_or(f64::NAN)
 }
 
-/// How far rounding moves that root, per unit of rounding: the formula's spread over its slope.
-pub fn phi_t2_spread(lambda: f64, phi_t2: f64) -> f64 {
-    let [l, phi] = [lambda, phi_t2].map(Conditioned::measured);
-    let left = printed::eq32_left(l, printed::eq27_phi1(l), phi);
-    left.spread / (libm::sin(phi_t2) - lambda).abs()
+/// How far a unit of rounding in 𝔴, whose terms are at most 2 + λ₀φ, moves the end of a slip.
+pub fn end_spread(lambda: f64, end: f64) -> f64 {
+    (2.0 + lambda * end) / (libm::sin(end) - lambda).abs()
 }
 
 /// A particle on the plane of (21), in length and time units of its own.
@@ -187,6 +192,20 @@ pub fn eq38(lambda: f64, phi: f64) -> Conditioned {
     let [l, phi_n] = [lambda, phi].map(Conditioned::measured);
     let cases = printed::eq38_w(l, printed::eq39_phi_t1(l), phi_n);
     cases[case_of(&ends, phi)]
+}
+
+/// The printed velocity at large times, from (38) below the printed λ_c, from (33) up to 1, at rest above.
+pub fn printed_late(lambda: f64, phi: f64) -> f64 {
+    let within = |from: f64| from + (phi - from).rem_euclid(TAU);
+    let [left, right] = printed::eq25_sides(lambda);
+    if lambda < printed::eq37_lambda_c() {
+        eq38(lambda, within(printed::eq39_phi_t1(lambda))).value
+    } else if left < right {
+        let from = printed::eq27_phi1(lambda);
+        eq33(lambda, phi_t2(lambda), within(from)).value
+    } else {
+        0.0
+    }
 }
 
 /// Compares many pairs at each point.

@@ -1,8 +1,6 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
-use super::settled::{
-    ORIGIN, Particle, Slip, all, dense, drive, each, phi_t2, phi_t2_spread, small,
-};
+use super::settled::{ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
@@ -40,12 +38,12 @@ pub fn eq32_root() -> Evidence {
     let compared = "the root of (32) between φ₂ and φ₄ with the end of the simulated slip";
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(all(), |lambda| {
-        let stated = phi_t2(lambda)?;
+        let found = Slip::of(lambda)?.end;
         Ok(Pair {
             at: at(lambda),
-            stated,
-            found: Slip::of(lambda)?.end,
-            scale: stated + phi_t2_spread(lambda, stated),
+            stated: phi_t2(lambda),
+            found,
+            scale: found + end_spread(lambda, found),
         })
     })
 }
@@ -70,7 +68,7 @@ pub fn eq32_motion() -> Evidence {
 
 /// (32): nowhere before its root, as found by simulation, does its left side vanish.
 pub fn eq32_census() -> Evidence {
-    let compared = "0 with the phases of 1000 between φ₁ and the end of the slip at which (32) is not positive";
+    let compared = "the phases of 1000 between the ends of the simulated slip at which (32) is not positive, with 0";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let frictions = all().into_iter().filter(|l| (1e-3..=0.999).contains(l));
     trial.over(frictions, |lambda| {
@@ -79,8 +77,8 @@ pub fn eq32_census() -> Evidence {
         let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
         Ok(Pair {
             at: at(lambda),
-            stated: 0.0,
-            found: not_positive(slip.start, slip.end, left) as f64,
+            stated: not_positive(slip.start, slip.end, left) as f64,
+            found: 0.0,
             scale: 1.0,
         })
     })
@@ -94,15 +92,15 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
 
 /// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
 pub fn bracket_census() -> Evidence {
-    let compared = "1 with 1 where the end of the simulated slip lies between (28) and (30)";
+    let compared = "1 where (28) and (30) hold the end of the simulated slip between them, with 1";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(dense(), |lambda| {
         let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
         let end = Slip::of(lambda)?.end;
         Ok(Pair {
             at: at(lambda),
-            stated: 1.0,
-            found: f64::from(u8::from(low < end && end < high)),
+            stated: f64::from(u8::from(low < end && end < high)),
+            found: 1.0,
             scale: 1.0,
         })
     })
@@ -110,8 +108,8 @@ pub fn bracket_census() -> Evidence {
 
 /// How close φ̃₂ comes: √(4πλ₀) to φ₄ as λ₀ → 0, √(2(1 − λ₀)) to φ₂ as λ₀ → 1.
 pub fn bracket_limit() -> Evidence {
-    let compared = "1 with the gap between φ̃₂ of the simulated slip and (30) or (28) over √(4πλ₀) at λ₀ → 0 and over \
-                    √(2 (1 − λ₀)) at λ₀ → 1";
+    let compared = "the gap between φ̃₂ of the simulated slip and (30) or (28), over √(4πλ₀) at λ₀ → 0 and over \
+                    √(2 (1 − λ₀)) at λ₀ → 1, with 1";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, EDGE);
     trial.over(0..30, |i| {
         let small = libm::pow(10.0, -9.0 - 0.1 * f64::from(i / 2));
@@ -127,8 +125,8 @@ pub fn bracket_limit() -> Evidence {
         };
         Ok(Pair {
             at: format!("λ₀ = {lambda:.12}"),
-            stated: 1.0,
-            found: gap / leading,
+            stated: gap / leading,
+            found: 1.0,
             scale: 1.0,
         })
     })

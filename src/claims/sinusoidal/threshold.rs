@@ -1,6 +1,6 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
-use super::settled::{ORIGIN, Slip, dense, forward, lambda_c, settled, small};
+use super::settled::{ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
@@ -74,10 +74,9 @@ fn eq34_of(lambda: f64) -> f64 {
     )
 }
 
-/// (37) with the root of (34), from several brackets.
+/// (37) with the friction from which on a slip ends before the next one can begin, from several brackets.
 pub fn eq37_root() -> Evidence {
-    let compared =
-        "(37) with the root of the left side of (34) with (27) and (29), from several brackets";
+    let compared = "(37) with the root of how much longer than half a period a simulated slip lasts, from several brackets";
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     let mut points = Points::stream(131);
     trial.over(0..24, |_| {
@@ -85,7 +84,7 @@ pub fn eq37_root() -> Evidence {
         Ok(Pair {
             at: format!("λ₀ between {low:.6} and {high:.6}"),
             stated: printed::eq37_lambda_c(),
-            found: root(eq34_of, low, high)?,
+            found: root(excess_length, low, high)?,
             scale: 1.0,
         })
     })
@@ -100,7 +99,7 @@ pub fn eq34_root() -> Evidence {
         let onset = onset?;
         Ok(Pair {
             at: at(onset),
-            stated: root(eq34_of, 0.01, 0.99)?,
+            stated: root(eq34_of, 0.01, 0.99).unwrap_or(f64::NAN),
             found: onset.lambda,
             scale: 1.0,
         })

@@ -49,8 +49,12 @@ pub fn eq21() -> Evidence {
 #[derive(Clone)]
 struct Twins {
     at: String,
+    mu: f64,
+    g: f64,
     varpi: f64,
     a0: f64,
+    /// The later time.
+    t: f64,
     /// When the particle starts to slide.
     release: f64,
     /// v_x at a later time.
@@ -81,15 +85,18 @@ fn twins(points: &mut Points) -> Result<Twins, Failure> {
         varpi,
     };
     let motion = particle.run(0.0, [0.0; 2], t)?;
-    let lambda = printed::eq22_lambda0(mu, g, a0);
+    let lambda = mu * g / a0;
     let friction = Friction::new(lambda, lambda)?;
     let path = drive()?.advance(friction, ORIGIN, varpi * t)?;
     let rest = path.intervals.first().ok_or("no interval")?;
     let release = motion.starts().first().ok_or("no release")?;
     Ok(Twins {
         at: format!("μ = {mu:.6}, g = {g:.6}, A₀ = {a0:.6}, ϖ = {varpi:.6}, t = {t:.6}"),
+        mu,
+        g,
         varpi,
         a0,
+        t,
         release: *release,
         vx: motion.end().v[0],
         twin_release: rest.end,
@@ -102,9 +109,14 @@ pub fn eq22() -> Evidence {
     let trial = consistency("𝔴 of w′ = h ∓ λ₀, λ₀ by (22), with ϖ v_x/A₀ of the particle");
     trial.over(all_twins(), |twins| {
         let twins = twins?;
+        let lambda = printed::eq22_lambda0(twins.mu, twins.g, twins.a0);
+        let drive = drive()?;
+        // Of a friction that cannot be nothing is stated.
+        let stated = Friction::new(lambda, lambda)
+            .and_then(|friction| drive.advance(friction, ORIGIN, twins.varpi * twins.t));
         Ok(Pair {
             at: twins.at.clone(),
-            stated: twins.twin_w,
+            stated: stated.map_or(f64::NAN, |path| path.end.w),
             found: twins.varpi * twins.vx / twins.a0,
             scale: 1.0,
         })

@@ -196,10 +196,30 @@ impl Reader<'_> {
     /// All up to the brace that closes the group being read, or to the end.
     fn until_closed(&mut self) -> String {
         let mut out = String::new();
-        while let Some(item) = self.item() {
+        // Where a fraction begins of which it is not known yet whether something follows that it multiplies.
+        let mut fraction = None;
+        loop {
+            let is_fraction = ["\\frac", "\\tfrac", "\\dfrac"]
+                .iter()
+                .any(|name| self.rest.trim_start().starts_with(name));
+            let Some(item) = self.item() else {
+                return out;
+            };
+            if !item.trim().is_empty()
+                && let Some(at) = fraction.take()
+                && multiplies(&item)
+            {
+                bracket(&mut out, at);
+            }
+            let begins = out.len();
             out.push_str(&item);
+            if is_fraction && item.contains('/') {
+                match ends_with_function(&out[..begins]) {
+                    true => bracket(&mut out, begins),
+                    false => fraction = Some(begins),
+                }
+            }
         }
-        out
     }
 
     /// The next item; none at a closing brace, which is passed, or at the end.
@@ -244,10 +264,14 @@ impl Reader<'_> {
         }
         match name {
             "frac" | "tfrac" | "dfrac" => {
-                let above = whole(self.argument());
-                format!("{above}/{}", whole(self.argument()))
+                let (above, below) = (self.argument(), self.argument());
+                let numbers = (above.trim(), below.trim());
+                match VULGAR.iter().find(|(known, _)| *known == numbers) {
+                    Some((_, vulgar)) => (*vulgar).to_owned(),
+                    None => format!("{}/{}", whole(above), factor(below)),
+                }
             }
-            "sqrt" => format!("√{}", whole(self.argument())),
+            "sqrt" => format!("√{}", factor(self.argument())),
             "mathrm" | "text" | "mbox" if self.rest.starts_with('{') => self.argument(),
             "begin" | "end" => {
                 self.argument();
@@ -272,12 +296,81 @@ fn script(text: &str, sign: &str, to: &str) -> String {
         let place = SMALL.chars().position(|known| known == c)?;
         to.chars().nth(place)
     };
-    let text = text.replace('−', "-");
-    match text.chars().map(small).collect::<Option<String>>() {
+    let signs = text.replace('−', "-");
+    match signs.chars().map(small).collect::<Option<String>>() {
         Some(small) if !small.is_empty() => small,
         _ if text.starts_with(['·', '′']) => text.replace('·', "˙"),
-        _ => format!("{sign}{}", whole(text)),
+        _ => format!("{sign}{}", factor(text.to_owned())),
     }
+}
+
+/// Fractions that have a character of their own.
+const VULGAR: &[((&str, &str), &str)] = &[
+    (("1", "2"), "½"),
+    (("1", "3"), "⅓"),
+    (("2", "3"), "⅔"),
+    (("1", "4"), "¼"),
+    (("3", "4"), "¾"),
+];
+
+/// Puts what begins there into brackets.
+fn bracket(out: &mut String, at: usize) {
+    let tail = out.split_off(at);
+    let (inner, blanks) = tail.split_at(tail.trim_end().len());
+    *out += &format!("({inner}){blanks}");
+}
+
+/// True if an item that stands behind a fraction multiplies it.
+fn multiplies(item: &str) -> bool {
+    item.starts_with(|c: char| c.is_alphanumeric() || "√([|".contains(c))
+}
+
+/// True if the text ends with a function whose argument is to come.
+fn ends_with_function(text: &str) -> bool {
+    let word = text
+        .trim_end()
+        .rsplit(|c: char| !c.is_ascii_alphabetic())
+        .next();
+    let functions = [
+        "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "coth", "ln", "exp",
+    ];
+    word.is_some_and(|word| functions.contains(&word))
+}
+
+/// A term in brackets unless it is one factor: a number, a symbol with its marks, a differential, a root, a bracket.
+fn factor(term: String) -> String {
+    let term = term.trim();
+    match is_factor(term) {
+        true => term.to_owned(),
+        false => format!("({term})"),
+    }
+}
+
+fn is_factor(term: &str) -> bool {
+    let mark = |c: char| {
+        SMALL_LOW.contains(c)
+            || SMALL_HIGH.contains(c)
+            || "′˙".contains(c)
+            || ('\u{300}'..'\u{370}').contains(&c)
+    };
+    let symbol = |term: &str| {
+        let mut rest = term.chars();
+        rest.next().is_some_and(char::is_alphabetic)
+            && match rest.as_str().strip_prefix('_') {
+                Some(index) => index.chars().count() == 1,
+                None => rest.all(mark),
+            }
+    };
+    let mut depth = 0;
+    let mut closed = term.char_indices().filter_map(|(i, c)| {
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        (depth == 0).then_some(i)
+    });
+    term.chars().all(|c| c.is_ascii_digit())
+        || symbol(term)
+        || term.strip_prefix('d').is_some_and(symbol)
+        || term.strip_prefix('√').is_some_and(is_factor)
+        || closed.next() == Some(term.len().wrapping_sub(1)) && term.starts_with('(')
 }
 
 /// A term in brackets if it has parts.
@@ -299,17 +392,22 @@ mod tests {
         for (latex, plain) in [
             (
                 r"\lambda_\mathrm{c}=\frac{2}{\sqrt{4+\pi^2}}",
-                "λ_c = 2/(√(4+π²))",
+                "λ_c = 2/√(4+π²)",
             ),
             (r"\lambda_0=\frac{\mu g}{A_0}", "λ₀ = (μ g)/A₀"),
             (r"\dot\alpha\approx1-\frac{1}{A}", "α̇ ≈ 1−1/A"),
             (
                 r"\left(\tan\frac{\theta}{2}\right)^{-\lambda}",
-                "(tan θ/2)^-λ",
+                "(tan (θ/2))^(−λ)",
             ),
             (r"\bm{A}=-A \hat{\bm{x}}", "A = −A x̂"),
             (r"\tau\to\infty", "τ → ∞"),
             (r"2^{1/4}", "2^(1/4)"),
+            (r"r^{\lambda-1}", "r^(λ−1)"),
+            (r"\frac{3\sqrt2}{4A}", "3√2/(4A)"),
+            (r"\frac12\ln(\sqrt2\,\tau)", "½ln (√2 τ)"),
+            (r"\frac76C^4+\frac7{12}", "(7/6)C⁴+7/12"),
+            (r"\frac{\mathrm d v_x}{\mathrm dt}", "dv_x/dt"),
         ] {
             assert_eq!(plain_formula(latex), plain, "{latex}");
         }

@@ -156,6 +156,11 @@ impl<S: Scalar> Scalar for Seeded<'_, S> {
             Some(&|| x.pow(-n)),
         )
     }
+    fn power_fall(self, k: Self) -> Self {
+        let (x, n) = (self.read(), k.read());
+        let (more, less) = (|| x.power_fall(n + S::int(1)), || x.power_fall(-n));
+        Self::from(x.power_fall(n), Some(&more), Some(&less))
+    }
     fn tan(self) -> Self {
         self.call(S::tan, Some(S::cot))
     }
