@@ -15,7 +15,7 @@ const TRIED_IN: &[(&str, &str)] = &[
     ("corrections::constant::speed", "eq-11"),
     ("corrections::constant::time", "eq-13"),
     (
-        "corrections::constant::turning_slopes",
+        "corrections::constant::turning_slope",
         "s21-large-friction-stops",
     ),
     ("corrections::escape::a", "eq-132"),

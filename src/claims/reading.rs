@@ -3,11 +3,47 @@
 pub use trialbook::claims::reading::Elsewhere;
 
 const IN_WORDS: &str = "the claim in words: where the motion ends, whatever the formula says";
+const PARTS: &str = "(15) and (16) are what the parabola is made of";
 const DELAY: &str =
     "the first correction of every late law is the delay of the law's own time, times its power";
 
 /// All such trials. A test holds the list against what is read.
-pub const ELSEWHERE: [Elsewhere; 10] = [
+pub const ELSEWHERE: &[Elsewhere] = &[
+    Elsewhere {
+        claim: "s21-frictionless-parabola",
+        trial: "exact::EQ15",
+        reason: PARTS,
+    },
+    Elsewhere {
+        claim: "s21-frictionless-parabola",
+        trial: "exact::EQ16",
+        reason: PARTS,
+    },
+    Elsewhere {
+        claim: "s21-frictionless-parabola",
+        trial: "limits::parabola_quadrature",
+        reason: PARTS,
+    },
+    Elsewhere {
+        claim: "eq-38",
+        trial: "periodic::eq38_approach",
+        reason: "how fast the periodic motion is approached, which (38) does not say",
+    },
+    Elsewhere {
+        claim: "s22-four-points",
+        trial: "phases::four_points_root",
+        reason: "the places of the points, by (27) to (30); their number is tried beside it",
+    },
+    Elsewhere {
+        claim: "s22-vy-vanishes",
+        trial: "across::vanishes_census",
+        reason: "on the way (1) never lets the velocity grow",
+    },
+    Elsewhere {
+        claim: "s23-rest-above-one",
+        trial: "rest::stopping_time",
+        reason: "when it comes to rest, by (1)",
+    },
     Elsewhere {
         claim: "eq-33",
         trial: "periodic::eq33_unique",

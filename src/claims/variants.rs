@@ -3,7 +3,17 @@
 pub use trialbook::claims::variants::{Spared, Survivor, Variant};
 
 /// All wrong variants that no trial rejects. A test holds the list against the trials.
-pub const SURVIVORS: [Survivor; 3] = [
+pub const SURVIVORS: [Survivor; 5] = [
+    Survivor {
+        claim: "s21-small-friction-aligns",
+        text: "λ^2; 1",
+        reason: SQUARED,
+    },
+    Survivor {
+        claim: "s23-rest-above-one",
+        text: "1; λ₀^2",
+        reason: SQUARED,
+    },
     Survivor {
         claim: "eq-75",
         text: "ζ₃ 0 + (0 (u_z − ρ̇_z) − (−1) (u_y − ρ̇_y)); ζ₃ 0 + ((−1) (u_x − ρ̇_x) − 0 (u_z − ρ̇_z)); ζ₃ 1 + (0 (u_y − ρ̇_y) − 0 (u_x − ρ̇_x))",
@@ -21,6 +31,7 @@ pub const SURVIVORS: [Survivor; 3] = [
     },
 ];
 
+const SQUARED: &str = "the square of a friction is on the same side of 1 as the friction";
 const BY_ITS_SINE: &str =
     "the proof knows a phase by its sine alone; which phase it is, the motions tell";
 const BY_ITS_SQUARE: &str = "λ_c enters by its square; its sign is told by enclosure";

@@ -32,10 +32,9 @@ pub fn time<S: Scalar>(lambda: S, a: S, v0: S, theta0: S, r: S) -> S {
     v0 / a * (half.cos().squared() * r.power_fall(lambda - one) + half.sin().squared() * r.power_fall(lambda + one))
 }
 
-/// The least and the largest d ln tan(θ/2)/d ln v = 1/(λ − cos θ) for λ > 1; the largest is the last, where θ → 0.
-pub fn turning_slopes<S: Scalar>(lambda: S) -> [S; 2] {
-    let one = S::int(1);
-    [one / (lambda + one), one / (lambda - one)]
+/// d ln tan(θ/2)/d ln v, by Newton's law along and across the velocity; 1/(λ − 1) in the end. For λ > 1.
+pub fn turning_slope<S: Scalar>(lambda: S, theta: S) -> S {
+    S::int(1) / (lambda - theta.cos())
 }
 
 }

@@ -7,6 +7,7 @@ use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::State;
+use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
@@ -49,9 +50,10 @@ pub fn small_friction_outside() -> Evidence {
     let compared = "1, for motion, with 1 for sliding and 0 for rest, at A t/v₀ = 100";
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.over(held(), |launch: Turn| {
+        let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
         Ok(Pair {
             at: launch.at(),
-            stated: 1.0,
+            stated: f64::from(u8::from(left <= right)),
             found: moves_late(&launch)?,
             scale: 1.0,
         })
@@ -79,18 +81,16 @@ pub fn large_friction_limit() -> Evidence {
         let found = last_slope(stop);
         Ok(Pair {
             at: stop.start.at(),
-            stated: corrected::turning_slopes(stop.start.lambda)[1],
+            stated: corrected::turning_slope(stop.start.lambda, 0.0),
             found,
             scale: found,
         })
     })
 }
 
-/// λ > 1, however large: all the way down, tan(θ/2) falls at least as fast as v^(1/(λ+1)), and so θ → 0.
-///
-/// Newton's law along and across v gives d ln tan(θ/2)/d ln v = 1/(λ − cos θ) for every small step.
+/// λ > 1, however large: all the way down ln v falls as ln tan(θ/2) says, so that θ → 0 with v.
 pub fn large_friction_turns() -> Evidence {
-    let compared = "ln tan(θ/2) over ln v from the launch to the last step, cut to [1/(λ+1), 1/(λ−1)], with itself";
+    let compared = "∫ (λ − cos θ) d ln tan(θ/2) from the launch to the last step with ln v/v₀ of the motion there";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, ROOT);
     let turning = stops().filter(|s| s.as_ref().map_or(true, |s| !s.start.is_straight()));
     trial.over(turning, |stop| {
@@ -99,26 +99,18 @@ pub fn large_friction_turns() -> Evidence {
             lambda, v0, theta0, ..
         } = stop.start;
         let tangent = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
-        let fall = |s: &State| {
-            (
-                tangent(s.direction()) - tangent(theta0),
-                libm::log(s.speed() / v0),
-            )
-        };
-        let mut falls = stop
-            .nodes
-            .iter()
-            .map(fall)
-            .filter(|(turn, slow)| turn.is_finite() && slow.is_finite());
-        let found = falls
-            .next_back()
-            .map_or(f64::NAN, |(turn, slow)| turn / slow);
-        let [least, most] = corrected::turning_slopes(lambda);
+        let fall = |s: &State| (tangent(s.direction()), libm::log(s.speed() / v0));
+        let mut falls = stop.nodes.iter().map(fall);
+        let last = falls.rfind(|(turn, slow)| turn.is_finite() && slow.is_finite());
+        let (turned, found) = last.ok_or("no step")?;
+        let rate = |y: f64| 1.0 / corrected::turning_slope(lambda, 2.0 * libm::atan(libm::exp(y)));
+        let scale = found.abs() * stop.start.condition();
+        let stated = integral_within(rate, tangent(theta0), turned, 1e-14 * scale);
         Ok(Pair {
             at: stop.start.at(),
-            stated: found.max(least).min(most),
+            stated: stated.map_or(f64::NAN, |sum| sum.value),
             found,
-            scale: found.abs() * stop.start.condition(),
+            scale,
         })
     })
 }

@@ -6,7 +6,7 @@ use crate::claims::points::Points;
 use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Attractor, DriveError, Friction, Sign, State};
+use crate::motion::drive::{Attractor, DriveError, Friction, State};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;
@@ -93,10 +93,9 @@ fn with_motion<T>(
     }
 }
 
-/// The phases of the first half period at which the pulse ends and the motion comes to rest.
-fn joints(eta: f64, motion: &Attractor<'_>) -> [f64; 2] {
-    let rest = motion.intervals().iter().find(|i| i.sign == Sign::Rest);
-    [eta * PI, rest.map_or(PI, |i| i.start.rem_euclid(PI))]
+/// The phases at which the pulse ends and what it has given is used up: (1 − λ₀) ηπ, at the rate λ₀.
+fn joints((eta, lambda): (f64, f64)) -> [f64; 2] {
+    [eta * PI, eta * PI + (1.0 - lambda) * eta * PI / lambda]
 }
 
 /// (42): a smooth particle gains what the printed pulse gives until φ.
@@ -158,7 +157,7 @@ pub fn eq44_motion() -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
-            let ends = joints(point.0, motion);
+            let ends = joints(point);
             // No term of (44) is larger.
             let scale = point.0 * PI;
             let values = phases(0.0, ends).map(|phi| [phi, eq44(point, phi), motion.w(phi)]);
@@ -173,7 +172,7 @@ pub fn eq45_motion() -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
-            let ends = joints(point.0, motion);
+            let ends = joints(point);
             let value = |phi| [phi, printed::eq45_w(eq44(point, phi)), motion.w(PI + phi)];
             // π + φ is known to the spacing of numbers near 2π.
             Ok(worst(point, PI, phases(0.0, ends).map(value)))

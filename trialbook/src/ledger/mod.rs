@@ -1,6 +1,8 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
 #[cfg(feature = "book")]
+pub mod deep;
+#[cfg(feature = "book")]
 pub mod distrust;
 #[cfg(feature = "book")]
 mod errata;

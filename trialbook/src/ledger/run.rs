@@ -115,7 +115,7 @@ impl Ledger {
     }
 
     /// The entries, each judged in view of the others.
-    fn of(paper: &'static Paper, mut entries: Vec<Entry>) -> Self {
+    pub(super) fn of(paper: &'static Paper, mut entries: Vec<Entry>) -> Self {
         // A refutation may pass from claim to claim, against the order of derivation.
         while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
             entries[i].judgement = judgement;
