@@ -4,5 +4,6 @@
 //! answers as text. The tests read the text and need none of those programs. Numbers are exchanged exactly: doubles as the
 //! shortest decimals that give them back, others with more digits than are compared.
 
+mod balls;
 mod intervals;
 mod table;
