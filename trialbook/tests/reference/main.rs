@@ -5,5 +5,6 @@
 //! shortest decimals that give them back, others with more digits than are compared.
 
 mod balls;
+mod exact;
 mod intervals;
 mod table;
