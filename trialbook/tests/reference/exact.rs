@@ -76,5 +76,8 @@ fn the_verdicts_are_those_of_flint() {
         assert_eq!(difference(), Ok(equal), "{left} and {right}");
         counts[usize::from(equal)] += 1;
     }
-    assert!(counts.iter().sum::<usize>() == 10_000 && counts.iter().all(|n| *n > 4000), "{counts:?}");
+    assert!(
+        counts.iter().sum::<usize>() == 10_000 && counts.iter().all(|n| *n > 4000),
+        "{counts:?}"
+    );
 }
