@@ -1,4 +1,4 @@
-"""Integrals to 30 digits: what `integrals.rs` holds the quadrature to.
+"""Integrals to 28 digits: what `integrals.rs` holds the quadrature to.
 
 Run: python3 integrals.py      writes integrals.csv
 Made with Python 3.11.7, mpmath 1.3.0.

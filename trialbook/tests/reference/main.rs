@@ -6,5 +6,8 @@
 
 mod balls;
 mod exact;
+mod integrals;
 mod intervals;
+mod motions;
+mod roots;
 mod table;
