@@ -100,7 +100,7 @@ def ends(name, k, t, start):
 
 def text(x):
     with mp.workdps(40):
-        return mp.nstr(x, 32, strip_zeros=False)
+        return mp.nstr(x, 32, strip_zeros=False, min_fixed=-40)
 
 
 def main():
