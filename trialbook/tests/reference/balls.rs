@@ -35,7 +35,8 @@ fn holds(all: &Ball, decimals: &str) -> bool {
     let fine = all.bits() + SPARE;
     let exact = ball(decimals, fine);
     // As wide as what turning decimals into bits costs.
-    let room = &exact - &exact;
+    let off = &exact - exact.middle();
+    let room = &off + &off;
     exact.inside(&(all.with_bits(fine) + room))
 }
 

@@ -90,7 +90,7 @@ fn room(name: &str, x: Interval, y: Option<Interval>, bound: f64) -> Room {
         // exp(y ln x), and what the exponent is off by.
         "pow" => {
             let exponent = y.map_or(0.0, Interval::magnitude) * x.ln().magnitude().max(1.0);
-            if size < SMALL || size > LARGE || exponent > 700.0 {
+            if !(SMALL..=LARGE).contains(&size) || exponent > 700.0 {
                 Room::Any
             } else {
                 Room::Within(relative * (8.0 + 8.0 * exponent))
