@@ -11,6 +11,7 @@
 //! which also compares the counts with `snapshots/digits.csv`, from which the book draws its figure, and writes them anew
 //! beside it where they differ.
 
+mod certified;
 mod explorers;
 mod tables;
 mod tally;

@@ -83,7 +83,11 @@ pub fn everywhere<const N: usize>(
             Said::Holds => parts += 1,
             Said::Fails => return Err(CertifiedError::failing(&cell)),
             Said::Nothing => {
-                let relative = |i: usize| cell[i].width() / range[i].width();
+                // A side without width, of which there is no part, is the last to be halved.
+                let relative = |i: usize| match range[i].width() {
+                    0.0 => 0.0,
+                    width => cell[i].width() / width,
+                };
                 let widest = (0..N).max_by(|&i, &j| relative(i).total_cmp(&relative(j)));
                 let side = widest.unwrap_or(0);
                 let [a, b] = cell[side].halves();
@@ -162,6 +166,31 @@ mod tests {
             }
         });
         assert_eq!(parts.unwrap(), 4);
+    }
+
+    #[test]
+    fn a_side_without_width_is_not_halved() {
+        // Plain on halves of the side that has width.
+        let f = |[x, _]: &[Interval; 2]| {
+            if x.width() < 0.75 {
+                Said::Holds
+            } else {
+                Said::Nothing
+            }
+        };
+        let (wide, point) = (Interval::new(0.0, 1.0), Interval::point(2.0));
+        assert_eq!(everywhere([wide, point], f).unwrap(), 2);
+        assert_eq!(everywhere([point, wide], |&[x, y]| f(&[y, x])).unwrap(), 2);
+        let open = everywhere([point, point], |_| Said::Nothing);
+        assert!(matches!(open, Err(CertifiedError::NotProved { .. })));
+    }
+
+    #[test]
+    fn what_reaches_zero_has_neither_sign() {
+        for [lo, hi] in [[0.0, 1.0], [-1.0, 0.0], [0.0, 0.0]] {
+            let signs = [1.0, -1.0].map(|sign| Said::of_sign(Interval::new(lo, hi), sign));
+            assert_eq!(signs, [Said::Nothing; 2]);
+        }
     }
 
     #[test]

@@ -89,4 +89,54 @@ mod tests {
             assert!(unique(curves, start).is_err());
         }
     }
+
+    /// x and y, times all numbers from `lo` to `hi`.
+    fn stretched(lo: f64, hi: f64, start: [Interval; 2]) -> Result<[Interval; 2], CertifiedError> {
+        let factor = Jet::constant(Interval::new(lo, hi));
+        unique(|xy| xy.map(|x| factor * x), start)
+    }
+
+    #[test]
+    fn an_image_that_touches_the_box_proves_nothing() {
+        let unit = Interval::new(-1.0, 1.0);
+        // The image of [−1, 1] is 1 − [0, 2] times it: the box itself. Of 0 x all of the box are roots.
+        assert!(stretched(0.0, 2.0, [unit; 2]).is_err());
+        // A little less, and it lies inside.
+        let least = 2.0_f64.powi(-40);
+        let [x, y] = stretched(least, 2.0 - least, [unit; 2]).unwrap();
+        assert!(x.contains(0.0) && y.contains(0.0) && x.inside(unit) && y.inside(unit));
+    }
+
+    #[test]
+    fn an_image_has_to_lie_inside_on_each_side() {
+        // x + c = 0 and y = 0 on [−1, 1]²: the image is [−c, −c], at an end for c = ±1, in either direction.
+        let unit = Interval::new(-1.0, 1.0);
+        for c in [-1, 1] {
+            assert!(
+                unique(|[x, y]| [x + Jet::int(c), y], [unit; 2]).is_err(),
+                "{c}"
+            );
+            assert!(
+                unique(|[x, y]| [x, y + Jet::int(c)], [unit; 2]).is_err(),
+                "{c}"
+            );
+        }
+        assert!(unique(|[x, y]| [x + Jet::int(1) / Jet::int(2), y], [unit; 2]).is_ok());
+    }
+
+    #[test]
+    fn a_double_root_is_not_taken_for_one() {
+        // (x − 1)² has its double root in the middle, at an end or off the middle of the box.
+        let f = |[x, y]: [Jet<2>; 2]| [(x - Jet::int(1)).squared(), y];
+        for [lo, hi] in [
+            [0.0, 2.0],
+            [1.0, 2.0],
+            [0.0, 1.0],
+            [0.5, 1.25],
+            [0.999, 1.0001],
+        ] {
+            let start = [Interval::new(lo, hi), Interval::new(-1.0, 1.0)];
+            assert!(unique(f, start).is_err(), "{lo} {hi}");
+        }
+    }
 }

@@ -64,6 +64,14 @@ pub fn refine(
     for &bits in steps.iter().rev() {
         x = narrower(&x, bits)?;
     }
+    // A small slope costs more than was reckoned with, in each step anew.
+    while x.known_bits() < bits {
+        let next = narrower(&x, bits + 8)?;
+        if next.known_bits() <= x.known_bits() {
+            break;
+        }
+        x = next;
+    }
     if !x.interval().inside(start) {
         return Err(failed("the root may lie outside the box"));
     }

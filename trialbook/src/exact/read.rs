@@ -189,31 +189,40 @@ impl Ring {
         Err(error())
     }
 
-    /// base^e, if the base is a product of whole powers of the bases declared with this e.
+    /// base^e, if the base is a product of whole powers of the bases declared with this e; and, if e is 1/n, of a number
+    /// that has a root of degree n, or has one over a declared number.
     fn known_product(&self, base: &Rational, e: &Rational) -> Result<Option<Rational>, ExactError> {
         let mut rest = base.clone();
         let mut product = Rational::int(1);
+        let mut numbers = Vec::new();
         for known in &self.powers {
             if !(&known.exponent - e).is_literally_zero() {
                 continue;
             }
-            let k = match &known.prime {
-                Some(prime) => rest.valuation(prime),
-                None => i64::from((&rest - &known.base).is_literally_zero()),
+            let Some(prime) = &known.prime else {
+                numbers.push(known);
+                continue;
             };
+            let k = rest.valuation(prime);
             if k != 0 {
                 rest = self.divide(&rest, &self.whole_power(&known.base, k)?)?;
                 product = product * self.whole_power(&known.value, k)?;
             }
         }
-        let root = e.reciprocal().and_then(|n| n.as_integer());
-        match root.and_then(|n| rest.whole_root(u32::try_from(n).ok()?)) {
-            Some(root) => Ok(Some(product * root)),
-            None => {
-                let complete = self.is_zero(&(rest - Rational::int(1)))?;
-                Ok(complete.then_some(product))
+        // What is left has to be a number, which shows only when all else is divided out.
+        let degree = e.reciprocal().and_then(|n| n.as_integer());
+        let degree = degree.and_then(|n| u32::try_from(n).ok());
+        let whole_root = |x: &Rational| degree.and_then(|n| x.whole_root(n));
+        if let Some(root) = whole_root(&rest) {
+            return Ok(Some(product * root));
+        }
+        for known in numbers {
+            if let Some(root) = whole_root(&self.divide(&rest, &known.base)?) {
+                return Ok(Some(product * &known.value * root));
             }
         }
+        let complete = self.is_zero(&(rest - Rational::int(1)))?;
+        Ok(complete.then_some(product))
     }
 
     /// The logarithm, if it is of a product of whole powers of declared bases.

@@ -81,16 +81,23 @@ impl Ball {
                 -right_angle
             });
         }
-        let start = Scalar::asin(self.interval());
-        // The root θ of sin θ − x, from a box that is surely wide enough.
+        let middle = self.middle();
+        // asin x − asin m = (x − m)/√(1 − y²) with a y between m and x.
+        let steepest = (&one - self * self).sqrt()?;
+        let spread = (self - &middle).over(&steepest)?;
+        // The root θ of sin θ − m, from a box that is surely wide enough.
         let equation = |theta: &Ball| {
             let [s, c] = theta.sin_cos();
-            Some([&s - self, c])
+            Some([s - &middle, c])
         };
-        let start = start.widened(1e-3 * (1.0 - self.interval().magnitude()));
-        refine(equation, start, self.bits)
-            .ok()
-            .map(|root| root.value)
+        let near = middle.interval();
+        let start = Scalar::asin(near).widened(1e-3 * (1.0 - near.magnitude()));
+        let angle = refine(equation, start, self.bits).ok()?.value;
+        Some(if self.rad == UBig::ZERO {
+            angle
+        } else {
+            angle + spread
+        })
     }
 
     /// n/m; `None` for m = 0.

@@ -192,3 +192,20 @@ fn an_interval_is_written_with_both_bounds() {
     let x = Interval::new(-0.5, 250.0);
     assert_eq!(format!("{x} {x:?}"), "[-0.5, 250] [-5e-1, 2.5e2]");
 }
+
+#[test]
+fn what_touches_is_neither_inside_nor_below() {
+    let of = Interval::new;
+    let outer = of(1.0, 2.0);
+    assert!(of(1.0_f64.next_up(), 2.0_f64.next_down()).inside(outer));
+    for [lo, hi] in [[1.0, 1.5], [1.5, 2.0], [1.0, 2.0], [0.5, 1.5], [1.5, 2.5]] {
+        assert!(!of(lo, hi).inside(outer), "[{lo}, {hi}]");
+    }
+    assert!(!Interval::WHOLE.inside(Interval::WHOLE));
+    // Within counts the ends.
+    assert!(outer.within(outer) && !outer.inside(outer));
+    assert!(of(0.0, 1.0_f64.next_down()).below(outer) && !of(0.0, 1.0).below(outer));
+    // What has an end in common meets there.
+    assert_eq!(outer.meet(of(2.0, 3.0)), Some(Interval::point(2.0)));
+    assert_eq!(outer.meet(of(2.0_f64.next_up(), 3.0)), None);
+}

@@ -335,3 +335,28 @@ fn what_stands_for_something_else_is_not_free() -> Result<(), ExactError> {
     }
     Ok(())
 }
+
+/// Which is declared first does not matter, and a number may have a square in it.
+#[test]
+fn a_root_of_a_product_finds_its_number_in_any_order() -> Result<(), ExactError> {
+    for number_first in [true, false] {
+        let mut ring = Ring::new();
+        let (x, two) = (ring.symbol("x"), Rational::int(2));
+        let radicands = if number_first { [two, x] } else { [x, two] };
+        for radicand in &radicands {
+            ring.root(radicand, 2)?;
+        }
+        let (x, int) = (Expr::symbol("x"), Expr::int);
+        for (left, right) in [
+            ((int(2) * x).sqrt(), int(2).sqrt() * x.sqrt()),
+            ((int(8) * x).sqrt(), int(2) * int(2).sqrt() * x.sqrt()),
+            ((x / int(2)).sqrt(), x.sqrt() * int(2).sqrt() / int(2)),
+            ((int(9) * x).sqrt(), int(3) * x.sqrt()),
+        ] {
+            let difference = ring.read(left)? - ring.read(right)?;
+            assert!(ring.is_zero(&difference)?, "{left} {right}");
+        }
+        assert!(ring.read((int(3) * x).sqrt()).is_err());
+    }
+    Ok(())
+}
