@@ -7,7 +7,7 @@ use crate::{corrections, paper};
 use trialbook::claims::formulas::Formulas;
 
 /// The formulas without a number of their own, and the claims that try them. What serves no claim is not here.
-const TRIED_IN: [(&str, &str); 32] = [
+const TRIED_IN: [(&str, &str); 39] = [
     ("corrections::anisotropic::a_far", "eq-53"),
     ("corrections::anisotropic::contact", "s24-Y"),
     ("corrections::anisotropic::e_far", "eq-54"),
@@ -54,6 +54,13 @@ const TRIED_IN: [(&str, &str); 32] = [
     ("corrections::sphere::spin", "eq-75"),
     ("corrections::sphere::time", "eq-82"),
     ("corrections::turntable::constant", "eq-106"),
+    ("paper::anisotropic::s24_fifth_signs", "fig-6"),
+    ("paper::anisotropic::s24_first_signs", "fig-6"),
+    ("paper::anisotropic::s24_fourth_signs", "fig-6"),
+    ("paper::anisotropic::s24_mirrored", "s24-q-at-least-one"),
+    ("paper::anisotropic::s24_second_signs", "fig-6"),
+    ("paper::anisotropic::s24_third_signs", "fig-6"),
+    ("paper::sphere::s3_zeta3_rate", "s3-spin-constant"),
     ("paper::turntable::friction_work", "s4-coriolis-no-work"),
 ];
 
