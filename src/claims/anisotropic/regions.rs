@@ -220,9 +220,12 @@ pub fn between_e_and_c() -> Evidence {
         let c = printed::eq55_lambda0(q);
         let e = curves_as_corrected(q).map_or(f64::NAN, |curves| curves.b_or_e);
         let words = listed_digits()[3];
-        Box::new(move |lambda0| match (e..c).contains(&lambda0) {
-            true => Some(words),
-            false => (e + c).is_nan().then_some(f64::NAN),
+        Box::new(move |lambda0| {
+            if (e..c).contains(&lambda0) {
+                Some(words)
+            } else {
+                (e + c).is_nan().then_some(f64::NAN)
+            }
         })
     };
     census(&trial, Some(32.0), |q| q > y, says)

@@ -11,7 +11,7 @@ use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::sphere::{Ball, Sphere};
 use crate::motion::{Plane, State, run};
-use crate::numerics::quadrature::integral_within;
+use crate::numerics::dop853;
 use crate::numerics::roots::root;
 use crate::paper::sphere as printed;
 use crate::scalar::Scalar;
@@ -301,23 +301,30 @@ pub fn corrected82() -> Evidence {
 
 /// (82) with its factor, from Newton's law across and along the slip: u dθ = −γ sin θ dτ and du = (γ cos θ − λγ) dτ.
 pub fn corrected82_quadrature() -> Evidence {
-    let compared =
-        "(82) over γ with −∫ u dθ/(γ sin θ), u = u₀ exp ∫ (λ − cos θ) dθ/sin θ, by quadrature";
+    let compared = "(82) over γ with −∫ u dθ/(γ sin θ), u = u₀ exp ∫ (λ − cos θ) dθ/sin θ, both integrals by a foreign integrator";
     let turns = turns().filter(|turn| {
         turn.as_ref()
             .map_or(true, |t| t.has_a_time() && t.condition() < 100.0)
     });
     Trial::quadrature(Subject::Corrected, compared).over(turns, |turn| {
         let turn = turn?;
-        let growth = |x: f64| (turn.lambda - Scalar::cos(x)) / Scalar::sin(x);
-        let u = |theta: f64| {
-            let grown = integral_within(growth, turn.theta0, theta, 1e-14);
-            // A failure inside becomes NaN, of which the outer quadrature makes another one.
-            grown.map_or(f64::NAN, |grown| turn.u0 * libm::exp(grown.value))
+        let Turn {
+            lambda,
+            gamma,
+            u0,
+            theta0,
+            theta,
+            ..
+        } = *turn;
+        let turned = theta - theta0;
+        // ln(u/u₀) and γτ/u₀ over the part of the angle that is turned.
+        let rates = |part: f64, [ln_u, _]: &[f64; 2]| {
+            let (sine, cosine) = libm::sincos(theta0 + part * turned);
+            let per_angle = [(lambda - cosine) / sine, -libm::exp(*ln_u) / sine];
+            per_angle.map(|rate| rate * turned)
         };
-        let rate = |theta: f64| -u(theta) / (turn.gamma * Scalar::sin(theta));
-        let enough = 1e-14 * turn.condition() * turn.tau;
-        let found = integral_within(rate, turn.theta0, turn.theta, enough)?.value;
+        let [_, late] = dop853::end(rates, 0.0, [0.0; 2], 1.0, 1e-14, 1e-15)?;
+        let found = late * u0 / gamma;
         let n = turn.numbers();
         let stated = corrected::time(n[0], n[5], n[1], n[2], n[3]);
         let mut pair = Pair::conditioned(turn.at(), stated, found);

@@ -121,7 +121,7 @@ fn settled(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, Failure> 
 }
 
 /// 𝔴 at the phase `phi` of the motion under sin φ from `w` at φ = 0; NaN for a friction below zero, which none has.
-fn driven(plus: f64, minus: f64, w: f64, phi: f64) -> f64 {
+fn w_after(plus: f64, minus: f64, w: f64, phi: f64) -> f64 {
     let end = || -> Result<f64, Failure> {
         let friction = Friction::new(plus, minus)?;
         let moved = sine_drive()?.advance(friction, State { phi: 0.0, w }, phi)?;
@@ -235,7 +235,7 @@ pub fn eq84() -> Evidence {
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
         let phi = points.uniform(1.0, 15.0);
         let lambda = swing.stated();
-        let stated = driven(lambda, lambda, w, phi);
+        let stated = w_after(lambda, lambda, w, phi);
         let motion = swing
             .sphere
             .run(&swing.sine(), &swing.start(w, share), swing.t(phi))?;
@@ -273,7 +273,7 @@ pub fn eq85() -> Evidence {
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
         let phi = points.uniform(1.0, 15.0);
         let lambda = swing.stated_plus();
-        let stated = driven(lambda, q * lambda, w, phi);
+        let stated = w_after(lambda, q * lambda, w, phi);
         let start = swing.start(w, share);
         let motion = directed.run(
             &swing.sine(),

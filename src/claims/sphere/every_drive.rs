@@ -136,7 +136,7 @@ pub fn spin_constant() -> Evidence {
         };
         let spin = |value: f64| 7.0 * case.sphere.radius * value;
         let units = run.units();
-        let gained: f64 = printed::s3_zeta3_rate::<f64>() * (run.until / units.time) / units.time;
+        let gained = printed::s3_zeta3_rate::<f64>() * run.until / (units.time * units.time);
         let size = length([end.v[0], end.v[1], 0.0]) + case.sphere.radius * length(end.omega);
         Ok(Pair {
             at: run.at(run.until),
