@@ -117,10 +117,10 @@ fn printed_y() -> f64 {
 /// Curves that touch: region II between them on qλ₀ = 1 − η opens as the root of η; as η, if they crossed. C lies above
 /// both B and E by c (q − q_Y)², to lowest order, so that it opens for |q − q_Y| < √(η/(q_Y c)).
 pub fn y_contact() -> Evidence {
-    let compared = "2 √(η/(q_Y c)), c = (q_Y − 1)/(2 q_Y³ (q_Y + 1)), with the width in q of region II on qλ₀ = 1 − η, by simulation, for η from 1e-4 to 1e-11";
+    let compared = "2 √(η/(q_Y c)), c = (q_Y − 1)/(2 q_Y³ (q_Y + 1)), with the width in q of region II on qλ₀ = 1 − η, by simulation, for η from 1e-3 to 1e-10";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, CONTACT);
     trial.over(0..24, |k| {
-        let eta = 1e-4 * libm::exp2(-f64::from(k));
+        let eta = 1e-3 * libm::exp2(-f64::from(k));
         let y = printed_y();
         let [low, high] = opening(eta)?;
         Ok(Pair {

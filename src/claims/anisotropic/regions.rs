@@ -14,29 +14,36 @@ use crate::paper::anisotropic as printed;
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
 type Says = Box<dyn Fn(f64) -> Option<f64>>;
 
-/// Every point of the census of which `wanted` holds: what is said of it with what was simulated; of what nothing is
-/// said, that agrees. The first points kept for readers are of the motion `shown`, if one is given.
+/// Every point of the census of which `wanted` holds, by its q, λ₀ and motion, and those next to one: what is said of it
+/// with what was simulated. Where nothing is said, that agrees.
 fn census(
     trial: &Trial,
-    shown: Option<f64>,
-    wanted: impl Fn(f64) -> bool,
+    wanted: impl Fn(f64, f64, f64) -> bool,
     says: impl Fn(f64) -> Says,
 ) -> Evidence {
     let columns = match census::columns() {
-        Ok(columns) => columns.iter().filter(|column| wanted(column.q)),
+        Ok(columns) => columns,
         Err(error) => return trial.over([error], Err),
     };
     let of = |column: &'static census::Column| {
-        let (q, says) = (column.q, says(column.q));
-        let cells = column.cells.iter();
-        cells.map(move |(lambda0, found)| (q, *lambda0, *found, says(*lambda0)))
+        let (q, cells, says) = (column.q, &column.cells, says(column.q));
+        let wanted: Vec<_> = cells
+            .iter()
+            .map(|(l, found)| wanted(q, *l, *found))
+            .collect();
+        let near = move |i: usize| {
+            let end = wanted.len().min(i + BESIDE + 1);
+            wanted[i.saturating_sub(BESIDE)..end].contains(&true)
+        };
+        let near = cells.iter().enumerate().filter(move |(i, _)| near(*i));
+        near.map(move |(_, (lambda0, found))| (q, *lambda0, *found, says(*lambda0)))
     };
     // The first points kept for readers come from the middle of the plane, not from its corner.
-    let is_shown = |found: f64| shown.is_none_or(|shown| shown == found);
     let (first, rest): (Vec<_>, Vec<_>) = columns
+        .iter()
         .flat_map(of)
         .enumerate()
-        .partition(|(i, point)| i % GENERIC == GENERIC / 2 && is_shown(point.2));
+        .partition(|(i, _)| i % GENERIC == GENERIC / 2);
     let points = first.into_iter().chain(rest).map(|(_, point)| point);
     trial.over(points.enumerate(), |(i, (q, lambda0, found, said))| {
         let stated = said.unwrap_or(found);
@@ -52,6 +59,9 @@ fn census(
     })
 }
 
+/// So many points on each side of a wanted one are looked at too, to see where a region ends.
+const BESIDE: usize = 2;
+
 /// One point in so many is put first.
 const GENERIC: usize = 997;
 
@@ -59,8 +69,8 @@ const fn by_census(subject: Subject, compared: &'static str) -> Trial {
     Trial::by(Route::Census, subject, compared, NONE)
 }
 
-const BY_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever the printed list has this region; where it has another, this claim says nothing";
-const BY_CORRECTED_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever the corrected list has this region; where it has another, this claim says nothing";
+const BY_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever that is the region's or next to it and the printed list has this region; where it has another, this claim says nothing";
+const BY_CORRECTED_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever that is the region's or next to it and the corrected list has this region; where it has another, this claim says nothing";
 
 /// What the words of one region say where a list has it.
 fn words_of(region: usize, list: Regions) -> Says {
@@ -77,11 +87,11 @@ fn all_words(list: Regions) -> Says {
     Box::new(move |lambda0| Some(list(lambda0).map_or(f64::NAN, |region| words[region - 1])))
 }
 
-/// A region of the printed list. Points with the motion `shown` come first.
-fn printed_census(region: usize, shown: f64) -> Evidence {
+/// A region of the printed list, where the motion has the digits `own` and beside.
+fn printed_census(region: usize, own: f64) -> Evidence {
     let trial = by_census(Subject::Printed, BY_REGION);
     let says = |q| words_of(region, printed_list(q));
-    census(&trial, Some(shown), |_| true, says)
+    census(&trial, |_, _, found| found == own, says)
 }
 
 /// The ends of a region along λ₀ with the ends of its kind of motion.
@@ -194,7 +204,7 @@ pub fn second_ends() -> Evidence {
 pub fn second_corrected_census() -> Evidence {
     let trial = by_census(Subject::Corrected, BY_CORRECTED_REGION);
     let says = |q| words_of(2, corrected_list(q));
-    census(&trial, Some(312.0), |_| true, says)
+    census(&trial, |_, _, found| found == 312.0, says)
 }
 
 /// Region II of the corrected list by its ends.
@@ -210,7 +220,7 @@ pub fn second_corrected_ends() -> Evidence {
 
 /// What is new in region IV: between E and C.
 pub fn between_e_and_c() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the words of IV, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, between E and C; elsewhere beyond Y this says nothing";
+    let compared = "the signs of 𝔴 in a period by the words of IV, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, between E and C; beside that, beyond Y, this says nothing";
     let trial = by_census(Subject::Corrected, compared);
     let y = match own_y() {
         Ok(y) => y,
@@ -228,7 +238,8 @@ pub fn between_e_and_c() -> Evidence {
             }
         })
     };
-    census(&trial, Some(32.0), |q| q > y, says)
+    let wanted = |q: f64, lambda0: f64, found: f64| q > y && q * lambda0 < 1.0 && found == 32.0;
+    census(&trial, wanted, says)
 }
 
 /// Region III at the points of the census.
@@ -275,14 +286,15 @@ pub fn diagram() -> Evidence {
     let compared = "the signs of 𝔴 in a period by the printed diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, all over the diagram's axes";
     let trial = by_census(Subject::Printed, compared);
     let says = |q| all_words(printed_list(q));
-    census(&trial, None, |q| q <= LARGEST_Q, says)
+    census(&trial, |q, _, _| q <= LARGEST_Q, says)
 }
 
 /// The corrected diagram at all points of the census.
 pub fn corrected_diagram() -> Evidence {
     let compared = "the signs of 𝔴 in a period by the corrected diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, for q from 1 to 12";
     let trial = by_census(Subject::Corrected, compared);
-    census(&trial, None, |_| true, |q| all_words(corrected_list(q)))
+    let says = |q| all_words(corrected_list(q));
+    census(&trial, |_, _, _| true, says)
 }
 
 /// The corrected diagram's curves with the changes of the motion, none left out.
