@@ -143,14 +143,8 @@ fn a_throw_stops_when_the_claims_say() {
 
 #[test]
 fn the_manners_are_those_of_the_regions() {
-    let letters = |manner: &[Sign]| -> String {
-        let letter = |sign: &Sign| ['-', '0', '+'][(sign.factor() + 1.0) as usize];
-        manner.iter().map(letter).collect()
-    };
-    assert_eq!(
-        anisotropic::MANNERS.map(letters),
-        paper::anisotropic::ORDERS
-    );
+    let signs = |manner: &[Sign]| -> Vec<f64> { manner.iter().map(|s| s.factor()).collect() };
+    assert_eq!(anisotropic::MANNERS.map(signs), paper::anisotropic::signs());
 }
 
 #[test]

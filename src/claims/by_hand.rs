@@ -31,11 +31,15 @@ pub static CASES: [ByHand; 19] = [
         reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion",
         case: "Take $q=9$, $\\lambda_0=0.1$: below C at $1/9$, and far above A. The drive can pull backward only while $\\sin\\phi<-0.9$, from $\\phi=4.261$ to $5.163$. The forward motion begins at $0.100$, and at $5.163$ its velocity is $0.995-0.436-0.1\\,(5.163-0.100)=0.053$, still positive. Backward intervals in a period: {stated} printed, {found} in the motion",
         digits: 0,
-        stated: || Ok(backward(anisotropic::ORDERS[printed_region(9.0, 0.1)? - 1])),
+        stated: || {
+            Ok(backward(
+                &anisotropic::signs()[printed_region(9.0, 0.1)? - 1],
+            ))
+        },
         found: || {
-            Ok(backward(&drift::order(
-                drift::attractor(9.0, 0.1)?.intervals(),
-            )))
+            let motion = drift::attractor(9.0, 0.1)?;
+            let signs = motion.intervals().iter().map(|i| i.sign.factor());
+            Ok(backward(&signs.collect::<Vec<_>>()))
         },
     },
     ByHand {
@@ -44,7 +48,7 @@ pub static CASES: [ByHand; 19] = [
         case: "Take $q=6.5$, $\\lambda_0=0.15$, just below C at $0.154$. The last moment at which the drive can pull backward, $\\sin\\phi=-0.975$, is $\\phi=4.936$; the forward motion, begun at $0.151$, has the velocity $0.989-0.222-0.15\\,(4.936-0.151)=0.049$ there, still positive. The diagram puts the point into region {stated}; the motion is that of region {found}",
         digits: 0,
         stated: || Ok(printed_region(6.5, 0.15)? as f64),
-        found: || Ok(drift::simulated(6.5, 0.15)? as f64),
+        found: || Ok(drift::fits(drift::simulated(6.5, 0.15)?) as f64),
     },
     ByHand {
         claim: "eq-75",
@@ -219,9 +223,9 @@ fn printed_region(q: f64, lambda0: f64) -> Result<usize, Failure> {
     Ok(region.ok_or("the point lies on a curve")?)
 }
 
-/// The number of backward intervals in the order of a period.
-fn backward(order: &str) -> f64 {
-    order.matches('-').count() as f64
+/// The number of backward intervals among those of a period.
+fn backward(signs: &[f64]) -> f64 {
+    signs.iter().filter(|sign| **sign < 0.0).count() as f64
 }
 
 /// A solid sphere thrown across with slip velocity 1 and no spin, on a plane with A = γμg, units of R and μg.

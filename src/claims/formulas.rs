@@ -62,6 +62,13 @@ const TRIED_IN: &[(&str, &str)] = &[
     ("corrections::sphere::spin", "eq-75"),
     ("corrections::sphere::time", "eq-82"),
     ("corrections::turntable::constant", "eq-106"),
+    ("paper::anisotropic::s24_fifth_signs", "fig-6"),
+    ("paper::anisotropic::s24_first_signs", "fig-6"),
+    ("paper::anisotropic::s24_fourth_signs", "fig-6"),
+    ("paper::anisotropic::s24_mirrored", "s24-q-at-least-one"),
+    ("paper::anisotropic::s24_second_signs", "fig-6"),
+    ("paper::anisotropic::s24_third_signs", "fig-6"),
+    ("paper::sphere::s3_zeta3_rate", "s3-spin-constant"),
     (
         "paper::constant::s21_keeps_moving_sides",
         "s21-small-friction-aligns",

@@ -86,6 +86,36 @@ pub fn eq58_y<S: Scalar>() -> [S; 2] {
     [S::int(4603) / thousand, S::int(217) / thousand]
 }
 
+/// "Without loss of generality": q and λ₀ of the motion that is the mirror image of that with these.
+pub fn s24_mirrored<S: Scalar>(q: S, lambda0: S) -> [S; 2] {
+    [S::int(1) / q, q * lambda0]
+}
+
+/// Region I: the signs of 𝔴 on the intervals of a period in their order, forward motion first; 0 is rest.
+pub fn s24_first_signs<S: Scalar>() -> [S; 2] {
+    [S::int(1), S::int(-1)]
+}
+
+/// Region II: the signs of 𝔴.
+pub fn s24_second_signs<S: Scalar>() -> [S; 3] {
+    [S::int(1), S::int(-1), S::int(0)]
+}
+
+/// Region III: the signs of 𝔴.
+pub fn s24_third_signs<S: Scalar>() -> [S; 4] {
+    [S::int(1), S::int(0), S::int(-1), S::int(0)]
+}
+
+/// Region IV: the signs of 𝔴.
+pub fn s24_fourth_signs<S: Scalar>() -> [S; 2] {
+    [S::int(1), S::int(0)]
+}
+
+/// Region V: the signs of 𝔴.
+pub fn s24_fifth_signs<S: Scalar>() -> [S; 1] {
+    [S::int(0)]
+}
+
 }
 
 /// Where the curves A to D stand at one q.
@@ -121,6 +151,13 @@ pub fn region(lambda0: f64, curves: &Curves) -> Option<usize> {
     }
 }
 
-/// What the list says of a period in the regions I to V: intervals with 𝔴 > 0 (`+`), 𝔴 < 0 (`-`) and 𝔴 = 0
-/// (`0`) in order, from the beginning of forward motion on.
-pub const ORDERS: [&str; 5] = ["+-", "+-0", "+0-0", "+0", "0"];
+/// What the list says of a period in the regions I to V: the signs of 𝔴 on its intervals, forward motion first.
+pub fn signs() -> [Vec<f64>; 5] {
+    [
+        s24_first_signs().to_vec(),
+        s24_second_signs().to_vec(),
+        s24_third_signs().to_vec(),
+        s24_fourth_signs().to_vec(),
+        s24_fifth_signs().to_vec(),
+    ]
+}

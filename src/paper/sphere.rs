@@ -218,6 +218,11 @@ pub fn eq85_lambda<S: Scalar>(b: S, mu_plus: S, g: S, a0: S) -> S {
     b * mu_plus * g / a0
 }
 
+/// "ζ₃ is constant": dζ₃/dτ.
+pub fn s3_zeta3_rate<S: Scalar>() -> S {
+    S::int(0)
+}
+
 }
 
 fn half_tan<S: Scalar>(angle: S) -> S {

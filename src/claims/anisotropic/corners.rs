@@ -1,14 +1,14 @@
 //! Trials of the points X and Y: where the curves meet, and how.
 
 use super::simulated::{
-    START, attractor_from, bisect, change, restless, reverses, simulated, touching,
+    START, attractor, bisect, change, order, own_y, restless, reverses, simulated_y, touching,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Friction, Interval, Sign, State};
+use crate::motion::drive::{Interval, State};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 
@@ -43,24 +43,16 @@ pub fn x_both() -> Evidence {
 }
 
 fn x(compared: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Evidence {
-    let [q, lambda0] = printed::eq57_x();
+    let [_, lambda0] = printed::eq57_x();
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(starts(stream), |start| {
+        let found = change(1.0, 1e-9, start, holds)?;
         Ok(Pair {
             at: at(start),
             stated: lambda0,
-            found: change(q, 1e-9, start, holds)?,
-            scale: lambda0,
+            found,
+            scale: found,
         })
-    })
-}
-
-/// The q at which, along C, the forward motion ends just where the drive is lowest: Y by simulation alone.
-fn simulated_y(start: State) -> Result<f64, Failure> {
-    bisect(2.0, 12.0, |q| {
-        let motion = attractor_from(start, Friction::new(1.0 / q, 1.0)?)?;
-        let forward = motion.intervals().iter().find(|i| i.sign == Sign::Positive);
-        Ok(forward.ok_or("no forward motion on C")?.end < 1.5 * PI)
     })
 }
 
@@ -110,54 +102,60 @@ pub fn y_digits() -> Evidence {
         let found = simulated_y(start)?;
         Ok(Pair {
             at: at(start),
-            stated: touching()?,
+            stated: printed_y(),
             found,
             scale: found,
         })
     })
 }
 
-/// Curves that touch: region II between them on qλ₀ = 1 − η opens as the root of η; as η, if they crossed.
+/// Y from the printed formulas, NaN if they have no common point.
+fn printed_y() -> f64 {
+    touching().unwrap_or(f64::NAN)
+}
+
+/// Curves that touch: region II between them on qλ₀ = 1 − η opens as the root of η; as η, if they crossed. C lies above
+/// both B and E by c (q − q_Y)², to lowest order, so that it opens for |q − q_Y| < √(η/(q_Y c)).
 pub fn y_contact() -> Evidence {
-    let compared = "1/2 with the exponent by which region II opens along q on qλ₀ = 1 − η, by simulation, for η from 1e-3 to 1e-10";
+    let compared = "2 √(η/(q_Y c)), c = (q_Y − 1)/(2 q_Y³ (q_Y + 1)), with the width in q of region II on qλ₀ = 1 − η, by simulation, for η from 1e-3 to 1e-10";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, CONTACT);
     trial.over(0..24, |k| {
         let eta = 1e-3 * libm::exp2(-f64::from(k));
-        let width = |eta: f64| opening(eta).map(|[low, high]| high - low);
-        let found = libm::log2(width(eta)? / width(0.5 * eta)?);
+        let y = printed_y();
+        let [low, high] = opening(eta)?;
         Ok(Pair {
             at: format!("η = {eta:.5e}"),
-            stated: 0.5,
-            found,
-            scale: 1.0,
+            stated: 2.0 * libm::sqrt(eta / (y * corrected::contact(y))),
+            found: high - low,
+            scale: high - low,
         })
     })
 }
 
 /// How closely they touch, as a number: C − B and C − E over (q − q_Y)², the mean of both sides.
 pub fn y_curvature() -> Evidence {
-    let compared = "(q_Y − 1)/(2 q_Y³ (q_Y + 1)) with (λ₀ on C − λ₀ where direct reversals end)/(q − q_Y)², by simulation, at q = q_Y ± δ";
+    let compared = "λ₀ on C less (q_Y − 1)/(2 q_Y³ (q_Y + 1)) δ² with the λ₀ where direct reversals end, by simulation, at q = q_Y ± δ, in units of its distance from qλ₀ = 1";
     let trial = Trial::by(Route::Root, Subject::Printed, compared, CONTACT);
     trial.over(0..24, |k| {
-        let y = touching()?;
+        let (y, own) = (printed_y(), own_y()?);
         let delta = 1e-2 * libm::exp10(-f64::from(k) / 24.0);
-        let gap = |q: f64| -> Result<f64, Failure> {
-            let end = change(q, 1e-9, START, reverses)?;
-            Ok((printed::eq55_lambda0(q) - end) / (delta * delta))
-        };
-        let found = 0.5 * (gap(y - delta)? + gap(y + delta)?);
+        let both = [own - delta, own + delta];
+        let mean = |at: [f64; 2]| 0.5 * (at[0] + at[1]);
+        let below = corrected::contact(y) * delta * delta;
+        let [low, high] = both.map(|q| change(q, 1e-9, START, reverses));
+        let found = mean([low?, high?]);
         Ok(Pair {
             at: format!("δ = {delta:.5e}"),
-            stated: corrected::contact(y),
+            stated: mean(both.map(printed::eq55_lambda0)) - below,
             found,
-            scale: found,
+            scale: mean(both.map(|q| 1.0 / q)) - found,
         })
     })
 }
 
 /// The ends in q of region II along qλ₀ = 1 − η, by simulation.
 fn opening(eta: f64) -> Result<[f64; 2], Failure> {
-    let y = touching()?;
-    let is_second = |q: f64| Ok(simulated(q, (1.0 - eta) / q)? == 2);
+    let y = own_y()?;
+    let is_second = |q: f64| Ok(order(attractor(q, (1.0 - eta) / q)?.intervals()) == "+-0");
     Ok([bisect(y, 2.0, is_second)?, bisect(y, 9.0, is_second)?])
 }

@@ -1,138 +1,146 @@
-//! Trials of the curves: (53) to (56), and E, which continues B.
+//! Trials of the curves: (53) to (56), and E, which continues B. Where they are tried, the simulation says.
 
 use super::rows::{Row, far_rows, rows};
-use super::simulated::{Curves, simulated};
+use super::simulated::{
+    Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, printed_list,
+    simulated,
+};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::{FAR_A, FAR_E, NONE, ROOT};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::anisotropic as printed;
 
+/// λ₀ on (53); NaN where it has no root.
+fn on_a(q: f64) -> f64 {
+    curve_a(q).unwrap_or(f64::NAN)
+}
+
+/// λ₀ on (54); NaN where it has no root.
+fn on_b(q: f64) -> f64 {
+    curve_b(q).ok().flatten().unwrap_or(f64::NAN)
+}
+
+/// λ₀ on B up to Y and on E beyond; NaN where neither has a root.
+fn on_b_or_e(q: f64) -> f64 {
+    curves_as_corrected(q).map_or(f64::NAN, |curves| curves.b_or_e)
+}
+
 /// A formula's λ₀ with the λ₀ at which the simulation changes, at those q that are wanted.
 fn change(
     subject: Subject,
     compared: &'static str,
-    wanted: impl Fn(&Row) -> bool,
-    stated: impl Fn(&Row) -> f64,
-    found: impl Fn(&Row) -> f64,
+    wanted: fn(&Row) -> bool,
+    stated: fn(f64) -> f64,
+    found: fn(&Row) -> f64,
 ) -> Evidence {
     let trial = Trial::by(Route::Root, subject, compared, ROOT);
-    over(&trial, rows(), wanted, |row| Pair {
-        at: format!("q = {:.6}", row.curves.q),
-        stated: stated(row),
-        found: found(row),
-        scale: found(row),
-    })
+    over(&trial, rows(), wanted, &[stated], found)
 }
 
 fn over(
     trial: &Trial,
     rows: Result<&'static [Row], Failure>,
-    wanted: impl Fn(&Row) -> bool,
-    pair: impl Fn(&Row) -> Pair,
+    wanted: fn(&Row) -> bool,
+    stated: &[fn(f64) -> f64],
+    found: fn(&Row) -> f64,
 ) -> Evidence {
-    match rows {
-        Ok(rows) => trial.over(rows.iter().filter(|row| wanted(row)), |row| Ok(pair(row))),
-        Err(error) => trial.over([error], Err),
-    }
+    let rows = match rows {
+        Ok(rows) => rows.iter().filter(|row| wanted(row)),
+        Err(error) => return trial.over([error], Err),
+    };
+    let cases = rows.flat_map(|row| stated.iter().map(move |stated| (row, stated)));
+    trial.over(cases, |(row, stated)| {
+        Ok(Pair {
+            at: format!("q = {:.6}", row.q),
+            stated: stated(row.q),
+            found: found(row),
+            scale: found(row),
+        })
+    })
 }
 
-/// How far from a curve the motion is looked at.
+/// How far from a change the motion is looked at.
 const DISTANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
-/// The region of a list with the simulated one, on both sides of a curve.
+/// The words of a list with the simulated motion, on both sides of a λ₀.
 fn sides(
     subject: Subject,
     compared: &'static str,
-    wanted: impl Fn(&Row) -> bool,
-    curve: impl Fn(&Curves) -> f64,
-    region: impl Fn(f64, &Curves) -> Option<usize>,
+    wanted: fn(&Row) -> bool,
+    height: fn(&Row) -> f64,
+    list: fn(f64) -> Regions,
 ) -> Evidence {
     let trial = Trial::by(Route::Census, subject, compared, NONE);
     let rows = match rows() {
         Ok(rows) => rows,
         Err(error) => return trial.over([error], Err),
     };
+    let words = listed_digits();
     let of = |row: &Row| {
-        let (curves, height) = (row.curves, curve(&row.curves));
+        let (q, height, list) = (row.q, height(row), list(row.q));
         let both = move |distance: f64| [height - distance, height + distance];
-        DISTANCES
-            .into_iter()
-            .flat_map(both)
-            .filter(move |&lambda0| !curves.blur(lambda0))
-            .map(move |lambda0| (curves, lambda0))
+        let heights = DISTANCES.into_iter().flat_map(both);
+        heights.map(move |lambda0| (q, lambda0, list(lambda0)))
     };
     let points = rows.iter().filter(|row| wanted(row)).flat_map(of);
-    trial.over(points, |(curves, lambda0)| {
+    trial.over(points, |(q, lambda0, region)| {
         Ok(Pair {
-            at: format!("q = {:.6}, λ₀ = {lambda0:.9}", curves.q),
-            stated: region(lambda0, &curves).map_or(0.0, |k| k as f64),
-            found: simulated(curves.q, lambda0)? as f64,
+            at: format!("q = {q:.6}, λ₀ = {lambda0:.9}"),
+            stated: region.map_or(f64::NAN, |k| words[k - 1]),
+            found: simulated(q, lambda0)?,
             scale: 1.0,
         })
     })
 }
 
-fn by_printed_list(lambda0: f64, curves: &Curves) -> Option<usize> {
-    printed::region(lambda0, &curves.printed)
-}
-
-fn by_corrected_list(lambda0: f64, curves: &Curves) -> Option<usize> {
-    corrected::region(lambda0, &curves.corrected)
+fn everywhere(_: &Row) -> bool {
+    true
 }
 
 fn before_y(row: &Row) -> bool {
-    row.curves.printed.b.is_some()
+    row.before_y
 }
 
 fn beyond_y(row: &Row) -> bool {
-    !before_y(row)
+    !row.before_y
 }
 
-const SIDES: &str = "the printed list's region, 1 to 5, at 1e-3, 1e-6 and 1e-9 on both sides of the curve with the simulated one";
+fn rest(row: &Row) -> f64 {
+    row.changes.rest
+}
+
+fn reversal(row: &Row) -> f64 {
+    row.changes.reversal
+}
+
+fn backward(row: &Row) -> f64 {
+    row.changes.backward
+}
+
+fn motion(row: &Row) -> f64 {
+    row.changes.motion
+}
+
+const SIDES: &str = "the signs of 𝔴 in a period by the printed list, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, 1e-3, 1e-6 and 1e-9 on both sides of where that changes";
 
 /// (53) with the onset of rest.
 pub fn eq53_root() -> Evidence {
     let compared = "the root of (53) with the λ₀ at which a rest appears in the simulated motion";
-    change(
-        Subject::Printed,
-        compared,
-        |_| true,
-        |row| row.curves.printed.a,
-        |row| row.changes.rest,
-    )
+    change(Subject::Printed, compared, everywhere, on_a, rest)
 }
 
 /// (53) on both sides.
 pub fn eq53_census() -> Evidence {
-    sides(
-        Subject::Printed,
-        SIDES,
-        |_| true,
-        |curves| curves.printed.a,
-        by_printed_list,
-    )
+    sides(Subject::Printed, SIDES, everywhere, rest, printed_list)
 }
 
-/// (53) for large q: its own asymptotic form.
+/// (53) for large q, and its own asymptotic form.
 pub fn eq53_limit() -> Evidence {
-    let compared = "π/(q + 1)² (1 − π²/(3 (q + 2)²)), to which (53) tends, with the λ₀ at which a rest appears, q from 200 to 20,000";
+    let compared = "the root of (53), and π/(q + 1)² (1 − π²/(3 (q + 2)²)), to which it tends, with the λ₀ at which a rest appears, q from 200 to 20,000";
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FAR_A);
-    over(
-        &trial,
-        far_rows(),
-        |_| true,
-        |row| far(row, corrected::a_far, row.changes.rest),
-    )
-}
-
-fn far(row: &Row, law: fn(f64) -> f64, found: f64) -> Pair {
-    Pair {
-        at: format!("q = {:.6}", row.curves.q),
-        stated: law(row.curves.q),
-        found,
-        scale: found,
-    }
+    let both = [on_a, corrected::a_far];
+    over(&trial, far_rows(), everywhere, &both, rest)
 }
 
 /// (54) up to Y with the end of direct reversals.
@@ -147,60 +155,33 @@ pub fn eq54_outside() -> Evidence {
 
 fn eq54(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
     let compared = "the root of (54) with the λ₀ at which forward motion ceases to turn straight into backward motion";
-    change(
-        subject,
-        compared,
-        wanted,
-        |row| row.curves.printed.b.unwrap_or(f64::NAN),
-        |row| row.changes.reversal,
-    )
+    change(subject, compared, wanted, on_b, reversal)
 }
 
 /// (54) on both sides, up to Y.
 pub fn eq54_census() -> Evidence {
-    sides(
-        Subject::Within,
-        SIDES,
-        before_y,
-        |curves| curves.corrected.b_or_e,
-        by_printed_list,
-    )
+    sides(Subject::Within, SIDES, before_y, reversal, printed_list)
 }
 
 /// E with the end of direct reversals, beyond Y.
 pub fn e_root() -> Evidence {
     let compared = "the root of E with the λ₀ at which forward motion ceases to turn straight into backward motion";
-    change(
-        Subject::Corrected,
-        compared,
-        beyond_y,
-        |row| row.curves.corrected.b_or_e,
-        |row| row.changes.reversal,
-    )
+    change(Subject::Corrected, compared, beyond_y, on_b_or_e, reversal)
 }
 
 /// B and E on both sides, with the corrected list, over the whole range of q.
 pub fn e_census() -> Evidence {
-    let compared = "the corrected list's region, 1 to 5, at 1e-3, 1e-6 and 1e-9 on both sides of B and E with the simulated one";
-    sides(
-        Subject::Corrected,
-        compared,
-        |_| true,
-        |curves| curves.corrected.b_or_e,
-        by_corrected_list,
-    )
+    let compared = "the signs of 𝔴 in a period by the corrected list, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, 1e-3, 1e-6 and 1e-9 on both sides of where direct reversals end";
+    let subject = Subject::Corrected;
+    sides(subject, compared, everywhere, reversal, corrected_list)
 }
 
-/// E for large q.
+/// E for large q, and its asymptotic form.
 pub fn e_limit() -> Evidence {
-    let compared = "4π/(q + 1)² (1 − 4π²/(q + 7/3)²), to which E tends, with the λ₀ at which direct reversals end, q from 200 to 20,000";
+    let compared = "the root of E, and 4π/(q + 1)² (1 − 4π²/(q + 7/3)²), to which it tends, with the λ₀ at which direct reversals end, q from 200 to 20,000";
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, FAR_E);
-    over(
-        &trial,
-        far_rows(),
-        |_| true,
-        |row| far(row, corrected::e_far, row.changes.reversal),
-    )
+    let both = [on_b_or_e, corrected::e_far];
+    over(&trial, far_rows(), everywhere, &both, reversal)
 }
 
 /// (55) up to Y with the end of backward motion.
@@ -214,55 +195,36 @@ pub fn eq55_outside() -> Evidence {
 }
 
 fn eq55(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
-    change(
-        subject,
-        "(55) with the λ₀ beyond which the simulated motion has no backward part",
-        wanted,
-        |row| row.curves.printed.c,
-        |row| row.changes.backward,
-    )
+    let compared = "(55) with the λ₀ beyond which the simulated motion has no backward part";
+    change(subject, compared, wanted, printed::eq55_lambda0, backward)
 }
 
 /// (55) on both sides, up to Y.
 pub fn eq55_census() -> Evidence {
-    sides(
-        Subject::Within,
-        SIDES,
-        before_y,
-        |curves| curves.printed.c,
-        by_printed_list,
-    )
+    sides(Subject::Within, SIDES, before_y, backward, printed_list)
 }
 
-/// (55) on both sides, beyond Y.
+/// (55) on both sides, beyond Y: where friction backwards is as strong as the drive.
 pub fn eq55_census_outside() -> Evidence {
+    let compared = "the signs of 𝔴 in a period by the printed list, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, 1e-3, 1e-6 and 1e-9 on both sides of qλ₀ = 1";
+    let as_strong = |row: &Row| 1.0 / row.q;
     sides(
         Subject::Outside,
-        SIDES,
+        compared,
         beyond_y,
-        |curves| curves.printed.c,
-        by_printed_list,
+        as_strong,
+        printed_list,
     )
 }
 
 /// (56) with the end of all motion.
 pub fn eq56_root() -> Evidence {
-    change(
-        Subject::Printed,
-        "(56) with the λ₀ beyond which the simulated particle is at rest for ever",
-        |_| true,
-        |row| row.curves.printed.d,
-        |row| row.changes.motion,
-    )
+    let compared = "(56) with the λ₀ beyond which the simulated particle is at rest for ever";
+    let on_d = |_: f64| printed::eq56_lambda0();
+    change(Subject::Printed, compared, everywhere, on_d, motion)
 }
 
 /// (56) on both sides.
 pub fn eq56_census() -> Evidence {
-    sides(
-        Subject::Printed,
-        SIDES,
-        |_| true,
-        |curves| curves.printed.d,
-        by_printed_list,
-    )
+    sides(Subject::Printed, SIDES, everywhere, motion, printed_list)
 }

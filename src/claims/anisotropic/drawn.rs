@@ -3,7 +3,7 @@
 use super::census::{self, Column, LAMBDA0, Q};
 use super::panels::{PANELS, motion};
 use super::rows::{Row, far_rows, rows};
-use super::simulated::{Changes, Curves, START, touching};
+use super::simulated::{Curves, START, fits, printed_list, touching};
 use crate::claims::compare::Failure;
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
@@ -38,9 +38,10 @@ fn inside((low, high): (f64, f64), at: f64) -> bool {
 pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure> {
     let all = census::columns()?;
     let chosen: &[Column] = all.get(columns.clone()).ok_or("no such columns")?;
-    let cell = |column: &Column, j: usize| {
-        let (lambda0, found) = column.cells[j];
-        (found, printed::region(lambda0, &column.curves.printed))
+    let lists: Vec<_> = chosen.iter().map(|column| printed_list(column.q)).collect();
+    let cell = |i: usize, j: usize| {
+        let (lambda0, found) = chosen[i].cells[j];
+        (fits(found), lists[i](lambda0))
     };
     let rows = rows.min(census::ROWS);
     let end = |(from, to): (f64, f64), i: usize, n: usize| from + (to - from) * i as f64 / n as f64;
@@ -64,7 +65,8 @@ pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure>
         q,
         lambda0: (LAMBDA0.0, end(LAMBDA0, rows, census::ROWS)),
         cells: (0..rows)
-            .flat_map(|j| chosen.iter().map(move |column| cell(column, j)))
+            .flat_map(|j| (0..chosen.len()).map(move |i| (i, j)))
+            .map(|(i, j)| cell(i, j))
             .collect(),
     })
 }
@@ -111,17 +113,14 @@ pub fn boundaries() -> Result<Vec<Row>, Failure> {
     let mut all: Vec<Row> = rows()?.iter().chain(far_rows()?).copied().collect();
     for k in 0..14 {
         let q = 14.0 * libm::exp10(f64::from(k) / 12.0);
-        all.push(Row {
-            curves: Curves::at(q)?,
-            changes: Changes::at(q, 1e-9, START)?,
-        });
+        all.push(Row::at(q, 1e-9)?);
     }
-    all.sort_by(|a, b| a.curves.q.total_cmp(&b.curves.q));
+    all.sort_by(|a, b| a.q.total_cmp(&b.q));
     let mut last = 0.0;
     all.retain(|row| {
-        let keep = row.curves.q > 1.15 * last;
+        let keep = row.q > 1.15 * last;
         if keep {
-            last = row.curves.q;
+            last = row.q;
         }
         keep
     });

@@ -371,12 +371,16 @@ pub const EQ56: Statement = Statement::new(
 );
 
 /// The mirror takes each printed rate into the other.
-fn prove_mirror([forward, backward]: [Expr; 2]) -> Proof {
+fn prove_mirror([forward, backward]: [Expr; 2], [other_q, other_lambda0]: [Expr; 2]) -> Proof {
     prove("The mirror", plane(), |p| {
-        let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
+        let [phi] = Expr::symbols(["φ"]);
         let mirrored = |rate: Expr| {
-            let rate = rate.with("q", Expr::int(1) / q);
-            -rate.with("λ₀", q * lambda0).with("φ", phi + Expr::pi())
+            let [apart, both] = ["q there", "λ₀ there"];
+            let rate = rate
+                .with("q", Expr::symbol(apart))
+                .with("λ₀", Expr::symbol(both));
+            let rate = rate.with(apart, other_q).with(both, other_lambda0);
+            -rate.with("φ", phi + Expr::pi())
         };
         for (says, here, there) in [
             ("Forward motion", forward, backward),
@@ -461,11 +465,14 @@ pub const Y: Statement<[Expr; 2]> = Statement::new(
 );
 
 /// The mirror.
-pub const MIRROR: Statement<[Expr; 2]> = Statement::new(
+pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     Subject::Printed,
     "(51) and (52) with each other, under φ → φ + π, 𝔴 → −𝔴, λ₀ → qλ₀, q → 1/q",
-    printed_rates,
-    prove_mirror,
+    || {
+        let [q, lambda0] = Expr::symbols(["q", "λ₀"]);
+        (printed_rates(), printed::s24_mirrored(q, lambda0))
+    },
+    |(rates, mirrored)| prove_mirror(rates, mirrored),
 );
 
 #[cfg(test)]

@@ -1,10 +1,9 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
-use super::simulated::{Curves, START, attractor_from, drive, order};
+use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE};
-use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Friction, State};
 use crate::paper::anisotropic as printed;
@@ -36,8 +35,13 @@ pub fn integration() -> Evidence {
             Ok(drive()?.advance(friction, start, start.phi + after)?.end.w)
         };
         let found = end(Friction::new(lambda0, q * lambda0)?, start)?;
-        let (other_q, other_lambda0) = (1.0 / q, q * lambda0);
-        let friction = Friction::new(other_lambda0, other_q * other_lambda0)?;
+        let [other_q, other_lambda0] = printed::s24_mirrored(q, lambda0);
+        let other = || {
+            end(
+                Friction::new(other_lambda0, other_q * other_lambda0)?,
+                mirrored,
+            )
+        };
         Ok(Pair {
             at: format!(
                 "q = {q:.6}, λ₀ = {lambda0:.6}, φ = {:.6} from {:.6}, {:.6}",
@@ -45,43 +49,35 @@ pub fn integration() -> Evidence {
                 start.phi,
                 start.w
             ),
-            stated: -end(friction, mirrored)?,
+            // No motion has a friction below zero.
+            stated: -other().unwrap_or(f64::NAN),
             found,
             scale: 1.0 + (1.0 + lambda0) * after,
         })
     })
 }
 
-/// The order of the intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
+/// The intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
 pub fn census() -> Evidence {
-    let compared = "the corrected list's region, 1 to 5, at (1/q, qλ₀) with the order of the simulated intervals at (q, λ₀), forward and backward exchanged";
+    let compared = "the signs of 𝔴 in a period by the corrected list at (1/q, qλ₀), a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion at (q, λ₀), forward and backward exchanged";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(313);
+    let words = listed_digits();
     trial.over(0..2000, |_| {
         let (q, lambda0) = small_ratio(&mut points);
-        let curves = Curves::at(1.0 / q)?;
-        let region = corrected::region(q * lambda0, &curves.corrected);
+        let [other_q, other_lambda0] = printed::s24_mirrored(q, lambda0);
+        let region = corrected_list(other_q)(other_lambda0);
         let motion = attractor_from(START, Friction::new(lambda0, q * lambda0)?)?;
-        let found = exchanged(&order(motion.intervals()));
-        let found = printed::ORDERS.iter().position(|listed| {
-            // Where in the period the list begins is left open.
-            listed.len() == found.len() && found.repeat(2).contains(listed)
-        });
+        let exchanged = motion
+            .intervals()
+            .iter()
+            .map(|i| -i.sign.factor())
+            .collect();
         Ok(Pair {
             at: format!("q = {q:.6}, λ₀ = {lambda0:.6}"),
-            stated: region.map_or(0.0, |k| k as f64),
-            found: found.map_or(0.0, |i| (i + 1) as f64),
+            stated: region.map_or(f64::NAN, |k| words[k - 1]),
+            found: from_forward(exchanged),
             scale: 1.0,
         })
     })
-}
-
-/// An order of intervals seen in the mirror.
-fn exchanged(order: &str) -> String {
-    let other = |letter| match letter {
-        '+' => '-',
-        '-' => '+',
-        rest => rest,
-    };
-    order.chars().map(other).collect()
 }

@@ -1,6 +1,6 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
-use super::simulated::{START, attractor_from, fits};
+use super::simulated::{START, attractor_from, listed_digits, own_digits};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, QUADRATURE};
@@ -25,7 +25,7 @@ pub const TOP: f64 = 1.0;
 
 /// An interval of the motion as the printed words and rates have it.
 struct Stretch {
-    letter: char,
+    sign: f64,
     start: f64,
     end: f64,
 }
@@ -37,45 +37,48 @@ struct Rates {
 }
 
 impl Rates {
-    fn of(&self, letter: char, phi: f64) -> f64 {
-        match letter {
-            '+' => printed::eq51_rate(self.lambda0, phi),
-            '-' => printed::eq52_rate(self.q, self.lambda0, phi),
-            _ => 0.0,
+    fn of(&self, sign: f64, phi: f64) -> f64 {
+        match sign {
+            1.0 => printed::eq51_rate(self.lambda0, phi),
+            -1.0 => printed::eq52_rate(self.q, self.lambda0, phi),
+            0.0 => 0.0,
+            // No sign at all.
+            _ => f64::NAN,
         }
     }
 
     /// 𝔴 at `phi`, from rest at `start`.
-    fn w(&self, letter: char, start: f64, phi: f64) -> Result<f64, Failure> {
-        Ok(integral_within(|x| self.of(letter, x), start, phi, 1e-13)?.value)
+    fn w(&self, sign: f64, start: f64, phi: f64) -> Result<f64, Failure> {
+        Ok(integral_within(|x| self.of(sign, x), start, phi, 1e-13)?.value)
     }
 
     /// Where a motion that begins at `start` ends: its first zero after its extremum at `turn`.
-    fn stop(&self, letter: char, start: f64, turn: f64) -> Result<f64, Failure> {
+    fn stop(&self, sign: f64, start: f64, turn: f64) -> Result<f64, Failure> {
         // A failure of the quadrature inside becomes NaN, which the root-finder reports.
-        let w = |phi| self.w(letter, start, phi).unwrap_or(f64::NAN);
+        let w = |phi| self.w(sign, start, phi).unwrap_or(f64::NAN);
         Ok(root(w, turn.max(start), start + TAU)?)
     }
 
-    /// The intervals of a period in the order `letters`.
-    fn period(&self, letters: &str) -> Result<Vec<Stretch>, Failure> {
+    /// The intervals of a period with these signs.
+    fn period(&self, signs: &[f64]) -> Result<Vec<Stretch>, Failure> {
         let plus = libm::asin(self.lambda0.min(1.0));
         let minus = libm::asin((self.q * self.lambda0).min(1.0));
         let mut list: Vec<Stretch> = Vec::new();
-        let mut phi = match letters {
-            "+-" => self.begin_without_rest()?,
-            _ => plus,
+        let mut phi = if signs.contains(&0.0) {
+            plus
+        } else {
+            self.begin_without_rest()?
         };
         let first = phi;
-        for (i, letter) in letters.char_indices() {
-            let end = match letter {
-                '+' => self.stop('+', phi, PI - plus)?,
-                '-' => self.stop('-', phi, TAU - minus)?,
-                _ if letters[i + 1..].starts_with('-') => PI + minus,
+        for (i, sign) in signs.iter().copied().enumerate() {
+            let end = match sign {
+                1.0 => self.stop(sign, phi, PI - plus)?,
+                -1.0 => self.stop(sign, phi, TAU - minus)?,
+                _ if signs.get(i + 1) == Some(&-1.0) => PI + minus,
                 _ => first + TAU,
             };
             list.push(Stretch {
-                letter,
+                sign,
                 start: phi,
                 end,
             });
@@ -89,8 +92,8 @@ impl Rates {
         let plus = libm::asin(self.lambda0);
         let minus = libm::asin(self.q * self.lambda0);
         let late = |start: f64| -> Result<f64, Failure> {
-            let turn = self.stop('+', start, PI - plus)?;
-            Ok(self.stop('-', turn, TAU - minus)? - start - TAU)
+            let turn = self.stop(1.0, start, PI - plus)?;
+            Ok(self.stop(-1.0, turn, TAU - minus)? - start - TAU)
         };
         let late = |start| late(start).unwrap_or(f64::NAN);
         Ok(root(late, plus, PI - plus - 0.1)?)
@@ -101,30 +104,26 @@ impl Rates {
 pub fn quadrature() -> Evidence {
     let compared = "𝔴(φ) in each panel, made of ∫ (51) dφ, ∫ (52) dφ and rest in the order of the list, with the simulated motion over two periods";
     let trial = Trial::by(Route::Quadrature, Subject::Printed, compared, QUADRATURE);
-    let periods: Result<Vec<_>, Failure> = PANELS
-        .iter()
-        .zip(printed::ORDERS)
-        .map(|(&(q, lambda0), order)| Rates { q, lambda0 }.period(order))
+    let panels = PANELS.into_iter().zip(printed::signs());
+    let periods: Vec<_> = panels
+        .map(|((q, lambda0), signs)| Rates { q, lambda0 }.period(&signs))
         .collect();
-    let periods = match periods {
-        Ok(periods) => periods,
-        Err(error) => return trial.over([error], Err),
-    };
     let phases = |panel| (0..=40).map(move |k| (panel, 4.0 * PI * f64::from(k) / 40.0));
     trial.over((0..PANELS.len()).flat_map(phases), |(panel, phi)| {
         let (q, lambda0) = PANELS[panel];
-        let period = &periods[panel];
-        let begin = period.first().map_or(0.0, |stretch| stretch.start);
-        let reduced = begin + (phi - begin).rem_euclid(TAU);
-        let here = period.iter().find(|stretch| reduced < stretch.end);
-        let rates = Rates { q, lambda0 };
-        let stated = match here {
-            Some(stretch) => rates.w(stretch.letter, stretch.start, reduced)?,
-            None => 0.0,
+        let w = |period: &[Stretch]| {
+            let begin = period.first().map_or(0.0, |stretch| stretch.start);
+            let reduced = begin + (phi - begin).rem_euclid(TAU);
+            let here = period.iter().find(|stretch| reduced < stretch.end);
+            let rates = Rates { q, lambda0 };
+            here.map_or(Ok(0.0), |s| rates.w(s.sign, s.start, reduced))
         };
         Ok(Pair {
             at: format!("q = {q}, λ₀ = {lambda0}, φ = {phi:.6}"),
-            stated,
+            // Words and rates that make no period have no 𝔴.
+            stated: periods[panel]
+                .as_ref()
+                .map_or(f64::NAN, |period| w(period).unwrap_or(f64::NAN)),
             found: motion(panel, START)?.w(phi),
             scale: 1.0,
         })
@@ -140,11 +139,12 @@ pub fn motion(panel: usize, start: State) -> Result<Attractor<'static>, Failure>
     attractor_from(start, Friction::new(lambda0, q * lambda0)?)
 }
 
-/// The order of the intervals in each panel, and whether the motion stays on the axes, from several starts.
+/// The intervals in each panel, and whether the motion stays on the axes, from several starts.
 pub fn census() -> Evidence {
-    let compared = "the panel's region, 1 to 5, with the order of the simulated intervals, and 0 with the part of |𝔴| beyond 1, from eight starts";
+    let compared = "the signs of 𝔴 in a period by the words of the panel's region, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, and |𝔴|, but not more than 1, with the largest |𝔴|, from eight starts";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(314);
+    let words = listed_digits();
     let mut cases = Vec::new();
     for panel in 0..PANELS.len() {
         for _ in 0..8 {
@@ -163,9 +163,10 @@ pub fn census() -> Evidence {
             start.phi, start.w
         );
         let (stated, found) = if order {
-            ((panel + 1) as f64, fits(motion.intervals()) as f64)
+            (words[panel], own_digits(motion.intervals()))
         } else {
-            (0.0, (motion.largest().w.abs() - TOP).max(0.0))
+            let largest = motion.largest().w.abs();
+            (largest.min(TOP), largest)
         };
         Ok(Pair {
             at,
@@ -183,14 +184,14 @@ mod tests {
     /// One interval begins where the other ends, and the last one ends a period after the begin of the first.
     #[test]
     fn the_intervals_fill_a_period() {
-        for ((q, lambda0), order) in PANELS.into_iter().zip(printed::ORDERS) {
-            let list = Rates { q, lambda0 }.period(order).unwrap();
-            let letters: String = list.iter().map(|stretch| stretch.letter).collect();
-            assert_eq!(letters, order);
+        for ((q, lambda0), order) in PANELS.into_iter().zip(printed::signs()) {
+            let list = Rates { q, lambda0 }.period(&order).unwrap();
+            let signs: Vec<f64> = list.iter().map(|stretch| stretch.sign).collect();
+            assert_eq!(signs, order);
             assert!(list.windows(2).all(|pair| pair[0].end == pair[1].start));
             assert!(list.iter().all(|stretch| stretch.start < stretch.end));
             let last = list.last().unwrap();
-            assert!((last.end - list[0].start - TAU).abs() < 1e-12, "{order}");
+            assert!((last.end - list[0].start - TAU).abs() < 1e-12, "{order:?}");
         }
     }
 }

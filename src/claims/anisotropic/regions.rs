@@ -1,54 +1,97 @@
 //! Trials of the list of regions and of the diagram.
 
-use super::census::{self, Point};
+use super::census;
 use super::rows::{Row, rows};
+use super::simulated::{
+    Regions, corrected_list, curves_as_corrected, curves_as_printed, listed_digits, own_y,
+    printed_list,
+};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
+use crate::paper::anisotropic as printed;
 
-type List = fn(&Point) -> Option<usize>;
+/// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
+type Says = Box<dyn Fn(f64) -> Option<f64>>;
 
-/// Every point of the census of which `wanted` holds: what a list says with what was simulated.
+/// Every point of the census of which `wanted` holds, by its q, λ₀ and motion, and those next to one: what is said of it
+/// with what was simulated. Where nothing is said, that agrees.
 fn census(
-    subject: Subject,
-    compared: &'static str,
-    list: List,
-    wanted: impl Fn(&Point) -> bool,
+    trial: &Trial,
+    wanted: impl Fn(f64, f64, f64) -> bool,
+    says: impl Fn(f64) -> Says,
 ) -> Evidence {
-    let trial = Trial::by(Route::Census, subject, compared, NONE);
-    let points = match census::points() {
-        Ok(points) => points,
+    let columns = match census::columns() {
+        Ok(columns) => columns,
         Err(error) => return trial.over([error], Err),
     };
+    let of = |column: &'static census::Column| {
+        let (q, cells, says) = (column.q, &column.cells, says(column.q));
+        let wanted: Vec<_> = cells
+            .iter()
+            .map(|(l, found)| wanted(q, *l, *found))
+            .collect();
+        let near = move |i: usize| {
+            let end = wanted.len().min(i + BESIDE + 1);
+            wanted[i.saturating_sub(BESIDE)..end].contains(&true)
+        };
+        let near = cells.iter().enumerate().filter(move |(i, _)| near(*i));
+        near.map(move |(_, (lambda0, found))| (q, *lambda0, *found, says(*lambda0)))
+    };
     // The first points kept for readers come from the middle of the plane, not from its corner.
-    let (first, rest): (Vec<_>, Vec<_>) = points
-        .filter(|point| wanted(point))
+    let (first, rest): (Vec<_>, Vec<_>) = columns
+        .iter()
+        .flat_map(of)
         .enumerate()
         .partition(|(i, _)| i % GENERIC == GENERIC / 2);
     let points = first.into_iter().chain(rest).map(|(_, point)| point);
-    trial.over(points.enumerate(), |(i, point)| {
-        let listed = list(&point).unwrap_or(0);
+    trial.over(points.enumerate(), |(i, (q, lambda0, found, said))| {
+        let stated = said.unwrap_or(found);
         // A hundred thousand names would take longer than the motions: only those that are read are written.
-        let read = i < GENERIC || listed != point.found;
+        let read = i < GENERIC || stated != found;
+        let name = || format!("q = {q:.6}, λ₀ = {lambda0:.6}");
         Ok(Pair {
-            at: if read { point.at() } else { String::new() },
-            stated: listed as f64,
-            found: point.found as f64,
+            at: if read { name() } else { String::new() },
+            stated,
+            found,
             scale: 1.0,
         })
     })
 }
 
+/// So many points on each side of a wanted one are looked at too, to see where a region ends.
+const BESIDE: usize = 2;
+
 /// One point in so many is put first.
 const GENERIC: usize = 997;
 
-const BY_REGION: &str = "the region, 1 to 5, with the order of the simulated intervals, wherever the printed list has this region";
-const BY_CORRECTED_REGION: &str = "the region, 1 to 5, with the order of the simulated intervals, wherever the corrected list has this region";
+const fn by_census(subject: Subject, compared: &'static str) -> Trial {
+    Trial::by(Route::Census, subject, compared, NONE)
+}
 
-fn printed_census(region: usize) -> Evidence {
-    census(Subject::Printed, BY_REGION, Point::printed, |point| {
-        point.printed() == Some(region)
+const BY_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever that is the region's or next to it and the printed list has this region; where it has another, this claim says nothing";
+const BY_CORRECTED_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever that is the region's or next to it and the corrected list has this region; where it has another, this claim says nothing";
+
+/// What the words of one region say where a list has it.
+fn words_of(region: usize, list: Regions) -> Says {
+    let words = listed_digits()[region - 1];
+    Box::new(move |lambda0| match list(lambda0) {
+        Some(other) if other != region => None,
+        here => Some(here.map_or(f64::NAN, |_| words)),
     })
+}
+
+/// What the words of all regions say where a list has them.
+fn all_words(list: Regions) -> Says {
+    let words = listed_digits();
+    Box::new(move |lambda0| Some(list(lambda0).map_or(f64::NAN, |region| words[region - 1])))
+}
+
+/// A region of the printed list, where the motion has the digits `own` and beside.
+fn printed_census(region: usize, own: f64) -> Evidence {
+    let trial = by_census(Subject::Printed, BY_REGION);
+    let says = |q| words_of(region, printed_list(q));
+    census(&trial, |_, _, found| found == own, says)
 }
 
 /// The ends of a region along λ₀ with the ends of its kind of motion.
@@ -81,36 +124,41 @@ fn ends(
         ];
         let (name, stated, found) = if lower {
             let (end, begins) = (bounds[region - 2], motion[region - 2]);
-            // What IV's words say of its own points holds too if its motion goes on below.
-            let found = if region == 4 { begins.max(end) } else { begins };
-            ("lower end", end, found)
+            // What IV's words say of its own points holds too if its motion goes on below, as it does beyond Y.
+            let goes_on = region == 4 && !row.before_y && begins <= end;
+            ("lower end", if goes_on { begins } else { end }, begins)
         } else {
             ("upper end", bounds[region - 1], motion[region - 1])
         };
         Ok(Pair {
-            at: format!("q = {:.6}, {name}", row.curves.q),
+            at: format!("q = {:.6}, {name}", row.q),
             stated,
             found,
-            scale: stated,
+            scale: found,
         })
     })
 }
 
 const BY_ENDS: &str = "the region's ends in λ₀ by the printed curves with those of its kind of motion, by bisection on the simulation";
-const BY_ENDS_OR_BEYOND: &str = "the region's ends in λ₀ by the printed curves with those of its kind of motion, by bisection on the simulation; the lower end with itself where the motion goes on below";
+const BY_ENDS_OR_BEYOND: &str = "the region's ends in λ₀ by the printed curves with those of its kind of motion, by bisection on the simulation; beyond Y the lower end may lie above where the motion begins";
 const BY_CORRECTED_ENDS: &str = "the region's ends in λ₀ by the corrected list with those of its kind of motion, by bisection on the simulation";
 
 /// The upper ends of the regions I to IV by the printed list. Without B, II reaches up to C and III is empty.
 fn printed_bounds(row: &Row) -> [f64; 4] {
-    let curves = row.curves.printed;
-    [curves.a, curves.b.unwrap_or(curves.c), curves.c, curves.d]
+    let bounds = curves_as_printed(row.q).map(|curves| {
+        let c = curves.c;
+        [curves.a, curves.b.unwrap_or(c), c, curves.d]
+    });
+    bounds.unwrap_or([f64::NAN; 4])
 }
 
 /// The same by the corrected list.
 fn corrected_bounds(row: &Row) -> [f64; 4] {
-    let curves = row.curves.corrected;
-    let c = curves.c.unwrap_or(curves.b_or_e);
-    [curves.a, curves.b_or_e, c, curves.d]
+    let bounds = curves_as_corrected(row.q).map(|curves| {
+        let c = curves.c.unwrap_or(curves.b_or_e);
+        [curves.a, curves.b_or_e, c, curves.d]
+    });
+    bounds.unwrap_or([f64::NAN; 4])
 }
 
 fn everywhere(_: &Row) -> bool {
@@ -119,25 +167,22 @@ fn everywhere(_: &Row) -> bool {
 
 /// Not at q = 1, where A and B are one, nor so near that their distance is lost in rounding.
 fn has_second(row: &Row) -> bool {
-    row.curves.q > 1.0001
+    row.q > 1.0001
 }
 
-/// Where III is: up to Y, but not so near that C and B are one to rounding; nor the row where C and D are one.
+/// Where III is: up to Y, but not so near that its motion ends where it begins, to rounding.
 fn has_third(row: &Row) -> bool {
-    row.curves
-        .printed
-        .b
-        .is_some_and(|b| row.curves.printed.c - b > 1e-9)
+    row.before_y && row.changes.backward - row.changes.reversal > 1e-9
 }
 
 /// Where IV is: not at q = 1.
 fn has_fourth(row: &Row) -> bool {
-    row.curves.q > 1.0
+    row.q > 1.0
 }
 
 /// Region I at the points of the census.
 pub fn first_census() -> Evidence {
-    printed_census(1)
+    printed_census(1, 31.0)
 }
 
 /// Region I by its ends.
@@ -147,7 +192,7 @@ pub fn first_ends() -> Evidence {
 
 /// Region II at the points of the census.
 pub fn second_census() -> Evidence {
-    printed_census(2)
+    printed_census(2, 312.0)
 }
 
 /// Region II by its ends.
@@ -157,12 +202,9 @@ pub fn second_ends() -> Evidence {
 
 /// Region II of the corrected list at the points of the census.
 pub fn second_corrected_census() -> Evidence {
-    census(
-        Subject::Corrected,
-        BY_CORRECTED_REGION,
-        Point::corrected,
-        |point| point.corrected() == Some(2),
-    )
+    let trial = by_census(Subject::Corrected, BY_CORRECTED_REGION);
+    let says = |q| words_of(2, corrected_list(q));
+    census(&trial, |_, _, found| found == 312.0, says)
 }
 
 /// Region II of the corrected list by its ends.
@@ -178,17 +220,31 @@ pub fn second_corrected_ends() -> Evidence {
 
 /// What is new in region IV: between E and C.
 pub fn between_e_and_c() -> Evidence {
-    let compared = "region 4 with the order of the simulated intervals, between E and C";
-    census(Subject::Corrected, compared, Point::corrected, |point| {
-        let curves = point.curves;
-        curves.printed.b.is_none()
-            && (curves.corrected.b_or_e..curves.printed.c).contains(&point.lambda0)
-    })
+    let compared = "the signs of 𝔴 in a period by the words of IV, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, between E and C; beside that, beyond Y, this says nothing";
+    let trial = by_census(Subject::Corrected, compared);
+    let y = match own_y() {
+        Ok(y) => y,
+        Err(error) => return trial.over([error], Err),
+    };
+    let says = |q| -> Says {
+        let c = printed::eq55_lambda0(q);
+        let e = curves_as_corrected(q).map_or(f64::NAN, |curves| curves.b_or_e);
+        let words = listed_digits()[3];
+        Box::new(move |lambda0| {
+            if (e..c).contains(&lambda0) {
+                Some(words)
+            } else {
+                (e + c).is_nan().then_some(f64::NAN)
+            }
+        })
+    };
+    let wanted = |q: f64, lambda0: f64, found: f64| q > y && q * lambda0 < 1.0 && found == 32.0;
+    census(&trial, wanted, says)
 }
 
 /// Region III at the points of the census.
 pub fn third_census() -> Evidence {
-    printed_census(3)
+    printed_census(3, 3212.0)
 }
 
 /// Region III by its ends.
@@ -198,7 +254,7 @@ pub fn third_ends() -> Evidence {
 
 /// Region IV at the points of the census.
 pub fn fourth_census() -> Evidence {
-    printed_census(4)
+    printed_census(4, 32.0)
 }
 
 /// Region IV by its ends.
@@ -214,7 +270,7 @@ pub fn fourth_ends() -> Evidence {
 
 /// Region V at the points of the census.
 pub fn fifth_census() -> Evidence {
-    printed_census(5)
+    printed_census(5, 2.0)
 }
 
 /// Region V by its lower end.
@@ -227,16 +283,18 @@ pub const LARGEST_Q: f64 = 7.0;
 
 /// The printed diagram at the points of the census.
 pub fn diagram() -> Evidence {
-    let compared = "the region, 1 to 5, in the printed diagram with the order of the simulated intervals, all over the diagram's axes";
-    census(Subject::Printed, compared, Point::printed, |point| {
-        point.curves.q <= LARGEST_Q
-    })
+    let compared = "the signs of 𝔴 in a period by the printed diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, all over the diagram's axes";
+    let trial = by_census(Subject::Printed, compared);
+    let says = |q| all_words(printed_list(q));
+    census(&trial, |q, _, _| q <= LARGEST_Q, says)
 }
 
 /// The corrected diagram at all points of the census.
 pub fn corrected_diagram() -> Evidence {
-    let compared = "the region, 1 to 5, in the corrected diagram with the order of the simulated intervals, for q from 1 to 12";
-    census(Subject::Corrected, compared, Point::corrected, |_| true)
+    let compared = "the signs of 𝔴 in a period by the corrected diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, for q from 1 to 12";
+    let trial = by_census(Subject::Corrected, compared);
+    let says = |q| all_words(corrected_list(q));
+    census(&trial, |_, _, _| true, says)
 }
 
 /// The corrected diagram's curves with the changes of the motion, none left out.
@@ -252,7 +310,7 @@ pub fn corrected_curves() -> Evidence {
         let found = [found.rest, found.reversal, found.backward, found.motion];
         let names = ["rest", "reversal", "backward", "motion"];
         let stated = corrected_bounds(row);
-        (0..4).map(move |i| (row.curves.q, names[i], stated[i], found[i]))
+        (0..4).map(move |i| (row.q, names[i], stated[i], found[i]))
     };
     trial.over(rows.iter().flat_map(changes), |(q, name, stated, found)| {
         Ok(Pair {

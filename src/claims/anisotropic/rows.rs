@@ -1,17 +1,33 @@
-//! The curves beside the changes of the simulated motion, at many values of q, and the laws far out.
+//! The changes of the simulated motion at many values of q, and the laws far out.
 
-use super::simulated::{Changes, Curves, START};
+use super::simulated::{Changes, START, own_y};
 use crate::claims::compare::Failure;
 use crate::claims::runs::Runs;
 use crate::numerics::fit::fit;
 
-/// One q with everything that is known there.
+/// One q and what the simulation finds there.
 #[derive(Debug, Clone, Copy)]
 pub struct Row {
-    /// The curves by formula.
-    pub curves: Curves,
-    /// The changes by simulation.
+    /// The ratio q.
+    pub q: f64,
+    /// Whether it lies before that of Y.
+    pub before_y: bool,
+    /// The changes of the motion.
     pub changes: Changes,
+}
+
+impl Row {
+    /// The row of this q, its changes sought from `low` up.
+    ///
+    /// # Errors
+    /// As [`Changes::at`].
+    pub fn at(q: f64, low: f64) -> Result<Self, Failure> {
+        Ok(Row {
+            q,
+            before_y: q < own_y()?,
+            changes: Changes::at(q, low, START)?,
+        })
+    }
 }
 
 /// The values of q at which the curves are tried: generic ones first, then the edges, close to the end of B
@@ -69,15 +85,7 @@ pub fn far_rows() -> Result<&'static [Row], Failure> {
 }
 
 fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {
-    let row = |&q: &f64| {
-        let made = || -> Result<Row, Failure> {
-            Ok(Row {
-                curves: Curves::at(q)?,
-                changes: Changes::at(q, low, START)?,
-            })
-        };
-        made().map_err(|error| format!("q = {q}: {error}").into())
-    };
+    let row = |&q: &f64| Row::at(q, low).map_err(|error| format!("q = {q}: {error}").into());
     ratios.iter().map(row).collect()
 }
 
@@ -110,7 +118,7 @@ pub fn far_laws() -> Result<[Law; 2], Failure> {
     let law = |height: fn(&Changes) -> f64| -> Result<Law, Failure> {
         let data: Vec<_> = rows
             .iter()
-            .map(|row| (row.curves.q + 1.0, libm::log(height(&row.changes))))
+            .map(|row| (row.q + 1.0, libm::log(height(&row.changes))))
             .collect();
         let (best, shorter) = (fit(&data, &TERMS)?, fit(&data, &TERMS[..4])?);
         let measured = |i: usize| {

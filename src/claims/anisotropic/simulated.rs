@@ -1,4 +1,4 @@
-//! The simulated motions of section 2.4, one by one, and the curves that they are held against.
+//! The simulated motions of section 2.4, one by one, and the curves and lists that they are held against.
 
 use crate::claims::compare::Failure;
 use crate::claims::runs::Runs;
@@ -6,6 +6,7 @@ use crate::corrections::anisotropic as corrected;
 use crate::motion::drive::{Attractor, Drive, Friction, Interval, Outcome, Sign, State};
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
+use std::f64::consts::PI;
 
 /// The start of every motion unless another is said.
 pub const START: State = State { phi: 0.0, w: 0.0 };
@@ -52,19 +53,41 @@ pub fn order(intervals: &[Interval]) -> String {
     intervals.iter().map(letter).collect()
 }
 
-/// The region, 1 to 5, whose printed description fits the motion; 0 if none does.
-pub fn fits(intervals: &[Interval]) -> usize {
-    let found = order(intervals);
-    let place = printed::ORDERS.iter().position(|order| *order == found);
-    place.map_or(0, |i| i + 1)
+/// The signs of 𝔴 on a period's intervals as one number, to compare: a digit each, 3 for 𝔴 > 0, 2 for rest, 1 for 𝔴 < 0.
+pub fn digits(signs: impl IntoIterator<Item = f64>) -> f64 {
+    let one_more = |digits: f64, sign: f64| 10.0 * digits + 2.0 + sign;
+    signs.into_iter().fold(0.0, one_more)
 }
 
-/// The simulated region of a point.
+/// [`digits`] of the signs of a period that is read from anywhere: from its forward motion on, if it has any.
+pub fn from_forward(mut signs: Vec<f64>) -> f64 {
+    let forward = signs.iter().position(|sign| *sign > 0.0);
+    signs.rotate_left(forward.unwrap_or(0));
+    digits(signs)
+}
+
+/// The digits of a simulated motion.
 ///
 /// # Errors
 /// As [`attractor_from`].
-pub fn simulated(q: f64, lambda0: f64) -> Result<usize, Failure> {
-    Ok(fits(attractor(q, lambda0)?.intervals()))
+pub fn simulated(q: f64, lambda0: f64) -> Result<f64, Failure> {
+    Ok(own_digits(attractor(q, lambda0)?.intervals()))
+}
+
+/// [`digits`] of the intervals of a motion.
+pub fn own_digits(intervals: &[Interval]) -> f64 {
+    digits(intervals.iter().map(|interval| interval.sign.factor()))
+}
+
+/// [`digits`] of the regions I to V by the words of the list.
+pub fn listed_digits() -> [f64; 5] {
+    printed::signs().map(digits)
+}
+
+/// The region, 1 to 5, whose printed words have these digits; 0 if none has.
+pub fn fits(digits: f64) -> usize {
+    let place = listed_digits().iter().position(|listed| *listed == digits);
+    place.map_or(0, |i| i + 1)
 }
 
 /// Below any curve of the plane.
@@ -135,31 +158,67 @@ impl Curves {
     /// # Errors
     /// A formula without a root.
     pub fn at(q: f64) -> Result<Self, Failure> {
-        let (a, b, e) = (curve_a(q)?, curve_b(q)?, curve_e(q)?);
-        let (c, d) = (printed::eq55_lambda0(q), printed::eq56_lambda0());
-        let neither = || format!("neither B nor E has a point at q = {q}");
+        let printed = curves_as_printed(q)?;
         Ok(Curves {
             q,
-            printed: printed::Curves { a, b, c, d },
-            corrected: corrected::Curves {
-                a,
-                b_or_e: b.or(e).ok_or_else(neither)?,
-                c: b.map(|_| c),
-                d,
-            },
+            printed,
+            corrected: corrected_by(q, printed)?,
         })
-    }
-
-    /// Whether a curve, printed or new, is so near that rounding decides.
-    pub fn blur(&self, lambda0: f64) -> bool {
-        let printed::Curves { a, c, d, .. } = self.printed;
-        let near = |curve: f64| (lambda0 - curve).abs() < BLUR;
-        [a, self.corrected.b_or_e, c, d].into_iter().any(near)
     }
 }
 
-/// Within this distance of a curve nothing is said.
-pub const BLUR: f64 = 1e-12;
+/// The printed curves at this q ≥ 1.
+///
+/// # Errors
+/// (53) without a root.
+pub fn curves_as_printed(q: f64) -> Result<printed::Curves, Failure> {
+    Ok(printed::Curves {
+        a: curve_a(q)?,
+        b: curve_b(q)?,
+        c: printed::eq55_lambda0(q),
+        d: printed::eq56_lambda0(),
+    })
+}
+
+/// The corrected curves at this q ≥ 1.
+///
+/// # Errors
+/// A formula without a root.
+pub fn curves_as_corrected(q: f64) -> Result<corrected::Curves, Failure> {
+    corrected_by(q, curves_as_printed(q)?)
+}
+
+fn corrected_by(
+    q: f64,
+    printed::Curves { a, b, c, d }: printed::Curves,
+) -> Result<corrected::Curves, Failure> {
+    let b_or_e = match b {
+        Some(b) => Some(b),
+        None => curve_e(q)?,
+    };
+    let neither = || format!("neither B nor E has a point at q = {q}");
+    Ok(corrected::Curves {
+        a,
+        b_or_e: b_or_e.ok_or_else(neither)?,
+        c: b.map(|_| c),
+        d,
+    })
+}
+
+/// The region, 1 to 5, of a λ₀ at one q. None on a curve, and where a curve has no value.
+pub type Regions = Box<dyn Fn(f64) -> Option<usize>>;
+
+/// The regions at this q by the printed list.
+pub fn printed_list(q: f64) -> Regions {
+    let curves = curves_as_printed(q).ok();
+    Box::new(move |lambda0| printed::region(lambda0, curves.as_ref()?))
+}
+
+/// The regions at this q by the corrected list.
+pub fn corrected_list(q: f64) -> Regions {
+    let curves = curves_as_corrected(q).ok();
+    Box::new(move |lambda0| corrected::region(lambda0, curves.as_ref()?))
+}
 
 /// Where the kind of motion changes at one q, by simulation alone.
 #[derive(Debug, Clone, Copy)]
@@ -248,6 +307,27 @@ pub fn bisect(
     }
 }
 
+/// The q at which, along C, the forward motion ends just where the drive is lowest: Y by simulation alone.
+///
+/// # Errors
+/// As [`attractor_from`].
+pub fn simulated_y(start: State) -> Result<f64, Failure> {
+    bisect(2.0, 12.0, |q| {
+        let motion = attractor_from(start, Friction::new(1.0 / q, 1.0)?)?;
+        let forward = motion.intervals().iter().find(|i| i.sign == Sign::Positive);
+        Ok(forward.ok_or("no forward motion on C")?.end < 1.5 * PI)
+    })
+}
+
+/// The same, found once.
+///
+/// # Errors
+/// As [`simulated_y`].
+pub fn own_y() -> Result<f64, Failure> {
+    static Y: Runs<f64> = Runs::new(|| simulated_y(START));
+    Y.get().copied()
+}
+
 /// The point Y from the printed formulas: the q at which λ₀ = 1/q solves (54).
 ///
 /// # Errors
@@ -271,13 +351,24 @@ mod tests {
     }
 
     #[test]
-    fn every_curve_is_blurred() {
-        let curves = Curves::at(2.0).unwrap();
-        let printed::Curves { a, c, d, .. } = curves.printed;
-        for curve in [a, curves.corrected.b_or_e, c, d] {
-            assert!(curves.blur(curve - 1e-13) && curves.blur(curve + 1e-13));
-            assert!(!curves.blur(curve - 1e-11) && !curves.blur(curve + 1e-11));
-        }
+    fn orders_are_the_same_wherever_they_begin() {
+        let orders = [
+            &[1.0, 0.0, -1.0][..],
+            &[0.0, -1.0, 1.0],
+            &[-1.0, 0.0],
+            &[0.0],
+        ];
+        let read = orders.map(|signs| from_forward(signs.to_vec()));
+        assert_eq!(read, [321.0, 321.0, 12.0, 2.0]);
+    }
+
+    #[test]
+    fn orders_are_read_as_digits() {
+        assert_eq!(listed_digits(), [31.0, 312.0, 3212.0, 32.0, 2.0]);
+        assert_eq!(
+            [31.0, 312.0, 3212.0, 32.0, 2.0, 13.0].map(fits),
+            [1, 2, 3, 4, 5, 0]
+        );
     }
 
     #[test]

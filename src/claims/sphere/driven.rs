@@ -1,7 +1,8 @@
 //! Trials of (84), (85) and of the statements about a plane that swings: 3.2 to 3.4.
 
 use super::every_drive::rolling_time;
-use super::spheres::sphere;
+use super::spheres::{braking, sphere};
+use crate::claims::anisotropic::simulated::{from_forward, own_digits};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::Runs;
@@ -11,7 +12,7 @@ use crate::motion::drive::{Attractor, Drive, Friction, Interval, Sign, State};
 use crate::motion::sphere::{Ball, Contact, Directed, Motion, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::roots::root;
-use crate::paper::sphere as printed;
+use crate::paper::{periodic, sinusoidal, sphere as printed};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// Periods after which the motion counts as settled.
@@ -34,11 +35,6 @@ struct Swing {
     a0: f64,
     frequency: f64,
     lambda: f64,
-}
-
-/// By how much friction slows the slip: Newton's law for the centre and Euler's for the turning, added.
-fn braking(sphere: &Sphere) -> f64 {
-    (1.0 + 1.0 / sphere.kappa()) * sphere.mu * sphere.g
 }
 
 impl Swing {
@@ -87,6 +83,27 @@ impl Swing {
         }
     }
 
+    /// b by (67), with κ by (62).
+    fn b(&self) -> f64 {
+        let Sphere {
+            inertia,
+            mass,
+            radius,
+            ..
+        } = self.sphere;
+        printed::eq67_factor(printed::eq62_kappa(inertia, mass, radius))
+    }
+
+    /// λ₀ by (84).
+    fn stated(&self) -> f64 {
+        printed::eq84_lambda(self.b(), self.sphere.mu, self.sphere.g, self.a0)
+    }
+
+    /// λ₀ by (85), μ being that of slip towards +x.
+    fn stated_plus(&self) -> f64 {
+        printed::eq85_lambda(self.b(), self.sphere.mu, self.sphere.g, self.a0)
+    }
+
     fn at(&self) -> String {
         format!(
             "λ₀ = {:.6}, κ = {:.6}, μ = {:.6}",
@@ -101,6 +118,31 @@ fn settled(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, Failure> 
     let start = State { phi: 0.0, w: 0.0 };
     let outcome = drive.attractor(friction, start, 1000)?;
     Ok(outcome.settled().ok_or("the drive does not settle")?)
+}
+
+/// 𝔴 at the phase `phi` of the motion under sin φ from `w` at φ = 0; NaN for a friction below zero, which none has.
+fn w_after(plus: f64, minus: f64, w: f64, phi: f64) -> f64 {
+    let end = || -> Result<f64, Failure> {
+        let friction = Friction::new(plus, minus)?;
+        let moved = sine_drive()?.advance(friction, State { phi: 0.0, w }, phi)?;
+        Ok(moved.end.w)
+    };
+    end().unwrap_or(f64::NAN)
+}
+
+/// What a drive's periodic motion gives; NaN for a friction below zero, with which there is none.
+fn of_settled(drive: &Drive, plus: f64, minus: f64, of: impl Fn(&[Interval]) -> f64) -> f64 {
+    let given = || -> Result<f64, Failure> {
+        let attractor = settled(drive, Friction::new(plus, minus)?)?;
+        Ok(of(attractor.intervals()))
+    };
+    given().unwrap_or(f64::NAN)
+}
+
+/// The part of a period in which a motion has a sign.
+fn part(intervals: &[Interval], sign: Sign) -> f64 {
+    let own = intervals.iter().filter(|i| i.sign == sign);
+    own.map(Interval::length).sum::<f64>() / TAU
 }
 
 fn sine_drive() -> Result<&'static Drive, Failure> {
@@ -192,19 +234,8 @@ pub fn eq84() -> Evidence {
         let swing = Swing::new(i, &mut points, lambda);
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
         let phi = points.uniform(1.0, 15.0);
-        let kappa =
-            printed::eq62_kappa(swing.sphere.inertia, swing.sphere.mass, swing.sphere.radius);
-        let lambda = printed::eq84_lambda(
-            printed::eq67_factor(kappa),
-            swing.sphere.mu,
-            swing.sphere.g,
-            swing.a0,
-        );
-        let friction = Friction::new(lambda, lambda)?;
-        let stated = sine_drive()?
-            .advance(friction, State { phi: 0.0, w }, phi)?
-            .end
-            .w;
+        let lambda = swing.stated();
+        let stated = w_after(lambda, lambda, w, phi);
         let motion = swing
             .sphere
             .run(&swing.sine(), &swing.start(w, share), swing.t(phi))?;
@@ -241,15 +272,8 @@ pub fn eq85() -> Evidence {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
         let phi = points.uniform(1.0, 15.0);
-        let sphere = swing.sphere;
-        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
-        let b = printed::eq67_factor(kappa);
-        let lambda = printed::eq85_lambda(b, sphere.mu, sphere.g, swing.a0);
-        let friction = Friction::new(lambda, q * lambda)?;
-        let stated = sine_drive()?
-            .advance(friction, State { phi: 0.0, w }, phi)?
-            .end
-            .w;
+        let lambda = swing.stated_plus();
+        let stated = w_after(lambda, q * lambda, w, phi);
         let start = swing.start(w, share);
         let motion = directed.run(
             &swing.sine(),
@@ -280,18 +304,14 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
 
 /// Every kind: with a start along x.
 pub fn trichotomy_census() -> Evidence {
-    let compared = "zeros plus ten times the rests in a period: 2 below λ_c, 20 above, −1 for rest throughout above 1, with the changes between sliding and rolling of a sphere in a late period";
+    let compared = "zeros plus ten times the rests in a period: with λ₀ by (84), 2 below λ_c of (37), 20 above, −1 for rest throughout above 1, with the changes between sliding and rolling of a sphere in a late period";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let mut points = Points::stream(412);
-    let cases = lambda_c().map(|c| {
-        frictions(c)
-            .into_iter()
-            .enumerate()
-            .map(move |(i, l)| (i, l, c))
-    });
-    let (cases, error) = split(cases);
-    trial.over(cases.map(Ok).chain(error), |case: Result<_, Failure>| {
-        let (i, lambda, lambda_c) = case?;
+    let cases = match lambda_c() {
+        Ok(own) => frictions(own).into_iter().enumerate(),
+        Err(error) => return trial.over([error], Err),
+    };
+    trial.over(cases, |(i, lambda)| {
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
         let late = settled_phase(lambda) + 0.1;
@@ -299,26 +319,16 @@ pub fn trichotomy_census() -> Evidence {
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
         Ok(Pair {
             at: swing.at(),
-            stated: stated_kind(lambda, lambda_c),
+            stated: stated_kind(swing.stated(), sinusoidal::eq37_lambda_c()),
             found: rolled(&motion, from, to)?,
             scale: 1.0,
         })
     })
 }
 
-/// Either the items, or the failure as a last item.
-fn split<T>(
-    cases: Result<impl Iterator<Item = T>, Failure>,
-) -> (impl Iterator<Item = T>, Option<Result<T, Failure>>) {
-    match cases {
-        Ok(items) => (Some(items).into_iter().flatten(), None),
-        Err(error) => (None.into_iter().flatten(), Some(Err(error))),
-    }
-}
-
 /// How long it rolls in a period, from a start in any direction, against the rests of the drive.
 pub fn trichotomy_motion() -> Evidence {
-    let compared = "the part of a late period in which the drive's motion rests with that in which a sphere, started in any direction, rolls";
+    let compared = "the part of a period in which the drive's motion, λ₀ by (84), rests with that of a late period in which a sphere, started in any direction, rolls";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, MOTION);
     let mut points = Points::stream(413);
     trial.over(0..20, |i| {
@@ -329,14 +339,10 @@ pub fn trichotomy_motion() -> Evidence {
         let late = settled_phase(lambda);
         let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
-        let attractor = settled(sine_drive()?, Friction::new(lambda, lambda)?)?;
-        let rests = attractor
-            .intervals()
-            .iter()
-            .filter(|i| i.sign == Sign::Rest);
+        let (drive, lambda) = (sine_drive()?, swing.stated());
         Ok(Pair {
             at: swing.at(),
-            stated: rests.map(Interval::length).sum::<f64>() / TAU,
+            stated: of_settled(drive, lambda, lambda, |all| part(all, Sign::Rest)),
             found: rolling_time(&motion, from, to)? / (to - from),
             scale: 1.0,
         })
@@ -371,16 +377,17 @@ pub fn rolling_ends() -> Evidence {
     trial.over(0..24, |i| {
         let lambda = points.uniform(0.05, 0.95);
         let swing = Swing::new(i, &mut points, lambda);
-        let stated = root(|phi| libm::sin(phi) - lambda, 0.0, FRAC_PI_2)?;
+        let stated = root(|phi| libm::sin(phi) - swing.stated(), 0.0, FRAC_PI_2);
         let motion = swing
             .sphere
             .run(&swing.sine(), &swing.start(0.0, 0.4), swing.t(2.0))?;
         let first = motion.transitions().first().ok_or("it does not slide")?;
         Ok(Pair {
             at: swing.at(),
-            stated,
+            // There is no root beyond 1.
+            stated: stated.unwrap_or(f64::NAN),
             found: first.t * swing.frequency,
-            scale: 1.0 / libm::cos(stated),
+            scale: 1.0 / libm::sqrt(1.0 - lambda * lambda),
         })
     })
 }
@@ -402,7 +409,7 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The pulse train: kinds on both sides of λ₀ = η.
 pub fn pulse_census() -> Evidence {
-    let compared = "zeros plus ten times the rests in a period: 2 for λ₀ < η, 20 for λ₀ > η, −1 for rest throughout above 1, with a sphere's late period under the pulses";
+    let compared = "zeros plus ten times the rests in a period: with λ₀ by (84), 2 below λ_c of (46), 20 above, −1 for rest throughout above 1, with a sphere's late period under the pulses";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(416);
     let all = pulse_points(&mut points, 20);
@@ -416,7 +423,7 @@ pub fn pulse_census() -> Evidence {
         let motion = swing.sphere.run(&swing.pulses(eta), &start, to)?;
         Ok(Pair {
             at: format!("η = {eta:.6}, {}", swing.at()),
-            stated: stated_kind(lambda, eta),
+            stated: stated_kind(swing.stated(), periodic::eq46_lambda_c(eta)),
             found: rolled(&motion, from, to)?,
             scale: 1.0,
         })
@@ -425,7 +432,7 @@ pub fn pulse_census() -> Evidence {
 
 /// The pulse train: the part of a period in which the drive rests.
 pub fn pulse_motion() -> Evidence {
-    let compared = "the part of a late period in which the drive's motion rests with that in which the sphere rolls, under the pulses";
+    let compared = "the part of a period in which the drive's motion, λ₀ by (84), rests with that of a late period in which the sphere rolls, under the pulses";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(417);
     let all = pulse_points(&mut points, 20);
@@ -447,14 +454,10 @@ pub fn pulse_motion() -> Evidence {
             }
         };
         let drive = Drive::new(h, &[0.0, end, PI, PI + end])?;
-        let attractor = settled(&drive, Friction::new(lambda, lambda)?)?;
-        let rests = attractor
-            .intervals()
-            .iter()
-            .filter(|i| i.sign == Sign::Rest);
+        let lambda = swing.stated();
         Ok(Pair {
             at: format!("η = {eta:.6}, {}", swing.at()),
-            stated: rests.map(Interval::length).sum::<f64>() / TAU,
+            stated: of_settled(&drive, lambda, lambda, |all| part(all, Sign::Rest)),
             found: rolling_time(&motion, from, to)? / (to - from),
             scale: 1.0,
         })
@@ -492,33 +495,21 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The order of forward slip, backward slip and rolling in a period, as the particle has it.
 pub fn anisotropic_census() -> Evidence {
-    let compared = "1 with 1 where the order of forward, backward and no motion in a period of the drive, λ₀ by (85), is that of the sphere's slip";
+    let compared = "the signs of 𝔴 in a period of the drive, λ₀ by (85), a digit each (3 forward, 2 rest, 1 backward), with those of the sphere's slip";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(418);
     let all = map_points(&mut points, 40);
     trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (ways, _) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
-        let attractor = settled(sine_drive()?, Friction::new(lambda, q * lambda)?)?;
-        let stated: Vec<i8> = attractor
-            .intervals()
-            .iter()
-            .map(|i| i.sign.factor() as i8)
-            .collect();
-        let same = same_order(&ways, &stated);
+        let (drive, lambda) = (sine_drive()?, swing.stated_plus());
         Ok(Pair {
             at: format!("q = {q:.6}, {}", swing.at()),
-            stated: 1.0,
-            found: f64::from(u8::from(same)),
+            stated: of_settled(drive, lambda, q * lambda, own_digits),
+            found: from_forward(ways.into_iter().map(f64::from).collect()),
             scale: 1.0,
         })
     })
-}
-
-/// Whether two lists are the same but for where they begin.
-fn same_order(ways: &[i8], stated: &[i8]) -> bool {
-    ways.len() == stated.len()
-        && (0..ways.len()).any(|k| (0..ways.len()).all(|j| ways[(j + k) % ways.len()] == stated[j]))
 }
 
 /// How long each lasts.
@@ -531,14 +522,12 @@ pub fn anisotropic_motion() -> Evidence {
     trial.over(all.enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (_, lengths) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
-        let attractor = settled(sine_drive()?, Friction::new(lambda, q * lambda)?)?;
-        let part = |sign: Sign| {
-            let own = attractor.intervals().iter().filter(|i| i.sign == sign);
-            own.map(Interval::length).sum::<f64>() / TAU
-        };
+        let (drive, lambda) = (sine_drive()?, swing.stated_plus());
         Ok(Pair {
             at: format!("q = {q:.6}, {}", swing.at()),
-            stated: part(Sign::Negative) + 2.0 * part(Sign::Rest),
+            stated: of_settled(drive, lambda, q * lambda, |all| {
+                part(all, Sign::Negative) + 2.0 * part(all, Sign::Rest)
+            }),
             found: lengths[0] + 2.0 * lengths[1],
             scale: 1.0,
         })
@@ -654,15 +643,6 @@ mod tests {
             ["+-", "+0-0", "+-0", "+-+-"].map(kinds),
             [2.0, 20.0, 0.0, 0.0]
         );
-    }
-
-    #[test]
-    fn orders_are_the_same_up_to_their_begin() {
-        assert!(same_order(&[1, 0, -1], &[0, -1, 1]));
-        assert!(same_order(&[1], &[1]));
-        assert!(!same_order(&[1, 0, -1], &[-1, 0, 1]));
-        assert!(!same_order(&[1, 0, 1, 0], &[1, 0]));
-        assert!(!same_order(&[1, 0], &[1, 0, -1]));
     }
 
     /// With λ₀ > 1 friction is never exceeded.

@@ -8,7 +8,7 @@ use crate::motion::sphere::Contact;
 use crate::motion::{PhaseKind, State, run};
 use crate::paper::sphere as printed;
 
-/// The particle with bμ that begins with the sphere's slip velocity.
+/// The particle with bμ that begins with the sphere's slip velocity; none if bμ is below zero.
 fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failure> {
     let case = &run_of.case;
     let start = State {
@@ -30,7 +30,8 @@ pub fn reduction_motion() -> Evidence {
         }),
         |state| {
             let (run, t) = state?;
-            let [x, y] = particle(run)?.at(t)?.v;
+            let v = || -> Result<[f64; 2], Failure> { Ok(particle(run)?.at(t)?.v) };
+            let [x, y] = v().unwrap_or([f64::NAN; 2]);
             let [sx, sy] = run.motion.slip(t)?;
             let [ux, uy] = run.case.sphere.contact(&run.case.start);
             let push = length(run.case.acceleration(t)).max(run.case.sphere.mu * run.case.sphere.g);
@@ -49,15 +50,14 @@ pub fn reduction_rolling() -> Evidence {
     let compared = "the time that a particle with bμ rests with the time that the sphere rolls";
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
-        let rests: f64 = particle(run)?
-            .phases()
-            .iter()
-            .filter(|phase| phase.kind == PhaseKind::Stick)
-            .map(|phase| phase.to - phase.from)
-            .sum();
+        let rests = |particle: crate::motion::Motion| {
+            let phases = particle.phases().iter();
+            let rests = phases.filter(|phase| phase.kind == PhaseKind::Stick);
+            rests.map(|phase| phase.to - phase.from).sum()
+        };
         Ok(Pair {
             at: run.at(run.until),
-            stated: rests,
+            stated: particle(run).map_or(f64::NAN, rests),
             found: rolling_time(&run.motion, 0.0, run.until)?,
             scale: run.until,
         })
@@ -94,9 +94,9 @@ pub fn reduction_rest() -> Evidence {
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
         let (b, t, zero) = (run.case.b(), run.until, [0.0; 3]);
-        let (start, now) = (run.dimensionless(0.0)?, run.dimensionless(t)?);
-        let (radius, mu, g) = run.case.units();
-        let [x, y] = particle(run)?.end().v;
+        let (start, own_start, own) = (run.dimensionless(0.0)?, run.own(0.0)?, run.own(t)?);
+        let (radius, mu, g) = run.case.parameters();
+        let [x, y] = particle(run).map_or([f64::NAN; 2], |particle| particle.end().v);
         let u = printed::eq71_slip(radius, mu, g, [x, y, 0.0]);
         let without = printed::eq79_velocity(b, zero, start.u, zero);
         let c = [0, 1, 2].map(|i| start.rho_rate[i] - without[i]);
@@ -106,19 +106,19 @@ pub fn reduction_rest() -> Evidence {
         Ok(Pair {
             at: run.at(t),
             stated: weighed(velocity) + 7.0 * weighed(zeta),
-            found: weighed(now.rho_rate) + 7.0 * weighed(now.zeta),
+            found: weighed(own.rho_rate) + 7.0 * weighed(own.zeta),
             scale: length(nu)
-                + length(u)
-                + length(velocity)
-                + length(start.rho_rate)
-                + length(zeta),
+                + length(own.u)
+                + length(own.rho_rate)
+                + length(own_start.rho_rate)
+                + length(own.zeta),
         })
     })
 }
 
 /// The vertical spin keeps its value, and another one changes nothing else.
 pub fn spin_constant() -> Evidence {
-    let compared = "ω_z at the start, and the end's x, v, ω_x, ω_y with three times that ω_z, with those of the motion; weighed";
+    let compared = "ω_z at the start, with its constant rate for the time of the motion, and the end's x, v, ω_x, ω_y with three times that ω_z, with those of the motion; weighed";
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
         let case = &run.case;
@@ -135,10 +135,12 @@ pub fn spin_constant() -> Evidence {
                 + radius * (5.0 * ball.omega[0] + 6.0 * ball.omega[1])
         };
         let spin = |value: f64| 7.0 * case.sphere.radius * value;
+        let units = run.units();
+        let gained = printed::s3_zeta3_rate::<f64>() * run.until / (units.time * units.time);
         let size = length([end.v[0], end.v[1], 0.0]) + case.sphere.radius * length(end.omega);
         Ok(Pair {
             at: run.at(run.until),
-            stated: rest(&other) + spin(case.start.omega[2]),
+            stated: rest(&other) + spin(case.start.omega[2] + gained),
             found: rest(&end) + spin(end.omega[2]),
             scale: size + libm::hypot(end.x[0], end.x[1]) / case.sphere.radius,
         })

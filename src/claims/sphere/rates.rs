@@ -28,7 +28,9 @@ fn summed(
         let scale = length(before) + length(after);
         Ok(Pair {
             at: run.at(run.until),
-            stated: integral_within(along, 0.0, run.until, 1e-13 * scale)?.value,
+            // A rate that has no value somewhere has no sum.
+            stated: integral_within(along, 0.0, run.until, 1e-13 * scale)
+                .map_or(f64::NAN, |sum| sum.value),
             found: weighed(after) - weighed(before),
             scale,
         })
@@ -53,7 +55,7 @@ fn slip(run: &Run, ball: &Ball) -> [f64; 3] {
 pub fn eq63() -> Evidence {
     let compared = "∫ (63) dt with the change of dr/dt of the motion; x + 2y + 3z";
     let rate = |run: &Run, ball: &Ball, _, t| {
-        let (_, mu, g) = run.case.units();
+        let (_, mu, g) = run.case.parameters();
         let a = run.case.acceleration(t);
         printed::eq63_velocity_rate(a, mu, g, flat(ball.v), ball.omega, run.case.contact())
     };
@@ -64,7 +66,7 @@ pub fn eq63() -> Evidence {
 pub fn eq64() -> Evidence {
     let compared = "∫ (64) dt with the change of κ R² ω of the motion; x + 2y + 3z";
     let rate = |run: &Run, ball: &Ball, _, _| {
-        let (_, mu, g) = run.case.units();
+        let (_, mu, g) = run.case.parameters();
         printed::eq64_spin_rate(mu, g, flat(ball.v), ball.omega, run.case.contact())
     };
     summed(compared, rate, |run, ball| {
@@ -77,7 +79,7 @@ pub fn eq64() -> Evidence {
 pub fn eq65() -> Evidence {
     let compared = "∫ (65) dt with the change of (−R ω_y, R ω_x) of the motion; x + 2y + 3z";
     let rate = |run: &Run, ball: &Ball, _, _| {
-        let (_, mu, g) = run.case.units();
+        let (_, mu, g) = run.case.parameters();
         let (v, contact) = (flat(ball.v), run.case.contact());
         printed::eq65_spin_slip_rate(run.case.kappa(), mu, g, v, ball.omega, contact)
     };
@@ -89,7 +91,7 @@ pub fn eq66() -> Evidence {
     let compared =
         "∫ (66) dt with the change of the velocity of the sphere's lowest point; x + 2y + 3z";
     let rate = |run: &Run, _: &Ball, slip, t| {
-        let (_, mu, g) = run.case.units();
+        let (_, mu, g) = run.case.parameters();
         printed::eq66_slip_rate(run.case.acceleration(t), run.case.b(), mu, g, slip)
     };
     summed(compared, rate, slip)
@@ -97,7 +99,7 @@ pub fn eq66() -> Evidence {
 
 /// γ and u by (71) and (72).
 fn gamma_u(run: &Run, slip: [f64; 3], t: f64) -> ([f64; 3], [f64; 3]) {
-    let (radius, mu, g) = run.case.units();
+    let (radius, mu, g) = run.case.parameters();
     (
         printed::eq72_acceleration(mu, g, run.case.acceleration(t)),
         printed::eq71_slip(radius, mu, g, slip),
@@ -108,15 +110,14 @@ fn per_time(run: &Run, rate: [f64; 3]) -> [f64; 3] {
     rate.map(|c| c * run.tau_rate())
 }
 
-/// dρ/dτ of a state.
+/// dρ/dτ of a state, in the sphere's own units.
 fn rho_rate(run: &Run, ball: &Ball) -> [f64; 3] {
-    let velocity = printed::eq68_position(run.case.sphere.radius, flat(ball.v));
-    velocity.map(|c| c / run.tau_rate())
+    flat(ball.v).map(|c| c / run.units().speed)
 }
 
+/// u, likewise.
 fn u(run: &Run, ball: &Ball) -> [f64; 3] {
-    let (radius, mu, g) = run.case.units();
-    printed::eq71_slip(radius, mu, g, slip(run, ball))
+    slip(run, ball).map(|c| c / run.units().speed)
 }
 
 /// (73).
@@ -172,12 +173,12 @@ fn spin(subject: Subject, compared: &'static str, formula: Spin) -> Evidence {
     });
     Trial::motion(subject, compared).over(states, |state| {
         let (run, t) = state?;
-        let now = run.dimensionless(t)?;
+        let (now, own) = (run.dimensionless(t)?, run.own(t)?);
         Ok(Pair {
             at: run.at(t),
             stated: weighed(formula(now.zeta[2], now.u, now.rho_rate)),
-            found: weighed(now.zeta),
-            scale: length(now.zeta) + length(now.rho_rate),
+            found: weighed(own.zeta),
+            scale: length(own.zeta) + length(own.rho_rate),
         })
     })
 }
@@ -202,8 +203,7 @@ pub(super) fn nu(run: &Run, t: f64) -> Result<[f64; 3], Failure> {
         x: [0.0; 2],
     };
     let [x, y] = crate::motion::run(&run.case.plane, 0.0, rest, t)?.end().v;
-    let (radius, mu, g) = run.case.units();
-    let unit = libm::sqrt(mu * g * radius);
+    let unit = run.units().speed;
     Ok([-x / unit, -y / unit, 0.0])
 }
 
@@ -218,6 +218,7 @@ pub fn eq79() -> Evidence {
     Trial::motion(Subject::Printed, compared).over(states, |state| {
         let (run, t) = state?;
         let (start, now, b) = (run.dimensionless(0.0)?, run.dimensionless(t)?, run.case.b());
+        let (own, own_start) = (run.own(t)?, run.own(0.0)?);
         let zero = [0.0; 3];
         let without = printed::eq79_velocity(b, zero, start.u, zero);
         let c = [0, 1, 2].map(|i| start.rho_rate[i] - without[i]);
@@ -225,8 +226,8 @@ pub fn eq79() -> Evidence {
         Ok(Pair {
             at: run.at(t),
             stated: weighed(printed::eq79_velocity(b, nu, now.u, c)),
-            found: weighed(now.rho_rate),
-            scale: length(nu) + length(now.u) + length(now.rho_rate) + length(start.rho_rate),
+            found: weighed(own.rho_rate),
+            scale: length(nu) + length(own.u) + length(own.rho_rate) + length(own_start.rho_rate),
         })
     })
 }

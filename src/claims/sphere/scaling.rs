@@ -1,26 +1,26 @@
-//! Trials of (62) and (68) to (72): two spheres that differ in all but the dimensionless quantities move alike.
+//! Trials of (62) and (68) to (72): two spheres that differ in all but the dimensionless quantities move alike, and one
+//! of them has 1 for each unit.
 
-use super::spheres::{Case, Dimensionless, length, sphere, weighed};
+use super::spheres::{Case, Dimensionless, Run, Units, length, sphere, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::sphere::Ball;
+use crate::motion::sphere::{Ball, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::paper::sphere as printed;
 
-/// Two spheres with the same κ, γ(τ), ρ, dρ/dτ and ζ at the start, at the same τ.
+/// A sphere and the one with m = R = μ = g = 1 and the same κ, with the same drive and start in their own units, until
+/// the same time in these: what the definitions make of the motion of the one is the motion of the other itself.
 #[derive(Debug)]
 struct Twins {
     at: String,
     /// γτ, the size that velocities may reach, and τ.
     speed: f64,
     tau: f64,
-    kappa: [f64; 2],
-    states: [Dimensionless; 2],
-    /// τ of the first change between sliding and rolling.
-    change: [f64; 2],
+    ours: Run,
+    unit: Run,
 }
 
 /// A state, drive and time in the paper's units.
@@ -53,42 +53,32 @@ impl Plan {
         }
     }
 
-    /// The plan for one sphere, its mass, radius, μ and g being given: κ, γ, state and τ at the end.
-    fn follow(&self, i: usize, points: &mut Points) -> Result<(f64, Dimensionless, f64), Failure> {
-        let mut sphere = sphere(i, points);
-        let (radius, mu, g) = (sphere.radius, sphere.mu, sphere.g);
-        sphere.inertia = self.kappa / printed::eq62_kappa(1.0, sphere.mass, radius);
-        // The printed definitions are linear: divided by their value at 1, they give the quantities themselves.
-        let one = [1.0; 3];
-        let length = 1.0 / printed::eq68_position(radius, one)[0];
-        let clock = printed::eq69_time(radius, mu, g, 1.0);
-        let turning = 1.0 / printed::eq70_spin(radius, mu, g, one)[0];
-        let pull = 1.0 / printed::eq72_acceleration(mu, g, one)[0];
+    /// The plan for one sphere of its κ.
+    fn follow(&self, sphere: Sphere) -> Result<Run, Failure> {
+        let Units {
+            length,
+            push,
+            time,
+            speed,
+        } = Units::of(&sphere);
         let sine = Signal::Sine {
-            frequency: self.frequency * clock,
+            frequency: self.frequency / time,
             phase: self.phase,
         };
         let direction = [libm::cos(self.angle), libm::sin(self.angle)];
         let case = Case {
             sphere,
-            plane: Plane::along(direction, sine.times(self.gamma * pull)),
-            size: self.gamma * pull,
+            plane: Plane::along(direction, sine.times(self.gamma * push)),
+            size: self.gamma * push,
             start: Ball {
                 t: 0.0,
                 x: self.rho.map(|c| c * length),
-                v: self.rho_rate.map(|c| c * length * clock),
-                omega: self.zeta.map(|c| c * turning),
+                v: self.rho_rate.map(|c| c * speed),
+                omega: self.zeta.map(|c| c / time),
             },
             name: String::new(),
         };
-        let kappa = case.kappa();
-        let run = case.run(self.tau / clock)?;
-        let first = run
-            .motion
-            .transitions()
-            .first()
-            .map_or(0.0, |t| t.t * clock);
-        Ok((kappa, run.dimensionless(run.until)?, first))
+        Ok(case.run(self.tau * time)?)
     }
 }
 
@@ -97,10 +87,8 @@ fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
         let mut points = Points::stream(403);
         let pair = |i: usize| -> Result<_, Failure> {
             let plan = Plan::new(&mut points);
-            let (ours, theirs) = (
-                plan.follow(i, &mut points)?,
-                plan.follow(i + 1, &mut points)?,
-            );
+            let mut ours = sphere(i, &mut points);
+            ours.inertia = plan.kappa * ours.mass * ours.radius * ours.radius;
             Ok(Twins {
                 at: format!(
                     "κ = {:.6}, γ = {:.6}, ζ₃ = {:.6}, τ = {:.6}",
@@ -108,9 +96,8 @@ fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
                 ),
                 speed: plan.gamma * plan.tau,
                 tau: plan.tau,
-                kappa: [ours.0, theirs.0],
-                states: [ours.1, theirs.1],
-                change: [ours.2, theirs.2],
+                ours: plan.follow(ours)?,
+                unit: plan.follow(Sphere::with_kappa(plan.kappa))?,
             })
         };
         every((0..24).map(pair))
@@ -118,67 +105,82 @@ fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
     TWINS.each()
 }
 
-fn alike(compared: &'static str, of: impl Fn(&Twins, usize) -> [f64; 3]) -> Evidence {
+/// What a definition makes of the motion of the one with the same quantity of the other, at their ends.
+fn alike(
+    compared: &'static str,
+    stated: impl Fn(&Run, &Dimensionless) -> [f64; 3],
+    found: impl Fn(&Run, &Dimensionless) -> [f64; 3],
+) -> Evidence {
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     trial.over(twins(), |twins| {
         let twins = twins?;
-        let (ours, theirs) = (of(twins, 0), of(twins, 1));
-        let state = &twins.states[0];
+        let Twins { ours, unit, .. } = twins;
+        let (by_definition, own) = (ours.dimensionless(ours.until)?, unit.own(unit.until)?);
         Ok(Pair {
             at: twins.at.clone(),
-            stated: weighed(ours),
-            found: weighed(theirs),
+            stated: weighed(stated(ours, &by_definition)),
+            found: weighed(found(unit, &own)),
             scale: 1.0
-                + length(state.rho)
-                + length(state.rho_rate)
-                + length(state.zeta)
+                + length(own.rho)
+                + length(own.rho_rate)
+                + length(own.zeta)
                 + twins.speed * twins.tau,
         })
     })
 }
 
+/// When it first begins to roll or to slide; 0 if it does not.
+fn first_change(run: &Run) -> f64 {
+    run.motion.transitions().first().map_or(0.0, |c| c.t)
+}
+
 /// (62).
 pub fn eq62() -> Evidence {
-    let compared =
-        "κ + dρ/dτ of two spheres of the same κ by (62) with different m, R, I, μ, g; x + 2y";
-    alike(compared, |twins, i| {
-        let [x, y, _] = twins.states[i].rho_rate;
-        [twins.kappa[i] + x, y, 0.0]
-    })
+    let compared = "κ by (62) and dρ/dτ of a sphere with I and v of the one with m = R = μ = g = 1 that has the same κ, drive and start in its own units; x + 2y, κ added to x";
+    let both = |kappa: f64, [x, y, _]: [f64; 3]| [kappa + x, y, 0.0];
+    alike(
+        compared,
+        |run, state| both(run.case.kappa(), state.rho_rate),
+        |run, state| both(run.case.sphere.inertia, state.rho_rate),
+    )
 }
 
 /// (68).
 pub fn eq68() -> Evidence {
-    let compared = "ρ by (68), at the same τ, of two spheres with different m, R, I, μ, g; x + 2y";
-    alike(compared, |twins, i| twins.states[i].rho)
+    let compared = "ρ by (68) of a sphere with r of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, at the same time in these; x + 2y";
+    alike(compared, |_, state| state.rho, |_, state| state.rho)
 }
 
 /// (69).
 pub fn eq69() -> Evidence {
-    let compared =
-        "τ by (69) at which two spheres with different m, R, I, μ, g begin to roll or slide";
-    alike(compared, |twins, i| [twins.change[i], 0.0, 0.0])
+    let compared = "τ by (69) at which a sphere begins to roll or slide with that time of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units";
+    alike(
+        compared,
+        |run, _| {
+            let (radius, mu, g) = run.case.parameters();
+            let tau = printed::eq69_time(radius, mu, g, first_change(run));
+            [tau, 0.0, 0.0]
+        },
+        |run, _| [first_change(run), 0.0, 0.0],
+    )
 }
 
 /// (70).
 pub fn eq70() -> Evidence {
-    let compared =
-        "ζ by (70), at the same τ, of two spheres with different m, R, I, μ, g; x + 2y + 3z";
-    alike(compared, |twins, i| twins.states[i].zeta)
+    let compared = "ζ by (70) of a sphere with ω of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, at the same time in these; x + 2y + 3z";
+    alike(compared, |_, state| state.zeta, |_, state| state.zeta)
 }
 
 /// (71).
 pub fn eq71() -> Evidence {
-    let compared = "u by (71), at the same τ, of two spheres with different m, R, I, μ, g; x + 2y";
-    alike(compared, |twins, i| twins.states[i].u)
+    let compared = "u by (71) of a sphere with the slip of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, at the same time in these; x + 2y";
+    alike(compared, |_, state| state.u, |_, state| state.u)
 }
 
 /// (72).
 pub fn eq72() -> Evidence {
-    let compared =
-        "γ by (72) at the end, and dρ/dτ, of two spheres with different m, R, I, μ, g; x + 2y";
-    alike(compared, |twins, i| {
-        let state = &twins.states[i];
-        [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k])
-    })
+    let compared = "γ by (72) at the end, and dρ/dτ, of a sphere with A and v of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units; x + 2y";
+    let both =
+        |_: &Run, state: &Dimensionless| [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k]);
+    alike(compared, both, both)
 }

@@ -56,8 +56,13 @@ impl Case {
         printed::eq67_factor(self.kappa())
     }
 
-    /// (R, μ, g), the units of (68) to (72).
-    pub fn units(&self) -> (f64, f64, f64) {
+    /// By how much friction slows the slip: Newton's law for the centre and Euler's for the turning, added.
+    pub fn braking(&self) -> f64 {
+        braking(&self.sphere)
+    }
+
+    /// (R, μ, g), of which the units of (68) to (72) are made.
+    pub fn parameters(&self) -> (f64, f64, f64) {
         (self.sphere.radius, self.sphere.mu, self.sphere.g)
     }
 
@@ -72,25 +77,82 @@ impl Case {
     }
 }
 
-/// The dimensionless state at a time.
+/// By how much friction slows a sphere's slip.
+pub fn braking(sphere: &Sphere) -> f64 {
+    (1.0 + 1.0 / sphere.kappa()) * sphere.mu * sphere.g
+}
+
+/// The dimensionless state at a time: by the printed definitions, or in the sphere's own units.
 #[derive(Debug, Clone, Copy)]
 pub struct Dimensionless {
-    /// ρ by (68).
+    /// ρ, by (68).
     pub rho: [f64; 3],
-    /// dρ/dτ by (68) and (69).
+    /// dρ/dτ, by (68) and (69).
     pub rho_rate: [f64; 3],
-    /// ζ by (70).
+    /// ζ, by (70).
     pub zeta: [f64; 3],
-    /// u by (71).
+    /// u, by (71).
     pub u: [f64; 3],
-    /// γ by (72).
+    /// γ, by (72).
     pub gamma: [f64; 3],
 }
 
+/// A sphere's own units: its radius, the acceleration by friction, and what follows from the two.
+#[derive(Debug, Clone, Copy)]
+pub struct Units {
+    /// R.
+    pub length: f64,
+    /// μg.
+    pub push: f64,
+    /// √(R/(μg)).
+    pub time: f64,
+    /// √(μgR).
+    pub speed: f64,
+}
+
+impl Units {
+    /// Those of a sphere.
+    pub fn of(sphere: &Sphere) -> Self {
+        let (length, push) = (sphere.radius, sphere.mu * sphere.g);
+        Units {
+            length,
+            push,
+            time: libm::sqrt(length / push),
+            speed: libm::sqrt(length * push),
+        }
+    }
+}
+
 impl Run {
-    /// The state at a time in the paper's units.
+    /// The state at a time in the sphere's own units, without the paper's formulas.
+    pub fn own(&self, t: f64) -> Result<Dimensionless, MotionError> {
+        let Units {
+            length,
+            push,
+            time,
+            speed,
+        } = self.units();
+        let ball = self.motion.at(t)?;
+        let [sx, sy] = self.motion.slip(t)?;
+        let over = |[x, y, z]: [f64; 3], unit: f64| [x / unit, y / unit, z / unit];
+        let flat = |[x, y]: [f64; 2]| [x, y, 0.0];
+        Ok(Dimensionless {
+            rho: over(flat(ball.x), length),
+            rho_rate: over(flat(ball.v), speed),
+            zeta: over(ball.omega, 1.0 / time),
+            u: over([sx, sy, 0.0], speed),
+            gamma: over(self.case.acceleration(t), push),
+        })
+    }
+
+    /// The sphere's own units.
+    pub fn units(&self) -> Units {
+        Units::of(&self.case.sphere)
+    }
+
+    /// The state at a time by the printed definitions.
     pub fn dimensionless(&self, t: f64) -> Result<Dimensionless, MotionError> {
-        let (radius, mu, g) = self.case.units();
+        let (radius, mu, g) = self.case.parameters();
         let ball = self.motion.at(t)?;
         let [sx, sy] = self.motion.slip(t)?;
         let flat = |[x, y]: [f64; 2]| [x, y, 0.0];
@@ -106,7 +168,7 @@ impl Run {
 
     /// dτ/dt by (69).
     pub fn tau_rate(&self) -> f64 {
-        let (radius, mu, g) = self.case.units();
+        let (radius, mu, g) = self.case.parameters();
         printed::eq69_time(radius, mu, g, 1.0)
     }
 
@@ -187,7 +249,7 @@ pub fn sliding() -> impl Iterator<Item = Result<&'static Run, Failure>> {
             let case = case(i, &mut points);
             let [x, y] = case.sphere.contact(&case.start);
             let slip = libm::hypot(x, y);
-            let friction = case.b() * case.sphere.mu * case.sphere.g;
+            let friction = case.braking();
             // The lowest point loses its velocity no faster than friction and A together take it.
             let a = (0..40).map(|k| {
                 let [x, y, _] = case.acceleration(f64::from(k) * slip / friction / 40.0);

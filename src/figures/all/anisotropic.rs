@@ -71,14 +71,17 @@ fn region_waves() -> Result<Figure, AllFiguresError> {
 
 /// The boundaries for large q.
 fn region_boundaries() -> Result<Figure, AllFiguresError> {
-    let seen = |row: &anisotropic_rows::Row| anisotropic_figures::Seen {
-        curves: heights(&row.curves),
-        rest: row.changes.rest,
-        reversal: row.changes.reversal,
-        backward: row.changes.backward,
-        motion: row.changes.motion,
+    let seen = |row: &anisotropic_rows::Row| -> Result<_, AllFiguresError> {
+        Ok(anisotropic_figures::Seen {
+            curves: heights(&anisotropic_simulated::Curves::at(row.q)?),
+            rest: row.changes.rest,
+            reversal: row.changes.reversal,
+            backward: row.changes.backward,
+            motion: row.changes.motion,
+        })
     };
-    let seen: Vec<_> = anisotropic_drawn::boundaries()?.iter().map(seen).collect();
+    let rows = anisotropic_drawn::boundaries()?;
+    let seen = rows.iter().map(seen).collect::<Result<Vec<_>, _>>()?;
     let law = |law: anisotropic_rows::Law| anisotropic_figures::Law {
         exponent: law.exponent,
         prefactor: law.prefactor,

@@ -430,7 +430,7 @@ pub(super) fn prove_reduction(particle: Components) -> Proof {
 
 /// dω_z/dt.
 pub(super) fn spin_rate() -> Components {
-    vec![zero()]
+    vec![paper::s3_zeta3_rate()]
 }
 pub(super) fn prove_spin_constant(stated: Components) -> Proof {
     prove(
