@@ -7,7 +7,7 @@ use crate::{corrections, paper};
 use trialbook::claims::formulas::Formulas;
 
 /// The formulas without a number of their own, and the claims that try them. What serves no claim is not here.
-const TRIED_IN: [(&str, &str); 32] = [
+const TRIED_IN: [(&str, &str); 43] = [
     ("corrections::anisotropic::a_far", "eq-53"),
     ("corrections::anisotropic::contact", "s24-Y"),
     ("corrections::anisotropic::e_far", "eq-54"),
@@ -37,6 +37,8 @@ const TRIED_IN: [(&str, &str); 32] = [
         "corrections::rest::boundary_slope",
         "s4-envelope-is-boundary",
     ),
+    ("corrections::rest::psi_at_one_half", "eq-143"),
+    ("corrections::rest::surface_slope", "eq-146"),
     (
         "corrections::sinusoidal::drive_at_zero",
         "s22-vy-two-stages",
@@ -54,6 +56,21 @@ const TRIED_IN: [(&str, &str); 32] = [
     ("corrections::sphere::spin", "eq-75"),
     ("corrections::sphere::time", "eq-82"),
     ("corrections::turntable::constant", "eq-106"),
+    (
+        "corrections::turntable::friction_work",
+        "s4-coriolis-no-work",
+    ),
+    ("paper::escape::s4_a_trend", "s4-A-never-decreases"),
+    ("paper::general::s2_across_limit", "s2-perpendicular-decays"),
+    ("paper::general::s2_across_trend", "s2-perpendicular-decays"),
+    ("paper::general::s2_rest_ends_above", "s2-no-permanent-rest"),
+    (
+        "paper::general::s2_speeds_up_above",
+        "s2-speeds-up-if-strong",
+    ),
+    ("paper::general::s2_stops_below", "s2-stops-if-weak"),
+    ("paper::rest::s4_near_rest_limits", "s4-near-rest"),
+    ("paper::turntable::coriolis_power", "s4-coriolis-no-work"),
     ("paper::turntable::friction_work", "s4-coriolis-no-work"),
 ];
 

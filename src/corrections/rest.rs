@@ -59,6 +59,17 @@ pub fn angle_straight_in<S: Scalar>(sigma: S, alpha: S) -> S {
     S::int(2) * alpha / (S::int(2) + S::int(1) / sigma)
 }
 
+/// In place of (143) at σ = 1/2: ψ near rest; `c` is the constant C.
+pub fn psi_at_one_half<S: Scalar>(c: S, alpha: S) -> S {
+    S::int(2) * alpha * (c - alpha.ln())
+}
+
+/// In place of (146): ∂A/∂σ of the surfaces of constant σ, which close up as σ → 1.
+pub fn surface_slope<S: Scalar>(sigma: S, alpha: S) -> S {
+    let deficit = S::int(1) - sigma;
+    deficit / (deficit.squared() + alpha.squared()).sqrt()
+}
+
 /// f₁: how fast A falls with α on the boundary at α = 0.
 pub fn boundary_slope<S: Scalar>(psi: S) -> S {
     (psi / S::int(2)).cos().squared()

@@ -1,13 +1,14 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
-use super::stretches::{ANY, launches, stretches};
-use crate::claims::compare::{Pair, Trial};
+use super::stretches::{ANY, Launch, launches, stretches};
+use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::turntable::{State, Table, inertial, rotating};
-use crate::numerics::dop853;
+use crate::motion::MotionError;
+use crate::motion::turntable::{Path, State, Table, inertial, rotating};
 use crate::numerics::quadrature::integral_within;
+use crate::numerics::{NumericsError, dop853};
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
 
@@ -20,8 +21,7 @@ fn law(table: &Table, state: &State) -> [f64; 2] {
 pub fn eq86() -> Evidence {
     let compared = "∫ (86) dt along the motion found in the frame of the table with the change of d𝐫/dt found in the laboratory, each component";
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
-    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
-    trial.over(both, |(launch, i)| {
+    trial.over(components(), |(launch, i)| {
         let launch = launch?;
         let table = &launch.table;
         let unit = table.length() * table.omega;
@@ -60,17 +60,7 @@ pub fn eq86_turns() -> Evidence {
             v: [-v * s, v * c],
         };
         let until = 3.0 * TAU / table.omega;
-        let rate = |_: f64, y: &[f64; 4]| {
-            let state = State {
-                t: 0.0,
-                x: [y[0], y[1]],
-                v: [y[2], y[3]],
-            };
-            let [ax, ay] = law(&table, &state);
-            [y[2], y[3], ax, ay]
-        };
-        let begin = [start.x[0], start.x[1], start.v[0], start.v[1]];
-        let [x, y, ..] = dop853::end(rate, 0.0, begin, until, 1e-13, 1e-13)?;
+        let [x, y] = by_the_law(&table, &start, until)?;
         let place = inertial::run(&table, &table.to_laboratory(&start), until)?.on_table(until)?;
         Ok(Pair {
             at: format!(
@@ -82,6 +72,22 @@ pub fn eq86_turns() -> Evidence {
             scale: place.radius(),
         })
     })
+}
+
+/// The place on the table to which (86) leads.
+fn by_the_law(table: &Table, start: &State, until: f64) -> Result<[f64; 2], NumericsError> {
+    let rate = |_: f64, y: &[f64; 4]| {
+        let state = State {
+            t: 0.0,
+            x: [y[0], y[1]],
+            v: [y[2], y[3]],
+        };
+        let [ax, ay] = law(table, &state);
+        [y[2], y[3], ax, ay]
+    };
+    let begin = [start.x[0], start.x[1], start.v[0], start.v[1]];
+    let [x, y, ..] = dop853::end(rate, 0.0, begin, until, 1e-13, 1e-13)?;
+    Ok([x, y])
 }
 
 /// (89), likewise.
@@ -107,49 +113,62 @@ pub fn eq89() -> Evidence {
     })
 }
 
-/// (87) and (88): motions on any table are one and the same in these units.
-fn scaled(compared: &'static str) -> Evidence {
+/// The motion of a launch on the table with Ω = μg = 1, for longer than the launch.
+fn in_units(launch: &Launch) -> Result<Path, MotionError> {
+    let table = &launch.table;
+    let length = table.length();
+    let start = State {
+        t: 0.0,
+        x: launch.start.x.map(|x| x / length),
+        v: launch.start.v.map(|v| v / (length * table.omega)),
+    };
+    rotating::run(&Table::default(), &start, 1.5 * launch.to * table.omega)
+}
+
+/// (87): motions on any table are one and the same in these units.
+pub fn eq87() -> Evidence {
+    let compared = "(87) of a motion on any table with the motion for Ω = μg = 1, each component";
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
-    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
-    trial.over(both, |(launch, i)| {
+    trial.over(components(), |(launch, i)| {
         let launch = launch?;
         let Table { omega, mu, g, .. } = launch.table;
-        let place = |r: [f64; 2]| printed::eq87_position(omega, mu, g, r);
-        let per_time = printed::eq88_time(omega, 1.0);
-        let start = State {
-            t: 0.0,
-            x: place(launch.start.x),
-            v: place(launch.start.v).map(|v| v / per_time),
-        };
-        let tau = printed::eq88_time(omega, launch.to);
-        let found = rotating::run(&Table::default(), &start, tau)?.at(tau)?;
+        let place = launch.still.on_table(launch.to)?.x;
         Ok(Pair {
             at: launch.at(),
-            stated: place(launch.still.on_table(launch.to)?.x)[i],
-            found: found.x[i],
+            stated: printed::eq87_position(omega, mu, g, place)[i],
+            found: in_units(launch)?.at(launch.to * omega)?.x[i],
             scale: 1.0,
         })
     })
 }
 
-/// (87).
-pub fn eq87() -> Evidence {
-    scaled("(87) of a motion on any table with the motion for Ω = μg = 1, each component")
-}
-
-/// (88).
+/// (88), likewise.
 pub fn eq88() -> Evidence {
-    scaled(
-        "place, in units of (87), at the time t with the place at the time (88) for Ω = μg = 1, each component",
-    )
+    let compared = "the place at the time (88) for Ω = μg = 1 with the place at the time t on any table, over μg/Ω², each component";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
+    trial.over(components(), |(launch, i)| {
+        let launch = launch?;
+        let tau = printed::eq88_time(launch.table.omega, launch.to);
+        let there = in_units(launch)?.at(tau);
+        Ok(Pair {
+            at: launch.at(),
+            stated: there.map_or(f64::NAN, |state| state.x[i]),
+            found: launch.still.on_table(launch.to)?.x[i] / launch.table.length(),
+            scale: 1.0,
+        })
+    })
 }
 
-/// The mirrored motion on a table that turns the other way.
+/// The launches, each twice, for the two components.
+fn components() -> impl Iterator<Item = (Result<&'static Launch, Failure>, usize)> {
+    launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)))
+}
+
+/// The motion on a table that turns the other way, by (86), from the mirrored state.
 pub fn mirror() -> Evidence {
-    let compared = "the motion, mirrored, with the motion that starts from the mirrored state on the table with −Ω, each component";
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FRAMES);
-    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
-    trial.over(both, |(launch, i)| {
+    let compared = "the motion by (86) with −Ω from the mirrored state with the motion found in the laboratory for Ω, mirrored, each component";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
+    trial.over(components(), |(launch, i)| {
         let launch = launch?;
         let other = Table {
             omega: -launch.table.omega,
@@ -160,15 +179,10 @@ pub fn mirror() -> Evidence {
             v: [s.v[0], -s.v[1]],
             ..s
         };
-        let image = inertial::run(
-            &other,
-            &other.to_laboratory(&mirrored(launch.start)),
-            launch.to,
-        )?;
         Ok(Pair {
             at: launch.at(),
-            stated: mirrored(launch.turning.at(launch.to)?).x[i],
-            found: image.on_table(launch.to)?.x[i],
+            stated: by_the_law(&other, &mirrored(launch.start), launch.to)?[i],
+            found: mirrored(launch.still.on_table(launch.to)?).x[i],
             scale: launch.table.length(),
         })
     })

@@ -178,7 +178,7 @@ fn count(found: &[Stretch], class: Class) -> usize {
 }
 
 /// Times all over a stretch, its ends included.
-fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
+pub fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (0..=40).map(move |i| (from + (to - from) * f64::from(i) / 40.0).min(to))
 }
 
