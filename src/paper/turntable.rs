@@ -160,7 +160,7 @@ pub fn friction_work<S: Scalar>(m: S, g: S, s: S) -> S {
 
 /// After (106): the power of the Coriolis force, the second term of (86), which is to vanish.
 pub fn coriolis_power<S: Scalar>(m: S, omega: S, v: [S; 2]) -> S {
-    m * dot(cross_z(v).map(|x| S::int(2) * omega * x), v)
+    m * S::int(2) * omega * dot(cross_z(v), v)
 }
 
 /// (107): dp/dτ.

@@ -158,7 +158,8 @@ fn against(
         let found = limit(flight, quantity)?;
         Ok(Pair {
             at: flight.launch.at(),
-            stated: stated(flight)?,
+            // A formula of which there is no limit states nothing.
+            stated: stated(flight).unwrap_or(f64::NAN),
             found: found.value,
             scale: 1.0,
         })

@@ -1,6 +1,6 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::stretches::{ANY, Launch, launches, stretches};
+use super::stretches::{ANY, Launch, launches, stretches, sum};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
@@ -43,7 +43,7 @@ pub fn eq105() -> Evidence {
         };
         Ok(Pair {
             at: stretch.at(),
-            stated: integral(rate, stretch.from, stretch.to)?.value,
+            stated: sum(rate, stretch.from, stretch.to, 1e-13),
             found: stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
             scale: 1.0,
         })
@@ -162,11 +162,12 @@ pub fn coriolis() -> Evidence {
         };
         let found =
             kinetic(&end) - kinetic(begin) - (centrifugal(&end) - centrifugal(begin)) - friction;
+        let scale = kinetic(begin) + centrifugal(begin) + kinetic(&end) + centrifugal(&end);
         Ok(Pair {
             at: launch.at(),
-            stated: integral(power, 0.0, launch.to)?.value,
+            stated: sum(power, 0.0, launch.to, 1e-15 * scale),
             found,
-            scale: kinetic(begin) + centrifugal(begin) + kinetic(&end) + centrifugal(&end),
+            scale,
         })
     })
 }

@@ -1,10 +1,9 @@
 //! Printed rates, integrated along motions, against what changed.
 
-use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches};
+use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches, sum};
 use crate::claims::compare::{Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
-use crate::numerics::quadrature::integral_within;
 use crate::paper::turntable as printed;
 use std::f64::consts::{PI, TAU};
 
@@ -27,7 +26,7 @@ fn change(
         let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
         Ok(Pair {
             at: stretch.at(),
-            stated: integral_within(at, stretch.from, stretch.to, ASKED * scale)?.value,
+            stated: sum(at, stretch.from, stretch.to, ASKED * scale),
             found: end - begin,
             scale,
         })
@@ -41,7 +40,7 @@ fn turning(compared: &'static str, classes: &[Class], rate: impl Fn(&View) -> f6
         let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
         Ok(Pair {
             at: stretch.at(),
-            stated: integral_within(at, stretch.from, stretch.to, ASKED)?.value,
+            stated: sum(at, stretch.from, stretch.to, ASKED),
             found: turned(stretch)?,
             scale: PI,
         })
