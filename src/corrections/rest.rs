@@ -1,4 +1,4 @@
-//! Section 4, rest: ψ near rest for every σ, the motions that come straight in, and the boundary.
+//! Section 4, rest: ψ near rest, the motions that come straight in, and the boundary.
 //!
 //! *σ = 1/2.* (142) is linear in ψ; (143) splits its solution into two terms that both blow up there. With
 //! e = (2σ−1)/(1−σ) and C for c + σ/(2σ−1),
@@ -15,7 +15,7 @@
 //! *The boundary.* (145) needs α ≪ 1 − σ; on the envelope of the surfaces (145) 1 − σ = α/√2. There is no envelope: a
 //! state comes to rest at one σ, so surfaces of different σ do not meet. As σ → 1 they close up against the states
 //! that tend to A = 1, α = 0, where in the slow motion (ψ ≈ 2α, a = A − 1) α̇ = a, ȧ = α: a saddle, whose incoming
-//! line is a = −α. Away from the slow motion let the boundary be A = 1 − α f₁(ψ) + α² f₂(ψ) + …. In the time with
+//! line is a = −α, while a = −√((1−σ)² + α²) on the surface of σ. Away from the slow motion let the boundary be A = 1 − α f₁(ψ) + α² f₂(ψ) + …. In the time with
 //! dτ = p ds, (113) to (115) read
 //!
 //! dA/ds = α² + …, dα/ds = α (A cos ψ − 1) + …, dψ/ds = −A sin ψ + 2α + …,

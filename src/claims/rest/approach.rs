@@ -20,7 +20,6 @@ use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
 use crate::paper::rest as printed;
-
 use std::f64::consts::PI;
 
 /// What an equation says and what the motion does, and the size of its terms.
@@ -157,22 +156,23 @@ fn borders_near_one() -> impl Iterator<Item = Result<&'static Leaving, Failure>>
     BORDERS.each()
 }
 
-fn leaving(alpha: f64) -> Result<Leaving, Failure> {
-    let border = border(alpha, angle_towards_one(alpha))?;
-    let start = Start::hyperbolic(border.a, border.alpha, border.psi)?;
-    let h = 1e-3 * border.alpha;
-    let run = Run::new(&start, 5.0 * h)?;
-    // By the first five values.
-    let [mut a_rate, mut alpha_rate, mut psi_rate] = [0.0; 3];
-    for (i, weight) in [-25.0, 48.0, -36.0, 16.0, -3.0].into_iter().enumerate() {
-        let state = run.at(h * i as f64)?;
-        let share = weight / (12.0 * h);
-        a_rate += share * a(&state);
-        alpha_rate += share * self::alpha(&state);
-        psi_rate += share * state.psi();
-    }
+/// A moment after the point of the boundary with this α: the motion stays on the boundary.
+fn leaving(alpha0: f64) -> Result<Leaving, Failure> {
+    let psi = angle_towards_one(alpha0);
+    let a0 = border(alpha0, psi)?.a;
+    let h = 1e-3 * alpha0;
+    let run = Run::new(&Start::hyperbolic(a0, alpha0, psi)?, 4.0 * h)?;
+    let [a_rate, alpha_rate, psi_rate] = rates(2.0 * h, h, |t| {
+        let state = run.at(t)?;
+        Ok([a(&state), alpha(&state), state.psi()])
+    })?;
+    let now = run.at(2.0 * h)?;
     Ok(Leaving {
-        border,
+        border: Border {
+            alpha: alpha(&now),
+            psi: now.psi(),
+            a: a(&now),
+        },
         a_rate,
         alpha_rate,
         psi_rate,

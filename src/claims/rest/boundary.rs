@@ -153,7 +153,7 @@ const UNDECIDED: MotionError = MotionError::Steps {
 };
 
 /// How many starts the census in the ledger has near A = 1, α = 0, and away from it. The benchmark has a million.
-const STARTS: [usize; 2] = [4000, 1000];
+const STARTS: [usize; 2] = [4020, 1000];
 
 /// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
 pub fn census() -> impl Iterator<Item = Result<&'static Case, Failure>> {

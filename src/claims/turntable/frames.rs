@@ -19,16 +19,45 @@ fn law(table: &Table, state: &State) -> [f64; 2] {
 /// laboratory has, where friction is the only force.
 pub fn eq86() -> Evidence {
     let compared = "∫ (86) dt along the motion found in the frame of the table with the change of d𝐫/dt found in the laboratory, each component";
-    let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
+    summed(Subject::Within, compared, |table, state| (table, state))
+}
+
+/// The same for the mirrored motion on a table that turns the other way.
+pub fn mirror() -> Evidence {
+    let compared = "∫ (86) dt with −Ω along the mirrored motion, found in the frame of the table, with the mirrored change of d𝐫/dt found in the laboratory, each component";
+    summed(Subject::Printed, compared, |table, state| {
+        let other = Table {
+            omega: -table.omega,
+            ..table
+        };
+        let mirrored = State {
+            x: [state.x[0], -state.x[1]],
+            v: [state.v[0], -state.v[1]],
+            ..state
+        };
+        (other, mirrored)
+    })
+}
+
+fn summed(
+    subject: Subject,
+    compared: &'static str,
+    image: fn(Table, State) -> (Table, State),
+) -> Evidence {
+    let trial = Trial::by(Route::Quadrature, subject, compared, FRAMES);
     trial.over(components(), |(launch, i)| {
         let launch = launch?;
-        let table = &launch.table;
-        let unit = table.length() * table.omega;
-        let rate = |t: f64| launch.turning.at(t).map_or(f64::NAN, |s| law(table, &s)[i]);
+        let of = |state: State| image(launch.table, state);
+        let rate = |t: f64| {
+            let here = launch.turning.at(t).map(of);
+            here.map_or(f64::NAN, |(table, state)| law(&table, &state)[i])
+        };
+        let velocity = |state: State| of(state).1.v[i];
+        let unit = launch.table.length() * launch.table.omega;
         Ok(Pair {
             at: launch.at(),
             stated: sum(rate, 0.0, launch.to, 1e-13 * unit),
-            found: launch.still.on_table(launch.to)?.v[i] - launch.start.v[i],
+            found: velocity(launch.still.on_table(launch.to)?) - velocity(launch.start),
             scale: unit,
         })
     })
@@ -161,28 +190,4 @@ pub fn eq88() -> Evidence {
 /// The launches, each twice, for the two components.
 fn components() -> impl Iterator<Item = (Result<&'static Launch, Failure>, usize)> {
     launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)))
-}
-
-/// The motion on a table that turns the other way, by (86), from the mirrored state.
-pub fn mirror() -> Evidence {
-    let compared = "the motion by (86) with −Ω from the mirrored state with the motion found in the laboratory for Ω, mirrored, each component";
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
-    trial.over(components(), |(launch, i)| {
-        let launch = launch?;
-        let other = Table {
-            omega: -launch.table.omega,
-            ..launch.table
-        };
-        let mirrored = |s: State| State {
-            x: [s.x[0], -s.x[1]],
-            v: [s.v[0], -s.v[1]],
-            ..s
-        };
-        Ok(Pair {
-            at: launch.at(),
-            stated: by_the_law(&other, &mirrored(launch.start), launch.to)[i],
-            found: mirrored(launch.still.on_table(launch.to)?).x[i],
-            scale: launch.table.length(),
-        })
-    })
 }
