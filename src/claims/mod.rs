@@ -74,5 +74,5 @@ pub static PAPER: Paper = Paper {
     cases: &by_hand::CASES,
     values: &values::VALUES,
     measured: measured::MEASURED,
-    survivors: &variants::SURVIVORS,
+    survivors: variants::SURVIVORS,
 };

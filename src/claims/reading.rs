@@ -75,11 +75,6 @@ pub const ELSEWHERE: &[Elsewhere] = &[
         reason: "the regular form is that of section 2.1, which no claim of section 3 restates",
     },
     Elsewhere {
-        claim: "s4-coriolis-no-work",
-        trial: "energy::coriolis",
-        reason: "the work of friction is the motion's own here; the printed one is tried beside it",
-    },
-    Elsewhere {
         claim: "eq-132",
         trial: "growth::corrected132_delay",
         reason: DELAY,

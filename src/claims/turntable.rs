@@ -337,7 +337,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\left(\frac{p^2-\rho^2}{2}\right)^{\cdot}=-p",
         plain: "d[(p² − ρ²)/2]/dτ = −p",
         depends_on: &["eq-102"],
-        trials: trials![&exact::EQ103, rates::eq103],
+        trials: trials![&exact::EQ103, definitions::eq103, rates::eq103],
         ..Claim::BLANK
     },
     Claim {

@@ -76,4 +76,9 @@ pub fn eq138_s<S: Scalar>(a: S) -> S {
     a.squared() / S::int(2)
 }
 
+/// Before (126) and after (127): the sign of the rate of A.
+pub fn s4_a_trend<S: Scalar>() -> S {
+    S::int(1)
+}
+
 }

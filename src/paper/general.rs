@@ -24,6 +24,31 @@ pub fn eq2_speed_rate<S: Scalar>(acceleration: [S; 2], mu: S, g: S, velocity: [S
     -(ax * (vx / v) + ay * (vy / v)) - mu * g
 }
 
+/// The first item of the list: the bound of max |𝐀|, below which the particle stops.
+pub fn s2_stops_below<S: Scalar>(mu: S, g: S) -> S {
+    mu * g
+}
+
+/// The second item: the bound that |𝐀| exceeds again after every time, so that no rest lasts.
+pub fn s2_rest_ends_above<S: Scalar>(mu: S, g: S) -> S {
+    mu * g
+}
+
+/// The third item: the bound above which |𝐀|, of fixed direction, is at all times, so that v increases at last.
+pub fn s2_speeds_up_above<S: Scalar>(mu: S, g: S) -> S {
+    mu * g
+}
+
+/// The fourth item: the sign of the rate of |𝐯⊥|.
+pub fn s2_across_trend<S: Scalar>() -> S {
+    -S::int(1)
+}
+
+/// The fourth item: the limit of 𝐯⊥.
+pub fn s2_across_limit<S: Scalar>() -> S {
+    S::int(0)
+}
+
 }
 
 fn length<S: Scalar>([x, y]: [S; 2]) -> S {

@@ -76,4 +76,9 @@ pub fn eq147_a<S: Scalar>(alpha: S) -> S {
     (S::int(1) - alpha / S::int(2).sqrt()).squared()
 }
 
+/// After (139): the limits of α and ψ as the particle nears its rest.
+pub fn s4_near_rest_limits<S: Scalar>() -> [S; 2] {
+    [S::int(0), S::int(0)]
+}
+
 }

@@ -158,6 +158,11 @@ pub fn friction_work<S: Scalar>(m: S, g: S, s: S) -> S {
     -(m * g * s)
 }
 
+/// After (106): the power of the Coriolis force, the second term of (86), which is to vanish.
+pub fn coriolis_power<S: Scalar>(m: S, omega: S, v: [S; 2]) -> S {
+    m * S::int(2) * omega * dot(cross_z(v), v)
+}
+
 /// (107): dp/dτ.
 pub fn eq107_p_rate<S: Scalar>(rho: S, psi: S) -> S {
     rho * psi.cos() - S::int(1)

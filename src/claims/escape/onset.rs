@@ -1,9 +1,9 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
-use super::escapes::{Launch, a, alpha, escapes, flights, rates, relaxed};
+use super::escapes::{LATE, Launch, a, alpha, escapes, flights, rates, relaxed};
 use super::growth::{Quantity, limit, size};
 use super::straight::{StraightIn, beyond_one, time_to_stop};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{
     DIFFERENCES, ESCAPE_LIMIT, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED,
@@ -14,7 +14,7 @@ use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, rotating};
-use crate::paper::escape as printed;
+use crate::paper::{escape as printed, turntable};
 use std::f64::consts::PI;
 
 /// (126) with the rate of α after ψ has relaxed, at α below a millionth.
@@ -27,12 +27,11 @@ fn after_relaxing(subject: Subject, compared: &'static str) -> Evidence {
     let trial = Trial::by(Route::Integration, subject, compared, RELAXED);
     trial.over(relaxed(), |relaxed| {
         let relaxed = relaxed?;
-        let stated = printed::eq126_alpha_rate(a(&relaxed.state));
         Ok(Pair {
             at: relaxed.launch.at(),
-            stated,
+            stated: printed::eq126_alpha_rate(a(&relaxed.state)),
             found: relaxed.alpha_rate,
-            scale: stated.abs(),
+            scale: relaxed.alpha_rate.abs(),
         })
     })
 }
@@ -67,7 +66,7 @@ pub fn eq126_order() -> Evidence {
 pub fn above_one_census() -> Evidence {
     above_one(
         Subject::Printed,
-        "0 with the launches from A > 1 that are within ρ = 30 at τ = 300",
+        "0 where (127) holds, else what is found, with 1 for a launch that stops or is within ρ = 30 at τ = 300",
     )
 }
 
@@ -75,30 +74,39 @@ pub fn above_one_census() -> Evidence {
 pub fn above_one_within() -> Evidence {
     above_one(
         Subject::Within,
-        "0 with the launches from A > 1, random ones, that stop or are within ρ = 30 at τ = 300",
+        "0 where (127) holds, else what is found, with 1 for a launch, a random one, that stops or is within ρ = 30 at τ = 300",
     )
 }
 
 fn above_one(subject: Subject, compared: &'static str) -> Evidence {
     let trial = Trial::by(Route::Census, subject, compared, NONE);
-    let mut points = Points::stream(608);
-    trial.over(0..200, |i| {
-        let launch = Launch {
-            a: printed::eq127_least_a::<f64>()
-                + match i % 4 {
-                    0 => points.log_uniform(1e-2, 1e-1),
-                    _ => points.uniform(0.1, 4.0),
-                },
-            alpha: points.log_uniform(1e-2, 3.0),
-            psi: points.uniform(-3.0, 3.0),
-        };
-        let run = Run::new(&launch.start()?, 300.0)?;
+    trial.over(launches_around_one(), |launch| {
+        let stays = not_escaping(&Run::new(&launch.start()?, 300.0)?) > 0;
+        let found = f64::from(u8::from(stays));
         Ok(Pair {
             at: launch.at(),
-            stated: 0.0,
-            found: not_escaping(&run) as f64,
+            stated: if launch.a > printed::eq127_least_a() {
+                0.0
+            } else {
+                found
+            },
+            found,
             scale: 1.0,
         })
+    })
+}
+
+/// Launches from A > 1, then others, about which (127) says nothing.
+fn launches_around_one() -> impl Iterator<Item = Launch> {
+    let mut points = Points::stream(608);
+    (0..250).map(move |i| Launch {
+        a: match i {
+            200.. => points.uniform(0.05, 0.95),
+            _ if i % 4 == 0 => 1.0 + points.log_uniform(1e-2, 1e-1),
+            _ => 1.0 + points.uniform(0.1, 4.0),
+        },
+        alpha: points.log_uniform(1e-2, 3.0),
+        psi: points.uniform(-3.0, 3.0),
     })
 }
 
@@ -129,25 +137,24 @@ pub fn eq127_root() -> Evidence {
 
 /// A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
 pub fn never_decreases_way() -> Evidence {
-    let compared = "A² at the start + 2s with A² at the end, along the motion";
+    let compared = "A² at the start, and more by 2s, with A² at the end, along the motion";
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(flights(), |flight| {
         let flight = flight?;
         let end = flight.run.end();
-        let gained = flight.launch.a * flight.launch.a + 2.0 * end.s;
+        let (before, found) = (flight.launch.a * flight.launch.a, end.parts.energy());
         Ok(Pair {
             at: flight.launch.at(),
-            stated: gained,
-            found: end.parts.energy(),
-            scale: gained,
+            stated: before + 2.0 * printed::s4_a_trend::<f64>() * end.s,
+            found,
+            scale: found,
         })
     })
 }
 
-/// Steps on which A decreases, by more than its rounding.
+/// A grows from each start to the end, and falls on no step by more than its rounding.
 pub fn never_decreases_census() -> Evidence {
-    let compared =
-        "0 with the steps on which A decreases and the ends at which α is not small nor A large";
+    let compared = "1, for growth, with the sign of the change of A: −1 if it falls on a step, 0 if at the end α is not small nor A large";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(flights(), |flight| {
         let flight = flight?;
@@ -155,19 +162,24 @@ pub fn never_decreases_census() -> Evidence {
         let end = flight.run.end();
         Ok(Pair {
             at: flight.launch.at(),
-            stated: 0.0,
-            found: decreases(&energies, [end.p(), alpha(&end), a(&end)]) as f64,
+            stated: printed::s4_a_trend(),
+            found: trend(&energies, [end.p(), alpha(&end), a(&end)]),
             scale: 1.0,
         })
     })
 }
 
-/// The falls in a list of A², and one if a motion with this end, by p, α and A, neither rests nor escapes.
-fn decreases(energies: &[f64], [p, alpha, a]: [f64; 3]) -> usize {
-    let falls = |w: &&[f64]| w[1] < w[0] * (1.0 - 1e-14);
+/// −1 if a list of A² falls, 0 if a motion with this end, by p, α and A, neither rests nor escapes, else 1.
+fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
+    let falls = |w: &[f64]| w[1] < w[0] * (1.0 - 1e-14);
     let rests = p < 1e-29 && alpha < 1e-25;
-    let odd = usize::from(!(rests || a > 1e4));
-    energies.windows(2).filter(falls).count() + odd
+    if energies.windows(2).any(falls) {
+        -1.0
+    } else if rests || a > 1e4 {
+        1.0
+    } else {
+        0.0
+    }
 }
 
 /// ψ after many relaxation times, against ψ₁.
@@ -178,7 +190,7 @@ pub fn small_alpha_angle() -> Evidence {
         let relaxed = relaxed?;
         Ok(Pair {
             at: relaxed.launch.at(),
-            stated: libm::asin(libm::tanh(2.0 * alpha(&relaxed.state))),
+            stated: turntable::eq124_psi1(alpha(&relaxed.state)),
             found: relaxed.state.psi(),
             scale: 1.0,
         })
@@ -201,7 +213,7 @@ pub fn small_alpha_straight() -> Evidence {
         let state = straight.with_alpha_below(1e-4);
         Ok(Pair {
             at: straight.at(),
-            stated: libm::asin(libm::tanh(2.0 * alpha(&state))),
+            stated: turntable::eq124_psi1(alpha(&state)),
             found: state.psi(),
             scale: 1.0,
         })
@@ -220,10 +232,11 @@ pub fn a_grows() -> Evidence {
 
 /// The growth of α from A > 1: its limit over ln τ.
 pub fn alpha_grows() -> Evidence {
+    let law = printed::eq133_alpha::<f64>;
     grows(
-        "1/2 with the limit of τ dα/dτ: α grows as half the logarithm of τ",
+        "what (133) has before ln τ with the limit of τ dα/dτ",
         |l| l.tau * l.alpha_rate,
-        0.5,
+        (law(LATE) - law(1.0)) / libm::log(LATE),
         Subject::Printed,
     )
 }
@@ -241,28 +254,28 @@ fn grows(compared: &'static str, quantity: Quantity, stated: f64, subject: Subje
     })
 }
 
-/// Decades of τ over which α does not grow.
+/// Decades of τ over which α grows.
 pub fn alpha_census() -> Evidence {
-    let compared = "0 with the decades of τ from 100 to 1e8 over which α grows by less than 1";
+    let compared = "the decades of τ from 100 to 1e8 over which α of (133) grows by more than 1 with those over which α of the motion does";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
     trial.over(escapes(), |escape| {
         let escape = escape?;
-        let values = (2..=8)
-            .map(|n| Ok(alpha(&escape.run.at(libm::pow(10.0, f64::from(n)))?)))
-            .collect::<Result<Vec<_>, Failure>>()?;
+        let stated: Vec<f64> = times().map(printed::eq133_alpha).collect();
+        let found: Result<Vec<_>, MotionError> =
+            times().map(|tau| Ok(alpha(&escape.run.at(tau)?))).collect();
         Ok(Pair {
             at: escape.launch.at(),
-            stated: 0.0,
-            found: idle(&values) as f64,
+            stated: grown(&stated) as f64,
+            found: grown(&found?) as f64,
             scale: 1.0,
         })
     })
 }
 
-/// How often a list grows by no more than 1.
-fn idle(values: &[f64]) -> usize {
-    let grown = values.windows(2).filter(|w| w[1] - w[0] > 1.0).count();
-    values.len() - 1 - grown
+/// How often a list grows by more than 1.
+fn grown(values: &[f64]) -> usize {
+    values.windows(2).filter(|w| w[1] - w[0] > 1.0).count()
 }
 
 /// Stops of particles that come straight in from A > 1, in the frame of the table.
@@ -316,7 +329,7 @@ pub fn straight_rate() -> Evidence {
             at: straight.at(),
             stated,
             found: rate,
-            scale: stated.abs(),
+            scale: rate.abs(),
         })
     })
 }
@@ -356,20 +369,22 @@ mod tests {
     }
 
     #[test]
-    fn decreases_and_odd_ends_are_counted() {
-        let energies = [1.0, 2.0, 1.5, 1.5 * (1.0 - 1e-15), 3.0, 2.9];
+    fn a_fall_and_an_odd_end_are_noticed() {
         let (rest, escape, odd) = ([1e-30, 1e-26, 0.5], [1e5, 5.0, 2e4], [0.1, 0.2, 0.5]);
-        assert_eq!(decreases(&energies, rest), 2);
-        assert_eq!(decreases(&energies, escape), 2);
-        assert_eq!(decreases(&energies, odd), 3);
+        let (grows, falls) = ([1.0, 2.0, 2.0 * (1.0 - 1e-15), 3.0], [1.0, 2.0, 1.9, 3.0]);
+        assert_eq!(
+            [rest, escape, odd].map(|end| trend(&grows, end)),
+            [1.0, 1.0, 0.0]
+        );
+        assert_eq!([rest, escape, odd].map(|end| trend(&falls, end)), [-1.0; 3]);
         // Neither slow nor near α = 0 is at rest.
-        assert_eq!(decreases(&[], [1e-30, 1e-24, 1e-6]), 1);
-        assert_eq!(decreases(&[], [1e-27, 1e-27, 1.0]), 1);
+        assert_eq!(trend(&[], [1e-30, 1e-24, 1e-6]), 0.0);
+        assert_eq!(trend(&[], [1e-27, 1e-27, 1.0]), 0.0);
     }
 
     #[test]
-    fn steps_that_grow_by_less_than_one_are_counted() {
-        assert_eq!(idle(&[0.0, 2.0, 4.5, 4.6, 4.0, 7.0]), 2);
-        assert_eq!(idle(&[1.0, 2.5, 4.0]), 0);
+    fn steps_that_grow_by_more_than_one_are_counted() {
+        assert_eq!(grown(&[0.0, 2.0, 4.5, 4.6, 4.0, 7.0]), 3);
+        assert_eq!(grown(&[1.0, 2.5, 4.0]), 2);
     }
 }

@@ -9,30 +9,34 @@ use crate::motion::{Motion, Phase, Plane, Signal, State, run};
 pub struct Returning {
     /// Which it is.
     pub name: String,
+    /// What |A| reaches in every period, over μg.
+    pub size: f64,
     /// The period.
     pub period: f64,
     /// Its slides and rests.
     pub phases: Vec<Phase>,
 }
 
-/// The accelerations that exceed μg again and again, and what they do.
+/// The accelerations that exceed μg again and again, then those that never do, and what they do.
 pub fn returning() -> impl Iterator<Item = Result<&'static Returning, Failure>> {
     static RETURNING: Runs<Vec<Returning>> = Runs::new(|| {
-        let returning = |(name, plane, period)| -> Result<_, Failure> {
+        let returning = |(name, plane, size, period)| -> Result<_, Failure> {
             let motion = run(&plane, 1.0, AT_REST, 5.0 * period)?;
             Ok(Returning {
                 name,
+                size,
                 period,
                 phases: motion.phases().to_vec(),
             })
         };
-        every(bounded_that_return().map(returning))
+        let all = strong_that_return().chain(weak_that_return());
+        every(all.map(returning))
     });
     RETURNING.each()
 }
 
 /// Accelerations that are larger than μg once a period at least, from 1.1 to 3 times, of all shapes; friction 1.
-fn bounded_that_return() -> impl Iterator<Item = (String, Plane, f64)> {
+fn strong_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
     const KINDS: [&str; 7] = [
         "oscillating",
         "sign-changing",
@@ -42,9 +46,30 @@ fn bounded_that_return() -> impl Iterator<Item = (String, Plane, f64)> {
         "decaying",
         "rotating",
     ];
-    let mut points = Points::stream(23);
-    KINDS.iter().cycle().take(28).map(move |kind| {
-        let (size, period) = (points.uniform(1.1, 3.0), points.log_uniform(0.5, 5.0));
+    periodic(23, &KINDS, [1.1, 3.0])
+}
+
+/// Accelerations of the shapes that are bounded by their size, from 0.2 to 0.95 μg; friction 1.
+fn weak_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
+    const KINDS: [&str; 5] = [
+        "oscillating",
+        "sign-changing",
+        "pulsed",
+        "constant",
+        "rotating",
+    ];
+    periodic(33, &KINDS, [0.2, 0.95])
+}
+
+/// Accelerations of these shapes in turn, each with its size and its period.
+fn periodic(
+    stream: u64,
+    kinds: &'static [&'static str],
+    [low, high]: [f64; 2],
+) -> impl Iterator<Item = (String, Plane, f64, f64)> {
+    let mut points = Points::stream(stream);
+    kinds.iter().cycle().take(28).map(move |kind| {
+        let (size, period) = (points.uniform(low, high), points.log_uniform(0.5, 5.0));
         let frequency = std::f64::consts::TAU / period;
         let sine = Signal::Sine {
             frequency,
@@ -73,32 +98,35 @@ fn bounded_that_return() -> impl Iterator<Item = (String, Plane, f64)> {
             _ => Plane::along(along, signal),
         };
         let name = format!("{kind} A of size {size:.6}, period {period:.6}, μg = 1");
-        (name, plane, period)
+        (name, plane, size, period)
     })
 }
 
-/// What a strong acceleration does from t = 200 to 400.
+/// What an acceleration of fixed direction does from t = 200 to 400.
 pub struct Pulled {
     /// Which it is.
     pub name: String,
+    /// What |A| is never below, over μg.
+    pub least: f64,
     /// The steps on which the speed does not grow.
     pub falls: usize,
     /// The speed gained.
     pub gained: f64,
 }
 
-/// All strong accelerations.
+/// All strong accelerations, then weak ones.
 pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, Failure>> {
     static PULLED: Runs<Vec<Pulled>> = Runs::new(|| {
-        let pulled = |(name, plane, start)| -> Result<_, Failure> {
+        let pulled = |(name, plane, least, start)| -> Result<_, Failure> {
             let motion = run(&plane, 1.0, start, 400.0)?;
             Ok(Pulled {
                 name,
+                least,
                 falls: falls(&motion, 200.0),
                 gained: motion.end().speed() - motion.at(200.0)?.speed(),
             })
         };
-        every(strong().map(pulled))
+        every(strong().chain(weak()).map(pulled))
     });
     PULLED.each()
 }
@@ -109,15 +137,13 @@ fn falls(motion: &Motion, from: f64) -> usize {
 }
 
 /// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
-fn strong() -> impl Iterator<Item = (String, Plane, State)> {
+fn strong() -> impl Iterator<Item = (String, Plane, f64, State)> {
     let mut points = Points::stream(24);
     (0..32).map(move |i| {
         let rate = points.log_uniform(0.1, 3.0);
         let shape = [0, 2, 3, 4][i % 4];
-        let size = Signal::Sum(vec![
-            Signal::constant(points.uniform(2.2, 3.0)),
-            along_a_line(shape, rate),
-        ]);
+        let steady = points.uniform(2.2, 3.0);
+        let size = Signal::Sum(vec![Signal::constant(steady), along_a_line(shape, rate)]);
         let direction = points.uniform(-3.1, 3.1);
         let speed = points.log_uniform(0.2, 3.0);
         let start = any_start(&mut points, speed);
@@ -126,7 +152,35 @@ fn strong() -> impl Iterator<Item = (String, Plane, State)> {
             SHAPES[shape], start.v[0], start.v[1]
         );
         let along = [libm::cos(direction), libm::sin(direction)];
-        (name, Plane::along(along, size), start)
+        let least = match SHAPES[shape] {
+            "oscillating" => steady - 1.0,
+            "decaying" => steady,
+            _ => steady + 1.0,
+        };
+        (name, Plane::along(along, size), least, start)
+    })
+}
+
+/// |A| of 0.2 to 0.9, constant but for its sign; friction 1.
+fn weak() -> impl Iterator<Item = (String, Plane, f64, State)> {
+    let mut points = Points::stream(34);
+    (0..16).map(move |i| {
+        let shape = [0, 5][i % 2];
+        let (size, rate) = (points.uniform(0.2, 0.9), points.log_uniform(0.1, 3.0));
+        let direction = points.uniform(-3.1, 3.1);
+        let speed = points.log_uniform(0.2, 3.0);
+        let start = any_start(&mut points, speed);
+        let name = format!(
+            "|A| = {size:.6}, {}, rate {rate:.6}, μg = 1, v = ({:.6}, {:.6})",
+            SHAPES[shape], start.v[0], start.v[1]
+        );
+        let along = [size * libm::cos(direction), size * libm::sin(direction)];
+        (
+            name,
+            Plane::along(along, along_a_line(shape, rate)),
+            size,
+            start,
+        )
     })
 }
 
@@ -187,7 +241,7 @@ mod tests {
     fn accelerations_that_return_have_their_shapes() {
         let e = libm::exp(-0.2);
         let mut kinds = 0;
-        for (name, plane, period) in bounded_that_return() {
+        for (name, plane, _, period) in strong_that_return() {
             let size: f64 = name.split(&[' ', ','][..]).nth(4).unwrap().parse().unwrap();
             let at = |quarters: f64| {
                 plane

@@ -8,7 +8,7 @@ use super::stops::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::escape::escapes::{alpha, rates};
+use crate::claims::escape::escapes::{a, alpha, rates};
 use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{
@@ -17,8 +17,9 @@ use crate::claims::tolerances::{
 use crate::corrections::rest as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
+use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
-use crate::paper::{rest as printed, turntable as law};
+use crate::paper::rest as printed;
 use std::f64::consts::PI;
 
 /// What an equation says and what the motion does, and the size of its terms.
@@ -104,28 +105,32 @@ fn close(straight: &StraightIn) -> Result<(f64, Close), MotionError> {
 }
 
 fn eq140(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let stated = printed::eq140_alpha_rate(sigma);
-    (stated, c.alpha_rate, stated.abs())
+    (
+        printed::eq140_alpha_rate(sigma),
+        c.alpha_rate,
+        c.alpha_rate.abs(),
+    )
 }
 fn eq141(sigma: f64, c: &Close) -> (f64, f64, f64) {
     (printed::eq141_alpha(sigma, -c.left), c.alpha, c.alpha)
 }
+/// Of an equation, what its left side exceeds the right one by, and 0.
 fn eq142(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let right = printed::eq142_right(c.alpha, c.psi);
+    let left = printed::eq142_left(sigma, c.psi_slope);
     let size = 2.0 + (c.psi / c.alpha).abs();
-    (printed::eq142_left(sigma, c.psi_slope), right, size)
+    (left - printed::eq142_right(c.alpha, c.psi), 0.0, size)
 }
 fn eq144(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let right = printed::eq144_right(c.alpha);
-    (printed::eq144_left(sigma, c.a_slope), right, right)
+    let left = printed::eq144_left(sigma, c.a_slope);
+    (left - printed::eq144_right(c.alpha), 0.0, c.alpha)
 }
 fn eq144_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let right = printed::eq144_right(c.alpha);
-    (printed::eq144_left(sigma, c.a_slope_by_way), right, right)
+    let left = printed::eq144_left(sigma, c.a_slope_by_way);
+    (left - printed::eq144_right(c.alpha), 0.0, c.alpha)
 }
 fn eq145(sigma: f64, c: &Close) -> (f64, f64, f64) {
     let stated = printed::eq145_a(sigma, c.alpha);
-    (stated, c.a, (stated - sigma).abs())
+    (stated, c.a, (c.a - sigma).abs())
 }
 /// The coefficient of α², where A − σ is too small to be taken as a difference: σ² − A² is twice the way still to go.
 fn eq145_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
@@ -133,21 +138,54 @@ fn eq145_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
     (printed::eq145_a(sigma, 1.0) - sigma, found, found.abs())
 }
 
+/// A point of the boundary, and how A, α and ψ change there.
+#[derive(Debug, Clone, Copy)]
+struct Leaving {
+    border: Border,
+    a_rate: f64,
+    alpha_rate: f64,
+    psi_rate: f64,
+}
+
 /// On the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
-fn borders_near_one() -> impl Iterator<Item = Result<&'static Border, Failure>> {
-    static BORDERS: Runs<Vec<Border>> = Runs::new(|| {
+fn borders_near_one() -> impl Iterator<Item = Result<&'static Leaving, Failure>> {
+    static BORDERS: Runs<Vec<Leaving>> = Runs::new(|| {
         let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
-        every(alphas.map(|alpha| border(alpha, angle_towards_one(alpha))))
+        every(alphas.map(leaving))
     });
     BORDERS.each()
 }
 
+/// A moment after the point of the boundary with this α: the motion stays on the boundary.
+fn leaving(alpha0: f64) -> Result<Leaving, Failure> {
+    let psi = angle_towards_one(alpha0);
+    let a0 = border(alpha0, psi)?.a;
+    let h = 1e-3 * alpha0;
+    let run = Run::new(&Start::hyperbolic(a0, alpha0, psi)?, 4.0 * h)?;
+    let [a_rate, alpha_rate, psi_rate] = rates(2.0 * h, h, |t| {
+        let state = run.at(t)?;
+        Ok([a(&state), alpha(&state), state.psi()])
+    })?;
+    let now = run.at(2.0 * h)?;
+    Ok(Leaving {
+        border: Border {
+            alpha: alpha(&now),
+            psi: now.psi(),
+            a: a(&now),
+        },
+        a_rate,
+        alpha_rate,
+        psi_rate,
+    })
+}
+
 /// At σ = 1, where the motion takes for ever: on the boundary.
-fn at_one(compared: &'static str, sides: fn([f64; 3]) -> (f64, f64, f64)) -> Evidence {
+fn at_one(compared: &'static str, sides: fn(&Leaving) -> (f64, f64, f64)) -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Outside, compared, BOUNDARY);
-    trial.over(borders_near_one(), |border| {
-        let Border { alpha, psi, a } = *border?;
-        let (stated, found, scale) = sides([a, alpha, psi]);
+    trial.over(borders_near_one(), |leaving| {
+        let leaving = leaving?;
+        let Border { alpha, psi, .. } = leaving.border;
+        let (stated, found, scale) = sides(leaving);
         Ok(Pair {
             at: format!("σ = 1, α = {alpha:.3}, ψ = {psi:.6}"),
             stated,
@@ -159,45 +197,44 @@ fn at_one(compared: &'static str, sides: fn([f64; 3]) -> (f64, f64, f64)) -> Evi
 
 /// (140) at σ = 1.
 pub fn eq140_at_one() -> Evidence {
-    let compared = "(140) with dα/dτ by (114) on the boundary, relative";
-    at_one(compared, |[a, alpha, psi]| {
-        let rate: f64 = law::eq114_alpha_rate(a, alpha, psi);
+    let compared = "(140) with dα/dτ of the motion on the boundary, relative";
+    at_one(compared, |l| {
+        let rate = l.alpha_rate;
         (printed::eq140_alpha_rate(1.0), rate, rate.abs())
     })
 }
 /// (141) at σ = 1.
 pub fn eq141_at_one() -> Evidence {
     let compared = "(141), for any τ, with α on the boundary, relative";
-    at_one(compared, |[_, alpha, _]| {
+    at_one(compared, |l| {
+        let alpha = l.border.alpha;
         (printed::eq141_alpha(1.0, -1.0), alpha, alpha)
     })
 }
 /// (142) at σ = 1.
 pub fn eq142_at_one() -> Evidence {
-    let compared = "the two sides of (142) on the boundary, dψ/dα by (114) and (115), relative";
-    at_one(compared, |[a, alpha, psi]| {
-        let slope = law::eq115_psi_rate(alpha, psi) / law::eq114_alpha_rate(a, alpha, psi);
-        let right: f64 = printed::eq142_right(alpha, psi);
-        (printed::eq142_left(1.0, slope), right, right.abs())
+    let compared = "the left side of (142) less the right one with 0, dψ/dα being that of the motion on the boundary, over 2 + ψ/α";
+    at_one(compared, |l| {
+        let Border { alpha, psi, .. } = l.border;
+        let left = printed::eq142_left(1.0, l.psi_rate / l.alpha_rate);
+        let size = 2.0 + psi / alpha;
+        (left - printed::eq142_right(alpha, psi), 0.0, size)
     })
 }
 /// (144) at σ = 1.
 pub fn eq144_at_one() -> Evidence {
-    let compared = "the two sides of (144) on the boundary, dA/dα by (113) and (114), relative";
-    at_one(compared, |[a, alpha, psi]| {
-        let slope = law::eq113_a_rate(alpha) / law::eq114_alpha_rate(a, alpha, psi);
-        (
-            printed::eq144_left(1.0, slope),
-            printed::eq144_right(alpha),
-            alpha,
-        )
+    let compared = "the left side of (144) less the right one with 0, dA/dα being that of the motion on the boundary, relative";
+    at_one(compared, |l| {
+        let alpha = l.border.alpha;
+        let left = printed::eq144_left(1.0, l.a_rate / l.alpha_rate);
+        (left - printed::eq144_right(alpha), 0.0, alpha)
     })
 }
 /// (145) at σ = 1.
 pub fn eq145_at_one() -> Evidence {
     let compared = "(145) with A on the boundary";
-    at_one(compared, |[a, alpha, _]| {
-        (printed::eq145_a(1.0, alpha), a, 1.0)
+    at_one(compared, |l| {
+        (printed::eq145_a(1.0, l.border.alpha), l.border.a, 1.0)
     })
 }
 /// (141) with another origin of time.
@@ -239,12 +276,11 @@ pub fn corrected140() -> Evidence {
     trial.over(within_one(), |straight| {
         let straight = straight?;
         let (sigma, close) = close(straight)?;
-        let stated = corrected::alpha_rate_straight_in(sigma);
         Ok(Pair {
             at: straight.at(),
-            stated,
+            stated: corrected::alpha_rate_straight_in(sigma),
             found: close.alpha_rate,
-            scale: stated.abs(),
+            scale: close.alpha_rate.abs(),
         })
     })
 }
@@ -268,36 +304,35 @@ pub fn eq141_straight() -> Evidence {
 }
 /// (142) at p = 10⁻²⁰.
 pub fn eq142_motion() -> Evidence {
-    let compared = "the two sides of (142), dψ/dα being that of the motion at p = 1e-20";
+    let compared = "the left side of (142) less the right one with 0, over 2 + ψ/α, dψ/dα being that of the motion at p = 1e-20";
     exactly(Route::Integration, compared, eq142)
 }
 /// (142) by order.
 pub fn eq142_order() -> Evidence {
-    let compared =
-        "the two sides of (142) at p = 1e-3, over 2 + ψ/α, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = "the left side of (142) less the right one with 0 at p = 1e-3, over 2 + ψ/α, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
     by_order(compared, 1e-3, eq142)
 }
 /// (142), ψ → π.
 pub fn eq142_straight() -> Evidence {
     straight(
-        "the two sides of (142) for a motion that comes to rest with ψ → π",
+        "the left side of (142) less the right one with 0 for a motion that comes to rest with ψ → π",
         eq142,
     )
 }
 /// (144) at p = 10⁻²⁰, by the way.
 pub fn eq144_motion() -> Evidence {
-    let compared = "the two sides of (144) at p = 1e-20, with A dA = ds from the way still to go";
+    let compared = "the left side of (144) less the right one with 0 at p = 1e-20, relative, with A dA = ds from the way still to go";
     exactly(Route::Integration, compared, eq144_way)
 }
 /// (144) by order.
 pub fn eq144_order() -> Evidence {
-    let compared = "the two sides of (144), dA/dα being that of the motion at p = 1e-3, relative, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = "the left side of (144) less the right one with 0, dA/dα being that of the motion at p = 1e-3, relative, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
     by_order(compared, 1e-3, eq144)
 }
 /// (144), ψ → π.
 pub fn eq144_straight() -> Evidence {
     straight(
-        "the two sides of (144) for a motion that comes to rest with ψ → π",
+        "the left side of (144) less the right one with 0 for a motion that comes to rest with ψ → π",
         eq144,
     )
 }
@@ -329,12 +364,12 @@ fn levels(sigma: f64) -> [f64; 2] {
     }
 }
 
-/// The constant in the brackets of (143), from two moments.
+/// The constant in the brackets of (143), from two moments. By how much the power of α that stands beside it changes from one
+/// to the other, the slopes tell.
 fn constant(approach: &Approach) -> Result<(f64, f64), Failure> {
     let [far, near] = levels(approach.sigma);
     let (far, near) = (approach.close(far)?, approach.close(near)?);
-    let e: f64 = printed::eq143_exponent(approach.sigma);
-    let q = libm::pow(far.alpha / near.alpha, e);
+    let q = far.ratio_slope() / near.ratio_slope();
     Ok(((far.ratio() - q * near.ratio()) / (1.0 - q), near.alpha))
 }
 
@@ -427,10 +462,11 @@ pub fn eq143_regular() -> Evidence {
     trial.over(approaches_to_one_half(), |approach| {
         let approach = approach?;
         let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
-        let c = far.ratio() - corrected::psi(0.5, 0.0, far.alpha) / (2.0 * far.alpha);
+        let ratio = |c: f64, alpha: f64| corrected::psi_at_one_half(c, alpha) / (2.0 * alpha);
+        let c = far.ratio() - ratio(0.0, far.alpha);
         Ok(Pair {
             at: approach.at(),
-            stated: corrected::psi(0.5, c, near.alpha) / (2.0 * near.alpha),
+            stated: ratio(c, near.alpha),
             found: near.ratio(),
             scale: near.ratio().abs(),
         })
@@ -444,24 +480,25 @@ pub fn eq143_straight() -> Evidence {
     )
 }
 
-/// ψ at the end of a motion to rest.
+/// α and ψ at the end of a motion to rest.
 pub fn near_rest_angle() -> Evidence {
-    let compared = "0 with ψ of the motion at p = 1e-30";
+    let compared = "the limits 0 of α and ψ with α and ψ of the motion at p = 1e-30";
     let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
-    trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
+    let both = approaches_to(&[(0.3, 0.98)]).flat_map(|a| [0, 1].map(|i| (a.clone(), i)));
+    trial.over(both, |(approach, i)| {
         let approach = approach?;
+        let end = approach.run.end();
         Ok(Pair {
             at: approach.at(),
-            stated: 0.0,
-            found: approach.run.end().psi(),
+            stated: printed::s4_near_rest_limits()[i],
+            found: [alpha(&end), end.psi()][i],
             scale: 1.0,
         })
     })
 }
-/// Random motions to rest on which ψ does not fall towards zero at the end.
+/// Random motions to rest, on which ψ and α come nearer to their limits at the end.
 pub fn near_rest_census() -> Evidence {
-    let compared =
-        "0 with the tenfold falls of p, from 1e-10 on, over which |ψ| or α does not fall";
+    let compared = "the tenfold falls of p, from 1e-10 on, over which α and ψ both come nearer to their limits 0, with all of them";
     let trial = Trial::by(
         Route::Census,
         Subject::Within,
@@ -470,36 +507,38 @@ pub fn near_rest_census() -> Evidence {
     );
     trial.over(approaches(), |approach| {
         let approach = approach?;
+        let states = tenfold(&approach.run);
         Ok(Pair {
             at: approach.at(),
-            stated: 0.0,
-            found: idle(&tenfold(&approach.run)) as f64,
+            stated: nearing(&states, printed::s4_near_rest_limits()) as f64,
+            found: (states.len() - 1) as f64,
             scale: 1.0,
         })
     })
 }
 
-/// |ψ| and α where p has fallen below 10⁻¹⁰ and so on, tenfold each time, to 10⁻²⁸.
+/// α and ψ where p has fallen below 10⁻¹⁰ and so on, tenfold each time, to 10⁻²⁸.
 fn tenfold(run: &Run) -> Vec<[f64; 2]> {
     let levels = (10..29).filter_map(|n| {
         let p = libm::pow(10.0, f64::from(-n));
         run.nodes().find(|s| s.p() < p)
     });
-    levels.map(|s| [s.psi().abs(), alpha(&s)]).collect()
+    levels.map(|s| [alpha(&s), s.psi()]).collect()
 }
 
-/// How often one of the two does not fall.
-fn idle(states: &[[f64; 2]]) -> usize {
-    states
-        .windows(2)
-        .filter(|w| !(w[1][0] < w[0][0] && w[1][1] < w[0][1]))
+/// How often both come nearer to their limits.
+fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
+    let off = |state: [f64; 2], i: usize| (state[i] - limits[i]).abs();
+    let pairs = states.windows(2);
+    pairs
+        .filter(|w| [0, 1].iter().all(|&i| off(w[1], i) < off(w[0], i)))
         .count()
 }
 /// ψ of motions that come straight in to rest.
 pub fn near_rest_straight() -> Evidence {
     straight(
         "0 with ψ of a motion that comes to rest with ψ → π",
-        |_, c| (0.0, c.psi, 1.0),
+        |_, c| (printed::s4_near_rest_limits()[1], c.psi, 1.0),
     )
 }
 /// The angle of those motions by its own law.
@@ -524,7 +563,7 @@ mod tests {
     use crate::claims::escape::straight::straight_in;
 
     #[test]
-    fn falls_that_do_not_come_are_counted() {
+    fn states_that_come_nearer_are_counted() {
         let states = [
             [1.0, 1.0],
             [0.5, 0.5],
@@ -533,13 +572,16 @@ mod tests {
             [0.6, 0.2],
             [0.1, 0.1],
         ];
-        assert_eq!(idle(&states), 3);
-        assert_eq!(idle(&states[..2]), 0);
+        assert_eq!(nearing(&states, [0.0; 2]), 2);
+        assert_eq!(nearing(&states[..2], [0.0; 2]), 1);
+        // Away from 1, and on both sides of 0.45.
+        assert_eq!(nearing(&states[..2], [1.0, 0.0]), 0);
+        assert_eq!(nearing(&states[1..3], [0.0, 0.56]), 1);
         // Every tenfold fall of p is there; α ≈ p/ρ falls with it.
         let approach = Approach::new([0.5, 0.2, 0.5]).unwrap().unwrap();
         let levels = tenfold(&approach.run);
         assert_eq!(levels.len(), 19);
-        for (n, [_, alpha]) in (10..).zip(levels) {
+        for (n, [alpha, _]) in (10..).zip(levels) {
             let p = alpha * approach.sigma * libm::pow(10.0, f64::from(n));
             assert!((0.01..1.0001).contains(&p), "{p} at 1e-{n}");
         }

@@ -1,6 +1,6 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::stretches::{ANY, Launch, launches, stretches};
+use super::stretches::{ANY, Launch, launches, stretches, sum};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
@@ -13,7 +13,7 @@ use crate::paper::turntable as printed;
 pub fn eq104() -> Evidence {
     let trial = Trial::motion(
         Subject::Printed,
-        "(104) at the end of a stretch of motion with (104) at its begin",
+        "the change of (104) over a stretch of motion with 0",
     );
     trial.over(stretches(ANY), |stretch| {
         let stretch = stretch?;
@@ -23,8 +23,8 @@ pub fn eq104() -> Evidence {
         };
         Ok(Pair {
             at: stretch.at(),
-            stated: value(stretch.to)?,
-            found: value(stretch.from)?,
+            stated: value(stretch.to)? - value(stretch.from)?,
+            found: 0.0,
             scale: 1.0,
         })
     })
@@ -43,7 +43,7 @@ pub fn eq105() -> Evidence {
         };
         Ok(Pair {
             at: stretch.at(),
-            stated: integral(rate, stretch.from, stretch.to)?.value,
+            stated: sum(rate, stretch.from, stretch.to, 1e-13),
             found: stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
             scale: 1.0,
         })
@@ -56,7 +56,7 @@ pub fn way(launch: &Launch) -> Result<f64, Failure> {
     Ok(integral(speed, 0.0, launch.to)?.value)
 }
 
-/// The energy that (106) is about, as printed or as corrected, at the end with that at the begin.
+/// The energy that (106) is about, as printed or as corrected: its change with 0.
 fn kept(
     subject: Subject,
     compared: &'static str,
@@ -71,8 +71,9 @@ fn kept(
             |s: &State| 0.5 * m * (s.speed() * s.speed() + omega * omega * s.radius() * s.radius());
         Ok(Pair {
             at: launch.at(),
-            stated: energy(&launch.table, &end, way(launch)?),
-            found: energy(&launch.table, &launch.start, 0.0),
+            stated: energy(&launch.table, &end, way(launch)?)
+                - energy(&launch.table, &launch.start, 0.0),
+            found: 0.0,
             scale: size(&launch.start).max(size(&end)),
         })
     })
@@ -80,7 +81,7 @@ fn kept(
 
 /// (106) as printed.
 pub fn eq106() -> Evidence {
-    let compared = "(106) at the end of a motion with (106) at its begin";
+    let compared = "the change of (106) over a motion with 0";
     kept(Subject::Printed, compared, |table, state, s| {
         printed::eq106_constant(table.mass, table.g, table.omega, state.x, state.v, s)
     })
@@ -88,7 +89,7 @@ pub fn eq106() -> Evidence {
 
 /// (106) with m μ g s.
 pub fn eq106_corrected() -> Evidence {
-    let compared = "(106) with mμgs at the end of a motion with the same at its begin";
+    let compared = "the change of (106) with mμgs over a motion with 0";
     kept(Subject::Corrected, compared, |table, state, s| {
         let Table { omega, mu, g, mass } = *table;
         corrections::constant(mass, mu, g, omega, state.x, state.v, s)
@@ -146,7 +147,7 @@ pub fn friction_corrected() -> Evidence {
 /// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken
 /// off is the work of the Coriolis force.
 pub fn coriolis() -> Evidence {
-    let compared = "0 with the work of the Coriolis force: the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction";
+    let compared = "the work of the Coriolis force of (86) with the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FRAMES);
     trial.over(launches(), |launch| {
         let launch = launch?;
@@ -155,13 +156,18 @@ pub fn coriolis() -> Evidence {
         let kinetic = |s: &State| 0.5 * m * s.speed() * s.speed();
         let centrifugal = |s: &State| 0.5 * m * omega * omega * s.radius() * s.radius();
         let friction = friction_work(launch)?;
+        let power = |t: f64| {
+            let state = launch.turning.at(t);
+            state.map_or(f64::NAN, |s| printed::coriolis_power(m, omega, s.v))
+        };
         let found =
             kinetic(&end) - kinetic(begin) - (centrifugal(&end) - centrifugal(begin)) - friction;
+        let scale = kinetic(begin) + centrifugal(begin) + kinetic(&end) + centrifugal(&end);
         Ok(Pair {
             at: launch.at(),
-            stated: 0.0,
+            stated: sum(power, 0.0, launch.to, 1e-15 * scale),
             found,
-            scale: kinetic(begin) + centrifugal(begin) + kinetic(&end) + centrifugal(&end),
+            scale,
         })
     })
 }

@@ -37,80 +37,105 @@ fn at(a: f64, alpha: f64) -> String {
 fn stands_still(
     compared: &'static str,
     stream: u64,
-    [low, high]: [f64; 2],
+    range: [f64; 2],
     formula: fn(f64) -> f64,
 ) -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Printed, compared, STANDS_STILL);
     let mut points = Points::stream(stream);
     trial.over(0..30, |_| {
         let (a, alpha) = state(&mut points);
-        let rate = |psi: f64| psi_rate(a, alpha, psi).unwrap_or(f64::NAN);
         Ok(Pair {
             at: at(a, alpha),
             stated: formula(alpha),
-            found: roots::root(rate, low, high)?,
+            found: standstill(a, alpha, range)?,
             scale: 1.0,
         })
     })
 }
 
+/// The angle in a range at which ψ of the motion stands still for a moment.
+fn standstill(a: f64, alpha: f64, [low, high]: [f64; 2]) -> Result<f64, Failure> {
+    let rate = |psi: f64| psi_rate(a, alpha, psi).unwrap_or(f64::NAN);
+    Ok(roots::root(rate, low, high)?)
+}
+
+/// Where ψ₁ is looked for, and where ψ₂.
+const BELOW_AND_ABOVE: [[f64; 2]; 2] = [[0.0, FRAC_PI_2], [FRAC_PI_2, PI]];
+
 /// (124).
 pub fn psi1() -> Evidence {
     let compared =
         "(124) with the angle below π/2 at which ψ of the motion stands still for a moment";
-    stands_still(compared, 530, [0.0, FRAC_PI_2], printed::eq124_psi1)
+    stands_still(compared, 530, BELOW_AND_ABOVE[0], printed::eq124_psi1)
 }
 
 /// (125).
 pub fn psi2() -> Evidence {
     let compared =
         "(125) with the angle above π/2 at which ψ of the motion stands still for a moment";
-    stands_still(compared, 531, [FRAC_PI_2, PI], printed::eq125_psi2)
+    stands_still(compared, 531, BELOW_AND_ABOVE[1], printed::eq125_psi2)
 }
 
-/// Two motions from the same A and α, with ψ a little below and above: whether the angle between them shrinks.
+/// Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
+/// shrinks.
 pub fn separation() -> Evidence {
-    let compared = "−1 at ψ₁, 1 at ψ₂, with the sign of the rate at which two motions with the same A, α, and with ψ less and greater by 1e-4, part";
+    let compared = "−1 if it is ψ₁ where ψ stands still, 1 if it is ψ₂, with the sign of the rate at which two motions with the same A, α, and with ψ less and greater than there by 1e-4, part";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let mut points = Points::stream(532);
     trial.over(0..40, |i| {
         let (a, alpha) = state(&mut points);
-        let (psi, sign) = match i % 2 {
-            0 => (printed::eq124_psi1(alpha), -1.0),
-            _ => (printed::eq125_psi2(alpha), 1.0),
-        };
+        let psi = standstill(a, alpha, BELOW_AND_ABOVE[i % 2])?;
         let parting = psi_rate(a, alpha, psi + 1e-4)? - psi_rate(a, alpha, psi - 1e-4)?;
+        let is = |formula: f64| (psi - formula).abs() < STANDS_STILL.value;
+        let stated = match [
+            is(printed::eq124_psi1(alpha)),
+            is(printed::eq125_psi2(alpha)),
+        ] {
+            [true, false] => -1.0,
+            [false, true] => 1.0,
+            _ => f64::NAN,
+        };
         Ok(Pair {
             at: format!("{}, ψ = {psi:.6}", at(a, alpha)),
-            stated: sign,
+            stated,
             found: f64::signum(parting),
             scale: 1.0,
         })
     })
 }
 
-/// (115) with α held fixed, from any angle: forwards in time it ends at ψ₁, backwards at ψ₂.
+/// (115) with α held fixed, from any angle: forwards in time it ends where ψ stands still and attracts, backwards where it
+/// repels.
 pub fn frozen() -> Evidence {
-    let compared = "ψ₁ and ψ₂ with where (115) leads from any ψ at fixed α, forwards and backwards in time, up to turns";
+    let compared = "where (115) leads from any ψ at fixed α, forwards and backwards in time, up to turns, with the angles below and above π/2 at which forces turn velocity and position equally fast";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, FOREIGN);
     let mut points = Points::stream(533);
     trial.over(0..40, |i| {
         let (alpha, start) = (points.log_uniform(0.1, 1.5), points.uniform(-3.1, 3.1));
-        let (stated, direction) = match i % 2 {
-            0 => (printed::eq124_psi1(alpha), 1.0),
-            _ => (printed::eq125_psi2(alpha), -1.0),
-        };
+        let direction = [1.0, -1.0][i % 2];
         let rate = |_: f64, psi: &[f64; 1]| [direction * printed::eq115_psi_rate(alpha, psi[0])];
         // Fifty times the time in which a small deviation falls to a third.
         let until = 50.0 * 0.5 * libm::sinh(2.0 * alpha);
-        let [end] = dop853::end(rate, 0.0, [start], until, 1e-13, 1e-13)?;
+        let end = dop853::end(rate, 0.0, [start], until, 1e-13, 1e-13);
+        let [low, high] = BELOW_AND_ABOVE[i % 2];
+        let found = roots::root(|psi| turning(alpha, psi), low, high)?;
         Ok(Pair {
             at: format!("α = {alpha:.6}, from ψ = {start:.6}"),
-            stated,
-            found: end - TAU * libm::round((end - stated) / TAU),
+            stated: end.map_or(f64::NAN, |[end]| {
+                end - TAU * libm::round((end - found) / TAU)
+            }),
+            found,
             scale: 1.0,
         })
     })
+}
+
+/// How much faster the position turns than the velocity, with p = sinh α, ρ = cosh α: the velocity is turned by the
+/// centrifugal force ρ sin ψ and the Coriolis force 2p across it.
+fn turning(alpha: f64, psi: f64) -> f64 {
+    let (p, rho, sine) = (libm::sinh(alpha), libm::cosh(alpha), libm::sin(psi));
+    let across = rho * sine - 2.0 * p;
+    -p * sine / rho - across / p
 }
 
 /// Starts (A, α, ψ) of escapes.
@@ -125,6 +150,8 @@ pub struct Following {
     pub psi: f64,
     /// ψ₁ at the α of that moment, in radians.
     pub psi1: f64,
+    /// π/2 − ψ.
+    pub lag: f64,
     /// (π/2 − ψ)/(π/2 − ψ₁).
     pub ratio: f64,
 }
@@ -140,6 +167,7 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
             tau,
             psi: state.psi(),
             psi1,
+            lag: state.lag(),
             ratio: state.lag() / (FRAC_PI_2 - psi1),
         })
     };
@@ -148,7 +176,7 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
 
 /// Along an escape, where α grows: the angle that ψ lacks of π/2 is not the one that ψ₁ lacks.
 pub fn escape() -> Evidence {
-    let compared = "1 with (π/2 − ψ)/(π/2 − ψ₁) late in an escape";
+    let compared = "π/2 − ψ₁ with π/2 − ψ late in an escape, relative";
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, LAG);
     let late = ESCAPES
         .into_iter()
@@ -168,9 +196,9 @@ pub fn escape() -> Evidence {
                 at(a, alpha),
                 moment.tau
             ),
-            stated: 1.0,
-            found: moment.ratio,
-            scale: 1.0,
+            stated: FRAC_PI_2 - moment.psi1,
+            found: moment.lag,
+            scale: moment.lag,
         })
     })
 }
@@ -191,6 +219,11 @@ mod tests {
                 assert!(
                     (rate - law).abs() < 1e-8 * (1.0 + law.abs()),
                     "ψ = {psi}: {rate}, {law}"
+                );
+                let own = turning(alpha, psi);
+                assert!(
+                    (own - law).abs() < 1e-14 * (1.0 + law.abs()),
+                    "{own}, {law}"
                 );
             }
         }

@@ -1,13 +1,13 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
-use super::stretches::{ANY, launches, stretches};
-use crate::claims::compare::{Pair, Trial};
+use super::stretches::{ANY, Launch, launches, stretches, sum};
+use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::turntable::{State, Table, inertial, rotating};
+use crate::motion::MotionError;
+use crate::motion::turntable::{Path, State, Table, inertial, rotating};
 use crate::numerics::dop853;
-use crate::numerics::quadrature::integral_within;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
 
@@ -19,17 +19,45 @@ fn law(table: &Table, state: &State) -> [f64; 2] {
 /// laboratory has, where friction is the only force.
 pub fn eq86() -> Evidence {
     let compared = "∫ (86) dt along the motion found in the frame of the table with the change of d𝐫/dt found in the laboratory, each component";
-    let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
-    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
-    trial.over(both, |(launch, i)| {
+    summed(Subject::Within, compared, |table, state| (table, state))
+}
+
+/// The same for the mirrored motion on a table that turns the other way.
+pub fn mirror() -> Evidence {
+    let compared = "∫ (86) dt with −Ω along the mirrored motion, found in the frame of the table, with the mirrored change of d𝐫/dt found in the laboratory, each component";
+    summed(Subject::Printed, compared, |table, state| {
+        let other = Table {
+            omega: -table.omega,
+            ..table
+        };
+        let mirrored = State {
+            x: [state.x[0], -state.x[1]],
+            v: [state.v[0], -state.v[1]],
+            ..state
+        };
+        (other, mirrored)
+    })
+}
+
+fn summed(
+    subject: Subject,
+    compared: &'static str,
+    image: fn(Table, State) -> (Table, State),
+) -> Evidence {
+    let trial = Trial::by(Route::Quadrature, subject, compared, FRAMES);
+    trial.over(components(), |(launch, i)| {
         let launch = launch?;
-        let table = &launch.table;
-        let unit = table.length() * table.omega;
-        let rate = |t: f64| launch.turning.at(t).map_or(f64::NAN, |s| law(table, &s)[i]);
+        let of = |state: State| image(launch.table, state);
+        let rate = |t: f64| {
+            let here = launch.turning.at(t).map(of);
+            here.map_or(f64::NAN, |(table, state)| law(&table, &state)[i])
+        };
+        let velocity = |state: State| of(state).1.v[i];
+        let unit = launch.table.length() * launch.table.omega;
         Ok(Pair {
             at: launch.at(),
-            stated: integral_within(rate, 0.0, launch.to, 1e-13 * unit)?.value,
-            found: launch.still.on_table(launch.to)?.v[i] - launch.start.v[i],
+            stated: sum(rate, 0.0, launch.to, 1e-13 * unit),
+            found: velocity(launch.still.on_table(launch.to)?) - velocity(launch.start),
             scale: unit,
         })
     })
@@ -60,17 +88,7 @@ pub fn eq86_turns() -> Evidence {
             v: [-v * s, v * c],
         };
         let until = 3.0 * TAU / table.omega;
-        let rate = |_: f64, y: &[f64; 4]| {
-            let state = State {
-                t: 0.0,
-                x: [y[0], y[1]],
-                v: [y[2], y[3]],
-            };
-            let [ax, ay] = law(&table, &state);
-            [y[2], y[3], ax, ay]
-        };
-        let begin = [start.x[0], start.x[1], start.v[0], start.v[1]];
-        let [x, y, ..] = dop853::end(rate, 0.0, begin, until, 1e-13, 1e-13)?;
+        let [x, y] = by_the_law(&table, &start, until);
         let place = inertial::run(&table, &table.to_laboratory(&start), until)?.on_table(until)?;
         Ok(Pair {
             at: format!(
@@ -82,6 +100,22 @@ pub fn eq86_turns() -> Evidence {
             scale: place.radius(),
         })
     })
+}
+
+/// The place on the table to which (86) leads; not a number if it leads nowhere.
+fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
+    let rate = |_: f64, y: &[f64; 4]| {
+        let state = State {
+            t: 0.0,
+            x: [y[0], y[1]],
+            v: [y[2], y[3]],
+        };
+        let [ax, ay] = law(table, &state);
+        [y[2], y[3], ax, ay]
+    };
+    let begin = [start.x[0], start.x[1], start.v[0], start.v[1]];
+    let end = dop853::end(rate, 0.0, begin, until, 1e-13, 1e-13);
+    end.map_or([f64::NAN; 2], |[x, y, ..]| [x, y])
 }
 
 /// (89), likewise.
@@ -100,76 +134,60 @@ pub fn eq89() -> Evidence {
         let [begin, end] = [stretch.from, stretch.to].map(|tau| stretch.still.on_table(tau));
         Ok(Pair {
             at: stretch.at(),
-            stated: integral_within(rate, stretch.from, stretch.to, 1e-13)?.value,
+            stated: sum(rate, stretch.from, stretch.to, 1e-13),
             found: weighed(end?.v) - weighed(begin?.v),
             scale: 1.0,
         })
     })
 }
 
-/// (87) and (88): motions on any table are one and the same in these units.
-fn scaled(compared: &'static str) -> Evidence {
+/// The motion of a launch on the table with Ω = μg = 1, for longer than the launch.
+fn in_units(launch: &Launch) -> Result<Path, MotionError> {
+    let table = &launch.table;
+    let length = table.length();
+    let start = State {
+        t: 0.0,
+        x: launch.start.x.map(|x| x / length),
+        v: launch.start.v.map(|v| v / (length * table.omega)),
+    };
+    rotating::run(&Table::default(), &start, 1.5 * launch.to * table.omega)
+}
+
+/// (87): motions on any table are one and the same in these units.
+pub fn eq87() -> Evidence {
+    let compared = "(87) of a motion on any table with the motion for Ω = μg = 1, each component";
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
-    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
-    trial.over(both, |(launch, i)| {
+    trial.over(components(), |(launch, i)| {
         let launch = launch?;
         let Table { omega, mu, g, .. } = launch.table;
-        let place = |r: [f64; 2]| printed::eq87_position(omega, mu, g, r);
-        let per_time = printed::eq88_time(omega, 1.0);
-        let start = State {
-            t: 0.0,
-            x: place(launch.start.x),
-            v: place(launch.start.v).map(|v| v / per_time),
-        };
-        let tau = printed::eq88_time(omega, launch.to);
-        let found = rotating::run(&Table::default(), &start, tau)?.at(tau)?;
+        let place = launch.still.on_table(launch.to)?.x;
         Ok(Pair {
             at: launch.at(),
-            stated: place(launch.still.on_table(launch.to)?.x)[i],
-            found: found.x[i],
+            stated: printed::eq87_position(omega, mu, g, place)[i],
+            found: in_units(launch)?.at(launch.to * omega)?.x[i],
             scale: 1.0,
         })
     })
 }
 
-/// (87).
-pub fn eq87() -> Evidence {
-    scaled("(87) of a motion on any table with the motion for Ω = μg = 1, each component")
-}
-
-/// (88).
+/// (88), likewise.
 pub fn eq88() -> Evidence {
-    scaled(
-        "place, in units of (87), at the time t with the place at the time (88) for Ω = μg = 1, each component",
-    )
-}
-
-/// The mirrored motion on a table that turns the other way.
-pub fn mirror() -> Evidence {
-    let compared = "the motion, mirrored, with the motion that starts from the mirrored state on the table with −Ω, each component";
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FRAMES);
-    let both = launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)));
-    trial.over(both, |(launch, i)| {
+    let compared = "the place at the time (88) for Ω = μg = 1 with the place at the time t on any table, over μg/Ω², each component";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
+    trial.over(components(), |(launch, i)| {
         let launch = launch?;
-        let other = Table {
-            omega: -launch.table.omega,
-            ..launch.table
-        };
-        let mirrored = |s: State| State {
-            x: [s.x[0], -s.x[1]],
-            v: [s.v[0], -s.v[1]],
-            ..s
-        };
-        let image = inertial::run(
-            &other,
-            &other.to_laboratory(&mirrored(launch.start)),
-            launch.to,
-        )?;
+        let tau = printed::eq88_time(launch.table.omega, launch.to);
+        let there = in_units(launch)?.at(tau);
         Ok(Pair {
             at: launch.at(),
-            stated: mirrored(launch.turning.at(launch.to)?).x[i],
-            found: image.on_table(launch.to)?.x[i],
-            scale: launch.table.length(),
+            stated: there.map_or(f64::NAN, |state| state.x[i]),
+            found: launch.still.on_table(launch.to)?.x[i] / launch.table.length(),
+            scale: 1.0,
         })
     })
+}
+
+/// The launches, each twice, for the two components.
+fn components() -> impl Iterator<Item = (Result<&'static Launch, Failure>, usize)> {
+    launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)))
 }

@@ -1,9 +1,9 @@
 //! Printed rates, integrated along motions, against what changed.
 
-use super::stretches::{ANY, Class, FASTER, SLOWER, View, stretches};
+use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches, sum};
 use crate::claims::compare::{Pair, Trial};
 use crate::evidence::{Evidence, Subject};
-use crate::numerics::quadrature::integral_within;
+use crate::motion::MotionError;
 use crate::paper::turntable as printed;
 use std::f64::consts::{PI, TAU};
 
@@ -26,28 +26,34 @@ fn change(
         let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
         Ok(Pair {
             at: stretch.at(),
-            stated: integral_within(at, stretch.from, stretch.to, ASKED * scale)?.value,
+            stated: sum(at, stretch.from, stretch.to, ASKED * scale),
             found: end - begin,
             scale,
         })
     })
 }
 
-/// The same for the angle ψ, which is measured up to whole turns.
+/// The same for the angle ψ, which is measured up to whole turns, and followed through them.
 fn turning(compared: &'static str, classes: &[Class], rate: impl Fn(&View) -> f64) -> Evidence {
     Trial::quadrature(Subject::Within, compared).over(stretches(classes), |stretch| {
         let stretch = stretch?;
-        let found = stretch.view(stretch.to)?.psi - stretch.view(stretch.from)?.psi;
         let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
-        let stated = integral_within(at, stretch.from, stretch.to, ASKED)?.value;
-        let turns = libm::round((stated - found) / TAU);
         Ok(Pair {
             at: stretch.at(),
-            stated,
-            found: found + TAU * turns,
+            stated: sum(at, stretch.from, stretch.to, ASKED),
+            found: turned(stretch)?,
             scale: PI,
         })
     })
+}
+
+/// By how much ψ grows over a stretch. Off rest and off the axis it changes by less than half a turn from one moment that is
+/// looked at to the next, so that whole turns can be counted.
+fn turned(stretch: &Stretch) -> Result<f64, MotionError> {
+    let angles = samples(stretch.from, stretch.to).map(|tau| Ok(stretch.view(tau)?.psi));
+    let angles = angles.collect::<Result<Vec<_>, MotionError>>()?;
+    let jumps = angles.windows(2).map(|w| libm::round((w[0] - w[1]) / TAU));
+    Ok(angles[angles.len() - 1] - angles[0] + TAU * jumps.sum::<f64>())
 }
 
 /// (90): its left-hand side is the rate of p²/2.
@@ -139,7 +145,7 @@ pub fn eq103() -> Evidence {
         Subject::Printed,
         compared,
         ANY,
-        |v| printed::eq103_energy(v.p, v.rho),
+        |v| 0.5 * (v.p * v.p - v.rho * v.rho),
         |v| printed::eq103_energy_rate(v.p),
     )
 }

@@ -8,6 +8,7 @@ use crate::claims::runs::{Failure, Runs};
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Intrinsic, Path, Start, State, Table, inertial, rotating};
+use crate::numerics::quadrature::integral_within;
 
 /// The particle's speed relative to the table against that of the table under it, ρ, over a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -178,8 +179,13 @@ fn count(found: &[Stretch], class: Class) -> usize {
 }
 
 /// Times all over a stretch, its ends included.
-fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
+pub fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (0..=40).map(move |i| (from + (to - from) * f64::from(i) / 40.0).min(to))
+}
+
+/// ∫ of a rate that a formula gives; not a number where it gives none.
+pub fn sum(rate: impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> f64 {
+    integral_within(rate, from, to, error).map_or(f64::NAN, |sum| sum.value)
 }
 
 /// The class of a stretch; nothing if it comes too close to where formulas divide by zero.
