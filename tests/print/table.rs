@@ -202,6 +202,8 @@ pub const NOT_PRINTED: &[&str] = &[
     "escape::winding",
     "rest::alpha_rate_straight_in",
     "rest::angle_straight_in",
+    "rest::psi_at_one_half",
+    "rest::surface_slope",
 ];
 
 /// Formulas of the corrections that are written for more kinds of numbers than these trees alone, or that a print joins.

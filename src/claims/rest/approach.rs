@@ -574,7 +574,7 @@ mod tests {
         ];
         assert_eq!(nearing(&states, [0.0; 2]), 2);
         assert_eq!(nearing(&states[..2], [0.0; 2]), 1);
-        // Away from 1, and on both sides of 0.45.
+        // Away from 1, and from one side of 0.56 to the other.
         assert_eq!(nearing(&states[..2], [1.0, 0.0]), 0);
         assert_eq!(nearing(&states[1..3], [0.0, 0.56]), 1);
         // Every tenfold fall of p is there; α ≈ p/ρ falls with it.
