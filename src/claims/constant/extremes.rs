@@ -104,7 +104,7 @@ pub fn large_friction_turns() -> Evidence {
         let last = falls.rfind(|(turn, slow)| turn.is_finite() && slow.is_finite());
         let (turned, found) = last.ok_or("no step")?;
         let rate = |y: f64| 1.0 / corrected::turning_slope(lambda, 2.0 * libm::atan(libm::exp(y)));
-        let scale = found.abs() * stop.start.condition();
+        let scale = (1.0 + found.abs()) * stop.start.condition();
         let stated = integral_within(rate, tangent(theta0), turned, 1e-14 * scale);
         Ok(Pair {
             at: stop.start.at(),

@@ -257,7 +257,7 @@ pub fn regular_straight() -> Evidence {
             ..
         } = *turn;
         let late = |ln_r: f64| time(lambda, gamma, u0, theta0, libm::exp(ln_r)) - tau;
-        let r = libm::exp(root(late, -20.0, 0.0)?);
+        let r = libm::exp(root(late, -20.0, 0.0).unwrap_or(f64::NAN));
         Ok(Pair {
             at: turn.at(),
             stated: speed(lambda, u0, theta0, r),

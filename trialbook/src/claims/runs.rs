@@ -4,7 +4,6 @@ use super::values::NotDecimal;
 use crate::certified::error::CertifiedError;
 use crate::numerics::NumericsError;
 use crate::seeded::reading;
-use std::collections::BTreeSet;
 use std::error::Error;
 use std::fmt::{self, Display};
 use std::num::ParseFloatError;
@@ -52,10 +51,11 @@ failures!(
     NumericsError
 );
 
-/// What is made when it is first asked for. What formulas it has read is noted for all who ask.
+/// What is made when it is first asked for: motions and their like. The values of formulas are none of it, or a mistake
+/// that is seeded later would not reach the trials that share them.
 #[derive(Debug)]
 pub struct Runs<T: 'static> {
-    made: OnceLock<(Result<T, Failure>, BTreeSet<&'static str>)>,
+    made: OnceLock<Result<T, Failure>>,
     make: fn() -> Result<T, Failure>,
 }
 
@@ -71,11 +71,13 @@ impl<T> Runs<T> {
     /// The runs.
     ///
     /// # Errors
-    /// Why there are none.
+    /// Why there are none; a formula that was read in making them is a reason too.
     pub fn get(&self) -> Result<&T, Failure> {
-        let (made, read) = self.made.get_or_init(|| reading::of(self.make));
-        reading::also(read);
-        made.as_ref().map_err(Failure::clone)
+        let made = || match reading::of(self.make) {
+            (made, read) if read.is_empty() => made,
+            (_, read) => Err(format!("runs that are shared have read {read:?}").into()),
+        };
+        self.made.get_or_init(made).as_ref().map_err(Failure::clone)
     }
 }
 

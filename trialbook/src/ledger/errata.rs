@@ -29,6 +29,8 @@ pub struct Erratum {
     pub case: Option<String>,
     /// What was compared, and what came of it; one sentence a trial, formulas in `$…$`.
     pub evidence: Vec<String>,
+    /// Ids of the claims from which its error comes: those that it is derived from and that fail themselves.
+    pub inherits: Vec<&'static str>,
     /// Ids of all claims that rest on this one, directly or not, and fall too.
     pub fallen: Vec<&'static str>,
     /// Ids of all others that rest on it, directly or not.
@@ -96,6 +98,7 @@ impl Ledger {
             })
         };
         let (fallen, standing) = self.resting_on(claim.id).into_iter().partition(fails);
+        let inherits = claim.depends_on.iter().copied().filter(fails).collect();
         Ok(Erratum {
             id: claim.id,
             section: claim.section,
@@ -112,6 +115,7 @@ impl Ledger {
                 .iter()
                 .map(|e| said(e, entry.is_conditional()))
                 .collect(),
+            inherits,
             fallen,
             standing,
         })

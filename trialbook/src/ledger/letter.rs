@@ -18,7 +18,8 @@ pub enum Format {
 }
 
 impl Ledger {
-    /// The errata as a letter to the journal, or as JSON.
+    /// The errata as a short comment on the paper, as one sends it to a journal, or as JSON: an item for each error that
+    /// rests on no other, with what inherits it, and a paragraph of conditions.
     ///
     /// # Errors
     /// As [`Ledger::errata`].
@@ -26,34 +27,97 @@ impl Ledger {
         let errata = self.errata()?;
         Ok(match format {
             Format::Json => serde_json::to_string_pretty(&errata)? + "\n",
-            Format::Text => self.write(&errata, &Plain),
-            Format::Latex => self.write(&errata, &Latex),
+            Format::Text => self.comment(&errata, &Plain),
+            Format::Latex => self.comment(&errata, &Latex),
         })
     }
 
-    fn write(&self, errata: &[Erratum], style: &dyn Style) -> String {
-        let of = |verdicts: &[Verdict]| {
-            let chosen = errata.iter().filter(|e| verdicts.contains(&e.verdict));
-            chosen.collect::<Vec<_>>()
-        };
-        let wrong = of(&[Verdict::Misprint, Verdict::Refuted]);
-        let short = of(&[Verdict::Conditional]);
-        let mut text = style.opening(self.paper);
+    /// What stands behind the comment: every claim that has to be changed, with all its trials. JSON as the letter's.
+    ///
+    /// # Errors
+    /// As [`Ledger::errata`].
+    pub fn supplement(&self, format: Format) -> Result<String, ErrataError> {
+        match format {
+            Format::Json => self.letter(format),
+            Format::Text => Ok(self.trials(&self.errata()?, &Plain)),
+            Format::Latex => Ok(self.trials(&self.errata()?, &Latex)),
+        }
+    }
+
+    fn comment(&self, errata: &[Erratum], style: &dyn Style) -> String {
+        let wrong = of(errata, &WRONG);
+        let (roots, heirs): (Vec<_>, Vec<_>) = wrong.iter().partition(|e| e.inherits.is_empty());
+        let mut text = style.opening(self.paper, "Comment on");
+        text += &style.sender();
         text += &style.paragraph(&format!(
-            "All {} numbered equations and statements of the paper were tried by program: {}. {} do not \
-             stand as printed, {} more hold only under a condition that the paper does not state; of the other {} \
-             none failed. In this letter every number is computed.",
+            "All {} numbered equations and statements of the paper were tried {}. {} independent errors were found, from \
+             which {} further statements suffer; {} statements need a condition. The rest is right as printed.",
             self.entries.len(),
             self.paper.tried,
-            wrong.len(),
-            short.len(),
-            self.entries.len() - errata.len()
+            roots.len(),
+            heirs.len(),
+            errata.len() - wrong.len()
         ));
-        for (title, errata) in [("Corrections", wrong), ("Conditions to be stated", short)] {
+        text += &style.heading("Corrections");
+        for (i, root) in roots.iter().enumerate() {
+            let heirs: Vec<_> = heirs
+                .iter()
+                .filter(|e: &&&Erratum| root.fallen.contains(&e.id))
+                .collect();
+            text += &style.numbered(i + 1, &self.name(root.id), root);
+            text += &style.entry("Printed", &root.old);
+            text += &style.entry("Right", &root.new);
+            text += &style.entry("Reason", &root.reason);
+            text += &style.entry("By hand", root.case.as_deref().unwrap_or_default());
+            if !heirs.is_empty() {
+                let right = heirs
+                    .iter()
+                    .map(|e| format!("{}: {}", self.name(e.id), e.new));
+                text += &style.entry("It passes to", &right.collect::<Vec<_>>().join("; "));
+            }
+            text.push('\n');
+        }
+        text += &style.heading("Conditions");
+        text += &style.paragraph(&self.conditions(errata));
+        text += &style.heading("How this is known");
+        text += &style.paragraph(
+            "Every number here was computed. The trials of each statement, the proofs and the program that makes them are \
+             in the supplement and at [link to the code].",
+        );
+        text + style.closing()
+    }
+
+    /// The missing conditions, each with the claims that need it.
+    fn conditions(&self, errata: &[Erratum]) -> String {
+        let mut needed: Vec<(&str, Vec<String>)> = Vec::new();
+        for erratum in of(errata, &[Verdict::Conditional]) {
+            let Some(entry) = self.entry(erratum.id) else {
+                continue;
+            };
+            for condition in entry.claim.conditions.iter().filter(|c| !c.stated) {
+                let name = self.name(erratum.id);
+                match needed.iter_mut().find(|(text, _)| *text == condition.text) {
+                    Some((_, names)) => names.push(name),
+                    None => needed.push((condition.text, vec![name])),
+                }
+            }
+        }
+        let clauses = needed
+            .iter()
+            .map(|(text, names)| format!("{}: {text}", names.join(", ")));
+        clauses.collect::<Vec<_>>().join(". ") + "."
+    }
+
+    fn trials(&self, errata: &[Erratum], style: &dyn Style) -> String {
+        let mut text = style.opening(self.paper, "Supplement to a comment on");
+        for (title, verdicts) in [
+            ("Corrections", &WRONG[..]),
+            ("Conditions to be stated", &[Verdict::Conditional]),
+        ] {
             text += &style.heading(title);
-            for erratum in errata {
+            for erratum in of(errata, verdicts) {
                 text += &style.item(&self.name(erratum.id), erratum);
-                if !erratum.fallen.is_empty() {
+                if !erratum.fallen.is_empty() && erratum.verdict != Verdict::Conditional {
                     let names: Vec<_> = erratum.fallen.iter().map(|id| self.name(id)).collect();
                     text += &style.entry("Falls with it", &names.join(", "));
                 }
@@ -64,9 +128,18 @@ impl Ledger {
     }
 }
 
+const WRONG: [Verdict; 2] = [Verdict::Misprint, Verdict::Refuted];
+
+fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
+    let chosen = errata.iter().filter(|e| verdicts.contains(&e.verdict));
+    chosen.collect()
+}
+
 /// How the letter is set.
 trait Style {
-    fn opening(&self, paper: &Paper) -> String;
+    fn opening(&self, paper: &Paper, what: &str) -> String;
+    fn sender(&self) -> String;
+    fn numbered(&self, number: usize, name: &str, erratum: &Erratum) -> String;
     fn heading(&self, title: &str) -> String;
     fn paragraph(&self, words: &str) -> String;
     fn title(&self, name: &str, erratum: &Erratum) -> String;
@@ -88,13 +161,36 @@ trait Style {
     }
 }
 
+/// What a claim is about, behind its name; nothing where that says it already.
+fn about(name: &str, erratum: &Erratum) -> String {
+    match name == erratum.title {
+        true => String::new(),
+        false => format!(", {}", erratum.title),
+    }
+}
+
 /// Plain text, 78 characters a line.
 struct Plain;
 
 impl Style for Plain {
-    fn opening(&self, paper: &Paper) -> String {
-        let Paper { title, authors, .. } = paper;
-        format!("Comment on \"{title}\"\nby {authors}\n\n")
+    fn opening(&self, paper: &Paper, what: &str) -> String {
+        let Paper {
+            title,
+            authors,
+            reference,
+            ..
+        } = paper;
+        format!("{what} \"{title}\"\nby {authors}, {reference}\n\n")
+    }
+    fn sender(&self) -> String {
+        "[name, affiliation and address of the sender]\n\n".into()
+    }
+    fn numbered(&self, number: usize, name: &str, erratum: &Erratum) -> String {
+        let (name, about) = (plain_words(name), plain_words(&about(name, erratum)));
+        wrapped(
+            &format!("{number}. Section {}: {name}{about}", erratum.section),
+            0,
+        ) + "\n"
     }
     fn heading(&self, title: &str) -> String {
         format!("{}\n{}\n\n", title.to_uppercase(), "=".repeat(title.len()))
@@ -104,13 +200,7 @@ impl Style for Plain {
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         let (verdict, section) = (erratum.verdict.words(), erratum.section);
-        let name = plain_words(name);
-        let title = plain_words(erratum.title);
-        let about = if name == title {
-            String::new()
-        } else {
-            format!(", {title}")
-        };
+        let (name, about) = (plain_words(name), plain_words(&about(name, erratum)));
         wrapped(&format!("Section {section}: {name}{about}: {verdict}"), 0)
     }
     fn entry(&self, label: &str, words: &str) -> String {
@@ -147,12 +237,30 @@ fn wrapped(words: &str, indent: usize) -> String {
 struct Latex;
 
 impl Style for Latex {
-    fn opening(&self, paper: &Paper) -> String {
-        let Paper { title, authors, .. } = paper;
+    fn opening(&self, paper: &Paper, what: &str) -> String {
+        let Paper {
+            title,
+            authors,
+            reference,
+            ..
+        } = paper;
         format!(
             "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm}}\n\
              \\usepackage[margin=25mm]{{geometry}}\n\n\
-             \\title{{Comment on ``{title}'' by {authors}}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n"
+             \\title{{{what} ``{title}''\\\\\\large by {authors}, {reference}}}\n\\author{{[name]\\\\{{}}[affiliation and \
+             address]}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n"
+        )
+    }
+    fn sender(&self) -> String {
+        // It stands in the title.
+        String::new()
+    }
+    fn numbered(&self, number: usize, name: &str, erratum: &Erratum) -> String {
+        format!(
+            "\\paragraph{{{number}. Section {}: {}{}.}}\n\n",
+            erratum.section,
+            tex_words(name),
+            tex_words(&about(name, erratum))
         )
     }
     fn heading(&self, title: &str) -> String {
@@ -162,15 +270,11 @@ impl Style for Latex {
         format!("{}\n\n", tex_words(words))
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
-        let about = if name == erratum.title {
-            String::new()
-        } else {
-            format!(", {}", tex_words(erratum.title))
-        };
         format!(
-            "\\paragraph{{Section {}: {}{about}: {}.}}\n\n",
+            "\\paragraph{{Section {}: {}{}: {}.}}\n\n",
             erratum.section,
             tex_words(name),
+            tex_words(&about(name, erratum)),
             erratum.verdict.words()
         )
     }
