@@ -362,7 +362,7 @@ fn a_killed_run_leaves_the_earlier_book_and_the_next_run_cleans_up() {
     assert_eq!(page, "the earlier book");
     assert_eq!(fs::read_dir(&out).unwrap().count(), 2);
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
-    slipbook::book::check(&out).unwrap();
+    slipbook::book::check(&slipbook::edition::EDITION, &out).unwrap();
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 

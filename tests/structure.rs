@@ -28,6 +28,15 @@ const ENGINE: &Rooms = &[
     ),
     ("ledger", &["evidence", "claims", "seeded"]),
     ("figures", &[]),
+    ("edition", &["claims", "figures", "seeded"]),
+    (
+        "book",
+        &["evidence", "claims", "ledger", "figures", "edition"],
+    ),
+    (
+        "cli",
+        &["claims", "ledger", "figures", "numerics", "book", "edition"],
+    ),
 ];
 
 /// What knows this paper. A room of the engine's name holds what belongs to this paper there.
@@ -55,10 +64,15 @@ const OF_THE_PAPER: &Rooms = &[
     ),
     ("figures", &["claims", "motion"]),
     (
-        "book",
-        &["evidence", "claims", "ledger", "figures", "symbols"],
+        "commands",
+        &["numerics", "claims", "figures", "cli", "edition"],
     ),
-    ("cli", &["claims", "ledger", "figures", "book"]),
+    (
+        "edition",
+        &[
+            "evidence", "claims", "ledger", "figures", "symbols", "book", "commands",
+        ],
+    ),
 ];
 
 /// The crates, by their sources.

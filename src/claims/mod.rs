@@ -73,4 +73,5 @@ pub static PAPER: Paper = Paper {
     values: &values::VALUES,
     measured: measured::MEASURED,
     survivors: &variants::SURVIVORS,
+    spared: &variants::SPARED,
 };

@@ -230,6 +230,7 @@ static PAPER: Paper = Paper {
     values: &[],
     measured: &[],
     survivors: &[],
+    spared: &[],
 };
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
