@@ -30,6 +30,13 @@ const ENGINE: &Rooms = &[
     ("figures", &[]),
     ("edition", &["claims", "figures", "seeded"]),
     (
+        "prelude",
+        &[
+            "claims", "edition", "evidence", "exact", "figures", "ledger", "numerics", "scalar",
+            "seeded",
+        ],
+    ),
+    (
         "book",
         &["evidence", "claims", "ledger", "figures", "edition"],
     ),

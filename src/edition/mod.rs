@@ -18,6 +18,7 @@ pub static EDITION: Edition = Edition {
     description: "Every claim of the paper \"Slipping and rolling on a rough accelerating surface\", tried and judged",
     icon: include_str!("../../book/theme/favicon.svg"),
     pages: pages::WRITTEN,
+    usual: &[],
     figures: || Ok(figures::all()?),
     symbols: symbols::SYMBOLS,
     sources: Sources {

@@ -45,6 +45,7 @@ written!(
     methods "How a verdict comes about",
     snapshots "How to read a snapshot",
     adding "How to add a claim",
+    own "Your own paper",
     json "Answers as JSON",
     speed "How fast",
 );

@@ -40,6 +40,8 @@ pub struct Edition {
     /// The pages: `index` stands first, then those of the topics, whose titles are the topics', then all others in this
     /// order. Where `index` or the page of a topic is missing, one is made.
     pub pages: &'static [Page],
+    /// The pages behind those; one whose stem is among them is left out.
+    pub usual: &'static [Page],
     /// Draws the figures. The map of claims is drawn anyway.
     pub figures: fn() -> Result<Vec<Figure>, Failure>,
     /// The symbols of the formulas.
@@ -67,7 +69,8 @@ impl Edition {
             description: "The claims of a paper, tried and judged",
             icon: include_str!("../theme/icon.svg"),
             paper,
-            pages: Page::EVERY,
+            pages: &[],
+            usual: Page::USUAL,
             figures: || Ok(Vec::new()),
             symbols: &[],
             sources: Sources::NONE,
@@ -76,6 +79,13 @@ impl Edition {
             commands: &[],
             examples: &[],
         }
+    }
+
+    /// The pages that are written: its own, and the usual ones.
+    pub fn written(&self) -> impl Iterator<Item = &'static Page> {
+        let own = self.pages;
+        let missing = |page: &&Page| own.iter().all(|own| own.stem != page.stem);
+        own.iter().chain(self.usual.iter().filter(missing))
     }
 }
 
@@ -91,17 +101,23 @@ pub struct Page {
 }
 
 impl Page {
-    /// The pages that serve any paper.
-    pub const EVERY: &'static [Page] = &[
-        Page::new("index", "Overview", include_str!("../pages/index.md")),
-        Page::new("ledger", "The ledger", include_str!("../pages/ledger.md")),
-        Page::new("errata", "Errata", include_str!("../pages/errata.md")),
-        Page::new(
-            "methods",
-            "How a verdict comes about",
-            include_str!("../pages/methods.md"),
-        ),
-    ];
+    /// The verdicts at a glance.
+    pub const INDEX: Page = Page::new("index", "Overview", include_str!("../pages/index.md"));
+    /// Every claim with its verdict.
+    pub const LEDGER: Page = Page::new("ledger", "The ledger", include_str!("../pages/ledger.md"));
+    /// All that is known of each claim.
+    pub const SHEETS: Page = Page::new("sheets", "The sheets", include_str!("../pages/sheets.md"));
+    /// What is wrong, with the letters to the journal.
+    pub const ERRATA: Page = Page::new("errata", "Errata", include_str!("../pages/errata.md"));
+    /// What the verdicts rest on.
+    pub const METHODS: Page = Page::new(
+        "methods",
+        "How a verdict comes about",
+        include_str!("../pages/methods.md"),
+    );
+
+    /// The pages that serve any paper, but for the first one.
+    pub const USUAL: &'static [Page] = &[Self::LEDGER, Self::SHEETS, Self::ERRATA, Self::METHODS];
 
     /// A page by its stem, its title and its text.
     pub const fn new(stem: &'static str, title: &'static str, text: &'static str) -> Self {
@@ -132,6 +148,19 @@ impl Sources {
         motion: |_| None,
     };
 }
+
+/// The [`Sources`] that these files are, without folders; each is named from the file where this stands.
+#[macro_export]
+macro_rules! sources {
+    ($($file:literal),* $(,)?) => {
+        $crate::edition::Sources {
+            files: || vec![$(($file, include_str!($file))),*],
+            ..$crate::edition::Sources::NONE
+        }
+    };
+}
+
+pub use sources;
 
 /// What stands in a placeholder's place, as HTML.
 #[derive(Debug, Clone, PartialEq, Eq)]

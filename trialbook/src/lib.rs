@@ -28,5 +28,7 @@ pub mod exact;
 pub mod figures;
 pub mod ledger;
 pub mod numerics;
+#[cfg(feature = "book")]
+pub mod prelude;
 pub mod scalar;
 pub mod seeded;

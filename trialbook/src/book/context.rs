@@ -52,7 +52,7 @@ impl<'a> Context<'a> {
     /// The word, as a link to the place of this id where a page has it.
     pub(super) fn explained(&self, word: &str, id: &str) -> String {
         let place = format!("{{#{id}}}");
-        let mut pages = self.edition.pages.iter();
+        let mut pages = self.edition.written();
         match pages.find(|page| page.text.contains(&place)) {
             Some(page) => format!("<a href=\"{}.html#{id}\">{word}</a>", page.stem),
             None => word.to_owned(),

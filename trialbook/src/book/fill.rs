@@ -11,6 +11,9 @@ use crate::ledger::{Entry, Ledger, Tally, Verdict};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+/// A program to begin with.
+const FIRST: &str = include_str!("../../examples/fall.rs");
+
 /// Fills placeholders from the ledger and the figures.
 pub(super) struct Filler<'a> {
     context: &'a Context<'a>,
@@ -60,16 +63,9 @@ impl<'a> Filler<'a> {
             ["accuracy"] => block(tables::accuracy(context)?),
             ["survivors"] => block(tables::survivors(context)?),
             ["spared"] => block(tables::spared(context)?),
-            ["sheet", id] => block(format!(
-                "<pre><code class=\"language-text\">{}</code></pre>\n",
-                context
-                    .entry(id)?
-                    .sheet()
-                    .lines()
-                    .map(escape)
-                    .collect::<Vec<_>>()
-                    .join("\n")
-            )),
+            ["sheet", id] => block(tables::code(&context.entry(id)?.sheet())),
+            ["sheets"] => block(tables::sheets(context)?),
+            ["first-paper"] => block(tables::code(FIRST)),
             ["equations"] => block(tables::equations(context)?),
             ["symbols"] => block(symbols::table_of(context)?),
             ["values"] => block(values::table_of(context)?),

@@ -18,6 +18,8 @@
 //! | `{{map key}}`, `{{map list}}`, `{{falls}}` | the signs of the map of claims, and what it shows as tables |
 //! | `{{routes}}`, `{{tolerances}}` | tables of what the trials of this ledger use |
 //! | `{{sheet eq-20}}` | the claim's sheet, as the snapshots have it |
+//! | `{{sheets}}` | the sheets of all claims under headings |
+//! | `{{first-paper}}` | the program of a first paper, to begin with |
 //! | `{{verdict eq-11}}` | the verdict in word and colour |
 //! | `{{points eq-11}}` | how many points its trials compared |
 //! | `{{worst eq-11}}` | the disagreement that comes nearest to, or farthest beyond, its tolerance |
@@ -27,8 +29,8 @@
 //! | `{{count proved}}` | the number of claims that are proved |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
 //!
-//! An edition may have more of its own. Those that stand for a box, a figure or a table stand alone on their line. None is filled in code.
-//! Whatever cannot be filled or set stops the book, with page and line.
+//! An edition may have more of its own. Those that stand for a box, a figure or a table stand alone on their line. None is
+//! filled in code. Whatever cannot be filled or set stops the book, with page and line.
 //!
 //! mdBook renders the pages before anything is known of the verdicts, with marks in the place of formulas and of what
 //! fills the placeholders: it then reads a tenth of the text, and the rest is put in last.
@@ -42,6 +44,7 @@ mod error;
 mod expand;
 mod fill;
 mod frame;
+mod links;
 mod map;
 mod maths;
 mod pages;
@@ -55,6 +58,7 @@ mod values;
 
 pub use error::BookError;
 pub use frame::Frame;
+pub use links::dead_links;
 pub use tables::table;
 pub use text::escape;
 

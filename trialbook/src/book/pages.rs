@@ -4,24 +4,21 @@ use crate::claims::Topic;
 use crate::edition::{Edition, Page};
 use crate::figures::Figure;
 
-/// The stem of the first page.
-const INDEX: &str = "index";
-
 /// The parts of the table of contents, by their headings.
 const CLAIMS: &str = "The paper, claim by claim";
 const REFERENCE: &str = "Reference";
 
 /// All pages, in the order of the book.
 pub(super) fn pages(edition: &Edition, figures: &[Figure]) -> Vec<Page> {
-    let every = || Page::EVERY.iter().find(|page| page.stem == INDEX);
-    let index = written(edition, INDEX).or_else(every);
+    let index = written(edition, Page::INDEX.stem).cloned();
+    let index = index.unwrap_or(Page::INDEX);
     let topics = edition.paper.topics.iter();
     let of_topics = topics.map(|topic| topic_page(edition, topic, figures));
-    let others = edition.pages.iter().filter(|page| {
+    let others = edition.written().filter(|page| {
         let mut topics = edition.paper.topics.iter();
-        page.stem != INDEX && topics.all(|topic| topic.stem != page.stem)
+        page.stem != index.stem && topics.all(|topic| topic.stem != page.stem)
     });
-    let pages = index.cloned().into_iter().chain(of_topics);
+    let pages = std::iter::once(index.clone()).chain(of_topics);
     pages.chain(others.cloned()).collect()
 }
 
@@ -41,7 +38,7 @@ pub(super) fn summary(edition: &Edition, pages: &[Page]) -> String {
 }
 
 fn written(edition: &Edition, stem: &str) -> Option<&'static Page> {
-    edition.pages.iter().find(|page| page.stem == stem)
+    edition.written().find(|page| page.stem == stem)
 }
 
 fn topic_page(edition: &Edition, topic: &'static Topic, figures: &[Figure]) -> Page {

@@ -35,6 +35,26 @@ pub fn table<const N: usize>(
     )
 }
 
+/// Text as it stands, as a block of HTML.
+pub(super) fn code(text: &str) -> String {
+    let lines: Vec<_> = text.lines().map(escape).collect();
+    let lines = lines.join("\n");
+    format!("<pre><code class=\"language-text\">{lines}</code></pre>\n")
+}
+
+/// The sheets of all claims.
+pub(super) fn sheets(context: &Context<'_>) -> Result<String, Fault> {
+    let sheet = |entry: &Entry| {
+        Ok(format!(
+            "<h2 id=\"sheet-{id}\"><a class=\"header\" href=\"#sheet-{id}\">{name}</a></h2>\n{}",
+            code(&entry.sheet()),
+            id = entry.claim.id,
+            name = context.maths.words(&entry.claim.name())?
+        ))
+    };
+    context.ledger.entries.iter().map(sheet).collect()
+}
+
 /// How many claims got which verdict.
 pub(super) fn counts(ledger: &Ledger) -> String {
     let counts = ledger.counts();

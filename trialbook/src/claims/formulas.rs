@@ -71,6 +71,20 @@ impl Formulas {
     }
 }
 
+/// The [`Formulas`] of modules that list theirs by `formulas!`, with nothing special about them.
+#[macro_export]
+macro_rules! formulas_of {
+    ($($module:ident),* $(,)?) => {
+        $crate::claims::formulas::Formulas {
+            numbers: || [$($module::formulas()),*].into_iter().flatten().collect(),
+            trees: || [$($module::formulas()),*].into_iter().flatten().collect(),
+            ..$crate::claims::formulas::Formulas::NONE
+        }
+    };
+}
+
+pub use formulas_of;
+
 /// A formula as plain text, components one after the other: written from what the code computes.
 pub fn text(formula: &Formula<Expr>) -> String {
     let symbols: Vec<_> = formula.symbols.iter().map(|s| Expr::symbol(s)).collect();

@@ -193,6 +193,17 @@ pub struct Topic {
     pub claims: &'static [Claim],
 }
 
+impl Topic {
+    /// A topic by its stem, its title and its claims.
+    pub const fn new(stem: &'static str, title: &'static str, claims: &'static [Claim]) -> Self {
+        Self {
+            stem,
+            title,
+            claims,
+        }
+    }
+}
+
 /// A paper: what it claims, and all that belongs to its claims.
 #[derive(Debug)]
 pub struct Paper {

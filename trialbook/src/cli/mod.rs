@@ -109,7 +109,7 @@ pub fn command(edition: &Edition) -> clap::Command {
     if !edition.version.is_empty() {
         command = command.version(edition.version);
     }
-    if let Some(page) = edition.pages.iter().find(|page| page.stem == "json") {
+    if let Some(page) = edition.written().find(|page| page.stem == "json") {
         let title = page.title;
         let help = format!("Write JSON; the book's page \"{title}\" describes it");
         command = command.mut_arg("json", |json| json.help(help));
