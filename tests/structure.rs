@@ -99,10 +99,16 @@ const WORDS_OF_THE_PAPER: [&str; 8] = [
 
 #[test]
 fn every_room_names_only_the_rooms_above_it() {
-    let tables = CRATES.iter().flat_map(|(_, rooms)| rooms.iter());
-    let rooms: BTreeSet<&str> = tables.map(|(room, _)| *room).collect();
+    let names = |table: &Rooms| -> BTreeSet<&'static str> {
+        // Other crates have preludes too; this one holds nothing of its own.
+        let rooms = table.iter().map(|(room, _)| *room);
+        rooms.filter(|room| *room != "prelude").collect()
+    };
+    let mut rooms = BTreeSet::new();
     let mut offences = Vec::new();
     for (sources, table) in CRATES {
+        // What the engine does not have, it cannot name: it is a crate below the other.
+        rooms.extend(names(table));
         for (room, may) in table {
             for file in sources_of(sources, room) {
                 let code = fs::read_to_string(&file).unwrap();
