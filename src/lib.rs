@@ -14,7 +14,7 @@
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
 //! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
 //! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
-//! of it down. [`cli`] is the command. For parameters of your own there are the calculators of [`claims::solve`].
+//! of it down. [`cli`] is the command. Both get from the [`edition`] what is this paper's own. For parameters of your own there are the calculators of [`claims::solve`].
 //!
 //! What knows no paper is a crate of its own, [`trialbook`]; its rooms stand here under their names.
 //!
@@ -34,13 +34,13 @@
 //! ```
 
 #[cfg(feature = "book")]
-pub mod book;
-#[cfg(feature = "book")]
 pub mod certified;
 pub mod claims;
 #[cfg(feature = "book")]
-pub mod cli;
+mod commands;
 pub mod corrections;
+#[cfg(feature = "book")]
+pub mod edition;
 #[cfg(feature = "book")]
 pub mod explorers;
 #[cfg(feature = "book")]
@@ -51,5 +51,5 @@ pub mod paper;
 pub mod symbols;
 
 #[cfg(feature = "book")]
-pub use trialbook::exact;
+pub use trialbook::{book, cli, exact};
 pub use trialbook::{evidence, ledger, numerics, scalar, seeded};

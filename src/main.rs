@@ -3,5 +3,5 @@
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    slipbook::cli::run()
+    slipbook::cli::run(&slipbook::edition::EDITION)
 }

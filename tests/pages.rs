@@ -7,7 +7,7 @@ use std::fs;
 use std::path::Path;
 
 /// Pages that explain what verdicts are, and so name them.
-const ON_VERDICTS: [&str; 5] = ["methods", "adding", "snapshots", "errata", "map"];
+const ON_VERDICTS: [&str; 6] = ["methods", "adding", "own", "snapshots", "errata", "map"];
 
 /// The pages: stem, prose with formulas, and code.
 fn pages() -> Vec<(String, String, String)> {

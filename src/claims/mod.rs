@@ -65,6 +65,7 @@ static TOPICS: [Topic; 9] = [
 pub static PAPER: Paper = Paper {
     title: "Slipping and rolling on a rough accelerating surface",
     authors: "M. Khorrami, A. Aghamohammadi and C. Aghamohammadi",
+    reference: "arXiv:2307.15836",
     tried: "against Newton's law with Coulomb's friction, integrated without the paper's formulas, and by proofs in exact \
             arithmetic",
     topics: TOPICS.as_slice(),
@@ -75,4 +76,5 @@ pub static PAPER: Paper = Paper {
     values: &values::VALUES,
     measured: measured::MEASURED,
     survivors: variants::SURVIVORS,
+    spared: variants::SPARED,
 };

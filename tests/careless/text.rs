@@ -6,6 +6,7 @@ use proptest::prelude::*;
 use slipbook::claims::PAPER;
 use slipbook::claims::values::search;
 use slipbook::cli;
+use slipbook::edition::EDITION;
 use slipbook::figures::{Cell, Table};
 use slipbook::ledger::{Record, plain_formula, plain_words};
 
@@ -56,7 +57,7 @@ proptest! {
     #[test]
     fn any_command_line_is_understood_or_refused(words in prop::collection::vec(word(), 0..8)) {
         let line = std::iter::once("slipbook").chain(words.iter().map(String::as_str));
-        if let Err(refusal) = cli::command().try_get_matches_from(line) {
+        if let Err(refusal) = cli::command(&EDITION).try_get_matches_from(line) {
             prop_assert!(!refusal.to_string().is_empty());
         }
     }
@@ -64,7 +65,7 @@ proptest! {
     #[test]
     fn any_range_is_one_or_refused(range in text()) {
         let line = ["slipbook", "ensemble", "--rho", &range, "--p", &range, "--psi", &range];
-        let _ = cli::command().try_get_matches_from(line);
+        let _ = cli::command(&EDITION).try_get_matches_from(line);
     }
 
     #[test]

@@ -7,12 +7,20 @@
 //! What is found without the paper is found with [`numerics`]. [`exact`] proves identities, [`certified`] encloses
 //! numbers and proves statements on whole ranges. [`figures`] draws.
 //!
+//! The [`book`] writes all of it down, and [`cli`] is the command; what a paper has of its own for them is its [`edition`].
+//!
 //! Nothing here knows which paper is on trial. With `default-features = false` there are the formulas, the numerics that
 //! a motion needs, and the judge alone; the feature `book` brings the trials and all that rests on them.
 
 #[cfg(feature = "book")]
+pub mod book;
+#[cfg(feature = "book")]
 pub mod certified;
 pub mod claims;
+#[cfg(feature = "book")]
+pub mod cli;
+#[cfg(feature = "book")]
+pub mod edition;
 pub mod evidence;
 #[cfg(feature = "book")]
 pub mod exact;
@@ -20,5 +28,7 @@ pub mod exact;
 pub mod figures;
 pub mod ledger;
 pub mod numerics;
+#[cfg(feature = "book")]
+pub mod prelude;
 pub mod scalar;
 pub mod seeded;

@@ -86,6 +86,30 @@ impl Trial {
     }
 }
 
+impl Trial {
+    /// Compares a stated with a found number at every point, of coordinates with these names; `scale` is the size of the
+    /// largest term at any of them.
+    pub fn at<const N: usize>(
+        &self,
+        names: [&str; N],
+        points: impl IntoIterator<Item = [f64; N]>,
+        scale: f64,
+        pair: impl Fn([f64; N]) -> Result<[f64; 2], Failure>,
+    ) -> Evidence {
+        self.over(points, |point| {
+            let [stated, found] = pair(point)?;
+            let named = names.iter().zip(point);
+            let at: Vec<_> = named.map(|(name, x)| format!("{name} = {x:.3}")).collect();
+            Ok(Pair {
+                at: at.join(", "),
+                stated,
+                found,
+                scale,
+            })
+        })
+    }
+}
+
 /// Adds a pair to the evidence, or why there is none; says whether the next one is wanted.
 fn take(evidence: &mut Evidence, pair: Result<Pair, Failure>) -> bool {
     let pair = match pair {

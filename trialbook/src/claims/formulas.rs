@@ -25,6 +25,17 @@ pub struct Formulas {
 }
 
 impl Formulas {
+    /// No formulas.
+    pub const NONE: Self = Self {
+        numbers: Vec::new,
+        trees: Vec::new,
+        corrections: "::corrections::",
+        tried_in: &[],
+        up_to_a_factor: &[],
+        up_to_a_positive_factor: &[],
+        argument: |_, random| 0.5 + 0.5 * random.f64(),
+    };
+
     /// True if the formula of this path is one of the paper's, false if it replaces one or adds to it.
     pub fn is_printed(&self, path: &str) -> bool {
         !path.contains(self.corrections)
@@ -59,6 +70,20 @@ impl Formulas {
             .collect()
     }
 }
+
+/// The [`Formulas`] of modules that list theirs by `formulas!`, with nothing special about them.
+#[macro_export]
+macro_rules! formulas_of {
+    ($($module:ident),* $(,)?) => {
+        $crate::claims::formulas::Formulas {
+            numbers: || [$($module::formulas()),*].into_iter().flatten().collect(),
+            trees: || [$($module::formulas()),*].into_iter().flatten().collect(),
+            ..$crate::claims::formulas::Formulas::NONE
+        }
+    };
+}
+
+pub use formulas_of;
 
 /// A formula as plain text, components one after the other: written from what the code computes.
 pub fn text(formula: &Formula<Expr>) -> String {

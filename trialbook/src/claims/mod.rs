@@ -35,8 +35,12 @@ pub mod variants;
 use crate::evidence::{Change, Kind};
 #[cfg(feature = "book")]
 use {
-    attempt::Attempt, by_hand::ByHand, formulas::Formulas, measured::Measured, values::Value,
-    variants::Survivor,
+    attempt::Attempt,
+    by_hand::ByHand,
+    formulas::Formulas,
+    measured::Measured,
+    values::Value,
+    variants::{Spared, Survivor},
 };
 
 /// A condition under which a claim is tried.
@@ -104,6 +108,51 @@ impl Claim {
         trials: &[],
     };
 
+    /// A numbered equation, by its id, its section, its title and the formula as printed. The number is that of the id.
+    ///
+    /// ```
+    /// use trialbook::claims::Claim;
+    ///
+    /// const DRAG: Claim = Claim::equation("eq-6", "1", "drag", "F=kv");
+    /// assert_eq!((DRAG.equation, DRAG.trials.len()), (Some(6), 0));
+    /// ```
+    #[cfg(feature = "book")]
+    pub const fn equation(
+        id: &'static str,
+        section: &'static str,
+        title: &'static str,
+        latex: &'static str,
+    ) -> Self {
+        Claim {
+            id,
+            section,
+            equation: number_of(id),
+            kind: Kind::Equation,
+            title,
+            latex,
+            plain: latex,
+            ..Self::BLANK
+        }
+    }
+
+    /// The same, tried so.
+    #[cfg(feature = "book")]
+    pub const fn tried(self, trials: &'static [Attempt]) -> Self {
+        Claim { trials, ..self }
+    }
+
+    /// The same, with what is right in its place; the formula serves as plain text too.
+    #[cfg(feature = "book")]
+    pub const fn corrected(self, change: Change, latex: &'static str) -> Self {
+        let plain = latex;
+        let correction = Some(Correction {
+            change,
+            latex,
+            plain,
+        });
+        Claim { correction, ..self }
+    }
+
     /// What the claim is called for short: `(11)`, `Figure 3`, or its title; formulas in `$…$`.
     pub fn name(&self) -> String {
         match (self.equation, self.kind) {
@@ -112,6 +161,24 @@ impl Claim {
             (None, _) if self.title.is_empty() => self.id.to_owned(),
             (None, _) => self.title.to_owned(),
         }
+    }
+}
+
+/// The number of an equation in its id.
+#[cfg(feature = "book")]
+const fn number_of(id: &str) -> Option<u16> {
+    let Some((head, digits)) = id.as_bytes().split_at_checked("eq-".len()) else {
+        return None;
+    };
+    if !matches!(head, b"eq-") {
+        return None;
+    }
+    match str::from_utf8(digits) {
+        Ok(digits) => match u16::from_str_radix(digits, 10) {
+            Ok(number) => Some(number),
+            Err(_) => None,
+        },
+        Err(_) => None,
     }
 }
 
@@ -126,6 +193,17 @@ pub struct Topic {
     pub claims: &'static [Claim],
 }
 
+impl Topic {
+    /// A topic by its stem, its title and its claims.
+    pub const fn new(stem: &'static str, title: &'static str, claims: &'static [Claim]) -> Self {
+        Self {
+            stem,
+            title,
+            claims,
+        }
+    }
+}
+
 /// A paper: what it claims, and all that belongs to its claims.
 #[derive(Debug)]
 pub struct Paper {
@@ -133,6 +211,8 @@ pub struct Paper {
     pub title: &'static str,
     /// Its authors.
     pub authors: &'static str,
+    /// Where it can be found: a journal's reference or a number of an archive.
+    pub reference: &'static str,
     /// How its claims were tried, for a letter to the journal: `against …, and by …`.
     pub tried: &'static str,
     /// Its claims, by topics in its own order.
@@ -156,9 +236,30 @@ pub struct Paper {
     /// The wrong variants that no trial rejects.
     #[cfg(feature = "book")]
     pub survivors: &'static [Survivor],
+    /// The formulas of which a proof does not reject every wrong variant.
+    #[cfg(feature = "book")]
+    pub spared: &'static [Spared],
 }
 
 impl Paper {
+    /// What a paper need not have: all but its title, its topics and its record.
+    #[cfg(feature = "book")]
+    pub const BLANK: Paper = Paper {
+        title: "",
+        authors: "",
+        reference: "",
+        tried: "against what is found without it",
+        topics: &[],
+        record: "",
+        tallies: "",
+        formulas: Formulas::NONE,
+        cases: &[],
+        values: &[],
+        measured: &[],
+        survivors: &[],
+        spared: &[],
+    };
+
     /// All claims with their topics, in the order of the topics.
     pub fn claims(&self) -> impl Iterator<Item = (&'static Topic, &'static Claim)> + use<> {
         let of = |topic: &'static Topic| topic.claims.iter().map(move |claim| (topic, claim));

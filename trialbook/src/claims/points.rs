@@ -40,6 +40,12 @@ impl Points {
         libm::exp(self.uniform(libm::log(low), libm::log(high)))
     }
 
+    /// So many points, each coordinate uniform between its two ends.
+    pub fn within<const N: usize>(mut self, count: usize, ends: [[f64; 2]; N]) -> Vec<[f64; N]> {
+        let point = |_| ends.map(|[low, high]| self.uniform(low, high));
+        (0..count).map(point).collect()
+    }
+
     /// −1 or 1.
     pub fn sign(&mut self) -> f64 {
         if self.0.bool() { 1.0 } else { -1.0 }

@@ -17,7 +17,7 @@ const LARGEST: f64 = 1e280;
 /// An axis as asked for: its label, and what is not left to the data.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
-    label: String,
+    pub(super) label: String,
     log: bool,
     range: Option<(f64, f64)>,
     ticks: Option<Vec<Tick>>,

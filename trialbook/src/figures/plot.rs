@@ -3,7 +3,7 @@
 use super::axes::{Scale, TEXT_SIZE, text};
 use super::svg::{escape, number};
 use super::text::width;
-use super::{Figure, FigureError, Panel, Table};
+use super::{Axis, Cell, Curve, Figure, FigureError, Panel, Table};
 
 /// Width of the page, in units of which type is 15 or 16 high.
 const WIDTH: f64 = 480.0;
@@ -71,6 +71,29 @@ impl Plot {
     pub fn panel(mut self, panel: Panel) -> Self {
         self.panels.push(panel);
         self
+    }
+
+    /// Draws a panel of curves over the same values, and puts the data beside it: each row has a value and the heights of
+    /// the curves of these names there.
+    ///
+    /// # Errors
+    /// [`FigureError`] where an axis has no range, or a logarithmic one a value that is not positive.
+    pub fn curves<const N: usize>(
+        self,
+        [x, y]: [Axis; 2],
+        names: [&str; N],
+        rows: &[(f64, [f64; N])],
+    ) -> Result<Figure, FigureError> {
+        let headers: Vec<_> = [x.label.as_str()].into_iter().chain(names).collect();
+        let mut table = Table::new(&headers);
+        for (at, heights) in rows {
+            table.row([at].into_iter().chain(heights).map(Cell::from))?;
+        }
+        let panel = (0..N).fold(Panel::new(x, y), |panel, i| {
+            let points = rows.iter().map(|(at, heights)| [*at, heights[i]]);
+            panel.curve(Curve::new(points).series(i + 1).label(names[i]))
+        });
+        self.panel(panel).figure(table)
     }
 
     /// Draws it and puts the data beside it.

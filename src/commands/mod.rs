@@ -1,0 +1,34 @@
+//! The commands of this paper's own: calculators.
+
+mod ensemble;
+mod plot;
+mod solve;
+
+use clap::{Args, FromArgMatches};
+use trialbook::edition::Command;
+
+/// All of them.
+pub const ALL: [Command; 2] = [
+    Command {
+        command: || {
+            solve::Solve::augment_args(clap::Command::new("solve"))
+                .about("Calculate at parameters of your own, by formula and by motion")
+                .after_help(
+                    "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot\n\n\
+                     A number of up to 15 digits is taken as it stands, a longer one as the floating-point number next to it.",
+                )
+        },
+        run: |matches, format| solve::Solve::from_arg_matches(matches)?.run(format),
+    },
+    Command {
+        command: || {
+            ensemble::Ensemble::augment_args(clap::Command::new("ensemble"))
+                .about("Follow many particles on a turntable and say where each ends; rows come while the work goes on")
+                .after_help(
+                    "Example:\n  slipbook ensemble --rho 0.5 --p 0:1.5:1000 --psi=-3.14:3.14:1000 --csv > ends.csv\n\n\
+                     Ctrl-C ends it after the present piece of work: the rows so far are whole, the exit code is 130.",
+                )
+        },
+        run: |matches, format| ensemble::Ensemble::from_arg_matches(matches)?.run(format),
+    },
+];

@@ -1,0 +1,105 @@
+//! Plots of an answer: an SVG file, or dots of Braille in the terminal.
+
+use crate::claims::solve::Curve;
+use crate::figures;
+use crate::numerics::error::plain as number;
+use std::io::{self, Write};
+use std::path::Path;
+use trialbook::edition::Failure;
+
+/// Writes the plot into a file, which is replaced whole; a link is followed. What is there and no file is left alone.
+pub(super) fn to_file(curve: &Curve, file: &Path) -> Result<(), Failure> {
+    let figure = figures::solve::figure(curve)?;
+    let failed = |error: io::Error| format!("cannot write `{}`: {error}", file.display());
+    let mut making = tempfile::Builder::new();
+    let place = if file.symlink_metadata().is_ok() {
+        let old = file.metadata().map_err(failed)?;
+        if !old.is_file() {
+            return Err(
+                format!("cannot write `{}`: it is no ordinary file", file.display()).into(),
+            );
+        }
+        making.permissions(old.permissions());
+        file.canonicalize().map_err(failed)?
+    } else {
+        #[cfg(unix)]
+        making.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+        file.to_owned()
+    };
+    let folder = match place.parent() {
+        Some(parent) if parent.as_os_str().is_empty() => Path::new("."),
+        Some(parent) => parent,
+        None => return Err(format!("`{}` is no name of a file", file.display()).into()),
+    };
+    let mut new = making.tempfile_in(folder).map_err(failed)?;
+    new.write_all(figure.svg.as_bytes()).map_err(failed)?;
+    new.persist(&place).map_err(|error| failed(error.error))?;
+    Ok(())
+}
+
+/// Width and height of a terminal's plot in characters, each of 2 × 4 dots.
+const SIZE: [usize; 2] = [64, 18];
+
+/// The plot as text.
+pub(super) fn as_text(curve: &Curve) -> String {
+    let range = |axis: usize| {
+        let values = || curve.points.iter().map(|p| p[axis]);
+        let (low, high) = (
+            values().fold(f64::INFINITY, f64::min),
+            values().fold(f64::NEG_INFINITY, f64::max),
+        );
+        let room = if high > low {
+            0.0
+        } else {
+            0.5 * high.abs().max(1.0)
+        };
+        (low - room, high + room)
+    };
+    let ranges = [range(0), range(1)];
+    let dots = [2 * SIZE[0] - 1, 4 * SIZE[1] - 1];
+    let place = |point: &[f64; 2]| {
+        [0, 1].map(|i| (point[i] - ranges[i].0) / (ranges[i].1 - ranges[i].0) * dots[i] as f64)
+    };
+    let mut cells = vec![0_u8; SIZE[0] * SIZE[1]];
+    for pair in curve.points.windows(2) {
+        let (from, to) = (place(&pair[0]), place(&pair[1]));
+        let length = libm::fmax((to[0] - from[0]).abs(), (to[1] - from[1]).abs());
+        let steps = libm::ceil(length).max(1.0) as usize;
+        for step in 0..=steps {
+            let share = step as f64 / steps as f64;
+            let [x, y] = [0, 1].map(|i| libm::round(from[i] + share * (to[i] - from[i])) as usize);
+            let y = dots[1] - y;
+            cells[y / 4 * SIZE[0] + x / 2] |= DOTS[y % 4][x % 2];
+        }
+    }
+    let mut text = format!("\n{}: {} against {}\n", curve.title, curve.y, curve.x);
+    // What is nothing beside the other end of its axis is rounding.
+    let short = |axis: usize, end: fn((f64, f64)) -> f64| {
+        let (low, high) = ranges[axis];
+        let x = end(ranges[axis]);
+        let shown = if x.abs() < 1e-9 * (high - low) {
+            0.0
+        } else {
+            x
+        };
+        number(format!("{shown:.3e}").parse().unwrap_or(shown))
+    };
+    for (n, row) in cells.chunks(SIZE[0]).enumerate() {
+        let label = match n {
+            0 => short(1, |ends| ends.1),
+            n if n + 1 == SIZE[1] => short(1, |ends| ends.0),
+            _ => String::new(),
+        };
+        let dots: String = row
+            .iter()
+            .filter_map(|c| char::from_u32(0x2800 + u32::from(*c)))
+            .collect();
+        text += &format!("{label:>10} ┤{dots}\n");
+    }
+    let (left, right) = (short(0, |ends| ends.0), short(0, |ends| ends.1));
+    let width = SIZE[0].saturating_sub(left.chars().count());
+    text + &format!("{:>12}{left}{right:>width$}\n", "")
+}
+
+/// The bits of a Braille character by row and column.
+const DOTS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];

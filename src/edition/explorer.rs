@@ -1,0 +1,92 @@
+//! The explorers' place on a page, and the files that they run on.
+//!
+//! The scripts are displays; what they show comes from [`crate::explorers`], compiled to the module
+//! `book/theme/explorers.wasm` (rebuilt by `book/explorers/rebuild`). Pages opened from the disk may not fetch
+//! anything, so the module goes into a script as text.
+
+use trialbook::edition::{Failure, Filled};
+
+/// The scripts and the style, with the module as text: path within the book, and text.
+pub(super) fn files() -> Vec<(String, String)> {
+    let module = base64(include_bytes!("../../book/theme/explorers.wasm"));
+    let named = [
+        (
+            "explorers.css",
+            include_str!("../../book/theme/explorers.css"),
+        ),
+        (
+            "explorers-plot.js",
+            include_str!("../../book/theme/explorers-plot.js"),
+        ),
+        (
+            "explorers-list.js",
+            include_str!("../../book/theme/explorers-list.js"),
+        ),
+        (
+            "explorers.js",
+            include_str!("../../book/theme/explorers.js"),
+        ),
+        (
+            "explorers-module.js",
+            &format!("window.slipbookModule = \"{module}\";\n"),
+        ),
+    ];
+    let file = |(name, text): (&str, &str)| (format!("theme/{name}"), text.to_owned());
+    named.into_iter().map(file).collect()
+}
+
+/// The pages that have an explorer. It stands right before the figure that takes its place where scripts are off.
+const PAGES: [&str; 4] = ["constant", "anisotropic", "sphere", "turntable"];
+
+/// An explorer's place on the page of this stem: empty and hidden until a script fills it.
+///
+/// # Errors
+/// On a page that has none.
+pub(super) fn place(page: &str) -> Result<Filled, Failure> {
+    if !PAGES.contains(&page) {
+        return Err("this page has no explorer".into());
+    }
+    Ok(Filled::Block(format!(
+        "<link rel=\"stylesheet\" href=\"theme/explorers.css\">\
+             <script defer src=\"theme/explorers-plot.js\"></script>\
+             <script defer src=\"theme/explorers-list.js\"></script>\
+             <script defer src=\"theme/explorers.js\"></script>\
+             <div class=\"explorer\" id=\"explore-{page}\" data-explorer=\"{page}\" role=\"group\" \
+             aria-label=\"Explorer\" hidden></div>\n"
+    )))
+}
+
+/// Bytes as text: six bits a letter.
+fn base64(bytes: &[u8]) -> String {
+    const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
+    for chunk in bytes.chunks(3) {
+        let bits = (0..3).fold(0, |bits, i| {
+            bits << 8 | usize::from(*chunk.get(i).unwrap_or(&0))
+        });
+        for i in 0..4 {
+            let letter = LETTERS[bits >> (18 - 6 * i) & 63];
+            text.push(if i > chunk.len() { '=' } else { letter.into() });
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_of_bytes_is_the_usual_one() {
+        for (bytes, text) in [
+            ("", ""),
+            ("M", "TQ=="),
+            ("Ma", "TWE="),
+            ("Man", "TWFu"),
+            ("light work.", "bGlnaHQgd29yay4="),
+        ] {
+            assert_eq!(base64(bytes.as_bytes()), text);
+        }
+        assert_eq!(base64(&[0xff, 0xfb, 0xbf]), "//u/");
+    }
+}

@@ -1,0 +1,88 @@
+//! What this paper's book and command have of their own; [`trialbook::book`] and [`trialbook::cli`] bring the rest.
+
+mod explorer;
+mod pages;
+mod speed;
+#[cfg(test)]
+mod tests;
+
+use crate::claims::PAPER;
+use crate::{commands, figures, symbols};
+use include_dir::{Dir, DirEntry, include_dir};
+use trialbook::edition::{Edition, Placeholder, Sources};
+
+/// The book and the command.
+pub static EDITION: Edition = Edition {
+    version: env!("CARGO_PKG_VERSION"),
+    title: "Slipbook",
+    description: "Every claim of the paper \"Slipping and rolling on a rough accelerating surface\", tried and judged",
+    icon: include_str!("../../book/theme/favicon.svg"),
+    pages: pages::WRITTEN,
+    usual: &[],
+    figures: || Ok(figures::all()?),
+    symbols: symbols::SYMBOLS,
+    sources: Sources {
+        files: sources,
+        motion,
+    },
+    placeholders: &[
+        Placeholder {
+            name: "explorer",
+            fill: explorer::place,
+        },
+        Placeholder {
+            name: "speed",
+            fill: |_| speed::table_of(),
+        },
+        Placeholder {
+            name: "growth",
+            fill: |_| speed::growth(),
+        },
+        Placeholder {
+            name: "measured-on",
+            fill: |_| speed::circumstances(),
+        },
+    ],
+    files: explorer::files,
+    commands: &commands::ALL,
+    examples: &[
+        ("verify", "eq-13 eq-82"),
+        ("show", "eq-75"),
+        ("list", "--verdict refuted --section 4"),
+        ("find", "0.53701"),
+    ],
+    ..Edition::of("slipbook", &PAPER)
+};
+
+/// All sources of the crate.
+static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
+
+/// The rooms whose sources are shown: the two sides, and the room where they meet.
+const SHOWN: [&str; 4] = ["claims", "corrections", "motion", "paper"];
+
+/// The sources that the book shows: path and text.
+fn sources() -> Vec<(&'static str, &'static str)> {
+    let mut files = Vec::new();
+    let mut open: Vec<&DirEntry<'_>> = SOURCES.entries().iter().collect();
+    while let Some(entry) = open.pop() {
+        open.extend(entry.children());
+        let path = entry.path().to_str().unwrap_or_default();
+        let room = path.split('/').next().unwrap_or_default();
+        let text = entry.as_file().and_then(|file| file.contents_utf8());
+        if let (true, Some(text)) = (SHOWN.contains(&room), text) {
+            files.push((path, text));
+        }
+    }
+    files
+}
+
+/// The side that knows no formula, for a topic.
+#[allow(clippy::unnecessary_wraps)]
+fn motion(topic: &str) -> Option<&'static str> {
+    Some(match topic {
+        "general" | "constant" => "motion/particle.rs",
+        "sphere" => "motion/sphere.rs",
+        "turntable" | "escape" | "rest" => "motion/turntable/mod.rs",
+        _ => "motion/drive/mod.rs",
+    })
+}

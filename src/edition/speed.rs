@@ -1,0 +1,149 @@
+//! The table of the page "How fast", from the committed result file.
+
+use serde::Deserialize;
+use trialbook::book::{escape, table};
+use trialbook::edition::{Failure, Filled};
+
+/// What `benches/peers/run.py` wrote.
+const RESULTS: &str = include_str!("../../benches/results.json");
+
+#[derive(Deserialize)]
+struct Results {
+    date: String,
+    machine: String,
+    rounds: u32,
+    rows: Vec<Row>,
+    growth: Vec<Growth>,
+}
+
+/// What one start of an ensemble costs when there are so many.
+#[derive(Deserialize)]
+struct Growth {
+    starts: u64,
+    each_us: f64,
+}
+
+/// One kind of work, by this program and by a peer.
+#[derive(Deserialize)]
+struct Row {
+    work: String,
+    peer: String,
+    ours_us: f64,
+    peer_us: f64,
+    ratio: f64,
+}
+
+fn results() -> Result<Results, Failure> {
+    read(RESULTS)
+}
+
+fn read(text: &str) -> Result<Results, Failure> {
+    serde_json::from_str(text).map_err(|error| format!("benches/results.json: {error}").into())
+}
+
+/// Microseconds in the unit that reads best, three digits.
+fn time(microseconds: f64) -> String {
+    let (value, unit) = match microseconds {
+        t if t >= 1e6 => (t / 1e6, "s"),
+        t if t >= 1e3 => (t / 1e3, "ms"),
+        t if t >= 1.0 => (t, "µs"),
+        t => (t * 1e3, "ns"),
+    };
+    let decimals = (2 - libm::floor(libm::log10(value)) as i32).clamp(0, 2) as usize;
+    // Not torn at the end of a line.
+    format!("{value:.decimals$}\u{a0}{unit}")
+}
+
+/// Ours beside theirs.
+pub(super) fn table_of() -> Result<Filled, Failure> {
+    let results = results()?;
+    let rows = results.rows.iter().map(|row| {
+        [
+            escape(&row.work),
+            time(row.ours_us),
+            escape(&row.peer),
+            time(row.peer_us),
+            format!("{}", row.ratio),
+        ]
+    });
+    let head = ["one", "here", "peer", "there", "there over here"];
+    Ok(Filled::Block(table("speed", head, rows)))
+}
+
+/// The cost of a start by their number.
+pub(super) fn growth() -> Result<Filled, Failure> {
+    let growth = results()?.growth;
+    let rows = growth
+        .iter()
+        .map(|row| [row.starts.to_string(), time(row.each_us)]);
+    Ok(Filled::Block(table("speed", ["starts", "each"], rows)))
+}
+
+/// When and where it was measured.
+pub(super) fn circumstances() -> Result<Filled, Failure> {
+    let Results {
+        date,
+        machine,
+        rounds,
+        ..
+    } = results()?;
+    let text = format!("{date}, {machine}, the fastest of {rounds} rounds");
+    Ok(Filled::Inline(escape(&text)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn times_read_well() {
+        for (microseconds, expected) in [
+            (0.0131, "13.1\u{a0}ns"),
+            (1.9, "1.90\u{a0}µs"),
+            (410.0, "410\u{a0}µs"),
+            (5700.0, "5.70\u{a0}ms"),
+            (2.7e6, "2.70\u{a0}s"),
+        ] {
+            assert_eq!(time(microseconds), expected);
+        }
+    }
+
+    #[test]
+    fn a_damaged_file_is_named_with_the_place() {
+        let (whole, cut) = (RESULTS.trim_end(), RESULTS.len() / 2);
+        for damaged in [
+            "",
+            &whole[..cut],
+            &whole.replace("ours_us", "ours"),
+            &whole.replacen(": ", ": ?", 1),
+        ] {
+            let Err(failure) = read(damaged) else {
+                panic!("read: {damaged}")
+            };
+            let message = failure.to_string();
+            assert!(message.contains("benches/results.json"), "{message}");
+            assert!(message.contains("line"), "{message}");
+        }
+    }
+
+    #[test]
+    fn a_start_costs_the_same_among_a_thousand_and_a_million() {
+        let growth = results().unwrap().growth;
+        let (first, last) = (growth.first().unwrap(), growth.last().unwrap());
+        assert!(last.starts >= 900 * first.starts);
+        assert!(last.each_us < 1.2 * first.each_us);
+    }
+
+    #[test]
+    fn the_ratio_is_that_of_the_times() {
+        let rows = results().unwrap().rows;
+        assert!(rows.len() >= 10);
+        for row in rows {
+            assert!(
+                (row.peer_us / row.ours_us / row.ratio - 1.0).abs() < 0.02,
+                "{}",
+                row.work
+            );
+        }
+    }
+}

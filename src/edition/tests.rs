@@ -1,0 +1,604 @@
+use super::EDITION;
+use crate::claims::{Claim, Condition, Correction, PAPER, Topic};
+use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
+use crate::figures::Figure;
+use crate::ledger::{Entry, Ledger, judge};
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+use tempfile::TempDir;
+use trialbook::book::{self, BookError};
+use trialbook::edition::{Edition, Page};
+
+/// A claim with everything that a box can show, some of it hostile.
+static FULL: Claim = Claim {
+    id: "eq-13",
+    section: "2.1",
+    equation: Some(13),
+    kind: Kind::Equation,
+    title: r"time as a function of $\theta_0$",
+    latex: r"t=\frac{a_1*b_2}{c_3*d_4}\left|\sqrt{x}\right|, {{y}}",
+    plain: "t",
+    conditions: &[
+        Condition {
+            text: r"$\lambda<1$ & <b>",
+            stated: true,
+        },
+        Condition {
+            text: "v > 0",
+            stated: false,
+        },
+    ],
+    depends_on: &["eq-11", "s21-large-friction-stops"],
+    correction: Some(Correction {
+        change: Change::Sign,
+        latex: "t=-1",
+        plain: "t = -1",
+    }),
+    trials: &[],
+};
+
+fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
+    const TEN_DIGITS: Tolerance = Tolerance {
+        name: "TEN_DIGITS",
+        value: 1e-10,
+        reason: "ten digits of <both>",
+    };
+    let compared = "<script>alert(1)</script> against the *motion*";
+    Evidence {
+        points: 1234,
+        worst,
+        at: "λ = 0.5, θ₀ < 1 & v|0 = 2".into(),
+        samples: vec![Sample {
+            at: "a_1 < 2".into(),
+            stated: 0.25,
+            found: f64::NAN,
+        }],
+        steps: if route.is_proof() {
+            vec!["the difference <is>: 0".into()]
+        } else {
+            Vec::new()
+        },
+        ..Evidence::new(route, subject, compared, TEN_DIGITS)
+    }
+}
+
+/// A ledger of all claims, of which two were tried. No trial is run for it.
+fn ledger() -> Ledger {
+    let entry = |topic: &'static Topic, claim: &'static Claim| {
+        let evidence = match claim.id {
+            "eq-11" => vec![
+                evidence(Route::Exact, Subject::Printed, 0.0),
+                evidence(Route::Integration, Subject::Printed, 3.2e-13),
+            ],
+            "eq-13" => vec![
+                evidence(Route::Quadrature, Subject::Printed, f64::INFINITY),
+                evidence(Route::Exact, Subject::Corrected, 0.0),
+            ],
+            _ => Vec::new(),
+        };
+        let claim = if claim.id == "eq-13" { &FULL } else { claim };
+        let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
+        Entry {
+            paper: &PAPER,
+            claim,
+            topic,
+            evidence,
+            judgement,
+        }
+    };
+    let entries = PAPER.claims().map(|(topic, claim)| entry(topic, claim));
+    Ledger {
+        paper: &PAPER,
+        entries: entries.collect(),
+    }
+}
+
+fn figures() -> Vec<Figure> {
+    let figure = |id| {
+        Figure {
+        id,
+        caption: r"Hodographs for $\lambda\leq 1$".into(),
+        alt: "curves that \"bend\"".into(),
+        svg: "<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 4 2\">\n\n  <path d=\"M0 0 L4 2\"/>\n</svg>\n".into(),
+        csv: "x,y\n0,0\n4,2\n".into(),
+    }
+    };
+    let named = |text: &'static str| text.split("{{figure ").skip(1);
+    let ids = EDITION.pages.iter().flat_map(|page| named(&page.text));
+    // The map is drawn from the ledger.
+    ids.filter_map(|rest| rest.split("}}").next())
+        .filter(|id| *id != "map")
+        .map(figure)
+        .collect()
+}
+
+/// Every file below a folder, by its path from there.
+fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut open = vec![folder.to_owned()];
+    while let Some(next) = open.pop() {
+        for item in fs::read_dir(next).unwrap() {
+            let path = item.unwrap().path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                let name = path
+                    .strip_prefix(folder)
+                    .unwrap()
+                    .to_str()
+                    .unwrap()
+                    .replace('\\', "/");
+                found.insert(name, fs::read(path).unwrap());
+            }
+        }
+    }
+    found
+}
+
+/// The values of an attribute in a page.
+fn values<'a>(html: &'a str, attribute: &str) -> Vec<&'a str> {
+    let start = format!(" {attribute}=\"");
+    let parts = html.split(start.as_str()).skip(1);
+    parts.map(|part| part.split('"').next().unwrap()).collect()
+}
+
+/// The text of a page's content, without tags and without code.
+fn prose(html: &str) -> String {
+    let main = html
+        .split("<main>")
+        .nth(1)
+        .unwrap()
+        .split("</main>")
+        .next()
+        .unwrap();
+    let mut text = String::new();
+    let mut code = 0_usize;
+    for part in main.split('<').skip(1) {
+        let (tag, after) = part.split_once('>').unwrap();
+        match tag.split(' ').next().unwrap() {
+            "code" => code += 1,
+            "/code" => code -= 1,
+            _ => {}
+        }
+        if code == 0 {
+            text.push_str(after);
+        }
+    }
+    text
+}
+
+/// Writes the book of this ledger.
+fn write(out: &Path) -> Result<PathBuf, BookError> {
+    book::write(&EDITION, &ledger(), &figures(), out)
+}
+
+fn written(folder: &TempDir) -> BTreeMap<String, Vec<u8>> {
+    let out = folder.path().join("deep/book");
+    let first = write(&out).unwrap();
+    assert_eq!(first, out.canonicalize().unwrap().join("index.html"));
+    assert_eq!(book::dead_links(&out).unwrap(), [""; 0]);
+    files(&out)
+}
+
+/// The files of the book, written once for all who only read them.
+fn whole() -> &'static BTreeMap<String, Vec<u8>> {
+    static FILES: LazyLock<BTreeMap<String, Vec<u8>>> =
+        LazyLock::new(|| written(&TempDir::new().unwrap()));
+    &FILES
+}
+
+#[test]
+fn the_book_is_whole() {
+    let files = whole();
+    let text = |name: &str| std::str::from_utf8(&files[name]).unwrap();
+    let pages: Vec<_> = files
+        .keys()
+        .filter(|name| name.ends_with(".html"))
+        .collect();
+    // Those of the edition, the print page and the table of contents.
+    let of_code = pages.iter().filter(|name| name.starts_with("code/"));
+    assert_eq!(pages.len() - of_code.count(), EDITION.pages.len() + 2);
+
+    for page in &pages {
+        let html = text(page);
+        let ids = values(html, "id");
+        assert_eq!(
+            ids.iter().collect::<BTreeSet<_>>().len(),
+            ids.len(),
+            "{page}: an id twice"
+        );
+        if **page != "toc.html" && !page.starts_with("code/") {
+            let prose = prose(html);
+            for left in ["$", "{{", "}}", "\\frac", "**"] {
+                assert!(!prose.contains(left), "{page}: a leftover {left}");
+            }
+        }
+    }
+    for (name, bytes) in files {
+        if name.ends_with(".css") {
+            let css = std::str::from_utf8(bytes).unwrap();
+            for url in css.split("url(").skip(1) {
+                let url = url.split(')').next().unwrap().trim_matches(['"', '\'']);
+                if url.starts_with("data:") {
+                    continue;
+                }
+                let (folder, _) = name.rsplit_once('/').unwrap();
+                assert!(
+                    files.contains_key(&format!("{folder}/{url}")),
+                    "{name} loads {url}"
+                );
+            }
+        }
+    }
+    let fonts = files
+        .keys()
+        .filter(|name| name.starts_with("theme/katex/fonts/KaTeX_"));
+    assert_eq!(fonts.count(), 20);
+    assert!(text("theme/katex/katex.min.css").contains("KaTeX_Main-Regular.woff2"));
+    assert_eq!(text("figures/fig-1.csv"), "x,y\n0,0\n4,2\n");
+}
+
+#[test]
+fn the_page_for_printing_leads_to_places_within_itself() {
+    let files = whole();
+    let html = std::str::from_utf8(&files["print.html"]).unwrap();
+    let main = html.split("<main>").nth(1).unwrap();
+    for link in values(main, "href") {
+        let chapter = link.split_once(".html").map(|(stem, _)| stem);
+        assert!(
+            EDITION.pages.iter().all(|page| Some(page.stem) != chapter),
+            "{link} leads to another page"
+        );
+    }
+    assert!(main.contains("href=\"#eq-11\"") && main.contains("id=\"eq-11\""));
+}
+
+#[test]
+fn addresses_stay() {
+    let files = whole();
+    for address in include_str!("../../tests/data/addresses.txt").lines() {
+        let (page, id) = address.split_once('#').unwrap();
+        let html = std::str::from_utf8(&files[page]).unwrap();
+        assert!(html.contains(&format!(" id=\"{id}\"")), "{address} is gone");
+    }
+}
+
+#[test]
+fn the_search_finds_numbers_and_symbols() {
+    let files = whole();
+    let index = std::str::from_utf8(&files["searchindex.js"]).unwrap();
+    for title in [
+        r#""title":"(37) "#,
+        "sinusoidal.html#eq-37",
+        "λ_c = 2/(√(4+π²))",
+        "refuted",
+    ] {
+        assert!(index.contains(title), "no {title}");
+    }
+    // A formula is there once, and neither as MathML nor as LaTeX.
+    assert!(!index.contains("mathrm") && !index.contains("\u{200b}"));
+}
+
+#[test]
+fn every_claim_has_its_address_and_its_verdict() {
+    let files = whole();
+    for entry in &ledger().entries {
+        let page = &files[&format!("{}.html", entry.topic.stem)];
+        let html = std::str::from_utf8(page).unwrap();
+        let start = format!("aria-labelledby=\"{}\"", entry.claim.id);
+        let claim = html.split(&start).nth(1).expect(entry.claim.id);
+        let claim = claim.split("</article>").next().unwrap();
+        let verdict = entry.judgement.verdict;
+        assert!(claim.contains(&format!(
+            "<span class=\"verdict {}\">{}</span>",
+            verdict.slug(),
+            verdict.words()
+        )));
+        assert!(claim.contains(&format!("id=\"{}\"", entry.claim.id)));
+    }
+}
+
+#[test]
+fn a_box_shows_all_and_data_stays_data() {
+    let files = whole();
+    let html = std::str::from_utf8(&files["constant.html"]).unwrap();
+    let full = html
+        .split("id=\"eq-13\"")
+        .nth(1)
+        .unwrap()
+        .split("</article>")
+        .next()
+        .unwrap();
+    for part in [
+        "misprint",
+        "As printed",
+        "As corrected (changed: a sign)",
+        "not stated in the paper",
+        "&amp; &lt;b&gt;",
+        "no value where the motion has one",
+        "1,234 points",
+        "1\u{a0}×\u{a0}10<sup>−10</sup> (ten digits of &lt;both&gt;)",
+        "<td class=\"number\">0.25</td><td class=\"number\">no value</td>",
+        "θ₀ &lt; 1 &amp; v|0\u{a0}=\u{a0}2",
+        "Depends on <a href=\"constant.html#eq-11\">(11)</a>",
+        "a_1*b_2",
+        "<math",
+        "<a class=\"permalink\" href=\"#eq-13\">",
+        "constant.html#eq13_time\"><code>eq13_time</code>",
+    ] {
+        assert!(full.contains(part), "no {part} in {full}");
+    }
+    assert!(!html.contains("<script>alert"));
+    let proof = full.split("<strong>exact</strong>").nth(1).unwrap();
+    let proof = proof.split("<strong>").next().unwrap();
+    assert!(
+        proof.contains("<span class=\"outcome\">proved</span>"),
+        "{proof}"
+    );
+    for part in [
+        "The proof, 1 step",
+        "the difference &lt;is&gt;: 0",
+        "</details>",
+    ] {
+        assert!(proof.contains(part), "no {part} in {proof}");
+    }
+    assert!(!proof.contains("tolerance"), "{proof}");
+    assert!(full.find("<strong>exact</strong>") < full.find("<strong>quadrature</strong>"));
+    let used = html
+        .split("id=\"eq-11\"")
+        .nth(1)
+        .unwrap()
+        .split("</article>")
+        .next()
+        .unwrap();
+    let users = used
+        .split("Used by ")
+        .nth(1)
+        .unwrap()
+        .split("</p>")
+        .next()
+        .unwrap();
+    assert!(users.contains("<a href=\"constant.html#eq-13\">(13)</a>"));
+}
+
+#[test]
+fn two_books_are_the_same_to_the_byte() {
+    let (one, two) = (TempDir::new().unwrap(), TempDir::new().unwrap());
+    let (one, two) = (written(&one), written(&two));
+    assert_eq!(
+        one.keys().collect::<Vec<_>>(),
+        two.keys().collect::<Vec<_>>()
+    );
+    for (name, bytes) in &one {
+        assert!(*bytes == two[name], "{name} differs");
+    }
+}
+
+/// What comes of writing the book with one page changed.
+fn with_page(
+    stem: &str,
+    change: impl Fn(&str) -> String,
+    out: &Path,
+) -> Result<PathBuf, BookError> {
+    let mut pages = EDITION.pages.to_vec();
+    let page: &mut Page = pages.iter_mut().find(|page| page.stem == stem).unwrap();
+    page.text = change(&page.text).into();
+    let edition = Edition {
+        pages: pages.leak(),
+        ..EDITION
+    };
+    book::write(&edition, &ledger(), &figures(), out)
+}
+
+#[test]
+fn what_cannot_be_filled_or_set_is_named_with_page_and_line() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    for (added, told) in [
+        (
+            "{{nonsense}}",
+            "methods.md, line 2: `{{nonsense}}`: there is no such placeholder",
+        ),
+        (
+            "{{verdict eq-999}}",
+            "line 2: `{{verdict eq-999}}`: the ledger has no claim `eq-999`",
+        ),
+        ("{{count wrong}}", "there is no verdict `wrong`"),
+        ("{{ledger nowhere}}", "there is no topic `nowhere`"),
+        ("{{figure fig-9}}", "there is no figure `fig-9`"),
+        ("{{worst eq-1}}", "no trial of `eq-1`"),
+        ("{{claim eq-1}}", "this claim belongs on general.md"),
+        ("see {{counts}}", "must stand alone on its line"),
+        ("a {{count claims", "`{{` without `}}`"),
+        ("a }} b", "`}}` without `{{`"),
+        ("costs $5", "a `$` that is not part of a formula"),
+        (r"so $\frac{1}{$ is", "a `$`"),
+        (
+            r"so $\nonsense{x}$ is",
+            r"methods.md, line 2: the formula `\nonsense{x}`",
+        ),
+        ("## On $x$", "needs an id of its own"),
+    ] {
+        let error =
+            with_page("methods", |text| format!("\n{added}\n\n{text}"), &out).expect_err(added);
+        assert!(error.to_string().contains(told), "{added}: {error}");
+        assert!(!out.exists());
+    }
+    let twice = with_page(
+        "constant",
+        |text| format!("{text}\n{{{{claim eq-11}}}}\n"),
+        &out,
+    );
+    assert!(twice.unwrap_err().to_string().contains("shown already"));
+    let nowhere = with_page("constant", |text| text.replace("{{claim eq-11}}", ""), &out);
+    assert!(matches!(
+        nowhere,
+        Err(BookError::ClaimNowhere { id: "eq-11", .. })
+    ));
+    assert_eq!(
+        fs::read_dir(folder.path()).unwrap().count(),
+        0,
+        "something is left behind"
+    );
+}
+
+#[test]
+fn values_formulas_and_code_stand_where_they_should() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    let added = "\nIt is {{verdict eq-11}}, *worst* {{worst eq-11}} at {{points eq-11}} points, see {{ref eq-11}}; \
+                 $a_1*b_1*c_1$ and `$x {{y}}`.\n\n```text\n{{counts}} $\n```\n\n| $u$ | b |\n|---|---|\n| $\\lvert v\\rvert$ | 2 |\n";
+    with_page("methods", |text| format!("{text}{added}"), &out).unwrap();
+    let html = fs::read_to_string(out.join("methods.html")).unwrap();
+    for part in [
+        "It is <span class=\"verdict confirmed\">confirmed</span>, <em>worst</em> 3.2\u{a0}×\u{a0}10<sup>−13</sup> at 2,468 points",
+        "<a href=\"constant.html#eq-11\">(11)</a>",
+        "<code>$x {{y}}</code>",
+        "{{counts}} $",
+    ] {
+        assert!(html.contains(part), "no {part}");
+    }
+    assert_eq!(
+        html.split("It is <span")
+            .nth(1)
+            .unwrap()
+            .matches("<em>")
+            .count(),
+        1
+    );
+}
+
+#[test]
+fn an_earlier_book_is_replaced_whole_and_only_by_a_whole_one() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    write(&out).unwrap();
+    fs::write(out.join("stale.html"), "old").unwrap();
+    let before = files(&out);
+    assert!(with_page("index", |text| format!("{text}\n{{{{oops}}}}\n"), &out).is_err());
+    assert!(files(&out) == before, "a failed run changed the book");
+    write(&out).unwrap();
+    assert!(!out.join("stale.html").exists());
+    assert_eq!(
+        fs::read_dir(folder.path()).unwrap().count(),
+        1,
+        "something is left behind"
+    );
+}
+
+#[test]
+fn what_is_not_ours_is_left_alone() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("thesis");
+    fs::create_dir(&out).unwrap();
+    write(&out).expect("an empty folder may be filled");
+    fs::remove_file(out.join(".slipbook")).unwrap();
+    let before = files(&out);
+    let error = write(&out).unwrap_err();
+    assert!(matches!(&error, BookError::NotOurs { path } if path.ends_with("thesis")));
+    assert!(files(&out) == before);
+}
+
+#[test]
+fn a_place_that_cannot_be_written_is_named_with_the_reason() {
+    let folder = TempDir::new().unwrap();
+    let file = folder.path().join("file");
+    fs::write(&file, "mine").unwrap();
+    for out in [file.clone(), file.join("book")] {
+        let error = write(&out).unwrap_err();
+        assert!(matches!(error, BookError::Unwritable { .. }), "{error}");
+        assert!(error.to_string().contains("file"), "{error}");
+        assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
+    }
+    assert!(write(Path::new("/")).is_err());
+}
+
+/// Needs a system that keeps its word on permissions; a superuser is not held by them.
+#[cfg(unix)]
+#[test]
+fn a_locked_parent_keeps_the_old_book() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = TempDir::new().unwrap();
+    let parent = folder.path().join("locked");
+    let out = parent.join("book");
+    write(&out).unwrap();
+    let before = files(&out);
+    fs::set_permissions(&parent, fs::Permissions::from_mode(0o555)).unwrap();
+    let held = fs::write(parent.join("probe"), "").is_err();
+    let result = write(&out);
+    fs::set_permissions(&parent, fs::Permissions::from_mode(0o755)).unwrap();
+    if held {
+        assert!(matches!(result, Err(BookError::Unwritable { .. })));
+    } else {
+        result.unwrap();
+    }
+    assert!(files(&out) == before);
+}
+
+#[test]
+fn every_claim_leads_to_its_code() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    let mut tried = ledger();
+    for entry in &mut tried.entries {
+        let blank = || evidence(Route::Integration, Subject::Printed, 0.0);
+        entry.evidence = entry.claim.trials.iter().map(|_| blank()).collect();
+    }
+    book::write(&EDITION, &tried, &figures(), &out).unwrap();
+    for entry in &tried.entries {
+        let claim = entry.claim;
+        let page = fs::read_to_string(out.join(format!("{}.html", entry.topic.stem))).unwrap();
+        let start = format!("aria-labelledby=\"{}\"", claim.id);
+        let html = page.split(&start).nth(1).unwrap();
+        let html = html.split("</article>").next().unwrap();
+        let leads =
+            |word: &str, room: &str| html.contains(&format!("{word} <a href=\"code/{room}/"));
+        assert!(
+            leads("motion", "motion") && leads("claim", "claims"),
+            "{}",
+            claim.id
+        );
+        assert_eq!(
+            leads("printed", "paper"),
+            claim.equation.is_some(),
+            "{}",
+            claim.id
+        );
+        for (trial, link) in claim
+            .trials
+            .iter()
+            .zip(html.split("class=\"code\" href=\"").skip(1))
+        {
+            let (file, name) = link.split('"').next().unwrap().split_once('#').unwrap();
+            assert!(trial.name().ends_with(name), "{trial:?}: {name}");
+            let code = fs::read_to_string(out.join(file)).unwrap();
+            assert!(
+                code.contains(&format!("<a id=\"{name}\"></a>")),
+                "{trial:?}"
+            );
+        }
+        assert_eq!(
+            html.matches("class=\"code\"").count(),
+            claim.trials.len(),
+            "{}",
+            claim.id
+        );
+    }
+}
+
+#[test]
+fn every_symbol_stands_in_the_code() {
+    let is_word = |c: char| c.is_alphanumeric() || c == '_';
+    let sources = (EDITION.sources.files)();
+    for symbol in EDITION.symbols {
+        let word = symbol.argument;
+        let found = sources.iter().any(|(_, text)| {
+            text.match_indices(word).any(|(at, _)| {
+                !text[..at].ends_with(is_word) && !text[at + word.len()..].starts_with(is_word)
+            })
+        });
+        assert!(found, "no `{word}`");
+    }
+}

@@ -1,0 +1,117 @@
+//! A first paper on trial: a stone falls. (1) holds; (2) is refuted.
+
+use trialbook::prelude::*;
+
+/// As printed: g is gravity, t the time since the stone was let go.
+mod paper {
+    use trialbook::prelude::*;
+    formulas! { symbols &[];
+    pub fn eq1_speed<S: Scalar>(g: S, t: S) -> S { g * t }
+    pub fn eq2_way<S: Scalar>(g: S, t: S) -> S { g * t }
+    }
+}
+
+/// What is right.
+mod corrections {
+    use trialbook::prelude::*;
+    formulas! { symbols &[];
+    pub fn eq2_way<S: Scalar>(g: S, t: S) -> S { g * t.squared() / S::int(2) }
+    }
+}
+
+/// Twenty falls, each with its gravity and its time.
+fn falls() -> Vec<[f64; 2]> {
+    Points::stream(1).within(20, [[1.0, 10.0], [0.1, 2.0]])
+}
+
+/// What is found without the paper: way and speed, from Newton's law.
+fn motion([g, t]: [f64; 2]) -> Result<[f64; 2], Failure> {
+    let law = |_, [_, v]: &[f64; 2]| [*v, g];
+    Ok(dop853::end(law, 0.0, [0.0, 0.0], t, 1e-14, 1e-14)?)
+}
+
+fn speed_by_motion() -> Evidence {
+    let trial = Trial::motion(Subject::Printed, "the formula with the integrated motion");
+    trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
+        Ok([paper::eq1_speed(g, t), motion([g, t])?[1]])
+    })
+}
+
+fn speed_by_integral() -> Evidence {
+    let trial = Trial::quadrature(Subject::Printed, "the formula with the integral of gravity");
+    trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
+        Ok([paper::eq1_speed(g, t), integral(|_| g, 0.0, t)?.value])
+    })
+}
+
+fn way_by_motion() -> Evidence {
+    let trial = Trial::motion(Subject::Printed, "the formula with the integrated motion");
+    trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
+        Ok([paper::eq2_way(g, t), motion([g, t])?[0]])
+    })
+}
+
+fn right_way_by_motion() -> Evidence {
+    let trial = Trial::motion(
+        Subject::Corrected,
+        "what is right with the integrated motion",
+    );
+    trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
+        Ok([corrections::eq2_way(g, t), motion([g, t])?[0]])
+    })
+}
+
+fn right_way_by_integral() -> Evidence {
+    let trial = Trial::quadrature(
+        Subject::Corrected,
+        "what is right with the integral of the speed",
+    );
+    trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
+        Ok([
+            corrections::eq2_way(g, t),
+            integral(|t| g * t, 0.0, t)?.value,
+        ])
+    })
+}
+
+static CLAIMS: [Claim; 2] = [
+    Claim::equation("eq-1", "1", "speed of the fall", "v=gt")
+        .tried(trials![speed_by_motion, speed_by_integral]),
+    Claim::equation("eq-2", "1", "way of the fall", "s=gt")
+        .corrected(Change::Statement, "s=gt^2/2")
+        .tried(trials![
+            way_by_motion,
+            right_way_by_motion,
+            right_way_by_integral
+        ]),
+];
+
+static PAPER: Paper = Paper {
+    title: "The falling stone",
+    authors: "N. N.",
+    topics: &[Topic::new("fall", "The fall", &CLAIMS)],
+    record: "eq-1: confirmed\neq-2: refuted\n",
+    // Mistakes are made in them, to see that the trials notice.
+    formulas: formulas_of!(paper, corrections),
+    ..Paper::BLANK
+};
+
+static EDITION: Edition = Edition::of("fall", &PAPER);
+
+fn main() -> ExitCode {
+    trialbook::cli::run(&EDITION)
+}
+
+#[test]
+fn the_verdicts_are_the_recorded_ones() {
+    let ledger = Ledger::try_all(&PAPER, |_| {});
+    assert_eq!(Record::text_of(&ledger), PAPER.record);
+}
+
+#[test]
+fn the_book_has_no_dead_link() {
+    let folder = std::env::temp_dir().join("the-falling-stone");
+    let ledger = Ledger::try_all(&PAPER, |_| {});
+    trialbook::book::write(&EDITION, &ledger, &[], &folder).unwrap();
+    assert_eq!(trialbook::book::dead_links(&folder).unwrap(), [""; 0]);
+}

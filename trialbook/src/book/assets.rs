@@ -1,0 +1,57 @@
+//! What every book needs besides its pages, carried in the binary.
+
+use crate::edition::Edition;
+
+/// The settings, as mdBook reads them; the book's own style sheet and script are yet without their name.
+const SETTINGS: &str = include_str!("../../theme/book.toml");
+
+/// A list of files: path within the book, and bytes.
+macro_rules! files {
+    ($($path:literal),+ $(,)?) => {
+        &[$(($path, include_bytes!(concat!("../../", $path)).as_slice())),+]
+    };
+}
+
+/// The style sheets, with the fonts and the licences that belong to them.
+const THEME: &[(&str, &[u8])] = files![
+    "theme/book.css",
+    "theme/access.css",
+    "theme/book.js",
+    "theme/katex/katex.min.css",
+    "theme/katex/NOTICE.txt",
+    "theme/katex/LICENSE-MIT.txt",
+    "theme/katex/LICENSE-OFL.txt",
+    "theme/katex/fonts/KaTeX_AMS-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Caligraphic-Bold.woff2",
+    "theme/katex/fonts/KaTeX_Caligraphic-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Fraktur-Bold.woff2",
+    "theme/katex/fonts/KaTeX_Fraktur-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Main-Bold.woff2",
+    "theme/katex/fonts/KaTeX_Main-BoldItalic.woff2",
+    "theme/katex/fonts/KaTeX_Main-Italic.woff2",
+    "theme/katex/fonts/KaTeX_Main-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Math-BoldItalic.woff2",
+    "theme/katex/fonts/KaTeX_Math-Italic.woff2",
+    "theme/katex/fonts/KaTeX_SansSerif-Bold.woff2",
+    "theme/katex/fonts/KaTeX_SansSerif-Italic.woff2",
+    "theme/katex/fonts/KaTeX_SansSerif-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Script-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Size1-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Size2-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Size3-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Size4-Regular.woff2",
+    "theme/katex/fonts/KaTeX_Typewriter-Regular.woff2",
+];
+
+/// The settings of this book.
+pub(super) fn settings(edition: &Edition) -> String {
+    SETTINGS.replace("theme/book.", &format!("theme/{}.", edition.name))
+}
+
+/// The files of this book: path within the book, and bytes.
+pub(super) fn theme(edition: &Edition) -> impl Iterator<Item = (String, &'static [u8])> {
+    let named = format!("theme/{}.", edition.name);
+    let files = THEME.iter();
+    let files = files.map(move |(path, bytes)| (path.replace("theme/book.", &named), *bytes));
+    files.chain([("theme/favicon.svg".to_owned(), edition.icon.as_bytes())])
+}

@@ -1,0 +1,285 @@
+//! The code behind the claims: the sources as pages of the book, and where in them a claim's parts stand.
+
+use super::text::escape;
+use crate::claims::attempt::Attempt;
+use crate::claims::{Claim, Topic};
+use crate::edition::Edition;
+use std::collections::BTreeMap;
+
+/// A place in the code.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Place {
+    /// The file below `src`.
+    file: &'static str,
+    /// The function, or the id of a claim's row; empty for the file as a whole.
+    name: String,
+}
+
+impl Place {
+    /// The address within the book.
+    pub(super) fn address(&self) -> String {
+        let hash = if self.name.is_empty() { "" } else { "#" };
+        format!("{}{hash}{}", page(self.file), self.name)
+    }
+
+    /// A link, with the function's name or else the file's.
+    pub(super) fn link(&self) -> String {
+        let words = if self.name.is_empty() {
+            self.file
+        } else {
+            &self.name
+        };
+        format!(
+            "<a href=\"{}\"><code>{}</code></a>",
+            self.address(),
+            escape(words)
+        )
+    }
+}
+
+/// What stands where.
+pub(super) struct Code<'a> {
+    edition: &'a Edition,
+    /// Files shown, by their path below `src`.
+    files: BTreeMap<&'static str, Source>,
+}
+
+/// A file.
+struct Source {
+    text: &'static str,
+    /// Its functions, with their lines counted from 0.
+    functions: Vec<(usize, &'static str)>,
+}
+
+/// The page that shows a file.
+fn page(file: &str) -> String {
+    format!("code/{}.html", file.trim_end_matches(".rs"))
+}
+
+impl<'a> Code<'a> {
+    pub(super) fn new(edition: &'a Edition) -> Self {
+        let files = (edition.sources.files)().into_iter().map(|(path, text)| {
+            let functions = functions(text).collect();
+            (path, Source { text, functions })
+        });
+        let files = files.collect();
+        Code { edition, files }
+    }
+
+    /// The sources of a topic in a room: `claims/escape.rs` and all in `claims/escape`. All where there are no rooms.
+    fn of_topic(&self, room: &str, topic: &Topic) -> impl Iterator<Item = (&'static str, &Source)> {
+        let stem = format!("{room}/{}", topic.stem);
+        let flat = self.files.keys().all(|file| !file.contains('/'));
+        let files = self.files.iter().map(|(file, source)| (*file, source));
+        files.filter(move |(file, _)| {
+            let rest = file.strip_prefix(stem.as_str());
+            flat || rest.is_some_and(|rest| rest == ".rs" || rest.starts_with('/'))
+        })
+    }
+
+    /// The printed formula of a numbered claim; none for words.
+    pub(super) fn printed(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+        let start = format!("eq{}_", claim.equation?);
+        let mut functions = self
+            .of_topic("paper", topic)
+            .flat_map(|(file, source)| source.functions.iter().map(move |f| (file, f.1)));
+        let (file, name) = functions.find(|(_, name)| name.starts_with(&start))?;
+        Some(Place {
+            file,
+            name: name.to_owned(),
+        })
+    }
+
+    /// The file of the corrections of a topic.
+    pub(super) fn corrections(&self, topic: &Topic) -> Option<Place> {
+        let (file, _) = self.of_topic("corrections", topic).next()?;
+        Some(Place {
+            file,
+            name: String::new(),
+        })
+    }
+
+    /// The side that knows no formula, for a topic.
+    pub(super) fn motion(&self, topic: &Topic) -> Option<Place> {
+        let file = (self.edition.sources.motion)(topic.stem)?;
+        let (file, _) = self.files.get_key_value(file)?;
+        Some(Place {
+            file,
+            name: String::new(),
+        })
+    }
+
+    /// The row of a claim.
+    pub(super) fn row(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+        let mut files = self.of_topic("claims", topic);
+        let (file, _) =
+            files.find(|(_, source)| rows(source.text).any(|(_, id)| id == claim.id))?;
+        Some(Place {
+            file,
+            name: claim.id.to_owned(),
+        })
+    }
+
+    /// Where a trial is written.
+    pub(super) fn trial(&self, trial: &Attempt) -> Option<Place> {
+        let path = trial.file();
+        let here = |file: &&&str| {
+            let stem = file.trim_end_matches(".rs");
+            let above = path.strip_suffix(stem);
+            let root = path == "src/" && matches!(stem, "main" | "lib");
+            root || above.is_some_and(|above| above.is_empty() || above.ends_with('/'))
+        };
+        let file = self.files.keys().find(here)?;
+        let name = trial.name();
+        let name = name.rsplit_once("::").map_or(name, |(_, name)| name);
+        Some(Place {
+            file,
+            name: name.to_owned(),
+        })
+    }
+
+    /// The pages: address within the book, and HTML.
+    pub(super) fn pages(&self) -> impl Iterator<Item = (String, String)> {
+        self.files
+            .iter()
+            .map(|(file, source)| (page(file), code_page(file, source, self.edition.title)))
+    }
+}
+
+/// The rows of claims in a source: line, counted from 0, and id.
+fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    text.lines().enumerate().filter_map(|(i, line)| {
+        let field = line.trim_start().strip_prefix("id: \"");
+        let built = || Some(line.split_once("Claim::equation(\"")?.1);
+        Some((i, field.or_else(built)?.split('"').next()?))
+    })
+}
+
+/// The functions and constants of a source, with their lines counted from 0.
+fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    text.lines().enumerate().filter_map(|(i, line)| {
+        let mut words = line.trim_start();
+        for word in ["pub ", "pub(super) ", "pub(crate) "] {
+            words = words.strip_prefix(word).unwrap_or(words);
+        }
+        let constant = words.strip_prefix("const ");
+        let name = constant.unwrap_or(words);
+        let name = name.strip_prefix("fn ").or(constant)?;
+        Some((i, &name[..name.find(['(', '<', ':'])?]))
+    })
+}
+
+fn code_page(file: &str, source: &Source, book: &str) -> String {
+    let text = source.text;
+    let up = "../".repeat(file.matches('/').count() + 1);
+    let mut anchors = BTreeMap::new();
+    let mut taken: Vec<&str> = Vec::new();
+    for (line, name) in source.functions.iter().copied().chain(rows(text)) {
+        if !taken.contains(&name) {
+            taken.push(name);
+            anchors.insert(line, name);
+        }
+    }
+    let mut code = String::with_capacity(text.len() * 2);
+    let mut state = State::Plain;
+    for (i, line) in text.lines().enumerate() {
+        if let Some(name) = anchors.get(&i) {
+            code.push_str(&format!("<a id=\"{}\"></a>", escape(name)));
+        }
+        state = highlight(line, state, &mut code);
+        code.push('\n');
+    }
+    let book = escape(book);
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{file}</title>\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\
+         <style>{STYLE}</style></head><body><header><a href=\"{up}index.html\">{book}</a></header>\
+         <main><h1>src/{file}</h1><pre tabindex=\"0\"><code>{code}</code></pre></main></body></html>\n"
+    )
+}
+
+const STYLE: &str = include_str!("../../theme/code.css");
+
+/// What goes on from line to line.
+#[derive(Clone, Copy, PartialEq)]
+enum State {
+    Plain,
+    Text,
+}
+
+const KEYWORDS: &[&str] = &[
+    "as", "break", "const", "continue", "crate", "else", "enum", "fn", "for", "if", "impl", "in",
+    "let", "loop", "match", "mod", "move", "mut", "pub", "ref", "return", "self", "Self", "static",
+    "struct", "super", "trait", "type", "use", "where", "while",
+];
+
+/// One line of Rust as HTML: comments, strings and keywords are marked.
+fn highlight(line: &str, mut state: State, out: &mut String) -> State {
+    let mut rest = line;
+    while let Some(c) = rest.chars().next() {
+        let (end, class) = if state == State::Text {
+            (end_of_string(rest, &mut state), "s")
+        } else if rest.starts_with("//") {
+            (rest.len(), "c")
+        } else if c == '"' {
+            state = State::Text;
+            (1 + end_of_string(&rest[1..], &mut state), "s")
+        } else if c.is_alphabetic() || c == '_' {
+            let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_'));
+            let end = end.unwrap_or(rest.len());
+            (
+                end,
+                if KEYWORDS.contains(&&rest[..end]) {
+                    "k"
+                } else {
+                    ""
+                },
+            )
+        } else if rest.starts_with("'\"'") {
+            (3, "s")
+        } else {
+            (c.len_utf8(), "")
+        };
+        let text = escape(&rest[..end]);
+        match class {
+            "" => out.push_str(&text),
+            class => out.push_str(&format!("<i class=\"{class}\">{text}</i>")),
+        }
+        rest = &rest[end..];
+    }
+    state
+}
+
+/// How far a string goes on this line.
+fn end_of_string(rest: &str, state: &mut State) -> usize {
+    let mut escaped = false;
+    for (at, c) in rest.char_indices() {
+        match c {
+            '"' if !escaped => {
+                *state = State::Plain;
+                return at + 1;
+            }
+            '\\' => escaped = !escaped,
+            _ => escaped = false,
+        }
+    }
+    rest.len()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rust_is_marked() {
+        let mut out = String::new();
+        assert!(
+            highlight("let a = \"b \\\" // c\"; // <d>", State::Plain, &mut out) == State::Plain
+        );
+        assert_eq!(
+            out,
+            "<i class=\"k\">let</i> a = <i class=\"s\">&quot;b \\&quot; // c&quot;</i>; <i class=\"c\">// &lt;d&gt;</i>"
+        );
+        assert!(highlight("x(\"open", State::Plain, &mut out) == State::Text);
+    }
+}

@@ -1,0 +1,70 @@
+//! What a page may speak of: the ledger, the figures, the code, and links between them.
+
+use super::code::Code;
+use super::error::Fault;
+use super::maths::Maths;
+use crate::edition::Edition;
+use crate::figures::Figure;
+use crate::ledger::{Entry, Erratum, Ledger, Verdict};
+
+/// All that placeholders are filled from.
+pub(super) struct Context<'a> {
+    pub(super) edition: &'a Edition,
+    pub(super) ledger: &'a Ledger,
+    pub(super) figures: &'a [Figure],
+    pub(super) errata: &'a [Erratum],
+    pub(super) code: &'a Code<'a>,
+    pub(super) maths: &'a Maths,
+}
+
+impl<'a> Context<'a> {
+    /// The entry of this id.
+    pub(super) fn entry(&self, id: &str) -> Result<&'a Entry, Fault> {
+        let unknown = || Fault::Placeholder(format!("the ledger has no claim `{id}`"));
+        self.ledger.entry(id).ok_or_else(unknown)
+    }
+
+    /// A link to a claim's box.
+    pub(super) fn link(&self, entry: &Entry) -> Result<String, Fault> {
+        Ok(format!(
+            "<a href=\"{}.html#{}\">{}</a>",
+            entry.topic.stem,
+            entry.claim.id,
+            self.maths.words(&entry.claim.name())?
+        ))
+    }
+
+    /// Links to claims' boxes.
+    pub(super) fn links(&self, ids: &[&str]) -> Result<String, Fault> {
+        let links: Result<Vec<_>, _> = ids.iter().map(|id| self.link(self.entry(id)?)).collect();
+        Ok(links?.join(", "))
+    }
+
+    /// Ids of the claims that depend on a claim directly.
+    pub(super) fn users(&self, id: &str) -> Vec<&'static str> {
+        let claims = self.ledger.entries.iter().map(|entry| entry.claim);
+        claims
+            .filter(|other| other.depends_on.contains(&id))
+            .map(|other| other.id)
+            .collect()
+    }
+
+    /// The word, as a link to the place of this id where a page has it.
+    pub(super) fn explained(&self, word: &str, id: &str) -> String {
+        let place = format!("{{#{id}}}");
+        let mut pages = self.edition.written();
+        match pages.find(|page| page.text.contains(&place)) {
+            Some(page) => format!("<a href=\"{}.html#{id}\">{word}</a>", page.stem),
+            None => word.to_owned(),
+        }
+    }
+}
+
+/// A verdict, in word and colour.
+pub(super) fn verdict(verdict: Verdict) -> String {
+    format!(
+        "<span class=\"verdict {}\">{}</span>",
+        verdict.slug(),
+        verdict.words()
+    )
+}

@@ -1,0 +1,80 @@
+//! The page of errata, and the letters beside it.
+
+use super::claim_box::{heading, statement};
+use super::context::{Context, verdict};
+use super::error::Fault;
+use super::text::sentence;
+use crate::ledger::{Erratum, Verdict};
+
+/// The errata with these verdicts, in the paper's order.
+pub(super) fn list(
+    context: &Context<'_>,
+    errata: &[Erratum],
+    verdicts: &[Verdict],
+) -> Result<String, Fault> {
+    let chosen = errata.iter().filter(|e| verdicts.contains(&e.verdict));
+    let items: Result<Vec<_>, _> = chosen.map(|erratum| item(context, erratum)).collect();
+    let none = "<p>None.</p>\n".to_owned();
+    let items = items?;
+    Ok(if items.is_empty() {
+        none
+    } else {
+        items.concat()
+    })
+}
+
+fn item(context: &Context<'_>, erratum: &Erratum) -> Result<String, Fault> {
+    let maths = context.maths;
+    let entry = context.entry(erratum.id)?;
+    let title = maths.words(&heading(entry.claim))?;
+    let mut html = format!(
+        "<section class=\"erratum {slug}\" aria-labelledby=\"erratum-{id}\"><h3 id=\"erratum-{id}\"><a href=\"{page}.html#{id}\">{title}</a></h3>\
+         <p class=\"claim-place\">Section {section} {verdict}</p>\
+         <div class=\"claim-forms\"><div class=\"printed\"><p class=\"claim-label\">Printed</p>{old}</div>",
+        slug = erratum.verdict.slug(),
+        id = erratum.id,
+        page = entry.topic.stem,
+        section = erratum.section,
+        verdict = verdict(erratum.verdict),
+        old = statement(context, entry.claim, entry.claim.latex)?,
+    );
+    let new = match (erratum.verdict, entry.claim.correction) {
+        (Verdict::Conditional, _) | (_, None) => format!("<p>{}</p>", maths.words(&erratum.new)?),
+        (_, Some(correction)) => statement(context, entry.claim, correction.latex)?,
+    };
+    html.push_str(&format!(
+        "<div class=\"corrected\"><p class=\"claim-label\">Should be</p>{new}</div></div>"
+    ));
+    for (label, words) in [
+        ("Reason", Some(&erratum.reason)),
+        ("By hand", erratum.case.as_ref()),
+    ] {
+        if let Some(words) = words {
+            html.push_str(&format!(
+                "<p><strong>{label}:</strong> {}.</p>",
+                maths.words(&sentence(words))?
+            ));
+        }
+    }
+    let evidence: Result<Vec<_>, _> = erratum
+        .evidence
+        .iter()
+        .map(|said| maths.words(said))
+        .collect();
+    html.push_str(&format!(
+        "<details class=\"samples\"><summary>Evidence</summary><ul><li>{}</li></ul></details>",
+        evidence?.join("</li><li>")
+    ));
+    for (label, ids) in [
+        ("Falls with it", &erratum.fallen),
+        ("Rests on it and stands", &erratum.standing),
+    ] {
+        if !ids.is_empty() {
+            html.push_str(&format!(
+                "<p class=\"neighbours\">{label}: {}</p>",
+                context.links(ids)?
+            ));
+        }
+    }
+    Ok(html + "</section>\n")
+}

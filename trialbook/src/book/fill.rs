@@ -1,0 +1,168 @@
+//! What each placeholder stands for.
+
+use super::claim_box;
+use super::context::{Context, verdict};
+use super::error::Fault;
+use super::text::{count, escape, size};
+use super::{errata, map, symbols, tables, values};
+use crate::edition::Filled;
+use crate::figures::Figure;
+use crate::ledger::{Entry, Ledger, Tally, Verdict};
+use std::collections::BTreeSet;
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+/// A program to begin with.
+const FIRST: &str = include_str!("../../examples/fall.rs");
+
+/// Fills placeholders from the ledger and the figures.
+pub(super) struct Filler<'a> {
+    context: &'a Context<'a>,
+    /// The claims that a page has shown so far.
+    boxed: Mutex<BTreeSet<&'static str>>,
+}
+
+impl<'a> Filler<'a> {
+    pub(super) fn new(context: &'a Context<'a>) -> Self {
+        let boxed = Mutex::default();
+        Filler { context, boxed }
+    }
+
+    /// The first claim that no page has shown so far.
+    pub(super) fn without_box(&self) -> Option<&'a Entry> {
+        let boxed = self.boxed();
+        let mut entries = self.context.ledger.entries.iter();
+        entries.find(|entry| !boxed.contains(entry.claim.id))
+    }
+
+    fn boxed(&self) -> MutexGuard<'_, BTreeSet<&'static str>> {
+        self.boxed.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Fills one placeholder, given without its braces, on the page of this stem.
+    pub(super) fn fill(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
+        let context = self.context;
+        let ledger = context.ledger;
+        let words: Vec<_> = placeholder.split_whitespace().collect();
+        let block = |html| Ok(Filled::Block(html));
+        let inline = |html| Ok(Filled::Inline(html));
+        match words.as_slice() {
+            ["claim", id] => {
+                let entry = context.entry(id)?;
+                self.place(page, entry)?;
+                block(claim_box::claim_box(context, entry)?)
+            }
+            ["figure", id] => block(self.figure(id)?),
+            ["title"] => inline(escape(ledger.paper.title)),
+            ["authors"] => inline(escape(ledger.paper.authors)),
+            ["counts"] => block(tables::counts(ledger)),
+            ["ledger"] => block(tables::whole_ledger(context)?),
+            ["ledger", topic] => block(tables::folded_topic(context, topic)?),
+            ["proofs"] => block(tables::proofs(ledger)),
+            ["strongest"] => block(tables::strongest(context)?),
+            ["measured"] => block(tables::measured(context)?),
+            ["accuracy"] => block(tables::accuracy(context)?),
+            ["survivors"] => block(tables::survivors(context)?),
+            ["spared"] => block(tables::spared(context)?),
+            ["sheet", id] => block(tables::code(&context.entry(id)?.sheet())),
+            ["sheets"] => block(tables::sheets(context)?),
+            ["first-paper"] => block(tables::code(FIRST)),
+            ["equations"] => block(tables::equations(context)?),
+            ["symbols"] => block(symbols::table_of(context)?),
+            ["values"] => block(values::table_of(context)?),
+            ["falls"] => block(map::what_falls(context)?),
+            ["map", "key"] => block(map::key()),
+            ["map", "list"] => block(map::list(context)?),
+            ["errata", slugs @ ..] => {
+                let verdicts: Result<Vec<_>, _> =
+                    slugs.iter().map(|slug| verdict_of(slug)).collect();
+                block(errata::list(context, context.errata, &verdicts?)?)
+            }
+            ["routes"] => block(tables::routes(ledger)),
+            ["tolerances"] => block(tables::tolerances(context)?),
+            ["verdict", id] => inline(verdict(context.entry(id)?.judgement.verdict)),
+            ["points", id] => {
+                let evidence = &context.entry(id)?.evidence;
+                inline(count(evidence.iter().map(|e| e.points).sum()))
+            }
+            ["worst", id] => {
+                let none = || Fault::Placeholder(format!("no trial of `{id}` gave a disagreement"));
+                inline(size(context.entry(id)?.worst().ok_or_else(none)?.worst))
+            }
+            ["ref", id] => inline(context.link(context.entry(id)?)?),
+            ["count", "claims"] => inline(count(ledger.entries.len())),
+            ["count", "points"] => inline(count(ledger.points())),
+            ["count", "variants"] => inline(count(tallies(ledger, |tally| tally.tried))),
+            ["count", "rejected"] => inline(count(tallies(ledger, |tally| tally.rejected))),
+            ["count", "proved"] => {
+                let entries = ledger.entries.iter();
+                inline(count(entries.filter(|e| e.is_proved()).count()))
+            }
+            ["value", id] => inline(values::shown(ledger.paper, id)?),
+            ["count", slug] => inline(count(ledger.counts()[&verdict_of(slug)?])),
+            _ => self.own(page, placeholder.trim()),
+        }
+    }
+
+    /// Fills a placeholder of the paper's own.
+    fn own(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
+        let mut own = self.context.edition.placeholders.iter();
+        let Some(own) = own.find(|own| own.name == placeholder) else {
+            let reason = "there is no such placeholder";
+            return Err(Fault::Placeholder(reason.into()));
+        };
+        (own.fill)(page).map_err(|failure| Fault::Placeholder(failure.to_string()))
+    }
+
+    /// Notes that a claim is shown, once and on its own page: its address is permanent.
+    fn place(&self, page: &str, entry: &Entry) -> Result<(), Fault> {
+        let stem = entry.topic.stem;
+        if page != stem {
+            let reason = format!("this claim belongs on {stem}.md");
+            return Err(Fault::Placeholder(reason));
+        }
+        if !self.boxed().insert(entry.claim.id) {
+            return Err(Fault::Placeholder("this claim is shown already".into()));
+        }
+        Ok(())
+    }
+
+    fn figure(&self, id: &str) -> Result<String, Fault> {
+        let found = self.context.figures.iter().find(|figure| figure.id == id);
+        let figure =
+            found.ok_or_else(|| Fault::Placeholder(format!("there is no figure `{id}`")))?;
+        let svg = figure.svg.find("<svg").map(|start| &figure.svg[start..]);
+        let Some(svg) = svg else {
+            return Err(Fault::Placeholder("this figure is not an SVG".into()));
+        };
+        // A drawing with links is not one picture to a screen reader.
+        let window = match svg.contains("<a ") {
+            true => "class=\"map-window\" role=\"group\"",
+            false => "role=\"img\"",
+        };
+        Ok(format!(
+            "<figure class=\"plot\" id=\"plot-{id}\"><div {window} aria-label=\"{}\">{}</div>\
+             <figcaption>{} <a href=\"{}\" download>Data (CSV)</a></figcaption></figure>\n",
+            escape(&figure.alt),
+            svg.lines().map(str::trim).collect::<Vec<_>>().join(" "),
+            self.context.maths.words(&figure.caption)?,
+            data_file(figure),
+        ))
+    }
+}
+
+/// The sum of something over all tallies of wrong variants.
+fn tallies(ledger: &Ledger, of: fn(Tally) -> usize) -> usize {
+    let entries = ledger.entries.iter();
+    entries.map(|entry| of(entry.tally())).sum()
+}
+
+/// The verdict of this slug.
+fn verdict_of(slug: &str) -> Result<Verdict, Fault> {
+    let found = Verdict::ALL.into_iter().find(|v| v.slug() == slug);
+    found.ok_or_else(|| Fault::Placeholder(format!("there is no verdict `{slug}`")))
+}
+
+/// Where a figure's data lies within the book.
+pub(super) fn data_file(figure: &Figure) -> String {
+    format!("figures/{}.csv", figure.id)
+}

@@ -1,0 +1,233 @@
+//! The book in two steps: what stands on its pages whatever the verdicts, and all that fills them.
+
+use super::code::Code;
+use super::context::Context;
+use super::error::{BookError, Fault};
+use super::expand::{Blank, MARK, expand};
+use super::fill::{self, Filler};
+use super::maths::{Forms, Maths};
+use super::pages;
+use super::search::Search;
+use super::swap::{Staging, unwritable};
+use super::{assets, map, put};
+use crate::edition::{Edition, Filled, Page};
+use crate::figures::Figure;
+use crate::ledger::{Format, Ledger};
+use mdbook_driver::MDBook;
+use mdbook_driver::config::Config;
+use rayon::prelude::*;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The name of the page for printing.
+const PRINT: &str = "print.html";
+
+/// The book as mdBook renders it, in a temporary folder: with marks for formulas and for what fills the placeholders.
+/// Nothing in it depends on a verdict, so that it can be made while the claims are tried.
+pub struct Frame<'a> {
+    edition: &'a Edition,
+    staging: Staging,
+    pages: Vec<Page>,
+    /// The placeholders, by number.
+    blanks: Vec<Blank>,
+    maths: Maths,
+    /// File and HTML of each page, in the order of the book, the one for printing last.
+    html: Vec<(String, String)>,
+}
+
+impl<'a> Frame<'a> {
+    /// Renders the pages beside `out`, where the book is to be.
+    ///
+    /// # Errors
+    /// As for [`write()`](super::write()).
+    pub fn new(edition: &'a Edition, figures: &[Figure], out: &Path) -> Result<Self, BookError> {
+        let pages = pages::pages(edition, figures);
+        let staging = Staging::beside(out, edition.name)?;
+        let source = staging.path("source");
+        let text = source.join("src");
+        let (maths, mut blanks) = (Maths::new(), Vec::new());
+        for page in pages.iter().enumerate() {
+            let expanded = expand(page, &maths, &mut blanks)?;
+            put(&text.join(page.1.file()), expanded.as_bytes())?;
+        }
+        put(
+            &text.join("SUMMARY.md"),
+            pages::summary(edition, &pages).as_bytes(),
+        )?;
+        for (name, bytes) in assets::theme(edition) {
+            // mdBook takes style sheets, scripts and its theme from beside `src`, all other files from within it.
+            let within = name.contains("katex") && !name.ends_with(".css");
+            let folder = if within { &text } else { &source };
+            put(&folder.join(name), bytes)?;
+        }
+        let book = staging.path("book");
+        render(edition, &source, &book)?;
+        let names = pages.iter().map(|page| format!("{}.html", page.stem));
+        let html = names.chain([PRINT.to_owned()]).map(|name| {
+            let path = book.join(&name);
+            let html = fs::read_to_string(&path);
+            Ok((name, html.map_err(|reason| unwritable(&path, reason))?))
+        });
+        let html = html.collect::<Result<_, BookError>>()?;
+        maths.prepare(edition.paper);
+        for value in edition.paper.values {
+            // Kept once computed. A failure shows where the number is used.
+            let _ = value.number();
+        }
+        Ok(Frame {
+            edition,
+            staging,
+            pages,
+            blanks,
+            maths,
+            html,
+        })
+    }
+
+    /// Fills the pages, puts the book in its place, and returns the path of its first page.
+    ///
+    /// # Errors
+    /// As for [`write()`](super::write()).
+    pub fn fill(self, ledger: &Ledger, figures: &[Figure]) -> Result<PathBuf, BookError> {
+        let figures = [figures, &[map::figure(ledger)?]].concat();
+        let (errata, code) = (ledger.errata()?, Code::new(self.edition));
+        let context = Context {
+            edition: self.edition,
+            ledger,
+            figures: &figures,
+            errata: &errata,
+            code: &code,
+            maths: &self.maths,
+        };
+        let filler = Filler::new(&context);
+        let filled = self.filled(&filler)?;
+        if let Some(entry) = filler.without_box() {
+            return Err(BookError::ClaimNowhere {
+                id: entry.claim.id,
+                page: format!("{}.md", entry.topic.stem),
+            });
+        }
+        let book = self.staging.path("book");
+        let beside = || {
+            for (name, format) in [("errata.txt", Format::Text), ("errata.tex", Format::Latex)] {
+                put(&book.join(name), ledger.letter(format)?.as_bytes())?;
+            }
+            for figure in &figures {
+                put(&book.join(fill::data_file(figure)), figure.csv.as_bytes())?;
+            }
+            for (name, text) in (self.edition.files)() {
+                put(&book.join(name), text.as_bytes())?;
+            }
+            let mut pages = code.pages();
+            pages.try_for_each(|(name, html)| put(&book.join(name), html.as_bytes()))
+        };
+        let finish = || self.finish(&book, &filled, &self.maths.forms());
+        let (finished, written) = rayon::join(finish, beside);
+        finished?;
+        written?;
+        self.staging.mark(&book)?;
+        let out = self.staging.swap(&book)?;
+        Ok(out.join("index.html"))
+    }
+
+    /// What fills each placeholder.
+    fn filled(&self, filler: &Filler<'_>) -> Result<Vec<Filled>, BookError> {
+        let one = |blank: &Blank| {
+            let filled = filler.fill(self.pages[blank.page].stem, &blank.inside);
+            let filled = filled.and_then(|filled| match filled {
+                Filled::Block(_) if !blank.alone => Err(Fault::Placeholder(
+                    "must stand alone on its line".to_owned(),
+                )),
+                filled => Ok(filled),
+            });
+            filled.map_err(|fault| blank.error(&self.pages, fault))
+        };
+        let filled: Vec<_> = self.blanks.par_iter().map(one).collect();
+        // Of several faults, the first in the book is reported.
+        filled.into_iter().collect()
+    }
+
+    /// Puts what fills them and the formulas into mdBook's pages, and our index in place of mdBook's.
+    fn finish(&self, book: &Path, filled: &[Filled], forms: &Forms) -> Result<(), BookError> {
+        let whole = |(name, html): &(String, String)| {
+            let put_in = |number: usize| {
+                let (html, block) = match filled.get(number)? {
+                    Filled::Inline(html) => (html, false),
+                    Filled::Block(html) => (html, true),
+                };
+                let html = match name.as_str() {
+                    PRINT => self.within_one_page(html),
+                    _ => html.clone(),
+                };
+                Some((html, block))
+            };
+            (name.clone(), with_blanks(html, put_in))
+        };
+        let pages: Vec<_> = self.html.par_iter().map(whole).collect();
+        let index = || {
+            let mut search = Search::new();
+            for (name, html) in pages.iter().filter(|(name, _)| name != PRINT) {
+                search.add(name, &forms.with_words(html));
+            }
+            let index = search.file();
+            index.map_err(|error| BookError::Render(error.to_string()))
+        };
+        let formulas = || {
+            let pages = pages.par_iter();
+            pages.try_for_each(|(name, html)| {
+                put(&book.join(name), forms.with_formulas(html).as_bytes())
+            })
+        };
+        let (index, set) = rayon::join(index, formulas);
+        set?;
+        put(&book.join("searchindex.js"), index?.as_bytes())
+    }
+
+    /// Links to places on other pages as links within the page for printing, as mdBook does it for what it reads.
+    fn within_one_page(&self, html: &str) -> String {
+        const LINK: &str = "href=\"";
+        let mut parts = html.split(LINK);
+        let mut out = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            out.push_str(LINK);
+            let place = part.split_once(".html#").map(|(stem, _)| stem);
+            let page = place.filter(|stem| self.pages.iter().any(|page| page.stem == *stem));
+            out.push_str(page.map_or(part, |stem| &part[stem.len() + ".html".len()..]));
+        }
+        out
+    }
+}
+
+/// A page with something put in the place of each mark, and whether that is a block: a mark that is alone in its
+/// paragraph then stands for all of it.
+fn with_blanks(html: &str, put_in: impl Fn(usize) -> Option<(String, bool)>) -> String {
+    let mut parts = html.split(MARK.0);
+    let mut out = String::with_capacity(html.len() * 4);
+    out.push_str(parts.next().unwrap_or_default());
+    for part in parts {
+        let (number, mut after) = part.split_once(MARK.1).unwrap_or((part, ""));
+        if let Some((filled, block)) = number.parse().ok().and_then(&put_in) {
+            if let (true, Some(rest)) = (block && out.ends_with("<p>"), after.strip_prefix("</p>"))
+            {
+                out.truncate(out.len() - "<p>".len());
+                after = rest;
+            }
+            out.push_str(&filled);
+        }
+        out.push_str(after);
+    }
+    out
+}
+
+/// Lets mdBook make `book` from `source`.
+fn render(edition: &Edition, source: &Path, book: &Path) -> Result<(), BookError> {
+    let mut config: Config = assets::settings(edition)
+        .parse()
+        .map_err(|error| BookError::Render(format!("{error:#}")))?;
+    config.book.title = Some(edition.title.to_owned());
+    config.book.description = Some(edition.description.to_owned());
+    config.build.build_dir = book.to_owned();
+    MDBook::load_with_config(source, config)
+        .and_then(|mdbook| mdbook.build())
+        .map_err(|error| BookError::Render(format!("{error:#}")))
+}

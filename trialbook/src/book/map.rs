@@ -1,0 +1,143 @@
+//! The map of claims: its figure, and the same as lists.
+
+use super::context::{Context, verdict};
+use super::error::Fault;
+use super::tables::table;
+use super::text::{count, counted};
+use crate::figures::map::{Node, map};
+use crate::figures::{Figure, FigureError};
+use crate::ledger::{Ledger, Verdict, plain_words};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// The sign of a verdict where there is no room for its name.
+fn sign(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Confirmed => "✓",
+        Verdict::Conditional => "(✓)",
+        Verdict::Misprint => "✎",
+        Verdict::Refuted => "✗",
+        Verdict::Definition => "≔",
+        Verdict::Undecided => "?",
+    }
+}
+
+/// True for a verdict that shakes what rests on the claim.
+fn fails(verdict: Verdict) -> bool {
+    matches!(verdict, Verdict::Misprint | Verdict::Refuted)
+}
+
+/// The figure.
+pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
+    let entries = &ledger.entries;
+    let places: BTreeMap<_, _> = entries
+        .iter()
+        .enumerate()
+        .map(|(i, e)| (e.claim.id, i))
+        .collect();
+    let failing = entries.iter().filter(|e| fails(e.judgement.verdict));
+    let shaken: BTreeSet<_> = failing
+        .flat_map(|e| ledger.resting_on(e.claim.id))
+        .collect();
+    let nodes = entries.iter().map(|entry| {
+        let claim = entry.claim;
+        let name = claim.name();
+        let title = plain_words(claim.title);
+        Node {
+            id: claim.id,
+            name: if name == claim.title {
+                String::new()
+            } else {
+                name
+            },
+            title,
+            href: format!("{}.html#{}", entry.topic.stem, claim.id),
+            class: entry.judgement.verdict.slug(),
+            sign: sign(entry.judgement.verdict),
+            words: entry.judgement.verdict.words(),
+            shaken: shaken.contains(claim.id),
+            lane: ledger
+                .paper
+                .topics
+                .iter()
+                .position(|topic| topic.stem == entry.topic.stem)
+                .unwrap_or(0),
+            on: claim
+                .depends_on
+                .iter()
+                .filter_map(|id| places.get(id).copied())
+                .collect(),
+        }
+    });
+    let topics: Vec<_> = ledger
+        .paper
+        .topics
+        .iter()
+        .map(|topic| topic.title)
+        .collect();
+    map(&topics, &nodes.collect::<Vec<_>>())
+}
+
+/// The signs and what they mean.
+pub(super) fn key() -> String {
+    let item = |v: Verdict| format!("<li>{} {}</li>", sign(v), verdict(v));
+    let items: String = Verdict::ALL.map(item).concat();
+    format!("<ul class=\"map-key\">{items}</ul>\n")
+}
+
+/// What rests on each claim that fails.
+pub(super) fn what_falls(context: &Context<'_>) -> Result<String, Fault> {
+    let ledger = context.ledger;
+    let mut rows = Vec::new();
+    for entry in ledger.entries.iter().filter(|e| fails(e.judgement.verdict)) {
+        let on = ledger.resting_on(entry.claim.id);
+        let (fallen, standing): (Vec<_>, Vec<_>) = on
+            .into_iter()
+            .partition(|id| ledger.entry(id).is_some_and(|e| fails(e.judgement.verdict)));
+        rows.push([
+            context.link(entry)?,
+            verdict(entry.judgement.verdict),
+            context.links(&fallen)?,
+            context.links(&standing)?,
+        ]);
+    }
+    let head = [
+        "Claim",
+        "Verdict",
+        "Falls with it",
+        "Rests on it and stands",
+    ];
+    Ok(table("falls", head, rows))
+}
+
+/// Every claim with what it rests on and what rests on it.
+pub(super) fn list(context: &Context<'_>) -> Result<String, Fault> {
+    let ledger = context.ledger;
+    let mut html = String::new();
+    for topic in ledger.paper.topics {
+        let of_topic = ledger.entries.iter().filter(|e| e.topic.stem == topic.stem);
+        let rows: Result<Vec<_>, Fault> = of_topic
+            .map(|entry| {
+                let all = ledger.resting_on(entry.claim.id).len();
+                let direct: Vec<_> = context.users(entry.claim.id);
+                let carries = match all {
+                    0 => String::new(),
+                    _ => format!("{} ({} in all)", context.links(&direct)?, count(all)),
+                };
+                Ok([
+                    context.link(entry)?,
+                    verdict(entry.judgement.verdict),
+                    context.links(entry.claim.depends_on)?,
+                    carries,
+                ])
+            })
+            .collect();
+        let rows = rows?;
+        html.push_str(&format!(
+            "<details><summary>{}: {}</summary>{}</details>\n",
+            topic.title,
+            counted(rows.len(), "claim"),
+            table("rests", ["Claim", "Verdict", "Rests on", "Carries"], rows)
+        ));
+    }
+    Ok(html)
+}

@@ -1,0 +1,376 @@
+//! Formulas: from LaTeX to HTML and MathML, when the book is built.
+
+use super::error::Fault;
+use super::plain;
+use super::text::escape;
+use crate::claims::{Claim, Paper};
+use crate::ledger::plain_formula;
+use katex::macro_expander::MacroMap;
+use katex::macros::MacroDefinition;
+use katex::{KatexContext, Settings, render_to_string};
+use std::collections::HashMap;
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
+
+/// KaTeX underlines where an error is by combining characters.
+const UNDERLINE: char = '\u{332}';
+
+/// What stands for a formula until mdBook is done: mdBook then reads a tenth of the text, and the search
+/// can put words in its place.
+const MARK: (&str, &str) = ("<span data-formula=\"", "\"></span>");
+
+/// A formula with so few letters as plain text may keep together with a sign before or behind it.
+const SHORT: usize = 20;
+
+/// Sets formulas, each one once.
+pub(super) struct Maths(Mutex<Set>);
+
+/// KaTeX with its settings.
+struct Setter {
+    context: KatexContext,
+    inline: Settings,
+    display: Settings,
+}
+
+/// LaTeX, and whether it stands on a line of its own.
+type Key = (String, bool);
+
+/// A formula as HTML and as plain text.
+type Form = (String, String);
+
+/// Every formula that this process has set, whichever book it was for.
+static KNOWN: LazyLock<Mutex<HashMap<Key, Form>>> = LazyLock::new(Mutex::default);
+
+/// The formulas set so far.
+struct Set {
+    setter: Setter,
+    /// Number of a formula.
+    numbers: HashMap<Key, usize>,
+    forms: Forms,
+}
+
+/// HTML and plain text of the formulas, by number.
+#[derive(Clone, Default)]
+pub(super) struct Forms(Vec<Form>);
+
+impl Setter {
+    fn new() -> Self {
+        let settings = |display| {
+            let mut macros = MacroMap::default();
+            // LaTeX has it, KaTeX does not know it.
+            macros.insert(r"\mbox".into(), MacroDefinition::StaticStr(r"\text"));
+            let settings = Settings::builder().macros(macros).display_mode(display);
+            settings.build()
+        };
+        Setter {
+            context: KatexContext::default(),
+            inline: settings(false),
+            display: settings(true),
+        }
+    }
+
+    /// The form of a formula, made when it is first asked for.
+    fn form(&self, key: &Key) -> Result<Form, Fault> {
+        let known = || KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(form) = known().get(key) {
+            return Ok(form.clone());
+        }
+        let form = self.made(&key.0, key.1)?;
+        known().insert(key.clone(), form.clone());
+        Ok(form)
+    }
+
+    fn made(&self, latex: &str, display: bool) -> Result<Form, Fault> {
+        let fault = |reason: String| Fault::Formula {
+            formula: latex.to_owned(),
+            reason,
+        };
+        if latex.trim().is_empty() {
+            return Err(fault("there is nothing in it".into()));
+        }
+        let settings = if display { &self.display } else { &self.inline };
+        let html = render_to_string(&self.context, &roots_in_braces(latex.trim()), settings)
+            .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
+        Ok((
+            tidy(&without_annotation(&html)),
+            escape(&plain_formula(latex)),
+        ))
+    }
+}
+
+impl Maths {
+    pub(super) fn new() -> Self {
+        Maths(Mutex::new(Set {
+            setter: Setter::new(),
+            numbers: HashMap::new(),
+            forms: Forms::default(),
+        }))
+    }
+
+    /// Sets what the claims will need, before they are tried. What cannot be set is reported where it is met.
+    pub(super) fn prepare(&self, paper: &Paper) {
+        let set = self.set_so_far();
+        let words = |claim: &'static Claim| {
+            let conditions = claim.conditions.iter().map(|condition| condition.text);
+            [claim.title, claim.latex].into_iter().chain(conditions)
+        };
+        for (_, claim) in paper.claims() {
+            let parts = words(claim).flat_map(|text| text.split('$').skip(1).step_by(2));
+            let inline = parts.map(|latex| (latex, false));
+            let whole = [true, false].map(|display| (claim.latex, display));
+            let whole = whole.into_iter().filter(|(latex, _)| !latex.contains('$'));
+            for (latex, display) in inline.chain(whole) {
+                let _ = set.setter.form(&(latex.to_owned(), display));
+            }
+        }
+    }
+
+    /// A formula within a line.
+    pub(super) fn inline(&self, latex: &str) -> Result<String, Fault> {
+        self.set(latex, false)
+    }
+
+    /// A formula on a line of its own.
+    pub(super) fn display(&self, latex: &str) -> Result<String, Fault> {
+        self.set(latex, true)
+    }
+
+    /// Words with formulas in `$…$`, as HTML.
+    pub(super) fn words(&self, text: &str) -> Result<String, Fault> {
+        if text.matches('$').count() % 2 == 1 {
+            return Err(Fault::Formula {
+                formula: text.to_owned(),
+                reason: "a `$` without its partner".into(),
+            });
+        }
+        let parts = text.split('$').enumerate();
+        parts
+            .map(|(i, part)| match i % 2 {
+                0 => Ok(plain::set(part)),
+                _ => self.inline(part),
+            })
+            .collect()
+    }
+
+    /// The mark of a formula; sets it if it is new.
+    fn set(&self, latex: &str, display: bool) -> Result<String, Fault> {
+        let mark = |number: usize| format!("{}{number}{}", MARK.0, MARK.1);
+        let key = (latex.to_owned(), display);
+        let mut set = self.set_so_far();
+        if let Some(number) = set.numbers.get(&key) {
+            return Ok(mark(*number));
+        }
+        let form = set.setter.form(&key)?;
+        let number = set.forms.0.len();
+        set.forms.0.push(form);
+        set.numbers.insert(key, number);
+        Ok(mark(number))
+    }
+
+    /// The formulas set so far.
+    pub(super) fn forms(&self) -> Forms {
+        self.set_so_far().forms.clone()
+    }
+
+    fn set_so_far(&self) -> MutexGuard<'_, Set> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl Forms {
+    /// Puts the formulas in place of their marks.
+    pub(super) fn with_formulas(&self, html: &str) -> String {
+        self.replaced(html, |(html, plain), after, out| {
+            // Browsers break a line between a formula and the full stop behind it or the bracket before it.
+            let short = plain.chars().count() <= SHORT;
+            let ends = short && after.starts_with(['.', ',', ';', ':', '?', '!', ')']);
+            let begins = short && out.ends_with('(');
+            if begins || ends {
+                let bracket = if begins { out.pop() } else { None };
+                let open: String = bracket.into_iter().collect();
+                out.push_str(&format!(
+                    "<span class=\"whole\">{open}{html}{}</span>",
+                    &after[..usize::from(ends)]
+                ));
+            } else {
+                out.push_str(html);
+            }
+            usize::from(ends)
+        })
+    }
+
+    /// Puts plain text in place of the marks.
+    pub(super) fn with_words(&self, html: &str) -> String {
+        self.replaced(html, |(_, plain), _, out| {
+            out.push_str(plain);
+            0
+        })
+    }
+
+    /// Lets `put` write each form, given what follows its mark; it says how much of that it has written, too.
+    fn replaced(&self, html: &str, put: impl Fn(&Form, &str, &mut String) -> usize) -> String {
+        let mut out = String::with_capacity(html.len() * 8);
+        let mut parts = html.split(MARK.0);
+        out.push_str(parts.next().unwrap_or_default());
+        for part in parts {
+            let (number, after) = part.split_once(MARK.1).unwrap_or((part, ""));
+            let formula = number.parse().ok().and_then(|n: usize| self.0.get(n));
+            let done = formula.map_or(0, |formula| put(formula, after, &mut out));
+            out.push_str(&after[done..]);
+        }
+        out
+    }
+}
+
+/// Puts braces around what stands under a root: katex-rs loses the room for the sign before a bare symbol.
+fn roots_in_braces(latex: &str) -> String {
+    const ROOT: &str = r"\sqrt";
+    let mut parts = latex.split(ROOT);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let part = part.trim_start();
+        let end = match part.chars().next() {
+            None | Some('{' | '[') => 0,
+            Some('\\') => {
+                let name = part[1..].find(|c: char| !c.is_ascii_alphabetic());
+                name.map_or(part.len(), |end| end + 1)
+            }
+            Some(c) => c.len_utf8(),
+        };
+        out.push_str(ROOT);
+        match end {
+            0 => out.push_str(part),
+            end => out.push_str(&format!("{{{}}}{}", &part[..end], &part[end..])),
+        }
+    }
+    out
+}
+
+/// Leaves out the LaTeX source within the MathML: it would be read by the search as if it were text.
+fn without_annotation(html: &str) -> String {
+    let mut rest = html;
+    let mut kept = String::with_capacity(html.len());
+    while let Some(start) = rest.find("<annotation") {
+        kept.push_str(&rest[..start]);
+        const END: &str = "</annotation>";
+        rest = rest[start..].split_once(END).map_or("", |(_, after)| after);
+    }
+    kept + rest
+}
+
+/// Puts attributes in order, since KaTeX writes them in any, and joins lines.
+fn tidy(html: &str) -> String {
+    let mut out = String::with_capacity(html.len() * 2);
+    let mut rest = html;
+    while let Some(c) = rest.chars().next() {
+        if c == '<' {
+            let end = tag_end(rest);
+            write_tag(&rest[..end], &mut out);
+            rest = &rest[end..];
+            continue;
+        }
+        out.push(if c == '\n' { ' ' } else { c });
+        rest = &rest[c.len_utf8()..];
+    }
+    out
+}
+
+/// The length of the tag at the start of `html`, its brackets included.
+fn tag_end(html: &str) -> usize {
+    let mut quote = None;
+    for (i, c) in html.char_indices() {
+        match (quote, c) {
+            (None, '>') => return i + 1,
+            (None, '"' | '\'') => quote = Some(c),
+            (Some(open), c) if c == open => quote = None,
+            _ => {}
+        }
+    }
+    html.len()
+}
+
+fn write_tag(tag: &str, out: &mut String) {
+    let inside = tag.trim_start_matches('<').trim_end_matches('>');
+    let (inside, close) = match inside.strip_suffix('/') {
+        Some(inside) => (inside, "/>"),
+        None => (inside, ">"),
+    };
+    let (name, mut rest) = inside.split_once(' ').unwrap_or((inside, ""));
+    let mut attributes = Vec::new();
+    while let Some((key, after)) = rest.trim_start().split_once('=') {
+        let quote = if after.starts_with('\'') { '\'' } else { '"' };
+        let value = after.strip_prefix(quote).unwrap_or(after);
+        let (value, after) = value.split_once(quote).unwrap_or((value, ""));
+        attributes.push((key, value, quote));
+        rest = after;
+    }
+    attributes.sort_unstable();
+    out.push('<');
+    out.push_str(name);
+    for (key, value, quote) in attributes {
+        let value = value.replace('\n', " ").replace('|', "&#124;");
+        out.push_str(&format!(" {key}={quote}{value}{quote}"));
+    }
+    out.push_str(close);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn attributes_come_in_order() {
+        let html = "<span style=\"a:b\" class='c d'>x_1*|<path d='M0 0'/></span>&amp;\n";
+        assert_eq!(
+            tidy(html),
+            "<span class='c d' style=\"a:b\">x_1*|<path d='M0 0'/></span>&amp; "
+        );
+    }
+
+    #[test]
+    fn an_empty_attribute_does_not_swallow_the_next() {
+        assert_eq!(tidy("<a b=\"\" a=\"1\">"), "<a a=\"1\" b=\"\">");
+    }
+
+    #[test]
+    fn a_root_has_room_for_its_sign() {
+        assert_eq!(
+            roots_in_braces(r"\sqrt2+\sqrt\pi x+\sqrt{y}"),
+            r"\sqrt{2}+\sqrt{\pi} x+\sqrt{y}"
+        );
+        let maths = Maths::new();
+        for latex in [r"\sqrt2", r"\sqrt{2}", r"\sqrt\pi"] {
+            let marked = maths.inline(latex).unwrap();
+            let html = maths.forms().with_formulas(&marked);
+            assert!(html.contains("padding-left:0.833em"), "{latex}: {html}");
+        }
+    }
+
+    #[test]
+    fn a_short_formula_keeps_its_brackets() {
+        let maths = Maths::new();
+        let marked = maths.words("soon ($x<1$), or ($x$ small)").unwrap();
+        let html = maths.forms().with_formulas(&marked);
+        assert!(html.starts_with("soon <span class=\"whole\">(<span class=\"katex\">"));
+        assert!(html.contains("</span>)</span>, or <span class=\"whole\">("));
+        assert!(html.ends_with("</span></span> small)"));
+    }
+
+    #[test]
+    fn words_keep_their_text_and_need_paired_dollars() {
+        let maths = Maths::new();
+        let marked = maths.words("if $x<1$ & so on").unwrap();
+        assert_eq!(maths.words("if $x<1$ & so on").unwrap(), marked);
+        assert_eq!(maths.forms().with_words(&marked), "if x &lt; 1 &amp; so on");
+        let html = maths.forms().with_formulas(&marked);
+        assert!(html.starts_with("if <span class=\"katex\">") && html.ends_with(" &amp; so on"));
+        assert!(!html.contains('$') && !html.contains("annotation"));
+        assert!(matches!(
+            maths.words("costs $5"),
+            Err(Fault::Formula { .. })
+        ));
+        assert!(matches!(
+            maths.words(r"$\frac{1}{$"),
+            Err(Fault::Formula { .. })
+        ));
+    }
+}

@@ -1,0 +1,105 @@
+//! The book: pages filled from the ledger and the figures, rendered by mdBook, put in place whole.
+//!
+//! The pages of an [`Edition`] are Markdown, with formulas in `$…$` and `$$…$$` and with placeholders:
+//!
+//! | placeholder | stands for |
+//! |---|---|
+//! | `{{claim eq-11}}` | the claim's box; every claim has one, on the page of its topic |
+//! | `{{figure fig-1}}` | the figure with its caption, text alternative and data |
+//! | `{{title}}`, `{{authors}}` | of the paper |
+//! | `{{counts}}` | a table of the verdicts with the number of claims |
+//! | `{{ledger constant}}` | a table of the claims of a topic |
+//! | `{{ledger}}` | the tables of all topics under headings |
+//! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
+//! | `{{strongest}}` | a table of all claims with the strongest route of each |
+//! | `{{measured}}` | a table of the claims without a proof, by the reason |
+//! | `{{equations}}`, `{{symbols}}`, `{{values}}` | the indexes |
+//! | `{{errata misprint refuted}}` | the errata with these verdicts |
+//! | `{{map key}}`, `{{map list}}`, `{{falls}}` | the signs of the map of claims, and what it shows as tables |
+//! | `{{routes}}`, `{{tolerances}}` | tables of what the trials of this ledger use |
+//! | `{{sheet eq-20}}` | the claim's sheet, as the snapshots have it |
+//! | `{{sheets}}` | the sheets of all claims under headings |
+//! | `{{first-paper}}` | the program of a first paper, to begin with |
+//! | `{{verdict eq-11}}` | the verdict in word and colour |
+//! | `{{points eq-11}}` | how many points its trials compared |
+//! | `{{worst eq-11}}` | the disagreement that comes nearest to, or farthest beyond, its tolerance |
+//! | `{{ref eq-11}}` | a link to the claim's box |
+//! | `{{value lambda-c}}` | a number of the index of values, by its short name |
+//! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
+//! | `{{count proved}}` | the number of claims that are proved |
+//! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
+//!
+//! An edition may have more of its own. Those that stand for a box, a figure or a table stand alone on their line. None is
+//! filled in code. Whatever cannot be filled or set stops the book, with page and line.
+//!
+//! mdBook renders the pages before anything is known of the verdicts, with marks in the place of formulas and of what
+//! fills the placeholders: it then reads a tenth of the text, and the rest is put in last.
+
+mod assets;
+mod claim_box;
+mod code;
+mod context;
+mod errata;
+mod error;
+mod expand;
+mod fill;
+mod frame;
+mod links;
+mod map;
+mod maths;
+mod pages;
+mod plain;
+mod search;
+mod swap;
+mod symbols;
+mod tables;
+mod text;
+mod values;
+
+pub use error::BookError;
+pub use frame::Frame;
+pub use links::dead_links;
+pub use tables::table;
+pub use text::escape;
+
+use crate::edition::Edition;
+use crate::figures::Figure;
+use crate::ledger::Ledger;
+use std::fs;
+use std::path::{Path, PathBuf};
+use swap::{Staging, unwritable};
+
+/// Writes the book into the folder `out` and returns the path of its first page.
+///
+/// The book is made in a temporary folder beside `out`, which changes places with `out` at the end:
+/// until then, and whenever anything fails, `out` is what it was. Parent folders are made where they
+/// are missing. The same ledger and figures give the same bytes.
+///
+/// # Errors
+/// [`BookError::Unwritable`] if a file or folder cannot be written, [`BookError::NotOurs`] if `out`
+/// is neither empty nor an earlier book, and the other kinds of [`BookError`] if a page does not
+/// fit the ledger.
+pub fn write(
+    edition: &Edition,
+    ledger: &Ledger,
+    figures: &[Figure],
+    out: &Path,
+) -> Result<PathBuf, BookError> {
+    Frame::new(edition, figures, out)?.fill(ledger, figures)
+}
+
+/// Finds out whether a book can be written into `out`, before the work is done; changes nothing but for
+/// missing parent folders, which it makes.
+///
+/// # Errors
+/// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
+pub fn check(edition: &Edition, out: &Path) -> Result<(), BookError> {
+    Staging::beside(out, edition.name).map(drop)
+}
+
+/// Writes one file, with its folders.
+fn put(path: &Path, bytes: &[u8]) -> Result<(), BookError> {
+    let folder = path.parent().unwrap_or(path);
+    fs::create_dir_all(folder).map_err(|reason| unwritable(folder, reason))?;
+    fs::write(path, bytes).map_err(|reason| unwritable(path, reason))
+}

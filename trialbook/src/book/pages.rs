@@ -1,0 +1,70 @@
+//! The pages: which there are, in which order, and their text.
+
+use crate::claims::Topic;
+use crate::edition::{Edition, Page};
+use crate::figures::Figure;
+
+/// The parts of the table of contents, by their headings.
+const CLAIMS: &str = "The paper, claim by claim";
+const REFERENCE: &str = "Reference";
+
+/// All pages, in the order of the book.
+pub(super) fn pages(edition: &Edition, figures: &[Figure]) -> Vec<Page> {
+    let index = written(edition, Page::INDEX.stem).cloned();
+    let index = index.unwrap_or(Page::INDEX);
+    let topics = edition.paper.topics.iter();
+    let of_topics = topics.map(|topic| topic_page(edition, topic, figures));
+    let others = edition.written().filter(|page| {
+        let mut topics = edition.paper.topics.iter();
+        page.stem != index.stem && topics.all(|topic| topic.stem != page.stem)
+    });
+    let pages = std::iter::once(index.clone()).chain(of_topics);
+    pages.chain(others.cloned()).collect()
+}
+
+/// The table of contents, as mdBook reads it.
+pub(super) fn summary(edition: &Edition, pages: &[Page]) -> String {
+    let topics = edition.paper.topics.len();
+    let mut text = String::from("# Summary\n\n");
+    for (i, page) in pages.iter().enumerate() {
+        let link = format!("[{}]({})\n", page.title, page.file());
+        text.push_str(&match i {
+            0 => format!("{link}\n# {CLAIMS}\n\n"),
+            i if i == topics + 1 => format!("\n# {REFERENCE}\n\n- {link}"),
+            _ => format!("- {link}"),
+        });
+    }
+    text
+}
+
+fn written(edition: &Edition, stem: &str) -> Option<&'static Page> {
+    edition.written().find(|page| page.stem == stem)
+}
+
+fn topic_page(edition: &Edition, topic: &'static Topic, figures: &[Figure]) -> Page {
+    let text = match written(edition, topic.stem) {
+        Some(page) => page.text.clone(),
+        None => page_of_claims(topic, figures).into(),
+    };
+    Page {
+        stem: topic.stem,
+        title: topic.title,
+        text,
+    }
+}
+
+/// The page of a topic whose chapter is not written yet.
+fn page_of_claims(topic: &Topic, figures: &[Figure]) -> String {
+    let mut text = format!(
+        "# {}\n\nWhat the paper claims here, and what came of trying it.\n\n{{{{ledger {}}}}}\n\n\
+         ## The claims {{#claims}}\n\n",
+        topic.title, topic.stem
+    );
+    for claim in topic.claims {
+        if figures.iter().any(|figure| figure.id == claim.id) {
+            text.push_str(&format!("{{{{figure {}}}}}\n\n", claim.id));
+        }
+        text.push_str(&format!("{{{{claim {}}}}}\n\n", claim.id));
+    }
+    text
+}

@@ -1,0 +1,227 @@
+//! Nothing half-written: the book is made beside its place and changes places with what is there.
+
+use super::error::BookError;
+use std::fs::{self, File};
+use std::io::{self, ErrorKind, Write};
+use std::path::{Path, PathBuf};
+use tempfile::TempDir;
+
+/// The file in a temporary folder that its run keeps locked. The system ends the lock with the run, however that ends.
+const LOCK: &str = "lock";
+
+/// How often another run may come in between.
+const ATTEMPTS: usize = 10;
+
+/// A temporary folder on the same file system as the book's place.
+pub(super) struct Staging {
+    // Closed before the folder goes, as some systems want it.
+    _lock: File,
+    folder: TempDir,
+    out: PathBuf,
+    /// The name of the program.
+    name: &'static str,
+}
+
+impl Staging {
+    /// A temporary folder beside `out`, whose parent is made where it is missing. It goes when it is dropped.
+    pub(super) fn beside(out: &Path, name: &'static str) -> Result<Self, BookError> {
+        let out = resolve(out).map_err(|reason| unwritable(out, reason))?;
+        let no_parent = || io::Error::new(ErrorKind::InvalidInput, "this is no folder's name");
+        let parent = out.parent().ok_or_else(|| unwritable(&out, no_parent()))?;
+        check(&out, name)?;
+        fs::create_dir_all(parent).map_err(|reason| unwritable(parent, reason))?;
+        let prefix = format!(".{name}-");
+        sweep(parent, &prefix);
+        let folder = tempfile::Builder::new().prefix(&prefix).tempdir_in(parent);
+        let folder = folder.map_err(|reason| unwritable(parent, bare(reason)))?;
+        let lock = lock(&folder.path().join(LOCK));
+        Ok(Staging {
+            _lock: lock.map_err(|reason| unwritable(folder.path(), reason))?,
+            folder,
+            out,
+            name,
+        })
+    }
+
+    /// A path within the temporary folder.
+    pub(super) fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    /// Marks a folder as a book of the program.
+    pub(super) fn mark(&self, book: &Path) -> Result<(), BookError> {
+        let text = format!(
+            "A book written by {}. The next run replaces this folder as a whole.\n",
+            self.name
+        );
+        super::put(&book.join(marker(self.name)), text.as_bytes())
+    }
+
+    /// Puts the finished `book` in place; returns where that is. Of two runs that do so at once, the later one wins.
+    pub(super) fn swap(self, book: &Path) -> Result<PathBuf, BookError> {
+        for attempt in 0.. {
+            check(&self.out, self.name)?;
+            let old = self.path(&format!("old-{attempt}"));
+            match fs::rename(&self.out, &old) {
+                Err(reason) if reason.kind() != ErrorKind::NotFound => {
+                    return Err(unwritable(&self.out, reason));
+                }
+                _ => {}
+            }
+            let Err(reason) = fs::rename(book, &self.out) else {
+                break;
+            };
+            // Another run has put its book there in between: take that one away too.
+            use ErrorKind::{AlreadyExists, DirectoryNotEmpty};
+            if matches!(reason.kind(), AlreadyExists | DirectoryNotEmpty) && attempt < ATTEMPTS {
+                continue;
+            }
+            if old.exists() && fs::rename(&old, &self.out).is_err() {
+                let _ = self.folder.keep();
+                return Err(BookError::Displaced { kept: old, reason });
+            }
+            return Err(unwritable(&self.out, reason));
+        }
+        Ok(self.out)
+    }
+}
+
+/// Makes a file and locks it. There is something in it only once it is locked, so that no other run finds it free before.
+fn lock(path: &Path) -> io::Result<File> {
+    let mut file = File::create(path)?;
+    // A file system without locks has none that could be found free, either.
+    if file.lock().is_ok() {
+        file.write_all(b"locked")?;
+    }
+    Ok(file)
+}
+
+/// Removes what killed runs have left in `parent`: temporary folders whose lock nobody holds. What cannot be removed is in
+/// nobody's way.
+fn sweep(parent: &Path, prefix: &str) {
+    let entries = fs::read_dir(parent).into_iter().flatten().flatten();
+    for entry in entries.filter(|e| e.file_name().to_string_lossy().starts_with(prefix)) {
+        let lock = File::open(entry.path().join(LOCK));
+        let locked = |lock: &File| lock.metadata().is_ok_and(|lock| lock.len() > 0);
+        if lock.is_ok_and(|lock| locked(&lock) && lock.try_lock().is_ok()) {
+            let _ = fs::remove_dir_all(entry.path());
+        }
+    }
+}
+
+/// The file by which a folder is known as a book of the program of this name.
+fn marker(name: &str) -> String {
+    format!(".{name}")
+}
+
+/// Refuses a place that holds what is not a book of ours. While another run swaps its book in, this may look so for a
+/// moment: what is not ours stays so.
+fn check(out: &Path, name: &str) -> Result<(), BookError> {
+    for _ in 0..ATTEMPTS {
+        let empty = match fs::read_dir(out) {
+            Ok(mut content) => content.next().is_none(),
+            Err(reason) if reason.kind() == ErrorKind::NotFound => true,
+            Err(reason) => return Err(unwritable(out, reason)),
+        };
+        if empty || out.join(marker(name)).is_file() {
+            return Ok(());
+        }
+    }
+    let path = out.to_owned();
+    Err(BookError::NotOurs { path })
+}
+
+/// The error of a path that cannot be written.
+pub(super) fn unwritable(path: &Path, reason: io::Error) -> BookError {
+    BookError::Unwritable {
+        path: path.to_owned(),
+        reason,
+    }
+}
+
+/// The system's own words, without the temporary name that `tempfile` adds.
+fn bare(error: io::Error) -> io::Error {
+    match error.raw_os_error() {
+        Some(code) => io::Error::from_raw_os_error(code),
+        None => io::Error::from(error.kind()),
+    }
+}
+
+/// The absolute path, links followed where the folder exists.
+fn resolve(out: &Path) -> io::Result<PathBuf> {
+    // Not asked for first: another run may take it away between the question and the answer.
+    match out.canonicalize() {
+        Err(error) if error.kind() == ErrorKind::NotFound => std::path::absolute(out),
+        found => found,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A finished book in a staging folder.
+    fn staged(out: &Path, text: &str) -> (Staging, PathBuf) {
+        let staging = Staging::beside(out, "paper").unwrap();
+        let book = staging.path("book");
+        fs::create_dir(&book).unwrap();
+        staging.mark(&book).unwrap();
+        fs::write(book.join("index.html"), text).unwrap();
+        (staging, book)
+    }
+
+    #[test]
+    fn runs_at_the_same_time_leave_one_whole_book() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        std::thread::scope(|scope| {
+            for n in 0..8 {
+                let out = &out;
+                scope.spawn(move || {
+                    for _ in 0..25 {
+                        let (staging, book) = staged(out, &n.to_string());
+                        staging.swap(&book).unwrap();
+                    }
+                });
+            }
+        });
+        let left = fs::read_to_string(out.join("index.html")).unwrap();
+        assert!(left.parse::<u32>().unwrap() < 8);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn what_a_killed_run_has_left_goes_with_the_next_run() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        let left = |name: &str, file: &str| {
+            let left = folder.path().join(format!(".paper-{name}"));
+            fs::create_dir_all(left.join("source")).unwrap();
+            fs::write(left.join(file), "locked").unwrap();
+            left
+        };
+        let alive = Staging::beside(&out, "paper").unwrap();
+        let (killed, foreign) = (left("killed", LOCK), left("foreign", "thesis.tex"));
+        let (next, book) = staged(&out, "next");
+        assert!(!killed.exists());
+        assert!(alive.path("").exists() && foreign.exists());
+        next.swap(&book).unwrap();
+        drop(alive);
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn what_cannot_be_put_in_place_leaves_the_earlier_book() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        let (staging, book) = staged(&out, "earlier");
+        staging.swap(&book).unwrap();
+        let (staging, book) = staged(&out, "later");
+        let error = staging.swap(&book.join("nowhere")).unwrap_err();
+        assert!(matches!(error, BookError::Unwritable { .. }), "{error}");
+        assert_eq!(
+            fs::read_to_string(out.join("index.html")).unwrap(),
+            "earlier"
+        );
+    }
+}

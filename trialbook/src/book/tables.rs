@@ -1,0 +1,393 @@
+//! Tables made from the ledger.
+
+use super::claim_box::is_formula;
+use super::context::{Context, verdict};
+use super::error::Fault;
+use super::text::{count, counted, escape, size};
+use crate::claims::Topic;
+use crate::claims::measured::Measured;
+use crate::claims::variants::{Spared, Survivor};
+use crate::evidence::{Kind, Route, Tolerance};
+use crate::ledger::{Entry, Ledger, Verdict};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A table, as a block of HTML. The cells are HTML.
+pub fn table<const N: usize>(
+    class: &str,
+    head: [&str; N],
+    rows: impl IntoIterator<Item = [String; N]>,
+) -> String {
+    let head: String = head
+        .iter()
+        .map(|cell| format!("<th scope=\"col\">{cell}</th>"))
+        .collect();
+    let row = |cells: [String; N]| {
+        let cells: String = cells
+            .iter()
+            .map(|cell| format!("<td>{cell}</td>"))
+            .collect();
+        format!("<tr>{cells}</tr>")
+    };
+    let rows: String = rows.into_iter().map(row).collect();
+    format!(
+        "<div class=\"table-wrapper {class}\"><table><thead><tr>{head}</tr></thead>\
+         <tbody>{rows}</tbody></table></div>\n"
+    )
+}
+
+/// Text as it stands, as a block of HTML.
+pub(super) fn code(text: &str) -> String {
+    let lines: Vec<_> = text.lines().map(escape).collect();
+    let lines = lines.join("\n");
+    format!("<pre><code class=\"language-text\">{lines}</code></pre>\n")
+}
+
+/// The sheets of all claims.
+pub(super) fn sheets(context: &Context<'_>) -> Result<String, Fault> {
+    let sheet = |entry: &Entry| {
+        Ok(format!(
+            "<h2 id=\"sheet-{id}\"><a class=\"header\" href=\"#sheet-{id}\">{name}</a></h2>\n{}",
+            code(&entry.sheet()),
+            id = entry.claim.id,
+            name = context.maths.words(&entry.claim.name())?
+        ))
+    };
+    context.ledger.entries.iter().map(sheet).collect()
+}
+
+/// How many claims got which verdict.
+pub(super) fn counts(ledger: &Ledger) -> String {
+    let counts = ledger.counts();
+    let rows = Verdict::ALL.map(|v| [verdict(v), count(counts[&v]), meaning(v).to_owned()]);
+    table("counts", ["Verdict", "Claims", "Meaning"], rows)
+}
+
+/// What a verdict means, in a few words.
+fn meaning(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Confirmed => "every trial agrees, by two independent routes or by a proof",
+        Verdict::Conditional => "true, but only under a condition that the paper does not state",
+        Verdict::Misprint => {
+            "false as printed; a small correction holds, and what follows is unharmed"
+        }
+        Verdict::Refuted => "false; what is right holds instead",
+        Verdict::Definition => "introduces a symbol; consistent with the use made of it",
+        Verdict::Undecided => "the trials made so far do not settle it",
+    }
+}
+
+/// The claims of the topic of this stem, folded away behind their count.
+pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
+    let table = topic(context, stem)?;
+    let entries = context
+        .ledger
+        .entries
+        .iter()
+        .filter(|e| e.topic.stem == stem);
+    let verdicts: Vec<_> = entries.map(|e| e.judgement.verdict).collect();
+    let parts = Verdict::ALL.iter().filter_map(|v| {
+        let n = verdicts.iter().filter(|found| *found == v).count();
+        (n > 0).then(|| format!("{} {}", count(n), v.words()))
+    });
+    Ok(format!(
+        "<details class=\"contents\"><summary>{}: {}</summary>{table}</details>\n",
+        counted(verdicts.len(), "claim"),
+        parts.collect::<Vec<_>>().join(", ")
+    ))
+}
+
+/// The claims of the topic of this stem.
+fn topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
+    let of_topic = |entry: &&Entry| entry.topic.stem == stem;
+    let entries: Vec<_> = context.ledger.entries.iter().filter(of_topic).collect();
+    if entries.is_empty() {
+        return Err(Fault::Placeholder(format!("there is no topic `{stem}`")));
+    }
+    let rows: Result<Vec<_>, _> = entries.iter().map(|entry| row(context, entry)).collect();
+    Ok(table("ledger", ["Claim", "Verdict", "Tried by"], rows?))
+}
+
+fn row(context: &Context<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
+    let claim = entry.claim;
+    let maths = context.maths;
+    let statement = if is_formula(claim, claim.latex) {
+        maths.inline(claim.latex)?
+    } else {
+        maths.words(claim.latex)?
+    };
+    // The link already bears the title of a claim without a number.
+    let title = match claim.equation {
+        Some(_) => maths.words(claim.title)?,
+        None => String::new(),
+    };
+    let link = context.link(entry)?;
+    let claim = format!("{link} {title}<div class=\"says\">{statement}</div>");
+    let routes: BTreeSet<_> = entry.evidence.iter().map(|e| e.route.name()).collect();
+    let routes: Vec<_> = routes.into_iter().collect();
+    let points = entry.evidence.iter().map(|e| e.points).sum();
+    let tried = match entry.evidence.len() {
+        0 => String::new(),
+        _ => format!("{}; {}", routes.join(", "), counted(points, "point")),
+    };
+    Ok([claim, verdict(entry.judgement.verdict), tried])
+}
+
+/// The numbered equations: number, formula, verdict.
+pub(super) fn equations(context: &Context<'_>) -> Result<String, Fault> {
+    let numbered = context
+        .ledger
+        .entries
+        .iter()
+        .filter(|e| e.claim.equation.is_some());
+    let rows: Result<Vec<_>, Fault> = numbered
+        .map(|entry| {
+            let formula = match is_formula(entry.claim, entry.claim.latex) {
+                true => context.maths.inline(entry.claim.latex)?,
+                false => context.maths.words(entry.claim.latex)?,
+            };
+            Ok([
+                context.link(entry)?,
+                format!("<div class=\"says\">{formula}</div>"),
+                verdict(entry.judgement.verdict),
+            ])
+        })
+        .collect();
+    Ok(table(
+        "equations",
+        ["Number", "Formula as printed", "Verdict"],
+        rows?,
+    ))
+}
+
+/// All claims, topic by topic.
+pub(super) fn whole_ledger(context: &Context<'_>) -> Result<String, Fault> {
+    let mut html = String::new();
+    let mut seen = BTreeSet::new();
+    for entry in &context.ledger.entries {
+        let stem = entry.topic.stem;
+        if seen.insert(stem) {
+            html.push_str(&format!(
+                "<h2 id=\"ledger-{stem}\"><a class=\"header\" href=\"#ledger-{stem}\">{}{}</a></h2>\n",
+                sections(entry.topic),
+                escape(entry.topic.title)
+            ));
+            html.push_str(&topic(context, stem)?);
+        }
+    }
+    Ok(html)
+}
+
+/// The sections of the paper that a topic treats: `2.1 `, `3 to 3.4 `.
+fn sections(topic: &Topic) -> String {
+    match topic.claims {
+        [] => String::new(),
+        [first, .., last] if first.section != last.section => {
+            format!("{} to {} ", first.section, last.section)
+        }
+        [first, ..] => format!("{} ", first.section),
+    }
+}
+
+/// The routes: what each is, and how much this ledger rests on it.
+pub(super) fn routes(ledger: &Ledger) -> String {
+    const ALL: [(Route, &str); 8] = [
+        (Route::Exact, "zero-testing in exact arithmetic"),
+        (
+            Route::Certified,
+            "an enclosure by intervals, rounded outwards",
+        ),
+        (Route::Integration, "integration of the equation of motion"),
+        (
+            Route::Quadrature,
+            "numerical integration of a given integrand",
+        ),
+        (Route::Root, "root-finding"),
+        (Route::Limit, "the approach to a limit, its rate included"),
+        (Route::Census, "a count over many cases"),
+        (
+            Route::Consistency,
+            "dimensions, and the use made of a definition",
+        ),
+    ];
+    let rows = ALL.map(|(route, what)| {
+        let evidence = ledger.entries.iter().flat_map(|entry| &entry.evidence);
+        let trials = evidence.filter(|e| e.route == route).count();
+        let proves = if route.is_proof() {
+            "proves"
+        } else {
+            "measures"
+        };
+        [
+            route.name().to_owned(),
+            what.to_owned(),
+            proves.to_owned(),
+            count(route.min_points()),
+            count(trials),
+        ]
+    });
+    table(
+        "routes",
+        ["Route", "What it is", "It", "Fewest points", "Trials"],
+        rows,
+    )
+}
+
+/// The tolerances in use, each with its reason.
+pub(super) fn tolerances(context: &Context<'_>) -> Result<String, Fault> {
+    let mut uses: BTreeMap<&str, (Tolerance, usize)> = BTreeMap::new();
+    let entries = &context.ledger.entries;
+    for evidence in entries.iter().flat_map(|entry| &entry.evidence) {
+        let tolerance = evidence.tolerance;
+        uses.entry(tolerance.name).or_insert((tolerance, 0)).1 += 1;
+    }
+    let mut uses: Vec<_> = uses.into_values().collect();
+    uses.sort_by(|(a, _), (b, _)| a.value.total_cmp(&b.value));
+    let mut rows = Vec::new();
+    for (tolerance, trials) in uses {
+        let reason = context.maths.words(tolerance.reason)?;
+        rows.push([size(tolerance.value), reason, count(trials)]);
+    }
+    Ok(table("tolerances", ["Tolerance", "Reason", "Trials"], rows))
+}
+
+/// How many claims of which kind are proved, by which route, and how many are measured.
+pub(super) fn proofs(ledger: &Ledger) -> String {
+    let row = |name: &str, counts: &dyn Fn(&Entry) -> bool| {
+        let entries: Vec<_> = ledger.entries.iter().filter(|e| counts(e)).collect();
+        let by = |route| {
+            entries
+                .iter()
+                .filter(|e| e.strongest() == Some(route))
+                .count()
+        };
+        let proved = entries.iter().filter(|e| e.is_proved()).count();
+        [
+            name.to_owned(),
+            count(by(Route::Exact)),
+            count(by(Route::Certified)),
+            count(entries.len() - proved),
+            count(entries.len()),
+        ]
+    };
+    let numbered = |e: &Entry| e.claim.equation.is_some();
+    let definition = |e: &Entry| e.claim.kind == Kind::Definition;
+    let rows = [
+        row("Numbered, not a definition", &|e| {
+            numbered(e) && !definition(e)
+        }),
+        row("Numbered definitions", &|e| numbered(e) && definition(e)),
+        row("Statements in words and pictures", &|e| !numbered(e)),
+        row("All", &|_| true),
+    ];
+    table(
+        "proofs",
+        [
+            "Claims",
+            "Proved exactly",
+            "Proved by enclosure",
+            "Measured",
+            "All",
+        ],
+        rows,
+    )
+}
+
+/// Every claim with its strongest route.
+pub(super) fn strongest(context: &Context<'_>) -> Result<String, Fault> {
+    let row = |entry: &Entry| {
+        let title = match entry.claim.equation {
+            Some(_) => format!(
+                "{} {}",
+                context.link(entry)?,
+                context.maths.words(entry.claim.title)?
+            ),
+            None => context.link(entry)?,
+        };
+        let how = match entry.strongest() {
+            Some(route) if route.is_proof() => format!("<strong>proved</strong>, {}", route.name()),
+            Some(route) => route.name().to_owned(),
+            None => String::new(),
+        };
+        Ok([title, verdict(entry.judgement.verdict), how])
+    };
+    let rows: Result<Vec<_>, Fault> = context.ledger.entries.iter().map(row).collect();
+    Ok(table(
+        "ledger",
+        ["Claim", "Verdict", "Strongest route"],
+        rows?,
+    ))
+}
+
+/// The claims without a proof, by the reason.
+pub(super) fn measured(context: &Context<'_>) -> Result<String, Fault> {
+    let row = |measured: &Measured| {
+        let links = measured
+            .claims
+            .iter()
+            .map(|id| context.link(context.entry(id)?));
+        let links: Result<Vec<_>, Fault> = links.collect();
+        Ok([context.maths.words(measured.reason)?, links?.join(", ")])
+    };
+    let rows: Result<Vec<_>, Fault> = context.ledger.paper.measured.iter().map(row).collect();
+    Ok(table(
+        "measured",
+        ["Why there is no proof", "Claims"],
+        rows?,
+    ))
+}
+
+/// Of every claim that was measured, the comparison that came closest to its tolerance.
+pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
+    let row = |entry: &Entry| {
+        let Some(closest) = entry.closest() else {
+            return Ok(None);
+        };
+        Ok(Some([
+            context.link(entry)?,
+            closest.route.name().to_owned(),
+            closest.subject.words(entry.is_conditional()).to_owned(),
+            count(closest.points),
+            size(closest.worst),
+            size(closest.tolerance.value),
+        ]))
+    };
+    let rows = context.ledger.entries.iter().map(row);
+    let rows: Result<Vec<_>, Fault> = rows.filter_map(Result::transpose).collect();
+    let head = [
+        "Claim",
+        "By",
+        "What",
+        "Points",
+        "Worst disagreement",
+        "Tolerance",
+    ];
+    Ok(table("accuracy", head, rows?))
+}
+
+/// The wrong variants that are not rejected.
+pub(super) fn survivors(context: &Context<'_>) -> Result<String, Fault> {
+    let row = |survivor: &Survivor| {
+        Ok([
+            context.link(context.entry(survivor.claim)?)?,
+            format!("<code>{}</code>", escape(survivor.text)),
+            context.maths.words(survivor.reason)?,
+        ])
+    };
+    let rows: Result<Vec<_>, Fault> = context.ledger.paper.survivors.iter().map(row).collect();
+    let head = ["Claim", "Wrong variant", "Why it stands"];
+    Ok(table("survivors", head, rows?))
+}
+
+/// The formulas of which a proof does not reject every wrong variant.
+pub(super) fn spared(context: &Context<'_>) -> Result<String, Fault> {
+    let row = |spared: &Spared| {
+        Ok([
+            context.link(context.entry(spared.claim)?)?,
+            format!("<code>{}</code>", escape(spared.formula)),
+            context.maths.words(spared.reason)?,
+        ])
+    };
+    let rows: Result<Vec<_>, Fault> = context.ledger.paper.spared.iter().map(row).collect();
+    let head = ["Claim", "Formula", "Why the proof does not reject all"];
+    Ok(table("spared", head, rows?))
+}

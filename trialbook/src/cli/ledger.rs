@@ -1,0 +1,295 @@
+//! The commands that try claims: the main job, `verify`, `show`, `list` and `errata`.
+
+use super::output::{VERSION, csv, json, say};
+use crate::book;
+use crate::claims::{Claim, Paper};
+use crate::edition::{Edition, Failure, Format};
+use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
+use crate::numerics::error::plain;
+use clap::ValueEnum;
+use clap::builder::PossibleValuesParser;
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::path::Path;
+use std::time::Instant;
+
+/// The verdicts by their slugs.
+pub(super) fn verdicts() -> PossibleValuesParser {
+    PossibleValuesParser::new(Verdict::ALL.map(Verdict::slug))
+}
+
+/// The sections of the paper.
+pub(super) fn sections(paper: &Paper) -> PossibleValuesParser {
+    let sections: BTreeSet<&str> = paper.claims().map(|(_, claim)| claim.section).collect();
+    PossibleValuesParser::new(sections)
+}
+
+/// How errata are printed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ErrataFormat {
+    /// Plain text
+    Text,
+    /// A LaTeX document
+    Latex,
+    /// As with --json
+    Json,
+}
+
+/// Claims as JSON.
+#[derive(Serialize)]
+struct Claims<'a> {
+    version: u32,
+    claims: Vec<Row<'a>>,
+    differences: Vec<DifferenceRow<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    book: Option<&'a Path>,
+}
+
+/// A claim whose verdict is not the recorded one.
+#[derive(Serialize)]
+struct DifferenceRow<'a> {
+    id: &'a str,
+    recorded: Option<&'a str>,
+    found: Option<&'a str>,
+}
+
+/// What a command that tries claims has at the end.
+struct Tried {
+    ledger: Ledger,
+    differences: Vec<Difference>,
+}
+
+impl Tried {
+    /// Tries all claims, or those of these ids.
+    fn new(paper: &'static Paper, ids: Option<&[&str]>) -> Result<Self, Failure> {
+        let record = Record::parse(paper.record)?;
+        let ledger = with_progress(paper, ids);
+        let mut differences = record.differences(&ledger);
+        if ids.is_some() {
+            differences.retain(|d| d.found.is_some());
+        }
+        Ok(Tried {
+            ledger,
+            differences,
+        })
+    }
+
+    fn code(&self) -> u8 {
+        u8::from(!self.differences.is_empty())
+    }
+
+    fn rows<'a>(&'a self, shown: &[&'a Entry], book: Option<&'a Path>) -> Claims<'a> {
+        let slug = |verdict: Option<Verdict>| verdict.map(Verdict::slug);
+        let difference = |d: &'a Difference| DifferenceRow {
+            id: &d.id,
+            recorded: slug(d.recorded),
+            found: slug(d.found),
+        };
+        Claims {
+            version: VERSION,
+            claims: shown.iter().map(|entry| entry.row()).collect(),
+            differences: self.differences.iter().map(difference).collect(),
+            book,
+        }
+    }
+
+    fn all(&self) -> Vec<&Entry> {
+        self.ledger.entries.iter().collect()
+    }
+
+    /// Table, differences and summary as text.
+    fn text(&self) -> String {
+        let words = |v: Option<Verdict>| v.map_or("no such claim", Verdict::words);
+        let mut text = self.ledger.table();
+        for d in &self.differences {
+            let (recorded, found) = (words(d.recorded), words(d.found));
+            let _ = writeln!(text, "{}: recorded as {recorded}, found {found}", d.id);
+        }
+        let _ = writeln!(text, "\n{}", self.ledger.summary());
+        text
+    }
+
+    /// How many claims are as recorded, in words.
+    fn as_recorded(&self) -> String {
+        let all = self.ledger.entries.len();
+        let differ = self.differences.iter().filter(|d| d.found.is_some());
+        format!("{} of {all} verdicts as recorded", all - differ.count())
+    }
+}
+
+/// Verifies everything and writes the book.
+pub(super) fn main_job(edition: &Edition, out: &Path, format: Format) -> Result<u8, Failure> {
+    let start = Instant::now();
+    book::check(edition, out)?;
+    let drawn = || {
+        let figures = (edition.figures)()?;
+        let frame = book::Frame::new(edition, &figures, out)?;
+        Ok::<_, Failure>((figures, frame))
+    };
+    let (tried, drawn) = rayon::join(|| Tried::new(edition.paper, None), drawn);
+    let (tried, (figures, frame)) = (tried?, drawn?);
+    let first_page = frame.fill(&tried.ledger, &figures)?;
+    match format {
+        Format::Text => say(&format!(
+            "{}{} comparisons in {:.1} s; {}\nThe book: {}",
+            tried.text(),
+            tried.ledger.points(),
+            start.elapsed().as_secs_f64(),
+            tried.as_recorded(),
+            first_page.display()
+        ))?,
+        Format::Json => json(&tried.rows(&tried.all(), Some(&first_page)))?,
+        Format::Csv => table(&tried.all())?,
+    }
+    Ok(tried.code())
+}
+
+/// Verifies the claims of these ids, or all.
+pub(super) fn verify(edition: &Edition, ids: &[String], format: Format) -> Result<u8, Failure> {
+    let known: Result<Vec<_>, _> = ids.iter().map(|id| known(edition, id)).collect();
+    let known = known?;
+    let tried = Tried::new(edition.paper, (!ids.is_empty()).then_some(&known))?;
+    match format {
+        Format::Text => say(&format!("{}{}", tried.text(), tried.as_recorded()))?,
+        Format::Json => json(&tried.rows(&tried.all(), None))?,
+        Format::Csv => table(&tried.all())?,
+    }
+    Ok(tried.code())
+}
+
+/// Shows one claim.
+pub(super) fn show(edition: &Edition, id: &str, format: Format) -> Result<u8, Failure> {
+    let tried = Tried::new(edition.paper, Some(&[known(edition, id)?]))?;
+    match format {
+        Format::Text => {
+            let sheets = tried.ledger.entries.iter().map(Entry::sheet);
+            say(&sheets.collect::<String>())?;
+        }
+        Format::Json => json(&tried.rows(&tried.all(), None))?,
+        Format::Csv => table(&tried.all())?,
+    }
+    Ok(tried.code())
+}
+
+/// Lists the claims of a verdict and a section.
+pub(super) fn list(
+    paper: &'static Paper,
+    verdict: Option<&str>,
+    section: Option<&str>,
+    format: Format,
+) -> Result<u8, Failure> {
+    let of_section: Option<Vec<_>> = section.map(|section| {
+        let there = paper.claims().filter(|(_, claim)| claim.section == section);
+        there.map(|(_, claim)| claim.id).collect()
+    });
+    let tried = Tried::new(paper, of_section.as_deref())?;
+    let fits = |e: &&Entry| verdict.is_none_or(|v| e.judgement.verdict.slug() == v);
+    let shown: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
+    match format {
+        Format::Text if shown.is_empty() => say("there is no such claim")?,
+        Format::Text => say(&shown.iter().map(|e| line(e)).collect::<String>())?,
+        Format::Json => json(&tried.rows(&shown, None))?,
+        Format::Csv => table(&shown)?,
+    }
+    Ok(tried.code())
+}
+
+/// Prints the errata.
+pub(super) fn print_errata(
+    paper: &'static Paper,
+    kind: ErrataFormat,
+    format: Format,
+) -> Result<u8, Failure> {
+    let tried = Tried::new(paper, None)?;
+    let letter = |format| tried.ledger.letter(format);
+    match (kind, format) {
+        (ErrataFormat::Json, _) | (_, Format::Json) => json(&serde_json::json!({
+            "version": VERSION,
+            "errata": tried.ledger.errata()?,
+        }))?,
+        (_, Format::Csv) => {
+            let row = |e: ledger::Erratum| vec![e.id.to_owned(), e.section.into(), e.old, e.new];
+            let rows = tried.ledger.errata()?.into_iter().map(row);
+            csv(&["id", "section", "printed", "corrected"], rows)?;
+        }
+        (ErrataFormat::Latex, _) => say(&letter(ledger::Format::Latex)?)?,
+        (ErrataFormat::Text, _) => say(&letter(ledger::Format::Text)?)?,
+    }
+    Ok(tried.code())
+}
+
+/// The id of a claim, if there is one of this name.
+fn known(edition: &Edition, id: &str) -> Result<&'static str, Failure> {
+    match edition.paper.find(id) {
+        Some((_, claim)) => Ok(claim.id),
+        None => {
+            let name = edition.name;
+            Err(format!("there is no claim `{id}`: `{name} list` names all").into())
+        }
+    }
+}
+
+fn line(entry: &Entry) -> String {
+    let Claim {
+        id, section, title, ..
+    } = entry.claim;
+    let verdict = entry.judgement.verdict.words();
+    format!("{id:<31} {section:<4} {verdict:<26} {title}\n")
+}
+
+fn table(entries: &[&Entry]) -> Result<(), Failure> {
+    let headers = [
+        "id",
+        "section",
+        "equation",
+        "kind",
+        "verdict",
+        "formula",
+        "routes",
+        "points",
+        "worst",
+        "tolerance",
+    ];
+    let row = |entry: &&Entry| {
+        let (claim, worst) = (entry.claim, entry.worst());
+        let number = |x: Option<f64>| x.map_or(String::new(), plain);
+        vec![
+            claim.id.to_owned(),
+            claim.section.to_owned(),
+            claim.equation.map_or(String::new(), |n| n.to_string()),
+            claim.kind.name().to_owned(),
+            entry.judgement.verdict.slug().to_owned(),
+            claim.plain.to_owned(),
+            entry.routes(),
+            entry
+                .evidence
+                .iter()
+                .map(|e| e.points)
+                .sum::<usize>()
+                .to_string(),
+            number(worst.map(|e| e.worst)),
+            number(worst.map(|e| e.tolerance.value)),
+        ]
+    };
+    csv(&headers, entries.iter().map(row))
+}
+
+/// Tries claims with a progress bar, which shows on a terminal only.
+fn with_progress(paper: &'static Paper, ids: Option<&[&str]>) -> Ledger {
+    let all = || paper.topics.iter().map(|topic| topic.claims.len()).sum();
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} claims  {msg}");
+    let bar = ProgressBar::new(ids.map_or_else(all, <[_]>::len) as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let done = |claim: &Claim| {
+        bar.set_message(claim.id);
+        bar.inc(1);
+    };
+    let ledger = match ids {
+        Some(ids) => Ledger::try_some(paper, ids, done),
+        None => Ledger::try_all(paper, done),
+    };
+    bar.finish_and_clear();
+    ledger
+}

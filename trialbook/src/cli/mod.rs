@@ -1,0 +1,205 @@
+//! The command line: what a reader may ask of a paper, and how the answer is printed.
+//!
+//! The exit code is 0 when every verdict that was computed is the recorded one, 1 when one differs, 2 for bad usage,
+//! bad input or a failure. After a failure there is nothing on standard output, unless a command of the paper's own writes
+//! as it goes.
+
+mod find;
+mod ledger;
+mod output;
+
+pub use output::{VERSION, complain, csv, json, no_table, say};
+
+use crate::edition::{Edition, Failure, Format};
+use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
+use clap_complete::Shell;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Tries every claim of the paper, prints what each is worth, and writes the book.
+///
+/// Exit code 0 when every verdict is the recorded one, 1 when one differs, 2 for bad usage or a failure.
+#[derive(Parser)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Folder to write the book into; an earlier book there is replaced as a whole [default: target/book]
+    #[arg(long, value_name = "FOLDER")]
+    out: Option<PathBuf>,
+    #[command(flatten)]
+    common: Common,
+}
+
+/// What every command takes.
+#[derive(Args)]
+struct Common {
+    /// Write JSON
+    #[arg(long, global = true, conflicts_with = "csv")]
+    json: bool,
+    /// Write a table of comma-separated values
+    #[arg(long, global = true)]
+    csv: bool,
+    /// How many threads may work [default: one per core]
+    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    jobs: Option<u16>,
+}
+
+impl Common {
+    fn format(&self) -> Format {
+        match (self.json, self.csv) {
+            (true, _) => Format::Json,
+            (_, true) => Format::Csv,
+            _ => Format::Text,
+        }
+    }
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Try claims and hold their verdicts against the record; all claims if none is named
+    Verify {
+        /// Ids of claims, as `list` prints them
+        #[arg(value_name = "ID")]
+        ids: Vec<String>,
+    },
+    /// Try one claim and show all that is known of it
+    Show {
+        /// Id of the claim
+        id: String,
+    },
+    /// Try claims and list them with their verdicts
+    List {
+        /// Only claims of this verdict
+        #[arg(long, value_parser = ledger::verdicts())]
+        verdict: Option<String>,
+        /// Only claims of this section of the paper
+        #[arg(long)]
+        section: Option<String>,
+    },
+    /// Print what is printed wrongly, with what is right
+    Errata {
+        /// How to print it
+        #[arg(long, value_enum, default_value_t = ledger::ErrataFormat::Text, conflicts_with_all = ["json", "csv"])]
+        format: ledger::ErrataFormat,
+    },
+    /// Find the claims that carry a number, to the digits given, and mark its first wrong digit
+    Find {
+        /// The number, as it is printed somewhere
+        #[arg(allow_negative_numbers = true)]
+        number: String,
+    },
+    /// Print a script that completes the command line in a shell
+    Completions {
+        /// The shell
+        shell: Shell,
+    },
+}
+
+/// What the command line may say: commands, options, their values and help.
+pub fn command(edition: &Edition) -> clap::Command {
+    let (name, paper) = (edition.name, edition.paper);
+    let sections = ledger::sections(paper);
+    let mut command = Arguments::command().name(name).bin_name(name);
+    command = command.mut_subcommand("list", |list| {
+        list.mut_arg("section", |section| section.value_parser(sections))
+    });
+    for (i, own) in edition.commands.iter().enumerate() {
+        command = command.subcommand((own.command)().display_order(OWN + i));
+    }
+    if !edition.version.is_empty() {
+        command = command.version(edition.version);
+    }
+    if let Some(page) = edition.written().find(|page| page.stem == "json") {
+        let title = page.title;
+        let help = format!("Write JSON; the book's page \"{title}\" describes it");
+        command = command.mut_arg("json", |json| json.help(help));
+    }
+    let first = paper.claims().next().map_or("", |(_, claim)| claim.id);
+    let bash = format!("bash > {name}.bash");
+    for (order, of, usual) in [
+        (0, "verify", first),
+        (1, "show", first),
+        (2, "list", "--verdict refuted"),
+        (3, "errata", "--format latex"),
+        (4, "find", "0.5"),
+        (900, "completions", &bash),
+    ] {
+        let mut examples = edition.examples.iter();
+        let arguments = examples.find(|example| example.0 == of);
+        let arguments = arguments.map_or(usual, |example| example.1);
+        let example = format!("Example:\n  {name} {of} {arguments}");
+        command = command.mut_subcommand(of, |of| of.display_order(order).after_help(example));
+    }
+    let [one, two] = [
+        "verify, then write the book into target/book",
+        "the same into another folder, on two threads",
+    ];
+    let there = format!("{name} --out book --jobs 2");
+    let width = there.len() + 2;
+    command.after_help(format!(
+        "Examples:\n  {name:<width$}{one}\n  {there:<width$}{two}"
+    ))
+}
+
+/// Where the commands of the paper's own stand in the help: behind `find`.
+const OWN: usize = 5;
+
+/// Runs the command line of this process.
+pub fn run(edition: &Edition) -> ExitCode {
+    let matches = command(edition).get_matches();
+    match answer(edition, &matches) {
+        Ok(code) => ExitCode::from(code),
+        Err(error) => {
+            complain(edition.name, &error.to_string());
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
+    let common = Common::from_arg_matches(matches)?;
+    if let Some(jobs) = common.jobs {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.into());
+        pool.build_global()?;
+    }
+    let format = common.format();
+    let out = matches.get_one::<PathBuf>("out");
+    let Some((name, of_command)) = matches.subcommand() else {
+        let usual = PathBuf::from("target/book");
+        return ledger::main_job(edition, out.unwrap_or(&usual), format);
+    };
+    if out.is_some() {
+        return Err("--out goes without a command: it says where the book is written".into());
+    }
+    let mut own = edition.commands.iter();
+    if let Some(own) = own.find(|own| (own.command)().get_name() == name) {
+        return (own.run)(of_command, format);
+    }
+    let paper = edition.paper;
+    match Command::from_arg_matches(matches)? {
+        Command::Verify { ids } => ledger::verify(edition, &ids, format),
+        Command::Show { id } => ledger::show(edition, &id, format),
+        Command::List { verdict, section } => {
+            ledger::list(paper, verdict.as_deref(), section.as_deref(), format)
+        }
+        Command::Errata { format: kind } => ledger::print_errata(paper, kind, format),
+        Command::Find { number } => find::find(paper, &number, format),
+        Command::Completions { shell } => completions(edition, shell, format),
+    }
+}
+
+fn completions(edition: &Edition, shell: Shell, format: Format) -> Result<u8, Failure> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut command(edition), edition.name, &mut script);
+    let script = String::from_utf8(script)?;
+    match format {
+        Format::Text => say(&script)?,
+        Format::Json => json(&serde_json::json!({
+            "version": VERSION,
+            "shell": shell.to_string(),
+            "script": script,
+        }))?,
+        Format::Csv => return Err(no_table()),
+    }
+    Ok(0)
+}

@@ -1,0 +1,52 @@
+//! Printing: text, JSON and CSV, on standard output and whole.
+
+use crate::edition::Failure;
+use crate::figures::{Cell, Table};
+use serde::Serialize;
+use std::io::{self, ErrorKind, Write};
+
+/// The version of the JSON that is written: it changes when a field changes its meaning or goes.
+pub const VERSION: u32 = 1;
+
+/// Prints text and ends its last line; a reader who has closed the pipe has read enough.
+///
+/// # Errors
+/// What the system says where standard output cannot be written.
+pub fn say(text: &str) -> io::Result<()> {
+    let end = if text.ends_with('\n') { "" } else { "\n" };
+    let mut out = io::stdout().lock();
+    match write!(out, "{text}{end}").and_then(|()| out.flush()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        other => other,
+    }
+}
+
+/// Says on standard error what is wrong, by the name of the program; where that is closed or full, nobody hears it.
+pub fn complain(name: &str, text: &str) {
+    let _ = writeln!(io::stderr(), "{name}: {text}");
+}
+
+/// Prints a value as JSON.
+///
+/// # Errors
+/// [`Failure`] where the value is none, or standard output cannot be written.
+pub fn json(value: &impl Serialize) -> Result<(), Failure> {
+    Ok(say(&serde_json::to_string_pretty(value)?)?)
+}
+
+/// Prints rows of text as CSV.
+///
+/// # Errors
+/// [`Failure`] where a row has not as many cells as there are headers, or standard output cannot be written.
+pub fn csv(headers: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<(), Failure> {
+    let mut table = Table::new(headers);
+    for row in rows {
+        table.row(row.into_iter().map(Cell::Text))?;
+    }
+    Ok(say(&table.into_text())?)
+}
+
+/// The refusal of a table where there is none.
+pub fn no_table() -> Failure {
+    "--csv: this answer is no table".into()
+}

@@ -1,0 +1,201 @@
+//! What the book and the command of a paper have of their own; all else is the same for every paper.
+
+use crate::claims::Paper;
+use crate::figures::Figure;
+use crate::seeded::Symbol;
+use std::borrow::Cow;
+
+/// Why something of a paper's own could not be made: a sentence for the reader.
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
+
+/// A paper's book and command.
+///
+/// [`Edition::of`] has all that a small paper needs:
+///
+/// ```
+/// use trialbook::claims::Paper;
+/// use trialbook::edition::{Edition, Page};
+///
+/// static PAPER: Paper = Paper { title: "The thrown stone", ..Paper::BLANK };
+/// static EDITION: Edition = Edition {
+///     pages: &[Page::new("index", "Stones", "# Stones\n\nWhat is said of them.")],
+///     ..Edition::of("stone", &PAPER)
+/// };
+/// assert_eq!(EDITION.title, "The thrown stone");
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct Edition {
+    /// The name of the command; also of the book's style sheet, and of the file by which a folder is known as its book.
+    pub name: &'static str,
+    /// The version of the command; empty if it has none.
+    pub version: &'static str,
+    /// The title of the book.
+    pub title: &'static str,
+    /// What the book is, in a sentence.
+    pub description: &'static str,
+    /// The icon of its pages, an SVG.
+    pub icon: &'static str,
+    /// The paper.
+    pub paper: &'static Paper,
+    /// The pages: `index` stands first, then those of the topics, whose titles are the topics', then all others in this
+    /// order. Where `index` or the page of a topic is missing, one is made.
+    pub pages: &'static [Page],
+    /// The pages behind those; one whose stem is among them is left out.
+    pub usual: &'static [Page],
+    /// Draws the figures. The map of claims is drawn anyway.
+    pub figures: fn() -> Result<Vec<Figure>, Failure>,
+    /// The symbols of the formulas.
+    pub symbols: &'static [Symbol],
+    /// The code to show.
+    pub sources: Sources,
+    /// The placeholders of its own.
+    pub placeholders: &'static [Placeholder],
+    /// The files of its own: path within the book, and text.
+    pub files: fn() -> Vec<(String, String)>,
+    /// The commands of its own, listed after those of every paper.
+    pub commands: &'static [Command],
+    /// What follows a command in the example of its help, where the first claim of the paper would not do: the
+    /// command's name, and its arguments.
+    pub examples: &'static [(&'static str, &'static str)],
+}
+
+impl Edition {
+    /// The book of a paper with nothing but what every paper has, by the name of its command.
+    pub const fn of(name: &'static str, paper: &'static Paper) -> Self {
+        Self {
+            name,
+            version: "",
+            title: paper.title,
+            description: "The claims of a paper, tried and judged",
+            icon: include_str!("../theme/icon.svg"),
+            paper,
+            pages: &[],
+            usual: Page::USUAL,
+            figures: || Ok(Vec::new()),
+            symbols: &[],
+            sources: Sources::NONE,
+            placeholders: &[],
+            files: Vec::new,
+            commands: &[],
+            examples: &[],
+        }
+    }
+
+    /// The pages that are written: its own, and the usual ones.
+    pub fn written(&self) -> impl Iterator<Item = &'static Page> {
+        let own = self.pages;
+        let missing = |page: &&Page| own.iter().all(|own| own.stem != page.stem);
+        own.iter().chain(self.usual.iter().filter(missing))
+    }
+}
+
+/// A written page, in Markdown; [`crate::book`] lists its placeholders.
+#[derive(Debug, Clone)]
+pub struct Page {
+    /// The file's name without its extension.
+    pub stem: &'static str,
+    /// Its name in the table of contents.
+    pub title: &'static str,
+    /// Its text.
+    pub text: Cow<'static, str>,
+}
+
+impl Page {
+    /// The verdicts at a glance.
+    pub const INDEX: Page = Page::new("index", "Overview", include_str!("../pages/index.md"));
+    /// Every claim with its verdict.
+    pub const LEDGER: Page = Page::new("ledger", "The ledger", include_str!("../pages/ledger.md"));
+    /// All that is known of each claim.
+    pub const SHEETS: Page = Page::new("sheets", "The sheets", include_str!("../pages/sheets.md"));
+    /// What is wrong, with the letters to the journal.
+    pub const ERRATA: Page = Page::new("errata", "Errata", include_str!("../pages/errata.md"));
+    /// What the verdicts rest on.
+    pub const METHODS: Page = Page::new(
+        "methods",
+        "How a verdict comes about",
+        include_str!("../pages/methods.md"),
+    );
+
+    /// The pages that serve any paper, but for the first one.
+    pub const USUAL: &'static [Page] = &[Self::LEDGER, Self::SHEETS, Self::ERRATA, Self::METHODS];
+
+    /// A page by its stem, its title and its text.
+    pub const fn new(stem: &'static str, title: &'static str, text: &'static str) -> Self {
+        let text = Cow::Borrowed(text);
+        Self { stem, title, text }
+    }
+
+    /// The file's name as Markdown.
+    pub fn file(&self) -> String {
+        format!("{}.md", self.stem)
+    }
+}
+
+/// The code to show beside the claims.
+#[derive(Debug, Clone, Copy)]
+pub struct Sources {
+    /// The files, by their paths below `src`, and their texts. In folders, `paper`, `corrections` and `claims` have a file
+    /// or a folder for each topic, by its stem; without folders any file may hold anything.
+    pub files: fn() -> Vec<(&'static str, &'static str)>,
+    /// The file in which the motion of the topic of this stem is found without the paper.
+    pub motion: fn(&str) -> Option<&'static str>,
+}
+
+impl Sources {
+    /// No code.
+    pub const NONE: Self = Self {
+        files: Vec::new,
+        motion: |_| None,
+    };
+}
+
+/// The [`Sources`] that these files are, without folders; each is named from the file where this stands.
+#[macro_export]
+macro_rules! sources {
+    ($($file:literal),* $(,)?) => {
+        $crate::edition::Sources {
+            files: || vec![$(($file, include_str!($file))),*],
+            ..$crate::edition::Sources::NONE
+        }
+    };
+}
+
+pub use sources;
+
+/// What stands in a placeholder's place, as HTML.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Filled {
+    /// A value within a line.
+    Inline(String),
+    /// A block.
+    Block(String),
+}
+
+/// A placeholder: `{{name}}`.
+#[derive(Debug, Clone, Copy)]
+pub struct Placeholder {
+    /// What stands between the braces.
+    pub name: &'static str,
+    /// What fills it on the page of this stem.
+    pub fill: fn(&str) -> Result<Filled, Failure>,
+}
+
+/// In which form a command answers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Format {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+    /// A table.
+    Csv,
+}
+
+/// A command beside those of every paper.
+#[derive(Debug, Clone, Copy)]
+pub struct Command {
+    /// Its arguments and its help.
+    pub command: fn() -> clap::Command,
+    /// Runs it, and returns the exit code.
+    pub run: fn(&clap::ArgMatches, Format) -> Result<u8, Failure>,
+}

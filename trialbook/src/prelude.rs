@@ -1,0 +1,18 @@
+//! What a paper on trial needs, in one import: `use trialbook::prelude::*;`.
+
+pub use crate::claims::attempt::trials;
+pub use crate::claims::compare::{Failure, Pair, Trial};
+pub use crate::claims::formulas::{Formulas, formulas_of};
+pub use crate::claims::points::Points;
+pub use crate::claims::statement::Statement;
+pub use crate::claims::{Claim, Condition, Correction, Paper, Topic};
+pub use crate::edition::{Edition, Page, Sources, sources};
+pub use crate::evidence::{Change, Evidence, Kind, Route, Subject};
+pub use crate::exact::{Expr, Proof, Ring};
+pub use crate::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Table};
+pub use crate::ledger::{Ledger, Record, Verdict};
+pub use crate::numerics::dop853;
+pub use crate::numerics::quadrature::integral;
+pub use crate::scalar::Scalar;
+pub use crate::seeded::{Formula, formulas};
+pub use std::process::ExitCode;
