@@ -59,7 +59,10 @@ pub fn write(mistakes: &[Mistake], copy: &Path) -> Result<Vec<Lost>, Box<dyn Err
             }
         }
     }
-    let listed = Command::new("git").arg("ls-files").args(PARTS).output()?;
+    let listed = Command::new("git")
+        .args(["ls-files", "--cached", "--others", "--exclude-standard"])
+        .args(PARTS)
+        .output()?;
     let listed = String::from_utf8(listed.stdout)?;
     for file in listed.lines().filter(|f| Path::new(f).is_file()) {
         let bytes = match places.remove(file) {
