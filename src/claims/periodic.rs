@@ -157,6 +157,7 @@ const CLAIMS: &[Claim] = &[
             threshold::two_zeros_root,
             threshold::again_and_again,
             threshold::with_mean,
+            threshold::with_mean_close,
             threshold::two_valued,
             threshold::level
         ],

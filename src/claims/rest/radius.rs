@@ -5,9 +5,10 @@ use crate::claims::compare::{Pair, Trial, noted};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NEAR_CORNER, NONE};
 use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Start, State, Table, inertial, rotating};
+use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
 use crate::paper::rest as printed;
 use std::sync::LazyLock;
 
@@ -81,7 +82,7 @@ pub fn eq139_at_the_edge() -> Evidence {
 }
 
 fn at_the_edge() -> Evidence {
-    let compared = "1 if it stays, 0 if not, by (139) with a particle at rest on the table within 1e-9 of σ = 1, in the frame of the table and in the laboratory";
+    let compared = "1 if it stays, 0 if not, by (139) with a particle at rest on the table within 1e-9 of σ = 1, in the frame of the table, in the laboratory, and by its fate";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(642);
     trial.over(0..40, |i| {
@@ -94,12 +95,14 @@ fn at_the_edge() -> Evidence {
             x: [sigma * libm::cos(direction), sigma * libm::sin(direction)],
             v: [0.0; 2],
         };
-        let path = match i % 2 {
-            0 => rotating::run(&table, &start, SOON)?,
-            _ => inertial::run(&table, &table.to_laboratory(&start), SOON)?,
+        let stays = match i % 3 {
+            0 => is_still(&rotating::run(&table, &start, SOON)?, off)?,
+            1 => {
+                let still = table.to_laboratory(&start);
+                is_still(&inertial::run(&table, &still, SOON)?, off)?
+            }
+            _ => matches!(fate(&Start::polar(sigma, 0.0, 0.0)?)?, Fate::Rest { .. }),
         };
-        // One that starts is a tenth of σ − 1 fast by then.
-        let stays = path.on_table(SOON)?.speed() < 1e-2 * off.abs();
         Ok(Pair {
             at: format!("σ − 1 = {off:.6e}"),
             stated: f64::from(u8::from(sigma <= printed::eq139_largest_sigma())),
@@ -107,6 +110,11 @@ fn at_the_edge() -> Evidence {
             scale: 1.0,
         })
     })
+}
+
+/// Whether a particle from rest at 1 + `off` has not started: else it would be a tenth of `off` fast.
+fn is_still(path: &Path, off: f64) -> Result<bool, MotionError> {
+    Ok(path.on_table(SOON)?.speed() < 1e-2 * off.abs())
 }
 
 /// One of so many resting starts of the census is followed to its place.
