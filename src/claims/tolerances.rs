@@ -151,7 +151,7 @@ TERMINAL = 2e-15,
 
 /// The third-order term of the boundary, in units of 1000 α³.
 THIRD_ORDER = 6e-3,
-    "the coefficient of α³ depends on ψ and lies between −5.2 and 1.7 as α → 0";
+    "the coefficient of α³ depends on ψ and lies between −5.9 and 1.7 as α → 0";
 
 /// A number that is printed to three decimals.
 THREE_DECIMALS = 5e-4,
