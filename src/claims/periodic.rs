@@ -66,7 +66,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26", "eq-42"],
-        trials: trials![&exact::EQ44, pulses::eq44_motion],
+        trials: trials![&exact::EQ44, pulses::eq44_motion, pulses::eq44_plane],
         ..Claim::BLANK
     },
     Claim {
@@ -88,7 +88,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-43", "eq-44"],
-        trials: trials![&exact::EQ45, pulses::eq45_motion],
+        trials: trials![&exact::EQ45, pulses::eq45_motion, pulses::eq45_plane],
         ..Claim::BLANK
     },
     Claim {
@@ -157,6 +157,7 @@ const CLAIMS: &[Claim] = &[
             threshold::two_zeros_root,
             threshold::again_and_again,
             threshold::with_mean,
+            threshold::with_mean_close,
             threshold::two_valued,
             threshold::level
         ],

@@ -97,7 +97,12 @@ const CLAIMS: &[Claim] = &[
         plain: "σ ≤ 1",
         conditions: AT_REST,
         depends_on: &["eq-89"],
-        trials: trials![&exact::EQ139, radius::eq139_nudge, radius::eq139_stays],
+        trials: trials![
+            &exact::EQ139,
+            radius::eq139_nudge,
+            radius::eq139_stays,
+            radius::eq139_at_the_edge
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -256,7 +261,12 @@ const CLAIMS: &[Claim] = &[
         latex: r"A particle can stay at rest at $\rho=\sigma$ only if $\sigma\le1$: farther out the centrifugal force exceeds the greatest static friction.",
         plain: "A particle can stay at rest at ρ = σ only if σ ≤ 1: farther out the centrifugal force exceeds the greatest static friction.",
         depends_on: &["eq-139"],
-        trials: trials![&exact::EQ139, radius::eq139_stays, radius::resting_places],
+        trials: trials![
+            &exact::EQ139,
+            radius::eq139_stays,
+            radius::eq139_at_the_edge,
+            radius::resting_places
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -294,6 +304,7 @@ const CLAIMS: &[Claim] = &[
             &exact::boundary::PRINTED,
             boundary::corrected_census,
             boundary::corrected_root,
+            boundary::corrected_close,
             &exact::boundary::CORRECTED,
             certified::printed,
             certified::corrected

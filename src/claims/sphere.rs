@@ -207,7 +207,7 @@ const CLAIMS: &[Claim] = &[
         title: "dimensionless position",
         latex: r"\bm{\rho}=\frac{\bm{r}}{R}",
         plain: "𝛒 = 𝐫/R",
-        trials: trials![&exact::EQ68, scaling::eq68],
+        trials: trials![&exact::EQ68, scaling::eq68, scaling::eq68_way],
         ..Claim::BLANK
     },
     Claim {
@@ -241,7 +241,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"\bm{u}=\frac{1}{\sqrt{\mu g R}} \left(\frac{\mathrm{d} \bm{r}}{\mathrm{d} t}+\bm{\omega}\times\bm{R}\right)",
         plain: "𝐮 = (d𝐫/dt + 𝛚 × 𝐑)/√(μ g R)",
         depends_on: &["eq-61"],
-        trials: trials![&exact::EQ71, scaling::eq71],
+        trials: trials![&exact::EQ71, scaling::eq71, scaling::eq71_both_ways],
         ..Claim::BLANK
     },
     Claim {
@@ -452,6 +452,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &exact::S3_REDUCTION,
             every_drive::reduction_motion,
+            every_drive::reduction_from_rest,
+            every_drive::reduction_small_slip,
             every_drive::reduction_rolling,
             every_drive::reduction_rest
         ],

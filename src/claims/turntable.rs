@@ -4,6 +4,7 @@ mod complex;
 mod continued;
 mod definitions;
 pub mod drawn;
+mod ends;
 mod energy;
 pub mod exact;
 pub mod fixed;
@@ -164,7 +165,13 @@ const CLAIMS: &[Claim] = &[
         plain: "d²𝛒/dτ² = 𝛒 + 2 d𝛒/dτ × ẑ − (d𝛒/dτ)/|d𝛒/dτ|",
         depends_on: &["eq-86", "eq-87", "eq-88"],
         conditions: POSITIVE_SLIDES,
-        trials: trials![&exact::EQ89, frames::eq89, standstill::eq89],
+        trials: trials![
+            &exact::EQ89,
+            frames::eq89,
+            standstill::eq89,
+            ends::eq89_from_rest,
+            ends::eq89_by_components
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -189,7 +196,12 @@ const CLAIMS: &[Claim] = &[
         plain: "ẑ·(𝛒 × d²𝛒/dτ²) = −2 𝛒·(d𝛒/dτ) − ẑ·(𝛒 × d𝛒/dτ)/|d𝛒/dτ|",
         depends_on: &["eq-89"],
         conditions: &[NOT_AT_REST],
-        trials: trials![&exact::EQ91, rates::eq91, standstill::eq91],
+        trials: trials![
+            &exact::EQ91,
+            rates::eq91,
+            standstill::eq91,
+            ends::eq91_from_rest
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -202,7 +214,12 @@ const CLAIMS: &[Claim] = &[
         plain: "𝛒·(d²𝛒/dτ²) + |d𝛒/dτ|² = 𝛒·𝛒 + 2 ẑ·(𝛒 × d𝛒/dτ) − 𝛒·(d𝛒/dτ)/|d𝛒/dτ| + |d𝛒/dτ|²",
         depends_on: &["eq-89"],
         conditions: &[NOT_AT_REST],
-        trials: trials![&exact::EQ92, rates::eq92, standstill::eq92],
+        trials: trials![
+            &exact::EQ92,
+            rates::eq92,
+            standstill::eq92,
+            ends::eq92_from_rest
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -287,7 +304,13 @@ const CLAIMS: &[Claim] = &[
         plain: "dp/dτ = ξ − 1",
         depends_on: &["eq-90", "eq-93", "eq-97"],
         conditions: &[MOVES],
-        trials: trials![&exact::EQ99, rates::eq99, standstill::eq99],
+        trials: trials![
+            &exact::EQ99,
+            rates::eq99,
+            standstill::eq99,
+            ends::eq99_until_rest,
+            ends::eq99_of_many
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -349,7 +372,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{p^2-\rho^2}{2}+s=\text{constant}",
         plain: "(p² − ρ²)/2 + s = constant",
         depends_on: &["eq-103", "eq-105"],
-        trials: trials![&exact::EQ104, energy::eq104, drawn::kept],
+        trials: trials![
+            &exact::EQ104,
+            energy::eq104,
+            drawn::kept,
+            ends::eq104_at_rest,
+            ends::eq104_of_many
+        ],
         ..Claim::BLANK
     },
     Claim {

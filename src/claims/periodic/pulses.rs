@@ -7,6 +7,7 @@ use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, DriveError, Friction, State};
+use crate::motion::{Plane, Signal, run};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;
@@ -177,6 +178,55 @@ pub fn eq45_motion() -> Evidence {
             // π + φ is known to the spacing of numbers near 2π.
             Ok(worst(point, PI, phases(0.0, ends).map(value)))
         })
+    })
+}
+
+/// The velocity along a pull in pulses, from rest at φ = 0, and across it, of a particle on a plane of any direction. It
+/// rests before each pulse, so that its first period is like every other.
+fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64, Failure> {
+    let square = |start: f64| Signal::Square { start, half: PI };
+    let late = square(eta * PI).times(-1.0);
+    let pull = Signal::Sum(vec![square(0.0), late]).times(-0.5);
+    let (sine, cosine) = libm::sincos(angle);
+    let start = crate::motion::State {
+        t: 0.0,
+        v: [0.0; 2],
+        x: [0.0; 2],
+    };
+    let plane = Plane::along([cosine, sine], pull);
+    let [x, y] = run(&plane, lambda, start, phi)?.end().v;
+    Ok(x * cosine + y * sine + (x * sine - y * cosine).abs())
+}
+
+fn from_rest(compared: &'static str, value: impl Fn((f64, f64), f64) -> [f64; 2]) -> Evidence {
+    let trial = Trial::motion(Subject::Printed, compared);
+    let mut points = Points::stream(205);
+    trial.over(0..30, |_| {
+        let eta = points.uniform(0.05, 0.95);
+        let lambda = points.uniform(eta, 1.0);
+        let (phi, angle) = (points.uniform(0.0, PI), points.uniform(-PI, PI));
+        let [until, stated] = value((eta, lambda), phi);
+        Ok(Pair {
+            at: format!("{}, φ = {until:.6}", at((eta, lambda))),
+            stated,
+            found: on_a_plane((eta, lambda), angle, until)?,
+            scale: eta * PI,
+        })
+    })
+}
+
+/// (44) with a particle on a plane, whose acceleration jumps.
+pub fn eq44_plane() -> Evidence {
+    let compared =
+        "(44) with 𝔴 of a particle on a plane in the direction of the pull, from rest at φ = 0";
+    from_rest(compared, |point, phi| [phi, eq44(point, phi)])
+}
+
+/// (45) with a particle on a plane.
+pub fn eq45_plane() -> Evidence {
+    let compared = "(45) of (44) with 𝔴 of a particle on a plane in the direction of the pull, from rest at φ = 0";
+    from_rest(compared, |point, phi| {
+        [PI + phi, printed::eq45_w(eq44(point, phi))]
     })
 }
 

@@ -190,6 +190,18 @@ pub fn with_mean() -> Evidence {
     })
 }
 
+/// The same close to where the friction is as strong as the mean.
+pub fn with_mean_close() -> Evidence {
+    let compared = "0, for a periodic motion without rest, with −1, for one that drifts, at λ₀ a part in 10³ or less below the mean of h";
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let mut points = Points::stream(225);
+    trial.over(0..24, |_| {
+        let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
+        let lambda = drive.mean().abs() * (1.0 - points.log_uniform(1e-5, 1e-3));
+        rests("sine with a mean", &drive, lambda, false)
+    })
+}
+
 /// |h| = 1 throughout: no rest at any λ₀ < 1.
 pub fn two_valued() -> Evidence {
     let compared =

@@ -123,6 +123,25 @@ pub fn corrected_root() -> Evidence {
     })
 }
 
+/// The second-order boundary so close to A = 1, α = 0 that it is one to a part in 10⁸ or less.
+pub fn corrected_close() -> Evidence {
+    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the A at which the motion passes from rest to escape, in units of 1000 α³, α = 1e-3 and 1e-4";
+    let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
+    let angles = (0..10).map(|k| PI * (f64::from(k) - 4.0) / 5.0);
+    let points = angles.flat_map(|psi| [1e-3, 1e-4].map(|alpha| (alpha, psi)));
+    trial.over(points, |(alpha, psi)| {
+        let unit = unit(alpha);
+        let start = |a| Start::hyperbolic(a, alpha, psi);
+        let (middle, far) = (corrected_a(alpha, psi), 2.0 * THIRD_ORDER.value * unit);
+        Ok(Pair {
+            at: at(alpha, psi),
+            stated: middle,
+            found: between(start, middle - far, middle + far, 1e-2 * far)?,
+            scale: unit,
+        })
+    })
+}
+
 /// A start and its fate.
 #[derive(Debug, Clone, Copy)]
 pub struct Case {

@@ -9,7 +9,7 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Start, State, Table, inertial};
+use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
 use crate::paper::rest as printed;
 
 /// (139) with the largest distance from which a nudged particle comes back to rest.
@@ -92,6 +92,52 @@ pub fn eq139_stays() -> Evidence {
             scale: 1.0,
         })
     })
+}
+
+/// Within the first moments, however slow they are.
+const SOON: f64 = 0.1;
+
+/// (139) where it decides: at rest on the table, a part in 10⁹ or less from the edge.
+pub fn eq139_at_the_edge() -> Evidence {
+    // Two claims ask for it.
+    static EVIDENCE: LazyLock<Evidence> = LazyLock::new(|| noted(at_the_edge));
+    EVIDENCE.clone()
+}
+
+fn at_the_edge() -> Evidence {
+    let compared = "1 if it stays, 0 if not, by (139) with a particle at rest on the table within 1e-9 of σ = 1, in the frame of the table, in the laboratory, and by its fate";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(642);
+    trial.over(0..40, |i| {
+        let table = Table::default();
+        let off = points.sign() * points.log_uniform(1e-11, 9e-10);
+        let direction = points.uniform(-3.1, 3.1);
+        let sigma = 1.0 + off;
+        let start = State {
+            t: 0.0,
+            x: [sigma * libm::cos(direction), sigma * libm::sin(direction)],
+            v: [0.0; 2],
+        };
+        let stays = match i % 3 {
+            0 => is_still(&rotating::run(&table, &start, SOON)?, off)?,
+            1 => {
+                let still = table.to_laboratory(&start);
+                is_still(&inertial::run(&table, &still, SOON)?, off)?
+            }
+            _ => matches!(fate(&Start::polar(sigma, 0.0, 0.0)?)?, Fate::Rest { .. }),
+        };
+        Ok(Pair {
+            at: format!("σ − 1 = {off:.6e}"),
+            stated: f64::from(u8::from(sigma <= printed::eq139_largest_sigma())),
+            found: f64::from(u8::from(stays)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Whether a particle from rest at 1 + `off` has not started: else it would be a tenth of `off` fast.
+fn is_still(path: &Path, off: f64) -> Result<bool, MotionError> {
+    Ok(path.on_table(SOON)?.speed() < 1e-2 * off.abs())
 }
 
 /// One of so many resting starts of the census is followed to its place.

@@ -1,12 +1,14 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
-use super::spheres::{length, mixed, times, weighed};
+use super::spheres::{Case, Run, case, length, mixed, sphere, times, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Subject};
-use crate::motion::sphere::Contact;
-use crate::motion::{PhaseKind, State, run};
+use crate::motion::sphere::{Ball, Contact};
+use crate::motion::{PhaseKind, Plane, Signal, State, run};
 use crate::paper::sphere as printed;
+use std::f64::consts::TAU;
 
 /// The particle with bμ that begins with the sphere's slip velocity; none if bμ is below zero.
 fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failure> {
@@ -43,6 +45,99 @@ pub fn reduction_motion() -> Evidence {
             })
         },
     )
+}
+
+/// A sphere that rolls when the plane begins to pull, more than friction can follow, along a direction that turns.
+fn released() -> impl Iterator<Item = Result<Run, Failure>> {
+    let mut points = Points::stream(419);
+    (0..24).map(move |i| {
+        let case = case(i, &mut points);
+        let [x, y] = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
+        let (frequency, phase) = (points.uniform(0.5, 3.0), points.uniform(0.0, TAU));
+        let friction = case.b() * case.sphere.mu * case.sphere.g;
+        let size = friction * points.uniform(1.05, 4.0);
+        let case = Case {
+            plane: Plane::rotating(Signal::constant(size), frequency, phase),
+            size,
+            start: Ball {
+                v: [x, y],
+                omega: case.sphere.rolling([x, y], 0.5),
+                ..case.start
+            },
+            name: format!(
+                "κ = {:.6}, A = {:.6} bμg, turning at {frequency:.6}, from rolling",
+                case.kappa(),
+                size / friction
+            ),
+            ..case
+        };
+        Ok(case.run(points.uniform(0.2, 1.0) / frequency)?)
+    })
+}
+
+/// The slip that begins by itself is the particle's velocity from rest.
+pub fn reduction_from_rest() -> Evidence {
+    let compared = "v of a particle with bμ, from rest, under the same A, which turns, with the slip velocity of a sphere that rolls at the start; x + 2y";
+    Trial::motion(Subject::Printed, compared).over(released(), |run| {
+        let run = run?;
+        let Run {
+            case,
+            motion,
+            until,
+        } = &run;
+        let friction = case.b() * case.sphere.mu * case.sphere.g;
+        let rest = State {
+            t: 0.0,
+            v: [0.0; 2],
+            x: [0.0; 2],
+        };
+        let particle = crate::motion::run(&case.plane, friction, rest, *until)?;
+        let ([x, y], [sx, sy]) = (particle.end().v, motion.slip(*until)?);
+        Ok(Pair {
+            at: run.at(*until),
+            stated: x + 2.0 * y,
+            found: sx + 2.0 * sy,
+            scale: case.size * until,
+        })
+    })
+}
+
+/// A slip that is small beside the velocity lasts as long as the particle's velocity does.
+pub fn reduction_small_slip() -> Evidence {
+    let compared = "the time in which a particle with bμ that is as slow as the slip stops with that in which the sphere, a billion times as fast, comes to roll";
+    let trial = Trial::motion(Subject::Printed, compared);
+    let mut points = Points::stream(420);
+    trial.over(0..20, |i| {
+        let sphere = sphere(i, &mut points);
+        let [x, y] = [points.uniform(0.5, 2.0), points.uniform(0.5, 2.0)];
+        let slip = points.log_uniform(1e-11, 1e-9);
+        let start = Ball {
+            t: 0.0,
+            x: [0.0; 2],
+            v: [x, y],
+            omega: sphere.rolling([x - slip, y], 0.3),
+        };
+        let still = Plane::constant([0.0; 2]);
+        let v = sphere.contact(&start);
+        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
+        let friction = printed::eq67_factor(kappa) * sphere.mu * sphere.g;
+        let rest = State {
+            t: 0.0,
+            v,
+            x: [0.0; 2],
+        };
+        let until = 2.0 * libm::hypot(v[0], v[1]) / friction;
+        let stop = run(&still, friction, rest, until)?.first_stop();
+        let motion = sphere.run(&still, &start, until)?;
+        // One that rolls from the start has no slip to lose.
+        let rolls = motion.transitions().first().map_or(0.0, |first| first.t);
+        Ok(Pair {
+            at: format!("κ = {kappa:.6}, slip {slip:.6e}"),
+            stated: stop.ok_or("the particle does not stop")?,
+            found: rolls,
+            scale: until,
+        })
+    })
 }
 
 /// The sphere rolls while the particle rests.

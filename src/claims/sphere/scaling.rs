@@ -1,14 +1,15 @@
 //! Trials of (62) and (68) to (72): two spheres that differ in all but the dimensionless quantities move alike, and one
 //! of them has 1 for each unit.
 
-use super::spheres::{Case, Dimensionless, Run, Units, length, sphere, weighed};
+use super::spheres::{Case, Dimensionless, Run, Units, length, sliding, sphere, weighed};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::sphere::{Ball, Sphere};
+use crate::motion::sphere::{Ball, Directed, Sphere};
 use crate::motion::{Plane, Signal};
+use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
 
 /// A sphere and the one with m = R = μ = g = 1 and the same κ, with the same drive and start in their own units, until
@@ -149,6 +150,69 @@ pub fn eq62() -> Evidence {
 pub fn eq68() -> Evidence {
     let compared = "ρ by (68) of a sphere with r of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, at the same time in these; x + 2y";
     alike(compared, |_, state| state.rho, |_, state| state.rho)
+}
+
+/// (68) as what the velocity adds up to.
+pub fn eq68_way() -> Evidence {
+    let compared = "the change of (68) with ∫ (d𝐫/dt)/R dt of a sphere that slides; x + 2y";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    trial.over(sliding(), |run| {
+        let run = run?;
+        let (radius, ..) = run.case.parameters();
+        let place = |[x, y]: [f64; 2]| weighed(printed::eq68_position(radius, [x, y, 0.0]));
+        let rate = |t: f64| {
+            let ball = run.motion.at(t);
+            ball.map_or(f64::NAN, |b| (b.v[0] + 2.0 * b.v[1]) / radius)
+        };
+        let (start, end) = (&run.case.start, run.motion.end());
+        let size = libm::hypot(start.v[0], start.v[1]) + run.case.size * run.until;
+        let scale = size * run.until / radius;
+        Ok(Pair {
+            at: run.at(run.until),
+            stated: place(end.x) - place(start.x),
+            found: integral_within(rate, 0.0, run.until, 1e-13 * scale)?.value,
+            scale: scale + place(start.x).abs(),
+        })
+    })
+}
+
+/// (71) where the sphere slides with one friction forwards and with another backwards.
+pub fn eq71_both_ways() -> Evidence {
+    let compared = "u by (71) from d𝐫/dt and ω with that from the slip velocity, of a sphere on a line with μ₋ ≠ μ₊, followed by itself";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(421);
+    trial.over(0..24, |i| {
+        let sphere = sphere(i, &mut points);
+        let (radius, mu, g) = (sphere.radius, sphere.mu, sphere.g);
+        let frequency = points.uniform(0.5, 3.0);
+        let sine = Signal::Sine {
+            frequency,
+            phase: points.uniform(0.0, 6.0),
+        };
+        let size = mu * g * points.log_uniform(2.0, 8.0);
+        let plane = Plane::along([1.0, 0.0], sine.times(size));
+        let v = points.uniform(-2.0, 2.0);
+        let omega = points.uniform(-2.0, 2.0) / radius;
+        let directed = Directed {
+            sphere,
+            mu_minus: mu * points.uniform(1.0, 4.0),
+        };
+        let until = points.uniform(2.0, 8.0) / frequency;
+        let end = directed.run(&plane, [v, omega], 0.0, until)?.end;
+        let arm = printed::eq61_contact(radius);
+        let slip = printed::slip([end.v, 0.0, 0.0], [0.0, end.omega, 0.0], arm);
+        let unit = libm::sqrt(radius * mu * g);
+        Ok(Pair {
+            at: format!(
+                "μ₋/μ₊ = {:.6}, ϖt = {:.6}",
+                directed.mu_minus / mu,
+                frequency * until
+            ),
+            stated: printed::eq71_slip(radius, mu, g, slip)[0],
+            found: end.slip / unit,
+            scale: (2.0 + size * until) / unit,
+        })
+    })
 }
 
 /// (69).

@@ -1,0 +1,71 @@
+//! Every mistake in the physics of `mutants/physics`, one at a time: each has to change a verdict of the ledger.
+//!
+//! A copy of the crate is written in which each mistake stands behind a switch, and is built once. With no switch on it
+//! has to come to the recorded verdicts; then the ledger is tried once for each mistake, in a process of its own.
+//!
+//! The copy is kept in `target/physics`; what it depends on is shared with the crate's own build for release. The table
+//! goes to `mutants/physics.csv`. Names of mistakes may follow: then only these are tried and no table is written.
+
+mod build;
+mod list;
+mod patch;
+mod run;
+mod table;
+
+use std::error::Error;
+use std::path::Path;
+use std::process::ExitCode;
+use std::{env, fs};
+
+/// The list.
+const LIST: &str = "mutants/physics";
+/// The result.
+const TABLE: &str = "mutants/physics.csv";
+/// The verdicts without a mistake.
+const RECORD: &str = "snapshots/verdicts.snap";
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let named: Vec<String> = env::args().skip(1).collect();
+    let mistakes = list::read(Path::new(LIST))?;
+    if let Some(unknown) = named
+        .iter()
+        .find(|n| mistakes.iter().all(|m| m.name != **n))
+    {
+        return Err(format!("no mistake is called {unknown}").into());
+    }
+    let copy = Path::new("target/physics");
+    let lost = build::write(&mistakes, copy)?;
+    for lost in &lost {
+        eprintln!("{lost}");
+    }
+    let program = build::build(copy)?;
+    let right = run::without(&program)?;
+    run::as_recorded(&right, &fs::read_to_string(RECORD)?)?;
+    let made: Vec<_> = (1..)
+        .zip(&mistakes)
+        .filter(|(_, m)| !lost.iter().any(|l| l.mistake == m.name))
+        .filter(|(_, m)| named.is_empty() || named.contains(&m.name))
+        .collect();
+    let found = run::all(&program, &made, &right);
+    let unnoticed = found.iter().filter(|(_, found)| !found.is_noticed());
+    let unnoticed: Vec<_> = unnoticed.map(|(m, _)| m.name.as_str()).collect();
+    if named.is_empty() {
+        fs::write(TABLE, table::csv(&found))?;
+    } else {
+        print!("{}", table::csv(&found));
+    }
+    eprintln!(
+        "{} of {} mistakes change a verdict; {} could not be made",
+        found.len() - unnoticed.len(),
+        mistakes.len(),
+        lost.len()
+    );
+    if !unnoticed.is_empty() {
+        eprintln!("no verdict changes with: {}", unnoticed.join(", "));
+    }
+    Ok(if unnoticed.is_empty() && lost.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    })
+}

@@ -1,0 +1,175 @@
+//! Tries the ledger with one mistake after the other.
+
+use crate::list::Mistake;
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::io::Read;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::sync::Mutex;
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// How long a ledger may take; without a mistake it is a second or two on one core.
+const LIMIT: Duration = Duration::from_secs(60);
+
+/// A claim's verdict, and its trials with what they say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judged {
+    verdict: String,
+    trials: Vec<[String; 2]>,
+}
+
+/// What a run of the ledger came to, by claim, in the paper's order.
+pub type Verdicts = Vec<(String, Judged)>;
+
+/// What a mistake changes.
+pub enum Found {
+    /// Claims whose verdict is another, and trials of these claims that say something else.
+    Changed {
+        /// Ids, in the paper's order.
+        claims: Vec<String>,
+        /// Names, in the same order, each once.
+        trials: Vec<String>,
+    },
+    /// There are no verdicts, and why.
+    Fails(String),
+}
+
+impl Found {
+    /// Whether a verdict is another.
+    pub fn is_noticed(&self) -> bool {
+        matches!(self, Found::Changed { claims, .. } if !claims.is_empty())
+    }
+}
+
+/// What the ledger comes to with the mistake of this number, 0 for none.
+fn verdicts(program: &Path, number: usize, threads: usize) -> Result<Verdicts, String> {
+    let mut child = Command::new(program)
+        .arg(number.to_string())
+        .env("RAYON_NUM_THREADS", threads.to_string())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .map_err(|e| e.to_string())?;
+    let mut out = child.stdout.take().ok_or("no output")?;
+    let reader = thread::spawn(move || {
+        let mut text = String::new();
+        out.read_to_string(&mut text).map(|_| text)
+    });
+    let start = Instant::now();
+    let status = loop {
+        if let Some(status) = child.try_wait().map_err(|e| e.to_string())? {
+            break status;
+        }
+        if start.elapsed() > LIMIT {
+            let _ = child.kill();
+            let _ = child.wait();
+            return Err(format!("no verdicts within {} s", LIMIT.as_secs()));
+        }
+        thread::sleep(Duration::from_millis(10));
+    };
+    if !status.success() {
+        return Err("the ledger breaks off".into());
+    }
+    let text = reader.join().map_err(|_| "no output")?;
+    let text = text.map_err(|e| e.to_string())?;
+    Ok(text.lines().filter_map(judged).collect())
+}
+
+fn judged(line: &str) -> Option<(String, Judged)> {
+    let mut cells = line.split('\t');
+    let (id, verdict) = (cells.next()?.to_owned(), cells.next()?.to_owned());
+    let trial = |cell: &str| {
+        let mut words = cell.split(' ');
+        let mut word = || words.next().unwrap_or("").to_owned();
+        [word(), word()]
+    };
+    let trials = cells.map(trial).collect();
+    Some((id, Judged { verdict, trials }))
+}
+
+/// What the ledger comes to without a mistake.
+pub fn without(program: &Path) -> Result<Verdicts, Box<dyn Error>> {
+    Ok(verdicts(program, 0, workers())?)
+}
+
+/// Asks that the verdicts are the recorded ones.
+pub fn as_recorded(right: &Verdicts, record: &str) -> Result<(), Box<dyn Error>> {
+    let lines = record.lines().filter_map(|l| l.split_once(": "));
+    let recorded: BTreeMap<_, _> = lines.filter(|(id, _)| *id != "source").collect();
+    let other = |(id, judged): &&(String, Judged)| {
+        recorded.get(id.as_str()) != Some(&judged.verdict.as_str())
+    };
+    let others: Vec<_> = right.iter().filter(other).map(|(id, _)| &**id).collect();
+    if recorded.len() != right.len() || !others.is_empty() {
+        let others = others.join(", ");
+        return Err(
+            format!("without a mistake the verdicts are not the recorded ones: {others}").into(),
+        );
+    }
+    Ok(())
+}
+
+/// How many ledgers are tried at once.
+fn workers() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// What each of these mistakes changes, in their order.
+pub fn all<'a>(
+    program: &Path,
+    mistakes: &[(usize, &'a Mistake)],
+    right: &Verdicts,
+) -> Vec<(&'a Mistake, Found)> {
+    let next = Mutex::new(mistakes.iter().enumerate());
+    let found = Mutex::new(Vec::new());
+    let start = Instant::now();
+    let work = || {
+        loop {
+            let Some((i, (number, mistake))) = next.lock().ok().and_then(|mut n| n.next()) else {
+                return;
+            };
+            let changes = match verdicts(program, *number, 1) {
+                Ok(wrong) => changed(right, &wrong),
+                Err(why) => Found::Fails(why),
+            };
+            let said = match &changes {
+                Found::Changed { claims, .. } => format!("{} verdicts", claims.len()),
+                Found::Fails(why) => why.clone(),
+            };
+            if let Ok(mut found) = found.lock() {
+                found.push((i, *mistake, changes));
+                let (done, all) = (found.len(), mistakes.len());
+                let seconds = start.elapsed().as_secs();
+                eprintln!("{done} of {all}, {seconds} s: {}: {said}", mistake.name);
+            }
+        }
+    };
+    thread::scope(|scope| {
+        for _ in 0..workers() {
+            scope.spawn(work);
+        }
+    });
+    let mut found = found.into_inner().unwrap_or_default();
+    found.sort_by_key(|(i, ..)| *i);
+    found.into_iter().map(|(_, m, found)| (m, found)).collect()
+}
+
+fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
+    let (mut claims, mut trials) = (Vec::new(), Vec::new());
+    for ((id, right), (_, wrong)) in right.iter().zip(wrong) {
+        if right.verdict == wrong.verdict {
+            continue;
+        }
+        claims.push(id.clone());
+        let pairs = right.trials.iter().zip(&wrong.trials);
+        let others = pairs.filter(|(right, wrong)| right != wrong);
+        for ([name, _], _) in others {
+            if !trials.contains(name) {
+                trials.push(name.clone());
+            }
+        }
+    }
+    Found::Changed { claims, trials }
+}
