@@ -99,12 +99,6 @@ const SOON: f64 = 0.1;
 
 /// (139) where it decides: at rest on the table, a part in 10⁹ or less from the edge.
 pub fn eq139_at_the_edge() -> Evidence {
-    // Two claims ask for it.
-    static EVIDENCE: LazyLock<Evidence> = LazyLock::new(|| noted(at_the_edge));
-    EVIDENCE.clone()
-}
-
-fn at_the_edge() -> Evidence {
     let compared = "1 if it stays, 0 if not, by (139) with a particle at rest on the table within 1e-9 of σ = 1, in the frame of the table, in the laboratory, and by its fate";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(642);
