@@ -76,5 +76,6 @@ pub static PAPER: Paper = Paper {
     values: &values::VALUES,
     measured: measured::MEASURED,
     survivors: variants::SURVIVORS,
+    idle: distrust::IDLE,
     spared: variants::SPARED,
 };

@@ -97,6 +97,22 @@ pub fn with<T>(seed: Seed, f: impl FnOnce() -> T) -> T {
     f()
 }
 
+/// Calls `f` with no mistake seeded on this thread.
+#[cfg(feature = "book")]
+pub fn without<T>(f: impl FnOnce() -> T) -> T {
+    let seed = SEED.take();
+    let value = f();
+    SEED.set(seed);
+    value
+}
+
+/// True if a mistake is seeded in one of these formulas.
+#[cfg(feature = "book")]
+pub fn is_in_any(formulas: &std::collections::BTreeSet<&'static str>) -> bool {
+    SEED.get()
+        .is_some_and(|seed| formulas.contains(seed.formula))
+}
+
 /// The formula of this path is read: true if a mistake is seeded in it.
 #[cfg(feature = "book")]
 pub fn is_in(formula: &'static str) -> bool {

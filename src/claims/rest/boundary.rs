@@ -132,11 +132,13 @@ pub fn corrected_close() -> Evidence {
     trial.over(points, |(alpha, psi)| {
         let unit = unit(alpha);
         let start = |a| Start::hyperbolic(a, alpha, psi);
-        let (middle, far) = (corrected_a(alpha, psi), 2.0 * THIRD_ORDER.value * unit);
+        // The states that fall in along a = −α, with what of α is left when ψ has relaxed.
+        let middle = 1.0 - alpha * libm::pow(libm::cos(psi / 2.0), 2.0);
+        let (far, near) = (10.0 * alpha * alpha, 0.02 * THIRD_ORDER.value * unit);
         Ok(Pair {
             at: at(alpha, psi),
-            stated: middle,
-            found: between(start, middle - far, middle + far, 1e-2 * far)?,
+            stated: corrected_a(alpha, psi),
+            found: between(start, middle - far, middle + far, near)?,
             scale: unit,
         })
     })

@@ -40,7 +40,7 @@ use {
     formulas::Formulas,
     measured::Measured,
     values::Value,
-    variants::{Spared, Survivor},
+    variants::{Idle, Spared, Survivor},
 };
 
 /// A condition under which a claim is tried.
@@ -236,6 +236,9 @@ pub struct Paper {
     /// The wrong variants that no trial rejects.
     #[cfg(feature = "book")]
     pub survivors: &'static [Survivor],
+    /// The trials that agree and notice no mistake in a formula.
+    #[cfg(feature = "book")]
+    pub idle: &'static [Idle],
     /// The formulas of which a proof does not reject every wrong variant.
     #[cfg(feature = "book")]
     pub spared: &'static [Spared],
@@ -257,6 +260,7 @@ impl Paper {
         values: &[],
         measured: &[],
         survivors: &[],
+        idle: &[],
         spared: &[],
     };
 

@@ -3,7 +3,8 @@
 use super::values::NotDecimal;
 use crate::certified::error::CertifiedError;
 use crate::numerics::NumericsError;
-use crate::seeded::reading;
+use crate::seeded::{self, reading};
+use std::collections::BTreeSet;
 use std::error::Error;
 use std::fmt::{self, Display};
 use std::num::ParseFloatError;
@@ -78,6 +79,35 @@ impl<T> Runs<T> {
             (_, read) => Err(format!("runs that are shared have read {read:?}").into()),
         };
         self.made.get_or_init(made).as_ref().map_err(Failure::clone)
+    }
+}
+
+/// What is derived from formulas, once for all who ask: they are noted to have read them too. While a mistake is seeded in
+/// one of these, it is derived anew for everyone.
+#[derive(Debug)]
+pub struct Derived<T: 'static> {
+    made: OnceLock<(T, BTreeSet<&'static str>)>,
+    make: fn() -> T,
+}
+
+impl<T> Derived<T> {
+    /// What `make` derives.
+    pub const fn new(make: fn() -> T) -> Self {
+        Derived {
+            made: OnceLock::new(),
+            make,
+        }
+    }
+
+    /// Hands out what is derived.
+    pub fn with<R>(&self, then: impl FnOnce(&T) -> R) -> R {
+        let made = || seeded::without(|| reading::of(self.make));
+        let (made, read) = self.made.get_or_init(made);
+        reading::also(read);
+        if seeded::is_in_any(read) {
+            return then(&(self.make)());
+        }
+        then(made)
     }
 }
 

@@ -30,6 +30,17 @@ pub struct Survivor {
     pub reason: &'static str,
 }
 
+/// A trial that agrees and notices no mistake in what it reads, or reads no formula, and why.
+#[derive(Debug, Clone, Copy)]
+pub struct Idle {
+    /// The id of the claim.
+    pub claim: &'static str,
+    /// The trial's name.
+    pub trial: &'static str,
+    /// What of the claim no formula says.
+    pub reason: &'static str,
+}
+
 /// A formula of a claim of which a proof of the claim does not reject every wrong variant; the claim's other trials do.
 #[derive(Debug, Clone, Copy)]
 pub struct Spared {

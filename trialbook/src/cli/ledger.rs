@@ -1,7 +1,9 @@
 //! The commands that try claims: the main job, `verify`, `show`, `list` and `errata`.
 
+use super::deep::deepened;
 use super::output::{VERSION, csv, json, say};
 use crate::book;
+use crate::claims::points::set_round;
 use crate::claims::{Claim, Paper};
 use crate::edition::{Edition, Failure, Format};
 use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
@@ -55,23 +57,36 @@ struct DifferenceRow<'a> {
     found: Option<&'a str>,
 }
 
+/// How often the trials are made, and by how many threads.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Depth {
+    pub(super) rounds: u32,
+    pub(super) jobs: Option<u16>,
+}
+
 /// What a command that tries claims has at the end.
 struct Tried {
     ledger: Ledger,
+    rounds: u32,
     differences: Vec<Difference>,
 }
 
 impl Tried {
     /// Tries all claims, or those of these ids.
-    fn new(paper: &'static Paper, ids: Option<&[&str]>) -> Result<Self, Failure> {
+    fn new(paper: &'static Paper, ids: Option<&[&str]>, depth: Depth) -> Result<Self, Failure> {
         let record = Record::parse(paper.record)?;
         let ledger = with_progress(paper, ids);
+        let (ledger, rounds) = match depth.rounds {
+            1 => (ledger, 1),
+            rounds => deepened(ledger, ids.unwrap_or_default(), rounds, depth.jobs)?,
+        };
         let mut differences = record.differences(&ledger);
         if ids.is_some() {
             differences.retain(|d| d.found.is_some());
         }
         Ok(Tried {
             ledger,
+            rounds,
             differences,
         })
     }
@@ -115,12 +130,27 @@ impl Tried {
     fn as_recorded(&self) -> String {
         let all = self.ledger.entries.len();
         let differ = self.differences.iter().filter(|d| d.found.is_some());
-        format!("{} of {all} verdicts as recorded", all - differ.count())
+        let rounds = match self.rounds {
+            1 => String::new(),
+            rounds => format!(
+                ", in {rounds} rounds and {} comparisons",
+                self.ledger.points()
+            ),
+        };
+        format!(
+            "{} of {all} verdicts as recorded{rounds}",
+            all - differ.count()
+        )
     }
 }
 
 /// Verifies everything and writes the book.
-pub(super) fn main_job(edition: &Edition, out: &Path, format: Format) -> Result<u8, Failure> {
+pub(super) fn main_job(
+    edition: &Edition,
+    out: &Path,
+    depth: Depth,
+    format: Format,
+) -> Result<u8, Failure> {
     let start = Instant::now();
     book::check(edition, out)?;
     let drawn = || {
@@ -128,7 +158,7 @@ pub(super) fn main_job(edition: &Edition, out: &Path, format: Format) -> Result<
         let frame = book::Frame::new(edition, &figures, out)?;
         Ok::<_, Failure>((figures, frame))
     };
-    let (tried, drawn) = rayon::join(|| Tried::new(edition.paper, None), drawn);
+    let (tried, drawn) = rayon::join(|| Tried::new(edition.paper, None, depth), drawn);
     let (tried, (figures, frame)) = (tried?, drawn?);
     let first_page = frame.fill(&tried.ledger, &figures)?;
     match format {
@@ -147,10 +177,14 @@ pub(super) fn main_job(edition: &Edition, out: &Path, format: Format) -> Result<
 }
 
 /// Verifies the claims of these ids, or all.
-pub(super) fn verify(edition: &Edition, ids: &[String], format: Format) -> Result<u8, Failure> {
-    let known: Result<Vec<_>, _> = ids.iter().map(|id| known(edition, id)).collect();
-    let known = known?;
-    let tried = Tried::new(edition.paper, (!ids.is_empty()).then_some(&known))?;
+pub(super) fn verify(
+    edition: &Edition,
+    ids: &[String],
+    depth: Depth,
+    format: Format,
+) -> Result<u8, Failure> {
+    let known = known_all(edition, ids)?;
+    let tried = Tried::new(edition.paper, (!ids.is_empty()).then_some(&known), depth)?;
     match format {
         Format::Text => say(&format!("{}{}", tried.text(), tried.as_recorded()))?,
         Format::Json => json(&tried.rows(&tried.all(), None))?,
@@ -159,9 +193,26 @@ pub(super) fn verify(edition: &Edition, ids: &[String], format: Format) -> Resul
     Ok(tried.code())
 }
 
+/// Prints what a round of a run in depth brings for the claims of these ids, or for all.
+pub(super) fn round(edition: &Edition, ids: &[String], round: u64) -> Result<u8, Failure> {
+    set_round(round);
+    let known = known_all(edition, ids)?;
+    let ledger = match &known[..] {
+        [] => Ledger::try_all(edition.paper, |_| {}),
+        ids => Ledger::try_some(edition.paper, ids, |_| {}),
+    };
+    say(&ledger.round())?;
+    Ok(0)
+}
+
 /// Shows one claim.
-pub(super) fn show(edition: &Edition, id: &str, format: Format) -> Result<u8, Failure> {
-    let tried = Tried::new(edition.paper, Some(&[known(edition, id)?]))?;
+pub(super) fn show(
+    edition: &Edition,
+    id: &str,
+    depth: Depth,
+    format: Format,
+) -> Result<u8, Failure> {
+    let tried = Tried::new(edition.paper, Some(&[known(edition, id)?]), depth)?;
     match format {
         Format::Text => {
             let sheets = tried.ledger.entries.iter().map(Entry::sheet);
@@ -178,13 +229,14 @@ pub(super) fn list(
     paper: &'static Paper,
     verdict: Option<&str>,
     section: Option<&str>,
+    depth: Depth,
     format: Format,
 ) -> Result<u8, Failure> {
     let of_section: Option<Vec<_>> = section.map(|section| {
         let there = paper.claims().filter(|(_, claim)| claim.section == section);
         there.map(|(_, claim)| claim.id).collect()
     });
-    let tried = Tried::new(paper, of_section.as_deref())?;
+    let tried = Tried::new(paper, of_section.as_deref(), depth)?;
     let fits = |e: &&Entry| verdict.is_none_or(|v| e.judgement.verdict.slug() == v);
     let shown: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
     match format {
@@ -199,11 +251,15 @@ pub(super) fn list(
 /// Prints the errata.
 pub(super) fn print_errata(
     paper: &'static Paper,
-    kind: ErrataFormat,
+    (kind, supplement): (ErrataFormat, bool),
+    depth: Depth,
     format: Format,
 ) -> Result<u8, Failure> {
-    let tried = Tried::new(paper, None)?;
-    let letter = |format| tried.ledger.letter(format);
+    let tried = Tried::new(paper, None, depth)?;
+    let letter = |format| match supplement {
+        true => tried.ledger.supplement(format),
+        false => tried.ledger.letter(format),
+    };
     match (kind, format) {
         (ErrataFormat::Json, _) | (_, Format::Json) => json(&serde_json::json!({
             "version": VERSION,
@@ -218,6 +274,11 @@ pub(super) fn print_errata(
         (ErrataFormat::Text, _) => say(&letter(ledger::Format::Text)?)?,
     }
     Ok(tried.code())
+}
+
+/// The ids of these claims.
+pub(super) fn known_all(edition: &Edition, ids: &[String]) -> Result<Vec<&'static str>, Failure> {
+    ids.iter().map(|id| known(edition, id)).collect()
 }
 
 /// The id of a claim, if there is one of this name.

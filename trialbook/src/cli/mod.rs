@@ -4,6 +4,8 @@
 //! bad input or a failure. After a failure there is nothing on standard output, unless a command of the paper's own writes
 //! as it goes.
 
+mod deep;
+mod distrust;
 mod find;
 mod ledger;
 mod output;
@@ -42,6 +44,9 @@ struct Common {
     /// How many threads may work [default: one per core]
     #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
+    /// How often the trials are made, each time at other points; for the main job, verify, show, list and errata [default: 1]
+    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    depth: Option<u32>,
 }
 
 impl Common {
@@ -58,6 +63,17 @@ impl Common {
 enum Command {
     /// Try claims and hold their verdicts against the record; all claims if none is named
     Verify {
+        /// Ids of claims, as `list` prints them
+        #[arg(value_name = "ID")]
+        ids: Vec<String>,
+        /// Only print what the round of this number brings
+        #[arg(long, hide = true, value_name = "N", conflicts_with = "depth")]
+        round: Option<u64>,
+    },
+    /// Seed mistakes in the formulas, and see which trial notices which: some minutes for all claims
+    ///
+    /// Exit code 1 if a trial that agrees notices none and no reason is known, or if what it finds without the paper moves.
+    Distrust {
         /// Ids of claims, as `list` prints them
         #[arg(value_name = "ID")]
         ids: Vec<String>,
@@ -81,6 +97,9 @@ enum Command {
         /// How to print it
         #[arg(long, value_enum, default_value_t = ledger::ErrataFormat::Text, conflicts_with_all = ["json", "csv"])]
         format: ledger::ErrataFormat,
+        /// All that has to be changed, with every trial, instead of the comment of two pages
+        #[arg(long, conflicts_with_all = ["json", "csv"])]
+        supplement: bool,
     },
     /// Find the claims that carry a number, to the digits given, and mark its first wrong digit
     Find {
@@ -122,6 +141,7 @@ pub fn command(edition: &Edition) -> clap::Command {
         (2, "list", "--verdict refuted"),
         (3, "errata", "--format latex"),
         (4, "find", "0.5"),
+        (5, "distrust", first),
         (900, "completions", &bash),
     ] {
         let mut examples = edition.examples.iter();
@@ -141,8 +161,8 @@ pub fn command(edition: &Edition) -> clap::Command {
     ))
 }
 
-/// Where the commands of the paper's own stand in the help: behind `find`.
-const OWN: usize = 5;
+/// Where the commands of the paper's own stand in the help: behind `distrust`.
+const OWN: usize = 6;
 
 /// Runs the command line of this process.
 pub fn run(edition: &Edition) -> ExitCode {
@@ -163,13 +183,25 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
         pool.build_global()?;
     }
     let format = common.format();
+    let depth = ledger::Depth {
+        rounds: common.depth.unwrap_or(1),
+        jobs: common.jobs,
+    };
     let out = matches.get_one::<PathBuf>("out");
     let Some((name, of_command)) = matches.subcommand() else {
         let usual = PathBuf::from("target/book");
-        return ledger::main_job(edition, out.unwrap_or(&usual), format);
+        return ledger::main_job(edition, out.unwrap_or(&usual), depth, format);
     };
     if out.is_some() {
         return Err("--out goes without a command: it says where the book is written".into());
+    }
+    let tries = ["verify", "show", "list", "errata"];
+    if common.depth.is_some() && !tries.contains(&name) {
+        return Err(format!(
+            "--depth goes without a command or with {}",
+            tries.join(", ")
+        )
+        .into());
     }
     let mut own = edition.commands.iter();
     if let Some(own) = own.find(|own| (own.command)().get_name() == name) {
@@ -177,12 +209,23 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
     }
     let paper = edition.paper;
     match Command::from_arg_matches(matches)? {
-        Command::Verify { ids } => ledger::verify(edition, &ids, format),
-        Command::Show { id } => ledger::show(edition, &id, format),
-        Command::List { verdict, section } => {
-            ledger::list(paper, verdict.as_deref(), section.as_deref(), format)
+        Command::Verify { ids, round: None } => ledger::verify(edition, &ids, depth, format),
+        Command::Verify {
+            ids,
+            round: Some(round),
+        } => ledger::round(edition, &ids, round),
+        Command::Distrust { ids } => {
+            let ids = ledger::known_all(edition, &ids)?;
+            distrust::distrust(edition, &ids, format)
         }
-        Command::Errata { format: kind } => ledger::print_errata(paper, kind, format),
+        Command::Show { id } => ledger::show(edition, &id, depth, format),
+        Command::List { verdict, section } => {
+            ledger::list(paper, verdict.as_deref(), section.as_deref(), depth, format)
+        }
+        Command::Errata {
+            format: kind,
+            supplement,
+        } => ledger::print_errata(paper, (kind, supplement), depth, format),
         Command::Find { number } => find::find(paper, &number, format),
         Command::Completions { shell } => completions(edition, shell, format),
     }

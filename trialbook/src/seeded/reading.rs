@@ -44,9 +44,14 @@ pub fn of<T>(f: impl FnOnce() -> T) -> (T, BTreeSet<&'static str>) {
     (value, READ.take().unwrap_or_default())
 }
 
+/// Notes formulas that were read when something was derived that is used now.
+pub fn also(read: &BTreeSet<&'static str>) {
+    READ.with_borrow_mut(|noted| noted.as_mut().map(|noted| noted.extend(read)));
+}
+
 #[cfg(test)]
 mod tests {
-    use super::of;
+    use super::{also, of};
     use crate::scalar::Scalar;
     use crate::seeded::formulas;
     use std::collections::BTreeSet;
@@ -80,6 +85,7 @@ mod tests {
             [read, later.clone()],
             [0, 1].map(|i| BTreeSet::from([paths[i]]))
         );
+        assert_eq!(of(|| also(&later)).1, later);
         assert!(of(|| ()).1.is_empty());
     }
 }

@@ -3,7 +3,7 @@
 //! With t = tan(ψ/2), Fₖ = (aₖ + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ. The equation of the order k gives the xₙ of Fₖ, and the
 //! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
 
-use crate::claims::runs::Runs;
+use crate::claims::runs::Derived;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
@@ -120,8 +120,8 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
 }
 
 /// The series, and how they were found.
-static SOLUTION: Runs<(Option<Series>, Proof)> =
-    Runs::new(|| Ok(Proof::finding("the boundary in powers of α", ring(), solve)));
+static SOLUTION: Derived<(Option<Series>, Proof)> =
+    Derived::new(|| Proof::finding("the boundary in powers of α", ring(), solve));
 
 /// A formula for A agrees with the boundary up to this power of α.
 pub fn prove(formula: Expr, order: i64) -> Proof {
@@ -131,17 +131,18 @@ pub fn prove(formula: Expr, order: i64) -> Proof {
         Err(error) => return Proof::impossible(title, error),
     };
     Proof::of(title, &ring, |p| {
-        let (series, proof) = SOLUTION.get().map_err(|_| Obstacle::Empty)?;
-        p.carry_on(proof)?;
-        let a = series.as_ref().ok_or(Obstacle::Empty)?;
-        let small = Series::monomial(Rational::int(1), 1, ENOUGH);
-        let stated = p.expand("The formula", formula, &[("α", &small)], ("α", order))?;
-        for k in 0..=order {
-            let [stated, found] =
-                [&stated, a].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
-            p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
-        }
-        Ok(())
+        SOLUTION.with(|(series, proof)| {
+            p.carry_on(proof)?;
+            let a = series.as_ref().ok_or(Obstacle::Empty)?;
+            let small = Series::monomial(Rational::int(1), 1, ENOUGH);
+            let stated = p.expand("The formula", formula, &[("α", &small)], ("α", order))?;
+            for k in 0..=order {
+                let [stated, found] =
+                    [&stated, a].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
+                p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
+            }
+            Ok(())
+        })
     })
 }
 

@@ -4,7 +4,7 @@
 //! that (143) prints. The coefficients are found order by order from the equations of motion (113) to (115), which are
 //! proved from Newton's law.
 
-use crate::claims::runs::Runs;
+use crate::claims::runs::Derived;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
@@ -158,13 +158,8 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
 }
 
 /// The series, and how they were found.
-static SOLUTION: Runs<(Option<[Series; 3]>, Proof)> = Runs::new(|| {
-    Ok(Proof::finding(
-        "the motions to rest in powers of α",
-        ring(),
-        solve,
-    ))
-});
+static SOLUTION: Derived<(Option<[Series; 3]>, Proof)> =
+    Derived::new(|| Proof::finding("the motions to rest in powers of α", ring(), solve));
 
 /// Carries out a proof that starts from the series of ψ, A and dα/dτ.
 fn from_series(
@@ -174,9 +169,10 @@ fn from_series(
     match ring() {
         Err(error) => Proof::impossible(title, error),
         Ok(ring) => Proof::of(title, &ring, |p| {
-            let (series, proof) = SOLUTION.get().map_err(|_| Obstacle::Empty)?;
-            p.carry_on(proof)?;
-            steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
+            SOLUTION.with(|(series, proof)| {
+                p.carry_on(proof)?;
+                steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
+            })
         }),
     }
 }
