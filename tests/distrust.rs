@@ -4,7 +4,6 @@ use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::distrust::IDLE;
 use slipbook::claims::variants::Variant;
 use slipbook::claims::{PAPER, Topic};
-use slipbook::evidence::Outcome;
 use slipbook::ledger::Ledger;
 use slipbook::ledger::distrust::{Extent, Tried};
 use std::collections::BTreeSet;
@@ -29,14 +28,13 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
     let ids: Vec<_> = topic.claims.iter().map(|claim| claim.id).collect();
     let ledger = Ledger::try_some(&PAPER, &ids, |_| {});
     let tried = ledger.distrust(variants, Extent::Few, || {});
-    let agrees = |t: &Tried| ledger.entries[t.entry].evidence[t.trial].outcome() == Outcome::Agrees;
     let named = |t: &&Tried| {
         let entry = &ledger.entries[t.entry];
         (entry.claim.id, entry.evidence[t.trial].trial)
     };
     let leaning: Vec<_> = tried.iter().filter(|t| t.leans_on().is_some()).collect();
     let leaning: Vec<_> = leaning.iter().map(named).collect();
-    let idle = tried.iter().filter(|t| agrees(t) && t.rejected() == 0);
+    let idle = tried.iter().filter(|t| t.agrees && t.rejected() == 0);
     let idle: BTreeSet<_> = idle.map(|t| named(&t)).collect();
     let of_topic = |id: &str| topic.claims.iter().any(|claim| claim.id == id);
     let excused = IDLE.iter().filter(|idle| of_topic(idle.claim));

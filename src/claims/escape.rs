@@ -191,13 +191,13 @@ const CLAIMS: &[Claim] = &[
         kind: Kind::Equation,
         title: "α at large A",
         latex: r"\alpha\approx\frac{1}{3} \ln(4 A)",
-        plain: "α ≈ (1/3) ln(4A)",
+        plain: "α ≈ ⅓ ln(4A)",
         conditions: ESCAPING_LARGE_A,
         depends_on: &["eq-129"],
         correction: Some(Correction {
             change: Change::Statement,
             latex: r"\alpha\simeq\frac{1}{3}\ln(3\sqrt2 A)",
-            plain: "α ≃ (1/3) ln(3√2 A)",
+            plain: "α ≃ ⅓ ln(3√2 A)",
         }),
         trials: trials![
             growth::eq130_limit,
@@ -256,13 +256,13 @@ const CLAIMS: &[Claim] = &[
         kind: Kind::Limit,
         title: "growth of α",
         latex: r"\alpha\sim\frac{1}{2} \ln\frac{4 \tau}{3}",
-        plain: "α ~ (1/2) ln(4τ/3)",
+        plain: "α ~ ½ ln(4τ/3)",
         conditions: ESCAPING_LATE_DIFFERENCE,
         depends_on: &["eq-130", "eq-132"],
         correction: Some(Correction {
             change: Change::Statement,
             latex: r"\alpha=\frac12\ln(\sqrt2\tau)+o(1)",
-            plain: "α = (1/2) ln(√2 τ) + o(1)",
+            plain: "α = ½ ln(√2 τ) + o(1)",
         }),
         trials: trials![
             growth::eq133_limit,

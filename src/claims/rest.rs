@@ -296,7 +296,7 @@ const CLAIMS: &[Claim] = &[
         correction: Some(Correction {
             change: Change::Statement,
             latex: r"$A=1-\alpha C^2+\alpha^2\left[\tfrac76C^4+2SC^3-S^2C^2+\tfrac23S^3C-\tfrac14S^4\right]+O(\alpha^3),\quad C=\cos\tfrac\psi2,\ S=\sin\tfrac\psi2$",
-            plain: "A = 1 − α C² + α² [(7/6) C⁴ + 2 S C³ − S² C² + (2/3) S³ C − (1/4) S⁴] + O(α³), C = cos(ψ/2), S = sin(ψ/2)",
+            plain: "A = 1 − α C² + α² [(7/6) C⁴ + 2 S C³ − S² C² + ⅔ S³ C − ¼ S⁴] + O(α³), C = cos(ψ/2), S = sin(ψ/2)",
         }),
         trials: trials![
             boundary::printed_census,

@@ -81,11 +81,6 @@ pub const SPARED: &[Spared] = &[
     spared("eq-125", "eq125_psi2", BY_ITS_SINE),
     spared("eq-128", "alpha_rate", LARGE),
     spared("eq-129", "eq129_a", LARGE),
-    spared(
-        "eq-143",
-        "eq143_exponent",
-        "the proof is about ψ as it stands in (143), with its own exponent",
-    ),
 ];
 
 /// The formulas that say that something vanishes or keeps its value: a constant factor does not make them wrong.

@@ -123,6 +123,7 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
 pub const CORRECTED: &[Line] = &[
     ("eq-11", 0, Side(0, 1), "constant::speed", NONE),
     ("eq-13", 0, Side(0, 1), "constant::time", NONE),
+    ("eq-13", 0, Side(0, 1), "constant::time_of_ln_r", NONE),
     ("eq-54", 0, Sides(0), "anisotropic::e_sides", NONE),
     ("eq-75", 0, Side(0, 1), "sphere::spin", NONE),
     ("eq-81", 0, Side(0, 1), "constant::speed", SLIP_SPEED),
@@ -193,8 +194,12 @@ pub const WORDS_ONLY: &[(&str, &str)] = &[
 
 /// Formulas of the corrections that no correction prints: they add to it, or serve another that is printed.
 pub const NOT_PRINTED: &[&str] = &[
+    "constant::turning_slope",
     "sinusoidal::contraction",
     "sinusoidal::first_stage_lean",
+    "periodic::small_friction_start",
+    "periodic::small_friction_cases",
+    "periodic::small_friction_ends",
     "anisotropic::y_from_root",
     "anisotropic::contact",
     "anisotropic::a_far",
@@ -217,7 +222,7 @@ pub fn joined() -> Vec<Formula<Expr>> {
     };
     vec![
         formula(
-            "slipbook::corrections::constant::time",
+            "slipbook::corrections::constant::time_of_ln_r",
             &["lambda", "a", "v0", "theta0", "r"],
             &["λ", "A", "v₀", "θ₀", "r"],
             late::time,

@@ -54,7 +54,7 @@ fn released() -> impl Iterator<Item = Result<Run, Failure>> {
         let case = case(i, &mut points);
         let [x, y] = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
         let (frequency, phase) = (points.uniform(0.5, 3.0), points.uniform(0.0, TAU));
-        let friction = case.b() * case.sphere.mu * case.sphere.g;
+        let friction = braking(&case.sphere);
         let size = friction * points.uniform(1.05, 4.0);
         let case = Case {
             plane: Plane::rotating(Signal::constant(size), frequency, phase),

@@ -3,7 +3,6 @@
 use super::output::{VERSION, csv, json, say};
 use crate::claims::variants::Variant;
 use crate::edition::{Edition, Failure, Format};
-use crate::evidence::Outcome;
 use crate::ledger::Ledger;
 use crate::ledger::distrust::{Extent, Tried};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -109,7 +108,7 @@ fn row<'a>(ledger: &'a Ledger, tried: &Tried) -> TrialRow<'a> {
     TrialRow {
         claim: entry.claim.id,
         trial: evidence.trial,
-        agrees: evidence.outcome() == Outcome::Agrees,
+        agrees: tried.agrees,
         rejects: those(true),
         passes: those(false),
         excuse: idle

@@ -42,6 +42,8 @@ pub struct Tried {
     pub entry: usize,
     /// The number of the trial.
     pub trial: usize,
+    /// True if it agrees without a mistake.
+    pub agrees: bool,
     /// The reactions, with the numbers of the variants.
     pub reactions: Vec<(usize, Reaction)>,
 }
@@ -102,9 +104,11 @@ impl Ledger {
                 let read: Vec<_> = read.iter().filter_map(|f| of_formula.get(f)).collect();
                 let reactions = || self.reactions(entry, trial, &read, variants, extent);
                 let reactions = pool.install(reactions);
+                let agrees = self.entries[entry].evidence[trial].outcome() == Outcome::Agrees;
                 tried.push(Tried {
                     entry,
                     trial,
+                    agrees,
                     reactions,
                 });
                 done();

@@ -407,7 +407,6 @@ mod tests {
             (r"\frac{3\sqrt2}{4A}", "3√2/(4A)"),
             (r"\frac12\ln(\sqrt2\,\tau)", "½ln (√2 τ)"),
             (r"\frac76C^4+\frac7{12}", "(7/6)C⁴+7/12"),
-            (r"\frac{\mathrm d v_x}{\mathrm dt}", "dv_x/dt"),
         ] {
             assert_eq!(plain_formula(latex), plain, "{latex}");
         }
