@@ -540,3 +540,44 @@ fn an_ensemble_stops_in_good_order() {
     assert_eq!(whole["of"], 10_000_000_000_u64);
     assert!(text(&output.stderr).contains(&format!("stopped after {rows} of 10000000000 starts")));
 }
+
+#[test]
+fn a_claim_is_tried_in_depth() {
+    let output = slipbook(&["verify", "eq-16", "--depth", "3"]);
+    let said = text(&output.stdout);
+    assert!(output.status.success(), "{said}");
+    // A thousand points a round, and the proof once.
+    assert!(
+        said.contains("1 of 1 verdicts as recorded, in 3 rounds and 3001 comparisons"),
+        "{said}"
+    );
+    // The rounds are at other points.
+    let [first, second] =
+        ["1", "2"].map(|round| text(&slipbook(&["verify", "eq-16", "--round", round]).stdout));
+    assert!(
+        first.starts_with("eq-16\t") && first != second,
+        "{first}{second}"
+    );
+    let refused = slipbook(&["find", "0.5", "--depth", "3"]);
+    assert_eq!(refused.status.code(), Some(2));
+    assert!(text(&refused.stderr).contains("--depth goes without a command or with verify"));
+}
+
+#[test]
+fn mistakes_are_put_to_the_trials_of_a_claim() {
+    let output = slipbook(&["distrust", "eq-16", "s22-attractor-ignores-vy"]);
+    let said = text(&output.stdout);
+    assert!(output.status.success(), "{said}");
+    assert!(
+        said.contains("that agree all but 1 notice one at least; 0 at fault"),
+        "{said}"
+    );
+    let matrix = json(&["distrust", "eq-16"]);
+    let trials = matrix["trials"].as_array().unwrap();
+    assert!(
+        trials
+            .iter()
+            .all(|trial| !trial["rejects"].as_array().unwrap().is_empty())
+    );
+    assert_eq!(slipbook(&["distrust", "eq-999"]).status.code(), Some(2));
+}

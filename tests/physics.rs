@@ -6,7 +6,7 @@
 use std::collections::BTreeSet;
 use std::fs;
 
-const TABLE: &str = include_str!("../mutants/physics.csv");
+const TABLE: &str = include_str!("../snapshots/physics.csv");
 
 #[test]
 fn every_mistake_of_the_list_changes_a_verdict() {

@@ -20,7 +20,7 @@ pub use trialbook::claims::by_hand::ByHand;
 pub static CASES: [ByHand; 19] = [
     ByHand {
         claim: "s22-vy-two-stages",
-        reason: "An exponential needs a rate. Friction across the drive is $\\lambda_0v_y/v$, and at each zero of $v_x$ the divisor is $v_y$ itself: the smaller $v_y$, the more it loses there",
+        reason: "An exponential decay needs a bounded rate. Friction across the drive is $\\lambda_0v_y/v$, and at each zero of $v_x$ the divisor is $v_y$ itself: the smaller $v_y$, the more it loses there",
         case: "Take $\\lambda_0=1/\\pi$, as in figure 3. By (39) $\\cos\\tilde\\phi_1=\\frac12$, so that $\\mathfrak w$ passes through zero with the slopes $s\\pm\\lambda_0$, $s=\\sqrt3/2$. Beside a zero $\\mathrm d\\ln v_y/\\mathrm d\\phi=-\\lambda_0/[(s\\pm\\lambda_0)\\lvert\\phi-\\tilde\\phi_1\\rvert]$, until $\\lvert\\mathfrak w\\rvert$ is as small as $v_y$: each passage multiplies $\\ln v_y$ by $(s+\\lambda_0)/(s-\\lambda_0)=2.162$, each period by its square. An exponential would multiply it by {stated} in the end; the motion multiplies it by {found}",
         digits: 3,
         stated: || Ok(1.0),
@@ -28,7 +28,7 @@ pub static CASES: [ByHand; 19] = [
     },
     ByHand {
         claim: "s24-region-2",
-        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion",
+        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion. $q_Y=4.603$ is the $q$ of $Y$; on E the forward motion ends just when the drive ceases to pull backward: $\\sqrt{1-\\lambda_0^2}-\\sqrt{1-(q\\lambda_0)^2}=\\lambda_0[2\\pi-\\sin^{-1}(q\\lambda_0)-\\sin^{-1}\\lambda_0]$",
         case: "Take $q=9$, $\\lambda_0=0.1$: below C at $1/9$, and far above A. The drive can pull backward only while $\\sin\\phi<-0.9$, from $\\phi=4.261$ to $5.163$. The forward motion begins at $0.100$, and at $5.163$ its velocity is $0.995-0.436-0.1\\,(5.163-0.100)=0.053$, still positive. Backward intervals in a period: {stated} printed, {found} in the motion",
         digits: 0,
         stated: || {
@@ -44,7 +44,7 @@ pub static CASES: [ByHand; 19] = [
     },
     ByHand {
         claim: "fig-5",
-        reason: "The diagram lacks the border E of region II beyond Y, and there C separates nothing",
+        reason: "The diagram lacks the border E of region II beyond Y, and there C is not a border",
         case: "Take $q=6.5$, $\\lambda_0=0.15$, just below C at $0.154$. The last moment at which the drive can pull backward, $\\sin\\phi=-0.975$, is $\\phi=4.936$; the forward motion, begun at $0.151$, has the velocity $0.989-0.222-0.15\\,(4.936-0.151)=0.049$ there, still positive. The diagram puts the point into region {stated}; the motion is that of region {found}",
         digits: 0,
         stated: || Ok(printed_region(6.5, 0.15)? as f64),
@@ -90,7 +90,7 @@ pub static CASES: [ByHand; 19] = [
     },
     ByHand {
         claim: "eq-106",
-        reason: "A factor. The length $s$ of (104) is $\\Omega^2/(\\mu g)$ times the way; multiplied by $m(\\mu g)^2/\\Omega^2$ it gives $m\\,\\mu g$ times the way, and the $\\mu$ is lost in print",
+        reason: "A factor. The length $s$ of (104) is $\\Omega^2/(\\mu g)$ times the length of the path; multiplied by $m(\\mu g)^2/\\Omega^2$ it gives $m\\,\\mu g$ times the length of the path, and the $\\mu$ is lost in print",
         case: "Let the table turn so slowly that it may be at rest: $m=1$, $\\mu=\\frac12$, $g=10$, and a push of $v=5$. Friction slows at the rate $\\mu g=5$, over the way $s=v^2/(2\\mu g)=2.5$. The energy $\\frac12v^2$ that is gone must be made up by the last term. Printed: $mgs={stated}$. In the motion: {found}",
         digits: 1,
         stated: || Ok(-table::friction_work(1.0, 10.0, way()?)),

@@ -2,6 +2,7 @@
 
 mod explorer;
 mod pages;
+mod physics;
 mod speed;
 #[cfg(test)]
 mod tests;
@@ -29,6 +30,10 @@ pub static EDITION: Edition = Edition {
         Placeholder {
             name: "explorer",
             fill: explorer::place,
+        },
+        Placeholder {
+            name: "physics",
+            fill: |_| physics::table_of(),
         },
         Placeholder {
             name: "speed",

@@ -63,6 +63,7 @@ impl<'a> Filler<'a> {
             ["accuracy"] => block(tables::accuracy(context)?),
             ["survivors"] => block(tables::survivors(context)?),
             ["spared"] => block(tables::spared(context)?),
+            ["idle"] => block(tables::idle(context)?),
             ["sheet", id] => block(tables::code(&context.entry(id)?.sheet())),
             ["sheets"] => block(tables::sheets(context)?),
             ["first-paper"] => block(tables::code(FIRST)),

@@ -109,8 +109,10 @@ impl<'a> Frame<'a> {
         }
         let book = self.staging.path("book");
         let beside = || {
-            for (name, format) in [("errata.txt", Format::Text), ("errata.tex", Format::Latex)] {
-                put(&book.join(name), ledger.letter(format)?.as_bytes())?;
+            for (end, format) in [("txt", Format::Text), ("tex", Format::Latex)] {
+                let (letter, all) = (ledger.letter(format)?, ledger.supplement(format)?);
+                put(&book.join(format!("errata.{end}")), letter.as_bytes())?;
+                put(&book.join(format!("supplement.{end}")), all.as_bytes())?;
             }
             for figure in &figures {
                 put(&book.join(fill::data_file(figure)), figure.csv.as_bytes())?;

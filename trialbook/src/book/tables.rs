@@ -6,7 +6,7 @@ use super::error::Fault;
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
 use crate::claims::measured::Measured;
-use crate::claims::variants::{Spared, Survivor};
+use crate::claims::variants::{Idle, Spared, Survivor};
 use crate::evidence::{Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
@@ -390,4 +390,18 @@ pub(super) fn spared(context: &Context<'_>) -> Result<String, Fault> {
     let rows: Result<Vec<_>, Fault> = context.ledger.paper.spared.iter().map(row).collect();
     let head = ["Claim", "Formula", "Why the proof does not reject all"];
     Ok(table("spared", head, rows?))
+}
+
+/// The trials that agree and notice no mistake in a formula.
+pub(super) fn idle(context: &Context<'_>) -> Result<String, Fault> {
+    let row = |idle: &Idle| {
+        Ok([
+            context.link(context.entry(idle.claim)?)?,
+            format!("<code>{}</code>", escape(idle.trial)),
+            context.maths.words(idle.reason)?,
+        ])
+    };
+    let rows: Result<Vec<_>, Fault> = context.ledger.paper.idle.iter().map(row).collect();
+    let head = ["Claim", "Trial", "What no formula says"];
+    Ok(table("idle", head, rows?))
 }

@@ -190,7 +190,7 @@ impl Style for Plain {
         wrapped(
             &format!("{number}. Section {}: {name}{about}", erratum.section),
             0,
-        ) + "\n"
+        )
     }
     fn heading(&self, title: &str) -> String {
         format!("{}\n{}\n\n", title.to_uppercase(), "=".repeat(title.len()))

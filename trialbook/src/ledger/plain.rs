@@ -322,7 +322,7 @@ fn bracket(out: &mut String, at: usize) {
 
 /// True if an item that stands behind a fraction multiplies it.
 fn multiplies(item: &str) -> bool {
-    item.starts_with(|c: char| c.is_alphanumeric() || "√([|".contains(c))
+    item.starts_with(|c: char| c.is_alphanumeric() || "√([|/".contains(c))
 }
 
 /// True if the text ends with a function whose argument is to come.

@@ -4,7 +4,7 @@
 //! has to come to the recorded verdicts; then the ledger is tried once for each mistake, in a process of its own.
 //!
 //! The copy is kept in `target/physics`; what it depends on is shared with the crate's own build for release. The table
-//! goes to `mutants/physics.csv`. Names of mistakes may follow: then only these are tried and no table is written.
+//! goes to `snapshots/physics.csv`. Names of mistakes may follow: then only these are tried and no table is written.
 
 mod build;
 mod list;
@@ -20,7 +20,7 @@ use std::{env, fs};
 /// The list.
 const LIST: &str = "mutants/physics";
 /// The result.
-const TABLE: &str = "mutants/physics.csv";
+const TABLE: &str = "snapshots/physics.csv";
 /// The verdicts without a mistake.
 const RECORD: &str = "snapshots/verdicts.snap";
 

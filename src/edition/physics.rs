@@ -1,0 +1,47 @@
+//! The table of mistakes in the physics, from the committed result file.
+
+use trialbook::book::{escape, table};
+use trialbook::edition::{Failure, Filled};
+
+/// What the tool `physics` of `mutants` wrote.
+const RESULTS: &str = include_str!("../../snapshots/physics.csv");
+
+/// Each mistake, how many verdicts it changes, and which claims notice first.
+pub(super) fn table_of() -> Result<Filled, Failure> {
+    let rows: Option<Vec<_>> = RESULTS.lines().skip(1).map(row).collect();
+    let rows = rows.ok_or("snapshots/physics.csv: a line without six columns")?;
+    let head = ["Mistake", "Verdicts that change", "Noticed by"];
+    Ok(Filled::Block(table("physics", head, rows)))
+}
+
+fn row(line: &str) -> Option<[String; 3]> {
+    let [_, physics, _, verdicts, claims, _] = cells(line)?;
+    Some([escape(&physics), verdicts, escape(&claims)])
+}
+
+/// The six cells of a line; one with a comma stands between quotation marks.
+fn cells(line: &str) -> Option<[String; 6]> {
+    let mut cells = vec![String::new()];
+    let mut quoted = false;
+    for c in line.chars() {
+        match c {
+            '"' => quoted = !quoted,
+            ',' if !quoted => cells.push(String::new()),
+            c => cells.last_mut()?.push(c),
+        }
+    }
+    cells.try_into().ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_comma_between_quotation_marks_is_text() {
+        let line = r#"name,"Slow, and late.",src/x.rs,3,eq-1 eq-2,law::eq1"#;
+        let [.., physics, _, verdicts, _, _] = cells(line).unwrap();
+        assert_eq!([physics.as_str(), &verdicts], ["Slow, and late.", "3"]);
+        assert!(cells("one,two").is_none());
+    }
+}
