@@ -35,6 +35,9 @@ pub struct Turn {
     tau: f64,
 }
 
+/// The share of tan(θ/2) that is left at least.
+const LEAST: f64 = 1e-4;
+
 impl Turn {
     /// A sphere with this friction λ, from slip `u0` at the angle `theta0`, after the time `elapsed` in units of
     /// what it takes to stop if it stops, of u₀/γ if not.
@@ -71,9 +74,16 @@ impl Turn {
         } else {
             w / a
         };
-        let t = elapsed * long;
-        let motion = sphere.run(&plane, &start, t)?;
-        let [x, y] = motion.slip(t)?;
+        let slip = |t: f64| sphere.run(&plane, &start, t)?.slip(t);
+        let tangent = |theta: f64| libm::tan(theta.abs() / 2.0);
+        let mut t = elapsed * long;
+        let mut end = slip(t)?;
+        // Where next to no angle is left, the little that is left is lost in rounding: look earlier.
+        while tangent(libm::atan2(end[1], end[0])) < LEAST * tangent(theta0) {
+            t *= 0.5;
+            end = slip(t)?;
+        }
+        let [x, y] = end;
         Ok(Turn {
             sphere,
             a,
