@@ -79,7 +79,8 @@ pub fn parabola_quadrature() -> Evidence {
         let slope = |y: f64| printed::eq15_vx(start.a, vx, y / vy) / printed::eq16_vy(vy);
         Ok(Pair {
             at: format!("{}, t = {:.6}", start.at(), state.t),
-            stated: integral_within(slope, 0.0, state.x[1], 1e-13 * scale)?.value,
+            stated: integral_within(slope, 0.0, state.x[1], 1e-13 * scale)
+                .map_or(f64::NAN, |sum| sum.value),
             found: state.x[0],
             scale,
         })

@@ -42,10 +42,10 @@ pub fn eq12_quadrature() -> Evidence {
             let turn = turn?;
             let found = turn.a * turn.t;
             let enough = 1e-14 * turn.condition() * found;
-            let stated = turn.integral(|theta| eq12_rate(turn, theta), enough)?;
+            let stated = turn.integral(|theta| eq12_rate(turn, theta), enough);
             Ok(Pair {
                 at: turn.at(),
-                stated,
+                stated: stated.unwrap_or(f64::NAN),
                 found,
                 scale: found,
             })

@@ -171,7 +171,7 @@ pub fn eq68_way() -> Evidence {
             at: run.at(run.until),
             stated: place(end.x) - place(start.x),
             found: integral_within(rate, 0.0, run.until, 1e-13 * scale)?.value,
-            scale: scale + place(start.x).abs(),
+            scale: scale + libm::hypot(start.x[0], start.x[1]) / radius,
         })
     })
 }

@@ -172,16 +172,16 @@ const SAMPLES: usize = 3;
 impl Pair {
     /// A printed formula's value against a found one, in units of what the formula can resolve.
     pub fn conditioned(at: String, stated: super::conditioned::Conditioned, found: f64) -> Self {
-        let scale = stated.spread.max(found.abs());
+        let spread = match stated.spread.is_finite() {
+            true => stated.spread,
+            false => 0.0,
+        };
         Pair {
             at,
             stated: stated.value,
             found,
-            scale: if scale.is_finite() {
-                scale
-            } else {
-                found.abs()
-            },
+            // Beside a found 0 a formula that resolves nothing differs from it by whatever it states.
+            scale: spread.max(found.abs()).max(f64::MIN_POSITIVE),
         }
     }
 }
