@@ -35,8 +35,8 @@ pub struct Turn {
     tau: f64,
 }
 
-/// The share of tan(θ/2) that is left at least.
-const LEAST: f64 = 1e-4;
+/// The share of tan(θ/2) that is left at least: the motion takes a component below 1e-90 of the other for none.
+const LEAST: f64 = 1e-80;
 
 impl Turn {
     /// A sphere with this friction λ, from slip `u0` at the angle `theta0`, after the time `elapsed` in units of
@@ -78,8 +78,12 @@ impl Turn {
         let tangent = |theta: f64| libm::tan(theta.abs() / 2.0);
         let mut t = elapsed * long;
         let mut end = slip(t)?;
-        // Where next to no angle is left, the little that is left is lost in rounding: look earlier.
-        while tangent(libm::atan2(end[1], end[0])) < LEAST * tangent(theta0) {
+        // Where next to no angle is left, the little that is left is lost in rounding: look earlier, until so soon that
+        // something else is wrong.
+        for _ in 0..50 {
+            if tangent(libm::atan2(end[1], end[0])) >= LEAST * tangent(theta0) {
+                break;
+            }
             t *= 0.5;
             end = slip(t)?;
         }
