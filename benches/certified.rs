@@ -1,14 +1,13 @@
 //! Certified digits, and all certificates of the ledger: `cargo bench --bench certified`.
 
-use slipbook::certified::values;
+use slipbook::certified::numbers::{LAMBDA_C, Q_Y, X_Y};
 use slipbook::claims::{anisotropic, rest, sinusoidal};
 use slipbook::evidence::Evidence;
 use std::hint::black_box;
 use std::time::Instant;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    for name in ["x-Y", "q-Y", "lambda-c"] {
-        let value = values::find(name).ok_or("no such value")?;
+    for (name, value) in [("x-Y", X_Y), ("q-Y", Q_Y), ("lambda-c", LAMBDA_C)] {
         for digits in [50, 1000] {
             // The digits are certain, or this is an error.
             value.decimal(digits)?;

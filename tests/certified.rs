@@ -5,12 +5,13 @@ use slipbook::certified::error::CertifiedError;
 use slipbook::certified::interval::Interval;
 use slipbook::certified::jet::over;
 use slipbook::certified::turntable::{self, fate_launched, fate_put_down};
-use slipbook::certified::values::{find, values};
+use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::simulated::{curve_a, curve_b, curve_e, touching};
 use slipbook::corrections::escape;
 use slipbook::motion::drive::{Drive, Friction, Sign, State};
 use slipbook::motion::turntable::{Fate, Start, fate};
 use slipbook::numerics::number::Number;
+use slipbook::paper::escape as printed;
 use slipbook::paper::sinusoidal::eq37_lambda_c;
 use slipbook::scalar::Scalar;
 use std::collections::BTreeSet;
@@ -18,7 +19,8 @@ use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 
 /// The middle of the enclosure.
 fn certain(name: &str) -> f64 {
-    find(name).unwrap().interval().unwrap().mid()
+    let enclosure = PAPER.value(name).unwrap().enclosure.unwrap();
+    enclosure.interval().unwrap().mid()
 }
 
 /// λ₀ on B, and beyond Y on E.
@@ -49,24 +51,27 @@ fn every_certified_number_is_found_in_ordinary_numbers() {
     let other = [
         ("lambda-c", eq37_lambda_c()),
         ("phi-c", libm::asin(eq37_lambda_c())),
-        ("slip-end-fig-4", slip_end(FRAC_1_SQRT_2)),
+        ("fig-4-slip-end", slip_end(FRAC_1_SQRT_2)),
         ("slip-end-0.6", slip_end(0.6)),
         ("slip-end-0.9", slip_end(0.9)),
-        ("x-Y", libm::sqrt(q_y * q_y - 1.0)),
-        ("q-Y", q_y),
-        ("lambda-Y", 1.0 / q_y),
-        ("A-2", curve_a(2.0).unwrap()),
-        ("A-6", curve_a(6.0).unwrap()),
-        ("A-12", curve_a(12.0).unwrap()),
-        ("B-2", curve_b(2.0).unwrap().unwrap()),
-        ("B-3", curve_b(3.0).unwrap().unwrap()),
-        ("E-6", curve_e(6.0).unwrap().unwrap()),
-        ("E-12", curve_e(12.0).unwrap().unwrap()),
-        ("escape-rho", escape::rho(1.0)),
-        ("escape-s", escape::s(1.0)),
-        ("escape-A", escape::a(1.0)),
-        ("escape-turns", escape::winding()),
-        ("escape-delay", escape::delay()),
+        ("y-root", libm::sqrt(q_y * q_y - 1.0)),
+        ("y-q", q_y),
+        ("y-lambda", 1.0 / q_y),
+        ("curve-a-2", curve_a(2.0).unwrap()),
+        ("curve-a-6", curve_a(6.0).unwrap()),
+        ("curve-a-12", curve_a(12.0).unwrap()),
+        ("curve-b-2", curve_b(2.0).unwrap().unwrap()),
+        ("curve-b-3", curve_b(3.0).unwrap().unwrap()),
+        ("curve-e-6", curve_e(6.0).unwrap().unwrap()),
+        ("curve-e-12", curve_e(12.0).unwrap().unwrap()),
+        ("p", escape::rho(1.0)),
+        ("s", escape::s(1.0)),
+        ("a", escape::a(1.0)),
+        ("winding", escape::winding()),
+        ("delay", escape::delay()),
+        ("a-printed", printed::eq132_a(1.0)),
+        ("p-printed", printed::eq135_p(1.0)),
+        ("s-printed", printed::eq137_s(1.0)),
     ];
     for (name, found) in other {
         let certain = certain(name);
@@ -76,7 +81,7 @@ fn every_certified_number_is_found_in_ordinary_numbers() {
         );
     }
     // A difference of curves has fewer digits: what is left out is odd in the distance, and cancels.
-    let (contact, found) = (certain("contact-Y"), 0.5 * (touch(1e-3) + touch(-1e-3)));
+    let (contact, found) = (certain("contact"), 0.5 * (touch(1e-3) + touch(-1e-3)));
     assert!(
         (found - contact).abs() < 1e-5 * contact,
         "{found}, {contact}"
@@ -84,9 +89,17 @@ fn every_certified_number_is_found_in_ordinary_numbers() {
     let names: BTreeSet<_> = other
         .iter()
         .map(|(name, _)| *name)
-        .chain(["contact-Y"])
+        .chain(["contact"])
         .collect();
-    assert_eq!(names, values().iter().map(|value| value.name).collect());
+    assert_eq!(
+        names,
+        PAPER
+            .values
+            .iter()
+            .filter(|value| value.enclosure.is_some())
+            .map(|value| value.id)
+            .collect()
+    );
 }
 
 /// Bounds that hold `least` and `most` and are no more than two steps of an f64 away.

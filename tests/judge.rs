@@ -2,6 +2,7 @@
 
 use slipbook::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
+use std::panic::Location;
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     const EXAMPLE: Tolerance = Tolerance {
@@ -40,6 +41,26 @@ fn the_same_route_twice_is_one_route() {
         evidence(Route::Integration, Subject::Printed, GOOD),
     ];
     assert_eq!(verdict(Kind::Equation, None, &e), Verdict::Undecided);
+}
+
+#[test]
+fn two_routes_that_have_read_the_same_runs_are_one_route() {
+    let [here, there] = [Location::caller(), place()];
+    let by = |route, runs: &[_]| Evidence {
+        runs: runs.iter().copied().collect(),
+        ..evidence(route, Subject::Printed, GOOD)
+    };
+    let census = by(Route::Census, &[here, there]);
+    let shared = [census.clone(), by(Route::Integration, &[here])];
+    assert_eq!(verdict(Kind::Equation, None, &shared), Verdict::Undecided);
+    let apart = [by(Route::Census, &[there]), by(Route::Integration, &[here])];
+    assert_eq!(verdict(Kind::Equation, None, &apart), Verdict::Confirmed);
+    let third = [&shared[..], &[by(Route::Root, &[])]].concat();
+    assert_eq!(verdict(Kind::Equation, None, &third), Verdict::Confirmed);
+}
+
+fn place() -> &'static Location<'static> {
+    Location::caller()
 }
 
 #[test]

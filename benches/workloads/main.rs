@@ -6,7 +6,7 @@ mod row;
 use criterion::{BenchmarkGroup, Criterion, Throughput, measurement::WallTime};
 use rayon::prelude::*;
 use row::{Arcs, Column, Row};
-use slipbook::certified::values;
+use slipbook::certified::numbers::{LAMBDA_C, Q_Y};
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
 use slipbook::claims::points::Points;
 use slipbook::motion::drive::{Attractor, Drive, Friction, Sign, State};
@@ -197,8 +197,7 @@ fn end_missed(friction: &Friction, sign: Sign, start: f64, end: f64) -> f64 {
 /// Digits that are certain: to be read, they would have to be right in all places.
 fn digits(c: &mut Criterion) -> Result<(), Failure> {
     let mut group = group(c, "w3-digits", 1);
-    for name in ["q-Y", "lambda-c"] {
-        let value = values::find(name).ok_or("no such value")?;
+    for (name, value) in [("q-Y", Q_Y), ("lambda-c", LAMBDA_C)] {
         for digits in [50, 1000] {
             println!(
                 "w3-digits, accuracy: {name} is certain to {}",

@@ -1,25 +1,34 @@
-//! The numbers by which a claim can be found: computed, each with the claim that it belongs to.
+//! The numbers by which a claim can be found: computed, each with the claim that it belongs to, and enclosed where a
+//! closed form or an equation of the drive encloses it.
 
 use super::anisotropic::simulated::touching;
 use super::compare::Failure;
+use super::enclosed::on_balls;
 use super::escape::growth;
 use super::sinusoidal::settled::{ORIGIN, settled};
+use crate::certified::ball::Ball;
+use crate::certified::enclosure::Enclosure;
+use crate::certified::error::CertifiedError;
+use crate::certified::numbers;
 use crate::claims::runs::Runs;
 use crate::corrections::{anisotropic as added, escape as corrected, rest as boundary};
+use crate::exact::Expr;
 use crate::motion::turntable;
 use crate::paper::{anisotropic, escape, rest, sinusoidal, sphere};
+use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 pub use trialbook::claims::values::{Match, NotDecimal, Value, search};
 
 /// All numbers, in the paper's order.
-pub static VALUES: [Value; 35] = [
+pub static VALUES: [Value; 47] = [
     Value::new(
         "lambda-c",
         "eq-37",
         10,
         "$\\lambda_\\mathrm{c}$, the friction from which on the shaken particle rests",
         || Ok(sinusoidal::eq37_lambda_c()),
-    ),
+    )
+    .within(numbers::LAMBDA_C),
     Value::new(
         "fig-3-start",
         "eq-39",
@@ -57,17 +66,20 @@ pub static VALUES: [Value; 35] = [
         12,
         "$q$ of Y, where B and C touch",
         touching,
-    ),
+    )
+    .within(numbers::Q_Y),
     Value::new("y-lambda", "s24-Y", 12, "$\\lambda_0$ of Y", || {
         Ok(1.0 / touching()?)
-    }),
+    })
+    .within(numbers::LAMBDA_Y),
     Value::new(
         "contact",
         "s24-Y",
         6,
         "how fast B leaves C at Y: $1/q-\\lambda_0$ over $(q-q_Y)^2$",
         || Ok(added::contact(touching()?)),
-    ),
+    )
+    .within(numbers::CONTACT),
     Value::new(
         "b-solid",
         "eq-67",
@@ -95,14 +107,16 @@ pub static VALUES: [Value; 35] = [
         6,
         "$A/\\tau^{3/2}$ in an escape, as printed: $2/\\sqrt{27}$",
         || Ok(escape::eq132_a(1.0)),
-    ),
+    )
+    .within(Enclosure(|bits| closed(escape::eq132_a(one()), bits))),
     Value::new(
         "a",
         "eq-132",
         6,
         "$A/\\tau^{3/2}$ in an escape: $\\frac13 2^{1/4}$",
         || Ok(growth::corrected_size()),
-    ),
+    )
+    .within(Enclosure(|bits| closed(corrected::a(one()), bits))),
     Value::new(
         "alpha-printed",
         "eq-133",
@@ -123,28 +137,32 @@ pub static VALUES: [Value; 35] = [
         6,
         "$p/\\tau^2$ in an escape, as printed: $\\frac29$",
         || Ok(growth::printed_speed()),
-    ),
+    )
+    .within(Enclosure(|bits| closed(escape::eq135_p(one()), bits))),
     Value::new(
         "p",
         "eq-135",
         6,
         "$p/\\tau^2$ and $\\rho/\\tau^2$ in an escape: $1/(3\\sqrt2)$",
         || Ok(growth::corrected_speed()),
-    ),
+    )
+    .within(Enclosure(|bits| closed(corrected::rho(one()), bits))),
     Value::new(
         "s-printed",
         "eq-137",
         6,
         "$s/\\tau^3$ in an escape, as printed: $\\frac2{27}$",
         || Ok(escape::eq137_s(1.0)),
-    ),
+    )
+    .within(Enclosure(|bits| closed(escape::eq137_s(one()), bits))),
     Value::new(
         "s",
         "eq-137",
         6,
         "$s/\\tau^3$ in an escape: $1/(9\\sqrt2)$",
         || Ok(corrected::s(1.0)),
-    ),
+    )
+    .within(Enclosure(|bits| closed(corrected::s(one()), bits))),
     Value::new(
         "turn",
         "eq-136",
@@ -158,7 +176,8 @@ pub static VALUES: [Value; 35] = [
         6,
         "the lag of the escape's clock over $\\ln\\tau$: $\\frac34\\sqrt2$",
         || Ok(corrected::delay()),
-    ),
+    )
+    .within(Enclosure(|bits| closed(corrected::delay(), bits))),
     Value::new(
         "critical-radius",
         "s4-rest-radius",
@@ -242,7 +261,8 @@ pub static VALUES: [Value; 35] = [
         12,
         "$x$ of Y: the least positive root of $\\tan x=x$",
         || touching().map(|q| libm::sqrt(q * q - 1.0)),
-    ),
+    )
+    .within(numbers::X_Y),
     Value::new(
         "boundary-curvature",
         "s4-envelope-is-boundary",
@@ -250,7 +270,102 @@ pub static VALUES: [Value; 35] = [
         "the coefficient $\\frac76$ of $\\alpha^2$ on the boundary at $\\psi=0$",
         || Ok(boundary::boundary_curvature(0.0)),
     ),
+    Value::new(
+        "winding",
+        "eq-136",
+        6,
+        "the angle by which an escape circles the axis, in the laboratory, over $\\ln\\tau$: $\\sqrt2$",
+        || Ok(corrected::winding()),
+    )
+    .within(Enclosure(|bits| closed(corrected::winding(), bits))),
+    Value::enclosed(
+        "phi-c",
+        "eq-37",
+        10,
+        "$\\sin^{-1}\\lambda_\\mathrm{c}$, the phase at which the slip begins at the critical friction",
+        numbers::CRITICAL_PHASE,
+    ),
+    Value::enclosed(
+        "fig-4-slip-end",
+        "eq-32",
+        10,
+        "$\\tilde\\phi_2$ at $\\lambda_0=1/\\sqrt2$, where the forward slip ends",
+        numbers::SLIP_END_FIG_4,
+    ),
+    Value::enclosed(
+        "slip-end-0.6",
+        "eq-32",
+        10,
+        "$\\tilde\\phi_2$ at $\\lambda_0=\\frac35$, where the forward slip ends",
+        numbers::SLIP_END_3_5,
+    ),
+    Value::enclosed(
+        "slip-end-0.9",
+        "eq-32",
+        10,
+        "$\\tilde\\phi_2$ at $\\lambda_0=\\frac9{10}$, where the forward slip ends",
+        numbers::SLIP_END_9_10,
+    ),
+    Value::enclosed(
+        "curve-a-2",
+        "eq-53",
+        10,
+        "$\\lambda_0$ of A at $q=2$",
+        numbers::A_2,
+    ),
+    Value::enclosed(
+        "curve-a-6",
+        "eq-53",
+        10,
+        "$\\lambda_0$ of A at $q=6$",
+        numbers::A_6,
+    ),
+    Value::enclosed(
+        "curve-a-12",
+        "eq-53",
+        10,
+        "$\\lambda_0$ of A at $q=12$",
+        numbers::A_12,
+    ),
+    Value::enclosed(
+        "curve-b-2",
+        "eq-54",
+        10,
+        "$\\lambda_0$ of B at $q=2$",
+        numbers::B_2,
+    ),
+    Value::enclosed(
+        "curve-b-3",
+        "eq-54",
+        10,
+        "$\\lambda_0$ of B at $q=3$",
+        numbers::B_3,
+    ),
+    Value::enclosed(
+        "curve-e-6",
+        "s24-region-2",
+        10,
+        "$\\lambda_0$ of E at $q=6$",
+        numbers::E_6,
+    ),
+    Value::enclosed(
+        "curve-e-12",
+        "s24-region-2",
+        10,
+        "$\\lambda_0$ of E at $q=12$",
+        numbers::E_12,
+    ),
 ];
+
+fn one() -> Expr {
+    Expr::int(1)
+}
+
+/// A formula without symbols, enclosed.
+fn closed(formula: Expr, bits: usize) -> Result<Ball, CertifiedError> {
+    let ball = on_balls(formula, bits + 8, &|_| None).map(|ball| ball.with_bits(bits));
+    ball.ok_or_else(|| CertifiedError::unproved("the formula has no ball", &[]))
+}
 
 /// A on the boundary at α = 0.1, ψ = 0.2; computed once.
 ///
@@ -280,6 +395,16 @@ mod tests {
         for value in &VALUES {
             assert!(PAPER.find(value.claim).is_some(), "{}", value.id);
             assert!(value.shown().is_ok(), "{}", value.id);
+            if let Some(enclosure) = value.enclosure {
+                let [number, middle] =
+                    [value.number().unwrap(), enclosure.interval().unwrap().mid()];
+                let off = (number - middle).abs();
+                assert!(
+                    off < 1e-11 * middle.abs(),
+                    "{}: {number}, {middle}",
+                    value.id
+                );
+            }
 
             // As many digits as are known, cut off; nines may be rounded up if there are two of them or more.
             let digits = value.digits().unwrap();

@@ -36,6 +36,7 @@ written!(
     rest,
     ledger "The ledger",
     proved "What is proved, what is measured",
+    trust "What you have to trust",
     accuracy "How accurately it was measured",
     errata "Errata",
     map "The map of claims",

@@ -4,8 +4,8 @@ use crate::{any, config, each};
 use proptest::prelude::*;
 use slipbook::certified::ball::Ball;
 use slipbook::certified::interval::Interval;
-use slipbook::certified::values::values;
 use slipbook::claims::formulas::formulas;
+use slipbook::claims::values::VALUES;
 use slipbook::scalar::Scalar;
 
 /// A pair of bounds in order, or the whole line.
@@ -56,7 +56,8 @@ proptest! {
 
 #[test]
 fn a_certified_number_has_the_digits_asked_for_or_says_that_it_has_not() {
-    for value in values() {
+    let enclosed = VALUES.iter().filter_map(|value| value.enclosure);
+    for value in enclosed {
         for digits in [0, 1, 17, 60] {
             let text = value.decimal(digits).unwrap();
             let (_, after) = text.split_once('.').unwrap_or((&text, ""));

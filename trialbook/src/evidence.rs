@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 use std::collections::BTreeSet;
+use std::panic::Location;
 
 /// What sort of statement a claim is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
@@ -52,7 +53,8 @@ pub enum Change {
     Statement,
 }
 
-/// The way by which a trial came to its evidence. Two trials are independent when their routes differ.
+/// The way by which a trial came to its evidence. Two trials are independent when their routes differ and
+/// they have read no runs in common.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Route {
@@ -199,6 +201,9 @@ pub struct Evidence {
     /// The formulas that were read for it, by their paths: `some_crate::some_topic::eq13_time`; also those that were read
     /// for what it shares with other trials.
     pub read: BTreeSet<&'static str>,
+    /// The shared runs that were read for it, by the places where they are declared.
+    #[serde(skip)]
+    pub runs: BTreeSet<&'static Location<'static>>,
 }
 
 /// What a piece of evidence says by itself.
@@ -238,6 +243,7 @@ impl Evidence {
             steps: Vec::new(),
             partial: false,
             read: BTreeSet::new(),
+            runs: BTreeSet::new(),
         }
     }
 

@@ -15,7 +15,7 @@ const MAX_PERIODS: u32 = 200;
 
 /// The drive sin φ.
 pub fn drive() -> Result<&'static Drive, Failure> {
-    static DRIVE: Runs<Drive> = Runs::new(|| Ok(Drive::new(libm::sin, &[])?));
+    static DRIVE: Runs<Drive> = Runs::setting(|| Ok(Drive::new(libm::sin, &[])?));
     DRIVE.get()
 }
 

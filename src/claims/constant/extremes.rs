@@ -1,6 +1,6 @@
 //! Trials of what section 2.1 says in words.
 
-use super::launches::{Aligned, Stop, Turn, aligned, held, stops};
+use super::launches::{Aligned, Stop, Turn, aligned, held, others_aligned, stops};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::corrections::constant as corrected;
@@ -29,7 +29,7 @@ pub fn small_friction_limit() -> Evidence {
 pub fn small_friction_census() -> Evidence {
     let compared = "1 for λ ≤ 1 and 0 above with 1 where the particle never rests and on no step its angle grows";
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
-    let moving = aligned().map(|aligned| aligned.map(|a| (a.start, a.broken == 0)));
+    let moving = others_aligned().map(|aligned| aligned.map(|a| (a.start, a.broken == 0)));
     let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
     let stopping = stops().map(|stop| stop.map(|s| (s.start, !at_rest(s))));
     trial.over(moving.chain(stopping), |motion| {

@@ -434,18 +434,26 @@ pub struct Aligned {
 
 /// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
 pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, Failure>> {
-    static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| {
-        let aligned = |start: Turn| -> Result<_, Failure> {
-            let motion = start.motion(start.time(1e8))?;
-            Ok(Aligned {
-                start,
-                angle: motion.end().direction(),
-                broken: unlike_aligning(&motion),
-            })
-        };
-        every(launches_below_critical().map(aligned))
-    });
+    static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(10));
     ALIGNED.each()
+}
+
+/// Others of the same kinds.
+pub fn others_aligned() -> impl Iterator<Item = Result<&'static Aligned, Failure>> {
+    static OTHERS: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(14));
+    OTHERS.each()
+}
+
+fn all_aligned(stream: u64) -> Result<Vec<Aligned>, Failure> {
+    let aligned = |start: Turn| -> Result<_, Failure> {
+        let motion = start.motion(start.time(1e8))?;
+        Ok(Aligned {
+            start,
+            angle: motion.end().direction(),
+            broken: unlike_aligning(&motion),
+        })
+    };
+    every(launches_below_critical(stream).map(aligned))
 }
 
 /// The steps on which the angle grows, and the phases of rest.
@@ -460,8 +468,8 @@ fn unlike_aligning(motion: &Motion) -> usize {
     angles.windows(2).filter(grows).count() + rests.count()
 }
 
-fn launches_below_critical() -> impl Iterator<Item = Turn> {
-    let mut points = Points::stream(10);
+fn launches_below_critical(stream: u64) -> impl Iterator<Item = Turn> {
+    let mut points = Points::stream(stream);
     (0..120).map(move |i| {
         let lambda = match i % 4 {
             0 => 1.0,

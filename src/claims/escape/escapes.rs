@@ -112,17 +112,25 @@ pub struct Escape {
 
 /// Escapes from A > 1.
 pub fn escapes() -> impl Iterator<Item = Result<&'static Escape, Failure>> {
-    static ESCAPES: Runs<Vec<Escape>> = Runs::new(|| {
-        let mut points = Points::stream(600);
-        let launch = |_| Launch {
-            a: points.uniform(1.05, 4.0),
-            alpha: points.log_uniform(0.1, 1.5),
-            psi: points.uniform(-2.6, 2.6),
-        };
-        let launches: Vec<_> = (0..20).map(launch).collect();
-        every(launches.into_iter().map(escape))
-    });
+    static ESCAPES: Runs<Vec<Escape>> = Runs::new(|| all_escapes(600));
     ESCAPES.each()
+}
+
+/// Others of the same kind.
+pub fn other_escapes() -> impl Iterator<Item = Result<&'static Escape, Failure>> {
+    static OTHERS: Runs<Vec<Escape>> = Runs::new(|| all_escapes(603));
+    OTHERS.each()
+}
+
+fn all_escapes(stream: u64) -> Result<Vec<Escape>, Failure> {
+    let mut points = Points::stream(stream);
+    let launch = |_| Launch {
+        a: points.uniform(1.05, 4.0),
+        alpha: points.log_uniform(0.1, 1.5),
+        psi: points.uniform(-2.6, 2.6),
+    };
+    let launches: Vec<_> = (0..20).map(launch).collect();
+    every(launches.into_iter().map(escape))
 }
 
 /// Follows a launch far out.
@@ -153,17 +161,25 @@ pub fn escape(launch: Launch) -> Result<Escape, MotionError> {
 
 /// Launches with p < ρ of every kind, followed to their rest or to τ = 10⁴.
 pub fn flights() -> impl Iterator<Item = Result<&'static Flight, Failure>> {
-    static FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| {
-        let mut points = Points::stream(601);
-        let launch = |_| Launch {
-            a: points.uniform(0.05, 2.0),
-            alpha: points.log_uniform(1e-3, 2.0),
-            psi: points.uniform(-3.1, 3.1),
-        };
-        let launches: Vec<_> = (0..100).map(launch).collect();
-        every(launches.into_iter().map(|l| Flight::new(l, 1e4)))
-    });
+    static FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| all_flights(601));
     FLIGHTS.each()
+}
+
+/// Others of the same kinds.
+pub fn other_flights() -> impl Iterator<Item = Result<&'static Flight, Failure>> {
+    static OTHERS: Runs<Vec<Flight>> = Runs::new(|| all_flights(604));
+    OTHERS.each()
+}
+
+fn all_flights(stream: u64) -> Result<Vec<Flight>, Failure> {
+    let mut points = Points::stream(stream);
+    let launch = |_| Launch {
+        a: points.uniform(0.05, 2.0),
+        alpha: points.log_uniform(1e-3, 2.0),
+        psi: points.uniform(-3.1, 3.1),
+    };
+    let launches: Vec<_> = (0..100).map(launch).collect();
+    every(launches.into_iter().map(|l| Flight::new(l, 1e4)))
 }
 
 /// A launch near α = 0, and the state when ψ has relaxed.
@@ -180,21 +196,29 @@ pub struct Relaxed {
 /// Launches with tiny α and any ψ but near π, with the state when ψ has relaxed: for A > 1, where α grows meanwhile
 /// and ψ falls as α^(−A/(A−1)), at a hundred thousand times the initial α, else when p has fallen by the factor 10¹².
 pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
-    static RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| {
-        let mut points = Points::stream(602);
-        let launch = |i: usize| Launch {
-            a: if i.is_multiple_of(2) {
-                points.uniform(1.05, 3.0)
-            } else {
-                points.uniform(0.4, 0.95)
-            },
-            alpha: points.log_uniform(1e-13, 1e-11),
-            psi: points.uniform(-2.9, 2.9),
-        };
-        let launches: Vec<_> = (0..40).map(launch).collect();
-        every(launches.into_iter().map(relax))
-    });
+    static RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| all_relaxed(602));
     RELAXED.each()
+}
+
+/// Others of the same kinds.
+pub fn others_relaxed() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
+    static OTHERS: Runs<Vec<Relaxed>> = Runs::new(|| all_relaxed(609));
+    OTHERS.each()
+}
+
+fn all_relaxed(stream: u64) -> Result<Vec<Relaxed>, Failure> {
+    let mut points = Points::stream(stream);
+    let launch = |i: usize| Launch {
+        a: if i.is_multiple_of(2) {
+            points.uniform(1.05, 3.0)
+        } else {
+            points.uniform(0.4, 0.95)
+        },
+        alpha: points.log_uniform(1e-13, 1e-11),
+        psi: points.uniform(-2.9, 2.9),
+    };
+    let launches: Vec<_> = (0..40).map(launch).collect();
+    every(launches.into_iter().map(relax))
 }
 
 fn relax(launch: Launch) -> Result<Relaxed, MotionError> {

@@ -1,6 +1,9 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
-use super::escapes::{LATE, Launch, a, alpha, escapes, flights, rates, relaxed};
+use super::escapes::{
+    LATE, Launch, a, alpha, escapes, flights, other_escapes, other_flights, others_relaxed, rates,
+    relaxed,
+};
 use super::growth::{Quantity, limit, size};
 use super::straight::{StraightIn, beyond_one, time_to_stop};
 use crate::claims::compare::{Pair, Trial};
@@ -156,7 +159,7 @@ pub fn never_decreases_way() -> Evidence {
 pub fn never_decreases_census() -> Evidence {
     let compared = "1, for growth, with the sign of the change of A: −1 if it falls on a step, 0 if at the end α is not small nor A large";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    trial.over(flights(), |flight| {
+    trial.over(other_flights(), |flight| {
         let flight = flight?;
         let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
         let end = flight.run.end();
@@ -186,7 +189,7 @@ fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
 pub fn small_alpha_angle() -> Evidence {
     let compared = "ψ₁ with ψ of the motion, ψ having relaxed after a start with α < 1e-11";
     let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
-    trial.over(relaxed(), |relaxed| {
+    trial.over(others_relaxed(), |relaxed| {
         let relaxed = relaxed?;
         Ok(Pair {
             at: relaxed.launch.at(),
@@ -259,7 +262,7 @@ pub fn alpha_census() -> Evidence {
     let compared = "the decades of τ from 100 to 1e8 over which α of (133) grows by more than 1 with those over which α of the motion does";
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
-    trial.over(escapes(), |escape| {
+    trial.over(other_escapes(), |escape| {
         let escape = escape?;
         let stated: Vec<f64> = times().map(printed::eq133_alpha).collect();
         let found: Result<Vec<_>, MotionError> =

@@ -19,24 +19,32 @@ pub struct Returning {
 
 /// The accelerations that exceed μg again and again, then those that never do, and what they do.
 pub fn returning() -> impl Iterator<Item = Result<&'static Returning, Failure>> {
-    static RETURNING: Runs<Vec<Returning>> = Runs::new(|| {
-        let returning = |(name, plane, size, period)| -> Result<_, Failure> {
-            let motion = run(&plane, 1.0, AT_REST, 5.0 * period)?;
-            Ok(Returning {
-                name,
-                size,
-                period,
-                phases: motion.phases().to_vec(),
-            })
-        };
-        let all = strong_that_return().chain(weak_that_return());
-        every(all.map(returning))
-    });
+    static RETURNING: Runs<Vec<Returning>> = Runs::new(|| all_returning([23, 33]));
     RETURNING.each()
 }
 
+/// Others of the same kinds.
+pub fn others_returning() -> impl Iterator<Item = Result<&'static Returning, Failure>> {
+    static OTHERS: Runs<Vec<Returning>> = Runs::new(|| all_returning([36, 37]));
+    OTHERS.each()
+}
+
+fn all_returning([strong, weak]: [u64; 2]) -> Result<Vec<Returning>, Failure> {
+    let returning = |(name, plane, size, period)| -> Result<_, Failure> {
+        let motion = run(&plane, 1.0, AT_REST, 5.0 * period)?;
+        Ok(Returning {
+            name,
+            size,
+            period,
+            phases: motion.phases().to_vec(),
+        })
+    };
+    let all = strong_that_return(strong).chain(weak_that_return(weak));
+    every(all.map(returning))
+}
+
 /// Accelerations that are larger than μg once a period at least, from 1.1 to 3 times, of all shapes; friction 1.
-fn strong_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
+fn strong_that_return(stream: u64) -> impl Iterator<Item = (String, Plane, f64, f64)> {
     const KINDS: [&str; 7] = [
         "oscillating",
         "sign-changing",
@@ -46,11 +54,11 @@ fn strong_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
         "decaying",
         "rotating",
     ];
-    periodic(23, &KINDS, [1.1, 3.0])
+    periodic(stream, &KINDS, [1.1, 3.0])
 }
 
 /// Accelerations of the shapes that are bounded by their size, from 0.2 to 0.95 μg; friction 1.
-fn weak_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
+fn weak_that_return(stream: u64) -> impl Iterator<Item = (String, Plane, f64, f64)> {
     const KINDS: [&str; 5] = [
         "oscillating",
         "sign-changing",
@@ -58,7 +66,7 @@ fn weak_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
         "constant",
         "rotating",
     ];
-    periodic(33, &KINDS, [0.2, 0.95])
+    periodic(stream, &KINDS, [0.2, 0.95])
 }
 
 /// Accelerations of these shapes in turn, each with its size and its period.
@@ -116,19 +124,27 @@ pub struct Pulled {
 
 /// All strong accelerations, then weak ones.
 pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, Failure>> {
-    static PULLED: Runs<Vec<Pulled>> = Runs::new(|| {
-        let pulled = |(name, plane, least, start)| -> Result<_, Failure> {
-            let motion = run(&plane, 1.0, start, 400.0)?;
-            Ok(Pulled {
-                name,
-                least,
-                falls: falls(&motion, 200.0),
-                gained: motion.end().speed() - motion.at(200.0)?.speed(),
-            })
-        };
-        every(strong().chain(weak()).map(pulled))
-    });
+    static PULLED: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([24, 34]));
     PULLED.each()
+}
+
+/// Others of the same kinds.
+pub fn others_pulled() -> impl Iterator<Item = Result<&'static Pulled, Failure>> {
+    static OTHERS: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([38, 39]));
+    OTHERS.each()
+}
+
+fn all_pulled([strongly, weakly]: [u64; 2]) -> Result<Vec<Pulled>, Failure> {
+    let pulled = |(name, plane, least, start)| -> Result<_, Failure> {
+        let motion = run(&plane, 1.0, start, 400.0)?;
+        Ok(Pulled {
+            name,
+            least,
+            falls: falls(&motion, 200.0),
+            gained: motion.end().speed() - motion.at(200.0)?.speed(),
+        })
+    };
+    every(strong(strongly).chain(weak(weakly)).map(pulled))
 }
 
 /// The steps on which the speed does not grow, from a time on.
@@ -137,8 +153,8 @@ fn falls(motion: &Motion, from: f64) -> usize {
 }
 
 /// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
-fn strong() -> impl Iterator<Item = (String, Plane, f64, State)> {
-    let mut points = Points::stream(24);
+fn strong(stream: u64) -> impl Iterator<Item = (String, Plane, f64, State)> {
+    let mut points = Points::stream(stream);
     (0..32).map(move |i| {
         let rate = points.log_uniform(0.1, 3.0);
         let shape = [0, 2, 3, 4][i % 4];
@@ -162,8 +178,8 @@ fn strong() -> impl Iterator<Item = (String, Plane, f64, State)> {
 }
 
 /// |A| of 0.2 to 0.9, constant but for its sign; friction 1.
-fn weak() -> impl Iterator<Item = (String, Plane, f64, State)> {
-    let mut points = Points::stream(34);
+fn weak(stream: u64) -> impl Iterator<Item = (String, Plane, f64, State)> {
+    let mut points = Points::stream(stream);
     (0..16).map(move |i| {
         let shape = [0, 5][i % 2];
         let (size, rate) = (points.uniform(0.2, 0.9), points.log_uniform(0.1, 3.0));
@@ -241,7 +257,7 @@ mod tests {
     fn accelerations_that_return_have_their_shapes() {
         let e = libm::exp(-0.2);
         let mut kinds = 0;
-        for (name, plane, _, period) in strong_that_return() {
+        for (name, plane, _, period) in strong_that_return(23) {
             let size: f64 = name.split(&[' ', ','][..]).nth(4).unwrap().parse().unwrap();
             let at = |quarters: f64| {
                 plane

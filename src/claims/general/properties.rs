@@ -3,7 +3,9 @@
 //! Each is tried on constant, rotating, growing, decaying, oscillating and sign-changing accelerations, and on
 //! the one that we found to break it.
 
-use super::examples::{AT_REST, Pulled, Returning, breaks, pulled, returning};
+use super::examples::{
+    AT_REST, Pulled, Returning, breaks, others_pulled, others_returning, pulled, returning,
+};
 use super::planes::{Case, SHAPES, along_a_line, any_start, bounded};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
@@ -131,11 +133,11 @@ fn long_rests(phases: &[Phase], period: f64) -> usize {
         .count()
 }
 
-/// The same motions move in every period, or do not.
+/// Others move in every period, or do not.
 pub fn rest_integration() -> Evidence {
     let compared = "1 where |A| exceeds μg in every period, else 0, with 1 for a motion that has slid in each of five periods";
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
-    trial.over(returning(), |returning| {
+    trial.over(others_returning(), |returning| {
         let Returning {
             name,
             size,
@@ -204,11 +206,11 @@ pub fn grows_census() -> Evidence {
     })
 }
 
-/// The same: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
+/// Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
 pub fn grows_integration() -> Evidence {
     let compared = "the speed gained from t = 200 to 400, but at least 0.95 · 200 (min |A| − μg), with the speed gained";
     let trial = Trial::motion(Subject::Within, compared);
-    trial.over(pulled(), |pulled| {
+    trial.over(others_pulled(), |pulled| {
         let Pulled {
             name,
             least,

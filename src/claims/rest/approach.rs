@@ -6,6 +6,7 @@
 use super::boundary::{Border, angle_towards_one, border};
 use super::stops::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
+    other_approaches,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::escape::escapes::{a, alpha, rates};
@@ -505,7 +506,7 @@ pub fn near_rest_census() -> Evidence {
         compared,
         crate::claims::tolerances::NONE,
     );
-    trial.over(approaches(), |approach| {
+    trial.over(other_approaches(), |approach| {
         let approach = approach?;
         let states = tenfold(&approach.run);
         Ok(Pair {

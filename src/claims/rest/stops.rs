@@ -130,20 +130,28 @@ impl Approach {
 
 /// Motions to rest at σ from 0.05 to 0.98.
 pub fn approaches() -> impl Iterator<Item = Result<&'static Approach, Failure>> {
-    static APPROACHES: Runs<Vec<Approach>> = Runs::new(|| {
-        let mut points = Points::stream(620);
-        let mut found = Vec::new();
-        for _ in 0..160 {
-            let rho = points.uniform(0.05, 1.0);
-            let p = rho.min(1.0 - rho) * points.uniform(0.1, 0.9);
-            let start = [rho, p, points.uniform(-2.8, 2.8)];
-            found.extend(
-                Approach::new(start)?.filter(|approach| (0.05..0.98).contains(&approach.sigma)),
-            );
-        }
-        Ok(found)
-    });
+    static APPROACHES: Runs<Vec<Approach>> = Runs::new(|| all_approaches(620));
     APPROACHES.each()
+}
+
+/// Others of the same kinds.
+pub fn other_approaches() -> impl Iterator<Item = Result<&'static Approach, Failure>> {
+    static OTHERS: Runs<Vec<Approach>> = Runs::new(|| all_approaches(622));
+    OTHERS.each()
+}
+
+fn all_approaches(stream: u64) -> Result<Vec<Approach>, Failure> {
+    let mut points = Points::stream(stream);
+    let mut found = Vec::new();
+    for _ in 0..160 {
+        let rho = points.uniform(0.05, 1.0);
+        let p = rho.min(1.0 - rho) * points.uniform(0.1, 0.9);
+        let start = [rho, p, points.uniform(-2.8, 2.8)];
+        found.extend(
+            Approach::new(start)?.filter(|approach| (0.05..0.98).contains(&approach.sigma)),
+        );
+    }
+    Ok(found)
 }
 
 /// Those that end at a σ in one of the ranges.

@@ -16,8 +16,8 @@ use crate::certified::cover::{Said, everywhere};
 use crate::certified::error::CertifiedError;
 use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
+use crate::certified::numbers::LAMBDA_C;
 use crate::certified::taylor::Taylor;
-use crate::certified::values::LAMBDA_C;
 use crate::claims::enclosed::{certified, numbers, on_balls};
 use crate::evidence::{Evidence, Subject};
 use crate::exact::{Expr, Obstacle, Proof, Step};
@@ -193,9 +193,12 @@ pub fn turns() -> Evidence {
 /// (37), fifty digits.
 pub fn lambda_c() -> Evidence {
     let compared = "(37) to 50 digits with the enclosure of the one friction in (0.48, 0.56) under which an arc of Newton's law ends half a period after it began";
-    numbers([LAMBDA_C], Subject::Printed, compared, |bits| {
-        [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)]
-    })
+    numbers(
+        [("lambda-c", LAMBDA_C)],
+        Subject::Printed,
+        compared,
+        |bits| [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)],
+    )
 }
 
 #[cfg(test)]
@@ -269,7 +272,9 @@ mod tests {
             let tiny = &(&small * &small) * &small;
             Some(on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)? + tiny)
         };
-        let evidence = numbers([LAMBDA_C], Subject::Printed, "", |bits| [stated(bits)]);
+        let evidence = numbers([("lambda-c", LAMBDA_C)], Subject::Printed, "", |bits| {
+            [stated(bits)]
+        });
         assert_eq!(evidence.worst, f64::INFINITY);
     }
 

@@ -13,14 +13,14 @@ use std::f64::consts::{PI, TAU};
 
 /// The sine as a drive: the motion knows it as a function to evaluate, no more.
 pub fn drive() -> Result<&'static Drive, Failure> {
-    static DRIVE: Runs<Drive> = Runs::new(|| Ok(Drive::new(libm::sin, &[])?));
+    static DRIVE: Runs<Drive> = Runs::setting(|| Ok(Drive::new(libm::sin, &[])?));
     DRIVE.get()
 }
 
 /// The friction at which a slip from rest ends just where the next one could begin, which divides the frictions of the
-/// trials: by the motion alone. NaN where that fails, which no trial survives.
+/// trials: by the motion alone, and nothing is compared with it. NaN where that fails, which no trial survives.
 pub fn lambda_c() -> f64 {
-    static ONSET: Runs<f64> = Runs::new(|| Ok(root(excess_length, 0.2, 0.9)?));
+    static ONSET: Runs<f64> = Runs::setting(|| Ok(root(excess_length, 0.2, 0.9)?));
     ONSET.get().copied().unwrap_or(f64::NAN)
 }
 

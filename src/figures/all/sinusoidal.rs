@@ -14,7 +14,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
         let shown = |curve: &drawn::Transient| sinusoidal::Transient {
             lambda,
             w_y: curve.w_y,
-            points: curve.shown().map(|s| [s.phi, s.w_x]).collect(),
+            points: curve.states.iter().map(|s| [s.phi, s.w_x]).collect(),
         };
         (title.to_owned(), own.map(shown).collect())
     };

@@ -87,25 +87,29 @@ def values():
     return {
         "lambda-c": lambda: 2 / mp.sqrt(4 + mp.pi**2),
         "phi-c": critical_phase,
-        "slip-end-fig-4": lambda: slip_end(1 / k, "3.197"),
+        "fig-4-slip-end": lambda: slip_end(1 / k, "3.197"),
         "slip-end-0.6": lambda: slip_end(mpf(3) / 5, "3.523"),
         "slip-end-0.9": lambda: slip_end(mpf(9) / 10, "2.482"),
-        "x-Y": x_y,
-        "q-Y": q_y,
-        "lambda-Y": lambda: 1 / q_y(),
-        "contact-Y": contact,
-        "A-2": lambda: curve_a(2, PHASES["A-2"]),
-        "A-6": lambda: curve_a(6, PHASES["A-6"]),
-        "A-12": lambda: curve_a(12, PHASES["A-12"]),
-        "B-2": lambda: reversal(2, up, FRICTIONS["B-2"]),
-        "B-3": lambda: reversal(3, up, FRICTIONS["B-3"]),
-        "E-6": lambda: reversal(6, down, FRICTIONS["E-6"]),
-        "E-12": lambda: reversal(12, down, FRICTIONS["E-12"]),
-        "escape-rho": lambda: c,
-        "escape-s": lambda: c / 3,
-        "escape-A": lambda: mp.sqrt(2 * c / 3),
-        "escape-turns": lambda: k,
-        "escape-delay": lambda: 3 * k / 4,
+        "y-root": x_y,
+        "y-q": q_y,
+        "y-lambda": lambda: 1 / q_y(),
+        "contact": contact,
+        "curve-a-2": lambda: curve_a(2, PHASES["curve-a-2"]),
+        "curve-a-6": lambda: curve_a(6, PHASES["curve-a-6"]),
+        "curve-a-12": lambda: curve_a(12, PHASES["curve-a-12"]),
+        "curve-b-2": lambda: reversal(2, up, FRICTIONS["curve-b-2"]),
+        "curve-b-3": lambda: reversal(3, up, FRICTIONS["curve-b-3"]),
+        "curve-e-6": lambda: reversal(6, down, FRICTIONS["curve-e-6"]),
+        "curve-e-12": lambda: reversal(12, down, FRICTIONS["curve-e-12"]),
+        "p": lambda: c,
+        "s": lambda: c / 3,
+        "a": lambda: mp.sqrt(2 * c / 3),
+        "winding": lambda: k,
+        "delay": lambda: 3 * k / 4,
+        # As the paper prints them.
+        "a-printed": lambda: 2 / mp.sqrt(mpf(27)),
+        "p-printed": lambda: mpf(2) / 9,
+        "s-printed": lambda: mpf(2) / 27,
     }
 
 
@@ -128,8 +132,8 @@ def begin(q, end):
     return bracketed(f, mpf(10) ** -9, 1 / mpf(q))
 
 
-PHASES = {f"A-{q}": bracketed(lambda s, q=q: gained(s, s + 2 * mp.pi * q / (1 + q), mp.sin(s)), mpf(10) ** -9, mp.pi / 2) for q in (2, 6, 12)}
-FRICTIONS = {f"B-{q}": begin(q, up) for q in (2, 3)} | {f"E-{q}": begin(q, down) for q in (6, 12)}
+PHASES = {f"curve-a-{q}": bracketed(lambda s, q=q: gained(s, s + 2 * mp.pi * q / (1 + q), mp.sin(s)), mpf(10) ** -9, mp.pi / 2) for q in (2, 6, 12)}
+FRICTIONS = {f"curve-b-{q}": begin(q, up) for q in (2, 3)} | {f"curve-e-{q}": begin(q, down) for q in (6, 12)}
 
 
 def rounded(x, places):

@@ -8,12 +8,14 @@
 //! - [`cover`]: an inequality, or the sign of a slope, holds on a whole range;
 //! - [`flow`]: all motions from a box of starts, by an integrator that bounds what it leaves out.
 //!
-//! [`jet`] differentiates formulas on the way, [`taylor`] more than once. A [`value`] is a number with its enclosure.
+//! [`jet`] differentiates formulas on the way, [`taylor`] more than once. An [`enclosure`] gives a number's
+//! certain digits.
 //!
 //! What could not be proved is an error that says where, never a guess.
 
 pub mod ball;
 pub mod cover;
+pub mod enclosure;
 pub mod error;
 pub mod flow;
 pub mod interval;
@@ -21,4 +23,3 @@ pub mod jet;
 pub mod krawczyk;
 pub mod root;
 pub mod taylor;
-pub mod value;

@@ -189,7 +189,8 @@ impl Pair {
 /// What a trial brings, and which formulas it has read for it.
 pub fn noted(trial: impl FnOnce() -> Evidence) -> Evidence {
     let (mut evidence, read) = reading::of(trial);
-    evidence.read.extend(read);
+    evidence.read.extend(read.formulas);
+    evidence.runs.extend(read.runs);
     evidence
 }
 

@@ -2,8 +2,8 @@
 
 use super::tolerances;
 use crate::certified::ball::{Ball, bits_for};
+use crate::certified::enclosure::Enclosure;
 use crate::certified::error::CertifiedError;
-use crate::certified::value::Value;
 use crate::evidence::{Evidence, Route, Sample, Subject};
 use crate::exact::{Binary, Expr, Function, Node};
 
@@ -30,18 +30,17 @@ pub fn certified(
     }
 }
 
-/// Evidence from stated numbers and enclosed ones, each to [`DIGITS`] decimals: they agree where they have a number
-/// in common.
+/// Evidence from stated numbers and enclosed ones with their names, each to [`DIGITS`] decimals: they agree where they
+/// have a number in common.
 pub fn numbers<const N: usize>(
-    found: [Value; N],
+    found: [(&'static str, Enclosure); N],
     subject: Subject,
     compared: &'static str,
     stated: impl Fn(usize) -> [Option<Ball>; N],
 ) -> Evidence {
     let mut evidence = certified(Ok(N), subject, compared);
-    for (value, stated) in found.into_iter().zip(stated(bits_for(DIGITS))) {
-        let name = value.name;
-        let (Some(stated), Ok(found)) = (stated, value.ball(DIGITS)) else {
+    for ((name, found), stated) in found.into_iter().zip(stated(bits_for(DIGITS))) {
+        let (Some(stated), Ok(found)) = (stated, found.ball(DIGITS)) else {
             evidence.worst = f64::NAN;
             evidence.at = name.to_owned();
             break;
@@ -86,13 +85,28 @@ pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball
             let [_, cosine] = of(x)?.sin_cos();
             cosine
         }
-        Node::Binary(Binary::Pow, ..) | Node::Call(..) => return None,
+        Node::Binary(Binary::Pow, x, power) => match power.node() {
+            Node::Int(n) => whole_power(&of(x)?, n, bits)?,
+            Node::Binary(Binary::Div, n, two) => match (n.node(), two.node()) {
+                (Node::Int(n), Node::Int(2)) => whole_power(&of(x)?.sqrt()?, n, bits)?,
+                _ => return None,
+            },
+            _ => return None,
+        },
+        Node::Call(..) => return None,
     })
+}
+
+/// xⁿ for n ≥ 0.
+fn whole_power(x: &Ball, n: i64, bits: usize) -> Option<Ball> {
+    let factors = usize::try_from(n).ok()?;
+    Some(std::iter::repeat_n(x, factors).fold(Ball::int(1, bits), |power, x| &power * x))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Scalar;
 
     #[test]
     fn signs_are_kept_on_balls() {
@@ -102,5 +116,10 @@ mod tests {
         for formula in [-x(), x() - x() - x()] {
             assert_eq!(value(formula).interval(), Ball::int(-2, 64).interval());
         }
+        let power = |n, m| x().squared().pow(Expr::int(n) / Expr::int(m));
+        for (formula, whole) in [(power(3, 2), 8), (x().pow(Expr::int(5)), 32)] {
+            assert!(value(formula).meets(&Ball::int(whole, 64)));
+        }
+        assert!(on_balls(power(1, 3), 64, &two).is_none());
     }
 }

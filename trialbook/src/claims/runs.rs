@@ -3,11 +3,12 @@
 use super::values::NotDecimal;
 use crate::certified::error::CertifiedError;
 use crate::numerics::NumericsError;
-use crate::seeded::{self, reading};
-use std::collections::BTreeSet;
+use crate::seeded;
+use crate::seeded::reading::{self, Read};
 use std::error::Error;
 use std::fmt::{self, Display};
 use std::num::ParseFloatError;
+use std::panic::Location;
 use std::sync::{Arc, OnceLock};
 
 /// Why our own side gave no number.
@@ -56,29 +57,51 @@ failures!(
 /// that is seeded later would not reach the trials that share them.
 #[derive(Debug)]
 pub struct Runs<T: 'static> {
-    made: OnceLock<Result<T, Failure>>,
+    made: OnceLock<(Result<T, Failure>, Read)>,
     make: fn() -> Result<T, Failure>,
+    /// Where they are declared, which tells them apart; none where they are a setting.
+    place: Option<&'static Location<'static>>,
 }
 
 impl<T> Runs<T> {
     /// Runs that `make` makes.
+    #[track_caller]
     pub const fn new(make: fn() -> Result<T, Failure>) -> Self {
         Runs {
             made: OnceLock::new(),
             make,
+            place: Some(Location::caller()),
         }
     }
 
-    /// The runs.
+    /// What is set up and has not moved yet, such as a drive: two who use it have read nothing of each other.
+    pub const fn setting(make: fn() -> Result<T, Failure>) -> Self {
+        Runs {
+            made: OnceLock::new(),
+            make,
+            place: None,
+        }
+    }
+
+    /// The runs. Who asks is noted to have read them, and those that they are made from.
     ///
     /// # Errors
     /// Why there are none; a formula that was read in making them is a reason too.
     pub fn get(&self) -> Result<&T, Failure> {
         let made = || match reading::of(self.make) {
-            (made, read) if read.is_empty() => made,
-            (_, read) => Err(format!("runs that are shared have read {read:?}").into()),
+            (made, read) if read.formulas.is_empty() => (made, read),
+            (_, read) => {
+                let formulas = &read.formulas;
+                let error = format!("runs that are shared have read {formulas:?}");
+                (Err(error.into()), read)
+            }
         };
-        self.made.get_or_init(made).as_ref().map_err(Failure::clone)
+        let (made, read) = self.made.get_or_init(made);
+        reading::also(read);
+        if let Some(place) = self.place {
+            reading::note_runs(place);
+        }
+        made.as_ref().map_err(Failure::clone)
     }
 }
 
@@ -86,7 +109,7 @@ impl<T> Runs<T> {
 /// one of these, it is derived anew for everyone.
 #[derive(Debug)]
 pub struct Derived<T: 'static> {
-    made: OnceLock<(T, BTreeSet<&'static str>)>,
+    made: OnceLock<(T, Read)>,
     make: fn() -> T,
 }
 
@@ -104,7 +127,7 @@ impl<T> Derived<T> {
         let made = || seeded::without(|| reading::of(self.make));
         let (made, read) = self.made.get_or_init(made);
         reading::also(read);
-        if seeded::is_in_any(read) {
+        if seeded::is_in_any(&read.formulas) {
             return then(&(self.make)());
         }
         then(made)

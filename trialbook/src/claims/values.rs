@@ -5,7 +5,8 @@ mod search;
 pub use search::{Match, NotDecimal, search};
 
 use super::compare::Failure;
-use std::sync::LazyLock;
+use crate::certified::enclosure::Enclosure;
+use std::sync::OnceLock;
 
 /// A number, computed when it is first asked for.
 #[derive(Debug)]
@@ -18,7 +19,10 @@ pub struct Value {
     pub claim: &'static str,
     /// Decimals shown, all of them certain.
     pub decimals: usize,
-    number: LazyLock<Result<f64, Failure>>,
+    /// How it is enclosed to any number of digits, where that is known.
+    pub enclosure: Option<Enclosure>,
+    computed: Option<fn() -> Result<f64, Failure>>,
+    number: OnceLock<Result<f64, Failure>>,
 }
 
 impl Value {
@@ -35,17 +39,59 @@ impl Value {
             meaning,
             claim,
             decimals,
-            number: LazyLock::new(number),
+            enclosure: None,
+            computed: Some(number),
+            number: OnceLock::new(),
         }
+    }
+
+    /// A number of a claim by its enclosure alone.
+    pub const fn enclosed(
+        id: &'static str,
+        claim: &'static str,
+        decimals: usize,
+        meaning: &'static str,
+        enclosure: Enclosure,
+    ) -> Self {
+        Value {
+            id,
+            meaning,
+            claim,
+            decimals,
+            enclosure: Some(enclosure),
+            computed: None,
+            number: OnceLock::new(),
+        }
+    }
+
+    /// The same number, which can be enclosed too.
+    pub const fn within(mut self, enclosure: Enclosure) -> Self {
+        self.enclosure = Some(enclosure);
+        self
     }
 
     /// The number.
     ///
     /// # Errors
-    /// A motion that cannot be followed.
+    /// A motion that cannot be followed, an enclosure that is not proved.
     pub fn number(&self) -> Result<f64, Failure> {
-        let failed = |error: &Failure| error.to_string().into();
-        self.number.as_ref().copied().map_err(failed)
+        let number = self
+            .number
+            .get_or_init(|| match (self.computed, self.enclosure) {
+                (Some(computed), _) => computed(),
+                (None, Some(enclosure)) => Ok(enclosure.interval()?.mid()),
+                (None, None) => Err("nothing computes it".into()),
+            });
+        number.clone()
+    }
+
+    /// Its decimals, correctly rounded to `digits` after the point.
+    ///
+    /// # Errors
+    /// A number without an enclosure, and as [`Enclosure::decimal`].
+    pub fn decimal(&self, digits: usize) -> Result<String, Failure> {
+        let enclosure = self.enclosure.ok_or("it has no enclosure")?;
+        Ok(enclosure.decimal(digits)?)
     }
 
     /// The number as shown.

@@ -69,6 +69,8 @@ pub struct EvidenceRow<'a> {
     pub proof: Option<&'a str>,
     /// True if it covers a part of the claim only.
     pub partial: bool,
+    /// The runs that it shares with other trials, by the places where they are made.
+    pub runs: Vec<String>,
 }
 
 impl Entry {
@@ -111,5 +113,6 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
         title: Some(e.title.as_str()).filter(|title| !title.is_empty()),
         proof: e.proof_words(),
         partial: e.partial,
+        runs: e.runs.iter().map(ToString::to_string).collect(),
     }
 }

@@ -236,9 +236,13 @@ impl<'a> Weighed<'a> {
         self.distinct().iter().any(|route| route.is_proof())
     }
 
-    /// Two independent routes, or one that proves.
+    /// Two independent routes, or one that proves. Routes that have read the same runs are one.
     fn enough(&self) -> bool {
-        self.distinct().len() >= 2 || self.is_proved()
+        let whole = || self.agree.iter().filter(|e| !e.partial);
+        let independent =
+            |a: &Evidence, b: &Evidence| a.route != b.route && a.runs.is_disjoint(&b.runs);
+        let two = whole().any(|a| whole().any(|b| independent(a, b)));
+        two || self.is_proved()
     }
 
     /// How it holds: proofs first, those of a part last.

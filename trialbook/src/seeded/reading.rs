@@ -1,20 +1,30 @@
-//! Which formulas a trial reads: noted while it runs, so that no name of a formula need be believed.
+//! What a trial reads, formulas and shared runs: noted while it runs, so that no name need be believed.
 
 use std::cell::{Cell, RefCell};
 use std::collections::BTreeSet;
+use std::panic::Location;
 use std::ptr;
+
+/// What was read.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Read {
+    /// Formulas, by their paths.
+    pub formulas: BTreeSet<&'static str>,
+    /// Shared runs, by the places where they are declared.
+    pub runs: BTreeSet<&'static Location<'static>>,
+}
 
 thread_local! {
     /// The formula read last, while anything watches.
     static LAST: Cell<Option<&'static str>> = const { Cell::new(None) };
-    static READ: RefCell<Option<BTreeSet<&'static str>>> = const { RefCell::new(None) };
+    static READ: RefCell<Option<Read>> = const { RefCell::new(None) };
 }
 
 /// What was noted before, until it is put back.
-struct Before(Option<BTreeSet<&'static str>>);
+struct Before(Option<Read>);
 
 impl Before {
-    fn set_aside(now: Option<BTreeSet<&'static str>>) -> Self {
+    fn set_aside(now: Option<Read>) -> Self {
         LAST.set(now.as_ref().map(|_| ""));
         Before(READ.replace(now))
     }
@@ -33,28 +43,39 @@ pub(super) fn note(formula: &'static str) {
     // Most are read many times in a row.
     if LAST.get().is_some_and(|last| !ptr::eq(last, formula)) {
         LAST.set(Some(formula));
-        READ.with_borrow_mut(|read| read.as_mut().map(|read| read.insert(formula)));
+        READ.with_borrow_mut(|read| read.as_mut().map(|read| read.formulas.insert(formula)));
     }
 }
 
-/// Calls `f`, and says which formulas it has read on this thread: their paths.
-pub fn of<T>(f: impl FnOnce() -> T) -> (T, BTreeSet<&'static str>) {
-    let _before = Before::set_aside(Some(BTreeSet::new()));
+/// Notes that shared runs are read on this thread.
+pub fn note_runs(runs: &'static Location<'static>) {
+    READ.with_borrow_mut(|read| read.as_mut().map(|read| read.runs.insert(runs)));
+}
+
+/// Calls `f`, and says what it has read on this thread.
+pub fn of<T>(f: impl FnOnce() -> T) -> (T, Read) {
+    let _before = Before::set_aside(Some(Read::default()));
     let value = f();
     (value, READ.take().unwrap_or_default())
 }
 
-/// Notes formulas that were read when something was derived that is used now.
-pub fn also(read: &BTreeSet<&'static str>) {
-    READ.with_borrow_mut(|noted| noted.as_mut().map(|noted| noted.extend(read)));
+/// Notes what was read when something was made that is used now.
+pub fn also(read: &Read) {
+    READ.with_borrow_mut(|noted| {
+        if let Some(noted) = noted {
+            noted.formulas.extend(&read.formulas);
+            noted.runs.extend(&read.runs);
+        }
+    });
 }
 
 #[cfg(test)]
 mod tests {
-    use super::{also, of};
+    use super::{Read, also, note_runs, of};
     use crate::scalar::Scalar;
     use crate::seeded::formulas;
     use std::collections::BTreeSet;
+    use std::panic::Location;
 
     formulas! {
 
@@ -74,18 +95,24 @@ mod tests {
 
     #[test]
     fn what_is_read_is_noted_and_what_is_read_for_another_is_not() {
-        let mut later = BTreeSet::new();
+        let place = Location::caller();
+        let mut later = Read::default();
         let (_, read) = of(|| {
             first(1.0);
-            (_, later) = of(|| second(1.0));
+            (_, later) = of(|| {
+                note_runs(place);
+                second(1.0)
+            });
             first(2.0);
         });
         let paths: Vec<_> = formulas::<f64>().iter().map(|f| f.path).collect();
-        assert_eq!(
-            [read, later.clone()],
-            [0, 1].map(|i| BTreeSet::from([paths[i]]))
-        );
+        let expected = [(0, BTreeSet::new()), (1, BTreeSet::from([place]))];
+        let expected = expected.map(|(i, runs)| Read {
+            formulas: BTreeSet::from([paths[i]]),
+            runs,
+        });
+        assert_eq!([read, later.clone()], expected);
         assert_eq!(of(|| also(&later)).1, later);
-        assert!(of(|| ()).1.is_empty());
+        assert_eq!(of(|| ()).1, Read::default());
     }
 }

@@ -4,7 +4,8 @@ use super::{Sides, Two, on_a, prove_b, q_y};
 use crate::certified::drive::arc;
 use crate::certified::error::CertifiedError;
 use crate::certified::interval::{Interval, PI};
-use crate::certified::{krawczyk, values};
+use crate::certified::krawczyk;
+use crate::certified::numbers::{LAMBDA_Y, Q_Y};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::enclosed::{DIGITS, certified, numbers, on_balls};
 use crate::claims::tolerances::NONE;
@@ -51,9 +52,10 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
 pub fn y_rounding() -> Evidence {
     let compared = "(58) with the enclosure of Y, rounded to three decimals";
     let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
-    let points = ["q-Y", "lambda-Y"].into_iter().zip(printed::eq58_y());
-    trial.over(points, |(name, stated)| {
-        let value = values::find(name).ok_or("no such value")?;
+    let points = [("q of Y", Q_Y), ("λ₀ of Y", LAMBDA_Y)]
+        .into_iter()
+        .zip(printed::eq58_y());
+    trial.over(points, |((name, value), stated)| {
         Ok(Pair {
             at: format!("{name}, rounded"),
             stated,
@@ -66,9 +68,9 @@ pub fn y_rounding() -> Evidence {
 /// (54) and (55) at Y.
 pub fn y_digits() -> Evidence {
     let compared = "q = √(1 + x²) for the one x in (4.4, 4.6) with tan x = x, to 50 digits, with the sum of q and the difference of the sides of (54) on (55)";
-    numbers([values::Q_Y], Subject::Printed, compared, |bits| {
+    numbers([("q of Y", Q_Y)], Subject::Printed, compared, |bits| {
         let spare = bits + 32;
-        let y = values::find("q-Y").and_then(|value| value.ball(DIGITS + 8).ok());
+        let y = Q_Y.ball(DIGITS + 8).ok();
         let q = Expr::symbol("q");
         let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), Expr::int(1));
         [on_balls(q + left - right, spare, &|_| y.clone()).map(|ball| ball.with_bits(bits))]
