@@ -75,7 +75,9 @@ pub(super) fn in_words(n: usize) -> String {
         "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
         "eleven", "twelve",
     ];
-    WORDS.get(n).map_or_else(|| count(n), |word| (*word).to_owned())
+    WORDS
+        .get(n)
+        .map_or_else(|| count(n), |word| (*word).to_owned())
 }
 
 /// A count with its noun: `1 point`, `20 points`.
