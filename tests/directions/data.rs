@@ -2,16 +2,14 @@
 
 use slipbook::figures::Figure;
 
-/// The numbers behind a figure.
-pub struct Data(pub Vec<Vec<String>>);
+/// The numbers behind a figure, and its drawing.
+pub struct Data(pub Vec<Vec<String>>, String);
 
 impl Data {
     pub fn of(figure: &Figure) -> Self {
         let rows = figure.csv.lines().skip(1);
-        Data(
-            rows.map(|row| row.split(',').map(str::to_owned).collect())
-                .collect(),
-        )
+        let cells = |row: &str| row.split(',').map(str::to_owned).collect();
+        Data(rows.map(cells).collect(), figure.svg.clone())
     }
 
     /// The rows with the same first cell, in order; of each the cells as numbers, NaN for words.
@@ -28,6 +26,21 @@ impl Data {
             }
         }
         groups
+    }
+
+    /// The keys below the panels that begin so: what follows, and whether the line beside it is dashed.
+    pub fn keys(&self, begin: &str) -> Vec<(&str, bool)> {
+        let lines = self.1.split("<path d=\"M1 -5H29\"").skip(1);
+        let keys = lines.filter_map(|line| {
+            let (drawn, after) = line.split_once("/>")?;
+            let key = after
+                .split_once("<text x=\"36\" y=\"0\">")?
+                .1
+                .split('<')
+                .next()?;
+            Some((key.strip_prefix(begin)?, drawn.contains("dasharray")))
+        });
+        keys.collect()
     }
 
     /// All rows as numbers.

@@ -267,4 +267,81 @@ pub const TRIED: &[Said] = &[
             groups.len() == 3 && groups.iter().all(|(_, rows)| end(rows) == "1.41")
         },
     ),
+    (
+        "sinusoidal-family",
+        "for larger friction lower humps that peak earlier",
+        |data| {
+            let peaks: Vec<[f64; 2]> = data
+                .groups()
+                .iter()
+                .map(|(_, rows)| peak(rows, 1, 2))
+                .collect();
+            peaks
+                .windows(2)
+                .all(|two| two[0][0] > two[1][0] && two[0][1] > two[1][1])
+        },
+    ),
+    (
+        "escape-compensated",
+        "values (dashed) on their way and settle on the corrected ones (solid)",
+        |data| {
+            let (printed, corrected) = (data.keys("printed: "), data.keys("corrected: "));
+            let ends = data
+                .groups()
+                .into_iter()
+                .map(|(_, rows)| rows[rows.len() - 1][3]);
+            let settled = |(end, key): (f64, &(&str, bool))| {
+                (end - key.0.parse::<f64>().unwrap()).abs() < 1e-5
+            };
+            printed.len() == 2
+                && printed.iter().all(|key| key.1)
+                && corrected.iter().all(|key| !key.1)
+                && ends.zip(&corrected).all(settled)
+        },
+    ),
+    (
+        "escape-compensated",
+        "along the line of the corrected value, above the printed one where there is one",
+        |data| {
+            let number = |key: &(&str, bool)| key.0.parse::<f64>().unwrap();
+            let (printed, corrected) = (data.keys("printed: "), data.keys("corrected: "));
+            printed.len() == 2
+                && printed
+                    .iter()
+                    .zip(&corrected)
+                    .all(|(p, c)| number(p) < number(c))
+        },
+    ),
+    ("rest-census", "(solid: to second order", |data| {
+        let keys = data.keys("to second order");
+        !keys.is_empty() && keys.iter().all(|key| !key.1)
+    }),
+    ("rest-census", "envelope (147) (dashed)", |data| {
+        let keys = data.keys("(147)");
+        !keys.is_empty() && keys.iter().all(|key| key.1)
+    }),
+    (
+        "rest-boundary",
+        "dashed line runs at 1.4, above all of them",
+        |data| {
+            format!("{SQRT_2:.1}") == "1.4"
+                && data
+                    .rows()
+                    .iter()
+                    .all(|row| (1.0 - row[2]) / row[0] < SQRT_2)
+        },
+    ),
+    ("fig-5", "all lie below C and beyond Y", |data| {
+        let wrong: Vec<_> = data
+            .0
+            .iter()
+            .filter(|row| row[0].contains("wrong"))
+            .collect();
+        let number = |cell: &String| cell.parse::<f64>().unwrap();
+        let beyond = |row: &&Vec<String>| {
+            number(&row[1]) > 4.603
+                && (number(&row[1]) - 1.0 / 60.0) * (number(&row[2]) - 0.7 / 180.0) < 1.0
+        };
+        !wrong.is_empty() && wrong.iter().all(beyond)
+    }),
 ];

@@ -132,7 +132,8 @@ fn every_count_in_the_text_is_computed_or_listed() {
     let all = COUNTS
         .lines()
         .skip_while(|line| !line.starts_with('#'))
-        .filter_map(|line| line.split_once(": "));
+        .filter_map(|line| line.split_once(": "))
+        .filter(|(by, _)| *by != "value");
     failures.extend(
         all.filter(|row| !used.contains(row))
             .map(|row| format!("listed, but not there: {row:?}")),
@@ -172,4 +173,26 @@ fn the_arithmetic_of_the_cases_by_hand_is_right() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn every_value_in_the_text_stands_where_it_is_listed() {
+    let mut failures = Vec::new();
+    for (page, text) in pages::one_line() {
+        let listed = counts::listed(COUNTS, &page);
+        let values = listed.iter().filter(|(by, _)| *by == "value");
+        let left = values.fold(text, |left, (_, words)| left.replace(words, ""));
+        for open in ["{{value ", "{{count "] {
+            let rest = left
+                .split(open)
+                .skip(1)
+                .filter_map(|rest| rest.split("}}").next());
+            failures.extend(rest.map(|name| format!("{page}: {open}{name}}}}}")));
+        }
+    }
+    assert!(
+        failures.is_empty(),
+        "not where they are listed:\n{}",
+        failures.join("\n")
+    );
 }

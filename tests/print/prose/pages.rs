@@ -1,7 +1,7 @@
 //! The pages as a reader meets them: sections, and in them prose and code by turns.
 
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What stands between two headings, or in one exercise.
 pub struct Section {
@@ -17,17 +17,34 @@ pub enum Block {
     Code(String),
 }
 
-/// All sections of all pages, in order.
-pub fn sections() -> Vec<Section> {
+/// The pages: name without extension, and text.
+fn pages() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("book/src");
     let files = fs::read_dir(folder).unwrap();
     let mut files: Vec<_> = files.map(|file| file.unwrap().path()).collect();
     files.sort();
-    let read = |path: &std::path::PathBuf| {
+    let read = |path: &PathBuf| {
         let stem = path.file_stem().unwrap().to_str().unwrap();
-        of_page(stem, &fs::read_to_string(path).unwrap())
+        (stem.to_owned(), fs::read_to_string(path).unwrap())
     };
-    files.iter().flat_map(read).collect()
+    files.iter().map(read).collect()
+}
+
+/// All sections of all pages, in order.
+pub fn sections() -> Vec<Section> {
+    pages()
+        .iter()
+        .flat_map(|(page, text)| of_page(page, text))
+        .collect()
+}
+
+/// The pages without code, each on one line.
+pub fn one_line() -> Vec<(String, String)> {
+    let line = |(page, text): (String, String)| {
+        let prose = without(&without(&text, "```", "```"), "`", "`");
+        (page, prose.split_whitespace().collect::<Vec<_>>().join(" "))
+    };
+    pages().into_iter().map(line).collect()
 }
 
 /// The sections of a page.
