@@ -44,7 +44,7 @@ pub mod turntable;
 
 pub use trialbook::claims::{Claim, Condition, Correction, Paper, Topic};
 #[cfg(feature = "book")]
-pub use trialbook::claims::{attempt, compare, conditioned, enclosed, points, runs, statement};
+pub use trialbook::claims::{attempt, compare, enclosed, points, runs, statement};
 
 /// All topics, in the paper's order.
 #[cfg(feature = "book")]

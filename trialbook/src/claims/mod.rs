@@ -10,8 +10,6 @@ pub mod by_hand;
 #[cfg(feature = "book")]
 pub mod compare;
 #[cfg(feature = "book")]
-pub mod conditioned;
-#[cfg(feature = "book")]
 pub mod enclosed;
 #[cfg(feature = "book")]
 pub mod formulas;
