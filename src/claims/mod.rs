@@ -6,6 +6,8 @@
 #[cfg(feature = "book")]
 pub mod by_hand;
 #[cfg(feature = "book")]
+pub mod corners;
+#[cfg(feature = "book")]
 pub mod distrust;
 #[cfg(feature = "book")]
 mod failure;
@@ -77,5 +79,7 @@ pub static PAPER: Paper = Paper {
     measured: measured::MEASURED,
     survivors: variants::SURVIVORS,
     idle: distrust::IDLE,
+    coarse: distrust::COARSE,
+    cornered: distrust::CORNERED,
     spared: variants::SPARED,
 };

@@ -59,7 +59,7 @@ pub fn parabola_motion() -> Evidence {
             at: format!("{}, t = {:.6}", start.at(), state.t),
             stated: printed::s21_parabola(start.a, vx, vy, state.x[1]),
             found: state.x[0],
-            scale: (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs(),
+            scale: (start.v0 + 0.5 * start.a * state.t) * state.t * (start.v0 / vy).abs(),
         })
     })
 }

@@ -79,7 +79,7 @@ pub fn large() -> Vec<f64> {
     let c = lambda_c();
     let mut list: Vec<_> = (0..60).map(|_| points.uniform(c, 1.0)).collect();
     list.extend([c + 1e-9, c + 1e-6, c + 1e-3]);
-    list.extend([1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9]);
+    list.extend([1.0 - 1e-3, 1.0 - 5e-4, 1.0 - 1e-6, 1.0 - 1e-9]);
     list
 }
 

@@ -61,7 +61,7 @@ pub fn eq37_motion() -> Evidence {
             at: at(onset),
             stated: printed::eq37_lambda_c(),
             found: onset.lambda,
-            scale: 1.0,
+            scale: onset.lambda,
         })
     })
 }

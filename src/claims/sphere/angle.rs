@@ -161,7 +161,10 @@ impl Turn {
     }
 }
 
-/// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ.
+/// Next to no friction, hardly less and more than the critical one, and much.
+const EDGES: [f64; 4] = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4, 12.0];
+
+/// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges.
 fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
     static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
         let mut points = Points::stream(404);
@@ -173,17 +176,18 @@ fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
             };
             let theta0 = points.sign() * points.uniform(0.2, 3.0);
             let (lambda, theta0) = match i {
-                180.. => (
+                180..200 => (
                     -libm::cos(1.6 + 0.07 * (i - 180) as f64),
                     1.6 + 0.07 * (i - 180) as f64,
                 ),
+                200.. => (EDGES[i % EDGES.len()], theta0),
                 _ => (lambda, theta0),
             };
             // Late slips at large friction have next to no angle left.
             let elapsed = points.uniform(0.05, 0.8);
             Turn::new(i, &mut points, lambda, theta0, elapsed)
         };
-        every((0..200).map(turn))
+        every((0..220).map(turn))
     });
     TURNS.each()
 }
@@ -335,8 +339,9 @@ pub fn corrected82() -> Evidence {
 pub fn corrected82_quadrature() -> Evidence {
     let compared = "(82) over γ with −∫ u dθ/(γ sin θ), u = u₀ exp ∫ (λ − cos θ) dθ/sin θ, both integrals by a foreign integrator";
     let turns = turns().filter(|turn| {
-        turn.as_ref()
-            .map_or(true, |t| t.has_a_time() && t.condition() < 100.0)
+        turn.as_ref().map_or(true, |t| {
+            t.has_a_time() && t.condition() < 100.0 && t.theta.abs() > 1e-3
+        })
     });
     Trial::quadrature(Subject::Corrected, compared).over(turns, |turn| {
         let turn = turn?;
