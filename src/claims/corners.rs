@@ -2,7 +2,6 @@
 
 use crate::seeded::{Corner, Domain};
 use std::f64::consts::PI;
-use std::f64::{INFINITY, NEG_INFINITY};
 
 /// How near is near.
 const NEAR: f64 = 1e-3;
@@ -12,11 +11,11 @@ const fn corner(letter: &'static str, low: f64, high: f64) -> Corner {
 }
 
 const fn above(letter: &'static str, low: f64) -> Corner {
-    corner(letter, low, INFINITY)
+    corner(letter, low, f64::INFINITY)
 }
 
 const fn negative(letter: &'static str) -> Corner {
-    corner(letter, NEG_INFINITY, 0.0)
+    corner(letter, f64::NEG_INFINITY, 0.0)
 }
 
 /// The corners of each symbol, by its letter.
@@ -61,8 +60,8 @@ pub const DOMAINS: &[Domain] = &[
     domain("eq-12", "θ", 0.0, PI),
     domain("eq-12", "θ₀", 0.0, PI),
     // Where friction stops the particle.
-    domain("eq-20", "λ", 1.0, INFINITY),
-    domain("s21-large-friction-stops", "λ", 1.0, INFINITY),
+    domain("eq-20", "λ", 1.0, f64::INFINITY),
+    domain("s21-large-friction-stops", "λ", 1.0, f64::INFINITY),
     // By (25).
     domain("eq-27", "λ₀", 0.0, 1.0),
     domain("eq-28", "λ₀", 0.0, 1.0),
@@ -88,10 +87,10 @@ pub const DOMAINS: &[Domain] = &[
     // What the mirror takes back to q ≥ 1.
     domain("s24-q-at-least-one", "q", 0.0, 1.0),
     // An escape at large α.
-    domain("eq-128", "α", 1.0, INFINITY),
-    domain("eq-129", "α", 1.0, INFINITY),
+    domain("eq-128", "α", 1.0, f64::INFINITY),
+    domain("eq-129", "α", 1.0, f64::INFINITY),
     // Just before the particle comes to rest, α → 0; τ is counted from the rest, and negative.
-    domain("eq-141", "τ", NEG_INFINITY, 0.0),
+    domain("eq-141", "τ", f64::NEG_INFINITY, 0.0),
     domain("eq-142", "α", 0.0, 0.1),
     domain("eq-142", "ψ", -1.0, 1.0),
     domain("eq-143", "α", 0.0, 0.1),
