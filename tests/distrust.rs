@@ -1,7 +1,7 @@
 //! Mistakes are seeded in what the trials read: each trial notices one at least, and what it finds stays where it is.
 
 use libtest_mimic::{Arguments, Failed, Trial};
-use slipbook::claims::distrust::IDLE;
+use slipbook::claims::distrust::{COARSE, CORNERED, IDLE};
 use slipbook::claims::variants::Variant;
 use slipbook::claims::{PAPER, Topic};
 use slipbook::ledger::Ledger;
@@ -40,11 +40,38 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
     let excused = IDLE.iter().filter(|idle| of_topic(idle.claim));
     let excused: BTreeSet<_> = excused.map(|idle| (idle.claim, idle.trial)).collect();
     let wrong: Vec<_> = idle.symmetric_difference(&excused).collect();
-    if leaning.is_empty() && wrong.is_empty() {
+
+    let slight = ledger.slight();
+    let coarse = slight.iter().filter(|s| !s.noticed).map(|s| {
+        let entry = &ledger.entries[s.entry];
+        (entry.claim.id, entry.evidence[s.trial].trial, s.formula)
+    });
+    let coarse: BTreeSet<_> = coarse.collect();
+    let excused = COARSE.iter().filter(|c| of_topic(c.claim));
+    let excused: BTreeSet<_> = excused.map(|c| (c.claim, c.trial, c.formula)).collect();
+    let coarse: Vec<_> = coarse.symmetric_difference(&excused).collect();
+
+    let mut corners = PAPER.formulas.corners();
+    corners.retain(|variant| of_topic(&variant.claim));
+    let noticed = ledger.noticed(&corners);
+    let cornered = corners
+        .iter()
+        .zip(noticed)
+        .filter(|(_, noticed)| *noticed == Some(false));
+    let cornered: BTreeSet<_> = cornered
+        .map(|(v, _)| (v.claim.as_str(), v.text.as_str()))
+        .collect();
+    let excused = CORNERED.iter().filter(|c| of_topic(c.claim));
+    let excused: BTreeSet<_> = excused.map(|c| (c.claim, c.text)).collect();
+    let cornered: Vec<_> = cornered.symmetric_difference(&excused).collect();
+
+    if leaning.is_empty() && wrong.is_empty() && coarse.is_empty() && cornered.is_empty() {
         return Ok(());
     }
     Err(format!(
-        "notice nothing without a reason, or have one for nothing: {wrong:#?}; find something else: {leaning:#?}"
+        "notice nothing without a reason, or have one for nothing: {wrong:#?}; find something else, or in other units: \
+         {leaning:#?}; do not notice twice the tolerance, or do: {coarse:#?}; nobody notices a corner, or somebody does: \
+         {cornered:#?}"
     )
     .into())
 }

@@ -1,5 +1,6 @@
 //! Every formula, printed and corrected, and the claim that tries it.
 
+use super::corners::{CORNERS, DOMAINS};
 use super::variants::{UP_TO_A_FACTOR, UP_TO_A_POSITIVE_FACTOR, argument};
 use crate::scalar::Scalar;
 use crate::seeded::Formula;
@@ -143,6 +144,8 @@ pub const FORMULAS: Formulas = Formulas {
     tried_in: TRIED_IN,
     up_to_a_factor: &UP_TO_A_FACTOR,
     up_to_a_positive_factor: &UP_TO_A_POSITIVE_FACTOR,
+    corners: CORNERS,
+    domains: DOMAINS,
     argument,
 };
 

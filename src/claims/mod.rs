@@ -6,6 +6,8 @@
 #[cfg(feature = "book")]
 pub mod by_hand;
 #[cfg(feature = "book")]
+pub mod corners;
+#[cfg(feature = "book")]
 pub mod distrust;
 #[cfg(feature = "book")]
 mod failure;
@@ -44,7 +46,7 @@ pub mod turntable;
 
 pub use trialbook::claims::{Claim, Condition, Correction, Paper, Topic};
 #[cfg(feature = "book")]
-pub use trialbook::claims::{attempt, compare, conditioned, enclosed, points, runs, statement};
+pub use trialbook::claims::{attempt, compare, enclosed, points, runs, statement};
 
 /// All topics, in the paper's order.
 #[cfg(feature = "book")]
@@ -77,5 +79,7 @@ pub static PAPER: Paper = Paper {
     measured: measured::MEASURED,
     survivors: variants::SURVIVORS,
     idle: distrust::IDLE,
+    coarse: distrust::COARSE,
+    cornered: distrust::CORNERED,
     spared: variants::SPARED,
 };

@@ -63,6 +63,11 @@ pub trait Scalar:
     fn coth(self) -> Self {
         self.cosh() / self.sinh()
     }
+    /// The work number nearest to it; `None` if it stands for none.
+    #[cfg(feature = "book")]
+    fn nearest(self) -> Option<f64> {
+        None
+    }
     /// (1 − xᵏ)/k, where the number can tell k from zero also there: −ln x.
     fn power_fall(self, k: Self) -> Self {
         (Self::int(1) - self.pow(k)) / k
@@ -124,6 +129,10 @@ impl Scalar for f64 {
         } else {
             -libm::expm1(k * ln) / k
         }
+    }
+    #[cfg(feature = "book")]
+    fn nearest(self) -> Option<f64> {
+        Some(self)
     }
     fn tan(self) -> Self {
         libm::tan(self)

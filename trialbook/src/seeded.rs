@@ -6,12 +6,16 @@
 //! and trees, and a trial cannot tell it from a misprint. What [`reading`] watches is noted too: which formulas it reads.
 
 #[cfg(feature = "book")]
+mod corner;
+#[cfg(feature = "book")]
 mod number;
 #[cfg(feature = "book")]
 mod parts;
 #[cfg(feature = "book")]
 pub mod reading;
 
+#[cfg(feature = "book")]
+pub use corner::{Corner, Domain};
 #[cfg(feature = "book")]
 pub use number::{Seeded, evaluate};
 #[cfg(feature = "book")]
@@ -22,7 +26,7 @@ use std::cell::{Cell, RefCell};
 
 /// What is changed at a place.
 #[cfg(feature = "book")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mistake {
     /// The sign.
     Sign,
@@ -34,6 +38,28 @@ pub enum Mistake {
     More,
     /// A whole number or the exponent of a square, one less; the other sign of an exponent; 1 for π.
     Less,
+    /// An inverse function on its other branch: over the upper half of its range, or the lower.
+    Branch(bool),
+    /// Not at a place but of the value: as large a part of it too much as one over this number; too little where it is
+    /// negative.
+    Part(i64),
+    /// Not at a place but of the value: a hundredth too much where the argument of this number is in the corner.
+    Corner(&'static Corner, usize),
+}
+
+#[cfg(feature = "book")]
+impl Mistake {
+    /// What of the value is too much, as in [`Mistake::Part`], at these arguments.
+    fn part<S: crate::scalar::Scalar>(self, arguments: &[S]) -> Option<i64> {
+        match self {
+            Mistake::Part(part) => Some(part),
+            Mistake::Corner(corner, i) => {
+                let here = arguments[i].nearest().is_some_and(|x| corner.holds(x));
+                here.then_some(100)
+            }
+            _ => None,
+        }
+    }
 }
 
 /// A place that an evaluation passes: where an argument is read, or what an operation gives.
@@ -44,6 +70,8 @@ pub enum Place {
     Argument(usize),
     /// An operation: whether it can be done with [`Mistake::More`], and with [`Mistake::Less`].
     Operation([bool; 2]),
+    /// An inverse function, which can be done with [`Mistake::More`] and [`Mistake::Branch`].
+    Inverse,
 }
 
 #[cfg(feature = "book")]
@@ -61,6 +89,7 @@ impl Place {
                 all.extend(more.then_some(Mistake::More));
                 all.extend(less.then_some(Mistake::Less));
             }
+            Place::Inverse => all.push(Mistake::More),
         }
         all
     }
@@ -68,7 +97,7 @@ impl Place {
 
 /// A mistake at a place of a formula.
 #[cfg(feature = "book")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seed {
     /// The formula's path: `some_crate::some_topic::eq13_time`.
     pub formula: &'static str,
@@ -76,6 +105,18 @@ pub struct Seed {
     pub place: usize,
     /// The mistake.
     pub mistake: Mistake,
+}
+
+#[cfg(feature = "book")]
+impl Seed {
+    /// A mistake of the value, at no place.
+    pub fn of_value(formula: &'static str, mistake: Mistake) -> Self {
+        Seed {
+            formula,
+            place: usize::MAX,
+            mistake,
+        }
+    }
 }
 
 #[cfg(feature = "book")]
@@ -123,12 +164,7 @@ pub fn is_in(formula: &'static str) -> bool {
 /// The places that `evaluation` of the formula of this path passes, in order.
 #[cfg(feature = "book")]
 pub fn places(formula: &'static str, evaluation: impl FnOnce()) -> Vec<Place> {
-    let nowhere = Seed {
-        formula,
-        place: usize::MAX,
-        mistake: Mistake::Sign,
-    };
-    with(nowhere, evaluation);
+    with(Seed::of_value(formula, Mistake::Sign), evaluation);
     PLACES.take()
 }
 

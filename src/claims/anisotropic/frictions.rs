@@ -8,29 +8,45 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, Friction, Sign};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::anisotropic as printed;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 const fn consistency(compared: &'static str) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
+}
+
+/// A ratio q: moderate, 1 where λ₀ is close to 1, and large in every tenth case.
+fn ratio(i: usize, points: &mut Points) -> f64 {
+    match i % 10 {
+        6 => 1.0,
+        8 => points.uniform(8.0, 12.0),
+        _ => points.uniform(1.0, 3.0),
+    }
 }
 
 /// μ₊, μ₋, g, A₀ and a phase. Half of the cases lie in the region without rest, half beyond it.
 fn laboratory(stream: u64) -> impl Iterator<Item = [f64; 5]> {
     let mut points = Points::stream(stream);
     (0..100).map(move |i| {
-        let (g, a0) = (points.uniform(1.0, 20.0), points.log_uniform(0.1, 10.0));
-        let lambda = if i % 2 == 0 {
-            points.uniform(0.05, 0.2)
-        } else {
-            points.uniform(0.3, 0.9)
+        let (g, a0) = (points.uniform(0.2, 5.0), points.log_uniform(0.1, 10.0));
+        let lambda = match i % 10 {
+            4 => 5e-4,
+            6 => 1.0 - 5e-4,
+            8 => points.uniform(0.005, 0.015),
+            even if even % 2 == 0 => points.uniform(0.05, 0.2),
+            _ => points.uniform(0.3, 0.9),
         };
         let mu_plus = lambda * a0 / g;
         [
             mu_plus,
-            mu_plus * points.uniform(1.0, 3.0),
+            mu_plus * ratio(i, &mut points),
             g,
             a0,
-            points.uniform(0.0, TAU),
+            // Close to λ₀ = 1 the particle moves for a moment only.
+            match i % 20 {
+                6 => 1.59,
+                16 => 4.73,
+                _ => points.uniform(0.0, TAU),
+            },
         ]
     })
 }
@@ -61,7 +77,8 @@ fn against_dimensional(
             // No motion has a friction below zero.
             stated: w().unwrap_or(f64::NAN) * a0,
             found: dimensional(case)?,
-            scale: a0,
+            // With next to no friction the end of a period says little about its periodic state.
+            scale: a0 * (0.05 * a0 / (mu_plus * g)).max(1.0),
         })
     })
 }
@@ -111,13 +128,19 @@ fn summed_rate(
     rate: fn(f64, f64, f64) -> f64,
 ) -> Evidence {
     let mut points = Points::stream(stream);
-    // For q < 4 and λ₀ < 1/q there is motion both ways.
+    // For q < 4 and λ₀ < 1/q there is motion both ways, for large q below (53).
     let cases = (0..300).map(move |i| {
-        let q = points.uniform(1.0, 4.0);
-        let lambda0 = if i % 3 == 0 {
-            points.log_uniform(1e-3, 0.1)
-        } else {
-            points.uniform(0.1, 0.95) / q
+        let (q, lambda0) = match i % 50 {
+            24 => (1.0, 1.0 - 5e-4),
+            49 => {
+                let q = points.uniform(8.0, 30.0);
+                (q, points.uniform(0.1, 0.9) * PI / ((q + 1.0) * (q + 1.0)))
+            }
+            k if k % 3 == 0 => (points.uniform(1.0, 4.0), points.log_uniform(1e-4, 0.1)),
+            _ => {
+                let q = points.uniform(1.0, 4.0);
+                (q, points.uniform(0.1, 0.95) / q)
+            }
         };
         let [a, b] = [0.0; 2].map(|_| points.uniform(0.0, 1.0));
         (q, lambda0, a.min(b), a.max(b))

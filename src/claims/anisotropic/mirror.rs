@@ -20,8 +20,14 @@ pub fn integration() -> Evidence {
     let compared = "−𝔴(φ + π) of the motion with 1/q and qλ₀ from the mirrored start with 𝔴(φ) of the motion with q < 1 and λ₀";
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(312);
-    trial.over(0..400, |_| {
+    trial.over(0..400, |i| {
         let (q, lambda0) = small_ratio(&mut points);
+        let lambda0 = match i % 20 {
+            7 => 5e-4,
+            8 => 1.0 - 5e-4,
+            9 => 1.0 + 5e-4,
+            _ => lambda0,
+        };
         let start = State {
             phi: points.uniform(0.0, 6.0),
             w: points.uniform(-2.0, 2.0),

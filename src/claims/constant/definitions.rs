@@ -65,7 +65,7 @@ pub fn eq5() -> Evidence {
     trial.over(0..1000, |_| {
         let (theta0, mu, g) = (
             points.uniform(0.1, 3.0),
-            points.uniform(0.1, 1.0),
+            points.uniform(0.1, 2.0),
             points.uniform(1.0, 20.0),
         );
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 0.9));

@@ -2,11 +2,11 @@
 
 use super::launches::Turn;
 use crate::claims::compare::{Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Motion;
 use crate::motion::MotionError;
+use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use std::f64::consts::PI;
 
@@ -95,11 +95,13 @@ pub fn points() -> Evidence {
     });
     trial.over(drawn, |point| {
         let (lambda, theta0, state) = point?;
-        let number = Conditioned::measured;
+        let number = Double::from;
         let theta = state.direction();
         let speed = printed::eq11_speed(number(lambda), number(1.0), number(theta0), number(theta));
         let at = format!("λ = {lambda}, θ₀ = {theta0:.6}, θ = {theta:.6}");
-        Ok(Pair::conditioned(at, speed, state.speed()))
+        let launch = Turn::launch(lambda, 1.0, 1.0, theta0);
+        let condition = Turn { theta, ..launch }.condition();
+        Ok(Pair::wide(at, speed, state.speed()).within(state.speed() * condition))
     })
 }
 

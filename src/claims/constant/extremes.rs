@@ -103,7 +103,8 @@ pub fn large_friction_turns() -> Evidence {
         let mut falls = stop.nodes.iter().map(fall);
         let last = falls.rfind(|(turn, slow)| turn.is_finite() && slow.is_finite());
         let (turned, found) = last.ok_or("no step")?;
-        let rate = |y: f64| 1.0 / corrected::turning_slope(lambda, 2.0 * libm::atan(libm::exp(y)));
+        let side = 2f64.copysign(theta0);
+        let rate = |y: f64| 1.0 / corrected::turning_slope(lambda, side * libm::atan(libm::exp(y)));
         let scale = (1.0 + found.abs()) * stop.start.condition();
         let stated = integral_within(rate, tangent(theta0), turned, 1e-14 * scale);
         Ok(Pair {

@@ -3,9 +3,9 @@
 
 use super::launches::{Turn, straight, turns, turns_where};
 use crate::claims::compare::{Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
+use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 
@@ -98,10 +98,10 @@ fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
     let compared = "(10) at θ over (10) at θ₀, along the motion, with 1";
     Trial::motion(subject, compared).over(turns_where(wanted), |turn| {
         let turn = turn?;
-        let number = Conditioned::measured;
+        let number = Double::from;
         let at = |v, theta| printed::eq10_invariant(number(turn.lambda), number(v), number(theta));
         let ratio = at(turn.v, turn.theta) / at(turn.v0, turn.theta0);
-        Ok(Pair::conditioned(turn.at(), ratio, 1.0))
+        Ok(Pair::wide(turn.at(), ratio, 1.0).within(turn.condition()))
     })
 }
 
@@ -123,7 +123,7 @@ pub fn eq11_motion() -> Evidence {
     Trial::motion(Subject::Within, compared).over(turns(), |turn| {
         let turn = turn?;
         let speed = turn.formula(printed::eq11_speed);
-        Ok(Pair::conditioned(turn.at(), speed, turn.v))
+        Ok(Pair::wide(turn.at(), speed, turn.v).within(turn.v * turn.condition()))
     })
 }
 
@@ -137,9 +137,7 @@ pub fn eq11_quadrature() -> Evidence {
         let log_ratio = turn.integral(rate, 1e-13 * turn.condition())?;
         let found = turn.v0 * libm::exp(log_ratio);
         let speed = turn.formula(printed::eq11_speed);
-        let mut pair = Pair::conditioned(turn.at(), speed, found);
-        pair.scale = pair.scale.max(found * turn.condition());
-        Ok(pair)
+        Ok(Pair::wide(turn.at(), speed, found).within(found * turn.condition()))
     })
 }
 
@@ -150,6 +148,6 @@ pub fn eq11_outside() -> Evidence {
     Trial::motion(Subject::Outside, compared).over(straight(), |turn| {
         let turn = &turn?;
         let speed = turn.formula(printed::eq11_speed);
-        Ok(Pair::conditioned(turn.at(), speed, turn.v))
+        Ok(Pair::wide(turn.at(), speed, turn.v))
     })
 }

@@ -1,12 +1,13 @@
 //! The inclined plane, in three dimensions: weight, normal force and friction. It is the case A = g sin β,
 //! λ = μ cot β of section 2.1.
 
+use super::launches::Turn;
 use crate::claims::compare::{Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
+use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use nalgebra::{Rotation3, Unit, Vector3};
 
@@ -93,10 +94,7 @@ pub fn time() -> Evidence {
 }
 
 /// A printed formula of (λ, A, v₀, θ₀, θ) with what is found of it from the speed and the time on the incline.
-fn slides(
-    compared: &'static str,
-    pair: fn([Conditioned; 5], f64, f64) -> (Conditioned, f64),
-) -> Evidence {
+fn slides(compared: &'static str, pair: fn([Double; 5], f64, f64) -> (Double, f64)) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(12);
     trial.over(0..300, |_| {
@@ -115,9 +113,11 @@ fn slides(
         )?);
         let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
         let Incline { v0, theta0, .. } = incline;
-        let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Conditioned::measured);
+        let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Double::from);
         let (stated, found) = pair(at, end.norm(), duration);
-        Ok(Pair::conditioned(incline.at(), stated, found))
+        let launch = Turn::launch(incline.lambda(), incline.a(), v0, theta0);
+        let condition = Turn { theta, ..launch }.condition();
+        Ok(Pair::wide(incline.at(), stated, found).within(found * condition))
     })
 }
 

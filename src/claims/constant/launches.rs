@@ -1,12 +1,12 @@
 //! The motions that the printed formulas of section 2.1 are held against: launches at a speed v₀ and an
 //! angle θ₀, followed until the velocity has turned to an angle θ.
 
-use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::{Launch, Motion, MotionError, PhaseKind, State};
 use crate::numerics::NumericsError;
 use crate::numerics::dop853;
+use crate::numerics::double::Double;
 use crate::numerics::quadrature::integral_within;
 use std::f64::consts::PI;
 
@@ -43,12 +43,9 @@ impl Turn {
     }
 
     /// A printed formula for the speed, at this turn.
-    pub fn formula(
-        &self,
-        speed: fn(Conditioned, Conditioned, Conditioned, Conditioned) -> Conditioned,
-    ) -> Conditioned {
+    pub fn formula(&self, speed: fn(Double, Double, Double, Double) -> Double) -> Double {
         let [lambda, v0, theta0, theta] =
-            [self.lambda, self.v0, self.theta0, self.theta].map(Conditioned::measured);
+            [self.lambda, self.v0, self.theta0, self.theta].map(Double::from);
         speed(lambda, v0, theta0, theta)
     }
 
@@ -56,6 +53,13 @@ impl Turn {
     pub fn condition(&self) -> f64 {
         let steep = |theta: f64| (1.0 + self.lambda) * (theta / libm::sin(theta)).abs();
         steep(self.theta0).max(steep(self.theta))
+    }
+
+    /// The size in units of which the time is known: it grows with the errors of the angles by A dt = −v dθ/sin θ too.
+    pub fn time_scale(&self) -> f64 {
+        let moved = |v: f64, theta: f64| (v * theta / (self.a * libm::sin(theta))).abs();
+        let ends = moved(self.v0, self.theta0).max(moved(self.v, self.theta));
+        ends.max(self.t * self.condition())
     }
 
     /// True where that growth costs at most two digits or so; the other points are left to other routes.

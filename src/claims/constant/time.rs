@@ -2,10 +2,10 @@
 
 use super::launches::{Turn, straight, turns, turns_where};
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
+use crate::numerics::double::Double;
 use crate::numerics::roots::root;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
@@ -15,8 +15,8 @@ fn eq13_has_a_value(turn: &Turn) -> bool {
     turn.lambda != 1.0 && turn.lambda + libm::cos(turn.theta0) != 0.0
 }
 
-fn eq13(turn: &Turn) -> Conditioned {
-    let number = Conditioned::measured;
+fn eq13(turn: &Turn) -> Double {
+    let number = Double::from;
     printed::eq13_time(
         number(turn.lambda),
         number(turn.a),
@@ -81,7 +81,7 @@ pub fn eq13_motion() -> Evidence {
     );
     trial.over(turns_where(eq13_has_a_value), |turn| {
         let turn = turn?;
-        Ok(Pair::conditioned(turn.at(), eq13(turn), turn.t))
+        Ok(Pair::wide(turn.at(), eq13(turn), turn.t).within(turn.time_scale()))
     })
 }
 
@@ -96,9 +96,7 @@ pub fn eq13_quadrature() -> Evidence {
         |turn| {
             let turn = turn?;
             let found = turn.time_over_the_angle(turn.ln_fall())?;
-            let mut pair = Pair::conditioned(turn.at(), eq13(turn), found);
-            pair.scale = pair.scale.max(found * turn.condition());
-            Ok(pair)
+            Ok(Pair::wide(turn.at(), eq13(turn), found).within(turn.time_scale()))
         },
     )
 }
@@ -161,8 +159,8 @@ fn eq13_outside<E: std::fmt::Display + Into<Failure>>(
     })
 }
 
-fn eq14(turn: &Turn) -> Conditioned {
-    let number = Conditioned::measured;
+fn eq14<S: Scalar + From<f64>>(turn: &Turn) -> S {
+    let number = S::from;
     printed::eq14_speed_at_time(
         number(turn.lambda),
         number(turn.a),
@@ -171,6 +169,18 @@ fn eq14(turn: &Turn) -> Conditioned {
         number(turn.theta),
         number(turn.t),
     )
+}
+
+/// What a unit of relative rounding of the time and the angles makes of the speed that they determine together: little
+/// where λ + cos θ is small.
+fn speed_at_time_scale(turn: &Turn) -> f64 {
+    let of = |v: f64, theta: f64| v * (turn.lambda + theta.abs());
+    let gained = turn.a * turn.t * (1.0 + turn.lambda);
+    let largest = gained
+        .max(of(turn.v0, turn.theta0))
+        .max(of(turn.v, turn.theta));
+    turn.v
+        .max(largest / (turn.lambda + libm::cos(turn.theta)).abs())
 }
 
 /// (14) with the speed of the motion.
@@ -182,7 +192,7 @@ pub fn eq14_motion() -> Evidence {
     let all = turns().map(|turn| turn.copied()).chain(straight());
     trial.over(all, |turn| {
         let turn = &turn?;
-        Ok(Pair::conditioned(turn.at(), eq14(turn), turn.v))
+        Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(speed_at_time_scale(turn)))
     })
 }
 
@@ -196,7 +206,7 @@ pub fn eq14_outside() -> Evidence {
         let turn = &turn?;
         Ok(Pair {
             at: turn.at(),
-            stated: eq14(turn).value,
+            stated: eq14::<f64>(turn),
             found: turn.v,
             scale: turn.v,
         })

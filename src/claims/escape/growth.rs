@@ -130,7 +130,7 @@ pub fn printed_speed() -> f64 {
 }
 /// The limit of p/τ² as corrected.
 pub fn corrected_speed() -> f64 {
-    corrected::rho(1.0)
+    corrected::rho(LATE) / (LATE * LATE)
 }
 /// The limit of A/τ^(3/2) as printed.
 pub fn printed_size() -> f64 {
@@ -138,11 +138,11 @@ pub fn printed_size() -> f64 {
 }
 /// The limit of A/τ^(3/2) as corrected.
 pub fn corrected_size() -> f64 {
-    corrected::a(1.0)
+    corrected::a(LATE) / libm::pow(LATE, 1.5)
 }
 /// The limit of (π/2 − ψ) τ as corrected.
 pub fn corrected_lag() -> f64 {
-    corrected::lag(1.0)
+    corrected::lag(LATE) * LATE
 }
 
 /// A stated limit against the limit of what the motion does.
@@ -403,7 +403,9 @@ pub fn eq137_exponent() -> Evidence {
 /// The prefactor of what replaces it.
 pub fn corrected137_limit() -> Evidence {
     let compared = "1/(9√2) with s/τ³ of the motion, for τ → ∞";
-    against(Subject::Corrected, compared, way, |_| Ok(corrected::s(1.0)))
+    against(Subject::Corrected, compared, way, |_| {
+        Ok(corrected::s(LATE) / libm::pow(LATE, 3.0))
+    })
 }
 /// Its first correction.
 pub fn corrected137_delay() -> Evidence {

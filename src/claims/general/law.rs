@@ -12,6 +12,9 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
 use crate::scalar::Scalar;
 
+/// g: so small that some coefficients of friction exceed 1.
+const GRAVITY: f64 = 0.5;
+
 /// The cases, each up to a time before the particle can stop and before the acceleration can jump.
 fn cases() -> impl Iterator<Item = (Case, f64)> {
     bounded(20, 3.0).map(|case| {
@@ -56,7 +59,7 @@ fn components_at_the_end(case: &Case, until: f64) -> [Result<Pair, Failure>; 2] 
 fn by_the_law(case: &Case, until: f64) -> [f64; 2] {
     let rate = |_: f64, y: &[f64; 3]| {
         let a = acceleration(case, y[2]);
-        let rate = printed::eq1_velocity_rate(a, case.friction / 9.8, 9.8, [y[0], y[1]]);
+        let rate = printed::eq1_velocity_rate(a, case.friction / GRAVITY, GRAVITY, [y[0], y[1]]);
         [rate[0], rate[1], 1.0]
     };
     let [vx, vy] = case.start.v;
@@ -110,7 +113,7 @@ pub fn eq2_motion() -> Evidence {
 
 fn eq1_rate(case: &Case, state: &State) -> f64 {
     let a = acceleration(case, state.t);
-    let [x, y] = printed::eq1_velocity_rate(a, case.friction / 9.8, 9.8, state.v);
+    let [x, y] = printed::eq1_velocity_rate(a, case.friction / GRAVITY, GRAVITY, state.v);
     x + 2.0 * y
 }
 
@@ -120,7 +123,7 @@ fn components(state: &State) -> f64 {
 
 fn eq2_rate(case: &Case, state: &State) -> f64 {
     let a = acceleration(case, state.t);
-    printed::eq2_speed_rate(a, case.friction / 9.8, 9.8, state.v)
+    printed::eq2_speed_rate(a, case.friction / GRAVITY, GRAVITY, state.v)
 }
 
 /// Times at which each motion is looked at.

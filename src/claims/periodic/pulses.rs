@@ -21,7 +21,9 @@ const NEAR_ENDS: [f64; 4] = [1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6];
 /// (η, λ₀) with η < λ₀ < 1 over the whole triangle, and along its edges.
 fn above() -> Vec<(f64, f64)> {
     let mut points = Points::stream(200);
-    square(&mut points, |eta, share| eta + (1.0 - eta) * share)
+    let mut list = square(&mut points, |eta, share| eta + (1.0 - eta) * share);
+    list.push((2e-4, 5e-4));
+    list
 }
 
 /// (η, λ₀) with 0 < λ₀ < η, and along the edges; λ₀ from a hundredth of η, below which rounding, divided by
@@ -31,6 +33,7 @@ fn below() -> Vec<(f64, f64)> {
     square(&mut points, |eta, share| eta * (0.01 + 0.99 * share))
         .into_iter()
         .filter(|(eta, _)| *eta > 0.05)
+        .chain([(1.0 - 1e-4, 1.0 - 5e-4)])
         .collect()
 }
 

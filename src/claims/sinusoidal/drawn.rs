@@ -6,6 +6,7 @@ use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{PlanarState, Sign};
+use crate::numerics::number::Real;
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
@@ -171,7 +172,7 @@ fn within_period(from: f64, phi: f64) -> f64 {
 /// fig-3: the drawn points with (38).
 pub fn fig3_motion() -> Evidence {
     let from = printed::eq39_phi_t1(SMALL);
-    let form = |phi| Ok(eq38(SMALL, within_period(from, phi)).value);
+    let form = |phi| Ok(eq38(SMALL, within_period(from, phi)).to_f64());
     drawn(
         SMALL,
         form,
@@ -182,7 +183,7 @@ pub fn fig3_motion() -> Evidence {
 /// fig-4: the drawn points with (33).
 pub fn fig4_motion() -> Evidence {
     let from = printed::eq27_phi1(LARGE);
-    let form = |phi| Ok(eq33(LARGE, phi_t2(LARGE), within_period(from, phi)).value);
+    let form = |phi| Ok(eq33(LARGE, phi_t2(LARGE), within_period(from, phi)).to_f64());
     drawn(
         LARGE,
         form,

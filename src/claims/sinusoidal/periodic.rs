@@ -4,12 +4,12 @@ use super::settled::{
     ORIGIN, Slip, drive, each, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::claims::tolerances::{APPROACH, NONE, ROOT};
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, Friction, Interval, Sign, State};
+use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -31,13 +31,12 @@ fn over_a_period(
     lambda: f64,
     attractor: &Attractor,
     from: f64,
-    form: impl Fn(f64) -> Conditioned,
+    form: impl Fn(f64) -> Double,
 ) -> Vec<Pair> {
     let pair = |phi: f64| {
-        let mut pair = Pair::conditioned(at(lambda, phi), form(phi), attractor.w(phi));
         // Where the contraction is weak, the end of a period says little about its periodic state.
-        pair.scale += 1.0 / (1.0 - attractor.contraction()).max(f64::MIN_POSITIVE);
-        pair
+        let scale = 1.0 / (1.0 - attractor.contraction()).max(f64::MIN_POSITIVE);
+        Pair::wide(at(lambda, phi), form(phi), attractor.w(phi)).within(scale)
     };
     phases(from).map(pair).collect()
 }
@@ -92,7 +91,7 @@ pub fn eq38_outside() -> Evidence {
         let from = FRAC_PI_2;
         let pair = |phi: f64| {
             let at = format!("λ₀ = 0, 𝔴 = {:.6} at φ = 0, φ = {phi:.6}", start.w);
-            Pair::conditioned(at, eq38(0.0, phi), attractor.w(phi))
+            Pair::wide(at, eq38(0.0, phi), attractor.w(phi)).within(start.w)
         };
         Ok(phases(from).map(pair).collect())
     })
@@ -169,10 +168,9 @@ pub fn eq39_motion() -> Evidence {
     trial.over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let found = interval(&attractor, Sign::Positive)?.start;
-        let stated = printed::eq39_phi_t1(Conditioned::measured(lambda));
-        let mut pair = Pair::conditioned(format!("λ₀ = {lambda:.6}"), stated, found);
-        pair.scale += 1.0 / (1.0 - attractor.contraction());
-        Ok(pair)
+        let stated = printed::eq39_phi_t1(Double::from(lambda));
+        let scale = found.max(1.0 / (1.0 - attractor.contraction()));
+        Ok(Pair::wide(format!("λ₀ = {lambda:.6}"), stated, found).within(scale))
     })
 }
 
@@ -188,7 +186,7 @@ pub fn rest_interval_root() -> Evidence {
         let rests = list.intervals().iter().filter(|i| i.sign == Sign::Rest);
         let found: Vec<_> = rests.flat_map(|i| [i.start, i.end]).collect();
         let slip = Slip::of(lambda)?;
-        let spread = end_spread(lambda, slip.end) + 10.0 / libm::cos(slip.start);
+        let spread = end_spread(lambda, slip.end).max(1.0 / libm::cos(slip.start));
         let pair = |(i, stated): (usize, f64)| Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated,
@@ -219,9 +217,7 @@ pub fn rest_interval_reached() -> Evidence {
             let phi = from + TAU * f64::from(k) / 40.5;
             let w = drive()?.advance(friction, start, phi)?.end.w;
             let stated = eq33(lambda, end, phi1 + (phi - phi1).rem_euclid(TAU));
-            let mut pair = Pair::conditioned(at(lambda, phi), stated, w);
-            pair.scale += start.w.abs() + phi;
-            pairs.push(pair);
+            pairs.push(Pair::wide(at(lambda, phi), stated, w).within(1.0));
         }
         Ok(pairs)
     })

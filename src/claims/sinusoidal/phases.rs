@@ -2,17 +2,18 @@
 
 use super::settled::{ORIGIN, Particle, all, drive, each, lambda_c};
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;
 use crate::motion::drive::{Drive, Friction, Sign, State};
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
-type Formula = fn(Conditioned) -> Conditioned;
+type Formula = fn(Double) -> Double;
 
 /// A printed phase with the zero of |sin φ| − λ₀ in its quarter of the period.
 fn by_root(formula: Formula, quarter: u8, compared: &'static str) -> Evidence {
@@ -21,8 +22,10 @@ fn by_root(formula: Formula, quarter: u8, compared: &'static str) -> Evidence {
         let from = FRAC_PI_2 * f64::from(quarter);
         let excess = |phi: f64| libm::sin(phi).abs() - lambda;
         let found = root(excess, from, from + FRAC_PI_2)?;
-        let stated = formula(Conditioned::measured(lambda));
-        Ok(Pair::conditioned(at(lambda), stated, found))
+        let stated = formula(Double::from(lambda));
+        // Rounding of the friction moves the phase, the more the flatter the drive.
+        let scale = found.max(lambda / libm::cos(found).abs());
+        Ok(Pair::wide(at(lambda), stated, found).within(scale))
     })
 }
 
@@ -83,10 +86,9 @@ fn by_release(formula: Formula, from: f64, compared: &'static str) -> Evidence {
 
 /// A printed phase with one of a motion, which knows the drive to a unit of rounding of its amplitude.
 fn beside_a_motion(lambda: f64, formula: Formula, found: f64) -> Pair {
-    let stated = formula(Conditioned::measured(lambda));
-    let mut pair = Pair::conditioned(at(lambda), stated, found);
-    pair.scale += 1.0;
-    pair
+    let stated = formula(Double::from(lambda));
+    let scale = found.max(1.0 / libm::cos(found).abs());
+    Pair::wide(at(lambda), stated, found).within(scale)
 }
 
 /// (27): a rest that began at phase 0 ends there.
@@ -248,14 +250,14 @@ pub fn rest_ends_motion() -> Evidence {
     }
     trial.over(ends, |end| {
         let (lambda, end) = end?;
-        let l = Conditioned::measured(lambda);
+        let l = Double::from(lambda);
         let phase = end.rem_euclid(TAU);
         let [phi1, phi3] = [printed::eq27_phi1(l), printed::eq29_phi3(l)];
-        let off = |phi: Conditioned| (phi.value - phase).abs();
+        let off = |phi: Double| (phi.to_f64() - phase).abs();
         let nearer = if off(phi1) < off(phi3) { phi1 } else { phi3 };
-        let mut pair = Pair::conditioned(format!("λ₀ = {lambda:.6}, φ = {end:.6}"), nearer, phase);
-        pair.scale += end;
-        Ok(pair)
+        let scale = end.max(1.0 / libm::cos(end).abs());
+        let at = format!("λ₀ = {lambda:.6}, φ = {end:.6}");
+        Ok(Pair::wide(at, nearer, phase).within(scale))
     })
 }
 

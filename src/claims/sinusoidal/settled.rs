@@ -1,12 +1,13 @@
 //! The motions that the printed formulas of section 2.2 are held against, and the frictions at which they are tried.
 
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::claims::runs::Runs;
 use crate::evidence::Evidence;
 use crate::motion::drive::{Attractor, Drive, Friction, Interval, Sign, State};
 use crate::motion::{Motion, Plane, Signal, particle, trajectory};
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
@@ -78,7 +79,7 @@ pub fn large() -> Vec<f64> {
     let c = lambda_c();
     let mut list: Vec<_> = (0..60).map(|_| points.uniform(c, 1.0)).collect();
     list.extend([c + 1e-9, c + 1e-6, c + 1e-3]);
-    list.extend([1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9]);
+    list.extend([1.0 - 1e-3, 1.0 - 5e-4, 1.0 - 1e-6, 1.0 - 1e-9]);
     list
 }
 
@@ -178,18 +179,18 @@ pub fn case_of(ends: &[f64], phi: f64) -> usize {
 }
 
 /// The printed (33) at a phase between φ₁ and φ₁ + 2π.
-pub fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Conditioned {
+pub fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Double {
     let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
     let ends = printed::eq33_ends(phi1, phi_t2, phi3);
-    let [l, phi_n] = [lambda, phi].map(Conditioned::measured);
+    let [l, phi_n] = [lambda, phi].map(Double::from);
     let cases = printed::eq33_w(l, printed::eq27_phi1(l), printed::eq29_phi3(l), phi_n);
     cases[case_of(&ends, phi)]
 }
 
 /// The printed (38) with (39) at a phase between φ̃₁ and φ̃₁ + 2π.
-pub fn eq38(lambda: f64, phi: f64) -> Conditioned {
+pub fn eq38(lambda: f64, phi: f64) -> Double {
     let ends = printed::eq38_ends(printed::eq39_phi_t1(lambda));
-    let [l, phi_n] = [lambda, phi].map(Conditioned::measured);
+    let [l, phi_n] = [lambda, phi].map(Double::from);
     let cases = printed::eq38_w(l, printed::eq39_phi_t1(l), phi_n);
     cases[case_of(&ends, phi)]
 }
@@ -199,10 +200,10 @@ pub fn printed_late(lambda: f64, phi: f64) -> f64 {
     let within = |from: f64| from + (phi - from).rem_euclid(TAU);
     let [left, right] = printed::eq25_sides(lambda);
     if lambda < printed::eq37_lambda_c() {
-        eq38(lambda, within(printed::eq39_phi_t1(lambda))).value
+        eq38(lambda, within(printed::eq39_phi_t1(lambda))).to_f64()
     } else if left < right {
         let from = printed::eq27_phi1(lambda);
-        eq33(lambda, phi_t2(lambda), within(from)).value
+        eq33(lambda, phi_t2(lambda), within(from)).to_f64()
     } else {
         0.0
     }

@@ -2,10 +2,10 @@
 
 use super::settled::{ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small};
 use crate::claims::compare::{Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Friction, State};
+use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::PI;
 
@@ -24,10 +24,10 @@ pub fn eq31_motion() -> Evidence {
         for k in 1..=40 {
             let phi = slip.start + (slip.end - slip.start) * f64::from(k) / 41.0;
             let found = drive()?.advance(friction, ORIGIN, phi)?.end.w;
-            let [l, phi_n] = [lambda, phi].map(Conditioned::measured);
+            let [l, phi_n] = [lambda, phi].map(Double::from);
             let stated = printed::eq31_w(l, printed::eq27_phi1(l), phi_n);
             let at = format!("λ₀ = {lambda:.6}, φ = {phi:.6}");
-            pairs.push(Pair::conditioned(at, stated, found));
+            pairs.push(Pair::wide(at, stated, found).within(2.0 + lambda * phi));
         }
         Ok(pairs)
     })
@@ -60,9 +60,9 @@ pub fn eq32_motion() -> Evidence {
     trial.over(some, |lambda| {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], 2.0 * PI)?;
         let end = motion.first_stop().ok_or("no stop")?;
-        let [l, phi] = [lambda, end].map(Conditioned::measured);
+        let [l, phi] = [lambda, end].map(Double::from);
         let stated = printed::eq32_left(l, printed::eq27_phi1(l), phi);
-        Ok(Pair::conditioned(at(lambda), stated, 0.0))
+        Ok(Pair::wide(at(lambda), stated, 0.0).within(2.0 + lambda * end))
     })
 }
 
@@ -133,7 +133,7 @@ pub fn bracket_limit() -> Evidence {
 }
 
 /// A printed left side with 𝔴 at φ₃ of a slip that is not over yet there.
-fn left_with_motion(left: fn(Conditioned) -> Conditioned, compared: &'static str) -> Evidence {
+fn left_with_motion(left: fn(Double) -> Double, compared: &'static str) -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(small(), |lambda| {
         let friction = Friction::new(lambda, lambda)?;
@@ -141,12 +141,12 @@ fn left_with_motion(left: fn(Conditioned) -> Conditioned, compared: &'static str
         let release = drive()?.advance(friction, state(PI), PI + 2.0)?;
         let phi3 = release.intervals.first().ok_or("no interval")?.end;
         let found = drive()?.advance(friction, ORIGIN, phi3)?.end.w;
-        let stated = left(Conditioned::measured(lambda));
-        Ok(Pair::conditioned(at(lambda), stated, found))
+        let stated = left(Double::from(lambda));
+        Ok(Pair::wide(at(lambda), stated, found).within(1.0))
     })
 }
 
-fn eq34_of(lambda: Conditioned) -> Conditioned {
+fn eq34_of(lambda: Double) -> Double {
     printed::eq34_left(
         lambda,
         printed::eq27_phi1(lambda),

@@ -2,12 +2,12 @@
 
 use super::settled::{ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small};
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{NONE, ONSET, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Sign, State};
+use crate::numerics::double::Double;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
@@ -61,7 +61,7 @@ pub fn eq37_motion() -> Evidence {
             at: at(onset),
             stated: printed::eq37_lambda_c(),
             found: onset.lambda,
-            scale: 1.0,
+            scale: onset.lambda,
         })
     })
 }
@@ -131,13 +131,12 @@ pub fn eq41_motion() -> Evidence {
         let attractor = settled(lambda, ORIGIN)?;
         let turn = forward(attractor.intervals());
         let found = turn.ok_or("no slip")?.start - Slip::of(lambda)?.start;
-        let l = Conditioned::measured(lambda);
+        let l = Double::from(lambda);
         let [left, right] = printed::eq41_sides(printed::eq39_phi_t1(l), printed::eq27_phi1(l));
         let at = format!("λ₀ = {lambda:.6}");
-        let mut pair =
-            Pair::conditioned(at, left - right, if found > 0.0 { found } else { f64::NAN });
-        pair.scale += 1.0 / (1.0 - attractor.contraction());
-        Ok(pair)
+        let scale = found.max(1.0 / (1.0 - attractor.contraction()));
+        let found = if found > 0.0 { found } else { f64::NAN };
+        Ok(Pair::wide(at, left - right, found).within(scale))
     })
 }
 

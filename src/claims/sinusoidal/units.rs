@@ -6,6 +6,7 @@ use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::Motion;
 use crate::motion::drive::{Friction, Sign};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sinusoidal as printed;
@@ -75,9 +76,9 @@ fn all_twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
 }
 
 fn twins(points: &mut Points) -> Result<Twins, Failure> {
-    let (mu, g) = (points.uniform(0.1, 1.0), points.uniform(1.0, 20.0));
+    let (mu, g) = (points.uniform(0.1, 2.0), points.uniform(1.0, 20.0));
     let a0 = mu * g / points.uniform(0.05, 0.95);
-    let varpi = points.log_uniform(0.1, 10.0);
+    let varpi = points.log_uniform(0.002, 10.0);
     let t = points.uniform(2.0, 12.0) / varpi;
     let particle = Particle {
         friction: mu * g,
@@ -134,7 +135,7 @@ pub fn eq23() -> Evidence {
             at: twins.at.clone(),
             stated: printed::eq23_phase(twins.varpi, twins.release),
             found: twins.twin_release,
-            scale: 10.0,
+            scale: 1.0,
         })
     })
 }
@@ -204,10 +205,16 @@ pub fn eq25_census() -> Evidence {
 pub fn eq26_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Subject::Printed,
-        "∫ (26) dφ over half a slip with the change of 𝔴 of a particle that began with v_y ≠ 0",
+        "∫ (26) dφ over half a slip with the change of 𝔴 of a particle that began with v_y ≠ 0; from φ = 0.5 to 1.5 of one that began along the drive, λ₀ near 0 and 1",
     );
     let mut points = Points::stream(116);
-    trial.over(0..20, |i| {
+    let edges = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4].map(Ok);
+    let cases = (0..20).map(Err).chain(edges);
+    trial.over(cases, |case| {
+        let i = match case {
+            Ok(lambda) => return along_the_drive(lambda),
+            Err(i) => i,
+        };
         let lambda = points.uniform(0.5, 0.95);
         let side = if i % 2 == 0 {
             Sign::Positive
@@ -223,13 +230,29 @@ pub fn eq26_quadrature() -> Evidence {
         let motion = Particle::plain(lambda).run(0.0, v, to)?;
         // Inside a slip the sign of 𝔴 is all of it that (26) sees.
         let middle = motion.at(0.5 * (from + to))?.v[0];
-        let rate = |phi: f64| printed::eq26_rate(lambda, phi, middle);
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
-            stated: integral_within(rate, from, to, 1e-14).map_or(f64::NAN, |sum| sum.value),
-            found: motion.at(to)?.v[0] - motion.at(from)?.v[0],
-            scale: 1.0,
-        })
+        eq26_summed(lambda, &motion, [from, to], middle)
+    })
+}
+
+/// The same from a velocity along the drive, which lasts.
+fn along_the_drive(lambda: f64) -> Result<Pair, Failure> {
+    let (from, to) = (0.5, 1.5);
+    let motion = Particle::plain(lambda).run(0.0, [3.0, 0.0], to)?;
+    eq26_summed(lambda, &motion, [from, to], 1.0)
+}
+
+fn eq26_summed(
+    lambda: f64,
+    motion: &Motion,
+    [from, to]: [f64; 2],
+    sign: f64,
+) -> Result<Pair, Failure> {
+    let rate = |phi: f64| printed::eq26_rate(lambda, phi, sign);
+    Ok(Pair {
+        at: format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
+        stated: integral_within(rate, from, to, 1e-14).map_or(f64::NAN, |sum| sum.value),
+        found: motion.at(to)?.v[0] - motion.at(from)?.v[0],
+        scale: 1.0,
     })
 }
 

@@ -2,7 +2,6 @@
 
 use super::spheres::{Units, braking, sphere};
 use crate::claims::compare::{Failure, Pair, Trial};
-use crate::claims::conditioned::Conditioned;
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::MOTION;
@@ -12,6 +11,7 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::sphere::{Ball, Sphere};
 use crate::motion::{Plane, State, run};
 use crate::numerics::dop853;
+use crate::numerics::double::Double;
 use crate::numerics::roots::root;
 use crate::paper::sphere as printed;
 use crate::scalar::Scalar;
@@ -113,7 +113,7 @@ impl Turn {
         format!("λ = {lambda:.6}, γ = {gamma:.6}, u₀ = {u0:.6}, θ₀ = {theta0:.6}, θ = {theta:.6}")
     }
 
-    fn numbers(&self) -> [Conditioned; 6] {
+    fn numbers(&self) -> [Double; 6] {
         [
             self.lambda,
             self.u0,
@@ -122,13 +122,32 @@ impl Turn {
             self.tau,
             self.gamma,
         ]
-        .map(Conditioned::measured)
+        .map(Double::from)
     }
 
     /// How much a relative error of the angles grows: tan(θ/2) is steep near π.
     fn condition(&self) -> f64 {
         let steep = |theta: f64| (1.0 + self.lambda) * (theta / libm::sin(theta)).abs();
         steep(self.theta0).max(steep(self.theta))
+    }
+
+    /// The size in units of which the time is known: it grows with the errors of the angles by γ dτ = −u dθ/sin θ too.
+    fn time_scale(&self) -> f64 {
+        let moved = |u: f64, theta: f64| (u * theta / (self.gamma * libm::sin(theta))).abs();
+        let ends = moved(self.u0, self.theta0).max(moved(self.u, self.theta));
+        ends.max(self.tau * self.condition())
+    }
+
+    /// What a unit of relative rounding of the time and the angles makes of the slip that they determine together: little
+    /// where λ + cos θ is small.
+    fn slip_at_time_scale(&self) -> f64 {
+        let of = |u: f64, theta: f64| u * (self.lambda + theta.abs());
+        let gained = self.gamma * self.tau * (1.0 + self.lambda);
+        let largest = gained
+            .max(of(self.u0, self.theta0))
+            .max(of(self.u, self.theta));
+        self.u
+            .max(largest / (self.lambda + libm::cos(self.theta)).abs())
     }
 
     /// tan(θ/2) over its initial value.
@@ -142,7 +161,10 @@ impl Turn {
     }
 }
 
-/// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ.
+/// Next to no friction, hardly less and more than the critical one, and much.
+const EDGES: [f64; 4] = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4, 12.0];
+
+/// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges.
 fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
     static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
         let mut points = Points::stream(404);
@@ -154,17 +176,18 @@ fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
             };
             let theta0 = points.sign() * points.uniform(0.2, 3.0);
             let (lambda, theta0) = match i {
-                180.. => (
+                180..200 => (
                     -libm::cos(1.6 + 0.07 * (i - 180) as f64),
                     1.6 + 0.07 * (i - 180) as f64,
                 ),
+                200.. => (EDGES[i % EDGES.len()], theta0),
                 _ => (lambda, theta0),
             };
             // Late slips at large friction have next to no angle left.
             let elapsed = points.uniform(0.05, 0.8);
             Turn::new(i, &mut points, lambda, theta0, elapsed)
         };
-        every((0..200).map(turn))
+        every((0..220).map(turn))
     });
     TURNS.each()
 }
@@ -221,7 +244,7 @@ pub fn eq81() -> Evidence {
         let turn = turn?;
         let [lambda, u0, theta0, theta, ..] = turn.numbers();
         let stated = printed::eq81_slip(lambda, u0, theta0, theta);
-        Ok(Pair::conditioned(turn.at(), stated, turn.u))
+        Ok(Pair::wide(turn.at(), stated, turn.u).within(turn.u * turn.condition()))
     })
 }
 
@@ -281,17 +304,16 @@ pub fn regular_straight() -> Evidence {
     })
 }
 
-type Time = fn(&Turn, [Conditioned; 6]) -> Conditioned;
+type Time = fn(&Turn, [Double; 6]) -> Double;
 
 fn late(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
     let turns = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
     Trial::motion(subject, compared).over(turns, |turn| {
         let turn = turn?;
-        Ok(Pair::conditioned(
-            turn.at(),
-            formula(turn, turn.numbers()),
-            turn.tau,
-        ))
+        Ok(
+            Pair::wide(turn.at(), formula(turn, turn.numbers()), turn.tau)
+                .within(turn.time_scale()),
+        )
     })
 }
 
@@ -317,8 +339,9 @@ pub fn corrected82() -> Evidence {
 pub fn corrected82_quadrature() -> Evidence {
     let compared = "(82) over γ with −∫ u dθ/(γ sin θ), u = u₀ exp ∫ (λ − cos θ) dθ/sin θ, both integrals by a foreign integrator";
     let turns = turns().filter(|turn| {
-        turn.as_ref()
-            .map_or(true, |t| t.has_a_time() && t.condition() < 100.0)
+        turn.as_ref().map_or(true, |t| {
+            t.has_a_time() && t.condition() < 100.0 && t.theta.abs() > 1e-3
+        })
     });
     Trial::quadrature(Subject::Corrected, compared).over(turns, |turn| {
         let turn = turn?;
@@ -341,9 +364,7 @@ pub fn corrected82_quadrature() -> Evidence {
         let found = late * u0 / gamma;
         let n = turn.numbers();
         let stated = corrected::time(n[0], n[5], n[1], n[2], n[3]);
-        let mut pair = Pair::conditioned(turn.at(), stated, found);
-        pair.scale = pair.scale.max(found * turn.condition());
-        Ok(pair)
+        Ok(Pair::wide(turn.at(), stated, found).within(turn.time_scale()))
     })
 }
 
@@ -364,11 +385,8 @@ pub fn regular_time() -> Evidence {
 fn slip_at_time(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
     Trial::motion(subject, compared).over(turns(), |turn| {
         let turn = turn?;
-        Ok(Pair::conditioned(
-            turn.at(),
-            formula(turn, turn.numbers()),
-            turn.u,
-        ))
+        let stated = formula(turn, turn.numbers());
+        Ok(Pair::wide(turn.at(), stated, turn.u).within(turn.slip_at_time_scale()))
     })
 }
 

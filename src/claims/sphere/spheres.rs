@@ -191,7 +191,7 @@ pub fn sphere(i: usize, points: &mut Points) -> Sphere {
         mass,
         radius,
         inertia: kappa * mass * radius * radius,
-        mu: points.uniform(0.1, 0.9),
+        mu: points.uniform(0.1, 1.4),
         g: points.uniform(2.0, 12.0),
     }
 }

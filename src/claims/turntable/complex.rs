@@ -83,6 +83,9 @@ impl Neg for Complex {
 }
 
 impl Scalar for Complex {
+    fn nearest(self) -> Option<f64> {
+        (self.im == 0.0).then_some(self.re)
+    }
     fn int(n: i64) -> Self {
         Self::real(n as f64)
     }

@@ -193,7 +193,7 @@ pub fn eq116() -> Evidence {
 /// B and β by components along the velocity.
 fn outer(part: &Intrinsic) -> (f64, f64) {
     let b = libm::sqrt(-lead(part));
-    (b, libm::atanh(part.rho() / part.p()))
+    (b, libm::asinh(part.rho() / b))
 }
 
 /// (117).

@@ -30,6 +30,16 @@ fn state(points: &mut Points) -> (f64, f64) {
     (points.log_uniform(0.3, 3.0), points.log_uniform(0.1, 1.0))
 }
 
+/// Large and small α, for which ψ stands still as well.
+fn far_states(points: &mut Points) -> Vec<(f64, f64)> {
+    let [large, small] = [[3.0, 4.0], [1e-3, 1e-2]];
+    let of = |[low, high]: [f64; 2]| {
+        let mut one = || (points.log_uniform(0.3, 3.0), points.log_uniform(low, high));
+        [one(), one(), one(), one(), one()]
+    };
+    [large, small].map(of).concat()
+}
+
 fn at(a: f64, alpha: f64) -> String {
     format!("A = {a:.6}, α = {alpha:.6}")
 }
@@ -42,13 +52,15 @@ fn stands_still(
 ) -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Printed, compared, STANDS_STILL);
     let mut points = Points::stream(stream);
-    trial.over(0..30, |_| {
-        let (a, alpha) = state(&mut points);
+    let mut states: Vec<_> = (0..30).map(|_| state(&mut points)).collect();
+    states.extend(far_states(&mut points));
+    trial.over(states, |(a, alpha)| {
         Ok(Pair {
             at: at(a, alpha),
             stated: formula(alpha),
             found: standstill(a, alpha, range)?,
-            scale: 1.0,
+            // At large α the angle hardly turns near where it stands still.
+            scale: (0.5 * libm::cosh(2.0 * alpha)).max(1.0),
         })
     })
 }

@@ -71,7 +71,7 @@ pub fn eq86_turns() -> Evidence {
     trial.over(0..20, |_| {
         let table = Table {
             omega: points.log_uniform(0.3, 3.0),
-            mu: points.uniform(0.1, 0.9),
+            mu: points.uniform(0.1, 1.4),
             g: points.uniform(1.5, 20.0),
             mass: 1.0,
         };

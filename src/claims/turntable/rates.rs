@@ -5,7 +5,7 @@ use crate::claims::compare::{Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
 use crate::paper::turntable as printed;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
 /// What the quadratures are asked for.
 const ASKED: f64 = 1e-13;
@@ -42,7 +42,7 @@ fn turning(compared: &'static str, classes: &[Class], rate: impl Fn(&View) -> f6
             at: stretch.at(),
             stated: sum(at, stretch.from, stretch.to, ASKED),
             found: turned(stretch)?,
-            scale: PI,
+            scale: 1.0,
         })
     })
 }

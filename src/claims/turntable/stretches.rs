@@ -171,8 +171,31 @@ static STRETCHES: Runs<Vec<Stretch>> = Runs::new(|| {
             });
         }
     }
+    for [rho, p] in FAR {
+        let start = State {
+            t: 0.0,
+            x: [rho, 0.0],
+            v: [0.8 * p, -0.6 * p],
+        };
+        let (table, to) = (Table::default(), 0.002);
+        found.push(Stretch {
+            class: if p < rho {
+                Class::Slower
+            } else {
+                Class::Faster
+            },
+            turning: rotating::run(&table, &start, to)?,
+            still: inertial::run(&table, &table.to_laboratory(&start), to)?,
+            parts: Run::new(&Start::cartesian(start.x, start.v)?, to)?,
+            from: 0.0,
+            to,
+        });
+    }
     Ok(found)
 });
+
+/// ρ and p at which α or β is below 0.01 or above 3.
+const FAR: [[f64; 2]; 4] = [[30.0, 0.15], [1.84, 1.8315], [0.15, 30.0], [1.8315, 1.84]];
 
 fn count(found: &[Stretch], class: Class) -> usize {
     found.iter().filter(|s| s.class == class).count()
@@ -219,7 +242,7 @@ pub fn stretches(classes: &[Class]) -> impl Iterator<Item = Result<&'static Stre
         all.iter().filter(|s| s.class == *class).collect()
     };
     let groups: Vec<_> = classes.iter().map(of).collect();
-    let in_turn = (0..EACH).flat_map(move |i| {
+    let in_turn = (0..all.len()).flat_map(move |i| {
         let row: Vec<_> = groups
             .iter()
             .filter_map(|group| group.get(i).copied())
@@ -266,8 +289,8 @@ static LAUNCHES: Runs<Vec<Launch>> = Runs::new(|| {
     let mut found = Vec::new();
     while found.len() < 2 * EACH {
         let table = Table {
-            omega: points.log_uniform(0.3, 3.0),
-            mu: points.uniform(0.1, 0.9),
+            omega: points.log_uniform(0.05, 3.0),
+            mu: points.uniform(0.1, 1.4),
             g: points.uniform(1.5, 20.0),
             mass: points.log_uniform(0.2, 5.0),
         };

@@ -63,8 +63,10 @@ impl<'a> Filler<'a> {
             ["strongest"] => block(tables::strongest(context)?),
             ["measured"] => block(tables::measured(context)?),
             ["accuracy"] => block(tables::accuracy(context)?),
-            ["survivors"] => block(tables::survivors(context)?),
+            ["survivors"] => block(tables::survivors(context, ledger.paper.survivors)?),
             ["spared"] => block(tables::spared(context)?),
+            ["coarse"] => block(tables::coarse(context)?),
+            ["cornered"] => block(tables::survivors(context, ledger.paper.cornered)?),
             ["idle"] => block(tables::idle(context)?),
             ["sheet", id] => block(tables::code(&context.entry(id)?.sheet())),
             ["sheets"] => block(tables::sheets(context)?),
@@ -96,6 +98,7 @@ impl<'a> Filler<'a> {
             ["count", "points"] => inline(count(ledger.points())),
             ["count", "variants"] => inline(count(tallies(ledger, |tally| tally.tried))),
             ["count", "rejected"] => inline(count(tallies(ledger, |tally| tally.rejected))),
+            ["count", "corners"] => inline(count(ledger.paper.formulas.corners().len())),
             ["count", "proved"] => {
                 let entries = ledger.entries.iter();
                 inline(count(entries.filter(|e| e.is_proved()).count()))

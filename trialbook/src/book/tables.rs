@@ -6,7 +6,7 @@ use super::error::Fault;
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
 use crate::claims::measured::Measured;
-use crate::claims::variants::{Idle, Spared, Survivor};
+use crate::claims::variants::{Coarse, Idle, Spared, Survivor};
 use crate::evidence::{Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
@@ -365,7 +365,7 @@ pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
 }
 
 /// The wrong variants that are not rejected.
-pub(super) fn survivors(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn survivors(context: &Context<'_>, those: &[Survivor]) -> Result<String, Fault> {
     let row = |survivor: &Survivor| {
         Ok([
             context.link(context.entry(survivor.claim)?)?,
@@ -373,7 +373,7 @@ pub(super) fn survivors(context: &Context<'_>) -> Result<String, Fault> {
             context.maths.words(survivor.reason)?,
         ])
     };
-    let rows: Result<Vec<_>, Fault> = context.ledger.paper.survivors.iter().map(row).collect();
+    let rows: Result<Vec<_>, Fault> = those.iter().map(row).collect();
     let head = ["Claim", "Wrong variant", "Why it stands"];
     Ok(table("survivors", head, rows?))
 }
@@ -390,6 +390,21 @@ pub(super) fn spared(context: &Context<'_>) -> Result<String, Fault> {
     let rows: Result<Vec<_>, Fault> = context.ledger.paper.spared.iter().map(row).collect();
     let head = ["Claim", "Formula", "Why the proof does not reject all"];
     Ok(table("spared", head, rows?))
+}
+
+/// The measurements that do not notice a mistake of twice their tolerance.
+pub(super) fn coarse(context: &Context<'_>) -> Result<String, Fault> {
+    let row = |coarse: &Coarse| {
+        Ok([
+            context.link(context.entry(coarse.claim)?)?,
+            format!("<code>{}</code>", escape(coarse.trial)),
+            format!("<code>{}</code>", escape(coarse.formula)),
+            context.maths.words(coarse.reason)?,
+        ])
+    };
+    let rows: Result<Vec<_>, Fault> = context.ledger.paper.coarse.iter().map(row).collect();
+    let head = ["Claim", "Trial", "Formula", "Why it does not show"];
+    Ok(table("coarse", head, rows?))
 }
 
 /// The trials that agree and notice no mistake in a formula.

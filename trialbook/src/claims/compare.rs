@@ -4,6 +4,8 @@ pub use super::runs::Failure;
 use super::tolerances;
 use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
 use crate::exact::{Obstacle, Proof, Step};
+use crate::numerics::double::Double;
+use crate::numerics::number::Real;
 use crate::seeded::reading;
 
 /// One comparison.
@@ -170,19 +172,20 @@ fn with_word(sum: u64, word: u64) -> u64 {
 const SAMPLES: usize = 3;
 
 impl Pair {
-    /// A printed formula's value against a found one, in units of what the formula can resolve.
-    pub fn conditioned(at: String, stated: super::conditioned::Conditioned, found: f64) -> Self {
-        let spread = match stated.spread.is_finite() {
-            true => stated.spread,
-            false => 0.0,
-        };
+    /// A formula's value against a found one, in units of the found one. The formula is evaluated in numbers of twice the
+    /// width: its own rounding does not show, however much it cancels, and asks for no wider scale.
+    pub fn wide(at: String, stated: Double, found: f64) -> Self {
         Pair {
             at,
-            stated: stated.value,
+            stated: stated.to_f64(),
             found,
-            // Beside a found 0 a formula that resolves nothing differs from it by whatever it states.
-            scale: spread.max(found.abs()).max(f64::MIN_POSITIVE),
+            scale: found.abs(),
         }
+    }
+
+    /// The same, in units of this size.
+    pub fn within(self, scale: f64) -> Self {
+        Pair { scale, ..self }
     }
 }
 
@@ -210,5 +213,25 @@ pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Eviden
         steps: proof.steps().iter().map(Step::to_string).collect(),
         title: proof.title().to_owned(),
         ..Evidence::new(Route::Exact, subject, compared, tolerances::NONE)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Scalar;
+
+    #[test]
+    fn what_cancels_in_a_formula_widens_no_scale() {
+        let plain = |x: Double| x.squared();
+        let padded = |x: Double| x.squared() + Double::int(1_000_000) - Double::int(1_000_000);
+        for found in [0.01, 0.01 * (1.0 + 1e-12)] {
+            let [one, other] = [plain(0.1.into()), padded(0.1.into())]
+                .map(|stated| Pair::wide(String::new(), stated, found));
+            assert_eq!(one.scale, other.scale);
+            assert_eq!(one.disagreement(), other.disagreement());
+            let tolerance = tolerances::MOTION.value;
+            assert_eq!(other.disagreement() <= tolerance, found == 0.01);
+        }
     }
 }

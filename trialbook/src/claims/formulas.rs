@@ -1,7 +1,7 @@
 //! The formulas of a paper, printed and corrected, and the claims that try them.
 
 use crate::exact::Expr;
-use crate::seeded::Formula;
+use crate::seeded::{Corner, Domain, Formula};
 
 /// All formulas of a paper.
 #[derive(Debug, Clone, Copy)]
@@ -20,6 +20,10 @@ pub struct Formulas {
     pub up_to_a_factor: &'static [&'static str],
     /// The names of those that state a sign: a positive factor does not make them wrong.
     pub up_to_a_positive_factor: &'static [&'static str],
+    /// The corners in which mistakes are made.
+    pub corners: &'static [Corner],
+    /// Where claims are stated for some values of a symbol only.
+    pub domains: &'static [Domain],
     /// A random value of the argument of this letter, between 0 and 1, as the formulas are stated for it.
     pub argument: fn(&str, &mut fastrand::Rng) -> f64,
 }
@@ -33,6 +37,8 @@ impl Formulas {
         tried_in: &[],
         up_to_a_factor: &[],
         up_to_a_positive_factor: &[],
+        corners: &[],
+        domains: &[],
         argument: |_, random| 0.5 + 0.5 * random.f64(),
     };
 

@@ -10,8 +10,6 @@ pub mod by_hand;
 #[cfg(feature = "book")]
 pub mod compare;
 #[cfg(feature = "book")]
-pub mod conditioned;
-#[cfg(feature = "book")]
 pub mod enclosed;
 #[cfg(feature = "book")]
 pub mod formulas;
@@ -40,7 +38,7 @@ use {
     formulas::Formulas,
     measured::Measured,
     values::Value,
-    variants::{Idle, Spared, Survivor},
+    variants::{Coarse, Idle, Spared, Survivor},
 };
 
 /// A condition under which a claim is tried.
@@ -239,6 +237,12 @@ pub struct Paper {
     /// The trials that agree and notice no mistake in a formula.
     #[cfg(feature = "book")]
     pub idle: &'static [Idle],
+    /// The measurements that do not notice a mistake of twice their tolerance.
+    #[cfg(feature = "book")]
+    pub coarse: &'static [Coarse],
+    /// The mistakes in a corner that no measurement notices.
+    #[cfg(feature = "book")]
+    pub cornered: &'static [Survivor],
     /// The formulas of which a proof does not reject every wrong variant.
     #[cfg(feature = "book")]
     pub spared: &'static [Spared],
@@ -261,6 +265,8 @@ impl Paper {
         measured: &[],
         survivors: &[],
         idle: &[],
+        coarse: &[],
+        cornered: &[],
         spared: &[],
     };
 

@@ -21,7 +21,7 @@ tolerances! {
 
 /// A formula against the integrated motion.
 MOTION = 2e-13,
-    "the motion is good to about 1e-13 where the problem is well conditioned; the scale is what the formula can resolve";
+    "the motion is good to about 1e-13 where the problem is well conditioned; the scale has what a rounding of the point makes of the value";
 
 /// Nothing may differ.
 NONE = 0.0,

@@ -2,7 +2,7 @@
 
 use super::formulas::{Formulas, text};
 use crate::exact::Expr;
-use crate::seeded::{Formula, Seed, with};
+use crate::seeded::{Corner, Domain, Formula, Mistake, Seed, with};
 
 /// A wrong variant of a formula.
 #[derive(Debug, Clone)]
@@ -41,6 +41,19 @@ pub struct Idle {
     pub reason: &'static str,
 }
 
+/// A measurement that does not notice a formula of its claim to be wrong by twice its tolerance, and why.
+#[derive(Debug, Clone, Copy)]
+pub struct Coarse {
+    /// The id of the claim.
+    pub claim: &'static str,
+    /// The trial's name.
+    pub trial: &'static str,
+    /// The formula's name.
+    pub formula: &'static str,
+    /// Why so small a mistake does not show.
+    pub reason: &'static str,
+}
+
 /// A formula of a claim of which a proof of the claim does not reject every wrong variant; the claim's other trials do.
 #[derive(Debug, Clone, Copy)]
 pub struct Spared {
@@ -72,8 +85,7 @@ impl Formulas {
         let Some(claim) = self.claim(number.path) else {
             return Vec::new();
         };
-        let mut random = fastrand::Rng::with_seed(super::points::SEED);
-        let points: Vec<_> = (0..20).map(|_| self.point(number, &mut random)).collect();
+        let points = self.sample(number);
         let values = || -> Vec<Vec<f64>> { points.iter().map(|p| (number.value)(p)).collect() };
         let right = values();
         let mut found: Vec<Variant> = Vec::new();
@@ -91,6 +103,72 @@ impl Formulas {
             }
         }
         found
+    }
+
+    /// Every formula with its inverse functions on another branch over half of their range, and with a mistake of a
+    /// hundredth in each corner that its claim is stated for.
+    pub fn corners(&self) -> Vec<Variant> {
+        let numbers = (self.numbers)();
+        let of = |formula: &Formula<f64>| {
+            let Some(claim) = self.claim(formula.path) else {
+                return Vec::new();
+            };
+            let sample = self.sample(formula);
+            let values =
+                || -> Vec<Vec<f64>> { sample.iter().map(|p| (formula.value)(p)).collect() };
+            let right = values();
+            let branches = formula.branches(&sample[0]).into_iter().enumerate();
+            let branches = branches
+                .filter(|(_, seed)| !self.same(formula.name, &right, &with(*seed, values)))
+                .map(|(i, seed)| (seed, branch(i / 2 + 1, seed.mistake)));
+            let letters = formula.symbols.iter().enumerate();
+            let corners = letters.flat_map(|(i, letter)| {
+                let corners = self.corners.iter().filter(|c| c.letter == *letter);
+                corners.map(move |corner| (i, corner))
+            });
+            let corners = corners
+                .filter(|(_, corner)| self.has_a_size(formula) && self.is_stated(&claim, corner))
+                .map(|(i, corner)| {
+                    let seed = Seed::of_value(formula.path, Mistake::Corner(corner, i));
+                    (seed, format!("1 % more where {corner}"))
+                });
+            let all = branches.chain(corners);
+            all.map(|(seed, text)| Variant {
+                claim: claim.clone(),
+                formula: formula.name,
+                printed: self.is_printed(formula.path),
+                seed,
+                text: format!("{} {text}", formula.name),
+            })
+            .collect()
+        };
+        numbers.iter().flat_map(of).collect()
+    }
+
+    /// True if the claim of this id is stated in the corner.
+    fn is_stated(&self, claim: &str, corner: &Corner) -> bool {
+        let own = |d: &&Domain| d.claim == claim && d.letter == corner.letter;
+        self.domains
+            .iter()
+            .find(own)
+            .is_none_or(|d| corner.meets(d))
+    }
+
+    /// True if a factor makes the formula wrong: it is not zero, and no two sides that are compared.
+    pub fn has_a_size(&self, formula: &Formula<f64>) -> bool {
+        let name = formula.name;
+        let sample = self.sample(formula);
+        let mut values = sample.iter().flat_map(|p| (formula.value)(p));
+        !self.up_to_a_factor.contains(&name)
+            && !self.up_to_a_positive_factor.contains(&name)
+            && !name.ends_with("_sides")
+            && values.any(|value| value != 0.0)
+    }
+
+    /// Some random arguments.
+    fn sample(&self, formula: &Formula<f64>) -> Vec<Vec<f64>> {
+        let mut random = fastrand::Rng::with_seed(super::points::SEED);
+        (0..20).map(|_| self.point(formula, &mut random)).collect()
     }
 
     /// Arguments between 0 and 1, as the formula is stated for them.
@@ -117,6 +195,16 @@ impl Formulas {
     }
 }
 
+/// Where an inverse function is on the other branch.
+fn branch(number: usize, mistake: Mistake) -> String {
+    let half = if mistake == Mistake::Branch(true) {
+        "upper"
+    } else {
+        "lower"
+    };
+    format!("with inverse function {number} on the other branch over the {half} half of its range")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -128,6 +216,8 @@ mod tests {
         tried_in: &[],
         up_to_a_factor: &["eq104_constant"],
         up_to_a_positive_factor: &["eq116_case"],
+        corners: &[],
+        domains: &[],
         argument: |_, _| 0.0,
     };
 

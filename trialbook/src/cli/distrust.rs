@@ -1,10 +1,12 @@
 //! Mistakes that are seeded in the formulas, and which trial notices which.
 
 use super::output::{VERSION, csv, json, say};
+use crate::claims::Paper;
 use crate::claims::variants::Variant;
 use crate::edition::{Edition, Failure, Format};
 use crate::ledger::Ledger;
 use crate::ledger::distrust::{Extent, Tried};
+use crate::ledger::slight::Slight;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::fmt::Write;
@@ -15,6 +17,8 @@ struct Matrix<'a> {
     version: u32,
     mistakes: Vec<MistakeRow<'a>>,
     trials: Vec<TrialRow<'a>>,
+    slight: Vec<SlightRow<'a>>,
+    corners: Vec<CornerRow<'a>>,
 }
 
 /// A formula with a mistake.
@@ -34,11 +38,28 @@ struct TrialRow<'a> {
     rejects: Vec<usize>,
     passes: Vec<usize>,
     /// Why it need not reject any.
-    #[serde(skip_serializing_if = "Option::is_none")]
     excuse: Option<&'a str>,
-    /// The first mistake that changes what it finds; there is to be none.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// The first mistake that changes what it finds or in what units it compares; there is to be none.
     leans_on: Option<usize>,
+}
+
+/// A measurement, and whether it notices that a formula of its claim is wrong by twice its tolerance.
+#[derive(Serialize)]
+struct SlightRow<'a> {
+    claim: &'a str,
+    trial: &'a str,
+    formula: &'a str,
+    noticed: bool,
+    excuse: Option<&'static str>,
+}
+
+/// A formula that is wrong in a corner, and whether a measurement of its claim notices; null if none reads it.
+#[derive(Serialize)]
+struct CornerRow<'a> {
+    claim: &'a str,
+    text: &'a str,
+    noticed: Option<bool>,
+    excuse: Option<&'static str>,
 }
 
 impl TrialRow<'_> {
@@ -63,13 +84,33 @@ pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Resul
     let tried = ledger.distrust(&variants, Extent::Every, || bar.inc(1));
     bar.finish_and_clear();
     let rows: Vec<_> = tried.iter().map(|tried| row(&ledger, tried)).collect();
-    let code = u8::from(rows.iter().any(TrialRow::is_at_fault));
+    let slight = ledger.slight();
+    let slight: Vec<_> = slight.iter().map(|s| slight_row(&ledger, s)).collect();
+    let mut corners = paper.formulas.corners();
+    corners.retain(|variant| ledger.entry(&variant.claim).is_some());
+    let noticed = ledger.noticed(&corners);
+    let pairs = corners.iter().zip(noticed);
+    let corners: Vec<_> = pairs
+        .map(|(v, noticed)| corner_row(paper, v, noticed))
+        .collect();
+    let coarse = slight
+        .iter()
+        .any(|row| !row.noticed && row.excuse.is_none());
+    let cut = corners
+        .iter()
+        .any(|row| row.noticed == Some(false) && row.excuse.is_none());
+    let code = u8::from(rows.iter().any(TrialRow::is_at_fault) || coarse || cut);
     match format {
-        Format::Text => say(&text(&rows, &variants))?,
+        Format::Text => {
+            say(&text(&rows, &variants))?;
+            say(&small(&slight, &corners))?;
+        }
         Format::Json => json(&Matrix {
             version: VERSION,
             mistakes: variants.iter().map(mistake).collect(),
             trials: rows,
+            slight,
+            corners,
         })?,
         Format::Csv => {
             let headers = ["claim", "trial", "agrees", "rejects", "passes", "leans"];
@@ -116,6 +157,63 @@ fn row<'a>(ledger: &'a Ledger, tried: &Tried) -> TrialRow<'a> {
             .map(|idle| idle.reason),
         leans_on: tried.leans_on(),
     }
+}
+
+fn slight_row<'a>(ledger: &'a Ledger, slight: &Slight) -> SlightRow<'a> {
+    let entry = &ledger.entries[slight.entry];
+    let (claim, trial) = (entry.claim.id, entry.evidence[slight.trial].trial);
+    let mut coarse = ledger.paper.coarse.iter();
+    let excuse = coarse.find(|c| (c.claim, c.trial, c.formula) == (claim, trial, slight.formula));
+    SlightRow {
+        claim,
+        trial,
+        formula: slight.formula,
+        noticed: slight.noticed,
+        excuse: excuse.map(|c| c.reason),
+    }
+}
+
+fn corner_row<'a>(paper: &Paper, variant: &'a Variant, noticed: Option<bool>) -> CornerRow<'a> {
+    let mut cornered = paper.cornered.iter();
+    CornerRow {
+        claim: &variant.claim,
+        text: &variant.text,
+        noticed,
+        excuse: cornered
+            .find(|c| c.claim == variant.claim && c.text == variant.text)
+            .map(|c| c.reason),
+    }
+}
+
+/// What became of the slight mistakes: those that are not noticed, and how many are.
+fn small(slight: &[SlightRow<'_>], corners: &[CornerRow<'_>]) -> String {
+    let mut text = String::new();
+    let why = |excuse: Option<&'static str>| excuse.unwrap_or("NOT NOTICED");
+    for row in slight.iter().filter(|row| !row.noticed) {
+        let _ = writeln!(
+            text,
+            "{:<28} {:<34} {}  {}",
+            row.claim,
+            row.trial,
+            row.formula,
+            why(row.excuse)
+        );
+    }
+    for row in corners.iter().filter(|row| row.noticed == Some(false)) {
+        let _ = writeln!(text, "{:<28} {}  {}", row.claim, row.text, why(row.excuse));
+    }
+    let noticed = slight.iter().filter(|row| row.noticed).count();
+    let cut = corners
+        .iter()
+        .filter(|row| row.noticed == Some(true))
+        .count();
+    let measured = corners.iter().filter(|row| row.noticed.is_some()).count();
+    let _ = writeln!(
+        text,
+        "\nof {} mistakes of twice the tolerance {noticed} noticed, of {measured} in a corner {cut}",
+        slight.len()
+    );
+    text
 }
 
 fn text(rows: &[TrialRow<'_>], variants: &[Variant]) -> String {

@@ -1,14 +1,11 @@
 //! Trials held against the mistakes that can be seeded in what they read: each has to notice, and what it finds without
 //! the paper has to stay where it is.
 
-use super::{Entry, Ledger};
+use super::{Entry, Ledger, alone};
 use crate::claims::variants::Variant;
 use crate::evidence::Outcome;
 use crate::seeded::{self, Seed};
-use rayon::ThreadPoolBuilder;
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread::{available_parallelism, scope};
 
 /// What a trial does when a mistake is seeded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,16 +51,16 @@ impl Tried {
         self.reactions.iter().filter(|(_, r)| r.rejects).count()
     }
 
-    /// The first variant that changes what it finds.
+    /// The first variant that changes what it finds, or in what units it compares.
     pub fn leans_on(&self) -> Option<usize> {
-        let first = self.reactions.iter().find(|(_, r)| r.found);
+        let first = self.reactions.iter().find(|(_, r)| r.found || r.scale);
         first.map(|(variant, _)| *variant)
     }
 }
 
 impl Entry {
     /// What the trial of this number does with the mistake; all that it does has to stay on this thread.
-    fn reaction(&self, trial: usize, seed: Seed) -> Reaction {
+    pub(super) fn reaction(&self, trial: usize, seed: Seed) -> Reaction {
         let before = &self.evidence[trial];
         let after = seeded::with(seed, || self.claim.trials[trial].evidence());
         Reaction {
@@ -71,7 +68,7 @@ impl Entry {
             stated: after.sides.stated != before.sides.stated,
             found: !after.route.is_proof()
                 && (after.sides.found, after.points) != (before.sides.found, before.points),
-            scale: after.sides.scale != before.sides.scale,
+            scale: !after.route.is_proof() && after.sides.scale != before.sides.scale,
         }
     }
 }
@@ -92,39 +89,20 @@ impl Ledger {
         let trials: Vec<_> = entries
             .flat_map(|(entry, e)| (0..e.evidence.len()).map(move |trial| (entry, trial)))
             .collect();
-        let next = AtomicUsize::new(0);
-        let work = || {
-            // A mistake is seeded on one thread alone, so all that a trial does has to stay on this one.
-            let alone = ThreadPoolBuilder::new().num_threads(1).use_current_thread();
-            let pool = alone.build().expect("the thread is in no pool yet");
-            let mut tried = Vec::new();
-            while let Some((entry, trial)) = trials.get(next.fetch_add(1, Ordering::Relaxed)) {
-                let (entry, trial) = (*entry, *trial);
-                let read = &self.entries[entry].evidence[trial].read;
-                let read: Vec<_> = read.iter().filter_map(|f| of_formula.get(f)).collect();
-                let reactions = || self.reactions(entry, trial, &read, variants, extent);
-                let reactions = pool.install(reactions);
-                let agrees = self.entries[entry].evidence[trial].outcome() == Outcome::Agrees;
-                tried.push(Tried {
-                    entry,
-                    trial,
-                    agrees,
-                    reactions,
-                });
-                done();
+        alone::each(trials.len(), |i| {
+            let (entry, trial) = trials[i];
+            let evidence = &self.entries[entry].evidence[trial];
+            let read = evidence.read.iter();
+            let read: Vec<_> = read.filter_map(|f| of_formula.get(f)).collect();
+            let reactions = self.reactions(entry, trial, &read, variants, extent);
+            done();
+            Tried {
+                entry,
+                trial,
+                agrees: evidence.outcome() == Outcome::Agrees,
+                reactions,
             }
-            tried
-        };
-        let threads = available_parallelism().map_or(1, usize::from);
-        let mut tried: Vec<_> = scope(|scope| {
-            let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-            let tried = workers.into_iter();
-            tried
-                .flat_map(|worker| worker.join().expect("no trial panics"))
-                .collect()
-        });
-        tried.sort_by_key(|tried| (tried.entry, tried.trial));
-        tried
+        })
     }
 
     fn reactions(

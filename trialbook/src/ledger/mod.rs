@@ -1,8 +1,9 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
 #[cfg(feature = "book")]
-pub mod deep;
+mod alone;
 #[cfg(feature = "book")]
+pub mod deep;
 pub mod distrust;
 #[cfg(feature = "book")]
 mod errata;
@@ -19,6 +20,7 @@ mod row;
 mod run;
 #[cfg(feature = "book")]
 mod sheet;
+pub mod slight;
 mod table;
 mod tally;
 #[cfg(feature = "book")]

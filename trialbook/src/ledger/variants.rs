@@ -1,43 +1,18 @@
 //! Trying claims on wrong variants of their formulas.
 
-use super::{Entry, Ledger, Verdict, judge};
+use super::{Entry, Ledger, Verdict, alone, judge};
 use crate::claims::variants::Variant;
 use crate::evidence::{Evidence, Outcome, Subject};
 use crate::seeded;
-use rayon::ThreadPoolBuilder;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread::{available_parallelism, scope};
 
 impl Ledger {
     /// Which of the variants are rejected. The ledger has to hold every claim: what trials keep of the motion has
     /// then been made without a mistake.
     pub fn rejected(&self, variants: &[Variant]) -> Vec<bool> {
-        let next = AtomicUsize::new(0);
-        let work = || {
-            // A mistake is seeded on one thread alone, so all that a trial does has to stay on this one.
-            let alone = ThreadPoolBuilder::new().num_threads(1).use_current_thread();
-            let pool = alone.build().expect("the thread is in no pool yet");
-            let mut found = Vec::new();
-            while let Some((i, variant)) = {
-                let i = next.fetch_add(1, Ordering::Relaxed);
-                variants.get(i).map(|variant| (i, variant))
-            } {
-                let entry = self.entry(&variant.claim);
-                let rejects = || entry.is_some_and(|entry| entry.rejects(variant));
-                found.push((i, pool.install(rejects)));
-            }
-            found
-        };
-        let threads = available_parallelism().map_or(1, usize::from);
-        let mut rejected = vec![false; variants.len()];
-        scope(|scope| {
-            let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-            for worker in workers {
-                let found = worker.join().expect("no trial panics");
-                found.into_iter().for_each(|(i, yes)| rejected[i] = yes);
-            }
-        });
-        rejected
+        alone::each(variants.len(), |i| {
+            let entry = self.entry(&variants[i].claim);
+            entry.is_some_and(|entry| entry.rejects(&variants[i]))
+        })
     }
 }
 

@@ -342,6 +342,10 @@ impl Scalar for Double {
     fn pow(self, exponent: Self) -> Self {
         Scalar::exp(exponent * Scalar::ln(self))
     }
+    #[cfg(feature = "book")]
+    fn nearest(self) -> Option<f64> {
+        Some(self.hi)
+    }
 }
 
 impl Number for Double {

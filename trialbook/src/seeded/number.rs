@@ -1,7 +1,8 @@
 //! A number that counts the places of a formula, and makes a mistake at one of them.
 
-use super::{Mistake, PLACES, Parts, Place, pass};
+use super::{Mistake, PLACES, Parts, Place, SEED, pass};
 use crate::scalar::Scalar;
+use std::f64::consts::FRAC_1_SQRT_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number on its way through a formula.
@@ -24,7 +25,11 @@ pub fn evaluate<'a, S: Scalar, V: Parts<Seeded<'a, S>>, R: Parts<S>>(
         argument: Some((i, arguments)),
     });
     let value = written(&mut || given.next().expect("one for each argument"));
-    let mut parts = value.parts().into_iter().map(Seeded::read);
+    let part = SEED.get().and_then(|seed| seed.mistake.part(arguments));
+    let mut parts = value.parts().into_iter().map(|value| {
+        let value = value.read();
+        part.map_or(value, |part| value + value / S::int(part))
+    });
     R::of(&mut || parts.next().expect("as many as were written"))
 }
 
@@ -40,7 +45,10 @@ impl<S: Scalar> Seeded<'_, S> {
             Some(Mistake::Factor) => S::int(2) * self.value,
             Some(Mistake::Symbol(other)) => arguments[other],
             Some(Mistake::More) => self.value.squared(),
-            Some(Mistake::Less) => self.value,
+            // None of these is made here.
+            Some(Mistake::Less | Mistake::Branch(_) | Mistake::Part(_) | Mistake::Corner(..)) => {
+                self.value
+            }
         }
     }
 
@@ -52,10 +60,28 @@ impl<S: Scalar> Seeded<'_, S> {
             Some(Mistake::Factor) => Some(S::int(2) * value),
             Some(Mistake::More) => more.map(|more| more()),
             Some(Mistake::Less) => less.map(|less| less()),
-            Some(Mistake::Symbol(_)) | None => None,
+            _ => None,
         };
         Seeded {
             value: instead.unwrap_or(value),
+            argument: None,
+        }
+    }
+
+    /// An inverse function; `other` is its value on the other branch.
+    fn inverse(self, f: fn(S) -> S, more: fn(S) -> S, other: impl Fn(S) -> S) -> Self {
+        let x = self.read();
+        let value = f(x);
+        let upper = || x.nearest().map(|x| x.abs() > FRAC_1_SQRT_2);
+        let value = match pass(Place::Inverse) {
+            Some(Mistake::Sign) => -value,
+            Some(Mistake::Factor) => S::int(2) * value,
+            Some(Mistake::More) => more(x),
+            Some(Mistake::Branch(half)) if upper() == Some(half) => other(value),
+            _ => value,
+        };
+        Seeded {
+            value,
             argument: None,
         }
     }
@@ -128,10 +154,10 @@ impl<S: Scalar> Scalar for Seeded<'_, S> {
         self.call(S::cos, Some(S::sin))
     }
     fn asin(self) -> Self {
-        self.call(S::asin, Some(S::acos))
+        self.inverse(S::asin, S::acos, |value| S::pi() - value)
     }
     fn acos(self) -> Self {
-        self.call(S::acos, Some(S::asin))
+        self.inverse(S::acos, S::asin, |value| -value)
     }
     fn sinh(self) -> Self {
         self.call(S::sinh, Some(S::cosh))
@@ -181,7 +207,7 @@ impl<S: Scalar> Scalar for Seeded<'_, S> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{Mistake, Place, Seed, Symbol, formulas, places, with};
+    use super::super::{Corner, Mistake, Place, Seed, Symbol, formulas, places, with};
     use crate::scalar::Scalar;
 
     const SYMBOLS: &[Symbol] = &[Symbol {
@@ -201,6 +227,10 @@ mod tests {
 
     pub fn energy<S: Scalar>(m: S, v: [S; 2]) -> S {
         m * (v[0].squared() + v[1].squared()) / S::int(2)
+    }
+
+    pub fn angle<S: Scalar>(m: S) -> S {
+        m.asin()
     }
 
     }
@@ -237,6 +267,41 @@ mod tests {
             );
             assert_eq!(value(), 34.0);
         }
+    }
+
+    #[test]
+    fn a_mistake_of_the_value_is_made_everywhere_or_in_its_corner() {
+        static HEAVY: Corner = Corner {
+            letter: "m",
+            low: 3.0,
+            high: 9.0,
+        };
+        let value = |m: f64| energy(m, [3.0, 5.0]);
+        let path = formulas::<f64>()[0].path;
+        let seeded = |mistake, m| with(Seed::of_value(path, mistake), || value(m));
+        assert_eq!(seeded(Mistake::Part(-17), 2.0), 32.0);
+        let heavy = Mistake::Corner(&HEAVY, 0);
+        assert_eq!(
+            [2.0, 3.0, 9.0].map(|m| seeded(heavy, m)),
+            [2.0, 3.0, 9.0].map(value)
+        );
+        assert_eq!(seeded(heavy, 4.0), 68.0 + 0.68);
+    }
+
+    #[test]
+    fn an_inverse_function_takes_the_other_branch_over_half_its_range() {
+        let wrong = |upper, x: f64| {
+            let formula = &formulas::<f64>()[1];
+            let mistake = Mistake::Branch(upper);
+            let seed = formula
+                .branches(&[x])
+                .into_iter()
+                .find(|s| s.mistake == mistake);
+            with(seed.unwrap(), || angle(x))
+        };
+        assert_eq!(wrong(true, 0.9), f64::pi() - angle(0.9));
+        assert_eq!(wrong(true, 0.5), angle(0.5));
+        assert_eq!(wrong(false, 0.5), f64::pi() - angle(0.5));
     }
 
     #[test]

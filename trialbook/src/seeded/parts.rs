@@ -1,6 +1,6 @@
 //! What formulas are made of, laid out flat: arguments and values as lists of numbers.
 
-use super::{Place, Seed, places};
+use super::{Mistake, Place, Seed, places};
 use crate::scalar::Scalar;
 
 /// A formula by its name and on flat lists.
@@ -32,6 +32,21 @@ impl<S> Formula<S> {
             mistake,
         })
         .collect()
+    }
+
+    /// Its inverse functions on their other branches, over either half of their ranges.
+    pub fn branches(&self, arguments: &[S]) -> Vec<Seed> {
+        let passed = places(self.path, || drop((self.value)(arguments)));
+        let inverse = passed.iter().enumerate();
+        let inverse = inverse.filter(|(_, place)| **place == Place::Inverse);
+        let of_place = |(place, _)| {
+            [false, true].map(|upper| Seed {
+                formula: self.path,
+                place,
+                mistake: Mistake::Branch(upper),
+            })
+        };
+        inverse.flat_map(of_place).collect()
     }
 }
 
