@@ -35,11 +35,11 @@ ENDS = 1e-12,
 
 /// The coefficient of (ln τ)/τ of an escape.
 ESCAPE_CORRECTION = 1e-5,
-    "it is a part 1e-4 to 1e-7 of what is fitted, and its neighbour 1/τ is hardly different from it; the fits scatter by 2e-6";
+    "it is a part 1e-5 to 1e-7 of what is fitted, and its neighbour 1/τ is hardly different from it; the fits scatter by 4e-6";
 
 /// What a quantity tends to as a particle escapes.
 ESCAPE_LIMIT = 3e-12,
-    "fits with the known form of the corrections over τ from 1e5 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12";
+    "fits with the known form of the corrections over τ from 1e6 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12";
 
 /// Equal falls of a logarithm.
 EXPONENTIAL = 0.1,
@@ -139,7 +139,7 @@ SHORT_PUSH = 1e-3,
 
 /// A logarithmic slope against its limit.
 SLOPE = 2e-11,
-    "taken where the speed is below 1e-12 of the initial one; the angle's correction falls with it";
+    "extrapolated to θ = 0 from where the speed is below 1e-12 of the initial one; the terms left out are of order θ⁴";
 
 /// The angle at which a rate, found by differences of the motion, is zero.
 STANDS_STILL = 3e-9,

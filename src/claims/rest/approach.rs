@@ -15,7 +15,7 @@ use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
 use crate::corrections::rest as corrected;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::{Evidence, Route, Subject, Tolerance};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
@@ -359,32 +359,44 @@ pub fn eq145_straight() -> Evidence {
 fn levels(sigma: f64) -> [f64; 2] {
     if sigma < 0.5 {
         [1e-12, 1e-14]
+    } else if sigma < 0.6 {
+        [1e-6, 1e-8]
     } else {
         [1e-5, 1e-7]
     }
 }
 
 /// The constant in the brackets of (143), from two moments. By how much the power of α that stands beside it changes from one
-/// to the other, the slopes tell.
-fn constant(approach: &Approach) -> Result<(f64, f64), Failure> {
+/// to the other, the slopes tell. Also α at the later one, and what is left out at the earlier one.
+fn constant(approach: &Approach) -> Result<[f64; 3], Failure> {
     let [far, near] = levels(approach.sigma);
     let (far, near) = (approach.close(far)?, approach.close(near)?);
     let q = far.ratio_slope() / near.ratio_slope();
-    Ok(((far.ratio() - q * near.ratio()) / (1.0 - q), near.alpha))
+    let found = (far.ratio() - q * near.ratio()) / (1.0 - q);
+    Ok([found, near.alpha, far.left_out()])
 }
 
 fn constants(subject: Subject, compared: &'static str, ranges: &'static [(f64, f64)]) -> Evidence {
     let trial = Trial::by(Route::Limit, subject, compared, NEAR_REST);
     trial.over(gentle_approaches_to(ranges), |approach| {
         let approach = approach?;
-        let (found, alpha) = constant(approach)?;
+        let [found, alpha, left_out] = constant(approach)?;
         Ok(Pair {
             at: format!("{}, α = {alpha:.6e}", approach.at()),
             stated: printed::eq143_constant(approach.sigma),
             found,
-            scale: 1.0 + found.abs(),
+            scale: unit(subject, 1.0 + found.abs(), left_out, NEAR_REST),
         })
     })
+}
+
+/// The scale of a comparison: what is left out can be the larger part of a difference where c is large, or, beside a slope, where
+/// it is small. Without the condition of (143) this is what the trial is about.
+fn unit(subject: Subject, size: f64, left_out: f64, tolerance: Tolerance) -> f64 {
+    match subject {
+        Subject::Within => size.max(left_out / tolerance.value),
+        _ => size,
+    }
 }
 
 /// The exponent of α beside c, from the slope of ψ/α at two moments.
@@ -400,11 +412,12 @@ fn exponents(
         let [far, near] = levels(approach.sigma);
         let (far, near) = (approach.close(far)?, approach.close(near)?);
         let ratio = far.ratio_slope() / near.ratio_slope();
+        let left_out = far.left_out() / far.ratio_slope().abs();
         Ok(Pair {
             at: format!("{}, α = {:.6e}", approach.at(), near.alpha),
             stated: printed::eq143_exponent(approach.sigma),
             found: libm::log(ratio.abs()) / libm::log(far.alpha / near.alpha),
-            scale: 1.0,
+            scale: unit(subject, 1.0, left_out, NEAR_REST_EXPONENT),
         })
     })
 }
@@ -526,12 +539,17 @@ fn tenfold(run: &Run) -> Vec<[f64; 2]> {
     levels.map(|s| [alpha(&s), s.psi()]).collect()
 }
 
-/// How often both come nearer to their limits.
+/// How often both come nearer to their limits. One that has just gone through its limit moves off for a while, by less
+/// than e-fold in α; it counts as nearing.
 fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
-    let off = |state: [f64; 2], i: usize| (state[i] - limits[i]).abs();
-    let pairs = states.windows(2);
-    pairs
-        .filter(|w| [0, 1].iter().all(|&i| off(w[1], i) < off(w[0], i)))
+    let off = |n: usize, i: usize| states[n][i] - limits[i];
+    let through = |n: usize, i: usize| off(n, i) * off(n - 1, i) < 0.0;
+    let nears = |n: usize, i: usize| {
+        off(n, i).abs() < off(n - 1, i).abs() || through(n, i) || n > 1 && through(n - 1, i)
+    };
+    let steps = 1..states.len();
+    steps
+        .filter(|&n| [0, 1].iter().all(|&i| nears(n, i)))
         .count()
 }
 /// ψ of motions that come straight in to rest.

@@ -60,6 +60,11 @@ impl Close {
     pub fn ratio_slope(&self) -> f64 {
         0.5 * self.psi_slope - self.ratio()
     }
+
+    /// The size of what (143) leaves out of [`ratio`](Self::ratio).
+    pub fn left_out(&self) -> f64 {
+        (self.alpha * self.alpha + self.psi * self.psi) * self.ratio().abs()
+    }
 }
 
 impl Approach {
@@ -137,6 +142,10 @@ pub fn approaches() -> impl Iterator<Item = Result<&'static Approach, Failure>> 
             let rho = points.uniform(0.05, 1.0);
             let p = rho.min(1.0 - rho) * points.uniform(0.1, 0.9);
             let start = [rho, p, points.uniform(-2.8, 2.8)];
+            // A never decreases: this one ends beyond 0.98, after steps without number if ρ is close enough to 1.
+            if rho * rho - p * p > 0.98 * 0.98 {
+                continue;
+            }
             found.extend(
                 Approach::new(start)?.filter(|approach| (0.05..0.98).contains(&approach.sigma)),
             );
