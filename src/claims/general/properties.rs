@@ -272,9 +272,9 @@ pub fn across_census() -> Evidence {
 fn grows_across(case: &Across) -> Result<usize, Failure> {
     let motion = run(&case.plane, 1.0, case.start, 10.0)?;
     // Below, only the rounding of the components along the line is left.
-    let lost = 1e-12 * case.start.speed();
+    let lost = |s: &State| 1e-12 * s.speed().max(case.start.speed());
     let grows = |a: &State, b: &State| {
-        b.t > a.t && case.across(a) > lost && case.across(b) >= case.across(a)
+        b.t > a.t && case.across(a) > lost(b) && case.across(b) >= case.across(a)
     };
     Ok(breaks(&motion, 0.0, grows))
 }

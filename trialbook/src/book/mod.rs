@@ -39,6 +39,7 @@ mod assets;
 mod claim_box;
 mod code;
 mod context;
+mod deep;
 mod errata;
 mod error;
 mod expand;
