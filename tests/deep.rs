@@ -1,7 +1,7 @@
 //! Depth: what another round brings is added to the evidence and judged with it.
 
 use slipbook::claims::PAPER;
-use slipbook::ledger::deep::DeepError;
+use slipbook::ledger::deep::{Deep, DeepError};
 use slipbook::ledger::{Ledger, Verdict};
 
 fn stop_time() -> Ledger {
@@ -24,7 +24,8 @@ fn a_round_adds_its_points_and_keeps_the_worse_of_two() {
 fn a_round_that_disagrees_or_has_no_number_changes_the_verdict() {
     for worst in ["0.5", "inf", "NaN"] {
         let mut ledger = stop_time();
-        let round = format!("eq-20\t1\t7\t{worst}\tλ = 3");
+        let trial = ledger.entries[0].evidence[1].trial;
+        let round = format!("eq-20\t{trial}\t7\t{worst}\tλ = 3");
         ledger.add(&round).unwrap();
         let evidence = &ledger.entries[0].evidence[1];
         assert_eq!((evidence.points, evidence.at.as_str()), (707, "λ = 3"));
@@ -37,14 +38,51 @@ fn a_round_that_disagrees_or_has_no_number_changes_the_verdict() {
 fn a_line_that_is_none_of_a_round_adds_nothing() {
     let mut ledger = stop_time();
     let before = ledger.entries[0].evidence.clone();
-    let good = "eq-20\t1\t7\t0.0\tλ = 3\n";
+    let trial = before[1].trial;
+    let good = format!("eq-20\t{trial}\t7\t0.0\tλ = 3\n");
     let error = ledger
-        .add(&format!("{good}eq-20\tone\t7\t0.0\t"))
+        .add(&format!("{good}eq-20\t{trial}\tseven\t0.0\t"))
         .unwrap_err();
     assert!(matches!(error, DeepError::Line { line: 2, .. }), "{error}");
-    for strange in ["eq-20\t9\t7\t0.0\t", "eq-21\t0\t7\t0.0\t"] {
+    for strange in ["eq-20\tnone\t7\t0.0\t", "eq-21\tnone\t7\t0.0\t"] {
         let error = ledger.add(&format!("{good}{strange}")).unwrap_err();
         assert!(matches!(error, DeepError::Trial { line: 2, .. }), "{error}");
     }
     assert_eq!(ledger.entries[0].evidence, before);
+}
+
+#[test]
+fn a_record_is_read_as_it_was_written() {
+    let ledger = stop_time();
+    let text = ledger.record("2026-01-02", 3);
+    let deep = Deep::read(&text).unwrap();
+    assert_eq!((deep.date, deep.rounds), ("2026-01-02", 3));
+    let read = deep.in_place_of(&ledger).unwrap();
+    assert_eq!(read.entries[0].evidence, ledger.entries[0].evidence);
+    // A line that is lost, and one that is there twice.
+    let (all, last) = text.trim_end().rsplit_once('\n').unwrap();
+    for wrong in [all.to_owned(), format!("{text}{last}\n")] {
+        let error = Deep::read(&wrong).unwrap().in_place_of(&ledger);
+        assert!(matches!(error, Err(DeepError::Comparisons { .. })));
+    }
+    for wrong in ["", "2026-01-02\t3\n", "2026-01-02\tthree\t7\n"] {
+        assert!(matches!(Deep::read(wrong), Err(DeepError::Header(_))));
+    }
+}
+
+/// The run is as deep as was asked for, of the trials as they are now, and comes to the same verdicts.
+#[test]
+fn the_record_of_the_deep_run_is_that_of_this_ledger() {
+    let ledger = Ledger::try_all(&PAPER, |_| {});
+    let kept = Deep::read(PAPER.deep).unwrap();
+    let deep = kept.in_place_of(&ledger).unwrap();
+    assert!(kept.comparisons >= 10_000_000, "{}", kept.comparisons);
+    for (now, then) in ledger.entries.iter().zip(&deep.entries) {
+        let id = now.claim.id;
+        assert_eq!(then.judgement.verdict, now.judgement.verdict, "{id}");
+        for (now, then) in now.evidence.iter().zip(&then.evidence) {
+            assert!(then.points >= now.points, "{id}: {}", now.trial);
+            assert_eq!(then.outcome(), now.outcome(), "{id}: {}", now.trial);
+        }
+    }
 }

@@ -73,6 +73,7 @@ pub static PAPER: Paper = Paper {
     topics: TOPICS.as_slice(),
     record: include_str!("../../snapshots/verdicts.snap"),
     tallies: include_str!("../../snapshots/variants.snap"),
+    deep: include_str!("../../snapshots/deep.tsv"),
     formulas: formulas::FORMULAS,
     cases: &by_hand::CASES,
     values: &values::VALUES,

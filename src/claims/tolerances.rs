@@ -30,16 +30,16 @@ EDGE = 1e-4,
     "the next term of the gap, √(λ₀/π) of it, is below 2e-5 for λ₀ up to 1e-9";
 
 /// When and where a motion on the turntable comes to rest.
-ENDS = 1e-12,
-    "the bounds of a fate are closed to 2e-13 of the place; the programs agree to a few units of it";
+ENDS = 2e-13,
+    "the bounds of a fate are closed to 2e-13 of the place; the programs agree to a part of it";
 
 /// The coefficient of (ln τ)/τ of an escape.
 ESCAPE_CORRECTION = 1e-5,
-    "it is a part 1e-4 to 1e-7 of what is fitted, and its neighbour 1/τ is hardly different from it; the fits scatter by 2e-6";
+    "it is a part 1e-5 to 1e-7 of what is fitted, and its neighbour 1/τ is hardly different from it; the fits scatter by 4e-6";
 
 /// What a quantity tends to as a particle escapes.
-ESCAPE_LIMIT = 3e-12,
-    "fits with the known form of the corrections over τ from 1e5 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12";
+ESCAPE_LIMIT = 2e-12,
+    "fits with the known form of the corrections over τ from 1e6 to 1e8 leave out terms of order (ln τ/τ)³, and agree to 1e-12";
 
 /// Equal falls of a logarithm.
 EXPONENTIAL = 0.1,
@@ -90,8 +90,8 @@ LATE_ANGLE = 2e-8,
     "the slowest case, without friction, has 1e-8 left at a hundred million times v₀/A";
 
 /// The width of a narrow range of friction, over its expected width.
-LIMIT_OF_WIDTH = 5e-10,
-    "the jumps of h are known to 4e-16, and the least width, 1e-3, divides that twice";
+LIMIT_OF_WIDTH = 2e-10,
+    "the jumps of h are known to 4e-16 at the worst, and the least width, 1e-3, divides that twice; as measured it is 3e-11";
 
 /// A factor of very large logarithms.
 LOGARITHM = 1e-8,
@@ -138,8 +138,8 @@ SHORT_PUSH = 1e-3,
     "a motion that a push started would have a speed of the push's strength times a time of order one";
 
 /// A logarithmic slope against its limit.
-SLOPE = 2e-11,
-    "taken where the speed is below 1e-12 of the initial one; the angle's correction falls with it";
+SLOPE = 2e-13,
+    "extrapolated to θ = 0 from where the speed is below 1e-12 of the initial one; the terms left out are of order θ⁴";
 
 /// The angle at which a rate, found by differences of the motion, is zero.
 STANDS_STILL = 3e-9,

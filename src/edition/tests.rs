@@ -1,5 +1,5 @@
 use super::EDITION;
-use crate::claims::{Claim, Condition, Correction, PAPER, Topic};
+use crate::claims::{Claim, Condition, Correction, PAPER, Paper, Topic};
 use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger, judge};
@@ -64,6 +64,12 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     }
 }
 
+/// The paper with a deep run of one claim.
+static DEEP: Paper = Paper {
+    deep: "2026-01-01\t2\t2468\neq-11\t\t2468\t4e-13\tλ = 2\n",
+    ..PAPER
+};
+
 /// A ledger of all claims, of which two were tried. No trial is run for it.
 fn ledger() -> Ledger {
     let entry = |topic: &'static Topic, claim: &'static Claim| {
@@ -81,7 +87,7 @@ fn ledger() -> Ledger {
         let claim = if claim.id == "eq-13" { &FULL } else { claim };
         let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
         Entry {
-            paper: &PAPER,
+            paper: &DEEP,
             claim,
             topic,
             evidence,
@@ -90,7 +96,7 @@ fn ledger() -> Ledger {
     };
     let entries = PAPER.claims().map(|(topic, claim)| entry(topic, claim));
     Ledger {
-        paper: &PAPER,
+        paper: &DEEP,
         entries: entries.collect(),
     }
 }

@@ -68,7 +68,8 @@ fn moves_late(launch: &Turn) -> Result<f64, MotionError> {
 
 /// λ > 1: towards the stop, d ln θ/d ln v is positive and that of a motion that turns into the x axis, so θ → 0.
 pub fn large_friction_limit() -> Evidence {
-    let compared = "1/(λ − 1) with d ln θ/d ln v over the last steps before the stop";
+    let compared =
+        "1/(λ − 1) with d ln θ/d ln v over the last steps before the stop, extrapolated to θ = 0";
     let trial = Trial::by(Route::Limit, Subject::Within, compared, SLOPE);
     // Others have not turned yet when their speed is lost in rounding.
     let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
@@ -116,18 +117,23 @@ pub fn large_friction_turns() -> Evidence {
     })
 }
 
-/// d ln θ/d ln v between the last two nodes at which both are normal numbers.
+/// d ln θ/d ln v at θ = 0, by the last three nodes at which both are normal numbers: what it differs by at small θ goes with
+/// θ², so that ln θ = k ln v + c + d θ².
 fn last_slope(stop: &Stop) -> f64 {
-    let nodes: Vec<_> = stop
-        .nodes
-        .iter()
-        .map(|s| (libm::log(s.direction().abs()), libm::log(s.speed())))
-        .filter(|(theta, v)| theta.is_finite() && v.is_finite())
+    let nodes = stop.nodes.iter().map(|s| {
+        let theta = s.direction();
+        [libm::log(theta.abs()), libm::log(s.speed()), theta * theta]
+    });
+    let nodes: Vec<_> = nodes
+        .filter(|[theta, v, _]| theta.is_finite() && v.is_finite())
         .collect();
-    match nodes[..] {
-        [.., (theta1, v1), (theta2, v2)] => (theta2 - theta1) / (v2 - v1),
-        _ => f64::NAN,
-    }
+    let [.., a, b, c] = nodes[..] else {
+        return f64::NAN;
+    };
+    let change = |i: usize| (b[i] - a[i], c[i] - b[i]);
+    let ((theta1, theta2), (v1, v2), (square1, square2)) = (change(0), change(1), change(2));
+    let part = square2 / square1;
+    (theta2 - part * theta1) / (v2 - part * v1)
 }
 
 /// λ > 1 and θ₀ = π: the particle stops without turning.

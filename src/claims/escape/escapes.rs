@@ -99,7 +99,7 @@ pub struct Late {
     pub a_rate: f64,
 }
 
-/// An escape, and 48 moments over its last three decades.
+/// An escape, and 48 moments over its last two decades.
 #[derive(Debug)]
 pub struct Escape {
     /// The launch.
@@ -142,17 +142,18 @@ pub fn escape(launch: Launch) -> Result<Escape, MotionError> {
     let late = (0..48)
         .map(|i| {
             // Not quite to the end: the differences need room.
-            let tau = 0.99 * LATE * libm::pow(1e-3, f64::from(i) / 48.0);
-            let [alpha_rate, a_rate] = rates(tau, 1e-3 * tau, |t| {
-                let state = run.at(t)?;
-                Ok([alpha(&state), a(&state)])
+            let tau = 0.8 * LATE * libm::pow(1e-2, f64::from(i) / 48.0);
+            // In ln τ, of which ln A and α are nearly linear functions, the steps can be long.
+            let [alpha_slope, a_slope] = rates(libm::log(tau), 0.1, |log| {
+                let state = run.at(libm::exp(log))?;
+                Ok([alpha(&state), libm::log(a(&state))])
             })?;
             let state = run.at(tau)?;
             Ok(Late {
                 tau,
                 state,
-                alpha_rate,
-                a_rate,
+                alpha_rate: alpha_slope / tau,
+                a_rate: a_slope * a(&state) / tau,
             })
         })
         .collect::<Result<_, MotionError>>()?;

@@ -37,7 +37,7 @@ const TERMS: [&dyn Fn(f64) -> f64; 6] = [
     &|t| 1.0 / (t * t),
 ];
 
-/// The limit of a quantity, fitted over the last three decades.
+/// The limit of a quantity, fitted over the last two decades.
 ///
 /// # Errors
 /// Those of the motion and of the fit.

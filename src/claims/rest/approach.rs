@@ -16,7 +16,7 @@ use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
 use crate::corrections::rest as corrected;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::{Evidence, Route, Subject, Tolerance};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
@@ -98,6 +98,7 @@ fn close(straight: &StraightIn) -> Result<(f64, Close), MotionError> {
             a: size,
             alpha_rate,
             psi_slope: psi_rate / alpha_rate,
+            ratio_slope: (psi_rate / alpha_rate - now.psi() / alpha(&now)) / 2.0,
             a_slope: a_rate / alpha_rate,
             a_slope_by_way: way_rate / (size * alpha_rate),
             way_left,
@@ -360,32 +361,46 @@ pub fn eq145_straight() -> Evidence {
 fn levels(sigma: f64) -> [f64; 2] {
     if sigma < 0.5 {
         [1e-12, 1e-14]
+    } else if sigma < 0.6 {
+        [1e-6, 1e-8]
     } else {
         [1e-5, 1e-7]
     }
 }
 
 /// The constant in the brackets of (143), from two moments. By how much the power of α that stands beside it changes from one
-/// to the other, the slopes tell.
-fn constant(approach: &Approach) -> Result<(f64, f64), Failure> {
+/// to the other, the slopes tell. Also α at the later one, and what is left out at the earlier one.
+fn constant(approach: &Approach) -> Result<[f64; 3], Failure> {
     let [far, near] = levels(approach.sigma);
     let (far, near) = (approach.close(far)?, approach.close(near)?);
-    let q = far.ratio_slope() / near.ratio_slope();
-    Ok(((far.ratio() - q * near.ratio()) / (1.0 - q), near.alpha))
+    let q = far.ratio_slope / near.ratio_slope;
+    let found = (far.ratio() - q * near.ratio()) / (1.0 - q);
+    // Of the slopes, too, of which an error is as much larger in what they give as the ratio is larger than they are.
+    let left_out = far.left_out() * (1.0 + (far.ratio() / far.ratio_slope).abs());
+    Ok([found, near.alpha, left_out])
 }
 
 fn constants(subject: Subject, compared: &'static str, ranges: &'static [(f64, f64)]) -> Evidence {
     let trial = Trial::by(Route::Limit, subject, compared, NEAR_REST);
     trial.over(gentle_approaches_to(ranges), |approach| {
         let approach = approach?;
-        let (found, alpha) = constant(approach)?;
+        let [found, alpha, left_out] = constant(approach)?;
         Ok(Pair {
             at: format!("{}, α = {alpha:.6e}", approach.at()),
             stated: printed::eq143_constant(approach.sigma),
             found,
-            scale: 1.0 + found.abs(),
+            scale: unit(subject, 1.0 + found.abs(), left_out, NEAR_REST),
         })
     })
+}
+
+/// The scale of a comparison: what is left out can be the larger part of a difference where c is large, or, beside a slope, where
+/// it is small. Without the condition of (143) this is what the trial is about.
+fn unit(subject: Subject, size: f64, left_out: f64, tolerance: Tolerance) -> f64 {
+    match subject {
+        Subject::Within => size.max(left_out / tolerance.value),
+        _ => size,
+    }
 }
 
 /// The exponent of α beside c, from the slope of ψ/α at two moments.
@@ -400,12 +415,13 @@ fn exponents(
         let approach = approach?;
         let [far, near] = levels(approach.sigma);
         let (far, near) = (approach.close(far)?, approach.close(near)?);
-        let ratio = far.ratio_slope() / near.ratio_slope();
+        let ratio = far.ratio_slope / near.ratio_slope;
+        let left_out = far.left_out() / far.ratio_slope.abs();
         Ok(Pair {
             at: format!("{}, α = {:.6e}", approach.at(), near.alpha),
             stated: printed::eq143_exponent(approach.sigma),
             found: libm::log(ratio.abs()) / libm::log(far.alpha / near.alpha),
-            scale: 1.0,
+            scale: unit(subject, 1.0, left_out, NEAR_REST_EXPONENT),
         })
     })
 }
@@ -512,27 +528,35 @@ pub fn near_rest_census() -> Evidence {
         Ok(Pair {
             at: approach.at(),
             stated: nearing(&states, printed::s4_near_rest_limits()) as f64,
-            found: (states.len() - 1) as f64,
+            found: states.len().saturating_sub(2) as f64,
             scale: 1.0,
         })
     })
 }
 
-/// α and ψ where p has fallen below 10⁻¹⁰ and so on, tenfold each time, to 10⁻²⁸.
+/// α and ψ where p has fallen below 10⁻⁹, and then below 10⁻¹⁰ and so on, tenfold each time, to 10⁻²⁸.
 fn tenfold(run: &Run) -> Vec<[f64; 2]> {
-    let levels = (10..29).filter_map(|n| {
+    let levels = (9..29).filter_map(|n| {
         let p = libm::pow(10.0, f64::from(-n));
         run.nodes().find(|s| s.p() < p)
     });
-    levels.map(|s| [alpha(&s), s.psi()]).collect()
+    let mut states: Vec<_> = levels.map(|s| [alpha(&s), s.psi()]).collect();
+    // A long step passes two levels at once.
+    states.dedup();
+    states
 }
 
-/// How often both come nearer to their limits.
+/// How often both come nearer to their limits, from the second state on. One that has just gone through its limit moves off
+/// for a while, by less than e-fold in α; it counts as nearing.
 fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
-    let off = |state: [f64; 2], i: usize| (state[i] - limits[i]).abs();
-    let pairs = states.windows(2);
-    pairs
-        .filter(|w| [0, 1].iter().all(|&i| off(w[1], i) < off(w[0], i)))
+    let off = |n: usize, i: usize| states[n][i] - limits[i];
+    let through = |n: usize, i: usize| off(n, i) * off(n - 1, i) < 0.0;
+    let nears = |n: usize, i: usize| {
+        off(n, i).abs() < off(n - 1, i).abs() || through(n, i) || through(n - 1, i)
+    };
+    let steps = 2..states.len();
+    steps
+        .filter(|&n| [0, 1].iter().all(|&i| nears(n, i)))
         .count()
 }
 /// ψ of motions that come straight in to rest.
@@ -566,6 +590,7 @@ mod tests {
     #[test]
     fn states_that_come_nearer_are_counted() {
         let states = [
+            [2.0, 2.0],
             [1.0, 1.0],
             [0.5, 0.5],
             [0.4, 0.6],
@@ -574,15 +599,21 @@ mod tests {
             [0.1, 0.1],
         ];
         assert_eq!(nearing(&states, [0.0; 2]), 2);
-        assert_eq!(nearing(&states[..2], [0.0; 2]), 1);
+        assert_eq!(nearing(&states[..3], [0.0; 2]), 1);
         // Away from 1, and from one side of 0.56 to the other.
-        assert_eq!(nearing(&states[..2], [1.0, 0.0]), 0);
-        assert_eq!(nearing(&states[1..3], [0.0, 0.56]), 1);
+        assert_eq!(nearing(&states[..3], [1.0, 0.0]), 0);
+        assert_eq!(nearing(&states[1..4], [0.0, 0.56]), 1);
+        // One that has just gone through its limit, and one that has not.
+        let after = |psi: f64| [[1.0, psi], [0.5, -0.01], [0.25, -0.02]];
+        assert_eq!(
+            [0.1, -0.1].map(|psi| nearing(&after(psi), [0.0; 2])),
+            [1, 0]
+        );
         // Every tenfold fall of p is there; α ≈ p/ρ falls with it.
         let approach = Approach::new([0.5, 0.2, 0.5]).unwrap().unwrap();
         let levels = tenfold(&approach.run);
-        assert_eq!(levels.len(), 19);
-        for (n, [alpha, _]) in (10..).zip(levels) {
+        assert_eq!(levels.len(), 20);
+        for (n, [alpha, _]) in (9..).zip(levels) {
             let p = alpha * approach.sigma * libm::pow(10.0, f64::from(n));
             assert!((0.01..1.0001).contains(&p), "{p} at 1e-{n}");
         }

@@ -37,6 +37,8 @@ pub struct Close {
     pub alpha_rate: f64,
     /// dψ/dα, by differences.
     pub psi_slope: f64,
+    /// α d/dα of [`ratio`](Self::ratio), by differences.
+    pub ratio_slope: f64,
     /// dA/dα, by differences.
     pub a_slope: f64,
     /// dA/dα by the way that is still to go, dA² = 2 ds.
@@ -56,9 +58,9 @@ impl Close {
         self.psi / (2.0 * self.alpha)
     }
 
-    /// α d/dα of [`ratio`](Self::ratio).
-    pub fn ratio_slope(&self) -> f64 {
-        0.5 * self.psi_slope - self.ratio()
+    /// The size of what (143) leaves out of [`ratio`](Self::ratio).
+    pub fn left_out(&self) -> f64 {
+        (self.alpha * self.alpha + self.psi * self.psi) * self.ratio().abs()
     }
 }
 
@@ -111,6 +113,12 @@ impl Approach {
             let s = tail.at(t)?;
             Ok([alpha(&s), s.psi(), s.s])
         })?;
+        // In ln(stop − t), in which a power of the time left is smooth, the steps can be longer: less of rounding is left. What
+        // they leave out is the same part of any slope of that power.
+        let [ratio_rate, log_rate] = rates(libm::log(stop - t), 0.05, |log| {
+            let s = tail.at(stop - libm::exp(log))?;
+            Ok([s.psi() / (2.0 * alpha(&s)), libm::log(alpha(&s))])
+        })?;
         let [wide_rate] = rates(t, 0.1 * stop, |t| Ok([a(&tail.at(t)?)]))?;
         let now = tail.at(t)?;
         let size = a(&now);
@@ -121,6 +129,7 @@ impl Approach {
             a: size,
             alpha_rate,
             psi_slope: psi_rate / alpha_rate,
+            ratio_slope: ratio_rate / log_rate,
             a_slope: wide_rate / alpha_rate,
             a_slope_by_way: way_rate / (size * alpha_rate),
             way_left: end.s - now.s,
@@ -147,6 +156,10 @@ fn all_approaches(stream: u64) -> Result<Vec<Approach>, Failure> {
         let rho = points.uniform(0.05, 1.0);
         let p = rho.min(1.0 - rho) * points.uniform(0.1, 0.9);
         let start = [rho, p, points.uniform(-2.8, 2.8)];
+        // A never decreases: this one ends beyond 0.98, after steps without number if ρ is close enough to 1.
+        if rho * rho - p * p > 0.98 * 0.98 {
+            continue;
+        }
         found.extend(
             Approach::new(start)?.filter(|approach| (0.05..0.98).contains(&approach.sigma)),
         );

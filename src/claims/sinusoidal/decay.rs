@@ -132,9 +132,9 @@ pub fn passage_quadrature() -> Evidence {
                 let distance = Scalar::exp(x);
                 lambda * distance / attractor.w(zero + side * distance).abs()
             };
-            let (low, high) = (Scalar::ln(1e-6), Scalar::ln(1e-5));
-            // So near the zero, 𝔴 has nine digits.
-            let sum = integral_within(integrand, low, high, 1e-9)?.value;
+            let (low, high) = (Scalar::ln(1e-7), Scalar::ln(1e-6));
+            // So near the zero, 𝔴 has eight digits.
+            let sum = integral_within(integrand, low, high, 1e-8)?.value;
             Ok(sum / (high - low))
         };
         let (p, q) = (coefficient(-1.0)?, coefficient(1.0)?);

@@ -199,7 +199,13 @@ fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
         let turn = |i: usize| {
             let lambda = points.uniform(0.1, 4.0);
             let theta0 = [0.0, PI][i % 2];
-            Turn::new(i, &mut points, lambda, theta0, 0.2)
+            // At λ just above 1 the stop is far away, and tan(θ/2) falls as (u/u₀)^(1/(λ − 1)).
+            let elapsed = if lambda > 1.0 {
+                0.2 * libm::fmin(50.0 * (lambda - 1.0), 1.0)
+            } else {
+                0.2
+            };
+            Turn::new(i, &mut points, lambda, theta0, elapsed)
         };
         every((0..40).map(turn))
     });
@@ -353,14 +359,10 @@ pub fn corrected82_quadrature() -> Evidence {
             theta,
             ..
         } = *turn;
-        let turned = theta - theta0;
-        // ln(u/u₀) and γτ/u₀ over the part of the angle that is turned.
-        let rates = |part: f64, [ln_u, _]: &[f64; 2]| {
-            let (sine, cosine) = libm::sincos(theta0 + part * turned);
-            let per_angle = [(lambda - cosine) / sine, -libm::exp(*ln_u) / sine];
-            per_angle.map(|rate| rate * turned)
-        };
-        let [_, late] = dop853::end(rates, 0.0, [0.0; 2], 1.0, 1e-14, 1e-15)?;
+        // ln(u/u₀) and γτ/u₀ over y = ln tan(θ/2), in which dy = dθ/sin θ and cos θ = −tanh y.
+        let rates = |y: f64, [ln_u, _]: &[f64; 2]| [lambda + libm::tanh(y), -libm::exp(*ln_u)];
+        let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
+        let [_, late] = dop853::end(rates, y(theta0), [0.0; 2], y(theta), 1e-14, 1e-15)?;
         let found = late * u0 / gamma;
         let n = turn.numbers();
         let stated = corrected::time(n[0], n[5], n[1], n[2], n[3]);

@@ -179,8 +179,8 @@ struct Stop {
     ends: [(&'static str, f64, f64); 3],
     /// σ by the state long after the stop.
     later: f64,
-    /// The same of many at once.
-    of_many: (f64, f64),
+    /// The same of many at once, and what they know the time to.
+    of_many: [f64; 3],
 }
 
 fn stop(i: usize, points: &mut Points) -> Result<Stop, Failure> {
@@ -227,6 +227,7 @@ fn stop(i: usize, points: &mut Points) -> Result<Stop, Failure> {
     let End::Rest {
         sigma: place,
         tau: time,
+        tau_error,
         ..
     } = horizon.follow_alone(&[alone])?[0]
     else {
@@ -244,7 +245,7 @@ fn stop(i: usize, points: &mut Points) -> Result<Stop, Failure> {
             ("the fate", tau, sigma),
         ],
         later: libm::hypot(later.xi, later.eta),
-        of_many: (time, place),
+        of_many: [time, place, tau_error],
     })
 }
 
@@ -328,7 +329,10 @@ pub fn eq99_of_many() -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Within, compared, OF_MANY);
     trial.over(to_rest(), |stop| {
         let stop = stop?;
-        stop.slowed(MANY, stop.of_many.0)
+        let [time, _, error] = stop.of_many;
+        let pair = stop.slowed(MANY, time)?;
+        let scale = pair.scale.max(error / OF_MANY.value);
+        Ok(Pair { scale, ..pair })
     })
 }
 
@@ -342,7 +346,7 @@ pub fn eq104_of_many() -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, OF_MANY);
     let resting = to_rest().map(|stop| -> Result<_, Failure> {
         let stop = stop?;
-        Ok(stop.kept(MANY, stop.of_many.1))
+        Ok(stop.kept(MANY, stop.of_many[1]))
     });
     let mut points = Points::stream(532);
     let going = (0..24).map(|_| -> Result<_, Failure> {

@@ -133,7 +133,10 @@ impl Drive {
                 }
             } else {
                 change = walker.w() - w;
-                let goal = (AIM * (1.0 - rate)).max(ROUNDING) * size;
+                // After a rest, whatever was before it is forgotten: the next period repeats this one to the last bits, unless
+                // the rest was no more than an error of the start.
+                let aim = if rate == 0.0 { 0.0 } else { AIM * (1.0 - rate) };
+                let goal = aim.max(ROUNDING) * size;
                 (low, high) = narrowed(low, high, w, change);
                 settled = change.abs() <= goal;
             }

@@ -121,6 +121,9 @@ const NEGLIGIBLE: f64 = 1e-90;
 /// A slide may end when the time left is this fraction of the time that stopping takes from full speed.
 const LAST: f64 = 1e-18;
 
+/// The angle to the acceleration that at most is left at that speed of one that was below rounding at full speed.
+const STRAIGHT: f64 = 1e-6;
+
 /// Largest unit of acceleration: it is for very short motions only.
 const FASTEST: f64 = 1e100;
 
@@ -191,8 +194,9 @@ impl Run<'_> {
         let rate = self.friction + against;
         // Friction wins whatever the direction: the worst that can come is a turn towards −A.
         let held = speed * (self.friction + size) <= LAST * fastest * (self.friction - size);
-        // Straight on through zero: nothing turns the velocity.
-        let straight = a[0] * v[1] - a[1] * v[0] == 0.0 && against >= 0.0;
+        // Straight on through zero: nothing turns the velocity but rounding. Its angle grows as the speed falls.
+        let across = (a[0] * v[1] - a[1] * v[0]).abs();
+        let straight = across <= STRAIGHT * size * speed && against >= 0.0;
         if !(rate > 0.0 && (held || straight || speed <= NEGLIGIBLE * fastest)) {
             return false;
         }

@@ -5,7 +5,7 @@ use super::super::trajectory::{Piece, State};
 use super::{MotionError, Run};
 use crate::numerics::events::{Way, roots};
 use crate::numerics::series::square;
-use crate::numerics::taylor::TERMS;
+use crate::numerics::taylor::{TERMS, reach};
 
 /// How a particle gets loose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,17 +41,24 @@ impl Run<'_> {
                     Release::Smooth
                 }));
             }
+            // The square of a series is good for less far than the series.
+            let trusted = reach(&excess);
+            let (left, landing) = if trusted < local.left {
+                (trusted, None)
+            } else {
+                (local.left, local.landing)
+            };
             let found = if first.is_some() {
-                roots(&excess, local.left)?
+                roots(&excess, left)?
             } else {
                 Vec::new()
             };
             let crossing = found.iter().find(|root| root.way == Way::Rising);
             crossed = crossing.is_some();
-            let to = match (crossing, local.landing) {
+            let to = match (crossing, landing) {
                 (Some(root), _) => t + root.at,
                 (None, Some(landing)) => landing,
-                (None, None) => t + local.left,
+                (None, None) => t + left,
             };
             let to = to.min(self.until);
             self.push(

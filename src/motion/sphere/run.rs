@@ -236,11 +236,14 @@ impl Run<'_> {
         if excess[0].abs() <= EQUAL * limit {
             excess[0] = 0.0;
         }
-        let release = roots(&excess, local.left)?
+        // The square of a series is good for less far than the series.
+        let trusted = reach(&excess).min(local.left);
+        let release = roots(&excess, trusted)?
             .into_iter()
             .find(|root| root.way == Way::Rising);
         let (h, landing) = match release {
             Some(root) => (root.at, None),
+            None if trusted < local.left => (trusted, None),
             None => (local.left, local.landing),
         };
         self.follow(&local.a, &force, &[[0.0; TERMS]; 2], h, landing);

@@ -21,8 +21,7 @@ use crate::numerics::taylor::{System, TERMS};
 pub const STEPS: usize = 200_000;
 
 /// Below this part of the first speeds, the velocity relative to the table, being a difference, loses its digits:
-/// from there on the last moments before a stop are taken as steadily decelerated, which is true to the square of
-/// this number.
+/// from there on the place counts as fixed in the last moments before a stop, which is true to the square of this number.
 const STOP: f64 = 1e-8;
 
 /// Below this part of them the particle counts as stopped where friction does not hold it.
@@ -136,7 +135,14 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
         });
         let speed = last.speed();
         let pull = omega * omega * (last.x[0] * last.v[0] + last.x[1] * last.v[1]) / speed;
-        let time = speed / (law.friction - pull).abs();
+        let far = omega * omega * libm::hypot(last.x[0], last.x[1]);
+        // The velocity still turns towards the pull. With p′ = far cos ψ − μg and p ψ′ = −far sin ψ, p (μg + far cos ψ) falls
+        // steadily, at the rate (μg)² − far².
+        let time = if law.friction > far {
+            speed * (law.friction + pull) / ((law.friction - far) * (law.friction + far))
+        } else {
+            speed / (law.friction - pull).abs()
+        };
         path.stops.push((t + time).min(until));
         path.legs.push(Leg::Stopping {
             state: last,

@@ -2,6 +2,7 @@
 
 use super::code::Place;
 use super::context::{Context, verdict};
+use super::deep;
 use super::error::Fault;
 use super::maths::Maths;
 use super::plain;
@@ -158,8 +159,9 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         ),
     };
     Ok(format!(
-        "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>{variants}",
-        items?
+        "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>{}{variants}",
+        items?,
+        deep::line(context, entry)
     ))
 }
 

@@ -5,6 +5,7 @@ use super::error::Fault;
 use super::maths::Maths;
 use crate::edition::Edition;
 use crate::figures::Figure;
+use crate::ledger::deep::Deep;
 use crate::ledger::{Entry, Erratum, Ledger, Verdict};
 
 /// All that placeholders are filled from.
@@ -15,6 +16,8 @@ pub(super) struct Context<'a> {
     pub(super) errata: &'a [Erratum],
     pub(super) code: &'a Code<'a>,
     pub(super) maths: &'a Maths,
+    /// A deep run, and the ledger that it gives.
+    pub(super) deep: Option<(Deep<'a>, Ledger)>,
 }
 
 impl<'a> Context<'a> {

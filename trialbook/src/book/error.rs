@@ -2,6 +2,7 @@
 
 use crate::figures::FigureError;
 use crate::ledger::ErrataError;
+use crate::ledger::deep::DeepError;
 use std::io;
 use std::path::PathBuf;
 
@@ -90,6 +91,9 @@ pub enum BookError {
     /// The errata have no numbers.
     #[error(transparent)]
     Errata(#[from] ErrataError),
+    /// The record of the deep run is not one of this ledger.
+    #[error(transparent)]
+    Deep(#[from] DeepError),
     /// mdBook refused the pages or the settings.
     #[error("mdBook: {0}")]
     Render(String),

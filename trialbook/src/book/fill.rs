@@ -4,7 +4,7 @@ use super::claim_box;
 use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::{count, escape, in_words, size};
-use super::{errata, map, symbols, tables, values};
+use super::{deep, errata, map, symbols, tables, values};
 use crate::edition::Filled;
 use crate::evidence::Kind;
 use crate::figures::Figure;
@@ -63,6 +63,8 @@ impl<'a> Filler<'a> {
             ["strongest"] => block(tables::strongest(context)?),
             ["measured"] => block(tables::measured(context)?),
             ["accuracy"] => block(tables::accuracy(context)?),
+            ["deep"] => block(deep::table_of(context)?),
+            ["deep", what] => inline(deep::number(context, what)?),
             ["survivors"] => block(tables::survivors(context, ledger.paper.survivors)?),
             ["spared"] => block(tables::spared(context)?),
             ["coarse"] => block(tables::coarse(context)?),

@@ -13,6 +13,7 @@ use super::swap::{Staging, unwritable};
 use super::{assets, map, put};
 use crate::edition::{Edition, Filled, Page};
 use crate::figures::Figure;
+use crate::ledger::deep::Deep;
 use crate::ledger::{Format, Ledger};
 use mdbook_driver::MDBook;
 use mdbook_driver::config::Config;
@@ -92,6 +93,14 @@ impl<'a> Frame<'a> {
     pub fn fill(self, ledger: &Ledger, figures: &[Figure]) -> Result<PathBuf, BookError> {
         let figures = [figures, &[map::figure(ledger)?]].concat();
         let (errata, code) = (ledger.errata()?, Code::new(self.edition));
+        let deep = match ledger.paper.deep {
+            "" => None,
+            text => {
+                let deep = Deep::read(text)?;
+                let judged = deep.in_place_of(ledger)?;
+                Some((deep, judged))
+            }
+        };
         let context = Context {
             edition: self.edition,
             ledger,
@@ -99,6 +108,7 @@ impl<'a> Frame<'a> {
             errata: &errata,
             code: &code,
             maths: &self.maths,
+            deep,
         };
         let filler = Filler::new(&context);
         let filled = self.filled(&filler)?;

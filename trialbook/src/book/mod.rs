@@ -40,6 +40,7 @@ mod assets;
 mod claim_box;
 mod code;
 mod context;
+mod deep;
 mod errata;
 mod error;
 mod expand;

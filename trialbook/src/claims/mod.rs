@@ -219,6 +219,9 @@ pub struct Paper {
     pub record: &'static str,
     /// How many wrong variants are rejected, as recorded: a line `id: n of m` for each claim with a formula.
     pub tallies: &'static str,
+    /// The record of a deep run; empty if none was made.
+    #[cfg(feature = "book")]
+    pub deep: &'static str,
     /// Its formulas.
     #[cfg(feature = "book")]
     pub formulas: Formulas,
@@ -259,6 +262,7 @@ impl Paper {
         topics: &[],
         record: "",
         tallies: "",
+        deep: "",
         formulas: Formulas::NONE,
         cases: &[],
         values: &[],

@@ -205,6 +205,13 @@ pub(super) fn round(edition: &Edition, ids: &[String], round: u64) -> Result<u8,
     Ok(0)
 }
 
+/// Prints the record of a deep run.
+pub(super) fn record(paper: &'static Paper, date: &str, depth: Depth) -> Result<u8, Failure> {
+    let tried = Tried::new(paper, None, depth)?;
+    say(&tried.ledger.record(date, tried.rounds))?;
+    Ok(tried.code())
+}
+
 /// Shows one claim.
 pub(super) fn show(
     edition: &Edition,

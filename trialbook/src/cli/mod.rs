@@ -69,6 +69,9 @@ enum Command {
         /// Only print what the round of this number brings
         #[arg(long, hide = true, value_name = "N", conflicts_with = "depth")]
         round: Option<u64>,
+        /// Only print the record of a deep run of this date
+        #[arg(long, hide = true, value_name = "DATE", requires = "depth", conflicts_with_all = ["ids", "json", "csv"])]
+        record: Option<String>,
     },
     /// Seed mistakes in the formulas, and see which trial notices which: some minutes for all claims
     ///
@@ -211,11 +214,15 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
     }
     let paper = edition.paper;
     match Command::from_arg_matches(matches)? {
-        Command::Verify { ids, round: None } => ledger::verify(edition, &ids, depth, format),
         Command::Verify {
             ids,
             round: Some(round),
+            ..
         } => ledger::round(edition, &ids, round),
+        Command::Verify {
+            record: Some(date), ..
+        } => ledger::record(paper, &date, depth),
+        Command::Verify { ids, .. } => ledger::verify(edition, &ids, depth, format),
         Command::Distrust { ids } => {
             let ids = ledger::known_all(edition, &ids)?;
             distrust::distrust(edition, &ids, format)

@@ -7,7 +7,7 @@ use std::fmt::Write;
 /// What a round has brought, as text that cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum DeepError {
-    /// A line that is not a claim, the number of a trial, points, a disagreement and where it was.
+    /// A line that is not a claim, a trial, points, a disagreement and where it was.
     #[error("what a round has brought, line {line}: expected five columns, found `{text}`")]
     Line {
         /// Number of the line, from 1.
@@ -22,15 +22,26 @@ pub enum DeepError {
         line: usize,
         /// The id of the claim.
         claim: String,
-        /// The number of the trial, from 0.
-        trial: usize,
+        /// The name of the trial.
+        trial: String,
+    },
+    /// A record that does not begin with a date, the number of rounds and that of all comparisons.
+    #[error("the record of a deep run: expected date, rounds and comparisons, found `{0}`")]
+    Header(String),
+    /// A record whose lines are not those that were counted.
+    #[error("the record of a deep run: {counted} comparisons were counted, its lines have {found}")]
+    Comparisons {
+        /// What its first line says.
+        counted: usize,
+        /// What the others add up to.
+        found: usize,
     },
 }
 
 /// A line of a round: of which claim and trial, how many points, the largest disagreement, and where.
 struct Brought<'a> {
     claim: &'a str,
-    trial: usize,
+    trial: &'a str,
     points: usize,
     worst: f64,
     at: &'a str,
@@ -44,7 +55,7 @@ impl<'a> Brought<'a> {
         };
         Some(Brought {
             claim,
-            trial: trial.parse().ok()?,
+            trial,
             points: points.parse().ok()?,
             worst: worst.parse().ok()?,
             at,
@@ -64,9 +75,8 @@ impl Evidence {
 }
 
 impl Entry {
-    fn measured(&self) -> impl Iterator<Item = (usize, &Evidence)> {
-        let all = self.evidence.iter().enumerate();
-        all.filter(|(_, e)| !e.route.is_proof())
+    pub(crate) fn measured(&self) -> impl Iterator<Item = &Evidence> {
+        self.evidence.iter().filter(|e| !e.route.is_proof())
     }
 }
 
@@ -75,12 +85,13 @@ impl Ledger {
     pub fn round(&self) -> String {
         let mut text = String::new();
         for entry in &self.entries {
-            for (trial, e) in entry.measured() {
+            for e in entry.measured() {
                 // Nothing can fail in writing to a string.
                 let _ = writeln!(
                     text,
-                    "{}\t{trial}\t{}\t{:?}\t{}",
+                    "{}\t{}\t{}\t{:?}\t{}",
                     entry.claim.id,
+                    e.trial,
                     e.points,
                     e.worst,
                     e.at.replace(['\t', '\n'], " ")
@@ -95,36 +106,47 @@ impl Ledger {
     /// # Errors
     /// [`DeepError`] for the first line that cannot be read or belongs to no trial; nothing is added then.
     pub fn add(&mut self, round: &str) -> Result<(), DeepError> {
-        let read = |(i, text): (usize, &str)| {
+        let read = |(i, text): (usize, &'_ str)| {
             let line = i + 1;
             let brought = Brought::read(text).ok_or_else(|| DeepError::Line {
                 line,
                 text: text.to_owned(),
             })?;
-            let entry = self
-                .entries
-                .iter()
-                .position(|e| e.claim.id == brought.claim);
-            let known = entry.filter(|e| brought.trial < self.entries[*e].evidence.len());
-            known
-                .map(|entry| (entry, brought.trial, line))
-                .ok_or_else(|| DeepError::Trial {
-                    line,
-                    claim: brought.claim.to_owned(),
-                    trial: brought.trial,
-                })
+            let mut entries = self.entries.iter();
+            let entry = entries.position(|e| e.claim.id == brought.claim);
+            let place = entry.and_then(|entry| {
+                let mut trials = self.entries[entry].evidence.iter();
+                let trial = trials.position(|e| !e.route.is_proof() && e.trial == brought.trial)?;
+                Some((entry, trial))
+            });
+            place.ok_or_else(|| DeepError::Trial {
+                line,
+                claim: brought.claim.to_owned(),
+                trial: brought.trial.to_owned(),
+            })
         };
         let places: Vec<_> = round
             .lines()
             .enumerate()
             .map(read)
             .collect::<Result<_, _>>()?;
-        for ((entry, trial, _), text) in places.into_iter().zip(round.lines()) {
+        for ((entry, trial), text) in places.into_iter().zip(round.lines()) {
             if let Some(brought) = Brought::read(text) {
                 self.entries[entry].evidence[trial].take(&brought);
             }
         }
         Ok(())
+    }
+
+    /// The record of this run, of so many rounds, for [`Deep::read`].
+    pub fn record(&self, date: &str, rounds: u32) -> String {
+        let points = self.measured_points();
+        format!("{date}\t{rounds}\t{points}\n{}", self.round())
+    }
+
+    fn measured_points(&self) -> usize {
+        let measured = self.entries.iter().flat_map(Entry::measured);
+        measured.map(|e| e.points).sum()
     }
 
     /// The same evidence, judged anew.
@@ -134,5 +156,60 @@ impl Ledger {
             entry.judgement = judge(entry.claim.kind, change, &entry.evidence);
         }
         Self::of(self.paper, self.entries)
+    }
+}
+
+/// A deep run as it is kept beside the verdicts.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Deep<'a> {
+    /// When it was made.
+    pub date: &'a str,
+    /// How many rounds it had.
+    pub rounds: u32,
+    /// How much was compared.
+    pub comparisons: usize,
+    brought: &'a str,
+}
+
+impl<'a> Deep<'a> {
+    /// Reads what [`Ledger::record`] has written.
+    ///
+    /// # Errors
+    /// [`DeepError::Header`] for another first line.
+    pub fn read(text: &'a str) -> Result<Self, DeepError> {
+        let (first, brought) = text.split_once('\n').unwrap_or((text, ""));
+        let header = || {
+            let columns: Vec<_> = first.split('\t').collect();
+            let [date, rounds, comparisons] = columns[..] else {
+                return None;
+            };
+            Some(Deep {
+                date,
+                rounds: rounds.parse().ok()?,
+                comparisons: comparisons.parse().ok()?,
+                brought,
+            })
+        };
+        header().ok_or_else(|| DeepError::Header(first.to_owned()))
+    }
+
+    /// The ledger with what this run has brought in place of its own measurements, judged anew: a trial that the run did not
+    /// have is left without points.
+    ///
+    /// # Errors
+    /// As for [`Ledger::add`]; [`DeepError::Comparisons`] where lines are missing, or are there twice.
+    pub fn in_place_of(&self, ledger: &Ledger) -> Result<Ledger, DeepError> {
+        let mut deep = ledger.clone();
+        let evidence = deep.entries.iter_mut().flat_map(|e| &mut e.evidence);
+        for e in evidence.filter(|e| !e.route.is_proof()) {
+            (e.points, e.worst) = (0, 0.0);
+            e.at.clear();
+        }
+        deep.add(self.brought)?;
+        let (counted, found) = (self.comparisons, deep.measured_points());
+        match counted == found {
+            true => Ok(deep.judged()),
+            false => Err(DeepError::Comparisons { counted, found }),
+        }
     }
 }

@@ -1,0 +1,90 @@
+//! What a deep run has brought.
+
+use super::context::Context;
+use super::error::Fault;
+use super::tables::table;
+use super::text::{count, counted, escape, size};
+use crate::evidence::{Evidence, Route};
+use crate::ledger::deep::Deep;
+use crate::ledger::{Entry, Ledger};
+use std::collections::BTreeMap;
+
+/// What it has brought for one claim, in a sentence; empty where nothing was measured.
+pub(super) fn line(context: &Context<'_>, entry: &Entry) -> String {
+    let deep = context.deep.as_ref();
+    let Some(entry) = deep.and_then(|(_, ledger)| ledger.entry(entry.claim.id)) else {
+        return String::new();
+    };
+    let Some(closest) = entry.closest() else {
+        return String::new();
+    };
+    let points = entry.measured().map(|e| e.points).sum();
+    format!(
+        "<p>{}: {}, worst disagreement {} where {} is allowed.</p>",
+        context.explained("Deep run", "deep"),
+        counted(points, "point"),
+        size(closest.worst),
+        size(closest.tolerance.value)
+    )
+}
+
+fn run<'a, 'b>(context: &'b Context<'a>) -> Result<&'b (Deep<'a>, Ledger), Fault> {
+    let none = || Fault::Placeholder("the paper has no record of a deep run".into());
+    context.deep.as_ref().ok_or_else(none)
+}
+
+/// A number of the run, by its name.
+pub(super) fn number(context: &Context<'_>, what: &str) -> Result<String, Fault> {
+    let (deep, _) = run(context)?;
+    match what {
+        "date" => Ok(escape(deep.date)),
+        "rounds" => Ok(count(deep.rounds as usize)),
+        "comparisons" => Ok(count(deep.comparisons)),
+        _ => Err(Fault::Placeholder(format!("a deep run has no {what}"))),
+    }
+}
+
+/// How much was compared by each route, and what came closest to its tolerance.
+pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
+    let mut routes: BTreeMap<Route, Vec<(&Entry, &Evidence)>> = BTreeMap::new();
+    for entry in &run(context)?.1.entries {
+        for e in entry.measured() {
+            routes.entry(e.route).or_default().push((entry, e));
+        }
+    }
+    let row = |(route, trials): (Route, Vec<(&Entry, &Evidence)>)| {
+        let points = trials.iter().map(|(_, e)| e.points).sum();
+        let fewest = trials.iter().map(|(_, e)| e.points).min();
+        let part = |entry: &Entry| {
+            let e = entry.closest().filter(|e| e.route == route)?;
+            (e.worst > 0.0).then(|| e.worst / e.tolerance.value)
+        };
+        let parts = trials
+            .iter()
+            .filter_map(|(entry, _)| Some((*entry, part(entry)?)));
+        let closest = parts.max_by(|a, b| a.1.total_cmp(&b.1));
+        let closest = closest.map(|(entry, part)| -> Result<_, Fault> {
+            Ok(format!(
+                "{:.0} % of it, {}",
+                100.0 * part,
+                context.link(entry)?
+            ))
+        });
+        Ok([
+            route.name().to_owned(),
+            count(trials.len()),
+            count(points),
+            count(fewest.unwrap_or(0)),
+            closest.transpose()?.unwrap_or_default(),
+        ])
+    };
+    let rows: Result<Vec<_>, Fault> = routes.into_iter().map(row).collect();
+    let head = [
+        "By",
+        "Trials",
+        "Points",
+        "Fewest of a trial",
+        "Closest to its tolerance",
+    ];
+    Ok(table("deep", head, rows?))
+}
