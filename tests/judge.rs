@@ -19,7 +19,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
 }
 
 fn verdict(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Verdict {
-    judge(kind, change, evidence).verdict
+    judge(kind, change, &[], evidence).verdict
 }
 
 const GOOD: f64 = 1e-13;
@@ -198,10 +198,10 @@ fn nan_infinity_too_few_points_and_nothing_never_confirm() {
         assert_eq!(verdict(Kind::Equation, None, &e), Verdict::Undecided);
     }
     assert_eq!(verdict(Kind::Equation, None, &[]), Verdict::Undecided);
-    let judged = judge(Kind::Equation, None, &[]);
+    let judged = judge(Kind::Equation, None, &[], &[]);
     assert_eq!(judged.ground, "no trial yet");
     nan.at = "the integrator failed".into();
-    let judged = judge(Kind::Equation, None, &[nan]);
+    let judged = judge(Kind::Equation, None, &[], &[nan]);
     assert!(judged.ground.contains("the integrator failed"));
 }
 
@@ -230,7 +230,7 @@ fn a_proof_of_a_part_proves_no_claim() {
     let root = evidence(Route::Root, Subject::Printed, GOOD);
     let alone = [part.clone(), census.clone()];
     assert_eq!(verdict(Kind::Equation, None, &alone), Verdict::Undecided);
-    let judged = judge(Kind::Equation, None, &[part, census, root]);
+    let judged = judge(Kind::Equation, None, &[], &[part, census, root]);
     assert_eq!(judged.verdict, Verdict::Confirmed);
     assert_eq!(
         judged.ground,

@@ -42,9 +42,11 @@ pub mod sphere;
 #[cfg(feature = "book")]
 pub mod turntable;
 
-pub use trialbook::claims::{Claim, Condition, Correction, Paper, Topic};
+pub use trialbook::claims::{Claim, Condition, Correction, Paper, Sort, Topic};
 #[cfg(feature = "book")]
-pub use trialbook::claims::{attempt, compare, conditioned, enclosed, points, runs, statement};
+pub use trialbook::claims::{
+    attempt, compare, conditioned, enclosed, excepted, points, runs, statement,
+};
 
 /// All topics, in the paper's order.
 #[cfg(feature = "book")]

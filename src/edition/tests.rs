@@ -1,5 +1,5 @@
 use super::EDITION;
-use crate::claims::{Claim, Condition, Correction, PAPER, Topic};
+use crate::claims::{Claim, Condition, Correction, PAPER, Sort, Topic};
 use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger, judge};
@@ -23,11 +23,11 @@ static FULL: Claim = Claim {
     conditions: &[
         Condition {
             text: r"$\lambda<1$ & <b>",
-            stated: true,
+            sort: Sort::Stated,
         },
         Condition {
             text: "v > 0",
-            stated: false,
+            sort: Sort::Substance,
         },
     ],
     depends_on: &["eq-11", "s21-large-friction-stops"],
