@@ -211,6 +211,10 @@ fn the_book_is_whole() {
         );
         if **page != "toc.html" && !page.starts_with("code/") {
             let prose = prose(html);
+            assert!(
+                !html.contains("href=\"http"),
+                "{page} leads out of the book"
+            );
             for left in ["$", "{{", "}}", "\\frac", "**"] {
                 assert!(!prose.contains(left), "{page}: a leftover {left}");
             }
@@ -431,6 +435,16 @@ fn what_cannot_be_filled_or_set_is_named_with_page_and_line() {
         assert!(error.to_string().contains(told), "{added}: {error}");
         assert!(!out.exists());
     }
+    let dead = with_page(
+        "index",
+        |text| format!("{text}\n[a](map.md#nowhere)\n"),
+        &out,
+    );
+    let dead = dead.unwrap_err().to_string();
+    assert!(
+        dead.ends_with("index.html: map.html#nowhere; print.html: #nowhere"),
+        "{dead}"
+    );
     let twice = with_page(
         "constant",
         |text| format!("{text}\n{{{{claim eq-11}}}}\n"),

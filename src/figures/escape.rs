@@ -34,7 +34,7 @@ pub fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureError> {
         .alt(
             "Three panels over the time from 10 to a hundred million, on a logarithmic axis. In each the three \
              curves join before ten thousand and run level along the line of the corrected value, above the \
-             printed one.",
+             printed one where there is one.",
         );
     for quantity in quantities {
         let mut panel = Panel::new(

@@ -8,6 +8,7 @@ mod hold;
 mod late;
 mod meaning;
 mod mistakes;
+mod prose;
 mod slips;
 mod table;
 mod words;

@@ -78,6 +78,12 @@ pub enum BookError {
         /// The page where it belongs.
         page: String,
     },
+    /// Links that lead nowhere.
+    #[error("dead links, each behind its page: {}", links.join("; "))]
+    DeadLinks {
+        /// As [`dead_links`](super::dead_links()) has them.
+        links: Vec<String>,
+    },
     /// The map of claims cannot be drawn.
     #[error("the map of claims: {0}")]
     Map(#[from] FigureError),

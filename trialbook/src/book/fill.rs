@@ -3,9 +3,10 @@
 use super::claim_box;
 use super::context::{Context, verdict};
 use super::error::Fault;
-use super::text::{count, escape, size};
+use super::text::{count, escape, in_words, size};
 use super::{errata, map, symbols, tables, values};
 use crate::edition::Filled;
+use crate::evidence::Kind;
 use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger, Tally, Verdict};
 use std::collections::BTreeSet;
@@ -52,6 +53,7 @@ impl<'a> Filler<'a> {
                 block(claim_box::claim_box(context, entry)?)
             }
             ["figure", id] => block(self.figure(id)?),
+            ["contents"] => inline(self.contents(page)?),
             ["title"] => inline(escape(ledger.paper.title)),
             ["authors"] => inline(escape(ledger.paper.authors)),
             ["counts"] => block(tables::counts(ledger)),
@@ -125,6 +127,32 @@ impl<'a> Filler<'a> {
             return Err(Fault::Placeholder("this claim is shown already".into()));
         }
         Ok(())
+    }
+
+    /// What the topic of a page consists of: its equations, its statements in words, its figures.
+    fn contents(&self, page: &str) -> Result<String, Fault> {
+        let mut topics = self.context.ledger.paper.topics.iter();
+        let topic = topics.find(|topic| topic.stem == page);
+        let none = || Fault::Placeholder("this is no page of a topic".into());
+        let claims = topic.ok_or_else(none)?.claims;
+        let numbers: Vec<u16> = claims.iter().filter_map(|claim| claim.equation).collect();
+        let equations = match numbers[..] {
+            [] => None,
+            [only] => Some(format!("equation ({only})")),
+            [first, second] => Some(format!("equations ({first}) and ({second})")),
+            [first, .., last] => Some(format!("equations ({first}) to ({last})")),
+        };
+        let figures = claims.iter().filter(|claim| claim.kind == Kind::Figure);
+        let figures = figures.count();
+        let statements = claims.len() - numbers.len() - figures;
+        let said = |n: usize, one: &str, many: &str| match n {
+            0 => None,
+            1 => Some(format!("one {one}")),
+            n => Some(format!("{} {many}", in_words(n))),
+        };
+        let statements = said(statements, "statement in words", "statements in words");
+        let parts = [equations, statements, said(figures, "figure", "figures")];
+        Ok(parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
     }
 
     fn figure(&self, id: &str) -> Result<String, Fault> {

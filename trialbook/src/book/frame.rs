@@ -5,6 +5,7 @@ use super::context::Context;
 use super::error::{BookError, Fault};
 use super::expand::{Blank, MARK, expand};
 use super::fill::{self, Filler};
+use super::links::dead_links;
 use super::maths::{Forms, Maths};
 use super::pages;
 use super::search::Search;
@@ -127,6 +128,10 @@ impl<'a> Frame<'a> {
         let (finished, written) = rayon::join(finish, beside);
         finished?;
         written?;
+        let links = dead_links(&book).map_err(|reason| unwritable(&book, reason))?;
+        if !links.is_empty() {
+            return Err(BookError::DeadLinks { links });
+        }
         self.staging.mark(&book)?;
         let out = self.staging.swap(&book)?;
         Ok(out.join("index.html"))

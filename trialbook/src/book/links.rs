@@ -1,11 +1,13 @@
 //! The links of a written book.
 
+use super::text::unescape;
+use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// The links of the pages in a folder that lead nowhere, each as `page: link`: to a file or a place that is not there, or out
-/// of the book.
+/// The links of the pages in a folder that lead nowhere, each once, as `page: link`: to a file or a place that is not there. What
+/// is loaded from out of the book is dead too; where a link leads out of it, nobody is asked.
 ///
 /// # Errors
 /// What the system says where a file cannot be read.
@@ -25,38 +27,63 @@ pub fn dead_links(folder: &Path) -> io::Result<Vec<String>> {
         let below = path.strip_prefix(folder).unwrap_or(path);
         below.to_string_lossy().replace('\\', "/")
     };
-    let mut pages = BTreeMap::new();
-    for path in files
-        .iter()
-        .filter(|path| path.extension().is_some_and(|e| e == "html"))
-    {
-        pages.insert(name(path), fs::read_to_string(path)?);
-    }
+    let read = |path: &PathBuf| Ok((name(path), fs::read_to_string(path)?));
+    let html = |path: &&PathBuf| path.extension().is_some_and(|e| e == "html");
+    let pages: io::Result<Vec<(String, String)>> =
+        files.par_iter().filter(html).map(read).collect();
+    let pages = pages?;
     let files: BTreeSet<String> = files.iter().map(|path| name(path)).collect();
     let places = pages
-        .iter()
-        .map(|(page, html)| (page, values(html, "id").collect()));
-    let places: BTreeMap<&String, BTreeSet<&str>> = places.collect();
-    let leads = |page: &String, link: &str| {
+        .par_iter()
+        .map(|(page, html)| (page.as_str(), values(html, "id").collect()));
+    let places: BTreeMap<&str, BTreeSet<&str>> = places.collect();
+    let leads = |page: &str, link: &str| {
         let (file, place) = link.split_once('#').unwrap_or((link, ""));
         let target = match file {
-            "" => page.clone(),
+            "" => page.to_owned(),
             file => from(page, file),
         };
         let there = || {
             places
-                .get(&target)
+                .get(target.as_str())
                 .is_some_and(|places| places.contains(place))
         };
         files.contains(&target) && (place.is_empty() || there())
     };
-    let dead = pages.iter().flat_map(|(page, html)| {
-        let links = values(html, "href").chain(values(html, "src"));
-        links
-            .filter(|link| !leads(page, link))
-            .map(move |link| format!("{page}: {link}"))
+    let dead = pages.par_iter().flat_map_iter(|(page, html)| {
+        let own = values(html, "href").filter(|link| !OUTSIDE.iter().any(|o| link.starts_with(o)));
+        let links = own.chain(values(html, "src")).filter(|link| {
+            let known = leads(page, link);
+            !known && !leads(page, &decoded(link))
+        });
+        links.map(move |link| format!("{page}: {link}"))
     });
-    Ok(dead.collect())
+    let dead: BTreeSet<String> = dead.collect();
+    Ok(dead.into_iter().collect())
+}
+
+/// How the links begin that lead out of the book.
+const OUTSIDE: [&str; 3] = ["https://", "http://", "mailto:"];
+
+/// A link without the disguise that HTML and addresses ask for: `a%20b&amp;c` is `a b&c`.
+fn decoded(link: &str) -> String {
+    let link = unescape(link);
+    let mut bytes = Vec::with_capacity(link.len());
+    let mut rest = link.as_bytes();
+    while let [first, after @ ..] = rest {
+        let pair = after
+            .get(..2)
+            .and_then(|pair| std::str::from_utf8(pair).ok());
+        let pair = pair.filter(|pair| pair.bytes().all(|b| b.is_ascii_hexdigit()));
+        let coded = pair.and_then(|pair| u8::from_str_radix(pair, 16).ok());
+        let (byte, left) = match (first, coded) {
+            (b'%', Some(byte)) => (byte, &after[2..]),
+            (first, _) => (*first, after),
+        };
+        bytes.push(byte);
+        rest = left;
+    }
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 /// The values of an attribute in a page.
@@ -96,13 +123,16 @@ mod tests {
         );
         put(
             "code/b.html",
-            "<i id=\"y\"><a href=\"../a.html#x\"><a href=\"../a.html#y\"><a href=\"//elsewhere\">",
+            "<i id=\"y\"><a href=\"../a.html#x\"><a href=\"../a.html#y\"><a href=\"//elsewhere\">\
+             <a href=\"https://doi.org/1\"><img src=\"https://doi.org/2\"><i id=\"ä&\"><a href=\"#%C3%A4&amp;\"><a href=\"#%zz%\">",
         );
         let dead = [
             "a.html: #z",
             "a.html: c.svg",
+            "code/b.html: #%zz%",
             "code/b.html: ../a.html#y",
             "code/b.html: //elsewhere",
+            "code/b.html: https://doi.org/2",
         ];
         assert_eq!(dead_links(folder.path()).unwrap(), dead);
     }

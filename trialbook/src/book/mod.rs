@@ -8,6 +8,7 @@
 //! | `{{figure fig-1}}` | the figure with its caption, text alternative and data |
 //! | `{{title}}`, `{{authors}}` | of the paper |
 //! | `{{counts}}` | a table of the verdicts with the number of claims |
+//! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |

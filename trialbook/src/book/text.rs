@@ -69,6 +69,17 @@ pub(super) fn count(n: usize) -> String {
     out
 }
 
+/// A count in words, up to twelve.
+pub(super) fn in_words(n: usize) -> String {
+    const WORDS: [&str; 13] = [
+        "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
+        "eleven", "twelve",
+    ];
+    WORDS
+        .get(n)
+        .map_or_else(|| count(n), |word| (*word).to_owned())
+}
+
 /// A count with its noun: `1 point`, `20 points`.
 pub(super) fn counted(n: usize, noun: &str) -> String {
     let plural = if n == 1 { "" } else { "s" };
@@ -165,6 +176,8 @@ mod tests {
         assert_eq!(count(999), "999");
         assert_eq!(count(1000), "1,000");
         assert_eq!(count(1_234_567), "1,234,567");
+        assert_eq!(in_words(12), "twelve");
+        assert_eq!(in_words(1300), "1,300");
         assert_eq!(counted(1, "point"), "1 point");
         assert_eq!(size(3.21e-13), "3.2\u{a0}×\u{a0}10<sup>−13</sup>");
         assert_eq!(size(1e-10), "1\u{a0}×\u{a0}10<sup>−10</sup>");

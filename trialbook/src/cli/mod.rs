@@ -167,13 +167,15 @@ const OWN: usize = 6;
 /// Runs the command line of this process.
 pub fn run(edition: &Edition) -> ExitCode {
     let matches = command(edition).get_matches();
-    match answer(edition, &matches) {
-        Ok(code) => ExitCode::from(code),
-        Err(error) => {
-            complain(edition.name, &error.to_string());
-            ExitCode::from(2)
-        }
-    }
+    ExitCode::from(exit_code(edition, answer(edition, &matches)))
+}
+
+/// The exit code of an answer; of a failure standard error says what it is.
+fn exit_code(edition: &Edition, answer: Result<u8, Failure>) -> u8 {
+    answer.unwrap_or_else(|error| {
+        complain(edition.name, &error.to_string());
+        2
+    })
 }
 
 fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
@@ -245,4 +247,52 @@ fn completions(edition: &Edition, shell: Shell, format: Format) -> Result<u8, Fa
         Format::Csv => return Err(no_table()),
     }
     Ok(0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::Paper;
+    use crate::edition::Page;
+    use std::fs;
+
+    /// What the main job says to a book whose first page has this text.
+    fn main_job(text: &'static str, out: &std::path::Path) -> Result<u8, Failure> {
+        let edition = Edition {
+            pages: vec![Page::new("index", "Stones", text)].leak(),
+            ..Edition::of("stone", &Paper::BLANK)
+        };
+        let out = out.to_str().ok_or("no name")?;
+        let said = command(&edition).get_matches_from(["stone", "--csv", "--out", out]);
+        answer(&edition, &said)
+    }
+
+    #[test]
+    fn a_dead_link_ends_the_main_job_and_is_named_with_its_page() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        let edition = Edition::of("stone", &Paper::BLANK);
+        let alive = "# Stones {#s}\n\n[a](#s), [b](errata.md), [c](https://doi.org/1).";
+        assert_eq!(exit_code(&edition, main_job(alive, &out)), 0);
+        let before = fs::read_to_string(out.join("index.html")).unwrap();
+        for (page, link) in [
+            ("# Stones\n\n[a](#sand)", "index.html: #sand"),
+            ("# Stones\n\n[a](sand.md)", "index.html: sand.html"),
+            (
+                "# Stones\n\n[a](errata.md#sand)",
+                "index.html: errata.html#sand",
+            ),
+            ("# Stones\n\n![a](sand.svg)", "index.html: sand.svg"),
+        ] {
+            let answer = main_job(page, &out);
+            let why = answer.as_ref().unwrap_err().to_string();
+            assert!(why.contains(link), "{why}");
+            assert_eq!(exit_code(&edition, answer), 2);
+        }
+        let after = fs::read_to_string(out.join("index.html")).unwrap();
+        assert!(
+            before == after,
+            "a book with a dead link took the place of one without"
+        );
+    }
 }

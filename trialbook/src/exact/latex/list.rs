@@ -9,8 +9,32 @@ const DEEPEST: usize = 32;
 
 /// Commands that are names.
 const LETTERS: &[&str] = &[
-    "alpha", "beta", "gamma", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "xi", "pi",
-    "rho", "sigma", "tau", "phi", "psi", "omega", "Omega", "varpi", "ell", "infty", "perp",
+    "alpha",
+    "beta",
+    "gamma",
+    "delta",
+    "epsilon",
+    "varepsilon",
+    "zeta",
+    "eta",
+    "theta",
+    "kappa",
+    "lambda",
+    "mu",
+    "nu",
+    "xi",
+    "pi",
+    "rho",
+    "sigma",
+    "tau",
+    "phi",
+    "psi",
+    "omega",
+    "Omega",
+    "varpi",
+    "ell",
+    "infty",
+    "perp",
 ];
 
 /// Commands that change the name in their argument.

@@ -1,0 +1,169 @@
+//! Captions, and what they say to those who do not see the figure.
+
+use crate::data::Data;
+use crate::directed;
+use crate::tried::TRIED;
+use slipbook::figures::all;
+
+/// Words with a direction in captions, and those that say how something is drawn.
+const SHOWN: &[&str] = &[
+    "above",
+    "backwards",
+    "below",
+    "dashed",
+    "dotted",
+    "down",
+    "dwindles",
+    "earlier",
+    "fall",
+    "falling",
+    "falls",
+    "faster",
+    "grows",
+    "growing",
+    "higher",
+    "inner",
+    "inside",
+    "larger",
+    "left",
+    "less",
+    "longest",
+    "lower",
+    "more",
+    "never",
+    "outer",
+    "outside",
+    "outwards",
+    "right",
+    "rise",
+    "rises",
+    "rising",
+    "shrink",
+    "slower",
+    "small",
+    "smaller",
+    "solid",
+    "steeper",
+    "steeply",
+    "thick",
+    "thin",
+    "up",
+    "upwards",
+];
+
+/// Words with a direction in captions that nothing tries, by figure.
+const UNTRIED: &[(&str, &str)] = &[
+    ("fig-1", "right upwards Above up Below above"),
+    ("constant-speed-angle", "Above Below"),
+    ("fig-2", "lower smaller"),
+    ("sinusoidal-decay", "dotted dwindles below"),
+    ("sinusoidal-rest", "up"),
+    ("sinusoidal-family", "small down"),
+    ("periodic-census", "small right never"),
+    ("periodic-pulses", "up down small rises falls"),
+    ("periodic-rest-shares", "right upwards Above grows left"),
+    ("periodic-come-and-go", "growing never"),
+    (
+        "fig-5",
+        "Above Below right upwards fall left thin below lower above",
+    ),
+    ("fig-6", "backwards right upwards never"),
+    ("anisotropic-census", "right upwards below above"),
+    ("anisotropic-far", "falls below"),
+    ("sphere-swinging", "solid dashed"),
+    ("turntable-paths", "outwards slower Above right Below"),
+    ("turntable-following", "Above thick thin Below dotted rise"),
+    ("escape-compensated", "grows falls right"),
+    ("escape-paths", "down inside outside backwards outwards"),
+    ("escape-fan", "down inner dotted outer backwards"),
+    ("rest-radius", "down dashed"),
+    (
+        "rest-census",
+        "small right upwards below falls steeply solid dashed",
+    ),
+    ("rest-boundary", "dashed"),
+    (
+        "rest-space",
+        "inside solid outside dotted down falls right larger left",
+    ),
+    ("digits", "higher more right below dashed above upwards"),
+];
+
+#[test]
+fn every_direction_in_a_caption_is_tried_on_its_numbers_or_listed() {
+    let figures = all().unwrap();
+    let mut failures = Vec::new();
+    for (id, words, holds) in TRIED {
+        let figure = figures.iter().find(|figure| figure.id == *id).unwrap();
+        if !figure.caption.contains(words) && !figure.alt.contains(words) {
+            failures.push(format!("{id}: it does not say {words:?}"));
+        }
+        if !holds(&Data::of(figure)) {
+            failures.push(format!("{id}: the numbers are not so that {words:?}"));
+        }
+    }
+    for figure in &figures {
+        let tried = TRIED
+            .iter()
+            .filter(|row| row.0 == figure.id)
+            .map(|row| row.1);
+        let left = tried.fold(
+            format!("{} {}", figure.caption, figure.alt),
+            |text, words| text.replace(words, ""),
+        );
+        let left = directed(&left, SHOWN).join(" ");
+        let listed = UNTRIED
+            .iter()
+            .find(|row| row.0 == figure.id)
+            .map_or("", |row| row.1);
+        if left != listed {
+            failures.push(format!("(\"{}\", \"{left}\"),", figure.id));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// The decimals of a text.
+fn decimals(text: &str) -> Vec<&str> {
+    let parts = text.split(|c: char| !(c.is_ascii_digit() || c == '.'));
+    let parts = parts.map(|part| part.trim_end_matches('.'));
+    parts
+        .filter(|part| part.contains('.') && !part.starts_with('.'))
+        .collect()
+}
+
+/// Decimals of captions that are no cell of the figure's numbers, by figure, and what they are.
+const OTHER_DECIMALS: &[(&str, &str, &str)] = &[
+    (
+        "anisotropic-census",
+        "1.4",
+        "the end of the census along λ₀",
+    ),
+    ("anisotropic-census", "0.28", "the end of an axis"),
+    ("anisotropic-far", "2.0000000", "computed"),
+    ("anisotropic-far", "3.1415927", "computed"),
+    ("anisotropic-far", "12.5663706", "computed"),
+    ("anisotropic-far", "4.6", "where C is left, to be seen"),
+    ("rest-boundary", "1.4", "√2; tried as a direction"),
+];
+
+#[test]
+fn every_decimal_in_a_caption_is_one_of_its_numbers_or_listed() {
+    let mut failures = Vec::new();
+    for figure in all().unwrap() {
+        let cells: Vec<f64> = Data::of(&figure).rows().concat();
+        for number in decimals(&format!("{} {}", figure.caption, figure.alt)) {
+            let places = number.len() - number.find('.').unwrap() - 1;
+            let known = cells
+                .iter()
+                .any(|cell| format!("{:.places$}", cell.abs()) == *number);
+            let listed = OTHER_DECIMALS
+                .iter()
+                .any(|row| (row.0, row.1) == (figure.id, number));
+            if known == listed {
+                failures.push(format!("(\"{}\", \"{number}\", \"\"),", figure.id));
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}

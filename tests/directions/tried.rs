@@ -1,0 +1,347 @@
+//! What captions say of directions, tried on the numbers of the figure.
+
+use crate::data::{Data, column, falls, peak, rises, steepens};
+use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
+
+/// A figure, words of its caption or its alternative in words, and whether its numbers are so.
+pub type Said = (&'static str, &'static str, fn(&Data) -> bool);
+
+pub const TRIED: &[Said] = &[
+    (
+        "constant-stopping-time",
+        "It is longest when the particle starts along the inertial force",
+        |data| {
+            data.groups()
+                .iter()
+                .all(|(_, rows)| peak(rows, 1, 2)[0] == 0.0)
+        },
+    ),
+    (
+        "constant-stopping-time",
+        "fall from the initial angle zero to the angle π, the higher and the steeper",
+        |data| {
+            let groups = data.groups();
+            let drop = |rows: &[Vec<f64>]| rows[0][2] - rows[rows.len() - 1][2];
+            groups
+                .iter()
+                .all(|(_, rows)| falls(&column(rows, 2)) && rises(&column(rows, 1)))
+                && groups.windows(2).all(|two| {
+                    let ([a, b], closer) =
+                        ([&two[0].1, &two[1].1], two[0].1[0][0] < two[1].1[0][0]);
+                    closer && a[0][2] > b[0][2] && drop(a) > drop(b)
+                })
+        },
+    ),
+    ("sinusoidal-rest", "It grows from zero", |data| {
+        let share = column(&data.rows(), 1);
+        let moving: Vec<f64> = share
+            .iter()
+            .copied()
+            .filter(|s| *s > 0.0 && *s < 1.0)
+            .collect();
+        share[0] == 0.0 && rises(&moving)
+    }),
+    (
+        "sinusoidal-rest",
+        "then rises, ever more steeply, to one at λ₀ = 1",
+        |data| {
+            let rows = data.rows();
+            let moving: Vec<_> = rows
+                .iter()
+                .filter(|r| r[1] > 0.0 && r[0] < 1.0)
+                .cloned()
+                .collect();
+            let end = rows.iter().find(|row| row[0] >= 1.0);
+            steepens(&moving, 0, 1) && end.is_some_and(|row| (row[1] - 1.0).abs() < 1e-9)
+        },
+    ),
+    (
+        "sinusoidal-family",
+        "With growing friction the humps shrink and peak earlier",
+        |data| {
+            let peaks: Vec<[f64; 2]> = data
+                .groups()
+                .iter()
+                .map(|(_, rows)| peak(rows, 1, 2))
+                .collect();
+            falls(&peaks.iter().map(|p| p[1]).collect::<Vec<_>>())
+                && falls(&peaks.iter().map(|p| p[0]).collect::<Vec<_>>())
+        },
+    ),
+    (
+        "sinusoidal-decay",
+        "straight rising lines on a logarithmic axis, the steeper the larger λ₀",
+        |data| {
+            let groups = data.groups();
+            let rate = |rows: &[Vec<f64>]| (rows[2][2] / rows[1][2]).ln();
+            groups.iter().all(|(_, rows)| rises(&column(rows, 2)))
+                && groups
+                    .windows(2)
+                    .all(|two| rate(&two[0].1) < rate(&two[1].1) && two[0].1[0][0] < two[1].1[0][0])
+        },
+    ),
+    ("fig-2", "Above, without rest; below, with rests", |data| {
+        let rests = |rows: &[Vec<f64>]| {
+            rows.windows(2)
+                .any(|two| two[0][3] == 0.0 && two[1][3] == 0.0)
+        };
+        let groups = data.groups();
+        !rests(&groups[0].1) && rests(&groups[1].1)
+    }),
+    (
+        "periodic-come-and-go",
+        "More friction brings rests, takes them away, and brings them again",
+        |data| {
+            let rests = |rows: &[Vec<f64>]| rows.iter().any(|row| row[3] == 0.0);
+            let groups = data.groups();
+            let seen: Vec<bool> = groups.iter().map(|(_, rows)| rests(rows)).collect();
+            seen == [false, true, false, true]
+                && groups.windows(2).all(|two| two[0].1[0][0] < two[1].1[0][0])
+        },
+    ),
+    ("periodic-rest-shares", "above it the share is", |data| {
+        let above: Vec<_> = data
+            .rows()
+            .into_iter()
+            .filter(|row| row[1] > row[0] + 1e-9)
+            .collect();
+        above.len() > 1000
+            && above
+                .iter()
+                .all(|row| (row[2] - (1.0 - row[0] / row[1])).abs() < 1e-6)
+    }),
+    (
+        "periodic-rest-shares",
+        "Below the diagonal there is no rest",
+        |data| {
+            let below: Vec<_> = data
+                .rows()
+                .into_iter()
+                .filter(|row| row[1] < row[0] - 1e-9)
+                .collect();
+            below.len() > 1000 && below.iter().all(|row| row[2] < 1e-9)
+        },
+    ),
+    ("sphere-times", "all on the falling line 1/γ", |data| {
+        data.rows()
+            .iter()
+            .all(|row| (row[1] * row[0] - 1.0).abs() < 1e-6)
+    }),
+    (
+        "turntable-energy",
+        "the kinetic energy falls to zero",
+        |data| {
+            let kinetic = column(&data.rows(), 1);
+            let slides = kinetic.iter().take_while(|k| **k > 0.0).count();
+            falls(&kinetic[..=slides]) && kinetic[slides..].iter().all(|k| *k == 0.0)
+        },
+    ),
+    ("turntable-energy", "the centrifugal energy falls", |data| {
+        let energy = column(&data.rows(), 2);
+        energy.windows(2).all(|pair| pair[0] >= pair[1]) && energy[0] > energy[energy.len() - 1]
+    }),
+    ("turntable-following", "Both tend to $\\pi/2$", |data| {
+        data.groups().iter().all(|(_, rows)| {
+            let end = &rows[rows.len() - 1];
+            [end[2], end[3]]
+                .iter()
+                .all(|psi| (psi - FRAC_PI_2).abs() < 3e-3)
+                && (end[4] - SQRT_2).abs() < 0.05
+        })
+    }),
+    (
+        "rest-radius",
+        "a curve rises from the origin, ever more steeply",
+        |data| {
+            data.groups().iter().all(|(_, rows)| {
+                rows[0][1] == 0.0
+                    && rows[0][2] == 0.0
+                    && rises(&column(rows, 2))
+                    && steepens(&rows[1..], 1, 2)
+            })
+        },
+    ),
+    (
+        "rest-boundary",
+        "How far below $A=1$ the boundary between rest and escape lies",
+        |data| {
+            data.rows()
+                .iter()
+                .all(|row| row[2] < 1.0 && row[1].abs() < PI)
+        },
+    ),
+    (
+        "turntable-paths",
+        "On the table both curve to the right; the slower one comes to rest, the faster one",
+        |data| {
+            let groups = data.groups();
+            let turn = |p: &[Vec<f64>]| {
+                let step = |i: usize, k: usize| p[i + 1][k] - p[i][k];
+                step(0, 2) * step(1, 3) - step(0, 3) * step(1, 2)
+            };
+            let distance =
+                |rows: &[Vec<f64>]| rows[rows.len() - 1][2].hypot(rows[rows.len() - 1][3]);
+            let (slow, fast) = (&groups[0].1, &groups[1].1);
+            slow[0][0] < fast[0][0]
+                && [slow, fast].iter().all(|p| turn(p) < 0.0)
+                && distance(slow) <= 1.0
+                && distance(fast) > 1.0
+        },
+    ),
+    (
+        "escape-paths",
+        "On the table both first slide backwards",
+        |data| {
+            let table: Vec<_> = data.0.iter().filter(|row| row[1] == "table").collect();
+            let starts = table
+                .iter()
+                .enumerate()
+                .filter(|(_, row)| row[2] == "0")
+                .map(|(i, _)| i);
+            // The table turns counterclockwise: what stays behind goes towards negative y.
+            starts
+                .map(|i| table[i + 1][4].parse::<f64>().unwrap())
+                .collect::<Vec<_>>()
+                .iter()
+                .all(|y| *y < 0.0)
+        },
+    ),
+    (
+        "escape-fan",
+        "Friction carries the inner ones along: where the dots are they rest. The outer ones slide off",
+        |data| {
+            let of = |fate: &str| {
+                data.0
+                    .iter()
+                    .filter(|row| row[1] == fate)
+                    .map(|row| row[0].parse::<f64>().unwrap())
+                    .collect::<Vec<_>>()
+            };
+            let (rest, other): (Vec<f64>, Vec<f64>) = (
+                of("rest"),
+                data.0
+                    .iter()
+                    .filter(|row| row[1] != "rest")
+                    .map(|row| row[0].parse().unwrap())
+                    .collect(),
+            );
+            let largest = rest.iter().fold(0.0_f64, |a, b| a.max(*b));
+            let smallest = other.iter().fold(f64::INFINITY, |a, b| a.min(*b));
+            !rest.is_empty() && !other.is_empty() && largest < smallest
+        },
+    ),
+    (
+        "constant-speed-angle",
+        "speed first falls, then rises for small λ and falls to zero for λ above 1",
+        |data| {
+            data.groups().iter().all(|(_, rows)| {
+                let (speed, lambda) = (column(rows, 2), rows[0][0]);
+                let least = speed.iter().copied().fold(f64::INFINITY, f64::min);
+                let end = speed[speed.len() - 1];
+                let risen = lambda >= 1.0 || end > least;
+                least < speed[0] && risen && (lambda <= 1.0 || end == 0.0)
+            })
+        },
+    ),
+    (
+        "constant-speed-angle",
+        "angle falls towards zero, the faster the larger λ",
+        |data| {
+            let groups = data.groups();
+            let soon = |rows: &[Vec<f64>]| rows.iter().find(|row| row[1] >= 0.4).map(|row| row[3]);
+            let angles: Option<Vec<f64>> = groups.iter().map(|(_, rows)| soon(rows)).collect();
+            groups.iter().all(|(_, rows)| falls(&column(rows, 3)))
+                && angles.is_some_and(|a| falls(&a))
+        },
+    ),
+    ("turntable-energy", "the arc length rises", |data| {
+        let s = column(&data.rows(), 3);
+        s.windows(2).all(|pair| pair[0] <= pair[1]) && s[0] < s[s.len() - 1]
+    }),
+    (
+        "turntable-following",
+        "all three ratios settle at about 1.41, above the dotted line at 1",
+        |data| {
+            let groups = data.groups();
+            let end = |rows: &[Vec<f64>]| format!("{:.2}", rows[rows.len() - 1][4]);
+            groups.len() == 3 && groups.iter().all(|(_, rows)| end(rows) == "1.41")
+        },
+    ),
+    (
+        "sinusoidal-family",
+        "for larger friction lower humps that peak earlier",
+        |data| {
+            let peaks: Vec<[f64; 2]> = data
+                .groups()
+                .iter()
+                .map(|(_, rows)| peak(rows, 1, 2))
+                .collect();
+            peaks
+                .windows(2)
+                .all(|two| two[0][0] > two[1][0] && two[0][1] > two[1][1])
+        },
+    ),
+    (
+        "escape-compensated",
+        "values (dashed) on their way and settle on the corrected ones (solid)",
+        |data| {
+            let (printed, corrected) = (data.keys("printed: "), data.keys("corrected: "));
+            let ends = data
+                .groups()
+                .into_iter()
+                .map(|(_, rows)| rows[rows.len() - 1][3]);
+            let settled = |(end, key): (f64, &(&str, bool))| {
+                (end - key.0.parse::<f64>().unwrap()).abs() < 1e-5
+            };
+            printed.len() == 2
+                && printed.iter().all(|key| key.1)
+                && corrected.iter().all(|key| !key.1)
+                && ends.zip(&corrected).all(settled)
+        },
+    ),
+    (
+        "escape-compensated",
+        "along the line of the corrected value, above the printed one where there is one",
+        |data| {
+            let number = |key: &(&str, bool)| key.0.parse::<f64>().unwrap();
+            let (printed, corrected) = (data.keys("printed: "), data.keys("corrected: "));
+            printed.len() == 2
+                && printed
+                    .iter()
+                    .zip(&corrected)
+                    .all(|(p, c)| number(p) < number(c))
+        },
+    ),
+    ("rest-census", "(solid: to second order", |data| {
+        let keys = data.keys("to second order");
+        !keys.is_empty() && keys.iter().all(|key| !key.1)
+    }),
+    ("rest-census", "envelope (147) (dashed)", |data| {
+        let keys = data.keys("(147)");
+        !keys.is_empty() && keys.iter().all(|key| key.1)
+    }),
+    (
+        "rest-boundary",
+        "dashed line runs at 1.4, above all of them",
+        |data| {
+            format!("{SQRT_2:.1}") == "1.4"
+                && data
+                    .rows()
+                    .iter()
+                    .all(|row| (1.0 - row[2]) / row[0] < SQRT_2)
+        },
+    ),
+    ("fig-5", "all lie below C and beyond Y", |data| {
+        let wrong: Vec<_> = data
+            .0
+            .iter()
+            .filter(|row| row[0].contains("wrong"))
+            .collect();
+        let number = |cell: &String| cell.parse::<f64>().unwrap();
+        let beyond = |row: &&Vec<String>| {
+            number(&row[1]) > 4.603
+                && (number(&row[1]) - 1.0 / 60.0) * (number(&row[2]) - 0.7 / 180.0) < 1.0
+        };
+        !wrong.is_empty() && wrong.iter().all(beyond)
+    }),
+];

@@ -1,0 +1,82 @@
+//! The decimals in the cases by hand, worked out once more.
+
+use super::numbers::decimals;
+use slipbook::claims::by_hand::CASES;
+use slipbook::claims::values::VALUES;
+use std::f64::consts::{FRAC_1_PI, PI, TAU};
+
+/// The friction, where the drive pulls backward, and the forward motion at the end of that: λ₀ and what follows it.
+fn wedge(q: f64, lambda: f64) -> [f64; 7] {
+    let (begin, end) = (lambda.asin(), TAU - (q * lambda).asin());
+    let (cosine, other) = (begin.cos(), end.cos());
+    let speed = cosine - other - lambda * (end - begin);
+    [
+        cosine,
+        other,
+        lambda,
+        end,
+        begin,
+        speed,
+        PI + (q * lambda).asin(),
+    ]
+}
+
+/// The decimals of the reason and the case of a claim.
+fn by_hand(claim: &str) -> Vec<f64> {
+    let s = 0.75_f64.sqrt();
+    match claim {
+        "s22-vy-two-stages" => vec![(s + FRAC_1_PI) / (s - FRAC_1_PI)],
+        "s24-region-2" => {
+            let q = VALUES.iter().find(|value| value.id == "y-q").unwrap();
+            let [cosine, other, lambda, end, begin, speed, from] = wedge(9.0, 0.1);
+            let taken = [
+                q.number().unwrap(),
+                lambda,
+                9.0 * lambda,
+                from,
+                end,
+                begin,
+                end,
+            ];
+            [&taken[..], &[cosine, other, lambda, end, begin, speed]].concat()
+        }
+        "fig-5" => {
+            let q = 6.5;
+            let [cosine, other, lambda, end, begin, speed, _] = wedge(q, 0.15);
+            let taken = [q, lambda, 1.0 / q, q * lambda, end, begin];
+            [&taken[..], &[cosine, other, lambda, end, begin, speed]].concat()
+        }
+        // v²/(2μg).
+        "eq-106" | "s4-coriolis-no-work" => vec![25.0 / (2.0 * 0.5 * 10.0)],
+        // The last is a start between the printed and the true boundary.
+        "s4-envelope-is-boundary" => vec![0.1, 0.2, 1.0 - 0.1, 0.88],
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
+    for case in &CASES {
+        let text = format!("{} {}", case.reason, case.case);
+        let printed = decimals(&text);
+        let by_hand = by_hand(case.claim);
+        assert_eq!(printed.len(), by_hand.len(), "{}: {printed:?}", case.claim);
+        for (number, value) in printed.iter().zip(by_hand) {
+            let places = number.len() - number.find('.').unwrap() - 1;
+            assert_eq!(**number, format!("{value:.places$}"), "{}", case.claim);
+        }
+    }
+    let envelope = CASES
+        .iter()
+        .find(|case| case.claim == "s4-envelope-is-boundary")
+        .unwrap();
+    let between = [
+        (envelope.stated)().unwrap(),
+        0.88,
+        (envelope.found)().unwrap(),
+    ];
+    assert!(
+        between.windows(2).all(|pair| pair[0] < pair[1]),
+        "{between:?}"
+    );
+}

@@ -1,0 +1,101 @@
+//! Formulas that hold where something is given: `name=formula`, or `name=@function(arguments)` of the code, parted by
+//! semicolons. Without a name it is what the formula itself is to be.
+
+use super::formulas::{Found, Given, found, number, read};
+use crate::compare;
+use crate::hold::Library;
+use slipbook::exact::Expr;
+use slipbook::exact::latex::{Value, statements};
+
+/// How a formula is listed that nothing tries: it says for which values something is said; what a name means; how one thing
+/// follows from another, or what is so; or it is an expression within a sentence.
+pub const NOT_TRIED: [&str; 4] = ["case", "name", "open", "term"];
+
+/// Whether a formula holds where this is given; if not, why.
+pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String> {
+    let mut given = Given::new();
+    let mut whole = None;
+    for line in givens.split("; ") {
+        let (name, right) = line.split_once('=').ok_or("nothing is given")?;
+        let value = match right.strip_prefix('@') {
+            Some(call) => called(library, call, &given)?,
+            None => value(right, &given)?,
+        };
+        match name {
+            "" => whole = Some(value),
+            name => given.push((name.to_owned(), value)),
+        }
+    }
+    if let Some(whole) = whole {
+        let (found, whole) = (value(formula, &given)?.number(), whole.number());
+        return match found.zip(whole) {
+            Some((a, b)) => compare::same(a, b).map(drop),
+            None => Err("a vector".to_owned()),
+        };
+    }
+    // What is given first counts, whatever the formula itself gives.
+    match found(formula, &mut Given::with(given)) {
+        Some(Found::Holds) => Ok(()),
+        other => Err(format!("{other:?}")),
+    }
+}
+
+/// The value of the first side of a formula.
+fn value(latex: &str, given: &Given) -> Result<Value, String> {
+    let statements = statements(latex).map_err(|why| format!("{latex}: {why}"))?;
+    let side = &statements[0].sides[0];
+    read(latex, side, given).map_err(|why| format!("{latex}: {why}"))
+}
+
+/// A formula of the code at these arguments: `path(a,b)`, or `path.1(a,b)` for its second component.
+fn called(library: &Library, call: &str, given: &Given) -> Result<Value, String> {
+    let (path, arguments) = call
+        .trim_end_matches(')')
+        .split_once('(')
+        .ok_or("no arguments")?;
+    let (path, component) = path.split_once('.').unwrap_or((path, "0"));
+    let arguments = arguments.split(',').filter(|argument| !argument.is_empty());
+    let arguments: Result<Vec<Expr>, String> = arguments
+        .map(|argument| {
+            value(argument, given)?
+                .number()
+                .ok_or("a vector".to_owned())
+        })
+        .collect();
+    let formula = library.formula(path);
+    let arguments = arguments?;
+    if arguments.len() != formula.symbols.len() {
+        return Err(format!("{path} takes {:?}", formula.symbols));
+    }
+    let values = (formula.value)(&arguments);
+    let component: usize = component.parse().map_err(|_| "no component")?;
+    values
+        .get(component)
+        .map(|value| Value::Number(*value))
+        .ok_or("no such component".to_owned())
+}
+
+#[test]
+fn what_is_given_is_put_in() {
+    let library = Library::new();
+    for (given, formula, holds) in [
+        (r"b=\frac72", r"(1-1/b)\,v_0=\frac57v_0", true),
+        (r"b=\frac52", r"(1-1/b)\,v_0=\frac57v_0", false),
+        (r"C=\cos(\psi/2); =@rest::boundary_slope(\psi)", "C^2", true),
+        (
+            r"C=\sin(\psi/2); =@rest::boundary_slope(\psi)",
+            "C^2",
+            false,
+        ),
+        (r"x=3", r"2<x<4", true),
+        (r"x=3", r"2<x<3", false),
+        (r"x=3", r"y=x", false),
+    ] {
+        assert_eq!(
+            hold(&library, given, formula).is_ok(),
+            holds,
+            "{given}: {formula}"
+        );
+    }
+    assert_eq!(number(value("2^3", &Given::default()).unwrap()), Some(8.0));
+}
