@@ -188,7 +188,7 @@ pub static CASES: [ByHand; 21] = [
     ByHand {
         claim: "eq-146",
         reason: "It is the derivative of (145) without the terms left out. Where it holds, $\\alpha=\\sqrt2(1-\\sigma)$, those are as large as the ones kept; and the surfaces of the motion do not touch",
-        case: "With $a=A-1$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$, so that $a^2-\\alpha^2$ stays $(1-\\sigma)^2$: $A=1-\\sqrt{(1-\\sigma)^2+\\alpha^2}$ on the surface of $\\sigma$. At $\\alpha=\\sqrt2(1-\\sigma)$ the slope $\\partial A/\\partial\\sigma$ is $1/\\sqrt3$. Printed: {stated}. In the motion, $\\sigma=0.9976$: {found}",
+        case: "With $a=A-1$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$, so that $a^2-\\alpha^2$ stays $(1-\\sigma)^2$: $A=1-\\sqrt{(1-\\sigma)^2+\\alpha^2}$ on the surface of $\\sigma$. At $\\alpha=\\sqrt2(1-\\sigma)$ the slope $\\partial A/\\partial\\sigma$ is $1/\\sqrt3$. Printed: {stated}. In the motion, with $1-\\sigma$ below a hundredth: {found}",
         digits: 2,
         stated: || Ok(rest::eq146_right(0.5, 0.5 * SQRT_2)),
         found: || {

@@ -108,7 +108,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} (v \cos\theta)}= -\frac{\lambda \sin\theta}{1-\lambda \cos\theta}",
         plain: "d(v sin θ)/d(v cos θ) = −λ sin θ / (1 − λ cos θ)",
         depends_on: &["eq-6", "eq-7"],
-        trials: trials![&exact::EQ8, hodograph::eq8_motion],
+        conditions: &[Condition {
+            text: r"not $\lambda=1$ with $\theta=0$: that velocity stays as it is, and the slope is $0/0$",
+            sort: Sort::Degenerate,
+        }],
+        trials: trials![
+            &exact::EQ8,
+            hodograph::eq8_motion,
+            hodograph::eq8_outside,
+            excepted::eq8
+        ],
         ..Claim::BLANK
     },
     Claim {

@@ -139,9 +139,14 @@ const CLAIMS: &[Claim] = &[
         title: "the condition for escape",
         latex: "A>1",
         plain: "A > 1",
-        conditions: INNER,
+        conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-111", "eq-112"],
-        trials: trials![onset::above_one_census, onset::eq127_root],
+        trials: trials![
+            onset::above_one_census,
+            onset::eq127_root,
+            onset::above_one_straight,
+            excepted::escaping
+        ],
         ..Claim::BLANK
     },
     Claim {

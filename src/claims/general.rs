@@ -122,8 +122,14 @@ const CLAIMS: &[Claim] = &[
             properties::across_census,
             properties::across_quadrature,
             properties::across_limit,
-            properties::across_integration
+            properties::across_integration,
+            properties::across_outside,
+            excepted::no_friction
         ],
+        conditions: &[Condition {
+            text: r"$\mu>0$: without friction nothing acts across",
+            sort: Sort::Degenerate,
+        }],
         ..Claim::BLANK
     },
 ];

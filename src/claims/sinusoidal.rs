@@ -546,8 +546,14 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             slip::bracket_census,
             slip::bracket_limit,
-            certified::bracket
+            certified::bracket,
+            certified::bracket_outside,
+            excepted::no_friction
         ],
+        conditions: &[Condition {
+            text: r"$\lambda_0>0$: without friction the slip ends at $2\pi$, which is $\phi_4$",
+            sort: Sort::Degenerate,
+        }],
         ..Claim::BLANK
     },
     Claim {

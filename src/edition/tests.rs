@@ -2,7 +2,7 @@ use super::EDITION;
 use crate::claims::{Claim, Condition, Correction, PAPER, Sort, Topic};
 use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::figures::Figure;
-use crate::ledger::{Entry, Ledger, judge};
+use crate::ledger::{Entry, Ledger};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -79,7 +79,7 @@ fn ledger() -> Ledger {
             _ => Vec::new(),
         };
         let claim = if claim.id == "eq-13" { &FULL } else { claim };
-        let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
+        let judgement = claim.judged(&evidence);
         Entry {
             paper: &PAPER,
             claim,

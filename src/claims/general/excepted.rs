@@ -13,3 +13,14 @@ pub fn instants() -> Evidence {
         |[_, length]| length > 0.0,
     )
 }
+
+/// No friction at all.
+pub fn no_friction() -> Evidence {
+    no_inside(
+        "whether a friction is μ = 0, with that it is not at random and close to it",
+        ["μ"],
+        [[0.0, 1.0]],
+        &[[0.0]],
+        |[mu]| mu > 0.0,
+    )
+}

@@ -411,10 +411,8 @@ pub fn eq83_step() -> Evidence {
         1.0,
         |[lambda, u0, theta0, theta]| {
             let tau = printed::eq82_time(lambda, u0, theta0, theta);
-            Ok([
-                printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau),
-                printed::eq81_slip(lambda, u0, theta0, theta),
-            ])
+            let slip = printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau);
+            Ok([slip / printed::eq81_slip(lambda, u0, theta0, theta), 1.0])
         },
     )
 }

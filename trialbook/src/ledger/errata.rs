@@ -85,6 +85,31 @@ impl Ledger {
         wrong.map(|entry| self.erratum(entry)).collect()
     }
 
+    fn is_wrong(&self, id: &str) -> bool {
+        let entry = self.entry(id);
+        entry.is_some_and(|e| e.judgement.verdict.is_wrong())
+    }
+
+    /// Ids of the claims from which the error of a wrong claim comes, as [`Erratum::inherits`].
+    fn inherits(&self, entry: &Entry) -> Vec<&'static str> {
+        let fails = |e: &Evidence| e.subject == Subject::Step && e.outcome() == Outcome::Disagrees;
+        if entry.evidence.iter().any(fails) {
+            return Vec::new();
+        }
+        let below = entry.claim.depends_on.iter().copied();
+        below.filter(|id| self.is_wrong(id)).collect()
+    }
+
+    /// How many wrong claims have an error of their own, and how many have it from others.
+    pub fn roots_and_heirs(&self) -> [usize; 2] {
+        let wrong = self
+            .entries
+            .iter()
+            .filter(|e| e.judgement.verdict.is_wrong());
+        let (roots, heirs): (Vec<_>, Vec<_>) = wrong.partition(|e| self.inherits(e).is_empty());
+        [roots.len(), heirs.len()]
+    }
+
     fn erratum(&self, entry: &Entry) -> Result<Erratum, ErrataError> {
         let claim = entry.claim;
         let by_hand = self.paper.case(claim.id);
@@ -93,18 +118,9 @@ impl Ledger {
             claim: claim.id,
             reason,
         })?;
-        let fails = |id: &&'static str| {
-            let entry = self.entry(id);
-            entry.is_some_and(|e| e.judgement.verdict.is_wrong())
-        };
+        let fails = |id: &&'static str| self.is_wrong(id);
         let (fallen, standing) = self.resting_on(claim.id).into_iter().partition(fails);
-        let below = claim.depends_on.iter().copied().filter(fails);
-        // A step that fails by itself adds an error of its own to what it starts from.
-        let own = |e: &Evidence| e.subject == Subject::Step && e.outcome() == Outcome::Disagrees;
-        let inherits: Vec<_> = match entry.evidence.iter().any(own) {
-            true => Vec::new(),
-            false => below.collect(),
-        };
+        let inherits = self.inherits(entry);
         Ok(Erratum {
             id: claim.id,
             section: claim.section,

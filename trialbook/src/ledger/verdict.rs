@@ -194,6 +194,9 @@ pub fn judge(
     }
     let added = || conditions.iter().filter(|c| c.sort != Sort::Stated);
     if !outside.is_empty() {
+        if added().next().is_none() {
+            return undecided("it is tried outside a condition that is not named".into());
+        }
         if !outside.agree.is_empty() {
             return undecided("it holds without the condition too, where that was tried: find where the condition matters".into());
         }
