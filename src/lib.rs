@@ -28,7 +28,7 @@
 //!
 //! let (topic, claim) = PAPER.find("eq-11").ok_or("no such claim")?;
 //! let entry = Entry::try_claim(&PAPER, topic, claim);
-//! assert_eq!(entry.judgement.verdict, Verdict::Conditional);
+//! assert_eq!(entry.judgement.verdict, Verdict::Degenerate);
 //! # }
 //! # Ok::<(), &str>(())
 //! ```

@@ -50,7 +50,7 @@ fn every_certified_number_is_found_in_ordinary_numbers() {
     let q_y = touching().unwrap();
     let other = [
         ("lambda-c", eq37_lambda_c()),
-        ("phi-c", libm::asin(eq37_lambda_c())),
+        ("critical-phase", libm::asin(eq37_lambda_c())),
         ("fig-4-slip-end", slip_end(FRAC_1_SQRT_2)),
         ("slip-end-0.6", slip_end(0.6)),
         ("slip-end-0.9", slip_end(0.9)),

@@ -1,5 +1,6 @@
 //! The judge, tried on evidence made by hand.
 
+use slipbook::claims::{Condition, Sort};
 use slipbook::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
 use std::panic::Location;
@@ -19,8 +20,16 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
 }
 
 fn verdict(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Verdict {
-    judge(kind, change, evidence).verdict
+    let outside = evidence.iter().any(|e| e.subject == Subject::Outside);
+    let conditions = if outside { NEEDED } else { &[] };
+    judge(kind, change, conditions, evidence).verdict
 }
+
+/// A condition of substance, where there is evidence without it.
+const NEEDED: &[Condition] = &[Condition {
+    text: "x > 0",
+    sort: Sort::Substance,
+}];
 
 const GOOD: f64 = 1e-13;
 const BAD: f64 = 1e-3;
@@ -91,7 +100,7 @@ fn a_disagreement_without_a_correction_is_undecided() {
 }
 
 #[test]
-fn a_confirmed_correction_makes_a_misprint_or_a_refutation_by_its_size() {
+fn a_confirmed_correction_makes_a_misprint_or_more_by_its_size() {
     let e = [
         evidence(Route::Integration, Subject::Printed, BAD),
         evidence(Route::Integration, Subject::Corrected, GOOD),
@@ -100,8 +109,9 @@ fn a_confirmed_correction_makes_a_misprint_or_a_refutation_by_its_size() {
     for change in [Change::Sign, Change::Factor, Change::Symbol] {
         assert_eq!(verdict(Kind::Equation, Some(change), &e), Verdict::Misprint);
     }
-    let refuted = verdict(Kind::Equation, Some(Change::Statement), &e);
-    assert_eq!(refuted, Verdict::Refuted);
+    let more = |kind| verdict(kind, Some(Change::Statement), &e);
+    assert_eq!(more(Kind::Equation), Verdict::Misderived);
+    assert_eq!(more(Kind::Property), Verdict::Refuted);
     assert_eq!(verdict(Kind::Equation, None, &e), Verdict::Undecided);
 }
 
@@ -198,29 +208,130 @@ fn nan_infinity_too_few_points_and_nothing_never_confirm() {
         assert_eq!(verdict(Kind::Equation, None, &e), Verdict::Undecided);
     }
     assert_eq!(verdict(Kind::Equation, None, &[]), Verdict::Undecided);
-    let judged = judge(Kind::Equation, None, &[]);
+    let judged = judge(Kind::Equation, None, &[], &[]);
     assert_eq!(judged.ground, "no trial yet");
     nan.at = "the integrator failed".into();
-    let judged = judge(Kind::Equation, None, &[nan]);
+    let judged = judge(Kind::Equation, None, &[], &[nan]);
     assert!(judged.ground.contains("the integrator failed"));
 }
 
-#[test]
-fn a_misprint_from_which_a_refuted_claim_follows_is_refuted() {
-    let own = |verdict| Judgement {
+fn own(verdict: Verdict) -> Judgement {
+    Judgement {
         verdict,
         ground: "fails".into(),
+    }
+}
+
+#[test]
+fn a_misprint_from_which_an_error_is_inherited_is_more_than_that() {
+    let seen = |verdict, above: &[(&str, Verdict)]| in_view_of(own(verdict), &[], above);
+    let heir = [("a", Verdict::Confirmed), ("b", Verdict::Inherited)];
+    assert_eq!(seen(Verdict::Misprint, &heir).verdict, Verdict::Misderived);
+    assert!(
+        seen(Verdict::Misprint, &heir)
+            .ground
+            .ends_with("it passes to b")
+    );
+    assert_eq!(seen(Verdict::Confirmed, &heir).verdict, Verdict::Confirmed);
+    // What is wrong by itself inherits nothing.
+    for other in [Verdict::Misprint, Verdict::Misderived, Verdict::Refuted] {
+        assert_eq!(
+            seen(Verdict::Misprint, &[("b", other)]).verdict,
+            Verdict::Misprint
+        );
+    }
+}
+
+#[test]
+fn an_error_is_inherited_from_something_that_is_wrong() {
+    let printed = evidence(Route::Integration, Subject::Printed, BAD);
+    let step = |worst| evidence(Route::Root, Subject::Step, worst);
+    let judged = |e: &[Evidence]| judge(Kind::Equation, None, &[], e);
+    let heir = judged(&[printed.clone(), step(GOOD)]);
+    assert_eq!(heir.verdict, Verdict::Inherited);
+    // A step that fails explains nothing; nor does one to something that is right.
+    assert_eq!(
+        judged(&[printed.clone(), step(BAD)]).verdict,
+        Verdict::Undecided
+    );
+    assert_eq!(judged(&[step(GOOD)]).verdict, Verdict::Undecided);
+    // What is said to be right instead must not fail.
+    let corrected = evidence(Route::Root, Subject::Corrected, BAD);
+    assert_eq!(
+        judged(&[printed, step(GOOD), corrected]).verdict,
+        Verdict::Undecided
+    );
+
+    let seen = |below: &[(&str, Verdict)]| in_view_of(heir.clone(), below, &[]).verdict;
+    assert_eq!(seen(&[("a", Verdict::Misderived)]), Verdict::Inherited);
+    assert_eq!(
+        seen(&[("a", Verdict::Confirmed), ("b", Verdict::Inherited)]),
+        Verdict::Inherited
+    );
+    for right in [
+        Verdict::Confirmed,
+        Verdict::Degenerate,
+        Verdict::Conditional,
+    ] {
+        assert_eq!(seen(&[("a", right)]), Verdict::Undecided);
+    }
+}
+
+#[test]
+fn only_what_is_tried_and_found_to_be_degenerate_is_no_reproach() {
+    let with = |sorts: &[Sort], excepted: &[f64]| {
+        let conditions: Vec<_> = sorts
+            .iter()
+            .map(|sort| Condition {
+                text: "x > 0",
+                sort: *sort,
+            })
+            .collect();
+        let mut e = vec![
+            evidence(Route::Integration, Subject::Within, GOOD),
+            evidence(Route::Quadrature, Subject::Within, GOOD),
+            evidence(Route::Integration, Subject::Outside, f64::INFINITY),
+        ];
+        e.extend(
+            excepted
+                .iter()
+                .map(|worst| evidence(Route::Census, Subject::Excepted, *worst)),
+        );
+        judge(Kind::Equation, None, &conditions, &e).verdict
     };
-    let seen = |own_verdict, dependents: &[(&str, Verdict)]| {
-        in_view_of(own(own_verdict), dependents).verdict
+    let (stated, thin, thick) = (Sort::Stated, Sort::Degenerate, Sort::Substance);
+    assert_eq!(with(&[stated, thin], &[0.0]), Verdict::Degenerate);
+    assert_eq!(with(&[thin, thin], &[0.0, 0.0]), Verdict::Degenerate);
+    assert_eq!(with(&[thin, thick], &[0.0]), Verdict::Conditional);
+    assert_eq!(with(&[thick], &[]), Verdict::Conditional);
+    // Not tried, tried once for two, tried and not so, tried and not claimed.
+    assert_eq!(with(&[thin], &[]), Verdict::Undecided);
+    assert_eq!(with(&[thin, thin], &[0.0]), Verdict::Undecided);
+    assert_eq!(with(&[thin], &[1.0]), Verdict::Undecided);
+    assert_eq!(with(&[thick], &[0.0]), Verdict::Undecided);
+}
+
+#[test]
+fn a_condition_that_is_added_has_to_be_tried_without() {
+    let e = [
+        evidence(Route::Integration, Subject::Printed, GOOD),
+        evidence(Route::Quadrature, Subject::Printed, GOOD),
+    ];
+    let under = |sort| {
+        judge(
+            Kind::Equation,
+            None,
+            &[Condition {
+                text: "x > 0",
+                sort,
+            }],
+            &e,
+        )
+        .verdict
     };
-    let fallen = [("a", Verdict::Confirmed), ("b", Verdict::Refuted)];
-    assert_eq!(seen(Verdict::Misprint, &fallen), Verdict::Refuted);
-    assert_eq!(seen(Verdict::Confirmed, &fallen), Verdict::Confirmed);
-    let unharmed = [("a", Verdict::Confirmed), ("b", Verdict::Misprint)];
-    assert_eq!(seen(Verdict::Misprint, &unharmed), Verdict::Misprint);
-    let ground = in_view_of(own(Verdict::Misprint), &fallen).ground;
-    assert!(ground.ends_with("falls too: b"), "{ground}");
+    assert_eq!(under(Sort::Stated), Verdict::Confirmed);
+    assert_eq!(under(Sort::Degenerate), Verdict::Undecided);
+    assert_eq!(under(Sort::Substance), Verdict::Undecided);
 }
 
 #[test]
@@ -230,7 +341,7 @@ fn a_proof_of_a_part_proves_no_claim() {
     let root = evidence(Route::Root, Subject::Printed, GOOD);
     let alone = [part.clone(), census.clone()];
     assert_eq!(verdict(Kind::Equation, None, &alone), Verdict::Undecided);
-    let judged = judge(Kind::Equation, None, &[part, census, root]);
+    let judged = judge(Kind::Equation, None, &[], &[part, census, root]);
     assert_eq!(judged.verdict, Verdict::Confirmed);
     assert_eq!(
         judged.ground,

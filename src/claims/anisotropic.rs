@@ -14,7 +14,7 @@ pub mod rows;
 pub mod simulated;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Correction, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -56,7 +56,7 @@ const CLAIMS: &[Claim] = &[
         plain: "λ₊ = μ₊ g / A₀",
         conditions: &[Condition {
             text: r"$\mu_+$ holds for $v_x>0$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-21"],
         trials: trials![&exact::DEFINED, frictions::eq47],
@@ -72,7 +72,7 @@ const CLAIMS: &[Claim] = &[
         plain: "λ₋ = μ₋ g / A₀",
         conditions: &[Condition {
             text: r"$\mu_-$ holds for $v_x<0$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-21"],
         trials: trials![&exact::DEFINED, frictions::eq48],
@@ -112,7 +112,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dw/dφ = sin φ − λ₀, w > 0",
         conditions: &[Condition {
             text: "at large times",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-26", "eq-49"],
         trials: trials![&exact::EQ51, frictions::eq51_quadrature],
@@ -128,7 +128,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dw/dφ = sin φ + q λ₀, w < 0",
         conditions: &[Condition {
             text: "at large times",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-26", "eq-50"],
         trials: trials![&exact::EQ52, frictions::eq52_quadrature],
@@ -144,7 +144,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A: K = π q / (q + 1), √(1 − λ₀²) / λ₀ = K / sin² K − cot K",
         conditions: &[Condition {
             text: r"$q\geq1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-51", "eq-52"],
         trials: trials![
@@ -167,11 +167,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$q\geq1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$q\leq q_Y$, the $q$ of $Y$: beyond, (54) has no solution, and E takes its place",
-                stated: false,
+                sort: Sort::Substance,
             },
         ],
         depends_on: &["eq-51", "eq-52"],
@@ -200,11 +200,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$q\geq1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$q\leq q_Y$, the $q$ of $Y$: beyond, the motion is the same on both sides of C",
-                stated: false,
+                sort: Sort::Substance,
             },
         ],
         depends_on: &["eq-52"],
@@ -227,7 +227,7 @@ const CLAIMS: &[Claim] = &[
         plain: "D: λ₀ = 1",
         conditions: &[Condition {
             text: r"$q\geq1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-51"],
         trials: trials![&exact::EQ56, curves::eq56_root, curves::eq56_census],
@@ -279,7 +279,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Below A, each period has an interval with w > 0 and one with w < 0, and no rest.",
         conditions: &[Condition {
             text: r"$q\geq1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-51", "eq-52", "eq-53"],
         trials: trials![regions::first_census, regions::first_ends],
@@ -293,7 +293,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Above A and below B and C, each period has an interval with w > 0, at once one with w < 0, then a rest.",
         conditions: &[Condition {
             text: r"$q\geq1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-51", "eq-52", "eq-53", "eq-54", "eq-55"],
         trials: trials![
@@ -316,7 +316,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Between B and C, each period has an interval with w > 0 and one with w < 0, with two rests between them.",
         conditions: &[Condition {
             text: r"$q\geq1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-51", "eq-52", "eq-54", "eq-55"],
         trials: trials![regions::third_census, regions::third_ends],
@@ -330,7 +330,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Between C and D, each period has an interval with w > 0 and a rest.",
         conditions: &[Condition {
             text: r"$q\geq1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-51", "eq-52", "eq-55", "eq-56"],
         trials: trials![regions::fourth_census, regions::fourth_ends],
@@ -344,7 +344,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Above D the particle is at rest.",
         conditions: &[Condition {
             text: r"$q\geq1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-51", "eq-52", "eq-56"],
         trials: trials![regions::fifth_census, regions::fifth_ends],

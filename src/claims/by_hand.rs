@@ -7,6 +7,7 @@ use super::anisotropic::simulated::{self as drift, Curves};
 use super::compare::Failure;
 use super::escape::escapes::escapes;
 use super::escape::growth::{self, Quantity};
+use super::rest::boundary::surfaces;
 use super::sinusoidal::settled::{ORIGIN, drive, settled};
 use super::values::boundary_example;
 use crate::motion::drive::{PlanarState, Sign};
@@ -17,7 +18,7 @@ use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, SQRT_2, TAU};
 pub use trialbook::claims::by_hand::ByHand;
 
 /// All cases, in the paper's order.
-pub static CASES: [ByHand; 19] = [
+pub static CASES: [ByHand; 21] = [
     ByHand {
         claim: "s22-vy-two-stages",
         reason: "An exponential decay needs a bounded rate. Friction across the drive is $\\lambda_0v_y/v$, and at each zero of $v_x$ the divisor is $v_y$ itself: the smaller $v_y$, the more it loses there",
@@ -183,6 +184,25 @@ pub static CASES: [ByHand; 19] = [
         digits: 5,
         stated: || Ok(escape::eq137_s(1.0)),
         found: || late(growth::way),
+    },
+    ByHand {
+        claim: "eq-146",
+        reason: "It is the derivative of (145) without the terms left out. Where it holds, $\\alpha=\\sqrt2(1-\\sigma)$, those are as large as the ones kept; and the surfaces of the motion do not touch",
+        case: "With $a=A-1$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$, so that $a^2-\\alpha^2$ stays $(1-\\sigma)^2$: $A=1-\\sqrt{(1-\\sigma)^2+\\alpha^2}$ on the surface of $\\sigma$. At $\\alpha=\\sqrt2(1-\\sigma)$ the slope $\\partial A/\\partial\\sigma$ is $1/\\sqrt3$. Printed: {stated}. In the motion, with $1-\\sigma$ below a hundredth: {found}",
+        digits: 2,
+        stated: || Ok(rest::eq146_right(0.5, 0.5 * SQRT_2)),
+        found: || {
+            let surface = surfaces().last().ok_or("no surface")??;
+            Ok(surface.slope)
+        },
+    },
+    ByHand {
+        claim: "eq-147",
+        reason: "It is (145) with the $\\sigma$ of (146) put in, and (146) fails",
+        case: "Take $\\alpha=0.1$, $\\psi=0.2$: of the starts with these, the last to come to rest has the $A$ of the boundary. Printed: {stated}. By bisection on the motion: {found}",
+        digits: 4,
+        stated: || Ok(rest::eq147_a(0.1)),
+        found: || boundary_example(),
     },
     ByHand {
         claim: "s4-envelope-is-boundary",

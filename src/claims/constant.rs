@@ -3,6 +3,7 @@
 mod definitions;
 pub mod drawn;
 pub mod exact;
+pub mod excepted;
 mod extremes;
 mod hodograph;
 mod incline;
@@ -11,7 +12,7 @@ mod limits;
 mod time;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Correction, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -46,7 +47,7 @@ const CLAIMS: &[Claim] = &[
         plain: "𝐀 = −A x̂",
         conditions: &[Condition {
             text: "$A>0$, constant",
-            stated: true,
+            sort: Sort::Stated,
         }],
         trials: trials![&exact::DEFINED, definitions::eq3],
         ..Claim::BLANK
@@ -107,7 +108,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"\frac{\mathrm{d} (v \sin\theta)}{\mathrm{d} (v \cos\theta)}= -\frac{\lambda \sin\theta}{1-\lambda \cos\theta}",
         plain: "d(v sin θ)/d(v cos θ) = −λ sin θ / (1 − λ cos θ)",
         depends_on: &["eq-6", "eq-7"],
-        trials: trials![&exact::EQ8, hodograph::eq8_motion],
+        conditions: &[Condition {
+            text: r"not $\lambda=1$ with $\theta=0$: that velocity stays as it is, and the slope is $0/0$",
+            sort: Sort::Degenerate,
+        }],
+        trials: trials![
+            &exact::EQ8,
+            hodograph::eq8_motion,
+            hodograph::eq8_outside,
+            excepted::eq8
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -121,12 +131,13 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-8"],
         conditions: &[Condition {
             text: r"$\theta\neq0,\pi$: along the line of the acceleration the speed changes while $\mathrm d\theta=0$",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
         trials: trials![
             &exact::EQ9,
             hodograph::eq9_quadrature,
-            hodograph::eq9_outside
+            hodograph::eq9_outside,
+            excepted::eq9
         ],
         ..Claim::BLANK
     },
@@ -141,12 +152,13 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-9"],
         conditions: &[Condition {
             text: r"$0<\theta<\pi$: a power of a negative tangent has no real value",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
         trials: trials![
             &exact::EQ10,
             hodograph::eq10_motion,
-            hodograph::eq10_outside
+            hodograph::eq10_outside,
+            excepted::eq10
         ],
         ..Claim::BLANK
     },
@@ -161,7 +173,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-10"],
         conditions: &[Condition {
             text: r"$\theta_0\neq0,\pi$: along the line of the acceleration it is $0/0$",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
         trials: trials![
             &exact::EQ11,
@@ -169,7 +181,8 @@ const CLAIMS: &[Claim] = &[
             hodograph::eq11_quadrature,
             hodograph::eq11_outside,
             time::regular_speed,
-            time::regular_straight
+            time::regular_straight,
+            excepted::eq11
         ],
         correction: Some(REGULAR_SPEED),
     },
@@ -184,9 +197,14 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-7", "eq-11"],
         conditions: &[Condition {
             text: r"$0<\theta<\pi$ and $\lambda\neq0$: at $\lambda=0$ it is $0/0$",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
-        trials: trials![&exact::EQ12, time::eq12_quadrature, time::eq12_outside],
+        trials: trials![
+            &exact::EQ12,
+            time::eq12_quadrature,
+            time::eq12_outside,
+            excepted::eq12
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -201,11 +219,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, where it is $0/0$ or $0\cdot\infty$",
-                stated: false,
+                sort: Sort::Degenerate,
             },
             Condition {
                 text: r"$\theta_0\neq0,\pi$",
-                stated: false,
+                sort: Sort::Degenerate,
             },
         ],
         trials: trials![
@@ -215,7 +233,9 @@ const CLAIMS: &[Claim] = &[
             time::eq13_root,
             time::eq13_singular,
             time::eq13_straight,
-            time::regular_time
+            time::regular_time,
+            excepted::eq13_friction,
+            excepted::eq13_straight
         ],
         correction: Some(REGULAR_TIME),
     },
@@ -230,9 +250,14 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-11", "eq-13"],
         conditions: &[Condition {
             text: r"$\cos\theta\neq-\lambda$, where it is $0/0$",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
-        trials: trials![&exact::EQ14, time::eq14_motion, time::eq14_outside],
+        trials: trials![
+            &exact::EQ14,
+            time::eq14_motion,
+            time::eq14_outside,
+            excepted::eq14
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -245,7 +270,7 @@ const CLAIMS: &[Claim] = &[
         plain: "v_x = v₀ₓ + A t",
         conditions: &[Condition {
             text: r"$\lambda=0$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-6"],
         trials: trials![&exact::EQ15, limits::eq15_motion],
@@ -261,7 +286,7 @@ const CLAIMS: &[Claim] = &[
         plain: "v_y = v₀ᵧ",
         conditions: &[Condition {
             text: r"$\lambda=0$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-7"],
         trials: trials![&exact::EQ16, limits::eq16_motion],
@@ -277,7 +302,7 @@ const CLAIMS: &[Claim] = &[
         plain: "v (1 + cos θ) = v₀ (1 + cos θ₀)",
         conditions: &[Condition {
             text: r"$\lambda=1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-11"],
         trials: trials![&exact::EQ17, limits::eq17_motion],
@@ -294,11 +319,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$\lambda=1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$t\to\infty$",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
@@ -316,11 +341,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$\lambda=1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$t\to\infty$",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
@@ -337,7 +362,7 @@ const CLAIMS: &[Claim] = &[
         plain: "T = v₀ (λ + cos θ₀) / (A (λ² − 1))",
         conditions: &[Condition {
             text: r"$\lambda>1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-14"],
         trials: trials![&exact::EQ20, limits::eq20_motion, limits::eq20_quadrature],
@@ -367,12 +392,13 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-13"],
         conditions: &[Condition {
             text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
         trials: trials![
             extremes::small_friction_limit,
             extremes::small_friction_census,
-            extremes::small_friction_outside
+            extremes::small_friction_outside,
+            excepted::small_friction
         ],
         ..Claim::BLANK
     },
@@ -401,7 +427,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-13", "eq-20"],
         conditions: &[Condition {
             text: r"$\theta_0\neq\pi$: that particle stops at $T$ without turning",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
         trials: trials![
             &exact::EQ20_WITHIN,
@@ -409,7 +435,8 @@ const CLAIMS: &[Claim] = &[
             limits::eq20_quadrature,
             extremes::large_friction_limit,
             extremes::large_friction_turns,
-            extremes::large_friction_outside
+            extremes::large_friction_outside,
+            excepted::large_friction
         ],
         ..Claim::BLANK
     },

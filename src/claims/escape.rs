@@ -2,12 +2,14 @@
 
 pub mod escapes;
 pub mod exact;
+pub mod excepted;
 pub mod growth;
 pub mod onset;
+pub mod steps;
 pub mod straight;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Correction, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -21,11 +23,11 @@ pub const TOPIC: Topic = Topic {
 const SMALL_ALPHA: &[Condition] = &[
     Condition {
         text: r"$p<\rho$",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: r"$\alpha$ is near zero and $\psi$ near $\psi_1$",
-        stated: true,
+        sort: Sort::Stated,
     },
 ];
 
@@ -33,33 +35,33 @@ const SMALL_ALPHA: &[Condition] = &[
 const INNER_NOT_STRAIGHT: &[Condition] = &[
     Condition {
         text: r"$p<\rho$",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: r"the particle does not come straight in: on a surface of starts it stops, with $\psi\to\pi$, before its velocity has turned",
-        stated: false,
+        sort: Sort::Degenerate,
     },
 ];
 
 /// The first case, (110).
 const INNER: &[Condition] = &[Condition {
     text: r"$p<\rho$",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 /// Stated after (127).
 const ESCAPING: &[Condition] = &[
     Condition {
         text: r"$p<\rho$",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: "$A>1$ at the start",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: "large times",
-        stated: true,
+        sort: Sort::Stated,
     },
 ];
 
@@ -67,15 +69,15 @@ const ESCAPING: &[Condition] = &[
 const ESCAPING_LARGE_A: &[Condition] = &[
     Condition {
         text: r"$p<\rho$",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: "$A>1$ at the start",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: "$A$ is large",
-        stated: true,
+        sort: Sort::Stated,
     },
 ];
 
@@ -83,19 +85,19 @@ const ESCAPING_LARGE_A: &[Condition] = &[
 const ESCAPING_LATE_DIFFERENCE: &[Condition] = &[
     Condition {
         text: r"$p<\rho$",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: "$A>1$ at the start",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: r"$\tau\to\infty$",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: r"read as: the difference of the two sides tends to zero (their ratio tends to 1 whatever stands before $\tau$)",
-        stated: false,
+        sort: Sort::Substance,
     },
 ];
 
@@ -103,15 +105,15 @@ const ESCAPING_LATE_DIFFERENCE: &[Condition] = &[
 const ESCAPING_LATE: &[Condition] = &[
     Condition {
         text: r"$p<\rho$",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: "$A>1$ at the start",
-        stated: true,
+        sort: Sort::Stated,
     },
     Condition {
         text: r"$\tau\to\infty$",
-        stated: true,
+        sort: Sort::Stated,
     },
 ];
 
@@ -137,9 +139,14 @@ const CLAIMS: &[Claim] = &[
         title: "the condition for escape",
         latex: "A>1",
         plain: "A > 1",
-        conditions: INNER,
+        conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-111", "eq-112"],
-        trials: trials![onset::above_one_census, onset::eq127_root],
+        trials: trials![
+            onset::above_one_census,
+            onset::eq127_root,
+            onset::above_one_straight,
+            excepted::escaping
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -181,7 +188,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq129_limit,
             &exact::EQ129,
-            growth::corrected129_limit
+            growth::corrected129_limit,
+            steps::eq129
         ],
     },
     Claim {
@@ -202,7 +210,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq130_limit,
             &exact::EQ130,
-            growth::corrected130_limit
+            growth::corrected130_limit,
+            steps::eq130
         ],
     },
     Claim {
@@ -223,7 +232,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq131_limit,
             &exact::EQ131,
-            growth::corrected131_limit
+            growth::corrected131_limit,
+            steps::eq131
         ],
     },
     Claim {
@@ -246,7 +256,8 @@ const CLAIMS: &[Claim] = &[
             growth::eq132_exponent,
             &exact::EQ132,
             growth::corrected132_limit,
-            growth::corrected132_delay
+            growth::corrected132_delay,
+            steps::eq132
         ],
     },
     Claim {
@@ -267,7 +278,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq133_limit,
             &exact::EQ133,
-            growth::corrected133_limit
+            growth::corrected133_limit,
+            steps::eq133
         ],
     },
     Claim {
@@ -291,7 +303,8 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ134,
             growth::corrected134_exponent,
             growth::corrected134_limit,
-            growth::corrected134_delay
+            growth::corrected134_delay,
+            steps::eq134
         ],
     },
     Claim {
@@ -314,7 +327,8 @@ const CLAIMS: &[Claim] = &[
             growth::eq135_exponent,
             &exact::EQ135,
             growth::corrected135_limit,
-            growth::corrected135_delay
+            growth::corrected135_delay,
+            steps::eq135
         ],
     },
     Claim {
@@ -337,7 +351,8 @@ const CLAIMS: &[Claim] = &[
             growth::eq136_exponent,
             &exact::EQ136,
             growth::corrected136_limit,
-            growth::corrected136_delay
+            growth::corrected136_delay,
+            steps::eq136
         ],
     },
     Claim {
@@ -360,7 +375,8 @@ const CLAIMS: &[Claim] = &[
             growth::eq137_exponent,
             &exact::EQ137,
             growth::corrected137_limit,
-            growth::corrected137_delay
+            growth::corrected137_delay,
+            steps::eq137
         ],
     },
     Claim {
@@ -398,7 +414,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             onset::small_alpha_angle,
             onset::small_alpha_rate,
-            onset::small_alpha_straight
+            onset::small_alpha_straight,
+            excepted::small_alpha
         ],
         ..Claim::BLANK
     },
@@ -414,7 +431,8 @@ const CLAIMS: &[Claim] = &[
             onset::above_one_within,
             onset::a_grows,
             onset::straight_stops,
-            onset::straight_rate
+            onset::straight_rate,
+            excepted::escaping
         ],
         ..Claim::BLANK
     },

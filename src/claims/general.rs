@@ -1,12 +1,13 @@
 //! Sliding on an accelerating plane: the claims.
 
 mod examples;
+pub mod excepted;
 pub mod law;
 mod planes;
 mod properties;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Topic};
+use super::{Claim, Condition, Sort, Topic};
 use crate::evidence::Kind;
 
 /// The topic.
@@ -28,15 +29,15 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: "the particle is not at rest: $v>0$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: "in the frame of the accelerating plane",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"one coefficient $\mu$ for static and kinetic friction",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         trials: trials![
@@ -57,7 +58,7 @@ const CLAIMS: &[Claim] = &[
         plain: "dv/dt = −𝐀·𝐯/v − μ g",
         conditions: &[Condition {
             text: "the particle is not at rest: $v>0$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-1"],
         trials: trials![&law::EQ2, law::eq2_quadrature, law::eq2_motion],
@@ -82,12 +83,13 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-1"],
         conditions: &[Condition {
             text: r"$\lvert\bm A\rvert>\mu g$ for a stretch of time, as for a continuous $\bm A$, and not only at single instants",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
         trials: trials![
             properties::rest_census,
             properties::rest_integration,
-            properties::rest_outside
+            properties::rest_outside,
+            excepted::instants
         ],
         ..Claim::BLANK
     },
@@ -100,7 +102,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-2"],
         conditions: &[Condition {
             text: r"$\lvert\bm A\rvert$ stays above $\mu g$ by a fixed margin",
-            stated: false,
+            sort: Sort::Substance,
         }],
         trials: trials![
             properties::grows_census,
@@ -120,8 +122,14 @@ const CLAIMS: &[Claim] = &[
             properties::across_census,
             properties::across_quadrature,
             properties::across_limit,
-            properties::across_integration
+            properties::across_integration,
+            properties::across_outside,
+            excepted::no_friction
         ],
+        conditions: &[Condition {
+            text: r"$\mu>0$: without friction nothing acts across",
+            sort: Sort::Degenerate,
+        }],
         ..Claim::BLANK
     },
 ];

@@ -44,9 +44,9 @@ pub mod sphere;
 #[cfg(feature = "book")]
 pub mod turntable;
 
-pub use trialbook::claims::{Claim, Condition, Correction, Paper, Topic};
+pub use trialbook::claims::{Claim, Condition, Correction, Paper, Sort, Topic};
 #[cfg(feature = "book")]
-pub use trialbook::claims::{attempt, compare, enclosed, points, runs, statement};
+pub use trialbook::claims::{attempt, compare, enclosed, excepted, points, runs, statement};
 
 /// All topics, in the paper's order.
 #[cfg(feature = "book")]

@@ -8,7 +8,7 @@ mod rest;
 pub mod threshold;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Topic};
+use super::{Claim, Condition, Sort, Topic};
 use crate::evidence::Kind;
 
 /// The topic.
@@ -29,7 +29,7 @@ const CLAIMS: &[Claim] = &[
         plain: "h(φ) = 1 for 0 < φ < η π; 0 for η π < φ < π",
         conditions: &[Condition {
             text: r"$\eta$ constant, between $0$ and $1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-26"],
         trials: trials![pulses::eq42],
@@ -58,11 +58,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$\lambda_0<1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$\lambda_0>\lambda_\mathrm{c}$ of (46)",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-26", "eq-42"],
@@ -80,11 +80,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$\lambda_0<1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$\lambda_0>\lambda_\mathrm{c}$ of (46)",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-43", "eq-44"],
@@ -117,7 +117,7 @@ const CLAIMS: &[Claim] = &[
         plain: "If max |h| = 1 and λ₀ > 1, the particle is always at rest at large times.",
         conditions: &[Condition {
             text: r"$h$ has period $2\pi$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-26"],
         trials: trials![rest::within_time, rest::stopping_time, rest::sharp],
@@ -132,23 +132,23 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$h$ has period $2\pi$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"the largest value of $\lvert h\rvert$ is $1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"the mean of $h$ is $0$: below $\lambda_0=\lvert m\rvert$ a mean $m$ drives the particle away for ever",
-                stated: false,
+                sort: Sort::Substance,
             },
             Condition {
                 text: r"$\lvert h\rvert<1$ for some time in each period: else no $\lambda_0<1$ lets it rest",
-                stated: false,
+                sort: Sort::Substance,
             },
             Condition {
                 text: r"$h\neq0$ wherever the antiderivative of $h$ is at its median: else it may rest at every $\lambda_0$",
-                stated: false,
+                sort: Sort::Substance,
             },
         ],
         depends_on: &["eq-26"],

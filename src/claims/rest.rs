@@ -4,11 +4,12 @@ pub mod approach;
 pub mod boundary;
 pub mod certified;
 pub mod exact;
+pub mod excepted;
 pub mod radius;
 pub mod stops;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Correction, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -21,19 +22,19 @@ pub const TOPIC: Topic = Topic {
 /// Stated before (139).
 const AT_REST: &[Condition] = &[Condition {
     text: r"the particle stays at rest at $\rho=\sigma$",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 /// Stated before (140).
 const NEAR_REST: &[Condition] = &[Condition {
     text: r"just before the particle comes to rest at $\rho=\sigma$",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 /// What the paper takes for granted before (140).
 const TO_ZERO: Condition = Condition {
     text: r"$\psi\to0$: on a surface of starts the particle comes straight in and rests with $\psi\to\pi$",
-    stated: false,
+    sort: Sort::Degenerate,
 };
 
 /// Before (140), and where it holds.
@@ -41,7 +42,7 @@ const NEAR_REST_TO_ZERO: &[Condition] = &[
     NEAR_REST[0],
     Condition {
         text: r"$0<\sigma<1$: at $\sigma=1$ the particle takes for ever",
-        stated: false,
+        sort: Sort::Degenerate,
     },
     TO_ZERO,
 ];
@@ -50,12 +51,12 @@ const NEAR_REST_TO_ZERO: &[Condition] = &[
 const NEAR_REST_CLOCK: &[Condition] = &[
     NEAR_REST[0],
     Condition {
-        text: r"$\tau$ is counted from the moment of rest",
-        stated: false,
+        text: r"$\tau$ is counted from the moment of rest, as $\alpha=0$ at $\tau=0$ has it",
+        sort: Sort::Stated,
     },
     Condition {
         text: r"$0<\sigma<1$: at $\sigma=1$ the particle takes for ever",
-        stated: false,
+        sort: Sort::Degenerate,
     },
     TO_ZERO,
 ];
@@ -65,25 +66,19 @@ const NEAR_REST_TWO_TERMS: &[Condition] = &[
     NEAR_REST[0],
     Condition {
         text: r"$\sigma\neq\frac12$, where both terms are infinite",
-        stated: false,
+        sort: Sort::Degenerate,
     },
     Condition {
         text: r"$\frac14<\sigma<\frac34$: below, a term left out, of order $\alpha^{3\sigma/(1-\sigma)}$, exceeds the first term kept; above, one of order $\alpha^3$ exceeds the second",
-        stated: false,
+        sort: Sort::Substance,
     },
     TO_ZERO,
 ];
 
-/// What (146) and (147) are about.
-const TRUNCATED: &[Condition] = &[Condition {
-    text: r"the surfaces are taken to be (145) without the terms left out; where the envelope lies, $1-\sigma\sim\alpha$, those are as large as the ones kept",
-    stated: false,
-}];
-
 /// The first case, (110).
 const INNER: &[Condition] = &[Condition {
     text: r"$p<\rho$",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 const CLAIMS: &[Claim] = &[
@@ -121,7 +116,9 @@ const CLAIMS: &[Claim] = &[
             approach::eq140_order,
             approach::eq140_straight,
             approach::corrected140,
-            approach::eq140_at_one
+            approach::eq140_at_one,
+            excepted::edge,
+            excepted::straight_in
         ],
         ..Claim::BLANK
     },
@@ -141,7 +138,9 @@ const CLAIMS: &[Claim] = &[
             approach::eq141_order,
             approach::eq141_straight,
             approach::eq141_at_one,
-            approach::eq141_clock
+            approach::eq141_clock,
+            excepted::edge,
+            excepted::straight_in
         ],
         ..Claim::BLANK
     },
@@ -160,7 +159,9 @@ const CLAIMS: &[Claim] = &[
             approach::eq142_motion,
             approach::eq142_order,
             approach::eq142_straight,
-            approach::eq142_at_one
+            approach::eq142_at_one,
+            excepted::edge,
+            excepted::straight_in
         ],
         ..Claim::BLANK
     },
@@ -182,7 +183,9 @@ const CLAIMS: &[Claim] = &[
             approach::eq143_large_sigma,
             approach::eq143_one_half,
             approach::eq143_straight,
-            approach::eq143_regular
+            approach::eq143_regular,
+            excepted::one_half,
+            excepted::straight_in
         ],
         ..Claim::BLANK
     },
@@ -201,7 +204,9 @@ const CLAIMS: &[Claim] = &[
             approach::eq144_motion,
             approach::eq144_order,
             approach::eq144_straight,
-            approach::eq144_at_one
+            approach::eq144_at_one,
+            excepted::edge,
+            excepted::straight_in
         ],
         ..Claim::BLANK
     },
@@ -220,7 +225,9 @@ const CLAIMS: &[Claim] = &[
             approach::eq145_motion,
             approach::eq145_order,
             approach::eq145_straight,
-            approach::eq145_at_one
+            approach::eq145_at_one,
+            excepted::edge,
+            excepted::straight_in
         ],
         ..Claim::BLANK
     },
@@ -232,8 +239,12 @@ const CLAIMS: &[Claim] = &[
         title: "condition of the envelope",
         latex: r"0=1-\frac{1}{(\sigma-1)^2} \frac{\alpha^2}{2}+\cdots",
         plain: "0 = 1 − (1/(σ − 1)²) α²/2 + ⋯",
-        depends_on: &["eq-145"],
-        conditions: TRUNCATED,
+        depends_on: &["eq-145", "s4-envelope-is-boundary"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"\frac{\partial A}{\partial\sigma}=\frac{1-\sigma}{\sqrt{(1-\sigma)^2+\alpha^2}}+\cdots\quad\text{near rest}",
+            plain: "∂A/∂σ = (1 − σ)/√((1 − σ)² + α²) + ⋯ near rest",
+        }),
         trials: trials![
             &exact::EQ146,
             boundary::real_surfaces,
@@ -250,7 +261,6 @@ const CLAIMS: &[Claim] = &[
         latex: r"A=\left(1-\frac{\alpha}{\sqrt{2}}\right)^2+\cdots",
         plain: "A = (1 − α/√2)² + ⋯",
         depends_on: &["eq-145", "eq-146"],
-        conditions: TRUNCATED,
         trials: trials![&exact::EQ147, boundary::printed_slow],
         ..Claim::BLANK
     },
@@ -281,7 +291,8 @@ const CLAIMS: &[Claim] = &[
             approach::near_rest_angle,
             approach::near_rest_census,
             approach::near_rest_straight,
-            approach::corrected_near_rest
+            approach::corrected_near_rest,
+            excepted::straight_in
         ],
         ..Claim::BLANK
     },
@@ -292,7 +303,7 @@ const CLAIMS: &[Claim] = &[
         latex: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if $A$ starts below it, and goes off without bound otherwise.",
         plain: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if A starts below it, and goes off without bound otherwise.",
         conditions: INNER,
-        depends_on: &["eq-143", "eq-145", "eq-147"],
+        depends_on: &["eq-143", "eq-145"],
         correction: Some(Correction {
             change: Change::Statement,
             latex: r"$A=1-\alpha C^2+\alpha^2\left[\tfrac76C^4+2SC^3-S^2C^2+\tfrac23S^3C-\tfrac14S^4\right]+O(\alpha^3),\quad C=\cos\tfrac\psi2,\ S=\sin\tfrac\psi2$",

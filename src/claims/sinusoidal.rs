@@ -5,6 +5,7 @@ pub mod certified;
 mod decay;
 pub mod drawn;
 pub mod exact;
+pub mod excepted;
 mod kinds;
 mod periodic;
 mod phases;
@@ -14,7 +15,7 @@ mod threshold;
 mod units;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Correction, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -34,7 +35,7 @@ const DECAY: Correction = Correction {
 /// Without friction every start keeps its own motion.
 const SOME_FRICTION: Condition = Condition {
     text: r"$\lambda_0>0$: without friction no start is forgotten",
-    stated: false,
+    sort: Sort::Degenerate,
 };
 
 const CLAIMS: &[Claim] = &[
@@ -48,7 +49,7 @@ const CLAIMS: &[Claim] = &[
         plain: "𝐀 = −A₀ sin(ϖ t) x̂",
         conditions: &[Condition {
             text: "$A_0>0$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         trials: trials![&exact::DEFINITIONS, units::eq21],
         ..Claim::BLANK
@@ -99,7 +100,7 @@ const CLAIMS: &[Claim] = &[
         plain: "λ₀ < 1",
         conditions: &[Condition {
             text: r"$A_0>\mu g$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-22"],
         trials: trials![&exact::EQ25, units::eq25_motion, units::eq25_census],
@@ -116,11 +117,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: "at large times, when $v_y$ has vanished",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$\mathfrak{w}\neq0$",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         depends_on: &[
@@ -144,7 +145,7 @@ const CLAIMS: &[Claim] = &[
         plain: "φ₁ = asin λ₀",
         conditions: &[Condition {
             text: r"$\phi$ in $[0,2\pi]$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-25", "eq-26"],
         trials: trials![&exact::EQ27, phases::eq27_root, phases::eq27_motion],
@@ -160,7 +161,7 @@ const CLAIMS: &[Claim] = &[
         plain: "φ₂ = π − asin λ₀",
         conditions: &[Condition {
             text: r"$\phi$ in $[0,2\pi]$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-25", "eq-26"],
         trials: trials![&exact::EQ28, phases::eq28_root, phases::eq28_motion],
@@ -176,7 +177,7 @@ const CLAIMS: &[Claim] = &[
         plain: "φ₃ = π + asin λ₀",
         conditions: &[Condition {
             text: r"$\phi$ in $[0,2\pi]$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-25", "eq-26"],
         trials: trials![&exact::EQ29, phases::eq29_root, phases::eq29_motion],
@@ -192,7 +193,7 @@ const CLAIMS: &[Claim] = &[
         plain: "φ₄ = 2π − asin λ₀",
         conditions: &[Condition {
             text: r"$\phi$ in $[0,2\pi]$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-25", "eq-26"],
         trials: trials![&exact::EQ30, phases::eq30_root, phases::eq30_motion],
@@ -209,15 +210,15 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$\mathfrak{w}=0$ at $\phi_1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$\mathfrak{w}>0$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$\phi$ in $[\phi_1,\tilde\phi_2]$",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-26", "eq-27"],
@@ -234,7 +235,7 @@ const CLAIMS: &[Claim] = &[
         plain: "−λ₀ (φ̃₂ − φ₁) + cos φ₁ − cos φ̃₂ = 0",
         conditions: &[Condition {
             text: r"$\tilde\phi_2$ is the smallest solution above $\phi_1$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-31"],
         trials: trials![
@@ -257,11 +258,11 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$\tilde\phi_2<\phi_3$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"continued with period $2\pi$",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-29", "eq-31", "eq-32", "s22-rest-ends"],
@@ -278,7 +279,7 @@ const CLAIMS: &[Claim] = &[
         plain: "−λ₀ (φ₃ − φ₁) + cos φ₁ − cos φ₃ < 0",
         conditions: &[Condition {
             text: r"$\tilde\phi_2<\phi_3$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-27", "eq-29", "eq-32"],
         trials: trials![
@@ -299,7 +300,7 @@ const CLAIMS: &[Claim] = &[
         plain: "−π λ₀ + 2 √(1 − λ₀²) < 0",
         conditions: &[Condition {
             text: r"$\tilde\phi_2<\phi_3$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-27", "eq-29", "eq-34"],
         trials: trials![
@@ -320,7 +321,7 @@ const CLAIMS: &[Claim] = &[
         plain: "λ₀ > λ_c",
         conditions: &[Condition {
             text: r"$\tilde\phi_2<\phi_3$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-35", "eq-37"],
         trials: trials![&exact::EQ36, slip::eq36_census],
@@ -355,7 +356,7 @@ const CLAIMS: &[Claim] = &[
             SOME_FRICTION,
             Condition {
                 text: "(36) does not hold",
-                stated: true,
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-26", "eq-36", "s22-no-rest-below"],
@@ -364,7 +365,8 @@ const CLAIMS: &[Claim] = &[
             periodic::eq38_motion,
             periodic::eq38_unique,
             periodic::eq38_approach,
-            periodic::eq38_outside
+            periodic::eq38_outside,
+            excepted::no_friction
         ],
         ..Claim::BLANK
     },
@@ -378,7 +380,7 @@ const CLAIMS: &[Claim] = &[
         plain: "φ̃₁ = acos(π λ₀ / 2)",
         conditions: &[Condition {
             text: "(36) does not hold",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-38"],
         trials: trials![&exact::EQ39, periodic::eq39_motion],
@@ -394,7 +396,7 @@ const CLAIMS: &[Claim] = &[
         plain: "λ₀ < λ_c",
         conditions: &[Condition {
             text: "the motion is that of (38)",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-37", "eq-38"],
         trials: trials![&exact::EQ40, threshold::eq40_census],
@@ -410,7 +412,7 @@ const CLAIMS: &[Claim] = &[
         plain: "φ̃₁ > φ₁",
         conditions: &[Condition {
             text: r"$\lambda_0<\lambda_\mathrm{c}$",
-            stated: true,
+            sort: Sort::Stated,
         }],
         depends_on: &["eq-27", "eq-39", "eq-40"],
         trials: trials![
@@ -430,7 +432,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["s2-perpendicular-decays", "eq-21"],
         conditions: &[Condition {
             text: r"$\mu>0$: there is friction",
-            stated: true,
+            sort: Sort::Stated,
         }],
         trials: trials![
             across::vanishes_limit,
@@ -458,7 +460,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-1", "eq-21"],
         conditions: &[Condition {
             text: r"$\mu>0$: there is friction",
-            stated: true,
+            sort: Sort::Stated,
         }],
         trials: trials![
             across::first_stage,
@@ -483,7 +485,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-26", "s22-vy-vanishes"],
         conditions: &[Condition {
             text: r"$\mu>0$: there is friction",
-            stated: true,
+            sort: Sort::Stated,
         }],
         trials: trials![across::ignores_motion, across::ignores_census],
         ..Claim::BLANK
@@ -509,17 +511,18 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             Condition {
                 text: r"$\lambda_0<1$",
-                stated: true,
+                sort: Sort::Stated,
             },
             Condition {
                 text: r"$0<\lambda_0$: at $\lambda_0=0$ the four formulas give only the two points $0$ and $\pi$ of a period",
-                stated: false,
+                sort: Sort::Degenerate,
             },
         ],
         trials: trials![
             phases::four_points_census,
             phases::four_points_root,
-            phases::four_points_outside
+            phases::four_points_outside,
+            excepted::no_friction
         ],
         ..Claim::BLANK
     },
@@ -543,8 +546,14 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             slip::bracket_census,
             slip::bracket_limit,
-            certified::bracket
+            certified::bracket,
+            certified::bracket_outside,
+            excepted::no_friction
         ],
+        conditions: &[Condition {
+            text: r"$\lambda_0>0$: without friction the slip ends at $2\pi$, which is $\phi_4$",
+            sort: Sort::Degenerate,
+        }],
         ..Claim::BLANK
     },
     Claim {
@@ -588,7 +597,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             kinds::trichotomy_census,
             kinds::trichotomy_motion,
-            kinds::trichotomy_outside
+            kinds::trichotomy_outside,
+            excepted::no_friction
         ],
         ..Claim::BLANK
     },

@@ -6,12 +6,13 @@ pub mod drawn;
 mod driven;
 mod every_drive;
 pub mod exact;
+pub mod excepted;
 mod rates;
 mod scaling;
 mod spheres;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Correction, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -24,13 +25,13 @@ pub const TOPIC: Topic = Topic {
 /// Stated with (63).
 const SLIDES: &[Condition] = &[Condition {
     text: "the sphere slides",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 /// Stated with (3), to which section 3.1 refers.
 const CONSTANT: &[Condition] = &[Condition {
     text: r"$\bm{A}=-A\hat{\bm{x}}$ is constant, $A>0$",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 const STATED_CONSTANT: Condition = CONSTANT[0];
@@ -40,7 +41,7 @@ const NOT_STRAIGHT: &[Condition] = &[
     STATED_CONSTANT,
     Condition {
         text: r"$\theta_0\neq0,\pi$: along the line of the acceleration it is $0/0$",
-        stated: false,
+        sort: Sort::Degenerate,
     },
 ];
 
@@ -49,7 +50,7 @@ const TIME_HAS_A_VALUE: &[Condition] = &[
     STATED_CONSTANT,
     Condition {
         text: r"$\theta_0\neq0,\pi$, $\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, corrected or not: elsewhere it is $0/0$",
-        stated: false,
+        sort: Sort::Substance,
     },
 ];
 
@@ -58,7 +59,7 @@ const SLIP_HAS_A_VALUE: &[Condition] = &[
     STATED_CONSTANT,
     Condition {
         text: r"$\cos\theta\neq-\lambda$, corrected or not: there it is $0/0$",
-        stated: false,
+        sort: Sort::Substance,
     },
 ];
 
@@ -376,7 +377,8 @@ const CLAIMS: &[Claim] = &[
             angle::eq81,
             angle::eq81_outside,
             angle::regular_slip,
-            angle::regular_straight
+            angle::regular_straight,
+            excepted::eq81
         ],
         correction: Some(REGULAR_SLIP),
     },
@@ -414,7 +416,8 @@ const CLAIMS: &[Claim] = &[
             angle::eq83,
             &exact::EQ83,
             angle::corrected83,
-            &exact::CORRECTED_83
+            &exact::CORRECTED_83,
+            angle::eq83_step
         ],
         correction: Some(SLIP_AT_TIME),
     },
@@ -478,13 +481,14 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["s22-trichotomy", "eq-71", "eq-84", "s3-reduction"],
         conditions: &[Condition {
             text: r"$\lambda_0>0$: without friction no start is forgotten",
-            stated: false,
+            sort: Sort::Degenerate,
         }],
         trials: trials![
             driven::trichotomy_census,
             driven::trichotomy_motion,
             driven::rolling_ends,
-            driven::trichotomy_outside
+            driven::trichotomy_outside,
+            super::sinusoidal::excepted::no_friction
         ],
         ..Claim::BLANK
     },

@@ -7,6 +7,7 @@ pub mod drawn;
 mod ends;
 mod energy;
 pub mod exact;
+pub mod excepted;
 pub mod fixed;
 mod frames;
 mod rates;
@@ -14,7 +15,7 @@ mod standstill;
 pub mod stretches;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Correction, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -27,31 +28,31 @@ pub const TOPIC: Topic = Topic {
 /// Stated after (86).
 const POSITIVE: &[Condition] = &[Condition {
     text: r"$\Omega>0$",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 /// Where the friction term divides by the speed.
 const SLIDES: Condition = Condition {
     text: "the particle slides: at rest, friction is only as large as it has to be, and the term has no value",
-    stated: false,
+    sort: Sort::Degenerate,
 };
 
 /// Where a rate is that of a sliding particle.
 const MOVES: Condition = Condition {
     text: r"$p>0$: at rest $\xi$ and $\psi$ have no value, and a particle that friction holds stays at rest",
-    stated: false,
+    sort: Sort::Degenerate,
 };
 
 /// Where a formula divides by the speed.
 const NOT_AT_REST: Condition = Condition {
     text: "$p>0$: at rest it is $0/0$",
-    stated: false,
+    sort: Sort::Degenerate,
 };
 
 /// Where a formula divides by the distance.
 const OFF_AXIS: Condition = Condition {
     text: r"$\rho>0$: on the axis it is $\infty\cdot0$",
-    stated: false,
+    sort: Sort::Degenerate,
 };
 
 /// Stated after (86), with the first condition.
@@ -65,7 +66,7 @@ const INNER_NOT_AT_REST: &[Condition] = &[
     INNER[0],
     Condition {
         text: r"$\alpha>0$: at rest it is $\infty\cdot0$",
-        stated: false,
+        sort: Sort::Degenerate,
     },
 ];
 
@@ -74,7 +75,7 @@ const OUTER_OFF_AXIS: &[Condition] = &[
     OUTER[0],
     Condition {
         text: r"$\beta>0$: on the axis it is $\infty\cdot0$",
-        stated: false,
+        sort: Sort::Degenerate,
     },
 ];
 
@@ -83,7 +84,7 @@ const FROZEN: &[Condition] = &[
     INNER[0],
     Condition {
         text: r"$\alpha$ held fixed; where it moves, $\psi$ follows $\psi_1$ only while $\lvert\dot\alpha\rvert\cosh2\alpha\ll1$, which late in an escape it is not",
-        stated: false,
+        sort: Sort::Substance,
     },
 ];
 
@@ -104,13 +105,13 @@ const WORK: Correction = Correction {
 /// The first case, (110).
 const INNER: &[Condition] = &[Condition {
     text: r"$p<\rho$",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 /// The second case, (116).
 const OUTER: &[Condition] = &[Condition {
     text: r"$p>\rho$",
-    stated: true,
+    sort: Sort::Stated,
 }];
 
 const CLAIMS: &[Claim] = &[
@@ -127,7 +128,8 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ86,
             frames::eq86,
             frames::eq86_turns,
-            standstill::eq86
+            standstill::eq86,
+            excepted::eq86
         ],
         ..Claim::BLANK
     },
@@ -170,7 +172,8 @@ const CLAIMS: &[Claim] = &[
             frames::eq89,
             standstill::eq89,
             ends::eq89_from_rest,
-            ends::eq89_by_components
+            ends::eq89_by_components,
+            excepted::eq89
         ],
         ..Claim::BLANK
     },
@@ -200,7 +203,8 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ91,
             rates::eq91,
             standstill::eq91,
-            ends::eq91_from_rest
+            ends::eq91_from_rest,
+            excepted::eq91
         ],
         ..Claim::BLANK
     },
@@ -218,7 +222,8 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ92,
             rates::eq92,
             standstill::eq92,
-            ends::eq92_from_rest
+            ends::eq92_from_rest,
+            excepted::eq92
         ],
         ..Claim::BLANK
     },
@@ -309,7 +314,8 @@ const CLAIMS: &[Claim] = &[
             rates::eq99,
             standstill::eq99,
             ends::eq99_until_rest,
-            ends::eq99_of_many
+            ends::eq99_of_many,
+            excepted::rest
         ],
         ..Claim::BLANK
     },
@@ -323,7 +329,12 @@ const CLAIMS: &[Claim] = &[
         plain: "dℓ/dτ = −ξ (2p + ℓ)/p",
         depends_on: &["eq-91", "eq-96", "eq-97", "eq-99"],
         conditions: &[NOT_AT_REST],
-        trials: trials![&exact::EQ100, rates::eq100, standstill::eq100],
+        trials: trials![
+            &exact::EQ100,
+            rates::eq100,
+            standstill::eq100,
+            excepted::eq100
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -336,7 +347,12 @@ const CLAIMS: &[Claim] = &[
         plain: "dξ/dτ = (p + ℓ)²/p",
         depends_on: &["eq-92", "eq-96", "eq-97", "eq-98", "eq-99"],
         conditions: &[NOT_AT_REST],
-        trials: trials![&exact::EQ101, rates::eq101, standstill::eq101],
+        trials: trials![
+            &exact::EQ101,
+            rates::eq101,
+            standstill::eq101,
+            excepted::eq101
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -421,7 +437,12 @@ const CLAIMS: &[Claim] = &[
         plain: "dp/dτ = ρ cos ψ − 1",
         depends_on: &["eq-94", "eq-99"],
         conditions: &[MOVES],
-        trials: trials![&exact::EQ107, rates::eq107, standstill::eq107],
+        trials: trials![
+            &exact::EQ107,
+            rates::eq107,
+            standstill::eq107,
+            excepted::rest
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -450,7 +471,9 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ109,
             rates::eq109,
             standstill::eq109,
-            standstill::eq109_on_the_axis
+            standstill::eq109_on_the_axis,
+            excepted::eq109_rest,
+            excepted::eq109_axis
         ],
         ..Claim::BLANK
     },
@@ -513,7 +536,12 @@ const CLAIMS: &[Claim] = &[
         plain: "dα/dτ = cos ψ − (cosh α)/A",
         depends_on: &["eq-107", "eq-108", "eq-111", "eq-112"],
         conditions: INNER_MOVES,
-        trials: trials![&exact::EQ114, rates::eq114, standstill::eq114],
+        trials: trials![
+            &exact::EQ114,
+            rates::eq114,
+            standstill::eq114,
+            excepted::rest
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -526,7 +554,12 @@ const CLAIMS: &[Claim] = &[
         plain: "dψ/dτ = 2 [1 − sin ψ coth(2α)]",
         depends_on: &["eq-109", "eq-111", "eq-112"],
         conditions: INNER_NOT_AT_REST,
-        trials: trials![&exact::EQ115, rates::eq115, standstill::eq115],
+        trials: trials![
+            &exact::EQ115,
+            rates::eq115,
+            standstill::eq115,
+            excepted::eq115
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -601,7 +634,12 @@ const CLAIMS: &[Claim] = &[
         plain: "dψ/dτ = 2 [1 − sin ψ coth(2β)]",
         depends_on: &["eq-109", "eq-117", "eq-118"],
         conditions: OUTER_OFF_AXIS,
-        trials: trials![&exact::EQ121, rates::eq121, standstill::eq121],
+        trials: trials![
+            &exact::EQ121,
+            rates::eq121,
+            standstill::eq121,
+            excepted::eq121
+        ],
         ..Claim::BLANK
     },
     Claim {

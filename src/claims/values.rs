@@ -279,7 +279,7 @@ pub static VALUES: [Value; 47] = [
     )
     .within(Enclosure(|bits| closed(corrected::winding(), bits))),
     Value::enclosed(
-        "phi-c",
+        "critical-phase",
         "eq-37",
         10,
         "$\\sin^{-1}\\lambda_\\mathrm{c}$, the phase at which the slip begins at the critical friction",

@@ -1,8 +1,8 @@
 use super::EDITION;
-use crate::claims::{Claim, Condition, Correction, PAPER, Paper, Topic};
+use crate::claims::{Claim, Condition, Correction, PAPER, Paper, Sort, Topic};
 use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::figures::Figure;
-use crate::ledger::{Entry, Ledger, judge};
+use crate::ledger::{Entry, Ledger};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,11 +23,11 @@ static FULL: Claim = Claim {
     conditions: &[
         Condition {
             text: r"$\lambda<1$ & <b>",
-            stated: true,
+            sort: Sort::Stated,
         },
         Condition {
             text: "v > 0",
-            stated: false,
+            sort: Sort::Substance,
         },
     ],
     depends_on: &["eq-11", "s21-large-friction-stops"],
@@ -85,7 +85,7 @@ fn ledger() -> Ledger {
             _ => Vec::new(),
         };
         let claim = if claim.id == "eq-13" { &FULL } else { claim };
-        let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
+        let judgement = claim.judged(&evidence);
         Entry {
             paper: &DEEP,
             claim,

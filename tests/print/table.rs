@@ -143,6 +143,7 @@ pub const CORRECTED: &[Line] = &[
     ("eq-135", 0, Side(0, 1), "escape::late_rho", NONE),
     ("eq-136", 0, Side(0, 1), "escape::late_rho", NONE),
     ("eq-137", 0, Side(0, 1), "escape::late_s", NONE),
+    ("eq-146", 0, Side(0, 1), "rest::surface_slope", NONE),
     (
         "s22-vy-two-stages",
         6,
@@ -208,7 +209,6 @@ pub const NOT_PRINTED: &[&str] = &[
     "rest::alpha_rate_straight_in",
     "rest::angle_straight_in",
     "rest::psi_at_one_half",
-    "rest::surface_slope",
 ];
 
 /// Formulas of the corrections that are written for more kinds of numbers than these trees alone, or that a print joins.

@@ -114,6 +114,10 @@ pub enum Subject {
     Outside,
     /// What replaces a claim that fails.
     Corrected,
+    /// The step to the claim from what it rests on, be that right or wrong.
+    Step,
+    /// What a condition excepts: that it has no inside, or that the claim has no value there.
+    Excepted,
 }
 
 impl Subject {
@@ -126,6 +130,8 @@ impl Subject {
             Subject::Outside => "without the condition",
             Subject::Corrected if conditional => "in the form that holds without the condition",
             Subject::Corrected => "as corrected",
+            Subject::Step => "the step from what it rests on",
+            Subject::Excepted => "what the condition excepts",
         }
     }
 }

@@ -3,6 +3,7 @@
 
 use super::launches::{Turn, straight, turns, turns_where};
 use crate::claims::compare::{Pair, Trial};
+use crate::claims::points::Points;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::double::Double;
@@ -55,6 +56,23 @@ pub fn eq8_motion() -> Evidence {
         let found = libm::atan2(y, x);
         let off = libm::remainder(libm::atan(slope) - found, std::f64::consts::PI);
         [found + off, found, 1.0 / libm::hypot(x, y)]
+    })
+}
+
+/// (8) where the velocity stays as it is.
+pub fn eq8_outside() -> Evidence {
+    let compared = "(8) at λ = 1, θ = 0 with the change of the velocity in half a unit of time";
+    let mut points = Points::stream(15);
+    Trial::motion(Subject::Outside, compared).over(0..20, |_| {
+        let (a, v0) = (points.uniform(0.5, 2.0), points.uniform(0.5, 2.0));
+        let launch = Turn::launch(1.0, a, v0, 0.0);
+        let end = launch.motion(0.5)?.at(0.5)?;
+        Ok(Pair {
+            at: launch.at(),
+            stated: printed::eq8_hodograph_slope(1.0, 0.0),
+            found: libm::hypot(end.v[0] - v0, end.v[1]),
+            scale: 1.0,
+        })
     })
 }
 

@@ -296,6 +296,22 @@ pub fn straight_stops() -> Evidence {
     })
 }
 
+/// (127) where a particle comes straight in.
+pub fn above_one_straight() -> Evidence {
+    let compared = "1 where (127) holds at the start, for an escape, with 0 for a particle that comes straight in and stops";
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    trial.over(beyond_one(), |straight| {
+        let straight = straight?;
+        let start = libm::sqrt((straight.rho - straight.p) * (straight.rho + straight.p));
+        Ok(Pair {
+            at: straight.at(),
+            stated: f64::from(u8::from(start > printed::eq127_least_a())),
+            found: f64::from(u8::from(table_stops(straight)? == 0)),
+            scale: 1.0,
+        })
+    })
+}
+
 /// How often a particle stops in Cartesian axes on the table, up to τ = 20.
 ///
 /// # Errors

@@ -281,6 +281,27 @@ fn grows_across(case: &Across) -> Result<usize, Failure> {
     Ok(breaks(&motion, 0.0, grows))
 }
 
+/// Without friction the velocity across stays as it is.
+pub fn across_outside() -> Evidence {
+    let compared =
+        "−1, for a fall, with the sign of the change of |v⊥| in ten units of time without friction";
+    census(Subject::Outside, compared).over(fixed_direction(29), |case| {
+        let end = run(&case.plane, 0.0, case.start, 10.0)?.end();
+        let (before, after) = (case.across(&case.start), case.across(&end));
+        let change = if (after - before).abs() < 1e-12 * (1.0 + end.speed()) {
+            0.0
+        } else {
+            (after - before).signum()
+        };
+        Ok(Pair {
+            at: case.name,
+            stated: printed::s2_across_trend(),
+            found: change,
+            scale: 1.0,
+        })
+    })
+}
+
 /// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
 pub fn across_quadrature() -> Evidence {
     let compared = "−∫ μg/v dt along the motion with the change of ln |v⊥|";

@@ -95,7 +95,7 @@ pub fn printed_root() -> Evidence {
 /// (147) on the slow motion, ψ = 2α, which its derivation is about.
 pub fn printed_slow() -> Evidence {
     let compared = "(147) with the A at which the motion passes from rest to escape, ψ = 2α";
-    let trial = Trial::by(Route::Root, Subject::Outside, compared, BOUNDARY);
+    let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
     trial.over(0..20, |i| {
         let alpha = 0.02 + 0.01 * f64::from(i);
         let found = border(alpha, 2.0 * alpha)?.a;
@@ -306,7 +306,7 @@ fn slopes(subject: Subject, compared: &'static str, stated: fn(f64, f64) -> f64)
 pub fn real_surfaces() -> Evidence {
     let compared =
         "∂A/∂σ by (146) at α = √2 (1 − σ) with that of the surfaces that the motion makes, ψ = 2α";
-    slopes(Subject::Outside, compared, printed::eq146_right)
+    slopes(Subject::Printed, compared, printed::eq146_right)
 }
 
 /// The real surfaces around the saddle: 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3 there.

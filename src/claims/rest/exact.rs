@@ -85,7 +85,7 @@ pub const EQ139: Statement = Statement::new(
 
 /// (146) against (145).
 pub const EQ146: Statement = Statement::new(
-    Subject::Within,
+    Subject::Step,
     "(146) with the derivative of (145), the terms left out being dropped",
     || {
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
@@ -96,7 +96,7 @@ pub const EQ146: Statement = Statement::new(
 
 /// (147) against (145) and (146).
 pub const EQ147: Statement = Statement::new(
-    Subject::Within,
+    Subject::Step,
     "(147) with (145) where (146) holds, the terms left out being dropped",
     || printed::eq147_a(Expr::symbol("α")),
     eq147,

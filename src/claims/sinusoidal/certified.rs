@@ -18,8 +18,10 @@ use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
 use crate::certified::numbers::LAMBDA_C;
 use crate::certified::taylor::Taylor;
+use crate::claims::compare::{Pair, Trial};
 use crate::claims::enclosed::{certified, numbers, on_balls};
-use crate::evidence::{Evidence, Subject};
+use crate::claims::tolerances::NONE;
+use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{Expr, Obstacle, Proof, Step};
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
@@ -125,6 +127,22 @@ fn prove_bracket(phases: [Expr; 3], left: Expr, compared: &'static str) -> Evide
 pub fn bracket() -> Evidence {
     let compared = "the signs of (32) at φ₂ and φ₄ for all 0 < λ₀ < 1, by subdivision, and next to λ₀ = 1 and λ₀ = 0 by series whose remainders are bounded";
     prove_bracket(phases(), left(), compared)
+}
+
+/// φ̃₂ = φ₄ without friction, where (32) has the solution 2π.
+pub fn bracket_outside() -> Evidence {
+    let compared = "1, for φ̃₂ < φ₄, with 0 where φ₄ is a solution of (32): at λ₀ = 0";
+    let trial = Trial::by(Route::Certified, Subject::Outside, compared, NONE);
+    trial.over([Interval::int(0)], |lambda0| {
+        let end = printed::eq30_phi4(lambda0);
+        let left = printed::eq32_left(lambda0, printed::eq27_phi1(lambda0), end);
+        Ok(Pair {
+            at: "λ₀ = 0".into(),
+            stated: 1.0,
+            found: f64::from(u8::from(!left.contains(0.0))),
+            scale: 1.0,
+        })
+    })
 }
 
 /// (32) has one solution between φ₁ and φ₄.

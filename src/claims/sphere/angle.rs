@@ -4,7 +4,7 @@ use super::spheres::{Units, braking, sphere};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
-use crate::claims::tolerances::MOTION;
+use crate::claims::tolerances::{MOTION, ROOT};
 use crate::corrections::constant::{speed, time};
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -418,4 +418,21 @@ pub(super) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
             Ok([turn.gamma, turn.tau / stated])
         })
         .collect()
+}
+
+/// (83) from (81) and (82): with the time of (82) it has to give the slip of (81).
+pub fn eq83_step() -> Evidence {
+    let compared = "u by (83) at the time of (82) with u by (81)";
+    let trial = Trial::by(Route::Consistency, Subject::Step, compared, ROOT);
+    let points = Points::stream(703).within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
+    trial.at(
+        ["λ", "u₀", "θ₀", "θ"],
+        points,
+        1.0,
+        |[lambda, u0, theta0, theta]| {
+            let tau = printed::eq82_time(lambda, u0, theta0, theta);
+            let slip = printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau);
+            Ok([slip / printed::eq81_slip(lambda, u0, theta0, theta), 1.0])
+        },
+    )
 }

@@ -86,7 +86,7 @@ def values():
     c = 1 / (3 * k)
     return {
         "lambda-c": lambda: 2 / mp.sqrt(4 + mp.pi**2),
-        "phi-c": critical_phase,
+        "critical-phase": critical_phase,
         "fig-4-slip-end": lambda: slip_end(1 / k, "3.197"),
         "slip-end-0.6": lambda: slip_end(mpf(3) / 5, "3.523"),
         "slip-end-0.9": lambda: slip_end(mpf(9) / 10, "2.482"),

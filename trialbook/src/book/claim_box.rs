@@ -7,9 +7,9 @@ use super::error::Fault;
 use super::maths::Maths;
 use super::plain;
 use super::text::{counted, escape, sentence, size, value};
-use crate::claims::Claim;
+use crate::claims::{Claim, Sort};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
-use crate::ledger::{Entry, Tally, Verdict};
+use crate::ledger::{Entry, Tally};
 
 /// The box of one claim, as a block of HTML.
 pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
@@ -84,7 +84,7 @@ fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     };
     let heading = match entry.judgement.verdict {
         // The printed form is right where it has a value; nothing is corrected.
-        Verdict::Conditional => "A form that needs no condition".to_owned(),
+        verdict if verdict.has_condition() => "A form that needs no condition".to_owned(),
         _ => format!("As corrected (changed: {changed})"),
     };
     let corrected = statement(context, claim, correction.latex)?;
@@ -99,10 +99,7 @@ fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
 
 /// Why the claim fails, and a case to check on paper.
 fn by_hand(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
-    let fails = matches!(
-        entry.judgement.verdict,
-        Verdict::Misprint | Verdict::Refuted
-    );
+    let fails = entry.judgement.verdict.is_wrong();
     let Some(case) = entry.paper.case(entry.claim.id).filter(|_| fails) else {
         return Ok(String::new());
     };
@@ -122,11 +119,11 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
     }
     let mut html = String::from("<p class=\"claim-label\">Conditions</p><ul class=\"conditions\">");
     for condition in claim.conditions {
-        let (class, stated) = if condition.stated {
-            ("stated", "stated in the paper")
-        } else {
-            ("unstated", "not stated in the paper")
+        let class = match condition.sort {
+            Sort::Stated => "stated",
+            Sort::Degenerate | Sort::Substance => "unstated",
         };
+        let stated = condition.sort.words();
         let words = context.maths.words(condition.text)?;
         html.push_str(&format!(
             "<li class=\"{class}\">{words} <span class=\"tag\">{stated}</span></li>"

@@ -13,17 +13,15 @@ use std::collections::{BTreeMap, BTreeSet};
 fn sign(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Confirmed => "✓",
+        Verdict::Degenerate => "✓°",
         Verdict::Conditional => "(✓)",
         Verdict::Misprint => "✎",
+        Verdict::Misderived => "≠",
+        Verdict::Inherited => "↳",
         Verdict::Refuted => "✗",
         Verdict::Definition => "≔",
         Verdict::Undecided => "?",
     }
-}
-
-/// True for a verdict that shakes what rests on the claim.
-fn fails(verdict: Verdict) -> bool {
-    matches!(verdict, Verdict::Misprint | Verdict::Refuted)
 }
 
 /// The figure.
@@ -34,7 +32,7 @@ pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
         .enumerate()
         .map(|(i, e)| (e.claim.id, i))
         .collect();
-    let failing = entries.iter().filter(|e| fails(e.judgement.verdict));
+    let failing = entries.iter().filter(|e| e.judgement.verdict.is_wrong());
     let shaken: BTreeSet<_> = failing
         .flat_map(|e| ledger.resting_on(e.claim.id))
         .collect();
@@ -88,11 +86,17 @@ pub(super) fn key() -> String {
 pub(super) fn what_falls(context: &Context<'_>) -> Result<String, Fault> {
     let ledger = context.ledger;
     let mut rows = Vec::new();
-    for entry in ledger.entries.iter().filter(|e| fails(e.judgement.verdict)) {
+    for entry in ledger
+        .entries
+        .iter()
+        .filter(|e| e.judgement.verdict.is_wrong())
+    {
         let on = ledger.resting_on(entry.claim.id);
-        let (fallen, standing): (Vec<_>, Vec<_>) = on
-            .into_iter()
-            .partition(|id| ledger.entry(id).is_some_and(|e| fails(e.judgement.verdict)));
+        let (fallen, standing): (Vec<_>, Vec<_>) = on.into_iter().partition(|id| {
+            ledger
+                .entry(id)
+                .is_some_and(|e| e.judgement.verdict.is_wrong())
+        });
         rows.push([
             context.link(entry)?,
             verdict(entry.judgement.verdict),

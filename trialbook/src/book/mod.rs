@@ -27,6 +27,7 @@
 //! | `{{ref eq-11}}` | a link to the claim's box |
 //! | `{{value lambda-c}}` | a number of the index of values, by its short name |
 //! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
+//! | `{{count wrong}}`, `{{count roots}}`, `{{count heirs}}` | of the claims that are false: all, those with an error of their own, the others |
 //! | `{{count proved}}` | the number of claims that are proved |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
 //!

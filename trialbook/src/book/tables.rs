@@ -66,11 +66,16 @@ pub(super) fn counts(ledger: &Ledger) -> String {
 fn meaning(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Confirmed => "every trial agrees, by two independent routes or by a proof",
+        Verdict::Degenerate => {
+            "the same, but for points where the statement has no value or that fill no stretch, such as a particle at rest"
+        }
         Verdict::Conditional => "true, but only under a condition that the paper does not state",
         Verdict::Misprint => {
-            "false as printed; a small correction holds, and what follows is unharmed"
+            "false as printed; a small correction holds, and nothing takes the error over"
         }
-        Verdict::Refuted => "false; what is right holds instead",
+        Verdict::Misderived => "a formula that is false; what is right holds instead",
+        Verdict::Inherited => "false because what it follows from is; the step to it is right",
+        Verdict::Refuted => "a statement in words that is false; what is right holds instead",
         Verdict::Definition => "introduces a symbol; consistent with the use made of it",
         Verdict::Undecided => "the trials made so far do not settle it",
     }

@@ -12,6 +12,8 @@ pub mod compare;
 #[cfg(feature = "book")]
 pub mod enclosed;
 #[cfg(feature = "book")]
+pub mod excepted;
+#[cfg(feature = "book")]
 pub mod formulas;
 #[cfg(feature = "book")]
 pub mod measured;
@@ -46,8 +48,32 @@ use {
 pub struct Condition {
     /// The condition, as LaTeX inside `$…$` and plain words.
     pub text: &'static str,
-    /// True if the paper states it, false if we had to add it.
-    pub stated: bool,
+    /// Who says it, and what it excepts.
+    pub sort: Sort,
+}
+
+/// What sort of condition it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Sort {
+    /// The paper states it.
+    Stated,
+    /// The paper does not; it excepts degenerate points: a set without inside, or one on which the claim has no value. A
+    /// trial on [`Subject::Excepted`](crate::evidence::Subject::Excepted) has to find that.
+    Degenerate,
+    /// The paper does not, and what it excepts has an inside.
+    Substance,
+}
+
+impl Sort {
+    /// Who says so, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Sort::Stated => "stated in the paper",
+            Sort::Degenerate => "not stated in the paper; what it excepts is degenerate",
+            Sort::Substance => "not stated in the paper",
+        }
+    }
 }
 
 /// What replaces a claim that fails.

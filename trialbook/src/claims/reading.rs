@@ -17,6 +17,10 @@ pub struct Elsewhere {
 impl Formulas {
     /// True if the claim of this id has formulas of the kind that the evidence is about, and none of them was read for it.
     pub fn is_missing(&self, id: &str, evidence: &Evidence) -> bool {
+        // What a condition excepts is a set of motions, whatever the formula says of it.
+        if evidence.subject == Subject::Excepted {
+            return false;
+        }
         let printed = evidence.subject != Subject::Corrected;
         let own = |path: &str| {
             self.is_printed(path) == printed && self.claim(path).as_deref() == Some(id)

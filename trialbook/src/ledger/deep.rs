@@ -1,6 +1,6 @@
 //! Depth: the same trials at other random points, round after round, and one judgement of all together.
 
-use super::{Entry, Ledger, judge};
+use super::{Entry, Ledger};
 use crate::evidence::Evidence;
 use std::fmt::Write;
 
@@ -152,8 +152,7 @@ impl Ledger {
     /// The same evidence, judged anew.
     pub fn judged(mut self) -> Self {
         for entry in &mut self.entries {
-            let change = entry.claim.correction.map(|c| c.change);
-            entry.judgement = judge(entry.claim.kind, change, &entry.evidence);
+            entry.judgement = entry.claim.judged(&entry.evidence);
         }
         Self::of(self.paper, self.entries)
     }

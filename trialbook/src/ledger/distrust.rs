@@ -3,7 +3,7 @@
 
 use super::{Entry, Ledger, alone};
 use crate::claims::variants::Variant;
-use crate::evidence::Outcome;
+use crate::evidence::{Evidence, Outcome, Subject};
 use crate::seeded::{self, Seed};
 use std::collections::BTreeMap;
 
@@ -58,6 +58,11 @@ impl Tried {
     }
 }
 
+/// True for evidence that agrees with a formula; what a condition excepts is a set of motions, whatever the formula says of it.
+fn has_to_notice(evidence: &Evidence) -> bool {
+    evidence.outcome() == Outcome::Agrees && evidence.subject != Subject::Excepted
+}
+
 impl Entry {
     /// What the trial of this number does with the mistake; all that it does has to stay on this thread.
     pub(super) fn reaction(&self, trial: usize, seed: Seed) -> Reaction {
@@ -99,7 +104,7 @@ impl Ledger {
             Tried {
                 entry,
                 trial,
-                agrees: evidence.outcome() == Outcome::Agrees,
+                agrees: has_to_notice(evidence),
                 reactions,
             }
         })
@@ -129,7 +134,7 @@ impl Ledger {
             of_one.iter().step_by(step.max(1))
         });
         let mut reactions: Vec<_> = few.copied().map(reaction).collect();
-        let agrees = entry.evidence[trial].outcome() == Outcome::Agrees;
+        let agrees = has_to_notice(&entry.evidence[trial]);
         let mut others = read.iter().copied().flatten();
         while agrees
             && reactions.iter().all(|(_, r)| !r.rejects)

@@ -1,6 +1,7 @@
 //! The errata: what has to be changed in the paper, as data.
 
 use super::{Entry, Ledger, Verdict};
+use crate::claims::Sort;
 use crate::claims::compare::Failure;
 use crate::evidence::{Evidence, Outcome, Subject};
 use serde::Serialize;
@@ -29,7 +30,8 @@ pub struct Erratum {
     pub case: Option<String>,
     /// What was compared, and what came of it; one sentence a trial, formulas in `$…$`.
     pub evidence: Vec<String>,
-    /// Ids of the claims from which its error comes: those that it is derived from and that fail themselves.
+    /// Ids of the claims from which its error comes: those that it is derived from and that fail themselves, unless the
+    /// step from them fails too.
     pub inherits: Vec<&'static str>,
     /// Ids of all claims that rest on this one, directly or not, and fall too.
     pub fallen: Vec<&'static str>,
@@ -83,6 +85,31 @@ impl Ledger {
         wrong.map(|entry| self.erratum(entry)).collect()
     }
 
+    fn is_wrong(&self, id: &str) -> bool {
+        let entry = self.entry(id);
+        entry.is_some_and(|e| e.judgement.verdict.is_wrong())
+    }
+
+    /// Ids of the claims from which the error of a wrong claim comes, as [`Erratum::inherits`].
+    fn inherits(&self, entry: &Entry) -> Vec<&'static str> {
+        let fails = |e: &Evidence| e.subject == Subject::Step && e.outcome() == Outcome::Disagrees;
+        if entry.evidence.iter().any(fails) {
+            return Vec::new();
+        }
+        let below = entry.claim.depends_on.iter().copied();
+        below.filter(|id| self.is_wrong(id)).collect()
+    }
+
+    /// How many wrong claims have an error of their own, and how many have it from others.
+    pub fn roots_and_heirs(&self) -> [usize; 2] {
+        let wrong = self
+            .entries
+            .iter()
+            .filter(|e| e.judgement.verdict.is_wrong());
+        let (roots, heirs): (Vec<_>, Vec<_>) = wrong.partition(|e| self.inherits(e).is_empty());
+        [roots.len(), heirs.len()]
+    }
+
     fn erratum(&self, entry: &Entry) -> Result<Erratum, ErrataError> {
         let claim = entry.claim;
         let by_hand = self.paper.case(claim.id);
@@ -91,14 +118,9 @@ impl Ledger {
             claim: claim.id,
             reason,
         })?;
-        let fails = |id: &&'static str| {
-            let entry = self.entry(id);
-            entry.is_some_and(|e| {
-                matches!(e.judgement.verdict, Verdict::Misprint | Verdict::Refuted)
-            })
-        };
+        let fails = |id: &&'static str| self.is_wrong(id);
         let (fallen, standing) = self.resting_on(claim.id).into_iter().partition(fails);
-        let inherits = claim.depends_on.iter().copied().filter(fails).collect();
+        let inherits = self.inherits(entry);
         Ok(Erratum {
             id: claim.id,
             section: claim.section,
@@ -106,7 +128,10 @@ impl Ledger {
             title: claim.title,
             verdict: entry.judgement.verdict,
             old: statement(claim.latex, claim.equation),
-            new: new_text(entry),
+            new: new_text(
+                entry,
+                &inherits.iter().map(|id| self.name(id)).collect::<Vec<_>>(),
+            ),
             reason: by_hand
                 .map_or_else(|| reason_of_condition(entry), |case| case.reason.to_owned()),
             case,
@@ -138,13 +163,14 @@ fn statement(latex: &str, equation: Option<u16>) -> String {
     }
 }
 
-/// What should be printed: the correction, or what is printed with the missing conditions.
-fn new_text(entry: &Entry) -> String {
+/// What should be printed: the correction, or what is printed with the missing conditions, or what follows from those
+/// whose error it inherits.
+fn new_text(entry: &Entry, inherits: &[String]) -> String {
     let claim = entry.claim;
     let missing = claim
         .conditions
         .iter()
-        .filter(|c| !c.stated)
+        .filter(|c| c.sort == Sort::Substance)
         .map(|c| c.text);
     let missing: Vec<_> = missing.collect();
     if entry.judgement.verdict == Verdict::Conditional {
@@ -157,7 +183,10 @@ fn new_text(entry: &Entry) -> String {
         return format!("add: {}{general}", missing.join("; "));
     }
     let Some(correction) = claim.correction else {
-        return String::new();
+        return format!(
+            "what follows from the right form of {}",
+            inherits.join(", ")
+        );
     };
     let new = statement(correction.latex, claim.equation);
     match missing.is_empty() {

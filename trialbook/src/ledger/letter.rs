@@ -5,6 +5,7 @@ use super::pieces::{Piece, decimal, pieces};
 use super::plain::{self, plain_words};
 use super::{Ledger, Verdict};
 use crate::claims::Paper;
+use crate::claims::Sort;
 
 /// A form of the letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,7 +95,12 @@ impl Ledger {
             let Some(entry) = self.entry(erratum.id) else {
                 continue;
             };
-            for condition in entry.claim.conditions.iter().filter(|c| !c.stated) {
+            for condition in entry
+                .claim
+                .conditions
+                .iter()
+                .filter(|c| c.sort == Sort::Substance)
+            {
                 let name = self.name(erratum.id);
                 match needed.iter_mut().find(|(text, _)| *text == condition.text) {
                     Some((_, names)) => names.push(name),
@@ -128,7 +134,12 @@ impl Ledger {
     }
 }
 
-const WRONG: [Verdict; 2] = [Verdict::Misprint, Verdict::Refuted];
+const WRONG: [Verdict; 4] = [
+    Verdict::Misprint,
+    Verdict::Misderived,
+    Verdict::Inherited,
+    Verdict::Refuted,
+];
 
 fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
     let chosen = errata.iter().filter(|e| verdicts.contains(&e.verdict));

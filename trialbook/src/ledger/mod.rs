@@ -61,23 +61,22 @@ pub struct Entry {
 }
 
 impl Entry {
-    /// True for a claim that holds under a condition.
+    /// True for a claim that holds under a condition which the paper does not state.
     pub fn is_conditional(&self) -> bool {
-        self.judgement.verdict == Verdict::Conditional
+        self.judgement.verdict.has_condition()
     }
 
     /// The strongest route by which it holds what the verdict rests on: the whole of the claim, or of what is right
     /// in its place. Proofs come before measurements.
     pub fn strongest(&self) -> Option<Route> {
         let corrected = match self.judgement.verdict {
-            Verdict::Misprint | Verdict::Refuted => true,
             Verdict::Undecided => return None,
-            Verdict::Confirmed | Verdict::Conditional | Verdict::Definition => false,
+            verdict => verdict.is_wrong(),
         };
         let counts = |e: &&Evidence| match e.subject {
             Subject::Printed | Subject::Within => !corrected,
             Subject::Corrected => corrected,
-            Subject::Outside => false,
+            Subject::Outside | Subject::Step | Subject::Excepted => false,
         };
         let evidence = self.evidence.iter().filter(counts).filter(|e| !e.partial);
         let agrees = evidence.filter(|e| e.outcome() == Outcome::Agrees);
@@ -105,7 +104,9 @@ impl Entry {
     pub fn worst(&self) -> Option<&Evidence> {
         self.evidence
             .iter()
-            .filter(|e| e.subject != Subject::Outside && !e.route.is_proof())
+            .filter(|e| {
+                !matches!(e.subject, Subject::Outside | Subject::Excepted) && !e.route.is_proof()
+            })
             .max_by(|a, b| {
                 let excess = |e: &Evidence| e.worst / e.tolerance.value;
                 excess(a).total_cmp(&excess(b))

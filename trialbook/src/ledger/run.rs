@@ -3,6 +3,7 @@
 use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
 use crate::claims::attempt::Attempt;
 use crate::claims::{Claim, Paper, Topic};
+use crate::evidence::Evidence;
 use rayon::prelude::*;
 use std::iter;
 use std::ops::Range;
@@ -12,7 +13,7 @@ impl Entry {
     /// Tries one claim and judges it.
     pub fn try_claim(paper: &'static Paper, topic: &'static Topic, claim: &'static Claim) -> Self {
         let evidence: Vec<_> = claim.trials.par_iter().map(Attempt::evidence).collect();
-        let judgement = judge(claim.kind, claim.correction.map(|c| c.change), &evidence);
+        let judgement = claim.judged(&evidence);
         Entry {
             paper,
             claim,
@@ -22,9 +23,22 @@ impl Entry {
         }
     }
 
-    /// Whether the verdict may change with that of `claim`: a misprint's, with what follows from it.
-    fn rests_on(&self, claim: &Claim) -> bool {
-        self.judgement.verdict == Verdict::Misprint && claim.depends_on.contains(&self.claim.id)
+    /// Whether the verdict may change with that of `claim`: a misprint's with what follows from it, an inherited error's with
+    /// what it follows from.
+    fn looks_at(&self, claim: &Claim) -> bool {
+        match self.judgement.verdict {
+            Verdict::Misprint => claim.depends_on.contains(&self.claim.id),
+            Verdict::Inherited => self.claim.depends_on.contains(&claim.id),
+            _ => false,
+        }
+    }
+}
+
+impl Claim {
+    /// Judges the claim by itself.
+    pub fn judged(&self, evidence: &[Evidence]) -> Judgement {
+        let change = self.correction.map(|c| c.change);
+        judge(self.kind, change, self.conditions, evidence)
     }
 }
 
@@ -76,13 +90,13 @@ impl Shares {
 /// Finds out whether an entry's judgement changes in view of the claims that depend on it.
 fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judgement)> {
     move |(i, entry)| {
-        let follows = |e: &&Entry| e.claim.depends_on.contains(&entry.claim.id);
-        let dependents: Vec<_> = entries
-            .iter()
-            .filter(follows)
-            .map(|e| (e.claim.id, e.judgement.verdict))
-            .collect();
-        let judgement = in_view_of(entry.judgement.clone(), &dependents);
+        let those = |wanted: &dyn Fn(&Claim) -> bool| -> Vec<_> {
+            let others = entries.iter().filter(|e| wanted(e.claim));
+            others.map(|e| (e.claim.id, e.judgement.verdict)).collect()
+        };
+        let below = those(&|other| entry.claim.depends_on.contains(&other.id));
+        let above = those(&|other| other.depends_on.contains(&entry.claim.id));
+        let judgement = in_view_of(entry.judgement.clone(), &below, &above);
         (judgement != entry.judgement).then_some((i, judgement))
     }
 }
@@ -93,8 +107,8 @@ impl Ledger {
         Self::of(paper, tried(paper, paper.claims().collect(), &done))
     }
 
-    /// Tries the claims of these ids; calls `done` after each one. A verdict may rest on those of the claims that
-    /// depend on it: they are tried too where that is so, and are no part of this ledger.
+    /// Tries the claims of these ids; calls `done` after each one. A verdict may rest on those of its
+    /// neighbours: they are tried too where that is so, and are no part of this ledger.
     pub fn try_some(paper: &'static Paper, ids: &[&str], done: impl Fn(&Claim) + Sync) -> Self {
         let mut wanted: Vec<_> = paper
             .claims()
@@ -106,7 +120,7 @@ impl Ledger {
             wanted = paper
                 .claims()
                 .filter(|(_, claim)| entries.iter().all(|e| e.claim.id != claim.id))
-                .filter(|(_, claim)| entries.iter().any(|e| e.rests_on(claim)))
+                .filter(|(_, claim)| entries.iter().any(|e| e.looks_at(claim)))
                 .collect();
         }
         let mut ledger = Self::of(paper, entries);
@@ -116,7 +130,7 @@ impl Ledger {
 
     /// The entries, each judged in view of the others.
     pub(super) fn of(paper: &'static Paper, mut entries: Vec<Entry>) -> Self {
-        // A refutation may pass from claim to claim, against the order of derivation.
+        // What a claim is worth may change what its neighbours are.
         while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
             entries[i].judgement = judgement;
         }

@@ -1,6 +1,7 @@
 //! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
 
 use super::Entry;
+use crate::claims::Sort;
 use crate::evidence::{Evidence, Outcome};
 use std::fmt::Write;
 
@@ -30,7 +31,11 @@ impl Entry {
             let _ = writeln!(text, "in code:\n\n    {}\n", formulas.join("\n    "));
         }
         for condition in claim.conditions {
-            let by = if condition.stated { "stated" } else { "added" };
+            let by = match condition.sort {
+                Sort::Stated => "stated",
+                Sort::Degenerate => "added, degenerate points",
+                Sort::Substance => "added",
+            };
             let _ = writeln!(text, "condition ({by}): {}", condition.text);
         }
         let _ = writeln!(text, "verdict: {}", self.judgement.verdict.words());

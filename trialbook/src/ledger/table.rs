@@ -33,17 +33,14 @@ impl Ledger {
             let _ = writeln!(text, "\nSection {section}");
             for entry in self.entries.iter().filter(|e| e.claim.section == section) {
                 // Of a claim that fails, how badly it does is what matters here.
-                let fails = matches!(
-                    entry.judgement.verdict,
-                    Verdict::Misprint | Verdict::Refuted
-                );
+                let fails = entry.judgement.verdict.is_wrong();
                 let worst = match entry.worst() {
                     _ if entry.is_proved() && !fails => "proved".to_owned(),
                     Some(e) => format!("{:.0e}", e.worst),
                     None => String::new(),
                 };
                 let line = format!(
-                    "  {:<31} {:<FORMULA$}  {:<26}  {:<9} {}",
+                    "  {:<31} {:<FORMULA$}  {:<35}  {:<9} {}",
                     entry.claim.id,
                     cut(entry.claim.plain),
                     entry.judgement.verdict.words(),

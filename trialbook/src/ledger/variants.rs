@@ -1,6 +1,6 @@
 //! Trying claims on wrong variants of their formulas.
 
-use super::{Entry, Ledger, Verdict, alone, judge};
+use super::{Entry, Ledger, alone};
 use crate::claims::variants::Variant;
 use crate::evidence::{Evidence, Outcome, Subject};
 use crate::seeded;
@@ -21,10 +21,9 @@ impl Entry {
     /// has to fail again, in a trial that notices the variant.
     fn rejects(&self, variant: &Variant) -> bool {
         let claim = self.claim;
-        let change = claim.correction.map(|c| c.change);
-        let verdict_of = |evidence: &[Evidence]| judge(claim.kind, change, evidence).verdict;
+        let verdict_of = |evidence: &[Evidence]| claim.judged(evidence).verdict;
         let verdict = verdict_of(&self.evidence);
-        let fails = matches!(verdict, Verdict::Misprint | Verdict::Refuted) && variant.printed;
+        let fails = verdict.is_wrong() && variant.printed;
         let mut order: Vec<_> = (0..claim.trials.len()).collect();
         order.sort_by_key(|i| self.evidence[*i].points);
         order.into_iter().any(|i| {

@@ -1,5 +1,6 @@
 //! The judge: evidence in, verdict out. Nothing else decides what a claim is worth.
 
+use crate::claims::{Condition, Sort};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Route, Subject};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -10,11 +11,17 @@ use std::collections::BTreeSet;
 pub enum Verdict {
     /// Every trial agrees, by two independent routes or by one that proves.
     Confirmed,
-    /// True, but only under a condition that the paper does not state; tried on both sides.
+    /// The same, but for degenerate points: a set without inside, or one on which the claim has no value.
+    Degenerate,
+    /// True, but only under a condition of substance that the paper does not state; tried on both sides.
     Conditional,
-    /// False as printed; a small correction is confirmed, and what follows is unharmed.
+    /// False as printed; a small correction is confirmed, and nothing takes the error over.
     Misprint,
-    /// False; what is right is itself confirmed.
+    /// False by its own derivation; what is right is itself confirmed.
+    Misderived,
+    /// False because what it follows from is false; the step to it is right.
+    Inherited,
+    /// A statement in words that is false; what is right is itself confirmed.
     Refuted,
     /// Nothing to try but consistency, and that holds.
     Definition,
@@ -24,10 +31,13 @@ pub enum Verdict {
 
 impl Verdict {
     /// All verdicts, in the order in which tables list them.
-    pub const ALL: [Verdict; 6] = [
+    pub const ALL: [Verdict; 9] = [
         Verdict::Confirmed,
+        Verdict::Degenerate,
         Verdict::Conditional,
         Verdict::Misprint,
+        Verdict::Misderived,
+        Verdict::Inherited,
         Verdict::Refuted,
         Verdict::Definition,
         Verdict::Undecided,
@@ -37,9 +47,12 @@ impl Verdict {
     pub fn words(self) -> &'static str {
         match self {
             Verdict::Confirmed => "confirmed",
-            Verdict::Conditional => "confirmed with a condition",
+            Verdict::Degenerate => "confirmed but for degenerate points",
+            Verdict::Conditional => "needs a condition",
             Verdict::Misprint => "misprint",
-            Verdict::Refuted => "refuted",
+            Verdict::Misderived => "wrong by derivation",
+            Verdict::Inherited => "inherits an error",
+            Verdict::Refuted => "wrong",
             Verdict::Definition => "definition",
             Verdict::Undecided => "undecided",
         }
@@ -48,17 +61,31 @@ impl Verdict {
     /// A short name without blanks, for records and style sheets.
     pub fn slug(self) -> &'static str {
         match self {
+            Verdict::Degenerate => "degenerate",
             Verdict::Conditional => "conditional",
+            Verdict::Misderived => "misderived",
+            Verdict::Inherited => "inherited",
+            Verdict::Refuted => "refuted",
             other => other.words(),
         }
     }
 
-    /// True for a verdict that asks for a change in the paper.
-    pub fn asks_for_change(self) -> bool {
+    /// True for a claim that is false as printed.
+    pub fn is_wrong(self) -> bool {
         matches!(
             self,
-            Verdict::Conditional | Verdict::Misprint | Verdict::Refuted
+            Verdict::Misprint | Verdict::Misderived | Verdict::Inherited | Verdict::Refuted
         )
+    }
+
+    /// True for a claim that holds under a condition which the paper does not state.
+    pub fn has_condition(self) -> bool {
+        matches!(self, Verdict::Degenerate | Verdict::Conditional)
+    }
+
+    /// True for a verdict that asks for a change in the paper.
+    pub fn asks_for_change(self) -> bool {
+        self == Verdict::Conditional || self.is_wrong()
     }
 }
 
@@ -81,8 +108,13 @@ fn judgement(verdict: Verdict, ground: impl Into<String>) -> Judgement {
 /// Judges one claim by its evidence.
 ///
 /// `change` is how much the correction changes that the evidence on [`Subject::Corrected`] is about,
-/// if there is one. The function depends on nothing but its arguments.
-pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judgement {
+/// if there is one; `conditions` are those under which it is tried. The function depends on nothing but its arguments.
+pub fn judge(
+    kind: Kind,
+    change: Option<Change>,
+    conditions: &[Condition],
+    evidence: &[Evidence],
+) -> Judgement {
     let undecided = |ground: String| judgement(Verdict::Undecided, ground);
     if evidence.is_empty() {
         return undecided("no trial yet".into());
@@ -116,31 +148,42 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
     );
 
     if let Some(e) = printed.against.first().or(within.against.first()) {
-        return if corrected.against.is_empty() && corrected.enough() {
-            match change {
-                Some(Change::Sign | Change::Factor | Change::Symbol) => judgement(
-                    Verdict::Misprint,
-                    format!(
-                        "fails at {}; the corrected form {}",
-                        e.at,
-                        corrected.standing()
-                    ),
-                ),
-                Some(Change::Statement) => judgement(
-                    Verdict::Refuted,
-                    format!(
-                        "fails at {}; what replaces it {}",
-                        e.at,
-                        corrected.standing()
-                    ),
-                ),
-                None => undecided("a correction holds, but how much it changes is not said".into()),
-            }
-        } else {
-            undecided(format!(
-                "fails at {}, and no correction is confirmed: derive what is right and try it by two routes",
+        let fails = format!("fails at {}", e.at);
+        if let Some(e) = corrected.against.first() {
+            return undecided(format!(
+                "{fails}, and what is to replace it fails at {}",
                 e.at
-            ))
+            ));
+        }
+        let step = of(Subject::Step);
+        if !step.agree.is_empty() && step.against.is_empty() {
+            let ground = format!(
+                "{fails}; the step from what it rests on {}",
+                step.standing()
+            );
+            return judgement(Verdict::Inherited, ground);
+        }
+        if !corrected.enough() {
+            return undecided(format!(
+                "{fails}, and no correction is confirmed: derive what is right and try it by two routes"
+            ));
+        }
+        let standing = corrected.standing();
+        let in_words = matches!(kind, Kind::Property | Kind::Figure);
+        return match change {
+            None => undecided("a correction holds, but how much it changes is not said".into()),
+            Some(Change::Statement) if in_words => judgement(
+                Verdict::Refuted,
+                format!("{fails}; what replaces it {standing}"),
+            ),
+            Some(Change::Statement) => judgement(
+                Verdict::Misderived,
+                format!("{fails}; what replaces it {standing}"),
+            ),
+            Some(Change::Sign | Change::Factor | Change::Symbol) => judgement(
+                Verdict::Misprint,
+                format!("{fails}; the corrected form {standing}"),
+            ),
         };
     }
     if let Some(e) = corrected.against.first() {
@@ -149,20 +192,46 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
             e.at
         ));
     }
+    let added = || conditions.iter().filter(|c| c.sort != Sort::Stated);
     if !outside.is_empty() {
-        return if !outside.agree.is_empty() {
-            undecided("it holds without the condition too, where that was tried: find where the condition matters".into())
-        } else if within.with(&printed).enough() {
-            judgement(
+        if added().next().is_none() {
+            return undecided("it is tried outside a condition that is not named".into());
+        }
+        if !outside.agree.is_empty() {
+            return undecided("it holds without the condition too, where that was tried: find where the condition matters".into());
+        }
+        let held = within.with(&printed);
+        if !held.enough() {
+            return undecided("under the condition one more independent route is needed".into());
+        }
+        let excepted = of(Subject::Excepted);
+        if let Some(e) = excepted.against.first() {
+            return undecided(format!(
+                "what a condition excepts is not degenerate, at {}",
+                e.at
+            ));
+        }
+        let degenerate = added().filter(|c| c.sort == Sort::Degenerate).count();
+        if excepted.agree.len() != degenerate {
+            return undecided(format!(
+                "{degenerate} conditions are said to except degenerate points, {} found to do so",
+                excepted.agree.len()
+            ));
+        }
+        let standing = held.standing();
+        return match degenerate == added().count() {
+            true => judgement(
+                Verdict::Degenerate,
+                format!("{standing}; what is excepted is degenerate"),
+            ),
+            false => judgement(
                 Verdict::Conditional,
-                format!(
-                    "{} under the condition, fails without it",
-                    within.with(&printed).standing()
-                ),
-            )
-        } else {
-            undecided("under the condition one more independent route is needed".into())
+                format!("{standing} under the condition, fails without it"),
+            ),
         };
+    }
+    if added().next().is_some() {
+        return undecided("a condition is added, and what happens without it is not tried".into());
     }
     let held = printed.with(&within);
     if kind == Kind::Definition && held.distinct().contains(&Route::Consistency) {
@@ -180,23 +249,38 @@ pub fn judge(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Judge
     }
 }
 
-/// The judgement of a claim in view of the claims that depend on it: a misprint leaves what follows
-/// unharmed, so one from which something refuted follows is refuted itself.
-pub fn in_view_of(own: Judgement, dependents: &[(&str, Verdict)]) -> Judgement {
-    let fallen: Vec<_> = dependents
-        .iter()
-        .filter(|(_, verdict)| *verdict == Verdict::Refuted)
-        .map(|(id, _)| *id)
-        .collect();
-    if own.verdict != Verdict::Misprint || fallen.is_empty() {
-        return own;
+/// The judgement of a claim in view of the claims that it rests on and of those that rest on it. An error is inherited
+/// from something that is wrong; and a wrong formula from which another inherits its error is more than a misprint.
+pub fn in_view_of(
+    own: Judgement,
+    below: &[(&str, Verdict)],
+    above: &[(&str, Verdict)],
+) -> Judgement {
+    let list = |claims: &[(&str, Verdict)], wanted: fn(Verdict) -> bool| {
+        let ids = claims.iter().filter(|(_, verdict)| wanted(*verdict));
+        ids.map(|(id, _)| *id).collect::<Vec<_>>().join(", ")
+    };
+    match own.verdict {
+        Verdict::Inherited => match list(below, Verdict::is_wrong) {
+            wrong if wrong.is_empty() => judgement(
+                Verdict::Undecided,
+                format!("{}, and nothing that it rests on is wrong", own.ground),
+            ),
+            wrong if !own.ground.contains("; wrong there: ") => judgement(
+                Verdict::Inherited,
+                format!("{}; wrong there: {wrong}", own.ground),
+            ),
+            _ => own,
+        },
+        Verdict::Misprint => match list(above, |verdict| verdict == Verdict::Inherited) {
+            heirs if heirs.is_empty() => own,
+            heirs => judgement(
+                Verdict::Misderived,
+                format!("{}; it passes to {heirs}", own.ground),
+            ),
+        },
+        _ => own,
     }
-    let ground = format!(
-        "{}; what follows falls too: {}",
-        own.ground,
-        fallen.join(", ")
-    );
-    judgement(Verdict::Refuted, ground)
 }
 
 /// The evidence on one subject, by what it says.

@@ -1,0 +1,38 @@
+//! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
+
+use super::escapes::{a, alpha, flights, relaxed};
+use crate::claims::compare::{Pair, Trial};
+use crate::claims::tolerances::NONE;
+use crate::evidence::{Evidence, Route, Subject};
+
+/// Of launches with A > 1 at random none comes straight in: each escapes.
+pub fn escaping() -> Evidence {
+    let compared = "1, for a start at random with A > 1 that does not come straight in, with 1 where A of its motion exceeds 10⁴";
+    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
+    let beyond = flights().filter(|flight| flight.as_ref().map_or(true, |f| f.launch.a > 1.0));
+    trial.over(beyond, |flight| {
+        let flight = flight?;
+        Ok(Pair {
+            at: flight.launch.at(),
+            stated: 1.0,
+            found: f64::from(u8::from(a(&flight.run.end()) > 1e4)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
+pub fn small_alpha() -> Evidence {
+    let compared = "1, for a start at random with tiny α that does not come straight in, with 1 where ψ of its motion has fallen below 10⁻³";
+    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
+    trial.over(relaxed(), |relaxed| {
+        let relaxed = relaxed?;
+        let near = alpha(&relaxed.state) < 1e-3 && relaxed.state.psi().abs() < 1e-3;
+        Ok(Pair {
+            at: relaxed.launch.at(),
+            stated: 1.0,
+            found: f64::from(u8::from(near)),
+            scale: 1.0,
+        })
+    })
+}

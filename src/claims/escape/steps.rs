@@ -1,0 +1,124 @@
+//! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
+
+use crate::claims::compare::{Failure, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{QUADRATURE, ROOT};
+use crate::evidence::{Evidence, Route, Subject, Tolerance};
+use crate::numerics::quadrature::integral;
+use crate::numerics::roots::root;
+use crate::paper::{escape as printed, turntable};
+use std::f64::consts::FRAC_PI_2;
+
+/// Compares what is printed with what its predecessors give, relatively, at twenty values in a range of powers of ten.
+fn step(
+    route: Route,
+    compared: &'static str,
+    tolerance: Tolerance,
+    (name, [low, high]): (&str, [f64; 2]),
+    pair: impl Fn(f64) -> Result<[f64; 2], Failure>,
+) -> Evidence {
+    let points = Points::stream(702).within(20, [[low, high]]);
+    let trial = Trial::by(route, Subject::Step, compared, tolerance);
+    let points = points.into_iter().map(|[power]| [libm::exp10(power)]);
+    trial.at([name], points, 1.0, |[x]| {
+        let [stated, found] = pair(x)?;
+        Ok([stated / found, 1.0])
+    })
+}
+
+/// (129) from (128): where the rate vanishes.
+pub fn eq129() -> Evidence {
+    let compared = "(129) with the A at which (128) vanishes";
+    step(Route::Root, compared, ROOT, ("α", [-1.0, 0.5]), |alpha| {
+        let stated = printed::eq129_a(alpha);
+        let rate = |a: f64| printed::eq128_alpha_rate(alpha, a);
+        Ok([stated, root(rate, 0.1 * stated, 10.0 * stated)?])
+    })
+}
+
+/// (130) from (129), where α is large.
+pub fn eq130() -> Evidence {
+    let compared = "(130) at the A of (129) with α, from 18 on";
+    step(Route::Limit, compared, ROOT, ("α", [1.26, 2.0]), |alpha| {
+        Ok([printed::eq130_alpha(printed::eq129_a(alpha)), alpha])
+    })
+}
+
+/// (131) from (113) and (130), where A is large.
+pub fn eq131() -> Evidence {
+    let compared = "(131) with (113) at the α of (130), A from 10²⁰ on";
+    step(Route::Limit, compared, ROOT, ("A", [20.0, 40.0]), |a| {
+        let rate = turntable::eq113_a_rate(printed::eq130_alpha(a));
+        Ok([printed::eq131_a_rate(a), rate])
+    })
+}
+
+/// (132) from (131): its integral.
+pub fn eq132() -> Evidence {
+    let compared = "what A of (132) gains from τ to 2τ with the integral of (131) there";
+    step(
+        Route::Quadrature,
+        compared,
+        QUADRATURE,
+        ("τ", [-1.0, 1.0]),
+        |tau| {
+            let gained = printed::eq132_a(2.0 * tau) - printed::eq132_a(tau);
+            let rate = |t: f64| printed::eq131_a_rate(printed::eq132_a(t));
+            Ok([gained, integral(rate, tau, 2.0 * tau)?.value])
+        },
+    )
+}
+
+/// (133) from (130) and (132).
+pub fn eq133() -> Evidence {
+    let compared = "(133) with (130) at the A of (132)";
+    step(Route::Limit, compared, ROOT, ("τ", [1.0, 8.0]), |tau| {
+        let found = printed::eq130_alpha(printed::eq132_a(tau));
+        Ok([printed::eq133_alpha(tau), found])
+    })
+}
+
+/// (134) from (124) and (133): the one step that is wrong by itself. tanh 2α → 1 − 2 exp(−4α) is the sine of an angle that
+/// misses π/2 by 2 exp(−2α), not by 2 exp(−α).
+pub fn eq134() -> Evidence {
+    let compared = "what (134) has ψ miss π/2 by with what (124) does at the α of (133)";
+    step(Route::Limit, compared, ROOT, ("τ", [1.0, 3.0]), |tau| {
+        let psi = turntable::eq124_psi1(printed::eq133_alpha(tau));
+        Ok([printed::eq134_lag(tau), FRAC_PI_2 - psi])
+    })
+}
+
+/// (135) from (111), (132) and (133).
+pub fn eq135() -> Evidence {
+    let compared = "(135) with (111) at A of (132) and α of (133), τ from 10¹⁴ on";
+    step(Route::Limit, compared, ROOT, ("τ", [14.0, 24.0]), |tau| {
+        let found = turntable::eq111_p(printed::eq132_a(tau), printed::eq133_alpha(tau));
+        Ok([printed::eq135_p(tau), found])
+    })
+}
+
+/// (136) from (112), (132) and (133).
+pub fn eq136() -> Evidence {
+    let compared = "(136) with (112) at A of (132) and α of (133), τ from 10¹⁴ on";
+    step(Route::Limit, compared, ROOT, ("τ", [14.0, 24.0]), |tau| {
+        let found = turntable::eq112_rho(printed::eq132_a(tau), printed::eq133_alpha(tau));
+        Ok([printed::eq136_rho(tau), found])
+    })
+}
+
+/// (137) from (105) and (135): the integral of the speed.
+pub fn eq137() -> Evidence {
+    let compared =
+        "what s of (137) gains from τ to 2τ with the integral of (105) there, p from (135)";
+    step(
+        Route::Quadrature,
+        compared,
+        QUADRATURE,
+        ("τ", [-1.0, 1.0]),
+        |tau| {
+            let gained = printed::eq137_s(2.0 * tau) - printed::eq137_s(tau);
+            let speed = |t: f64| turntable::eq105_arc_rate(printed::eq135_p(t));
+            Ok([gained, integral(speed, tau, 2.0 * tau)?.value])
+        },
+    )
+}

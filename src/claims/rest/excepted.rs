@@ -1,0 +1,49 @@
+//! What the conditions near rest except: single resting places, and starts that come straight in, which lie on a surface.
+
+use super::stops::approaches;
+use crate::certified::interval::Interval;
+use crate::claims::compare::{Pair, Trial};
+use crate::claims::excepted::{no_inside, no_value};
+use crate::claims::tolerances::NONE;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::paper::rest as printed;
+use crate::scalar::Scalar;
+use std::f64::consts::FRAC_PI_2;
+
+/// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
+pub fn straight_in() -> Evidence {
+    let compared = "1, for a start at random that does not come straight in, with 1 where ψ of its motion ends below a right angle";
+    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
+    trial.over(approaches(), |approach| {
+        let approach = approach?;
+        Ok(Pair {
+            at: approach.at(),
+            stated: 1.0,
+            found: f64::from(u8::from(approach.run.end().psi().abs() < FRAC_PI_2)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// The resting place at which friction is only just as strong as the centrifugal force.
+pub fn edge() -> Evidence {
+    no_inside(
+        "whether a resting place is σ = 0 or 1, with that it is not at random and close to it",
+        ["σ"],
+        [[0.0, 1.0]],
+        &[[1.0], [0.0]],
+        |[sigma]| 0.0 < sigma && sigma < 1.0,
+    )
+}
+
+/// (143) at σ = ½.
+pub fn one_half() -> Evidence {
+    let half = Interval::ratio(1, 2);
+    no_value(
+        "whether (143) has a value, at random and at σ = ½, with whether the condition holds",
+        ["σ", "α", "c"],
+        [[0.6, 0.9], [0.1, 0.5], [0.5, 2.0]],
+        [[half, half, Interval::int(1)]],
+        |[sigma, alpha, c]| printed::eq143_psi(sigma, c, alpha),
+    )
+}
