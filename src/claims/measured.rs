@@ -55,6 +55,10 @@ pub const MEASURED: &[Measured] = &[
         claims: &["s24-region-2", "fig-5"],
     },
     Measured {
+        reason: "The step to it from (145) is proved; that the surfaces on which the motion comes to rest are others is measured.",
+        claims: &["eq-146", "eq-147"],
+    },
+    Measured {
         reason: "It carries over to the sphere what is measured of the particle; the step itself, that the slip velocity moves as a particle's velocity does, is proved.",
         claims: &["s32-rolling-trichotomy", "s33-pulse", "s34-anisotropic"],
     },
