@@ -122,6 +122,8 @@ fn the_two_numbers_of_a_case_are_those_of_pencil_and_paper() {
         ("eq-135", 3.0 * SQRT_2 * 2.0 / 9.0, 1.0),
         ("eq-136", 2.0 / 9.0, SQRT_2 / 6.0),
         ("eq-137", 2.0 / 27.0, SQRT_2 / 18.0),
+        ("eq-146", 0.0, third.sqrt()),
+        ("eq-147", (1.0 - 0.1 / SQRT_2).powi(2), 0.910_959_636),
         (
             "s4-envelope-is-boundary",
             (1.0 - 0.1 / SQRT_2).powi(2),
