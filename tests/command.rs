@@ -90,11 +90,18 @@ fn some_claims_are_verified_shown_and_listed() {
     assert_eq!(text(&none.stdout), "there is no such claim\n");
 }
 
+/// Whether an error is a misprint or inherited is seen from the neighbours, which are tried too.
 #[test]
-fn a_misprint_from_which_something_refuted_follows_has_the_same_verdict_alone() {
+fn what_is_wrong_has_the_same_verdict_alone() {
     let record = include_str!("../snapshots/verdicts.snap");
-    let misprints = record.lines().filter_map(|l| l.strip_suffix(": misprint"));
-    let ids: Vec<_> = misprints.collect();
+    let wrong = record.lines().filter_map(|line| {
+        let (id, verdict) = line.split_once(": ")?;
+        ["misprint", "misderived", "inherited"]
+            .contains(&verdict)
+            .then_some(id)
+    });
+    let ids: Vec<_> = wrong.collect();
+    assert!(ids.len() > 10);
     let output = slipbook(&[&["verify"], &ids[..]].concat());
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stdout));
 }
@@ -103,6 +110,19 @@ fn a_misprint_from_which_something_refuted_follows_has_the_same_verdict_alone() 
 fn the_number_of_threads_changes_nothing() {
     let of = |jobs| text(&slipbook(&["verify", "eq-13", "eq-96", "--csv", "--jobs", jobs]).stdout);
     assert_eq!(of("1"), of("3"));
+}
+
+#[test]
+fn the_letter_as_plain_text_has_no_formulas_of_latex() {
+    for letter in [&["errata"][..], &["errata", "--supplement"]] {
+        let letter = text(&slipbook(letter).stdout);
+        assert!(letter.contains("(134)"));
+        let left: Vec<_> = letter
+            .lines()
+            .filter(|line| line.contains(['$', '\\']))
+            .collect();
+        assert!(left.is_empty(), "{left:#?}");
+    }
 }
 
 #[test]

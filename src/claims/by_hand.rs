@@ -147,7 +147,7 @@ pub static CASES: [ByHand; 21] = [
     },
     ByHand {
         claim: "eq-133",
-        reason: "It is (130) with (132) put in",
+        reason: "It is (130) with (132) put in. Read so that the difference of the two sides tends to zero, as (135) and (136) need it: their ratio tends to 1 whatever stands before $\\tau$",
         case: "$\\mathrm e^\\alpha=2p/A$ at large $\\alpha$. With $p=\\tau^2/(3\\sqrt2)$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, $\\alpha-\\frac12\\ln\\tau$ tends to $\\frac12\\ln\\sqrt2$. Printed: $\\frac12\\ln\\frac43={stated}$. In the motion: {found}",
         digits: 4,
         stated: || Ok(escape::eq133_alpha(1.0)),

@@ -81,26 +81,6 @@ const ESCAPING_LARGE_A: &[Condition] = &[
     },
 ];
 
-/// The same, of a quantity that grows as a logarithm.
-const ESCAPING_LATE_DIFFERENCE: &[Condition] = &[
-    Condition {
-        text: r"$p<\rho$",
-        sort: Sort::Stated,
-    },
-    Condition {
-        text: "$A>1$ at the start",
-        sort: Sort::Stated,
-    },
-    Condition {
-        text: r"$\tau\to\infty$",
-        sort: Sort::Stated,
-    },
-    Condition {
-        text: r"read as: the difference of the two sides tends to zero (their ratio tends to 1 whatever stands before $\tau$)",
-        sort: Sort::Substance,
-    },
-];
-
 /// Stated after (127), at large times.
 const ESCAPING_LATE: &[Condition] = &[
     Condition {
@@ -268,7 +248,7 @@ const CLAIMS: &[Claim] = &[
         title: "growth of α",
         latex: r"\alpha\sim\frac{1}{2} \ln\frac{4 \tau}{3}",
         plain: "α ~ ½ ln(4τ/3)",
-        conditions: ESCAPING_LATE_DIFFERENCE,
+        conditions: ESCAPING_LATE,
         depends_on: &["eq-130", "eq-132"],
         correction: Some(Correction {
             change: Change::Statement,

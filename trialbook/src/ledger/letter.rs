@@ -108,9 +108,11 @@ impl Ledger {
                 }
             }
         }
-        let clauses = needed
-            .iter()
-            .map(|(text, names)| format!("{}: {text}", names.join(", ")));
+        let together = needed.chunk_by(|(_, names), (_, next)| names == next);
+        let clauses = together.map(|conditions| {
+            let texts: Vec<_> = conditions.iter().map(|(text, _)| *text).collect();
+            format!("{}: {}", conditions[0].1.join(", "), texts.join("; "))
+        });
         clauses.collect::<Vec<_>>().join(". ") + "."
     }
 
@@ -207,7 +209,7 @@ impl Style for Plain {
         format!("{}\n{}\n\n", title.to_uppercase(), "=".repeat(title.len()))
     }
     fn paragraph(&self, words: &str) -> String {
-        wrapped(words, 0) + "\n"
+        wrapped(&plain_words(words), 0) + "\n"
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         let (verdict, section) = (erratum.verdict.words(), erratum.section);
