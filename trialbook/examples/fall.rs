@@ -1,4 +1,4 @@
-//! A first paper on trial: a stone falls. (1) holds; (2) is refuted.
+//! A first paper on trial: a stone falls. (1) holds; (2) is wrong.
 
 use trialbook::prelude::*;
 
@@ -90,7 +90,7 @@ static PAPER: Paper = Paper {
     title: "The falling stone",
     authors: "N. N.",
     topics: &[Topic::new("fall", "The fall", &CLAIMS)],
-    record: "eq-1: confirmed\neq-2: refuted\n",
+    record: "eq-1: confirmed\neq-2: misderived\n",
     // Mistakes are made in them, to see that the trials notice.
     formulas: formulas_of!(paper, corrections),
     ..Paper::BLANK

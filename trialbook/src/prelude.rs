@@ -13,6 +13,7 @@ pub use crate::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Table};
 pub use crate::ledger::{Ledger, Record, Verdict};
 pub use crate::numerics::dop853;
 pub use crate::numerics::quadrature::integral;
+pub use crate::numerics::roots::root;
 pub use crate::scalar::Scalar;
 pub use crate::seeded::{Formula, formulas};
 pub use std::process::ExitCode;

@@ -178,6 +178,22 @@ fn pass(place: Place) -> Option<Mistake> {
     })
 }
 
+/// Code of [`formulas!`] for mistakes that are seeded: with this crate's feature, whatever features the formulas' own crate has.
+#[cfg(feature = "book")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! where_seeded {
+    ($($code:tt)*) => { $($code)* };
+}
+
+/// Nothing: without the feature no mistake is seeded.
+#[cfg(not(feature = "book"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! where_seeded {
+    ($($code:tt)*) => {};
+}
+
 /// Formulas in which a mistake can be seeded, and `formulas()`, the list of them. Each is generic over `S: Scalar`,
 /// its arguments and its value are of type `S` or arrays of `S`. The arguments' letters are those of the symbols.
 #[macro_export]
@@ -190,20 +206,21 @@ macro_rules! formulas {
             $(#[$about])*
             pub fn $name<S: Scalar>($($argument: $type),*) -> $value {
                 fn written<S: Scalar>($($argument: $type),*) -> $value $body
-                #[cfg(feature = "book")]
-                if $crate::seeded::is_in(concat!(module_path!(), "::", stringify!($name))) {
-                    use $crate::seeded;
-                    let arguments: Vec<S> = [Vec::new(), $(seeded::Parts::parts($argument)),*].concat();
-                    return seeded::evaluate(&arguments, |_next| {
-                        written::<seeded::Seeded<'_, S>>($({ let $argument = seeded::Parts::of(_next); $argument }),*)
-                    });
+                $crate::where_seeded! {
+                    if $crate::seeded::is_in(concat!(module_path!(), "::", stringify!($name))) {
+                        use $crate::seeded;
+                        let arguments: Vec<S> = [Vec::new(), $(seeded::Parts::parts($argument)),*].concat();
+                        return seeded::evaluate(&arguments, |_next| {
+                            written::<seeded::Seeded<'_, S>>($({ let $argument = seeded::Parts::of(_next); $argument }),*)
+                        });
+                    }
                 }
                 written($($argument),*)
             }
         )*
 
+        $crate::where_seeded! {
         /// The formulas of this file.
-        #[cfg(feature = "book")]
         pub fn formulas<S: Scalar>() -> Vec<$crate::seeded::Formula<S>> {
             use $crate::seeded::{Formula, Parts, letters};
             vec![$(Formula {
@@ -222,6 +239,7 @@ macro_rules! formulas {
                     Parts::parts($name::<S>($({ let $argument = Parts::of(_next); $argument }),*))
                 },
             }),*]
+        }
         }
     };
 }

@@ -82,8 +82,10 @@ fn top(throw: [f64; 3]) -> Result<f64, Failure> {
     Ok(motion(throw, rise(throw)?)?[1])
 }
 fn eq5_motion() -> Evidence {
-    let end = |[k, g, w]: [f64; 3]| Ok(motion([k, g, w], paper::eq5_rise(k, g, w))?[0]);
-    tried(Trial::motion, Printed, |_, _, _| 0.0, end)
+    tried(Trial::motion, Printed, paper::eq5_rise, |throw| {
+        let speed = |t| motion(throw, t).map_or(f64::NAN, |[v, _]| v);
+        Ok(root(speed, 1e-3, 4.0)?)
+    })
 }
 fn eq5_quadrature() -> Evidence {
     tried(Trial::quadrature, Printed, paper::eq5_rise, rise)

@@ -51,8 +51,8 @@ impl Ledger {
         let mut text = style.opening(self.paper, "Comment on");
         text += &style.sender();
         text += &style.paragraph(&format!(
-            "All {} numbered equations and statements of the paper were tried {}. {} independent errors were found, from \
-             which {} further statements suffer; {} statements need a condition. The rest is right as printed.",
+            "All {} numbered equations and statements of the paper were tried {}. Independent errors: {}. Further statements \
+             that suffer from them: {}. Statements that need a condition: {}. The rest is right as printed.",
             self.entries.len(),
             self.paper.tried,
             roots.len(),
@@ -68,8 +68,14 @@ impl Ledger {
             text += &style.numbered(i + 1, &self.name(root.id), root);
             text += &style.entry("Printed", &root.old);
             text += &style.entry("Right", &root.new);
-            text += &style.entry("Reason", &root.reason);
-            text += &style.entry("By hand", root.case.as_deref().unwrap_or_default());
+            for (label, words) in [
+                ("Reason", Some(&root.reason)),
+                ("By hand", root.case.as_ref()),
+            ] {
+                if let Some(words) = words.filter(|words| !words.is_empty()) {
+                    text += &style.entry(label, words);
+                }
+            }
             if !heirs.is_empty() {
                 let right = heirs
                     .iter()
@@ -78,8 +84,10 @@ impl Ledger {
             }
             text.push('\n');
         }
-        text += &style.heading("Conditions");
-        text += &style.paragraph(&self.conditions(errata));
+        if errata.len() > wrong.len() {
+            text += &style.heading("Conditions");
+            text += &style.paragraph(&self.conditions(errata));
+        }
         text += &style.heading("How this is known");
         text += &style.paragraph(
             "Every number here was computed. The trials of each statement, the proofs and the program that makes them are \

@@ -2,7 +2,7 @@
 
 use super::{Entry, Ledger, alone};
 use crate::claims::variants::Variant;
-use crate::evidence::Outcome;
+use crate::evidence::{Outcome, Subject};
 use crate::seeded::{Mistake, Seed};
 
 /// A measurement that agrees, and a formula of its claim that it reads.
@@ -22,7 +22,8 @@ impl Entry {
     /// The numbers of the measurements that agree and read the formula of this path, the shortest first.
     fn measured_by(&self, path: &str) -> Vec<usize> {
         let those = self.evidence.iter().enumerate().filter(|(_, e)| {
-            !e.route.is_proof() && e.outcome() == Outcome::Agrees && e.read.contains(path)
+            let says = !matches!(e.subject, Subject::Step | Subject::Excepted);
+            says && !e.route.is_proof() && e.outcome() == Outcome::Agrees && e.read.contains(path)
         });
         let mut those: Vec<_> = those.map(|(i, _)| i).collect();
         those.sort_by_key(|i| self.evidence[*i].points);
