@@ -115,7 +115,7 @@ pub static CASES: [ByHand; 21] = [
     },
     ByHand {
         claim: "eq-129",
-        reason: "$\\alpha$ is put where (128) vanishes. But $\\dot\\alpha=1/(2\\tau)$ is as large as either term of (128)",
+        reason: "An error of its own: $\\alpha$ is put where $\\dot\\alpha$ vanishes, but $\\dot\\alpha=1/(2\\tau)$ is a third of $\\cosh\\alpha/A$. From the right form of (128) the same step gives $\\sqrt2A$ on the right, not $\\frac{3\\sqrt2}4A$",
         case: "At late times $\\cosh\\alpha=\\frac12 2^{1/4}\\tau^{1/2}$, $\\cosh2\\alpha=\\tau/\\sqrt2$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, so that $\\cosh\\alpha\\cosh2\\alpha/A=\\frac3{2\\sqrt2}$. Printed: {stated}. In the motion: {found}",
         digits: 4,
         stated: || Ok(1.0),
@@ -147,7 +147,7 @@ pub static CASES: [ByHand; 21] = [
     },
     ByHand {
         claim: "eq-133",
-        reason: "It is (130) with (132) put in. Read so that the difference of the two sides tends to zero, as (135) and (136) need it: their ratio tends to 1 whatever stands before $\\tau$",
+        reason: "It is (130) with (132) put in. It is read as $\\alpha=\\frac12\\ln\\frac{4\\tau}3+o(1)$, as (135) and (136) need it; as a mere ratio it would hold with any factor before $\\tau$",
         case: "$\\mathrm e^\\alpha=2p/A$ at large $\\alpha$. With $p=\\tau^2/(3\\sqrt2)$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, $\\alpha-\\frac12\\ln\\tau$ tends to $\\frac12\\ln\\sqrt2$. Printed: $\\frac12\\ln\\frac43={stated}$. In the motion: {found}",
         digits: 4,
         stated: || Ok(escape::eq133_alpha(1.0)),
@@ -155,7 +155,7 @@ pub static CASES: [ByHand; 21] = [
     },
     ByHand {
         claim: "eq-134",
-        reason: "For large $\\alpha$, $\\pi/2-\\psi_1=2\\mathrm e^{-2\\alpha}$; with (133) that is $\\frac3{2\\tau}$. The printed power is that of $\\mathrm e^{-\\alpha}$, and $\\psi$ is not $\\psi_1$",
+        reason: "For large $\\alpha$, $\\pi/2-\\psi_1=2\\mathrm e^{-2\\alpha}$; with (133) that is $\\frac3{2\\tau}$. Printed is $2\\mathrm e^{-\\alpha}$, as if (124) had $\\tanh\\alpha$; and $\\psi$ is not $\\psi_1$",
         case: "By (108) $\\dot\\rho=p\\cos\\psi$. If $p=\\rho=c\\tau^2$, then $2c\\tau=c\\tau^2\\cos\\psi$, whatever $c$ is: $\\cos\\psi=2/\\tau$. At $\\tau=1200$ that is an angle of $1/600$ short of $\\pi/2$. Printed: {stated}. By the motion's limit: {found}",
         digits: 5,
         stated: || Ok(escape::eq134_lag(1200.0)),
@@ -187,8 +187,8 @@ pub static CASES: [ByHand; 21] = [
     },
     ByHand {
         claim: "eq-146",
-        reason: "It is the derivative of (145) without the terms left out. Where it holds, $\\alpha=\\sqrt2(1-\\sigma)$, those are as large as the ones kept; and the surfaces of the motion do not touch",
-        case: "With $a=A-1$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$, so that $a^2-\\alpha^2$ stays $(1-\\sigma)^2$: $A=1-\\sqrt{(1-\\sigma)^2+\\alpha^2}$ on the surface of $\\sigma$. At $\\alpha=\\sqrt2(1-\\sigma)$ the slope $\\partial A/\\partial\\sigma$ is $1/\\sqrt3$. Printed: {stated}. In the motion, with $1-\\sigma$ below a hundredth: {found}",
+        reason: "The derivative of (145) is right; that it vanishes somewhere, as an envelope needs, is not: the surfaces of the motion do not touch. At $\\alpha=\\sqrt2(1-\\sigma)$ the terms left out of (145) are as large as those kept",
+        case: "With $a=A-1$ and $\\alpha$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$, so that $a^2-\\alpha^2$ keeps its value at rest, $(1-\\sigma)^2$: $A=1-\\sqrt{(1-\\sigma)^2+\\alpha^2}$ on the surface of $\\sigma$. At $\\alpha=\\sqrt2(1-\\sigma)$ the slope $\\partial A/\\partial\\sigma$ is $1/\\sqrt3$. Printed: {stated}. In the motion, with $1-\\sigma$ below a hundredth: {found}",
         digits: 2,
         stated: || Ok(rest::eq146_right(0.5, 0.5 * SQRT_2)),
         found: || {
@@ -198,8 +198,8 @@ pub static CASES: [ByHand; 21] = [
     },
     ByHand {
         claim: "eq-147",
-        reason: "It is (145) with the $\\sigma$ of (146) put in, and (146) fails",
-        case: "Take $\\alpha=0.1$, $\\psi=0.2$: of the starts with these, the last to come to rest has the $A$ of the boundary. Printed: {stated}. By bisection on the motion: {found}",
+        reason: "The algebra from (145) and (146) is right, but there is no envelope",
+        case: "With $a=A-1$ and $\\alpha$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: what starts with $a<-\\alpha$ comes to rest, what starts with $a>-\\alpha$ goes off. At $\\alpha=0.1$ the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion, $\\psi=0.2$: {found}",
         digits: 4,
         stated: || Ok(rest::eq147_a(0.1)),
         found: || boundary_example(),

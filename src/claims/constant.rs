@@ -109,7 +109,7 @@ const CLAIMS: &[Claim] = &[
         plain: "d(v sin θ)/d(v cos θ) = −λ sin θ / (1 − λ cos θ)",
         depends_on: &["eq-6", "eq-7"],
         conditions: &[Condition {
-            text: r"not $\lambda=1$ with $\theta=0$: that velocity stays as it is, and the slope is $0/0$",
+            text: r"not $\lambda=1$ with $\theta=0$: that velocity is constant, and the slope is $0/0$",
             sort: Sort::Degenerate,
         }],
         trials: trials![
@@ -151,7 +151,7 @@ const CLAIMS: &[Claim] = &[
         plain: "v (sin θ) (tan(θ/2))^(−λ) = constant",
         depends_on: &["eq-9"],
         conditions: &[Condition {
-            text: r"$0<\theta<\pi$: a power of a negative tangent has no real value",
+            text: r"$0<\theta<\pi$: a non-integer power of a negative tangent has no real value",
             sort: Sort::Degenerate,
         }],
         trials: trials![

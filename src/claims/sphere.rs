@@ -49,7 +49,7 @@ const NOT_STRAIGHT: &[Condition] = &[
 const TIME_HAS_A_VALUE: &[Condition] = &[
     STATED_CONSTANT,
     Condition {
-        text: r"$\theta_0\neq0,\pi$, $\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, corrected or not: elsewhere it is $0/0$",
+        text: r"$\theta_0\neq0,\pi$, $\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, as printed and as corrected: elsewhere it is $0/0$",
         sort: Sort::Substance,
     },
 ];
@@ -58,7 +58,7 @@ const TIME_HAS_A_VALUE: &[Condition] = &[
 const SLIP_HAS_A_VALUE: &[Condition] = &[
     STATED_CONSTANT,
     Condition {
-        text: r"$\cos\theta\neq-\lambda$, corrected or not: there it is $0/0$",
+        text: r"$\cos\theta\neq-\lambda$, as printed and as corrected: there it is $0/0$",
         sort: Sort::Substance,
     },
 ];

@@ -1,11 +1,11 @@
 //! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
 
-use crate::claims::compare::{Failure, Trial};
+use super::escapes::{a, alpha, escapes};
+use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{QUADRATURE, ROOT};
 use crate::evidence::{Evidence, Route, Subject, Tolerance};
 use crate::numerics::quadrature::integral;
-use crate::numerics::roots::root;
 use crate::paper::{escape as printed, turntable};
 use std::f64::consts::FRAC_PI_2;
 
@@ -26,13 +26,21 @@ fn step(
     })
 }
 
-/// (129) from (128): where the rate vanishes.
+/// (129) from (128): a step that is wrong by itself. It puts 0 for dα/dτ, which is a third of cosh α/A at late times.
 pub fn eq129() -> Evidence {
-    let compared = "(129) with the A at which (128) vanishes";
-    step(Route::Root, compared, ROOT, ("α", [-1.0, 0.5]), |alpha| {
+    let compared = "(128) over (cosh α)/A at the A of (129), where it vanishes, with dα/dτ of the motion over (cosh α)/A, late in escapes";
+    let trial = Trial::by(Route::Limit, Subject::Step, compared, ROOT);
+    trial.over(escapes(), |escape| {
+        let escape = escape?;
+        let late = escape.late.first().ok_or("no late moment")?;
+        let (size, alpha) = (a(&late.state), alpha(&late.state));
         let stated = printed::eq129_a(alpha);
-        let rate = |a: f64| printed::eq128_alpha_rate(alpha, a);
-        Ok([stated, root(rate, 0.1 * stated, 10.0 * stated)?])
+        Ok(Pair {
+            at: format!("{}, τ = {:.1e}", escape.launch.at(), late.tau),
+            stated: printed::eq128_alpha_rate(alpha, stated) * stated / alpha.cosh(),
+            found: late.alpha_rate * size / alpha.cosh(),
+            scale: 1.0,
+        })
     })
 }
 
@@ -78,7 +86,7 @@ pub fn eq133() -> Evidence {
     })
 }
 
-/// (134) from (124) and (133): the one step that is wrong by itself. tanh 2α → 1 − 2 exp(−4α) is the sine of an angle that
+/// (134) from (124) and (133): a step that is wrong by itself. tanh 2α → 1 − 2 exp(−4α) is the sine of an angle that
 /// misses π/2 by 2 exp(−2α), not by 2 exp(−α).
 pub fn eq134() -> Evidence {
     let compared = "what (134) has ψ miss π/2 by with what (124) does at the α of (133)";

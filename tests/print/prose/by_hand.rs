@@ -51,7 +51,7 @@ fn by_hand(claim: &str) -> Vec<f64> {
         // The last is a start between the printed and the true boundary.
         "s4-envelope-is-boundary" => vec![0.1, 0.2, 1.0 - 0.1, 0.88],
         // α, and ψ = 2α.
-        "eq-147" => vec![0.1, 2.0 * 0.1],
+        "eq-147" => vec![0.1, 1.0 - 0.1, 2.0 * 0.1],
         _ => Vec::new(),
     }
 }

@@ -74,7 +74,7 @@ fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let claim = entry.claim;
     let printed = statement(context, claim, claim.latex)?;
     let Some(correction) = claim.correction else {
-        return Ok(printed);
+        return Ok(printed + &by_hand(context, entry)?);
     };
     let changed = match correction.change {
         Change::Sign => "a sign",

@@ -58,7 +58,7 @@ pub struct Condition {
 pub enum Sort {
     /// The paper states it.
     Stated,
-    /// The paper does not; it excepts degenerate points: a set without inside, or one on which the claim has no value. A
+    /// The paper does not; it excepts degenerate points: a set with empty interior, or one on which the claim has no value. A
     /// trial on [`Subject::Excepted`](crate::evidence::Subject::Excepted) has to find that.
     Degenerate,
     /// The paper does not, and what it excepts has an inside.

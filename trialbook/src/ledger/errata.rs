@@ -183,10 +183,7 @@ fn new_text(entry: &Entry, inherits: &[String]) -> String {
         return format!("add: {}{general}", missing.join("; "));
     }
     let Some(correction) = claim.correction else {
-        return format!(
-            "what follows from the right form of {}",
-            inherits.join(", ")
-        );
+        return format!("no form of its own; see {}", inherits.join(", "));
     };
     let new = statement(correction.latex, claim.equation);
     match missing.is_empty() {

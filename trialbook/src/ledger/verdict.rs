@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 pub enum Verdict {
     /// Every trial agrees, by two independent routes or by one that proves.
     Confirmed,
-    /// The same, but for degenerate points: a set without inside, or one on which the claim has no value.
+    /// The same, but for degenerate points: a set with empty interior, or one on which the claim has no value.
     Degenerate,
     /// True, but only under a condition of substance that the paper does not state; tried on both sides.
     Conditional,
