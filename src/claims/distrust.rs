@@ -114,7 +114,6 @@ pub const COARSE: &[Coarse] = &[
     coarse("eq-71", "scaling::eq71", "eq71_slip", SUM),
     coarse("eq-71", "scaling::eq71_both_ways", "eq71_slip", SUM),
     coarse("eq-72", "scaling::eq72", "eq72_acceleration", SUM),
-    coarse("eq-128", "growth::corrected128_limit", "alpha_rate", HALF),
     coarse(
         "eq-130",
         "growth::corrected130_limit",
@@ -123,6 +122,12 @@ pub const COARSE: &[Coarse] = &[
     ),
     coarse("eq-132", "growth::corrected132_limit", "a", HALF),
     coarse("eq-132", "growth::eq132_exponent", "eq132_a", EXPONENT),
+    coarse(
+        "eq-133",
+        "growth::corrected133_limit",
+        "twice_alpha_exp",
+        HALF,
+    ),
     coarse("eq-134", "growth::corrected134_exponent", "lag", EXPONENT),
     coarse("eq-135", "growth::corrected135_limit", "amplitude", HALF),
     coarse("eq-135", "growth::corrected135_limit", "rho", HALF),

@@ -2,7 +2,6 @@
 
 use Subject::{Corrected, Printed};
 use trialbook::prelude::*;
-
 /// As printed: k is the drag over the mass, g gravity, u and w the velocity at the start across and upwards.
 mod paper {
     use trialbook::prelude::*;
@@ -59,7 +58,6 @@ const EQ1: Statement<[Expr; 3]> = proved(|| laws()[0]);
 const EQ2: Statement<[Expr; 3]> = proved(|| laws()[1]);
 const EQ3: Statement<[Expr; 3]> = proved(|| laws()[2]);
 const EQ4: Statement<[Expr; 3]> = proved(|| laws()[3]);
-
 type Stated = fn(f64, f64, f64) -> f64;
 type Found = fn([f64; 3]) -> Result<f64, Failure>;
 /// Compares what a formula states with what is found, for forty throws.
