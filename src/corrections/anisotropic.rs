@@ -23,6 +23,7 @@ symbols crate::symbols::SYMBOLS;
 
 /// Curve E: the two sides, equal on the curve, from λ₀ and the product qλ₀. For q ≥ q_Y, 0 < λ₀ ≤ 1/q; λ₀ = 0
 /// solves it too and is no part of E.
+claim "eq-54";
 pub fn e_sides<S: Scalar>(lambda0: S, q_lambda0: S) -> [S; 2] {
     let one = S::int(1);
     [
@@ -38,12 +39,14 @@ pub fn y_from_root<S: Scalar>(x: S) -> [S; 2] {
 }
 
 /// The touch at Y as a number: C lies above B and E by this times (q − q_Y)², to lowest order.
+claim "s24-Y";
 pub fn contact<S: Scalar>(q_y: S) -> S {
     let one = S::int(1);
     (q_y - one) / (S::int(2) * q_y.squared() * q_y * (q_y + one))
 }
 
 /// Curve A far out: λ₀, up to a relative error of order q⁻⁴.
+claim "eq-53";
 pub fn a_far<S: Scalar>(q: S) -> S {
     let pi = S::pi();
     let correction = pi.squared() / (S::int(3) * (q + S::int(2)).squared());
@@ -51,6 +54,7 @@ pub fn a_far<S: Scalar>(q: S) -> S {
 }
 
 /// Curve E far out: λ₀, up to a relative error of order q⁻⁴.
+claim "eq-54";
 pub fn e_far<S: Scalar>(q: S) -> S {
     let two_pi = S::int(2) * S::pi();
     let correction = (two_pi / (q + S::int(7) / S::int(3))).squared();

@@ -20,6 +20,7 @@ formulas! {
 symbols crate::symbols::SYMBOLS;
 
 /// The speed where tan(θ/2) has fallen to `r` times its initial value; (length/time). For 0 < r ≤ 1.
+claim "eq-11";
 pub fn speed<S: Scalar>(lambda: S, v0: S, theta0: S, r: S) -> S {
     let one = S::int(1);
     let half = theta0 / S::int(2);
@@ -27,12 +28,14 @@ pub fn speed<S: Scalar>(lambda: S, v0: S, theta0: S, r: S) -> S {
 }
 
 /// The time at which tan(θ/2) has fallen to `r` times its initial value. For 0 < r ≤ 1.
+claim "eq-13";
 pub fn time<S: Scalar>(lambda: S, a: S, v0: S, theta0: S, r: S) -> S {
     let (one, half) = (S::int(1), theta0 / S::int(2));
     v0 / a * (half.cos().squared() * r.power_fall(lambda - one) + half.sin().squared() * r.power_fall(lambda + one))
 }
 
 /// d ln tan(θ/2)/d ln v, by Newton's law along and across the velocity; 1/(λ − 1) in the end. For λ > 1.
+claim "s21-large-friction-stops";
 pub fn turning_slope<S: Scalar>(lambda: S, theta: S) -> S {
     S::int(1) / (lambda - theta.cos())
 }

@@ -43,66 +43,79 @@ pub fn winding<S: Scalar>() -> S {
 }
 
 /// |C|: ρ/τ² at large times.
+claim "eq-135";
 pub fn amplitude<S: Scalar>() -> S {
     S::int(1) / (S::int(3) * S::int(2).sqrt())
 }
 
 /// By how much τ − T grows per unit of ln τ.
+claim "eq-134";
 pub fn delay<S: Scalar>() -> S {
     S::int(3) * S::int(2).sqrt() / S::int(4)
 }
 
 /// In place of (128): dα/dτ at large times.
+claim "eq-128";
 pub fn alpha_rate<S: Scalar>(alpha: S, a: S) -> S {
     S::int(2).sqrt() / (S::int(2) * alpha).cosh() - alpha.cosh() / a
 }
 
 /// In place of (129): cosh α cosh 2α over A at large times.
+claim "eq-129";
 pub fn product_over_a<S: Scalar>() -> S {
     S::int(3) * S::int(2).sqrt() / S::int(4)
 }
 
 /// exp(3α) at large A.
+claim "eq-130";
 pub fn thrice_alpha_exp<S: Scalar>(a: S) -> S {
     S::int(3) * S::int(2).sqrt() * a
 }
 
 /// In place of (130): α at large A.
+claim "eq-130";
 pub fn alpha_by_a<S: Scalar>(a: S) -> S {
     thrice_alpha_exp(a).ln() / S::int(3)
 }
 
 /// In place of (131): dA/dτ at large A.
+claim "eq-131";
 pub fn a_rate<S: Scalar>(a: S) -> S {
     (S::int(3) * S::int(2).sqrt() * a).pow(S::int(1) / S::int(3)) / S::int(2)
 }
 
 /// In place of (132): A at large times.
+claim "eq-132";
 pub fn a<S: Scalar>(tau: S) -> S {
     S::int(2).sqrt().sqrt() / S::int(3) * tau.pow(S::int(3) / S::int(2))
 }
 
 /// exp(2α) at large times.
+claim "eq-133";
 pub fn twice_alpha_exp<S: Scalar>(tau: S) -> S {
     S::int(2).sqrt() * tau
 }
 
 /// In place of (133): α at large times.
+claim "eq-133";
 pub fn alpha<S: Scalar>(tau: S) -> S {
     twice_alpha_exp(tau).ln() / S::int(2)
 }
 
 /// In place of (134): π/2 − ψ at large times.
+claim "eq-134";
 pub fn lag<S: Scalar>(tau: S) -> S {
     S::int(2) / tau
 }
 
 /// In place of (135) and (136): p and ρ at large times.
+claim "eq-135";
 pub fn rho<S: Scalar>(tau: S) -> S {
     amplitude::<S>() * tau.squared()
 }
 
 /// In place of (137): s at large times.
+claim "eq-137";
 pub fn s<S: Scalar>(tau: S) -> S {
     amplitude::<S>() / S::int(3) * tau.pow(S::int(3))
 }

@@ -32,11 +32,13 @@ formulas! {
 symbols crate::symbols::SYMBOLS;
 
 /// φ₀: the phase (radians) at which w of the pulse train becomes positive, for 0 < λ₀ ≤ η.
+claim "eq-46";
 pub fn small_friction_start<S: Scalar>(lambda: S, eta: S) -> S {
     S::pi() * (eta - lambda) / S::int(2)
 }
 
 /// w(φ) of the pulse train for 0 < λ₀ ≤ η, in the three cases of the half period φ₀ < φ < φ₀ + π.
+claim "eq-46";
 pub fn small_friction_cases<S: Scalar>(lambda: S, eta: S, phi: S) -> [S; 3] {
     let (one, pi) = (S::int(1), S::pi());
     let top = (one - lambda) * (eta * pi - small_friction_start(lambda, eta));
@@ -49,6 +51,7 @@ pub fn small_friction_cases<S: Scalar>(lambda: S, eta: S, phi: S) -> [S; 3] {
 }
 
 /// The phases (radians) where the first and the second case end; the third ends at φ₀ + π.
+claim "eq-46";
 pub fn small_friction_ends<S: Scalar>(eta: S) -> [S; 2] {
     [eta * S::pi(), S::pi()]
 }

@@ -38,32 +38,38 @@ formulas! {
 symbols crate::symbols::SYMBOLS;
 
 /// dα/dτ on the way into a stop with ψ → π.
+claim "eq-140";
 pub fn alpha_rate_straight_in<S: Scalar>(sigma: S) -> S {
     -(S::int(1) + S::int(1) / sigma)
 }
 
 /// π − ψ on the way into a stop with ψ → π.
+claim "s4-near-rest";
 pub fn angle_straight_in<S: Scalar>(sigma: S, alpha: S) -> S {
     S::int(2) * alpha / (S::int(2) + S::int(1) / sigma)
 }
 
 /// In place of (143) at σ = 1/2: ψ near rest; `c` is the constant C.
+claim "eq-143";
 pub fn psi_at_one_half<S: Scalar>(c: S, alpha: S) -> S {
     S::int(2) * alpha * (c - alpha.ln())
 }
 
 /// In place of (146): ∂A/∂σ of the surfaces of constant σ, which close up as σ → 1.
+claim "eq-146";
 pub fn surface_slope<S: Scalar>(sigma: S, alpha: S) -> S {
     let deficit = S::int(1) - sigma;
     deficit / (deficit.squared() + alpha.squared()).sqrt()
 }
 
 /// f₁: how fast A falls with α on the boundary at α = 0.
+claim "s4-envelope-is-boundary";
 pub fn boundary_slope<S: Scalar>(psi: S) -> S {
     (psi / S::int(2)).cos().squared()
 }
 
 /// f₂: the coefficient of α² on the boundary.
+claim "s4-envelope-is-boundary";
 pub fn boundary_curvature<S: Scalar>(psi: S) -> S {
     let (c, s) = ((psi / S::int(2)).cos(), (psi / S::int(2)).sin());
     let (c2, s2) = (c.squared(), s.squared());
@@ -73,6 +79,7 @@ pub fn boundary_curvature<S: Scalar>(psi: S) -> S {
 }
 
 /// In place of (147): A on the boundary between rest and escape, to second order in α, for every ψ.
+claim "s4-envelope-is-boundary";
 pub fn boundary_a<S: Scalar>(alpha: S, psi: S) -> S {
     S::int(1) - alpha * boundary_slope(psi) + alpha.squared() * boundary_curvature(psi)
 }

@@ -26,11 +26,13 @@ symbols crate::symbols::SYMBOLS;
 
 /// s = sin φ̃₁: the size of the drive where the periodic motion without rest passes through zero. Dimensionless; real
 /// for λ₀ ≤ 2/π, and above λ₀ for λ₀ < λ_c.
+claim "s22-vy-two-stages";
 pub fn drive_at_zero<S: Scalar>(lambda0: S) -> S {
     (S::int(1) - (S::pi() * lambda0 / S::int(2)).squared()).sqrt()
 }
 
 /// By what factor ln 𝔴_y grows where 𝔴 passes through zero while the drive has the size `s` > λ₀. Dimensionless.
+claim "s22-vy-two-stages";
 pub fn passage_factor<S: Scalar>(lambda0: S, s: S) -> S {
     (s + lambda0) / (s - lambda0)
 }
@@ -43,6 +45,7 @@ pub fn contraction<S: Scalar>(lambda0: S) -> S {
 /// How much more slowly than λ₀ a large velocity `w_y` across the drive falls, relative to λ₀ and times `w_y`², on the
 /// mean over a period that begins at φ = 0 with the velocity `w` along the drive: friction leans towards the drive by
 /// the ratio of the velocities, along which the motion is nearly free, 𝔴 + 1 − cos φ. Dimensionless.
+claim "s22-vy-two-stages";
 pub fn first_stage_lean<S: Scalar>(w: S) -> S {
     let half = S::int(1) / S::int(2);
     -half * ((w + S::int(1)).squared() + half)
@@ -50,6 +53,7 @@ pub fn first_stage_lean<S: Scalar>(w: S) -> S {
 
 /// For how long (in φ) a small velocity `w_y` straight across a drive of the size `h` < λ₀ lasts until the particle
 /// stops, to leading order in `w_y`.
+claim "s22-vy-two-stages";
 pub fn last_stage<S: Scalar>(lambda0: S, h: S, w_y: S) -> S {
     lambda0 * w_y / (lambda0.squared() - h.squared())
 }

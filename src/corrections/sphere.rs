@@ -29,12 +29,14 @@ formulas! {
 symbols crate::symbols::SYMBOLS;
 
 /// (75) with the right sign: ζ, dimensionless.
+claim "eq-75";
 pub fn spin<S: Scalar>(zeta3: S, u: [S; 3], rho_rate: [S; 3]) -> [S; 3] {
     // −ẑ × (x, y, z) = (y, −x, 0).
     [u[1] - rho_rate[1], rho_rate[0] - u[0], zeta3]
 }
 
 /// (82) with its factor 1/γ: τ at the angle θ. No value at θ₀ = 0 and π, at λ = 1, and where cos θ₀ = −λ.
+claim "eq-82";
 pub fn time<S: Scalar>(lambda: S, gamma: S, u0: S, theta0: S, theta: S) -> S {
     let (one, two) = (S::int(1), S::int(2));
     let half_tan = |angle: S| (angle / two).tan();
@@ -45,6 +47,7 @@ pub fn time<S: Scalar>(lambda: S, gamma: S, u0: S, theta0: S, theta: S) -> S {
 }
 
 /// (83) with its factor γ: u at the angle θ and the time τ. No value where cos θ = −λ.
+claim "eq-83";
 pub fn slip_at_time<S: Scalar>(lambda: S, gamma: S, u0: S, theta0: S, theta: S, tau: S) -> S {
     let gained = (S::int(1) - lambda.squared()) * gamma * tau;
     (gained + u0 * (lambda + theta0.cos())) / (lambda + theta.cos())

@@ -16,12 +16,14 @@ formulas! {
 symbols crate::symbols::SYMBOLS;
 
 /// The energy that keeps its value: kinetic, centrifugal, and what friction has taken along the way `s` (a length).
+claim "eq-106";
 pub fn constant<S: Scalar>(m: S, mu: S, g: S, omega: S, r: [S; 2], v: [S; 2], s: S) -> S {
     let square = |a: [S; 2]| a[0].squared() + a[1].squared();
     m / S::int(2) * square(v) - m * omega.squared() * square(r) / S::int(2) + m * mu * g * s
 }
 
 /// The work of the friction along a way of length `s`.
+claim "s4-coriolis-no-work";
 pub fn friction_work<S: Scalar>(m: S, mu: S, g: S, s: S) -> S {
     -(m * mu * g * s)
 }

@@ -87,31 +87,37 @@ pub fn eq58_y<S: Scalar>() -> [S; 2] {
 }
 
 /// "Without loss of generality": q and λ₀ of the motion that is the mirror image of that with these.
+claim "s24-q-at-least-one";
 pub fn s24_mirrored<S: Scalar>(q: S, lambda0: S) -> [S; 2] {
     [S::int(1) / q, q * lambda0]
 }
 
 /// Region I: the signs of 𝔴 on the intervals of a period in their order, forward motion first; 0 is rest.
+claim "fig-6";
 pub fn s24_first_signs<S: Scalar>() -> [S; 2] {
     [S::int(1), S::int(-1)]
 }
 
 /// Region II: the signs of 𝔴.
+claim "fig-6";
 pub fn s24_second_signs<S: Scalar>() -> [S; 3] {
     [S::int(1), S::int(-1), S::int(0)]
 }
 
 /// Region III: the signs of 𝔴.
+claim "fig-6";
 pub fn s24_third_signs<S: Scalar>() -> [S; 4] {
     [S::int(1), S::int(0), S::int(-1), S::int(0)]
 }
 
 /// Region IV: the signs of 𝔴.
+claim "fig-6";
 pub fn s24_fourth_signs<S: Scalar>() -> [S; 2] {
     [S::int(1), S::int(0)]
 }
 
 /// Region V: the signs of 𝔴.
+claim "fig-6";
 pub fn s24_fifth_signs<S: Scalar>() -> [S; 1] {
     [S::int(0)]
 }

@@ -88,17 +88,20 @@ pub fn eq16_vy<S: Scalar>(v0y: S) -> S {
 }
 
 /// λ = 0: the place x of the path at `y`, both from the launch on. No value for v_0y = 0.
+claim "s21-frictionless-parabola";
 pub fn s21_parabola<S: Scalar>(a: S, v0x: S, v0y: S, y: S) -> S {
     let t = y / v0y;
     v0x * t + a * t.squared() / S::int(2)
 }
 
 /// The two sides of λ ≤ 1, where the particle keeps moving.
+claim "s21-small-friction-aligns";
 pub fn s21_keeps_moving_sides<S: Scalar>(lambda: S) -> [S; 2] {
     [lambda, S::int(1)]
 }
 
 /// λ ≤ 1: θ at large times.
+claim "s21-small-friction-aligns";
 pub fn s21_late_angle<S: Scalar>() -> S {
     S::int(0)
 }

@@ -77,6 +77,7 @@ pub fn eq138_s<S: Scalar>(a: S) -> S {
 }
 
 /// Before (126) and after (127): the sign of the rate of A.
+claim "s4-A-never-decreases";
 pub fn s4_a_trend<S: Scalar>() -> S {
     S::int(1)
 }

@@ -47,6 +47,7 @@ pub fn eq45_w<S: Scalar>(w: S) -> S {
 }
 
 /// The two sides of 1 < λ₀, from where on every motion comes to rest for ever under a drive whose largest size is 1.
+claim "s23-rest-above-one";
 pub fn s23_rest_sides<S: Scalar>(lambda: S) -> [S; 2] {
     [S::int(1), lambda]
 }

@@ -77,6 +77,7 @@ pub fn eq147_a<S: Scalar>(alpha: S) -> S {
 }
 
 /// After (139): the limits of α and ψ as the particle nears its rest.
+claim "s4-near-rest";
 pub fn s4_near_rest_limits<S: Scalar>() -> [S; 2] {
     [S::int(0), S::int(0)]
 }

@@ -43,21 +43,25 @@ pub fn eq26_rate<S: Scalar>(lambda0: S, phi: S, w: S) -> S {
 }
 
 /// v_y at large times.
+claim "s22-vy-vanishes";
 pub fn s22_late_vy<S: Scalar>() -> S {
     S::int(0)
 }
 
 /// The rate of 𝔴_y with the phase as long as 𝔴_y is far above 𝔴.
+claim "s22-vy-two-stages";
 pub fn s22_first_stage_slope<S: Scalar>(lambda0: S) -> S {
     -lambda0
 }
 
 /// By how much more ln 𝔴_y falls in one period than in the one before, once 𝔴_y is small: an exponential.
+claim "s22-vy-two-stages";
 pub fn s22_second_stage_ratio<S: Scalar>() -> S {
     S::int(1)
 }
 
 /// The number of phases in a period at which the drive is as large as the friction.
+claim "s22-four-points";
 pub fn s22_points<S: Scalar>() -> S {
     S::int(4)
 }

@@ -219,6 +219,7 @@ pub fn eq85_lambda<S: Scalar>(b: S, mu_plus: S, g: S, a0: S) -> S {
 }
 
 /// "ζ₃ is constant": dζ₃/dτ.
+claim "s3-spin-constant";
 pub fn s3_zeta3_rate<S: Scalar>() -> S {
     S::int(0)
 }

@@ -154,11 +154,13 @@ pub fn eq106_constant<S: Scalar>(m: S, g: S, omega: S, r: [S; 2], v: [S; 2], s: 
 }
 
 /// After (106): the work of the friction along a way of length `s`; an energy.
+claim "s4-coriolis-no-work";
 pub fn friction_work<S: Scalar>(m: S, g: S, s: S) -> S {
     -(m * g * s)
 }
 
 /// After (106): the power of the Coriolis force, the second term of (86), which is to vanish.
+claim "s4-coriolis-no-work";
 pub fn coriolis_power<S: Scalar>(m: S, omega: S, v: [S; 2]) -> S {
     m * S::int(2) * omega * dot(cross_z(v), v)
 }

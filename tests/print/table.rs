@@ -216,6 +216,7 @@ pub fn joined() -> Vec<Formula<Expr>> {
     let formula = |path, arguments, symbols: &[&'static str], value| Formula {
         path,
         name: path,
+        tried_in: None,
         arguments,
         symbols: symbols.to_vec(),
         value,

@@ -195,11 +195,13 @@ macro_rules! where_seeded {
 }
 
 /// Formulas in which a mistake can be seeded, and `formulas()`, the list of them. Each is generic over `S: Scalar`,
-/// its arguments and its value are of type `S` or arrays of `S`. The arguments' letters are those of the symbols.
+/// its arguments and its value are of type `S` or arrays of `S`. The arguments' letters are those of the symbols. A
+/// formula whose name has no number says before it which claim tries it, `claim "some-id";`, if one does.
 #[macro_export]
 macro_rules! formulas {
     (symbols $symbols:expr; $(
         $(#[$about:meta])*
+        $(claim $claim:literal;)?
         pub fn $name:ident<S: Scalar>($($argument:ident: $type:ty),* $(,)?) -> $value:ty $body:block
     )*) => {
         $(
@@ -226,6 +228,7 @@ macro_rules! formulas {
             vec![$(Formula {
                 path: concat!(module_path!(), "::", stringify!($name)),
                 name: stringify!($name),
+                tried_in: [$(Some($claim),)? None][0],
                 arguments: &[$(stringify!($argument)),*],
                 symbols: [Vec::new(), $(letters(
                     $symbols,

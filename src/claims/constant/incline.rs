@@ -80,21 +80,24 @@ impl Incline {
 pub fn speed() -> Evidence {
     let compared =
         "(11) with the speed on an inclined plane in three dimensions, at its angle to the slope";
-    slides(compared, |[lambda, _, v0, theta0, theta], v, _| {
-        (printed::eq11_speed(lambda, v0, theta0, theta), v)
+    slides(compared, |[lambda, _, v0, theta0, theta], turn| {
+        let stated = printed::eq11_speed(lambda, v0, theta0, theta);
+        (stated, turn.v, turn.v * turn.condition())
     })
 }
 
 /// (13) with the motion on the incline.
 pub fn time() -> Evidence {
     let compared = "(13) at the angle to the slope that is reached on an inclined plane in three dimensions, with the time";
-    slides(compared, |[lambda, a, v0, theta0, theta], _, t| {
-        (printed::eq13_time(lambda, a, v0, theta0, theta), t)
+    slides(compared, |[lambda, a, v0, theta0, theta], turn| {
+        let stated = printed::eq13_time(lambda, a, v0, theta0, theta);
+        (stated, turn.t, turn.time_scale())
     })
 }
 
-/// A printed formula of (λ, A, v₀, θ₀, θ) with what is found of it from the speed and the time on the incline.
-fn slides(compared: &'static str, pair: fn([Double; 5], f64, f64) -> (Double, f64)) -> Evidence {
+/// A printed formula of (λ, A, v₀, θ₀, θ) with what is found of it on the incline, and the size in units of which that is
+/// known.
+fn slides(compared: &'static str, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(12);
     trial.over(0..300, |_| {
@@ -108,16 +111,20 @@ fn slides(compared: &'static str, pair: fn([Double; 5], f64, f64) -> (Double, f6
             0.0,
             start.into(),
             duration,
-            1e-13,
-            1e-15,
+            1e-14,
+            1e-16,
         )?);
         let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
         let Incline { v0, theta0, .. } = incline;
         let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Double::from);
-        let (stated, found) = pair(at, end.norm(), duration);
-        let launch = Turn::launch(incline.lambda(), incline.a(), v0, theta0);
-        let condition = Turn { theta, ..launch }.condition();
-        Ok(Pair::wide(incline.at(), stated, found).within(found * condition))
+        let turn = Turn {
+            theta,
+            t: duration,
+            v: end.norm(),
+            ..Turn::launch(incline.lambda(), incline.a(), v0, theta0)
+        };
+        let (stated, found, scale) = pair(at, &turn);
+        Ok(Pair::wide(incline.at(), stated, found).within(scale))
     })
 }
 

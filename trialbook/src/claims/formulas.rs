@@ -12,9 +12,6 @@ pub struct Formulas {
     pub trees: fn() -> Vec<Formula<Expr>>,
     /// What stands in the path of a formula that replaces a printed one or adds to it, and of no other.
     pub corrections: &'static str,
-    /// Those without a number of their own, by their paths below the crate, and the ids of the claims that try them. What
-    /// serves no claim is not here.
-    pub tried_in: &'static [(&'static str, &'static str)],
     /// The names of those that say that something vanishes or keeps its value: a constant factor does not make them
     /// wrong.
     pub up_to_a_factor: &'static [&'static str],
@@ -34,7 +31,6 @@ impl Formulas {
         numbers: Vec::new,
         trees: Vec::new,
         corrections: "::corrections::",
-        tried_in: &[],
         up_to_a_factor: &[],
         up_to_a_positive_factor: &[],
         corners: &[],
@@ -47,24 +43,10 @@ impl Formulas {
         !path.contains(self.corrections)
     }
 
-    /// The id of the claim that tries the formula of this path: that of the number in its name, or of the list.
-    pub fn claim(&self, path: &str) -> Option<String> {
-        let name = path.rsplit("::").next()?;
-        let number = name
-            .strip_prefix("eq")
-            .and_then(|rest| rest.split('_').next());
-        let tried_in = || {
-            let (_, path) = path.split_once("::")?;
-            let (_, id) = self.tried_in.iter().find(|(formula, _)| *formula == path)?;
-            Some((*id).to_owned())
-        };
-        number.map(|n| format!("eq-{n}")).or_else(tried_in)
-    }
-
     /// The formulas that the claim of this id tries, those of the paper first: `paper::topic::eq13_time(λ, A, …) = …`.
     pub fn of_claim(&self, id: &str) -> Vec<String> {
         let own = (self.trees)().into_iter();
-        own.filter(|formula| self.claim(formula.path).as_deref() == Some(id))
+        own.filter(|formula| formula.claim().as_deref() == Some(id))
             .map(|formula| {
                 let path = formula.path.split_once("::").map_or("", |(_, path)| path);
                 format!(

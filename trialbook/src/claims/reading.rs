@@ -22,10 +22,8 @@ impl Formulas {
             return false;
         }
         let printed = evidence.subject != Subject::Corrected;
-        let own = |path: &str| {
-            self.is_printed(path) == printed && self.claim(path).as_deref() == Some(id)
-        };
-        let mut all = (self.numbers)().into_iter();
-        all.any(|formula| own(formula.path)) && !evidence.read.iter().any(|path| own(path))
+        let mut own = (self.numbers)();
+        own.retain(|f| self.is_printed(f.path) == printed && f.claim().as_deref() == Some(id));
+        !own.is_empty() && !own.iter().any(|f| evidence.read.contains(f.path))
     }
 }

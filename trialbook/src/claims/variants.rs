@@ -82,7 +82,7 @@ impl Formulas {
 
     /// The wrong variants of one formula, which is given for trees and for numbers.
     fn of(&self, tree: &Formula<Expr>, number: &Formula<f64>) -> Vec<Variant> {
-        let Some(claim) = self.claim(number.path) else {
+        let Some(claim) = number.claim() else {
             return Vec::new();
         };
         let points = self.sample(number);
@@ -110,7 +110,7 @@ impl Formulas {
     pub fn corners(&self) -> Vec<Variant> {
         let numbers = (self.numbers)();
         let of = |formula: &Formula<f64>| {
-            let Some(claim) = self.claim(formula.path) else {
+            let Some(claim) = formula.claim() else {
                 return Vec::new();
             };
             let sample = self.sample(formula);
@@ -213,7 +213,6 @@ mod tests {
         numbers: Vec::new,
         trees: Vec::new,
         corrections: "::right::",
-        tried_in: &[],
         up_to_a_factor: &["eq104_constant"],
         up_to_a_positive_factor: &["eq116_case"],
         corners: &[],

@@ -38,9 +38,9 @@ impl Ledger {
         let formulas = &self.paper.formulas;
         let numbers = (formulas.numbers)();
         let of = |(entry, e): (usize, &Entry)| {
-            let own = numbers.iter().filter(|f| {
-                formulas.claim(f.path).as_deref() == Some(e.claim.id) && formulas.has_a_size(f)
-            });
+            let own = numbers
+                .iter()
+                .filter(|f| f.claim().as_deref() == Some(e.claim.id) && formulas.has_a_size(f));
             let pairs = own.flat_map(|f| {
                 let trials = e.measured_by(f.path).into_iter();
                 trials.map(move |trial| (entry, trial, f.path, f.name))

@@ -9,6 +9,8 @@ pub struct Formula<S> {
     pub path: &'static str,
     /// Its name: `eq13_time`.
     pub name: &'static str,
+    /// The id of the claim that tries it, if its name has no number.
+    pub tried_in: Option<&'static str>,
     /// The names of its arguments.
     pub arguments: &'static [&'static str],
     /// The letters of its arguments, by the symbols of its file; one for each component of a vector.
@@ -18,6 +20,17 @@ pub struct Formula<S> {
 }
 
 impl<S> Formula<S> {
+    /// The id of the claim that tries it: that of the number in its name, or the one it is declared with.
+    pub fn claim(&self) -> Option<String> {
+        let number = self
+            .name
+            .strip_prefix("eq")
+            .and_then(|rest| rest.split('_').next());
+        number
+            .map(|n| format!("eq-{n}"))
+            .or_else(|| self.tried_in.map(str::to_owned))
+    }
+
     /// Every mistake at every place that the evaluation at these arguments passes.
     pub fn seeds(&self, arguments: &[S]) -> Vec<Seed> {
         let passed = places(self.path, || drop((self.value)(arguments)));
