@@ -38,6 +38,13 @@ const SECOND_REGION: Correction = Correction {
     plain: "Above A, below B for q ≤ q_Y and below E for q ≥ q_Y, each period has an interval with w > 0, at once one with w < 0, then a rest. Between E and C there is no backward motion: each period has an interval with w > 0 and a rest, as in IV.",
 };
 
+/// Region IV, with E.
+const FOURTH_REGION: Correction = Correction {
+    change: Change::Statement,
+    latex: r"Above C for $q\leq q_Y$, above E for $q\geq q_Y$, and below D, each period has an interval with $\mathfrak{w}>0$ and a rest.",
+    plain: "Above C for q ≤ q_Y, above E for q ≥ q_Y, and below D, each period has an interval with w > 0 and a rest.",
+};
+
 /// The diagram, with E.
 const DIAGRAM: Correction = Correction {
     change: Change::Statement,
@@ -328,12 +335,25 @@ const CLAIMS: &[Claim] = &[
         title: "region IV: forward slip and rest",
         latex: r"Between C and D, each period has an interval with $\mathfrak{w}>0$ and a rest.",
         plain: "Between C and D, each period has an interval with w > 0 and a rest.",
-        conditions: &[Condition {
-            text: r"$q\geq1$",
-            sort: Sort::Stated,
-        }],
+        conditions: &[
+            Condition {
+                text: r"$q\geq1$",
+                sort: Sort::Stated,
+            },
+            Condition {
+                text: r"$q\leq q_Y$: beyond, IV begins at E, below C",
+                sort: Sort::Substance,
+            },
+        ],
         depends_on: &["eq-51", "eq-52", "eq-55", "eq-56"],
-        trials: trials![regions::fourth_census, regions::fourth_ends],
+        trials: trials![
+            regions::fourth_census,
+            regions::fourth_ends,
+            regions::fourth_ends_beyond,
+            regions::between_e_and_c,
+            regions::fourth_corrected_ends
+        ],
+        correction: Some(FOURTH_REGION),
         ..Claim::BLANK
     },
     Claim {
@@ -405,7 +425,8 @@ const CLAIMS: &[Claim] = &[
             regions::diagram,
             regions::corrected_diagram,
             regions::corrected_curves,
-            certified::order
+            certified::order,
+            regions::diagram_step
         ],
         correction: Some(DIAGRAM),
         ..Claim::BLANK

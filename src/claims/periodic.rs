@@ -143,12 +143,12 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Substance,
             },
             Condition {
-                text: r"$\lvert h\rvert<1$ for some time in each period: else no $\lambda_0<1$ lets it rest",
-                sort: Sort::Substance,
+                text: r"$h$ is generic: $\lvert h\rvert<1$ for some time in each period, else no $\lambda_0<1$ lets it rest",
+                sort: Sort::Stated,
             },
             Condition {
-                text: r"$h\neq0$ wherever the antiderivative of $h$ is at its median: else it may rest at every $\lambda_0$",
-                sort: Sort::Substance,
+                text: r"$h$ is generic: $h\neq0$ wherever the antiderivative of $h$ is at its median, else it may rest at every $\lambda_0$",
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-26"],

@@ -283,8 +283,8 @@ const CLAIMS: &[Claim] = &[
         id: "s4-near-rest",
         section: "4",
         title: "how the particle comes to rest",
-        latex: r"As the particle comes to rest, $\alpha$ and $\psi$ tend to zero, as in (140) to (145).",
-        plain: "As the particle comes to rest, α and ψ tend to zero, as in (140) to (145).",
+        latex: r"As the particle comes to rest, $\alpha$ and $\psi$ tend to zero; (140) to (145) say how.",
+        plain: "As the particle comes to rest, α and ψ tend to zero; (140) to (145) say how.",
         depends_on: &["eq-140", "eq-141", "eq-142", "eq-143", "eq-144", "eq-145"],
         conditions: &[TO_ZERO],
         trials: trials![

@@ -38,6 +38,12 @@ const SOME_FRICTION: Condition = Condition {
     sort: Sort::Degenerate,
 };
 
+/// Without friction the velocity across the drive keeps its value, and the one along it never depends on that.
+const FRICTION_ACROSS: Condition = Condition {
+    text: r"$\lambda_0>0$: without friction nothing acts across the drive",
+    sort: Sort::Degenerate,
+};
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-21",
@@ -430,14 +436,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"$v_y\to0$ at large times.",
         plain: "v_y → 0 at large times.",
         depends_on: &["s2-perpendicular-decays", "eq-21"],
-        conditions: &[Condition {
-            text: r"$\mu>0$: there is friction",
-            sort: Sort::Stated,
-        }],
+        conditions: &[FRICTION_ACROSS],
         trials: trials![
             across::vanishes_limit,
             across::vanishes_motion,
-            across::vanishes_census
+            across::vanishes_census,
+            across::vanishes_outside,
+            excepted::no_friction
         ],
         ..Claim::BLANK
     },
@@ -458,10 +463,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time; once $v_y\ll v_x$, it falls more slowly, exponentially.",
         plain: "While v_y ≫ v_x, v_y falls linearly in time; once v_y ≪ v_x, it falls more slowly, exponentially.",
         depends_on: &["eq-1", "eq-21"],
-        conditions: &[Condition {
-            text: r"$\mu>0$: there is friction",
-            sort: Sort::Stated,
-        }],
+        conditions: &[FRICTION_ACROSS],
         trials: trials![
             across::first_stage,
             across::second_stage,
@@ -471,7 +473,8 @@ const CLAIMS: &[Claim] = &[
             decay::passage_limit,
             decay::passage_quadrature,
             decay::finite_end,
-            decay::last_stage
+            decay::last_stage,
+            excepted::no_friction
         ],
         correction: Some(DECAY),
         ..Claim::BLANK
@@ -483,11 +486,13 @@ const CLAIMS: &[Claim] = &[
         latex: "At large times $v_x$ does not depend on the initial $v_y$; on the way there it does.",
         plain: "At large times v_x does not depend on the initial v_y; on the way there it does.",
         depends_on: &["eq-26", "s22-vy-vanishes"],
-        conditions: &[Condition {
-            text: r"$\mu>0$: there is friction",
-            sort: Sort::Stated,
-        }],
-        trials: trials![across::ignores_motion, across::ignores_census],
+        conditions: &[FRICTION_ACROSS],
+        trials: trials![
+            across::ignores_motion,
+            across::ignores_census,
+            across::ignores_outside,
+            excepted::no_friction
+        ],
         ..Claim::BLANK
     },
     Claim {

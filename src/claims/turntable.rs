@@ -55,6 +55,11 @@ const OFF_AXIS: Condition = Condition {
     sort: Sort::Degenerate,
 };
 
+const NO_ANGLE_ON_AXIS: Condition = Condition {
+    text: r"$\rho>0$: on the axis $\psi$ has no value; it jumps from $\pi$ to $0$ as a particle passes",
+    sort: Sort::Degenerate,
+};
+
 /// Stated after (86), with the first condition.
 const POSITIVE_SLIDES: &[Condition] = &[POSITIVE[0], SLIDES];
 
@@ -83,7 +88,11 @@ const OUTER_OFF_AXIS: &[Condition] = &[
 const FROZEN: &[Condition] = &[
     INNER[0],
     Condition {
-        text: r"$\alpha$ held fixed; where it moves, $\psi$ follows $\psi_1$ only while $\lvert\dot\alpha\rvert\cosh2\alpha\ll1$, which late in an escape it is not",
+        text: r"$\alpha$ is held fixed",
+        sort: Sort::Stated,
+    },
+    Condition {
+        text: r"$\lvert\dot\alpha\rvert\cosh2\alpha\ll1$, where $\psi$ is to follow $\psi_1$ as $\alpha$ moves: late in an escape it does not",
         sort: Sort::Substance,
     },
 ];
@@ -454,7 +463,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\rho=p \cos\psi",
         plain: "dρ/dτ = p cos ψ",
         depends_on: &["eq-94", "eq-102"],
-        trials: trials![&exact::EQ108, rates::eq108],
+        conditions: &[NO_ANGLE_ON_AXIS],
+        trials: trials![
+            &exact::EQ108,
+            rates::eq108,
+            standstill::eq108,
+            excepted::axis
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -620,8 +635,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\beta=\cos\psi+\frac{\sinh\beta}{B}",
         plain: "dβ/dτ = cos ψ + (sinh β)/B",
         depends_on: &["eq-107", "eq-108", "eq-117", "eq-118"],
-        conditions: OUTER,
-        trials: trials![&exact::EQ120, rates::eq120],
+        conditions: &[OUTER[0], NO_ANGLE_ON_AXIS],
+        trials: trials![
+            &exact::EQ120,
+            rates::eq120,
+            standstill::eq120,
+            excepted::axis
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -715,7 +735,8 @@ const CLAIMS: &[Claim] = &[
             &exact::PRINTED_WORK,
             energy::coriolis,
             &exact::CORRECTED_WORK,
-            energy::friction_corrected
+            energy::friction_corrected,
+            energy::work_step
         ],
         ..Claim::BLANK
     },

@@ -145,6 +145,13 @@ pub const CORRECTED: &[Line] = &[
     ("eq-137", 0, Side(0, 1), "escape::late_s", NONE),
     ("eq-146", 0, Side(0, 1), "rest::surface_slope", NONE),
     (
+        "s4-small-alpha",
+        4,
+        Side(0, 1),
+        "escape::relaxed_ratio",
+        NONE,
+    ),
+    (
         "s22-vy-two-stages",
         6,
         Side(0, 0),
@@ -185,6 +192,10 @@ pub const CORRECTED: &[Line] = &[
 pub const WORDS_ONLY: &[(&str, &str)] = &[
     (
         "s24-region-2",
+        "it says in words which motion lies between which curves",
+    ),
+    (
+        "s24-region-4",
         "it says in words which motion lies between which curves",
     ),
     (

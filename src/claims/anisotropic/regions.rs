@@ -7,6 +7,7 @@ use super::simulated::{
     printed_list,
 };
 use crate::claims::compare::{Pair, Trial};
+use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::anisotropic as printed;
@@ -123,10 +124,7 @@ fn ends(
             changes.motion,
         ];
         let (name, stated, found) = if lower {
-            let (end, begins) = (bounds[region - 2], motion[region - 2]);
-            // What IV's words say of its own points holds too if its motion goes on below, as it does beyond Y.
-            let goes_on = region == 4 && !row.before_y && begins <= end;
-            ("lower end", if goes_on { begins } else { end }, begins)
+            ("lower end", bounds[region - 2], motion[region - 2])
         } else {
             ("upper end", bounds[region - 1], motion[region - 1])
         };
@@ -140,7 +138,6 @@ fn ends(
 }
 
 const BY_ENDS: &str = "the region's ends in λ₀ by the printed curves with those of its kind of motion, by bisection on the simulation";
-const BY_ENDS_OR_BEYOND: &str = "the region's ends in λ₀ by the printed curves with those of its kind of motion, by bisection on the simulation; beyond Y the lower end may lie above where the motion begins";
 const BY_CORRECTED_ENDS: &str = "the region's ends in λ₀ by the corrected list with those of its kind of motion, by bisection on the simulation";
 
 /// The upper ends of the regions I to IV by the printed list. Without B, II reaches up to C and III is empty.
@@ -178,6 +175,16 @@ fn has_third(row: &Row) -> bool {
 /// Where IV is: not at q = 1.
 fn has_fourth(row: &Row) -> bool {
     row.q > 1.0
+}
+
+/// Where IV is and C is its lower end.
+fn begins_at_c(row: &Row) -> bool {
+    has_fourth(row) && row.before_y
+}
+
+/// Where IV begins below C.
+fn begins_below_c(row: &Row) -> bool {
+    !row.before_y
 }
 
 /// Region I at the points of the census.
@@ -254,16 +261,31 @@ pub fn third_ends() -> Evidence {
 
 /// Region IV at the points of the census.
 pub fn fourth_census() -> Evidence {
-    printed_census(4, 32.0)
+    let trial = by_census(Subject::Within, BY_REGION);
+    census(
+        &trial,
+        |_, _, found| found == 32.0,
+        |q| words_of(4, printed_list(q)),
+    )
 }
 
-/// Region IV by its ends.
+/// Region IV by its ends, up to Y.
 pub fn fourth_ends() -> Evidence {
+    ends(4, Subject::Within, BY_ENDS, printed_bounds, begins_at_c)
+}
+
+/// Region IV by its ends, beyond Y.
+pub fn fourth_ends_beyond() -> Evidence {
+    ends(4, Subject::Outside, BY_ENDS, printed_bounds, begins_below_c)
+}
+
+/// Region IV of the corrected list by its ends.
+pub fn fourth_corrected_ends() -> Evidence {
     ends(
         4,
-        Subject::Printed,
-        BY_ENDS_OR_BEYOND,
-        printed_bounds,
+        Subject::Corrected,
+        BY_CORRECTED_ENDS,
+        corrected_bounds,
         has_fourth,
     )
 }
@@ -287,6 +309,21 @@ pub fn diagram() -> Evidence {
     let trial = by_census(Subject::Printed, compared);
     let says = |q| all_words(printed_list(q));
     census(&trial, |q, _, _| q <= LARGEST_Q, says)
+}
+
+/// The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
+/// Where B has ended, it enters two at C.
+pub fn diagram_step() -> Evidence {
+    let compared = "the region by the printed list with one more than the number of curves below λ₀, where B has ended counting C twice";
+    let trial = by_census(Subject::Step, compared);
+    let points = Points::stream(704).within(400, [[1.0, LARGEST_Q], [0.0, 1.4]]);
+    trial.at(["q", "λ₀"], points, 1.0, |[q, lambda0]| {
+        let curves = curves_as_printed(q)?;
+        let region = printed::region(lambda0, &curves).map_or(f64::NAN, |region| region as f64);
+        let crossed = [curves.a, curves.b.unwrap_or(curves.c), curves.c, curves.d];
+        let below = crossed.iter().filter(|curve| **curve < lambda0).count();
+        Ok([region, 1.0 + below as f64])
+    })
 }
 
 /// The corrected diagram at all points of the census.

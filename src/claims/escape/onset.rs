@@ -2,9 +2,9 @@
 
 use super::escapes::{
     LATE, Launch, a, alpha, escapes, flights, other_escapes, other_flights, others_relaxed, rates,
-    relaxed,
+    relaxed, relaxed_ratios,
 };
-use super::growth::{Quantity, limit, size};
+use super::growth::{Quantity, a_rate, lag, limit, size};
 use super::straight::{StraightIn, beyond_one, time_to_stop};
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::points::Points;
@@ -18,7 +18,7 @@ use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, rotating};
 use crate::paper::{escape as printed, turntable};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// (126) with the rate of α after ψ has relaxed, at α below a millionth.
 pub fn eq126_relaxed() -> Evidence {
@@ -200,6 +200,45 @@ pub fn small_alpha_angle() -> Evidence {
     })
 }
 
+/// ψ over ψ₁, which both vanish.
+pub fn small_alpha_ratio() -> Evidence {
+    let compared = "1 with ψ/ψ₁ of the motion, that ratio having relaxed, α below a millionth";
+    ratio(Subject::Outside, compared, |_| 1.0)
+}
+
+/// What that ratio is.
+pub fn corrected_small_alpha_ratio() -> Evidence {
+    let compared =
+        "A/(2A − 1) with ψ/ψ₁ of the motion, that ratio having relaxed, α below a millionth";
+    ratio(Subject::Corrected, compared, corrected::relaxed_ratio)
+}
+
+fn ratio(subject: Subject, compared: &'static str, stated: fn(f64) -> f64) -> Evidence {
+    let trial = Trial::by(Route::Limit, subject, compared, RELAXED);
+    trial.over(relaxed_ratios(), |relaxed| {
+        let relaxed = relaxed?;
+        Ok(Pair {
+            at: relaxed.launch.at(),
+            stated: stated(a(&relaxed.state)),
+            found: relaxed.state.psi() / turntable::eq124_psi1(alpha(&relaxed.state)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// That ratio by the equations of motion: with it, ψ and α fall or grow alike.
+pub fn corrected_small_alpha_rate() -> Evidence {
+    let compared = "the relative rate of α by (126) with that of ψ by (115), where ψ = ψ₁ A/(2A − 1), over that of α, α from 1e-8 to 1e-4";
+    let trial = Trial::by(Route::Consistency, Subject::Corrected, compared, RELAXED);
+    let points = Points::stream(706).within(40, [[1.2, 5.0], [-8.0, -4.0]]);
+    trial.at(["A", "lg α"], points, 1.0, |[size, power]| {
+        let small = libm::exp10(power);
+        let psi = corrected::relaxed_ratio(size) * turntable::eq124_psi1(small);
+        let turn = turntable::eq115_psi_rate(small, psi) / psi;
+        Ok([1.0, turn * small / printed::eq126_alpha_rate(size)])
+    })
+}
+
 /// (126) at the same states.
 pub fn small_alpha_rate() -> Evidence {
     let compared = "(126) with dα/dτ of the motion, ψ having relaxed after a start with α < 1e-11";
@@ -230,6 +269,27 @@ pub fn a_grows() -> Evidence {
         size,
         corrected::a(1.0),
         Subject::Within,
+    )
+}
+
+/// (130) as a ratio: what it has before ln A.
+pub fn alpha_by_a_grows() -> Evidence {
+    let law = printed::eq130_alpha::<f64>;
+    grows(
+        "what (130) has before ln A with the limit of dα/d ln A",
+        |l| l.alpha_rate * size(l) / a_rate(l),
+        (law(LATE) - law(1.0)) / libm::log(LATE),
+        Subject::Printed,
+    )
+}
+
+/// That ψ → π/2, as (134) has it.
+pub fn psi_goes_upright() -> Evidence {
+    grows(
+        "what (134) tends to with the limit of ψ",
+        |l| FRAC_PI_2 - lag(l),
+        FRAC_PI_2 - printed::eq134_lag(LATE * LATE),
+        Subject::Printed,
     )
 }
 

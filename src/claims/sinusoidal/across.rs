@@ -147,6 +147,22 @@ pub fn vanishes_motion() -> Evidence {
     })
 }
 
+/// Without friction v_y keeps its value.
+pub fn vanishes_outside() -> Evidence {
+    let compared = "0 with v_y of a particle on the plane after five periods without friction";
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, GONE);
+    let starts = Points::stream(167).within(20, [[-1.0, 1.0], [0.05, 1.0]]);
+    trial.over(starts, |v| {
+        let end = Particle::plain(0.0).run(0.0, v, 5.0 * TAU)?.end();
+        Ok(Pair {
+            at: at([0.0, v[0], v[1]]),
+            stated: printed::s22_late_vy(),
+            found: end.v[1],
+            scale: v[1],
+        })
+    })
+}
+
 /// On the way v_y never grows.
 pub fn vanishes_census() -> Evidence {
     let compared = "the states at which (1) lets 𝔴_y > 0 grow, with the steps of an eighth of a period on which ln 𝔴_y grows, over ten periods";
@@ -237,10 +253,25 @@ pub fn ignores_motion() -> Evidence {
 /// On the way v_x does depend on v_y.
 pub fn ignores_census() -> Evidence {
     let compared = "1 with 1 where the first period's 𝔴 differs by more than 0.01 between 𝔴_y = 0.1, 1 and 5 at the start";
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    let mut points = Points::stream(166);
+    ignores(Subject::Printed, compared, 166, [0.15, 1.4])
+}
+
+/// Without friction it does not.
+pub fn ignores_outside() -> Evidence {
+    let compared = "1 with 1 where the first period's 𝔴 differs by more than 0.01 between 𝔴_y = 0.1, 1 and 5 at the start, without friction";
+    ignores(Subject::Outside, compared, 168, [0.0, 0.0])
+}
+
+fn ignores(
+    subject: Subject,
+    compared: &'static str,
+    stream: u64,
+    [low, high]: [f64; 2],
+) -> Evidence {
+    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    let mut points = Points::stream(stream);
     trial.over(0..20, |_| {
-        let (lambda, w_x) = (points.uniform(0.15, 1.4), points.uniform(-1.0, 1.0));
+        let (lambda, w_x) = (points.uniform(low, high), points.uniform(-1.0, 1.0));
         let phases = first_period();
         let mut curves = Vec::new();
         for w_y in [0.1, 1.0, 5.0] {

@@ -2,6 +2,7 @@
 
 use super::stretches::{ANY, Launch, launches, stretches, sum};
 use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::points::Points;
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
 use crate::evidence::{Evidence, Route, Subject};
@@ -54,6 +55,18 @@ pub fn eq105() -> Evidence {
 pub fn way(launch: &Launch) -> Result<f64, Failure> {
     let speed = |t: f64| launch.still.on_table(t).map_or(f64::NAN, |s| s.speed());
     Ok(integral(speed, 0.0, launch.to)?.value)
+}
+
+/// The work of friction by (106): what the terms without s gain, if (106) keeps its value.
+pub fn work_step() -> Evidence {
+    let compared =
+        "−mgs, the work of friction, with what kinetic and centrifugal energy gain by (106)";
+    let trial = Trial::by(Route::Consistency, Subject::Step, compared, FRAMES);
+    let points = Points::stream(705).within(40, [[0.2, 3.0]; 3]);
+    trial.at(["m", "g", "s"], points, 1.0, |[m, g, s]| {
+        let at_rest = |s| printed::eq106_constant(m, g, 1.0, [0.0; 2], [0.0; 2], s);
+        Ok([printed::friction_work(m, g, s), at_rest(0.0) - at_rest(s)])
+    })
 }
 
 /// The energy that (106) is about, as printed or as corrected: its change with 0.

@@ -8,6 +8,7 @@ use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::{State, Table, rotating};
 use crate::paper::turntable as printed;
+use std::f64::consts::PI;
 
 /// How a motion begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -190,6 +191,33 @@ pub fn eq107() -> Evidence {
         &[Begin::Held],
         |v| v.p,
         |v| printed::eq107_p_rate(v.rho, v.psi),
+    )
+}
+
+/// (108) on the axis, with the ψ = π of a particle that is about to arrive there.
+pub fn eq108() -> Evidence {
+    let compared = "(108) on the axis, with ψ = π, with dρ/dτ";
+    first_moment(
+        compared,
+        523,
+        &[Begin::Launched],
+        |v| v.rho,
+        |v| printed::eq108_rho_rate(v.p, PI),
+    )
+}
+
+/// (120) on the axis, with the same ψ.
+pub fn eq120() -> Evidence {
+    let compared = "(120) on the axis, with ψ = π, with dβ/dτ";
+    first_moment(
+        compared,
+        524,
+        &[Begin::Launched],
+        |v| v.outer().1,
+        |v| {
+            let (b, beta) = v.outer();
+            printed::eq120_beta_rate(b, beta, PI)
+        },
     )
 }
 
