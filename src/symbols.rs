@@ -58,6 +58,7 @@ symbols! {
     w_y in sinusoidal = "𝔴_y", r"\mathfrak w_y", r"velocity across the drive, in units of $A_0/\varpi$", "1", "s22-vy-two-stages";
     h = "h", "h", "form of a periodic drive, at most 1 in size", "1", "eq-42";
     eta = "η", r"\eta", "share of a half period that a pulse fills", "1", "eq-42";
+    resisted = "f", "f", "acceleration by friction, in units of the drive's amplitude", "1", "s23-nonzero-again";
     mu_plus = "μ₊", r"\mu_+", "coefficient of friction forwards", "1", "eq-47";
     mu_minus = "μ₋", r"\mu_-", "coefficient of friction backwards", "1", "eq-48";
     q = "q", "q", r"ratio $\mu_-/\mu_+$", "1", "eq-50";
@@ -95,6 +96,7 @@ symbols! {
     rho = "ρ", r"\rho", "distance from the axis", "1", "eq-94";
     psi = "ψ", r"\psi", "angle from the velocity to the position", "radians", "eq-94";
     xi = "ξ" ["ξ", "ξ̇"], r"\xi", "position along the velocity; with its rate", "1", "eq-94";
+    u_rate = "(du/dτ)", r"\dot u", "rate of what is called u there", "1", "s4-projection-azimuthal";
     ell = "ℓ" ["ℓ", "ℓ̇"], r"\ell", "position to the right of the velocity, angular momentum over $p$; with its rate", "1", "eq-95";
     s = "s", "s", "way on the table", "length, or 1", "eq-104";
     a in turntable = "A", "A", r"with $\alpha$, a hyperbolic parameter where $p<\rho$", "1", "eq-111";

@@ -100,7 +100,12 @@ fn the_two_numbers_of_a_case_are_those_of_pencil_and_paper() {
     let s = 0.5 * 3.0_f64.sqrt();
     let passage = (s + FRAC_1_PI) / (s - FRAC_1_PI);
     let by_hand = [
+        ("s21-along-acceleration", 1.0, -1.0),
         ("s22-vy-two-stages", 1.0, passage * passage),
+        ("s22-rest-of-period", 2.5 * PI, PI / 6.0 + TAU),
+        ("s23-nonzero-again", -0.25, 0.0),
+        ("s4-projection-azimuthal", -5.0 + 1.0, -5.0 - 1.0),
+        ("s4-projection-radial", 6.0 + 2.0, 6.0 - 2.0),
         ("s24-region-2", 1.0, 0.0),
         ("fig-5", 2.0, 4.0),
         ("eq-75", -1.0, 1.0),

@@ -424,6 +424,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             regions::diagram,
             regions::corrected_diagram,
+            regions::far,
             regions::corrected_curves,
             certified::order,
             regions::diagram_step

@@ -5,20 +5,35 @@
 
 use super::anisotropic::simulated::{self as drift, Curves};
 use super::compare::Failure;
+use super::constant::sense::sense_of_sliding;
 use super::escape::escapes::escapes;
 use super::escape::growth::{self, Quantity};
+use super::periodic::again::friction;
+use super::periodic::drives::pulses;
 use super::rest::boundary::surfaces;
 use super::sinusoidal::settled::{ORIGIN, drive, settled};
+use super::turntable::projections;
 use super::values::boundary_example;
 use crate::motion::drive::{PlanarState, Sign};
 use crate::motion::sphere::{Ball, Motion, Sphere};
 use crate::motion::{Plane, State, run};
-use crate::paper::{anisotropic, escape, rest, sphere, turntable as table};
-use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, SQRT_2, TAU};
+use crate::numerics::roots::root;
+use crate::paper::{
+    anisotropic, constant, escape, periodic, rest, sinusoidal, sphere, turntable as table,
+};
+use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 pub use trialbook::claims::by_hand::ByHand;
 
 /// All cases, in the paper's order.
-pub static CASES: [ByHand; 21] = [
+pub static CASES: [ByHand; 26] = [
+    ByHand {
+        claim: "s21-along-acceleration",
+        reason: "The sense. The table leaves the particle behind: in the table's frame it is the inertial force $-\\bm A$ that pulls",
+        case: "Let $\\bm A=-A\\hat{\\bm x}$, as in (3), $\\lambda=\\frac12$, and let the particle move along $+\\hat{\\bm x}$. The inertial force gives it the acceleration $+A$, friction $-\\frac12A$: it goes on along $+\\hat{\\bm x}$, faster and faster. The cosine of the angle between its velocity and $\\bm A$ is {stated} as printed, {found} in the motion",
+        digits: 0,
+        stated: || Ok(constant::s21_late_sense()),
+        found: || sense_of_sliding(),
+    },
     ByHand {
         claim: "s22-vy-two-stages",
         reason: "An exponential decay needs a bounded rate. Friction across the drive is $\\lambda_0v_y/v$, and at each zero of $v_x$ the divisor is $v_y$ itself: the smaller $v_y$, the more it loses there",
@@ -26,6 +41,28 @@ pub static CASES: [ByHand; 21] = [
         digits: 3,
         stated: || Ok(1.0),
         found: growth_of_logarithm,
+    },
+    ByHand {
+        claim: "s22-rest-of-period",
+        reason: "A subscript. The argument adds up friction over the period that begins at $\\phi_1$, and that ends at $\\phi_1+2\\pi$",
+        case: "Take $\\lambda_0=\\frac12$, just below $\\lambda_\\mathrm c$, so that $\\phi_1=\\frac\\pi6$, and $\\phi=\\frac\\pi2$, which lies in the slip. As printed the interval ends at $\\frac52\\pi={stated}$, when the next slip has long begun: the drive exceeds friction again from $\\frac\\pi6+2\\pi={found}$ on",
+        digits: 3,
+        stated: || Ok(sinusoidal::s22_rest_of_period_end(FRAC_PI_2)),
+        found: || Ok(root(|phi| libm::sin(phi) - 0.5, 1.5 * PI, 2.5 * PI)?),
+    },
+    ByHand {
+        claim: "s23-nonzero-again",
+        reason: "A word: the acceleration of the table becomes nonzero again, not friction. While the particle slides friction is never zero",
+        case: "Take $\\eta=\\frac12$ and $\\lambda_0=\\frac14$. In the gap between the pulses, at $\\phi=\\frac34\\pi$, the particle still slides forward, so that friction gives it the acceleration $-\\frac14$. What is to become nonzero again at $\\pi$ has to be zero here: it is {stated} as printed, and {found} for the drive",
+        digits: 2,
+        stated: || {
+            Ok(periodic::s23_nonzero_again(friction([
+                0.5,
+                0.25,
+                0.75 * PI,
+            ])?))
+        },
+        found: || Ok(pulses(0.5)?.h(0.75 * PI)),
     },
     ByHand {
         claim: "s24-region-2",
@@ -88,6 +125,22 @@ pub static CASES: [ByHand; 21] = [
             let slip = thrown(2.0, 1.0)?.slip(end_of_slip()?)?;
             Ok(libm::hypot(slip[0], slip[1]))
         },
+    },
+    ByHand {
+        claim: "s4-projection-azimuthal",
+        reason: "A letter: section 4 has no $u$. The rate that is needed is that of $p$, (99)",
+        case: "Take $p=1$, $\\ell=1$, $\\xi=2$. By (91) $p\\ell$ changes at the rate $-2p\\xi-\\ell=-5$, and by (99) $\\dot p=1$, so that $\\dot\\ell=(-5-1)/1$, as (100) has it. The $u$ of section 3, on a plane at rest and with $b=1$, has $\\dot u=-1$, which would give $\\dot\\ell={stated}$. In the motion $\\dot\\ell={found}$",
+        digits: 3,
+        stated: || Ok(table::s4_azimuthal_rate(1.0, 1.0, 2.0, -1.0)),
+        found: || projections::in_the_motion(|v| v.ell),
+    },
+    ByHand {
+        claim: "s4-projection-radial",
+        reason: "The same letter: the rate of $p$ is meant",
+        case: "Take the same state, $p=1$, $\\ell=1$, $\\xi=2$. By (92) $p\\xi$ changes at the rate $(p+\\ell)^2+\\xi^2-\\xi=6$. With $\\dot p=1$ that is $\\dot\\xi=(6-2)/1$, as (101) has it; with $\\dot u=-1$ it would be $\\dot\\xi={stated}$. In the motion $\\dot\\xi={found}$",
+        digits: 3,
+        stated: || Ok(table::s4_radial_rate(1.0, 1.0, 2.0, -1.0)),
+        found: || projections::in_the_motion(|v| v.xi),
     },
     ByHand {
         claim: "eq-106",

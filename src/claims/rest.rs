@@ -3,6 +3,7 @@
 pub mod approach;
 pub mod boundary;
 pub mod certified;
+mod dichotomy;
 pub mod exact;
 pub mod excepted;
 pub mod radius;
@@ -293,6 +294,25 @@ const CLAIMS: &[Claim] = &[
             approach::near_rest_straight,
             approach::corrected_near_rest,
             excepted::straight_in
+        ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s4-dichotomy",
+        section: "4",
+        title: "rest or escape",
+        latex: r"Every start leads either to rest or to an unbounded motion.",
+        plain: "Every start leads either to rest or to an unbounded motion.",
+        depends_on: &["eq-127", "eq-139", "s4-A-never-decreases"],
+        conditions: &[Condition {
+            text: r"the start is not on the boundary $\mathbb S$ itself: from there the particle creeps towards $\rho=1$ for ever",
+            sort: Sort::Degenerate,
+        }],
+        trials: trials![
+            dichotomy::fates,
+            dichotomy::followed,
+            dichotomy::on_the_boundary,
+            dichotomy::beside_the_boundary
         ],
         ..Claim::BLANK
     },

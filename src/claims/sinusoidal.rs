@@ -9,6 +9,7 @@ pub mod excepted;
 mod kinds;
 mod periodic;
 mod phases;
+mod rest_of_period;
 pub(super) mod settled;
 mod slip;
 mod threshold;
@@ -573,6 +574,30 @@ const CLAIMS: &[Claim] = &[
             periodic::rest_interval_reached,
             periodic::eq33_unique
         ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s22-rest-of-period",
+        section: "2.2",
+        title: "where the period of the argument ends",
+        latex: r"The slip on $[\phi_1,\tilde\phi_2]$ is followed by an interval that ends, with the period, at $\phi+2\pi$.",
+        plain: "The slip on [φ₁, φ̃₂] is followed by an interval that ends, with the period, at φ + 2π.",
+        depends_on: &["eq-27", "eq-31"],
+        conditions: &[Condition {
+            text: r"$\lambda_0<\lambda_\mathrm{c}$",
+            sort: Sort::Stated,
+        }],
+        trials: trials![
+            rest_of_period::printed_root,
+            rest_of_period::printed_quadrature,
+            rest_of_period::corrected_root,
+            rest_of_period::corrected_quadrature
+        ],
+        correction: Some(Correction {
+            change: Change::Symbol,
+            latex: r"The slip on $[\phi_1,\tilde\phi_2]$ is followed by an interval that ends, with the period, at $\phi_1+2\pi$.",
+            plain: "The slip on [φ₁, φ̃₂] is followed by an interval that ends, with the period, at φ₁ + 2π.",
+        }),
         ..Claim::BLANK
     },
     Claim {

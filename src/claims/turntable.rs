@@ -10,6 +10,7 @@ pub mod exact;
 pub mod excepted;
 pub mod fixed;
 mod frames;
+pub mod projections;
 mod rates;
 mod standstill;
 pub mod stretches;
@@ -720,6 +721,58 @@ const CLAIMS: &[Claim] = &[
         plain: "A solution for Ω, mirrored, is a solution for −Ω; so Ω > 0 loses nothing.",
         depends_on: &["eq-86"],
         trials: trials![&exact::S4_MIRROR, frames::mirror],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s4-projection-azimuthal",
+        section: "4",
+        title: "where the rate of ℓ comes from",
+        latex: r"(100) is the law of the angular momentum, combined with the rate of $u$.",
+        plain: "(100) is the law of the angular momentum, combined with the rate of u.",
+        depends_on: &["eq-91", "eq-96", "eq-99", "eq-100"],
+        trials: trials![
+            projections::azimuthal,
+            projections::azimuthal_corrected,
+            &exact::AZIMUTHAL
+        ],
+        correction: Some(Correction {
+            change: Change::Symbol,
+            latex: r"(100) is the law of the angular momentum, combined with the rate of $p$.",
+            plain: "(100) is the law of the angular momentum, combined with the rate of p.",
+        }),
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s4-projection-radial",
+        section: "4",
+        title: "where the rate of ξ comes from",
+        latex: r"(101) is Newton's law along the radius, combined with the rate of $u$.",
+        plain: "(101) is Newton's law along the radius, combined with the rate of u.",
+        depends_on: &["eq-92", "eq-97", "eq-99", "eq-101"],
+        trials: trials![
+            projections::radial,
+            projections::radial_corrected,
+            &exact::RADIAL
+        ],
+        correction: Some(Correction {
+            change: Change::Symbol,
+            latex: r"(101) is Newton's law along the radius, combined with the rate of $p$.",
+            plain: "(101) is Newton's law along the radius, combined with the rate of p.",
+        }),
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s4-constant-of-motion",
+        section: "4",
+        title: "a constant of the motion",
+        latex: r"The equations (99) to (101) for $p$, $\ell$ and $\xi$ have a constant of motion, (104).",
+        plain: "The equations (99) to (101) for p, ℓ and ξ have a constant of motion, (104).",
+        depends_on: &["eq-99", "eq-100", "eq-101", "eq-104", "eq-105"],
+        conditions: &[Condition {
+            text: r"the length $s$ of the path is counted among the variables, with (105): what $p$, $\ell$ and $\xi$ give alone, $\frac12(p^2-\rho^2)$, falls at the rate $p$",
+            sort: Sort::Substance,
+        }],
+        trials: trials![&exact::EQ104, energy::eq104_within, energy::eq104_without_s],
         ..Claim::BLANK
     },
     Claim {

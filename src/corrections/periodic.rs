@@ -56,6 +56,12 @@ pub fn small_friction_ends<S: Scalar>(eta: S) -> [S; 2] {
     [eta * S::pi(), S::pi()]
 }
 
+/// What becomes nonzero again when the next pulse begins: the drive.
+claim "s23-nonzero-again";
+pub fn nonzero_again<S: Scalar>(h: S) -> S {
+    h
+}
+
 }
 
 /// Which case holds at φ, counted from 0; between two cases, the later one.

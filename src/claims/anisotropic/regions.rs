@@ -4,7 +4,7 @@ use super::census;
 use super::rows::{Row, rows};
 use super::simulated::{
     Regions, corrected_list, curves_as_corrected, curves_as_printed, listed_digits, own_y,
-    printed_list,
+    printed_list, simulated,
 };
 use crate::claims::compare::{Pair, Trial};
 use crate::claims::points::Points;
@@ -314,15 +314,17 @@ pub fn diagram() -> Evidence {
 /// The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
 /// Where B has ended, it enters two at C.
 pub fn diagram_step() -> Evidence {
-    let compared = "the region by the printed list with one more than the number of curves below λ₀, where B has ended counting C twice";
+    let compared = "the region by the printed list, less the number of curves below λ₀, where B has ended counting C twice, with 1";
     let trial = by_census(Subject::Step, compared);
     let points = Points::stream(704).within(400, [[1.0, LARGEST_Q], [0.0, 1.4]]);
     trial.at(["q", "λ₀"], points, 1.0, |[q, lambda0]| {
-        let curves = curves_as_printed(q)?;
-        let region = printed::region(lambda0, &curves).map_or(f64::NAN, |region| region as f64);
-        let crossed = [curves.a, curves.b.unwrap_or(curves.c), curves.c, curves.d];
-        let below = crossed.iter().filter(|curve| **curve < lambda0).count();
-        Ok([region, 1.0 + below as f64])
+        let beyond_the_crossed = |curves: printed::Curves| {
+            let crossed = [curves.a, curves.b.unwrap_or(curves.c), curves.c, curves.d];
+            let below = crossed.iter().filter(|curve| **curve < lambda0).count();
+            Some(printed::region(lambda0, &curves)? as f64 - below as f64)
+        };
+        let curves = curves_as_printed(q).ok();
+        Ok([curves.and_then(beyond_the_crossed).unwrap_or(f64::NAN), 1.0])
     })
 }
 
@@ -332,6 +334,18 @@ pub fn corrected_diagram() -> Evidence {
     let trial = by_census(Subject::Corrected, compared);
     let says = |q| all_words(corrected_list(q));
     census(&trial, |_, _, _| true, says)
+}
+
+/// The corrected diagram farther out.
+pub fn far() -> Evidence {
+    let compared = "the signs of 𝔴 in a period by the corrected diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, at random for q from 12 to 30, λ₀ up to 2/q";
+    let trial = by_census(Subject::Corrected, compared);
+    let points = Points::stream(718).within(1000, [[12.0, 30.0], [1e-6, 1.0]]);
+    trial.at(["q", "qλ₀/2"], points, 1.0, |[q, share]| {
+        let lambda0 = 2.0 * share / q;
+        let stated = all_words(corrected_list(q))(lambda0);
+        Ok([stated.unwrap_or(f64::NAN), simulated(q, lambda0)?])
+    })
 }
 
 /// The corrected diagram's curves with the changes of the motion, none left out.

@@ -8,7 +8,7 @@ use crate::claims::tolerances::{FOREIGN, MOTION};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
 use crate::numerics::double::Double;
-use crate::paper::constant as printed;
+use crate::paper::{constant as printed, general};
 use nalgebra::{Rotation3, Unit, Vector3};
 
 /// A plane tilted by β about a horizontal axis, and a particle on it.
@@ -125,6 +125,58 @@ fn slides(compared: &'static str, pair: fn([Double; 5], &Turn) -> (Double, f64, 
         };
         let (stated, found, scale) = pair(at, &turn);
         Ok(Pair::wide(incline.at(), stated, found).within(scale))
+    })
+}
+
+/// (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
+pub fn law() -> Evidence {
+    let compared = "(1), with g sin β against the slope for 𝐀 and g cos β for g, its components down and twice across, with those of weight, normal force and friction";
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(716);
+    trial.over(0..200, |_| {
+        let incline = Incline::any(&mut points);
+        let (v, theta) = (incline.v0, incline.theta0);
+        let [down, across] = general::eq1_velocity_rate(
+            [-incline.a(), 0.0],
+            incline.mu,
+            incline.g * libm::cos(incline.beta),
+            [v * libm::cos(theta), v * libm::sin(theta)],
+        );
+        let force = incline.acceleration(&incline.velocity(v, theta));
+        Ok(Pair {
+            at: incline.at(),
+            stated: down + 2.0 * across,
+            found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
+            scale: incline.a() * (1.0 + incline.lambda()),
+        })
+    })
+}
+
+/// The motion by (1) with the motion on the incline.
+pub fn same_motion() -> Evidence {
+    let compared = "v down and twice across, by (1) integrated in the plane, with the motion on an incline in three dimensions";
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
+    let mut points = Points::stream(717);
+    trial.over(0..60, |_| {
+        let incline = Incline::any(&mut points);
+        let (v, theta) = (incline.v0, incline.theta0);
+        let duration = 0.4 * v / (incline.a() * (1.0 + incline.lambda()));
+        let normal = incline.g * libm::cos(incline.beta);
+        let law = |_: f64, v: &[f64; 2]| {
+            general::eq1_velocity_rate([-incline.a(), 0.0], incline.mu, normal, *v)
+        };
+        let flat = [v * libm::cos(theta), v * libm::sin(theta)];
+        let [down, across] = dop853::end(law, 0.0, flat, duration, 1e-13, 1e-15)?;
+        let rate = |_: f64, v: &[f64; 3]| incline.acceleration(&Vector3::from(*v)).into();
+        let start = incline.velocity(v, theta);
+        let end = dop853::end(rate, 0.0, start.into(), duration, 1e-14, 1e-16)?;
+        let end = Vector3::from(end);
+        Ok(Pair {
+            at: incline.at(),
+            stated: down + 2.0 * across,
+            found: end.dot(&incline.down) + 2.0 * end.dot(&incline.across),
+            scale: v,
+        })
     })
 }
 

@@ -202,14 +202,14 @@ pub fn small_alpha_angle() -> Evidence {
 
 /// ψ over ψ₁, which both vanish.
 pub fn small_alpha_ratio() -> Evidence {
-    let compared = "1 with ψ/ψ₁ of the motion, that ratio having relaxed, α below a millionth";
+    let compared =
+        "ψ₁ with ψ of the motion, relative, their ratio having relaxed, α below a millionth";
     ratio(Subject::Outside, compared, |_| 1.0)
 }
 
 /// What that ratio is.
 pub fn corrected_small_alpha_ratio() -> Evidence {
-    let compared =
-        "A/(2A − 1) with ψ/ψ₁ of the motion, that ratio having relaxed, α below a millionth";
+    let compared = "ψ₁ A/(2A − 1) with ψ of the motion, relative, their ratio having relaxed, α below a millionth";
     ratio(Subject::Corrected, compared, corrected::relaxed_ratio)
 }
 
@@ -217,25 +217,29 @@ fn ratio(subject: Subject, compared: &'static str, stated: fn(f64) -> f64) -> Ev
     let trial = Trial::by(Route::Limit, subject, compared, RELAXED);
     trial.over(relaxed_ratios(), |relaxed| {
         let relaxed = relaxed?;
+        let (found, psi1) = (
+            relaxed.state.psi(),
+            turntable::eq124_psi1(alpha(&relaxed.state)),
+        );
         Ok(Pair {
             at: relaxed.launch.at(),
-            stated: stated(a(&relaxed.state)),
-            found: relaxed.state.psi() / turntable::eq124_psi1(alpha(&relaxed.state)),
-            scale: 1.0,
+            stated: stated(a(&relaxed.state)) * psi1,
+            found,
+            scale: found,
         })
     })
 }
 
 /// That ratio by the equations of motion: with it, ψ and α fall or grow alike.
 pub fn corrected_small_alpha_rate() -> Evidence {
-    let compared = "the relative rate of α by (126) with that of ψ by (115), where ψ = ψ₁ A/(2A − 1), over that of α, α from 1e-8 to 1e-4";
+    let compared = "the relative rate of ψ by (115), where ψ = ψ₁ A/(2A − 1), over that of α by (126), α from 1e-8 to 1e-4, with 1";
     let trial = Trial::by(Route::Consistency, Subject::Corrected, compared, RELAXED);
     let points = Points::stream(706).within(40, [[1.2, 5.0], [-8.0, -4.0]]);
     trial.at(["A", "lg α"], points, 1.0, |[size, power]| {
         let small = libm::exp10(power);
         let psi = corrected::relaxed_ratio(size) * turntable::eq124_psi1(small);
         let turn = turntable::eq115_psi_rate(small, psi) / psi;
-        Ok([1.0, turn * small / printed::eq126_alpha_rate(size)])
+        Ok([turn * small / printed::eq126_alpha_rate(size), 1.0])
     })
 }
 

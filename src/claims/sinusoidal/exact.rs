@@ -121,9 +121,14 @@ pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
     },
 );
 
-/// sin of a printed phase is ±λ₀.
-fn prove_phase(phase: Expr, sign: i64) -> Proof {
+/// sin of a printed phase is ±λ₀, and its cosine, by which the drive grows or falls there, is that of asin λ₀ or its negative:
+/// two phases in a period have the same sine.
+fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
     prove("The drive at the printed phase", ring_of_phi1(), |p| {
+        let slope = p.read("The slope of the drive there", phase.cos())?;
+        let first = Expr::symbol("λ₀").asin().cos();
+        let expected = p.read("That at asin λ₀, with its sign", Expr::int(growth) * first)?;
+        p.equal("The two", &slope, &expected)?;
         let sine = p.read("The drive at the printed phase", phase.sin())?;
         let signed = Expr::int(sign) * Expr::symbol("λ₀");
         let expected = p.read("Friction, with its sign", signed)?;
@@ -134,33 +139,33 @@ fn prove_phase(phase: Expr, sign: i64) -> Proof {
 /// (27): sin φ₁ = λ₀.
 pub const EQ27: Statement = Statement::new(
     Subject::Printed,
-    "sin of (27) with λ₀",
+    "sin of (27) with λ₀, and its cosine with that of asin λ₀, with its sign",
     || paper::eq27_phi1(Expr::symbol("λ₀")),
-    |phase| prove_phase(phase, 1),
+    |phase| prove_phase(phase, 1, 1),
 );
 
 /// (28): sin φ₂ = λ₀.
 pub const EQ28: Statement = Statement::new(
     Subject::Printed,
-    "sin of (28) with λ₀",
+    "sin of (28) with λ₀, and its cosine with that of asin λ₀, with its sign",
     || paper::eq28_phi2(Expr::symbol("λ₀")),
-    |phase| prove_phase(phase, 1),
+    |phase| prove_phase(phase, 1, -1),
 );
 
 /// (29): sin φ₃ = −λ₀.
 pub const EQ29: Statement = Statement::new(
     Subject::Printed,
-    "sin of (29) with −λ₀",
+    "sin of (29) with −λ₀, and its cosine with that of asin λ₀, with its sign",
     || paper::eq29_phi3(Expr::symbol("λ₀")),
-    |phase| prove_phase(phase, -1),
+    |phase| prove_phase(phase, -1, -1),
 );
 
 /// (30): sin φ₄ = −λ₀.
 pub const EQ30: Statement = Statement::new(
     Subject::Printed,
-    "sin of (30) with −λ₀",
+    "sin of (30) with −λ₀, and its cosine with that of asin λ₀, with its sign",
     || paper::eq30_phi4(Expr::symbol("λ₀")),
-    |phase| prove_phase(phase, -1),
+    |phase| prove_phase(phase, -1, 1),
 );
 
 /// A slip: its slope is sin φ ∓ λ₀, and it is zero at `start`.

@@ -1,6 +1,6 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::stretches::{ANY, Launch, launches, stretches, sum};
+use super::stretches::{ANY, Launch, Stretch, launches, stretches, sum};
 use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::FRAMES;
@@ -27,6 +27,43 @@ pub fn eq104() -> Evidence {
             stated: value(stretch.to)? - value(stretch.from)?,
             found: 0.0,
             scale: 1.0,
+        })
+    })
+}
+
+/// (104) with the length of the path, in the words that call it a constant of motion.
+pub fn eq104_within() -> Evidence {
+    let compared = "the change of (104), with s, over a stretch of motion with 0";
+    balance(Subject::Within, compared, |stretch, tau| {
+        let part = stretch.part(tau)?;
+        Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
+    })
+}
+
+/// Without it.
+pub fn eq104_without_s() -> Evidence {
+    let compared =
+        "the change of (104) with no s, which p, ℓ and ξ give, over a stretch of motion, with 0";
+    balance(Subject::Outside, compared, |stretch, tau| {
+        let part = stretch.part(tau)?;
+        Ok(printed::eq104_constant(part.p(), part.rho(), 0.0))
+    })
+}
+
+fn balance(
+    subject: Subject,
+    compared: &'static str,
+    value: impl Fn(&Stretch, f64) -> Result<f64, Failure>,
+) -> Evidence {
+    let trial = Trial::motion(subject, compared);
+    trial.over(stretches(ANY), |stretch| {
+        let stretch = stretch?;
+        let size = 0.5 * stretch.part(stretch.to)?.rho().powi(2);
+        Ok(Pair {
+            at: stretch.at(),
+            stated: value(stretch, stretch.to)? - value(stretch, stretch.from)?,
+            found: 0.0,
+            scale: size.max(1.0),
         })
     })
 }
@@ -59,13 +96,15 @@ pub fn way(launch: &Launch) -> Result<f64, Failure> {
 
 /// The work of friction by (106): what the terms without s gain, if (106) keeps its value.
 pub fn work_step() -> Evidence {
-    let compared =
-        "−mgs, the work of friction, with what kinetic and centrifugal energy gain by (106)";
+    let compared = "−mgs, the work of friction, over what kinetic and centrifugal energy gain by (106), with 1";
     let trial = Trial::by(Route::Consistency, Subject::Step, compared, FRAMES);
     let points = Points::stream(705).within(40, [[0.2, 3.0]; 3]);
     trial.at(["m", "g", "s"], points, 1.0, |[m, g, s]| {
         let at_rest = |s| printed::eq106_constant(m, g, 1.0, [0.0; 2], [0.0; 2], s);
-        Ok([printed::friction_work(m, g, s), at_rest(0.0) - at_rest(s)])
+        Ok([
+            printed::friction_work(m, g, s) / (at_rest(0.0) - at_rest(s)),
+            1.0,
+        ])
     })
 }
 

@@ -106,6 +106,18 @@ pub const EQ101: Law = Law::new(
     components::eq101,
     components::prove_eq101,
 );
+pub const AZIMUTHAL: Law = Law::new(
+    Subject::Corrected,
+    RATE,
+    components::azimuthal,
+    components::prove_azimuthal,
+);
+pub const RADIAL: Law = Law::new(
+    Subject::Corrected,
+    RATE,
+    components::radial,
+    components::prove_radial,
+);
 pub const EQ102: Law = Law::new(
     Subject::Printed,
     "each printed expression with ρ dρ/dτ by (89)",

@@ -37,7 +37,7 @@ fn state(begin: Begin, points: &mut Points) -> State {
 const H: f64 = 1e-3;
 
 /// The rate of a quantity at the beginning, by its first five values.
-fn first_rate(
+pub fn first_rate(
     table: &Table,
     start: &State,
     quantity: impl Fn(&State) -> f64,

@@ -100,12 +100,18 @@ impl Ledger {
         below.filter(|id| self.is_wrong(id)).collect()
     }
 
-    /// How many wrong claims have an error of their own, and how many have it from others.
+    /// How many claims are false as printed, misprints among them.
+    pub fn wrong(&self) -> usize {
+        let wrong = |e: &&Entry| e.judgement.verdict.is_wrong();
+        self.entries.iter().filter(wrong).count()
+    }
+
+    /// How many wrong claims have an error of their own, and how many have it from others; misprints are not among them.
     pub fn roots_and_heirs(&self) -> [usize; 2] {
         let wrong = self
             .entries
             .iter()
-            .filter(|e| e.judgement.verdict.is_wrong());
+            .filter(|e| e.judgement.verdict.is_wrong() && e.judgement.verdict != Verdict::Misprint);
         let (roots, heirs): (Vec<_>, Vec<_>) = wrong.partition(|e| self.inherits(e).is_empty());
         [roots.len(), heirs.len()]
     }

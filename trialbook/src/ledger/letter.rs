@@ -20,7 +20,7 @@ pub enum Format {
 
 impl Ledger {
     /// The errata as a short comment on the paper, as one sends it to a journal, or as JSON: an item for each error that
-    /// rests on no other, with what inherits it, and a paragraph of conditions.
+    /// rests on no other, with what inherits it, a list of misprints and a paragraph of conditions.
     ///
     /// # Errors
     /// As [`Ledger::errata`].
@@ -47,17 +47,20 @@ impl Ledger {
 
     fn comment(&self, errata: &[Erratum], style: &dyn Style) -> String {
         let wrong = of(errata, &WRONG);
+        let (misprints, wrong): (Vec<_>, Vec<_>) =
+            wrong.iter().partition(|e| e.verdict == Verdict::Misprint);
         let (roots, heirs): (Vec<_>, Vec<_>) = wrong.iter().partition(|e| e.inherits.is_empty());
         let mut text = style.opening(self.paper, "Comment on");
         text += &style.sender();
         text += &style.paragraph(&format!(
             "All {} numbered equations and statements of the paper were tried {}. Independent errors: {}. Further statements \
-             that suffer from them: {}. Statements that need a condition: {}. The rest is right as printed.",
+             that suffer from them: {}. Misprints: {}. Statements that need a condition: {}. The rest is right as printed.",
             self.entries.len(),
             self.paper.tried,
             roots.len(),
             heirs.len(),
-            errata.len() - wrong.len()
+            misprints.len(),
+            of(errata, &[Verdict::Conditional]).len()
         ));
         text += &style.heading("Corrections");
         for (i, root) in roots.iter().enumerate() {
@@ -84,7 +87,15 @@ impl Ledger {
             }
             text.push('\n');
         }
-        if errata.len() > wrong.len() {
+        if !misprints.is_empty() {
+            text += &style.heading("Misprints");
+            for misprint in misprints {
+                let (old, new) = (&misprint.old, &misprint.new);
+                text += &style.entry(&self.name(misprint.id), &format!("{old} should be {new}"));
+            }
+            text.push('\n');
+        }
+        if errata.iter().any(|e| e.verdict == Verdict::Conditional) {
             text += &style.heading("Conditions");
             text += &style.paragraph(&self.conditions(errata));
         }
