@@ -19,6 +19,7 @@ pub const MEASURED: &[Measured] = &[
         claims: &[
             "s21-along-acceleration",
             "s21-incline",
+            "s22-rest-of-period",
             "s23-nonzero-again",
             "s23-pulses-normalised",
         ],

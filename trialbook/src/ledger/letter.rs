@@ -47,9 +47,11 @@ impl Ledger {
 
     fn comment(&self, errata: &[Erratum], style: &dyn Style) -> String {
         let wrong = of(errata, &WRONG);
-        let (misprints, wrong): (Vec<_>, Vec<_>) =
-            wrong.iter().partition(|e| e.verdict == Verdict::Misprint);
-        let (roots, heirs): (Vec<_>, Vec<_>) = wrong.iter().partition(|e| e.inherits.is_empty());
+        let (misprints, wrong): (Vec<&Erratum>, Vec<&Erratum>) = wrong
+            .into_iter()
+            .partition(|e| e.verdict == Verdict::Misprint);
+        let (roots, heirs): (Vec<&Erratum>, Vec<&Erratum>) =
+            wrong.into_iter().partition(|e| e.inherits.is_empty());
         let mut text = style.opening(self.paper, "Comment on");
         text += &style.sender();
         text += &style.paragraph(&format!(
@@ -66,7 +68,7 @@ impl Ledger {
         for (i, root) in roots.iter().enumerate() {
             let heirs: Vec<_> = heirs
                 .iter()
-                .filter(|e: &&&Erratum| root.fallen.contains(&e.id))
+                .filter(|e| root.fallen.contains(&e.id))
                 .collect();
             text += &style.numbered(i + 1, &self.name(root.id), root);
             text += &style.entry("Printed", &root.old);
