@@ -32,6 +32,27 @@ pub const TRIED: &[Said] = &[
                 })
         },
     ),
+    (
+        "anisotropic-drift",
+        "the fastest band lies in the corner of large q and small λ₀",
+        |data| {
+            let rows = data.rows();
+            let corner =
+                |row: &[f64]| row[1] == rows[0][1] && rows.iter().all(|other| other[0] <= row[0]);
+            rows.iter()
+                .max_by(|a, b| a[2].total_cmp(&b[2]))
+                .is_some_and(|row| corner(row))
+        },
+    ),
+    (
+        "anisotropic-drift",
+        "surround a place at q = 1, λ₀ = 0.45",
+        |data| {
+            let rows = data.rows();
+            let most = rows.iter().max_by(|a, b| a[3].total_cmp(&b[3])).unwrap();
+            most[0] == rows[0][0] && (most[1] - 0.45).abs() < 0.015
+        },
+    ),
     ("sinusoidal-rest", "It grows from zero", |data| {
         let share = column(&data.rows(), 1);
         let moving: Vec<f64> = share
