@@ -62,7 +62,7 @@ symbols! {
     mu_plus = "μ₊", r"\mu_+", "coefficient of friction forwards", "1", "eq-47";
     mu_minus = "μ₋", r"\mu_-", "coefficient of friction backwards", "1", "eq-48";
     q = "q", "q", r"ratio $\mu_-/\mu_+$", "1", "eq-50";
-    k = "K", "K", "half the length of the forward slip on curve A", "radians", "eq-53";
+    k = "K", "K", "half the length of a slip; on curve A of the forward one", "radians", "eq-53";
     q_lambda0 = "(qλ₀)", r"q\lambda_0", "friction backwards", "1", "eq-54";
     q_y = "q_Y", r"q_\mathrm{Y}", "$q$ at the point Y", "1", "s24-Y";
     x in anisotropic = "x", "x", "length of the forward slip at the point Y", "radians", "s24-Y";

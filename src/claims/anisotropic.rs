@@ -5,6 +5,7 @@ pub mod certified;
 mod corners;
 mod curves;
 pub mod drawn;
+pub mod drift;
 pub mod exact;
 mod frictions;
 mod mirror;

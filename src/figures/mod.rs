@@ -8,6 +8,7 @@ mod all;
 pub mod anisotropic;
 pub mod constant;
 pub mod digits;
+pub mod drift;
 pub mod escape;
 pub mod periodic;
 pub mod rest;

@@ -76,7 +76,10 @@ const UNTRIED: &[(&str, &str)] = &[
     ("escape-compensated", "grows falls right"),
     ("escape-paths", "down inside outside backwards outwards"),
     ("escape-fan", "down inner dotted outer backwards"),
+    ("escape-residual", "dashed grows"),
     ("rest-radius", "down dashed"),
+    ("rest-hodograph", "down"),
+    ("rest-basin", "outwards dotted"),
     (
         "rest-census",
         "small right upwards below falls steeply solid dashed",

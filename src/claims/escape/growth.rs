@@ -132,6 +132,10 @@ pub fn printed_speed() -> f64 {
 pub fn corrected_speed() -> f64 {
     corrected::rho(LATE) / (LATE * LATE)
 }
+/// The coefficient of (ln τ)/τ in p/τ², over the limit.
+pub fn corrected_speed_log() -> f64 {
+    -2.0 * corrected::delay::<f64>()
+}
 /// The limit of A/τ^(3/2) as printed.
 pub fn printed_size() -> f64 {
     printed::eq132_a(1.0)
