@@ -137,7 +137,7 @@ fn sentences(ledger: &Ledger) -> Result<(), Failed> {
 /// True if the number of points that fail and the pairs that are shown say what the outcome says.
 fn shows(e: &Evidence) -> bool {
     let apart = |s: &Sample| s.stated != s.found;
-    let shown = || e.samples.len() == e.failed.min(3) && e.samples.iter().all(apart);
+    let shown = || (1..=e.failed).contains(&e.samples.len()) && e.samples.iter().all(apart);
     match e.outcome() {
         _ if e.farthest.is_none() => e.failed == 0,
         Outcome::Disagrees => (1..=e.points).contains(&e.failed) && shown(),

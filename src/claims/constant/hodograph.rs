@@ -33,7 +33,7 @@ fn rates(compared: Compared, reading: Reading) -> Evidence {
 /// (6) with the motion.
 pub fn eq6_motion() -> Evidence {
     rates(
-        Compared::one("(6)", r"$\mathrm d v_x/\mathrm d t$ of the motion"),
+        Compared::one("(6)", r"$\mathrm dv_x/\mathrm dt$ of the motion"),
         |turn| {
             let rate = printed::eq6_vx_rate(turn.lambda, turn.a, turn.theta);
             [rate, turn.rate[0], 1.0]
@@ -44,7 +44,7 @@ pub fn eq6_motion() -> Evidence {
 /// (7) with the motion.
 pub fn eq7_motion() -> Evidence {
     rates(
-        Compared::one("(7)", r"$\mathrm d v_y/\mathrm d t$ of the motion"),
+        Compared::one("(7)", r"$\mathrm dv_y/\mathrm dt$ of the motion"),
         |turn| {
             let rate = printed::eq7_vy_rate(turn.lambda, turn.a, turn.theta);
             [rate, turn.rate[1], 1.0]
@@ -56,7 +56,7 @@ pub fn eq7_motion() -> Evidence {
 pub fn eq8_motion() -> Evidence {
     let compared = Compared::one(
         "the angle whose tangent is (8)",
-        r"that of $(\mathrm d v_x,\mathrm d v_y)$ of the motion, up to half turns",
+        r"that of $(\mathrm dv_x,\mathrm dv_y)$ of the motion, up to half turns",
     );
     rates(compared, |turn| {
         let slope = printed::eq8_hodograph_slope(turn.lambda, turn.theta);
@@ -171,7 +171,7 @@ pub fn eq11_motion() -> Evidence {
 pub fn eq11_quadrature() -> Evidence {
     let compared = Compared::one(
         "(11)",
-        r"$v_0\exp\int\mathrm d v/v$, with $\mathrm d v/v$ from the two components of Newton's law",
+        r"$v_0\exp\int\mathrm dv/v$, with $\mathrm dv/v$ from the two components of Newton's law",
     );
     Trial::quadrature(Subject::Within, compared).over(turns_where(Turn::is_gentle), |turn| {
         let turn = turn?;

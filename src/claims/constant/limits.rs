@@ -70,7 +70,7 @@ pub fn parabola_motion() -> Evidence {
 /// The same path by quadrature of its slope dx/dy = v_x/v_y.
 pub fn parabola_quadrature() -> Evidence {
     let compared = Compared::one(
-        r"$\int v_x\,\mathrm d y/v_y$, with (15) and (16), over the path",
+        r"$\int v_x\,\mathrm dy/v_y$, with (15) and (16), over the path",
         "its $x$",
     );
     let trial = Trial::quadrature(Subject::Printed, compared);
@@ -129,7 +129,7 @@ pub fn eq18_limit() -> Evidence {
 
 /// (18) with v₀ exp ∫ dv/v from θ₀ to 0, where dv/v = tan(θ/2) dθ at λ = 1.
 pub fn eq18_quadrature() -> Evidence {
-    let compared = Compared::one("(18)", r"$v_0\exp\int\mathrm d v/v$ over the whole turn");
+    let compared = Compared::one("(18)", r"$v_0\exp\int\mathrm dv/v$ over the whole turn");
     let trial = Trial::quadrature(Subject::Printed, compared);
     // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
     let gentle = settled().filter(|s| s.as_ref().map_or(true, |(start, _)| start.is_gentle()));
@@ -181,7 +181,7 @@ pub fn eq20_motion() -> Evidence {
 pub fn eq20_quadrature() -> Evidence {
     let compared = Compared::one(
         "(20)",
-        r"$\int\mathrm d t$ over the angle, along and across the velocity",
+        r"$\int\mathrm dt$ over the angle, along and across the velocity",
     );
     let trial = Trial::quadrature(Subject::Printed, compared);
     trial.over(stops_over_the_angle(), |stop| {

@@ -62,7 +62,7 @@ pub fn eq12_outside() -> Evidence {
         Subject::Outside,
         Compared::one(
             r"(12) per $\mathrm d\theta$",
-            r"$A\,\mathrm d t/\mathrm d\theta=-v/\sin\theta$ of the motion",
+            r"$A\,\mathrm dt/\mathrm d\theta=-v/\sin\theta$ of the motion",
         ),
     );
     let wanted =
@@ -100,7 +100,7 @@ pub fn eq13_quadrature() -> Evidence {
         Subject::Within,
         Compared::one(
             "(13)",
-            r"$\int\mathrm d t$ over the angle, along and across the velocity",
+            r"$\int\mathrm dt$ over the angle, along and across the velocity",
         ),
     );
     trial.over(

@@ -204,7 +204,7 @@ pub const EQ138: Statement = Statement::new(
     Subject::Printed,
     Compared::one(
         r"$\mathrm d(A^2/2)/\mathrm d\tau$",
-        r"$\mathrm d s/\mathrm d\tau$, for any $A$ and $\alpha$",
+        r"$\mathrm ds/\mathrm d\tau$, for any $A$ and $\alpha$",
     ),
     || printed::eq138_s(Expr::symbol("A")),
     eq138,

@@ -280,7 +280,7 @@ pub fn corrected130_limit() -> Evidence {
 pub fn eq131_limit() -> Evidence {
     let compared = Compared::one(
         "(131) over $A^{1/3}$",
-        r"$(\mathrm d A/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
+        r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
     );
     against(Subject::Printed, compared, a_rate, |_| {
         Ok(printed::eq131_a_rate(LATE) / libm::cbrt(LATE))
@@ -290,7 +290,7 @@ pub fn eq131_limit() -> Evidence {
 pub fn corrected131_limit() -> Evidence {
     let compared = Compared::one(
         r"$\frac12(3\sqrt2)^{1/3}$",
-        r"$(\mathrm d A/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
+        r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
     );
     against(Subject::Corrected, compared, a_rate, |_| {
         Ok(corrected::a_rate(LATE) / libm::cbrt(LATE))

@@ -49,7 +49,7 @@ pub fn eq129() -> Evidence {
 
 /// (130) from (129), where α is large.
 pub fn eq130() -> Evidence {
-    let compared = Compared::one("(130) at the $A$ of (129)", r"$\alpha$, from 18 on");
+    let compared = Compared::one("(130) at the $A$ of (129)", r"$\alpha$");
     step(Route::Limit, compared, ROOT, ("α", [1.26, 2.0]), |alpha| {
         Ok([printed::eq130_alpha(printed::eq129_a(alpha)), alpha])
     })
@@ -57,10 +57,7 @@ pub fn eq130() -> Evidence {
 
 /// (131) from (113) and (130), where A is large.
 pub fn eq131() -> Evidence {
-    let compared = Compared::one(
-        "(131)",
-        r"(113) at the $\alpha$ of (130), $A$ from $10^{20}$ on",
-    );
+    let compared = Compared::one("(131)", r"(113) at the $\alpha$ of (130)");
     step(Route::Limit, compared, ROOT, ("A", [20.0, 40.0]), |a| {
         let rate = turntable::eq113_a_rate(printed::eq130_alpha(a));
         Ok([printed::eq131_a_rate(a), rate])
@@ -111,10 +108,7 @@ pub fn eq134() -> Evidence {
 
 /// (135) from (111), (132) and (133).
 pub fn eq135() -> Evidence {
-    let compared = Compared::one(
-        "(135)",
-        r"(111) at $A$ of (132) and $\alpha$ of (133), $\tau$ from $10^{14}$ on",
-    );
+    let compared = Compared::one("(135)", r"(111) at $A$ of (132) and $\alpha$ of (133)");
     step(Route::Limit, compared, ROOT, ("τ", [14.0, 24.0]), |tau| {
         let found = turntable::eq111_p(printed::eq132_a(tau), printed::eq133_alpha(tau));
         Ok([printed::eq135_p(tau), found])
@@ -123,10 +117,7 @@ pub fn eq135() -> Evidence {
 
 /// (136) from (112), (132) and (133).
 pub fn eq136() -> Evidence {
-    let compared = Compared::one(
-        "(136)",
-        r"(112) at $A$ of (132) and $\alpha$ of (133), $\tau$ from $10^{14}$ on",
-    );
+    let compared = Compared::one("(136)", r"(112) at $A$ of (132) and $\alpha$ of (133)");
     step(Route::Limit, compared, ROOT, ("τ", [14.0, 24.0]), |tau| {
         let found = turntable::eq112_rho(printed::eq132_a(tau), printed::eq133_alpha(tau));
         Ok([printed::eq136_rho(tau), found])

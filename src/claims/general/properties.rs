@@ -334,7 +334,7 @@ pub fn across_outside() -> Evidence {
 /// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
 pub fn across_quadrature() -> Evidence {
     let compared = Compared::one(
-        r"$-\int\mu g/v\,\mathrm d t$ along the motion",
+        r"$-\int\mu g/v\,\mathrm dt$ along the motion",
         r"the change of $\ln\lvert v_\perp\rvert$",
     );
     Trial::quadrature(Subject::Printed, compared).over(fixed_direction(28), |case| {

@@ -235,7 +235,7 @@ pub fn eq142_at_one() -> Evidence {
 /// (144) at σ = 1.
 pub fn eq144_at_one() -> Evidence {
     let compared = Compared::one(
-        r"the relative difference of the sides of (144), with $\mathrm d A/\mathrm d\alpha$ of the motion on the boundary,",
+        r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion on the boundary,",
         "0",
     );
     at_one(compared, |l| {
@@ -367,7 +367,7 @@ pub fn eq142_straight() -> Evidence {
 /// (144) at p = 10⁻²⁰, by the way.
 pub fn eq144_motion() -> Evidence {
     let compared = Compared::one(
-        r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm d A=\mathrm d s$ from the way still to go,",
+        r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm dA=\mathrm ds$ from the way still to go,",
         "0",
     );
     exactly(Route::Integration, compared, eq144_way)
@@ -375,7 +375,7 @@ pub fn eq144_motion() -> Evidence {
 /// (144) by order.
 pub fn eq144_order() -> Evidence {
     let compared = Compared::one(
-        r"the relative difference of the sides of (144), with $\mathrm d A/\mathrm d\alpha$ of the motion at $p=10^{-3}$,",
+        r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion at $p=10^{-3}$,",
         r"0, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
     );
     by_order(compared, 1e-3, eq144)

@@ -103,7 +103,7 @@ pub const EQ70: Law = Law::new(
     Subject::Printed,
     Compared::one(
         r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
-        r"$\bm\omega\,\mathrm d t$",
+        r"$\bm\omega\,\mathrm dt$",
     ),
     body::eq70,
     body::prove_eq70,

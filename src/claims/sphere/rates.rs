@@ -55,7 +55,7 @@ fn slip(run: &Run, ball: &Ball) -> [f64; 3] {
 pub fn eq63() -> Evidence {
     let compared = Compared::one(
         "the integral of (63) over $t$",
-        r"the change of $\mathrm d\bm r/\mathrm d t$ of the motion, each vector as $x+2y+3z$",
+        r"the change of $\mathrm d\bm r/\mathrm dt$ of the motion, each vector as $x+2y+3z$",
     );
     let rate = |run: &Run, ball: &Ball, _, t| {
         let (_, mu, g) = run.case.parameters();

@@ -162,7 +162,7 @@ pub fn eq68() -> Evidence {
 pub fn eq68_way() -> Evidence {
     let compared = Compared::one(
         "the change of (68)",
-        r"the integral of $(\mathrm d\bm r/\mathrm d t)/R$ over $t$ of a sphere that slides, each vector as $x+2y$",
+        r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector as $x+2y$",
     );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     trial.over(sliding(), |run| {
@@ -188,7 +188,7 @@ pub fn eq68_way() -> Evidence {
 /// (71) where the sphere slides with one friction forwards and with another backwards.
 pub fn eq71_both_ways() -> Evidence {
     let compared = Compared::one(
-        r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm d t$ and $\bm\omega$",
+        r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
         r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, followed by itself",
     );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);

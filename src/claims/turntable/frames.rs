@@ -20,7 +20,7 @@ fn law(table: &Table, state: &State) -> [f64; 2] {
 pub fn eq86() -> Evidence {
     let compared = Compared::one(
         "the integral of (86) over $t$ along the motion found in the frame of the table",
-        r"the change of $\mathrm d\bm r/\mathrm d t$ found in the laboratory, component by component",
+        r"the change of $\mathrm d\bm r/\mathrm dt$ found in the laboratory, component by component",
     );
     summed(Subject::Within, compared, |table, state| (table, state))
 }
@@ -29,7 +29,7 @@ pub fn eq86() -> Evidence {
 pub fn mirror() -> Evidence {
     let compared = Compared::one(
         r"the integral of (86) over $t$ with $-\Omega$ along the mirrored motion, found in the frame of the table,",
-        r"the mirrored change of $\mathrm d\bm r/\mathrm d t$ found in the laboratory, component by component",
+        r"the mirrored change of $\mathrm d\bm r/\mathrm dt$ found in the laboratory, component by component",
     );
     summed(Subject::Printed, compared, |table, state| {
         let other = Table {

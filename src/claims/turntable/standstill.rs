@@ -161,7 +161,7 @@ pub fn eq92() -> Evidence {
 pub fn eq99() -> Evidence {
     let compared = Compared::one(
         r"(99) at rest, with $\rho$ for $\xi$,",
-        r"$\mathrm d p/\mathrm d\tau$",
+        r"$\mathrm dp/\mathrm d\tau$",
     );
     first_moment(
         compared,
@@ -206,7 +206,7 @@ pub fn eq101() -> Evidence {
 pub fn eq107() -> Evidence {
     let compared = Compared::one(
         r"(107) at rest, with $\psi=0$,",
-        r"$\mathrm d p/\mathrm d\tau$",
+        r"$\mathrm dp/\mathrm d\tau$",
     );
     first_moment(
         compared,

@@ -80,8 +80,9 @@ impl Trial {
         mut pair: impl FnMut(P) -> Result<Pair, Failure>,
     ) -> Evidence {
         let mut evidence = Evidence::new(self.route, self.subject, self.compared, self.tolerance);
+        let mut kept = Kept::default();
         for point in points {
-            if !take(&mut evidence, pair(point)) {
+            if !take(&mut evidence, &mut kept, pair(point)) {
                 break;
             }
         }
@@ -114,7 +115,7 @@ impl Trial {
 }
 
 /// Adds a pair to the evidence, or why there is none; says whether the next one is wanted.
-fn take(evidence: &mut Evidence, pair: Result<Pair, Failure>) -> bool {
+fn take(evidence: &mut Evidence, kept: &mut Kept, pair: Result<Pair, Failure>) -> bool {
     let pair = match pair {
         Ok(pair) => pair,
         Err(error) => {
@@ -148,20 +149,42 @@ fn take(evidence: &mut Evidence, pair: Result<Pair, Failure>) -> bool {
         evidence.at.clone_from(&sample.at);
         evidence.farthest = Some(sample.clone());
     }
-    keep(evidence, sample, disagreement > evidence.tolerance.value);
+    kept.keep(evidence, sample, disagreement);
     true
 }
 
-/// Keeps a pair for readers: one of the first, or of the first that disagree as soon as one does.
-pub(super) fn keep(evidence: &mut Evidence, sample: Sample, disagrees: bool) {
-    if disagrees && evidence.failed == 0 {
-        evidence.samples.clear();
-    }
-    evidence.failed += usize::from(disagrees);
-    if disagrees == (evidence.failed > 0) && evidence.samples.len() < SAMPLES {
-        evidence.samples.push(sample);
+/// What sort of pairs is kept for readers: those that agree; as soon as one disagrees, those that do; as soon as one does so
+/// plainly, those that do so, for whether others disagree may turn on a last bit.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kept {
+    #[default]
+    Agreeing,
+    Beyond,
+    Plainly,
+}
+
+impl Kept {
+    /// Keeps a pair, if it is one of the first of its sort, and counts it if it disagrees.
+    pub(super) fn keep(&mut self, evidence: &mut Evidence, sample: Sample, disagreement: f64) {
+        let tolerance = evidence.tolerance.value;
+        let sort = match disagreement {
+            d if d > PLAINLY * tolerance => Kept::Plainly,
+            d if d > tolerance => Kept::Beyond,
+            _ => Kept::Agreeing,
+        };
+        evidence.failed += usize::from(sort > Kept::Agreeing);
+        if sort > *self {
+            *self = sort;
+            evidence.samples.clear();
+        }
+        if sort == *self && evidence.samples.len() < SAMPLES {
+            evidence.samples.push(sample);
+        }
     }
 }
+
+/// How many times the tolerance is plainly beyond it.
+const PLAINLY: f64 = 10.0;
 
 /// A fingerprint with one more pair in it: where it was, the first digits of its scale, and what was found there, in units
 /// of the scale and so roughly that rounding does not show.

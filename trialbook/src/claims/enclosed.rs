@@ -1,6 +1,6 @@
 //! How a certificate becomes [`Evidence`], and how a formula is evaluated on balls.
 
-use super::compare::keep;
+use super::compare::Kept;
 use super::tolerances;
 use crate::certified::ball::{Ball, bits_for};
 use crate::certified::enclosure::Enclosure;
@@ -40,6 +40,7 @@ pub fn numbers<const N: usize>(
     stated: impl Fn(usize) -> [Option<Ball>; N],
 ) -> Evidence {
     let mut evidence = certified(Ok(N), subject, compared);
+    let mut kept = Kept::default();
     for ((name, found), stated) in found.into_iter().zip(stated(bits_for(DIGITS))) {
         let (Some(stated), Ok(found)) = (stated, found.ball(DIGITS)) else {
             evidence.worst = f64::NAN;
@@ -60,7 +61,8 @@ pub fn numbers<const N: usize>(
             stated: stated.interval().mid(),
             found: found.interval().mid(),
         };
-        keep(&mut evidence, sample, disagrees);
+        let disagreement = if disagrees { f64::INFINITY } else { 0.0 };
+        kept.keep(&mut evidence, sample, disagreement);
     }
     evidence
 }

@@ -59,6 +59,7 @@ impl Ranges {
 /// The name and the value in `λ = 1.5`.
 fn coordinate(part: &str) -> Option<(&str, f64)> {
     let (name, value) = part.split_once(" = ")?;
+    let name = name.strip_prefix("from ").unwrap_or(name);
     let value: f64 = value.replace('−', "-").parse().ok()?;
     value.is_finite().then_some((name, value))
 }

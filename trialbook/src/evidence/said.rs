@@ -98,6 +98,7 @@ impl Evidence {
     /// How many disagree.
     fn failing(&self) -> String {
         match (self.failed, self.points) {
+            (1, 1) => "The two sides disagree".to_owned(),
             (failed, points) if failed == points => format!("All {} disagree", count(points)),
             (1, points) => format!("1 of {} disagrees", count(points)),
             (failed, points) => format!("{} of {} disagree", count(failed), count(points)),

@@ -64,7 +64,9 @@ fn trial(text: &mut String, e: &Evidence, conditional: bool) {
     for s in &e.samples {
         let [stated, found] = match e.outcome() {
             Outcome::Disagrees => apart(s, e.tolerance.value),
-            _ => [s.stated, s.found].map(|value| rounded(value, e.tolerance.value)),
+            _ => counts(s, e.tolerance.value).unwrap_or_else(|| {
+                [s.stated, s.found].map(|value| rounded(value, e.tolerance.value))
+            }),
         };
         let _ = writeln!(text, "    {}: stated {stated}, found {found}", s.at);
     }
@@ -72,6 +74,9 @@ fn trial(text: &mut String, e: &Evidence, conditional: bool) {
 
 /// Both sides of a pair that disagrees, with digits enough to see it.
 fn apart(sample: &Sample, tolerance: f64) -> [String; 2] {
+    if let Some(counts) = counts(sample, tolerance) {
+        return counts;
+    }
     let both = |digits| [sample.stated, sample.found].map(|value| with_digits(value, digits));
     let differ = |[stated, found]: &[String; 2]| stated != found;
     // One digit more than the first that differs.
@@ -80,6 +85,14 @@ fn apart(sample: &Sample, tolerance: f64) -> [String; 2] {
         Some(first) if first > digits(tolerance) => both(first + 1),
         _ => both(digits(tolerance)),
     }
+}
+
+/// Both sides of a pair of whole numbers that have to be the same.
+fn counts(sample: &Sample, tolerance: f64) -> Option<[String; 2]> {
+    let sides = [sample.stated, sample.found];
+    let whole = |value: f64| value.fract() == 0.0 && value.abs() < 1e9;
+    let counted = tolerance == 0.0 && sides.into_iter().all(whole);
+    counted.then(|| sides.map(|value| format!("{value:.0}")))
 }
 
 /// `value` with two digits fewer than `tolerance` vouches for, at least three and at most ten.
