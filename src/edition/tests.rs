@@ -1,6 +1,6 @@
 use super::EDITION;
 use crate::claims::{Claim, Condition, Correction, PAPER, Paper, Sort, Topic};
-use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
+use crate::evidence::{Change, Compared, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger};
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,7 +45,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         value: 1e-10,
         reason: "ten digits of <both>",
     };
-    let compared = "<script>alert(1)</script> against the *motion*";
+    let compared = Compared::one("<script>alert(1)</script>", "the *motion*");
     Evidence {
         points: 1234,
         worst,

@@ -19,6 +19,7 @@ use crate::certified::drive::{self, Edge, arc};
 use crate::certified::error::CertifiedError;
 use crate::certified::interval::{Interval, PI};
 use crate::certified::jet::{Jet, over};
+use crate::claims::compare::Compared;
 use crate::claims::enclosed::certified;
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Subject};
@@ -138,14 +139,18 @@ fn prove_e(sides: Sides) -> Outcome {
 
 /// (54) has one root before q_Y and none beyond.
 pub fn b_once() -> Evidence {
-    let compared = "(54) has one root for every 1 ≤ q < q_Y and none for q_Y < q ≤ 12, by the signs and slopes of the arc that ends at π + asin(qλ₀)";
+    let compared = Compared::shown(
+        r"(54) has one root for every $1\le q<q_Y$ and none for $q_Y<q\le12$, by the signs and slopes of the arc that ends at $\pi+\sin^{-1}(q\lambda_0)$",
+    );
     let proof = given(&exact::EQ54.proof(), prove_b(printed::eq54_sides));
     certified(proof, Subject::Within, compared)
 }
 
 /// E has no root before q_Y and one beyond.
 pub fn e_once() -> Evidence {
-    let compared = "E has no root but λ₀ = 0 for 1 ≤ q < q_Y and one for every q_Y < q ≤ 12, by the signs and slopes of the arc that ends at 2π − asin(qλ₀)";
+    let compared = Compared::shown(
+        r"E has no root but $\lambda_0=0$ for $1\le q<q_Y$ and one for every $q_Y<q\le12$, by the signs and slopes of the arc that ends at $2\pi-\sin^{-1}(q\lambda_0)$",
+    );
     let proof = given(&exact::E.proof(), prove_e(corrected::e_sides));
     certified(proof, Subject::Corrected, compared)
 }
@@ -187,7 +192,9 @@ fn prove_a(sides: fn(Two, Two) -> [Two; 2]) -> Outcome {
 
 /// (53) has one root.
 pub fn a_once() -> Evidence {
-    let compared = "(53) has one root in 0 < λ₀ < 1 for every 1 ≤ q ≤ 12: the left side falls with λ₀ from above the right side to 0";
+    let compared = Compared::shown(
+        r"(53) has one root in $0<\lambda_0<1$ for every $1\le q\le12$: with growing $\lambda_0$ the left side falls to 0 from above the right side",
+    );
     certified(prove_a(printed::eq53_sides), Subject::Printed, compared)
 }
 
@@ -232,7 +239,9 @@ fn prove_order(on_a: fn(Jet<1>) -> Jet<1>, on_c: fn(Jet<1>) -> Jet<1>) -> Outcom
 
 /// The order of the curves. Which motion lies between which of them it does not say.
 pub fn order() -> Evidence {
-    let compared = "A < B < C < D for all 1 < q < q_Y and A < E < C < D for all q_Y < q ≤ 12, with A = B and C = D at q = 1, where the slopes of their differences have a sign";
+    let compared = Compared::shown(
+        r"$A<B<C<D$ for all $1<q<q_Y$ and $A<E<C<D$ for all $q_Y<q\le12$, with $A=B$ and $C=D$ at $q=1$, where the slopes of their differences have a sign",
+    );
     let proof = prove_order(on_a, printed::eq55_lambda0);
     let proof = given(&exact::EQ54.proof(), given(&exact::E.proof(), proof));
     certified(proof, Subject::Corrected, compared).of_a_part()
@@ -241,7 +250,9 @@ pub fn order() -> Evidence {
 /// Between E and C there is no backward motion: E is where the arc to the last moment is zero. About the rest of the
 /// region's motion it says nothing.
 pub fn e_below_c() -> Evidence {
-    let compared = "the arc to the last moment at which the drive could pull backward is negative below E and positive between E and C, for every q_Y < q ≤ 12";
+    let compared = Compared::shown(
+        r"the arc to the last moment at which the drive could pull backward is negative below E and positive between E and C, for every $q_Y<q\le12$",
+    );
     let proof = given(&exact::E.proof(), prove_e(corrected::e_sides));
     certified(proof, Subject::Corrected, compared).of_a_part()
 }
@@ -254,9 +265,11 @@ mod tests {
     fn the_statements_are_proved() {
         for evidence in [a_once(), b_once(), e_once(), order(), e_below_c()] {
             assert_eq!(
-                evidence.worst, 0.0,
+                evidence.worst,
+                0.0,
                 "{}: {}",
-                evidence.compared, evidence.at
+                evidence.comparison(),
+                evidence.at
             );
         }
     }

@@ -6,7 +6,7 @@ use super::simulated::{
     Regions, corrected_list, curves_as_corrected, curves_as_printed, listed_digits, own_y,
     printed_list, simulated,
 };
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
@@ -66,12 +66,20 @@ const BESIDE: usize = 2;
 /// One point in so many is put first.
 const GENERIC: usize = 997;
 
-const fn by_census(subject: Subject, compared: &'static str) -> Trial {
+const fn by_census(subject: Subject, compared: Compared) -> Trial {
     Trial::by(Route::Census, subject, compared, NONE)
 }
 
-const BY_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever that is the region's or next to it and the printed list has this region; where it has another, this claim says nothing";
-const BY_CORRECTED_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever that is the region's or next to it and the corrected list has this region; where it has another, this claim says nothing";
+const BY_REGION: Compared = Compared::one(
+    "the order of slips and rests in a period by the claim (a digit each: 3 forward, 2 rest, 1 backward)",
+    "that of the simulated motion",
+)
+.over("wherever that is the region's or next to it and the printed list has this region; where it has another, this claim says nothing");
+const BY_CORRECTED_REGION: Compared = Compared::one(
+    "the order of slips and rests in a period by the claim (a digit each: 3 forward, 2 rest, 1 backward)",
+    "that of the simulated motion",
+)
+.over("wherever that is the region's or next to it and the corrected list has this region; where it has another, this claim says nothing");
 
 /// What the words of one region say where a list has it.
 fn words_of(region: usize, list: Regions) -> Says {
@@ -99,7 +107,7 @@ fn printed_census(region: usize, own: f64) -> Evidence {
 fn ends(
     region: usize,
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     list: fn(&Row) -> [f64; 4],
     wanted: fn(&Row) -> bool,
 ) -> Evidence {
@@ -137,8 +145,14 @@ fn ends(
     })
 }
 
-const BY_ENDS: &str = "the region's ends in λ₀ by the printed curves with those of its kind of motion, by bisection on the simulation";
-const BY_CORRECTED_ENDS: &str = "the region's ends in λ₀ by the corrected list with those of its kind of motion, by bisection on the simulation";
+const BY_ENDS: Compared = Compared::many(
+    r"the region's ends in $\lambda_0$ by the printed curves",
+    "those of its kind of motion in the simulation",
+);
+const BY_CORRECTED_ENDS: Compared = Compared::many(
+    r"the region's ends in $\lambda_0$ by the corrected list",
+    "those of its kind of motion in the simulation",
+);
 
 /// The upper ends of the regions I to IV by the printed list. Without B, II reaches up to C and III is empty.
 fn printed_bounds(row: &Row) -> [f64; 4] {
@@ -227,7 +241,11 @@ pub fn second_corrected_ends() -> Evidence {
 
 /// What is new in region IV: between E and C.
 pub fn between_e_and_c() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the words of IV, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, between E and C; beside that, beyond Y, this says nothing";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the words of IV (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    )
+    .over("between E and C; elsewhere beyond Y this says nothing");
     let trial = by_census(Subject::Corrected, compared);
     let y = match own_y() {
         Ok(y) => y,
@@ -305,7 +323,11 @@ pub const LARGEST_Q: f64 = 7.0;
 
 /// The printed diagram at the points of the census.
 pub fn diagram() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the printed diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, all over the diagram's axes";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the printed diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    )
+    .over("all over the diagram's axes");
     let trial = by_census(Subject::Printed, compared);
     let says = |q| all_words(printed_list(q));
     census(&trial, |q, _, _| q <= LARGEST_Q, says)
@@ -314,7 +336,10 @@ pub fn diagram() -> Evidence {
 /// The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
 /// Where B has ended, it enters two at C.
 pub fn diagram_step() -> Evidence {
-    let compared = "the region by the printed list, less the number of curves below λ₀, where B has ended counting C twice, with 1";
+    let compared = Compared::one(
+        r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
+        "the expected 1",
+    );
     let trial = by_census(Subject::Step, compared);
     let points = Points::stream(704).within(400, [[1.0, LARGEST_Q], [0.0, 1.4]]);
     trial.at(["q", "λ₀"], points, 1.0, |[q, lambda0]| {
@@ -330,7 +355,11 @@ pub fn diagram_step() -> Evidence {
 
 /// The corrected diagram at all points of the census.
 pub fn corrected_diagram() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the corrected diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, for q from 1 to 12";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the corrected diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    )
+    .over("$q$ from 1 to 12");
     let trial = by_census(Subject::Corrected, compared);
     let says = |q| all_words(corrected_list(q));
     census(&trial, |_, _, _| true, says)
@@ -338,7 +367,10 @@ pub fn corrected_diagram() -> Evidence {
 
 /// The corrected diagram farther out.
 pub fn far() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the corrected diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, at random for q from 12 to 30, λ₀ up to 2/q";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the corrected diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    );
     let trial = by_census(Subject::Corrected, compared);
     let points = Points::stream(718).within(1000, [[12.0, 30.0], [1e-6, 1.0]]);
     trial.at(["q", "qλ₀/2"], points, 1.0, |[q, share]| {
@@ -350,7 +382,10 @@ pub fn far() -> Evidence {
 
 /// The corrected diagram's curves with the changes of the motion, none left out.
 pub fn corrected_curves() -> Evidence {
-    let compared = "λ₀ on A, on B or E, on C (on E beyond Y) and on D with the λ₀ at which a rest appears, direct reversals end, backward motion ends and all motion ends";
+    let compared = Compared::many(
+        r"$\lambda_0$ on A, on B or E, on C (on E beyond Y) and on D",
+        r"the $\lambda_0$ at which a rest appears, direct reversals end, backward motion ends and all motion ends",
+    );
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, ROOT);
     let rows = match rows() {
         Ok(rows) => rows,

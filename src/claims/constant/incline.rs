@@ -2,7 +2,7 @@
 //! λ = μ cot β of section 2.1.
 
 use super::launches::Turn;
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
 use crate::evidence::{Evidence, Route, Subject};
@@ -78,8 +78,10 @@ impl Incline {
 
 /// (11) with the motion on the incline.
 pub fn speed() -> Evidence {
-    let compared =
-        "(11) with the speed on an inclined plane in three dimensions, at its angle to the slope";
+    let compared = Compared::one(
+        "(11)",
+        "the speed on an inclined plane in three dimensions, at its angle to the slope",
+    );
     slides(compared, |[lambda, _, v0, theta0, theta], turn| {
         let stated = printed::eq11_speed(lambda, v0, theta0, theta);
         (stated, turn.v, turn.v * turn.condition())
@@ -88,7 +90,10 @@ pub fn speed() -> Evidence {
 
 /// (13) with the motion on the incline.
 pub fn time() -> Evidence {
-    let compared = "(13) at the angle to the slope that is reached on an inclined plane in three dimensions, with the time";
+    let compared = Compared::one(
+        "(13) at the angle to the slope that is reached on an inclined plane in three dimensions",
+        "the time",
+    );
     slides(compared, |[lambda, a, v0, theta0, theta], turn| {
         let stated = printed::eq13_time(lambda, a, v0, theta0, theta);
         (stated, turn.t, turn.time_scale())
@@ -97,7 +102,7 @@ pub fn time() -> Evidence {
 
 /// A printed formula of (λ, A, v₀, θ₀, θ) with what is found of it on the incline, and the size in units of which that is
 /// known.
-fn slides(compared: &'static str, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
+fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(12);
     trial.over(0..300, |_| {
@@ -130,7 +135,10 @@ fn slides(compared: &'static str, pair: fn([Double; 5], &Turn) -> (Double, f64, 
 
 /// (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
 pub fn law() -> Evidence {
-    let compared = "(1), with g sin β against the slope for 𝐀 and g cos β for g, its components down and twice across, with those of weight, normal force and friction";
+    let compared = Compared::one(
+        r"(1), with $g\sin\beta$ against the slope for $\bm A$ and $g\cos\beta$ for $g$, as the component down the slope plus twice that across,",
+        "the same sum for weight, normal force and friction",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(716);
     trial.over(0..200, |_| {
@@ -154,7 +162,10 @@ pub fn law() -> Evidence {
 
 /// The motion by (1) with the motion on the incline.
 pub fn same_motion() -> Evidence {
-    let compared = "v down and twice across, by (1) integrated in the plane, with the motion on an incline in three dimensions";
+    let compared = Compared::one(
+        "the velocity by (1), integrated in the plane, as the component down the slope plus twice that across,",
+        "the same sum for the motion on an incline in three dimensions",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(717);
     trial.over(0..60, |_| {
@@ -182,7 +193,10 @@ pub fn same_motion() -> Evidence {
 
 /// (6) and (7) with the forces on the incline.
 pub fn forces() -> Evidence {
-    let compared = "(6) + 2 (7) with the same components of weight, normal force and friction";
+    let compared = Compared::one(
+        "(6) plus twice (7)",
+        "the same sum of the components of weight, normal force and friction",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(13);
     trial.over(0..1000, |_| {

@@ -1,6 +1,6 @@
 //! Trials of the sense in which a particle slides in the end: along the plane's acceleration, or against it.
 
-use crate::claims::compare::{Failure, Trial};
+use crate::claims::compare::{Compared, Failure, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
 use crate::corrections::constant as corrected;
@@ -14,7 +14,7 @@ use crate::paper::constant as printed;
 fn senses(
     subject: Subject,
     route: Route,
-    compared: &'static str,
+    compared: Compared,
     stated: f64,
     velocity: impl Fn(f64, [f64; 2], [f64; 2]) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
@@ -60,14 +60,20 @@ fn in_the_laboratory(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2
 
 /// As printed, three times: along the acceleration.
 pub fn along() -> Evidence {
-    let compared = "1, for along 𝐀, with the sign of 𝐯·𝐀 of a motion at t = 50 v₀/A";
+    let compared = Compared::one(
+        r"the expected 1, for along $\bm A$,",
+        r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$",
+    );
     let stated = printed::s21_late_sense();
     senses(Subject::Printed, Route::Census, compared, stated, by_motion)
 }
 
 /// As corrected, by the motion on the plane.
 pub fn against() -> Evidence {
-    let compared = "−1, for against 𝐀, with the sign of 𝐯·𝐀 of a motion at t = 50 v₀/A";
+    let compared = Compared::one(
+        r"the expected $-1$, for against $\bm A$,",
+        r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$",
+    );
     let stated = corrected::late_sense();
     senses(
         Subject::Corrected,
@@ -80,7 +86,10 @@ pub fn against() -> Evidence {
 
 /// As corrected, in the laboratory.
 pub fn against_in_the_laboratory() -> Evidence {
-    let compared = "−1, for against 𝐀, with the sign of (𝐕 − 𝐔)·𝐀 in the laboratory, where friction alone acts";
+    let compared = Compared::one(
+        r"the expected $-1$, for against $\bm A$,",
+        r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts",
+    );
     let stated = corrected::late_sense();
     senses(
         Subject::Corrected,

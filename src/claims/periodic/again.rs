@@ -2,7 +2,7 @@
 
 use super::drives::{motion, pulses};
 use super::pulses::on_a_plane;
-use crate::claims::compare::{Failure, Trial};
+use crate::claims::compare::{Compared, Failure, Trial};
 use crate::claims::excepted::no_inside;
 use crate::claims::points::Points;
 use crate::claims::tolerances::{GAINED, NONE};
@@ -17,7 +17,7 @@ use std::f64::consts::PI;
 fn around_pi(
     route: Route,
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     pair: impl Fn([f64; 3]) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
     let trial = Trial::by(route, subject, compared, GAINED);
@@ -62,7 +62,10 @@ fn pull_on_a_plane([eta, _, phi]: [f64; 3]) -> Result<f64, Failure> {
 
 /// As printed: friction.
 pub fn friction_again() -> Evidence {
-    let compared = "what becomes nonzero again at π, the acceleration of friction in the motion, before and after π, with the acceleration of a particle without friction";
+    let compared = Compared::one(
+        r"the acceleration of friction, which is said to become nonzero again at $\pi$,",
+        r"the acceleration of a particle without friction, before and after $\pi$",
+    );
     around_pi(Route::Integration, Subject::Printed, compared, |point| {
         Ok([printed::s23_nonzero_again(friction(point)?), pull(point)?])
     })
@@ -70,7 +73,10 @@ pub fn friction_again() -> Evidence {
 
 /// As corrected: the drive.
 pub fn pull_again() -> Evidence {
-    let compared = "what becomes nonzero again at π, the drive, before and after π, with the acceleration of a particle without friction";
+    let compared = Compared::one(
+        r"the drive, which becomes nonzero again at $\pi$,",
+        r"the acceleration of a particle without friction, before and after $\pi$",
+    );
     around_pi(Route::Integration, Subject::Corrected, compared, |point| {
         let [eta, _, phi] = point;
         Ok([corrected::nonzero_again(pulses(eta)?.h(phi)), pull(point)?])
@@ -79,7 +85,10 @@ pub fn pull_again() -> Evidence {
 
 /// The same, with a particle on a plane.
 pub fn pull_again_on_a_plane() -> Evidence {
-    let compared = "∫ h dφ over a short stretch before and after π, over its length, with what a particle gains on a smooth plane, whose acceleration jumps";
+    let compared = Compared::one(
+        r"the drive in the middle of a short stretch before or after $\pi$",
+        "what a particle gains on a smooth plane over the stretch, divided by its length",
+    );
     around_pi(Route::Quadrature, Subject::Corrected, compared, |point| {
         let [eta, _, phi] = point;
         let drive = pulses(eta)?;
@@ -92,7 +101,7 @@ pub fn pull_again_on_a_plane() -> Evidence {
 fn largest(
     route: Route,
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     etas: Vec<[f64; 1]>,
     found: impl Fn(f64) -> Result<f64, Failure>,
 ) -> Evidence {
@@ -118,13 +127,19 @@ fn seen(eta: f64) -> Result<f64, Failure> {
 
 /// By the pulses' values.
 pub fn largest_census() -> Evidence {
-    let compared = "the largest |h| that is assumed, 1, with that of the pulses";
+    let compared = Compared::one(
+        r"the largest $\lvert h\rvert$ that is assumed, 1,",
+        "that of the pulses",
+    );
     largest(Route::Census, Subject::Within, compared, widths(), seen)
 }
 
 /// By what a pulse gives a smooth particle, over its length.
 pub fn largest_integration() -> Evidence {
-    let compared = "the largest |h| that is assumed, 1, with what a pulse gives a particle without friction, over its length, to 12 digits";
+    let compared = Compared::one(
+        r"the largest $\lvert h\rvert$ that is assumed, 1,",
+        "what a pulse gives a particle without friction, divided by the length of the pulse, to 12 digits",
+    );
     largest(
         Route::Integration,
         Subject::Within,
@@ -140,7 +155,10 @@ pub fn largest_integration() -> Evidence {
 
 /// Pulses of no width.
 pub fn largest_outside() -> Evidence {
-    let compared = "the largest |h| that is assumed, 1, with that of pulses of no width";
+    let compared = Compared::one(
+        r"the largest $\lvert h\rvert$ that is assumed, 1,",
+        "that of pulses of no width",
+    );
     let none = vec![[0.0]; 20];
     largest(Route::Census, Subject::Outside, compared, none, seen)
 }
@@ -148,7 +166,10 @@ pub fn largest_outside() -> Evidence {
 /// Pulses of no width, among all.
 pub fn no_width() -> Evidence {
     no_inside(
-        "whether pulses have no width, with that they have one at random and close to it",
+        Compared::one(
+            "whether pulses have a width",
+            r"the expected answer, no for $\eta=0$ and yes for others",
+        ),
         ["η"],
         [[0.0, 1.0]],
         &[[0.0]],

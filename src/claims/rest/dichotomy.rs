@@ -1,6 +1,6 @@
 //! Trials of the statement that every start leads to rest or to an unbounded motion.
 
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -17,7 +17,10 @@ fn starts(stream: u64, count: usize) -> Vec<[f64; 3]> {
 
 /// By bounds on the energy, which make a fate certain: many starts together.
 pub fn fates() -> Evidence {
-    let compared = "0, for no third fate, with 1 for a start whose fate is neither rest nor escape by the bounds on its energy";
+    let compared = Compared::one(
+        "the expected 0, for no third fate,",
+        "whether the fate is neither rest nor escape by the bounds on its energy (1 if so)",
+    );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let points = starts(714, 5000);
     let begun = points
@@ -42,7 +45,10 @@ pub fn fates() -> Evidence {
 
 /// In Cartesian axes on the table, up to τ = 100.
 pub fn followed() -> Evidence {
-    let compared = "0, for no third fate, with 1 for a start from which a particle at τ = 100 neither rests on the table nor is beyond ρ = 100";
+    let compared = Compared::one(
+        "the expected 0, for no third fate,",
+        r"whether a particle at $\tau=100$ neither rests on the table nor is beyond $\rho=100$ (1 if so)",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     trial.at(["ρ", "p", "ψ"], starts(715, 200), 1.0, |[rho, p, psi]| {
         let start = State {
@@ -59,7 +65,10 @@ pub fn followed() -> Evidence {
 
 /// Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
 pub fn on_the_boundary() -> Evidence {
-    let compared = "0, for no third fate, with 1 for a start on the boundary from which a particle at τ = 8 still moves, nearer to ρ = 1 and more slowly than at τ = 4";
+    let compared = Compared::one(
+        "the expected 0, for no third fate,",
+        r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
+    );
     let trial = Trial::by(Route::Root, Subject::Outside, compared, NONE);
     trial.over(0..20, |i| {
         let (alpha, psi) = (0.05 + 0.02 * f64::from(i), 0.1 * f64::from(i) - 1.0);
@@ -78,8 +87,10 @@ pub fn on_the_boundary() -> Evidence {
 
 /// That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
 pub fn beside_the_boundary() -> Evidence {
-    let compared =
-        "1 with 1 where a start a part in a million below the boundary rests and one above escapes";
+    let compared = Compared::one(
+        "the expected 1",
+        "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
+    );
     let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
     trial.over(0..40, |i| {
         let (alpha, psi) = (0.05 + 0.02 * f64::from(i), 0.1 * f64::from(i) - 2.0);

@@ -1,6 +1,7 @@
 //! What the conditions of section 3 except.
 
 use crate::certified::interval::Interval;
+use crate::claims::compare::Compared;
 use crate::claims::excepted::no_value;
 use crate::evidence::Evidence;
 use crate::paper::sphere as printed;
@@ -10,7 +11,11 @@ use crate::scalar::Scalar;
 pub fn eq81() -> Evidence {
     let straight = [Interval::int(0), Interval::pi()];
     no_value(
-        "whether (81) has a value, at random and at θ = θ₀ = 0, π, with whether the condition holds",
+        Compared::one(
+            "whether (81) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\theta=\theta_0=0,\pi$"),
         ["λ", "u₀", "θ₀", "θ"],
         [[0.1, 0.9], [0.5, 2.0], [0.3, 1.5], [0.3, 1.5]],
         straight.map(|theta| [Interval::ratio(1, 2), Interval::int(1), theta, theta]),
@@ -27,7 +32,9 @@ fn two_thirds() -> Interval {
 pub fn eq82() -> Evidence {
     let (one, half) = (Interval::int(1), Interval::ratio(1, 2));
     no_value(
-        "whether (82) has a value, at random and at θ = θ₀ = 0, π, at λ = 1 and at cos θ₀ = −λ, with whether the condition holds",
+        Compared::one("whether (82) has a value", "whether the condition holds").over(
+            r"at random, at $\theta=\theta_0=0,\pi$, at $\lambda=1$ and at $\cos\theta_0=-\lambda$",
+        ),
         ["λ", "θ₀", "θ"],
         [[0.1, 0.9], [0.3, 1.5], [0.3, 1.5]],
         [
@@ -44,7 +51,8 @@ pub fn eq82() -> Evidence {
 pub fn eq83() -> Evidence {
     let one = Interval::int(1);
     no_value(
-        "whether (83) has a value, at random and at cos θ = −λ, with whether the condition holds",
+        Compared::one("whether (83) has a value", "whether the condition holds")
+            .over(r"at random and at $\cos\theta=-\lambda$"),
         ["λ", "θ₀", "θ", "τ"],
         [[0.1, 0.9], [0.3, 1.5], [0.3, 1.5], [0.0, 1.0]],
         [[Interval::ratio(1, 2), Interval::int(2), two_thirds(), one]],

@@ -2,7 +2,7 @@
 
 use super::standstill::first_rate;
 use super::stretches::{ANY, View, stretches, sum};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::corrections::turntable as corrected;
 use crate::evidence::{Evidence, Subject};
 use crate::motion::turntable::{State, Table};
@@ -11,7 +11,7 @@ use crate::paper::{sphere, turntable as printed};
 /// ∫ rate dτ along stretches of motion with the change of the quantity.
 fn change(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     quantity: fn(&View) -> f64,
     rate: fn(&View) -> f64,
 ) -> Evidence {
@@ -36,7 +36,10 @@ fn u_rate(view: &View) -> f64 {
 
 /// (100), as described.
 pub fn azimuthal() -> Evidence {
-    let compared = "∫ dℓ/dτ by the law of the angular momentum and du/dτ of (74), along the motion, with the change of ℓ";
+    let compared = Compared::one(
+        r"the integral of $\mathrm d\ell/\mathrm d\tau$ by the law of the angular momentum and $\mathrm du/\mathrm d\tau$ of (74), along the motion,",
+        r"the change of $\ell$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -47,7 +50,10 @@ pub fn azimuthal() -> Evidence {
 
 /// With the rate of p.
 pub fn azimuthal_corrected() -> Evidence {
-    let compared = "∫ dℓ/dτ by the law of the angular momentum and dp/dτ, along the motion, with the change of ℓ";
+    let compared = Compared::one(
+        r"the integral of $\mathrm d\ell/\mathrm d\tau$ by the law of the angular momentum and $\mathrm dp/\mathrm d\tau$, along the motion,",
+        r"the change of $\ell$",
+    );
     change(
         Subject::Corrected,
         compared,
@@ -58,7 +64,10 @@ pub fn azimuthal_corrected() -> Evidence {
 
 /// (101), as described.
 pub fn radial() -> Evidence {
-    let compared = "∫ dξ/dτ by the law along the radius and du/dτ of (74), along the motion, with the change of ξ";
+    let compared = Compared::one(
+        r"the integral of $\mathrm d\xi/\mathrm d\tau$ by the law along the radius and $\mathrm du/\mathrm d\tau$ of (74), along the motion,",
+        r"the change of $\xi$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -69,8 +78,10 @@ pub fn radial() -> Evidence {
 
 /// With the rate of p.
 pub fn radial_corrected() -> Evidence {
-    let compared =
-        "∫ dξ/dτ by the law along the radius and dp/dτ, along the motion, with the change of ξ";
+    let compared = Compared::one(
+        r"the integral of $\mathrm d\xi/\mathrm d\tau$ by the law along the radius and $\mathrm dp/\mathrm d\tau$, along the motion,",
+        r"the change of $\xi$",
+    );
     change(
         Subject::Corrected,
         compared,

@@ -71,6 +71,7 @@ impl Ledger {
                 .filter(|e| root.fallen.contains(&e.id))
                 .collect();
             text += &style.numbered(i + 1, &self.name(root.id), root);
+            text += &style.wrong(root);
             text += &style.entry("Printed", &root.old);
             text += &style.entry("Right", &root.new);
             for (label, words) in [
@@ -180,8 +181,14 @@ trait Style {
     fn entry(&self, label: &str, words: &str) -> String;
     fn closing(&self) -> &'static str;
 
+    /// `Misprint: the sign of the second term.`
+    fn wrong(&self, erratum: &Erratum) -> String {
+        let parts = erratum.wrong.split_once(": ");
+        parts.map_or_else(String::new, |(label, words)| self.entry(label, words))
+    }
+
     fn item(&self, name: &str, erratum: &Erratum) -> String {
-        let mut text = self.title(name, erratum);
+        let mut text = self.title(name, erratum) + &self.wrong(erratum);
         text += &self.entry("Printed", &erratum.old);
         text += &self.entry("Should be", &erratum.new);
         text += &self.entry("Reason", &erratum.reason);

@@ -20,6 +20,8 @@ mod row;
 mod run;
 #[cfg(feature = "book")]
 mod sheet;
+#[cfg(feature = "book")]
+mod short;
 pub mod slight;
 mod table;
 mod tally;

@@ -152,8 +152,13 @@ const SMALL: &str = "0123456789+-";
 const SMALL_LOW: &str = "₀₁₂₃₄₅₆₇₈₉₊₋";
 const SMALL_HIGH: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻";
 
-/// Commands that only change how their argument looks, and those that leave no trace.
-const SILENT: &[&str] = &[
+/// True for a digit or a sign as a sub- or superscript.
+fn is_small(c: char) -> bool {
+    SMALL_LOW.contains(c) || SMALL_HIGH.contains(c)
+}
+
+/// Commands that only change how their argument looks.
+const LOOKS: &[&str] = &[
     "mathrm",
     "mathfrak",
     "mathsf",
@@ -163,6 +168,10 @@ const SILENT: &[&str] = &[
     "mbox",
     "text",
     "operatorname",
+];
+
+/// Commands that leave no trace.
+const SILENT: &[&str] = &[
     "left",
     "right",
     "big",
@@ -210,6 +219,11 @@ impl Reader<'_> {
                 && multiplies(&item)
             {
                 bracket(&mut out, at);
+            }
+            let function =
+                item.ends_with(' ') && item.starts_with(|c: char| c.is_ascii_lowercase());
+            if function && out.ends_with(|c: char| c.is_alphabetic() || is_small(c)) {
+                out.push(' ');
             }
             let begins = out.len();
             out.push_str(&item);
@@ -272,7 +286,7 @@ impl Reader<'_> {
                 }
             }
             "sqrt" => format!("√{}", factor(self.argument())),
-            "mathrm" | "text" | "mbox" if self.rest.starts_with('{') => self.argument(),
+            name if LOOKS.contains(&name) => self.argument(),
             "begin" | "end" => {
                 self.argument();
                 String::new()
@@ -347,12 +361,7 @@ fn factor(term: String) -> String {
 }
 
 fn is_factor(term: &str) -> bool {
-    let mark = |c: char| {
-        SMALL_LOW.contains(c)
-            || SMALL_HIGH.contains(c)
-            || "′˙".contains(c)
-            || ('\u{300}'..'\u{370}').contains(&c)
-    };
+    let mark = |c: char| is_small(c) || "′˙".contains(c) || ('\u{300}'..'\u{370}').contains(&c);
     let symbol = |term: &str| {
         let mut rest = term.chars();
         rest.next().is_some_and(char::is_alphabetic)
@@ -401,11 +410,16 @@ mod tests {
                 "(tan (θ/2))^(−λ)",
             ),
             (r"\bm{A}=-A \hat{\bm{x}}", "A = −A x̂"),
+            (
+                r"\lambda_\mathrm c\,\mathrm d\bm\rho/\mathrm dt",
+                "λ_c dρ/dt",
+            ),
             (r"\tau\to\infty", "τ → ∞"),
             (r"2^{1/4}", "2^(1/4)"),
             (r"r^{\lambda-1}", "r^(λ−1)"),
             (r"\frac{3\sqrt2}{4A}", "3√2/(4A)"),
             (r"\frac12\ln(\sqrt2\,\tau)", "½ln (√2 τ)"),
+            (r"\cosh\alpha\cosh2\alpha", "cosh α cosh 2α"),
             (r"\frac76C^4+\frac7{12}", "(7/6)C⁴+7/12"),
         ] {
             assert_eq!(plain_formula(latex), plain, "{latex}");
