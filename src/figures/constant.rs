@@ -62,12 +62,13 @@ pub fn fig1(curves: &Hodographs) -> Result<Figure, FigureError> {
     }
     let count = |panel: &[Hodograph]| lambdas(panel.iter().map(|curve| curve.lambda)).len();
     Plot::new("fig-1", "Velocity under constant acceleration and dry friction")
-        .caption(
+        .caption(format!(
             "How the velocity changes under a constant acceleration along $x$ and dry friction, from \
              the same speed $v_0$ in several directions. (a) $\\lambda\\le 1$: the particle goes on \
              for ever and turns into the direction of the inertial force; for $\\lambda=1$ its velocity \
-             tends to a constant (circles). (b) $\\lambda>1$: it comes to rest (disc).",
-        )
+             tends to a constant (circles). (b) $\\lambda>1$: it comes to rest (disc). {}",
+            super::after(1)
+        ))
         .alt(format!(
             "Two panels with the velocity along x to the right and that along y upwards, in units of the \
              initial speed. Every curve starts on the unit circle. Above, for {} values of λ up to 1, the \

@@ -33,10 +33,11 @@ fn multiples_of_pi(last: i32) -> Vec<(f64, String)> {
 pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "w_y at phi = 0", "phi (rad)", "w"]);
     let mut plot = Plot::new("fig-2", "The way to the large-time motion")
-        .caption(
+        .caption(format!(
             "The velocity $\\mathfrak w$ along the drive against the phase, from $\\mathfrak w=1$ and several velocities \
-             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. Above, without rest; below, with rests.",
-        )
+             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. Above, without rest; below, with rests. {}",
+            super::after(2)
+        ))
         .alt(
             "Two panels of velocity against phase over four periods, five curves each. The curves start together, spread in \
              the first period, the lower the smaller the velocity across, and run together within two or three periods.",
@@ -118,8 +119,9 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
     };
     Plot::new(id, format!("Large-time motion, λ₀ = {lambda}"))
         .caption(format!(
-            "The large-time motion over two periods for $\\lambda_0={}$: {said}.",
-            lambda.replace("1/√2", "2^{-1/2}")
+            "The large-time motion over two periods for $\\lambda_0={}$: {said}. {}",
+            lambda.replace("1/√2", "2^{-1/2}"),
+            super::after(if id == "fig-3" { 3 } else { 4 })
         ))
         .alt(format!(
             "Velocity against phase from 0 to 4π: a positive and a negative hump in each period; the curve {seen}."
