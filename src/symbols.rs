@@ -75,7 +75,7 @@ symbols! {
     inertia = "I", "I", "moment of inertia of the sphere", "mass·length²", "eq-60";
     omega in sphere = "ω" ["ω_x", "ω_y", "ω_z"], r"\bm\omega", "angular velocity of the sphere", "1/time", "eq-60";
     radius = "R", "R", "radius of the sphere", "length", "eq-61";
-    contact = "R" ["R_x", "R_y", "R_z"], r"\bm R", "from the centre to the point of contact", "length", "eq-61";
+    contact = "R" ["R_x", "R_y", "R_z"], r"\bm R", "vector from the centre to the point of contact", "length", "eq-61";
     kappa = "κ", r"\kappa", "$I/(mR^2)$", "1", "eq-62";
     slip = "w" ["w_x", "w_y", "w_z"], r"\bm w", "velocity of the point of contact", "length/time", "eq-66";
     b in sphere = "b", "b", r"$1+1/\kappa$, by which the sphere's friction is multiplied", "1", "eq-67";
@@ -98,7 +98,7 @@ symbols! {
     xi = "ξ" ["ξ", "ξ̇"], r"\xi", "position along the velocity; with its rate", "1", "eq-94";
     u_rate = "(du/dτ)", r"\dot u", "rate of what is called u there", "1", "s4-projection-azimuthal";
     ell = "ℓ" ["ℓ", "ℓ̇"], r"\ell", "position to the right of the velocity, angular momentum over $p$; with its rate", "1", "eq-95";
-    s = "s", "s", "way on the table", "length, or 1", "eq-104";
+    s = "s", "s", "length of the path on the table", "length, or 1", "eq-104";
     a in turntable = "A", "A", r"with $\alpha$, a hyperbolic parameter where $p<\rho$", "1", "eq-111";
     a in escape = "A", "A", r"with $\alpha$, a hyperbolic parameter where $p<\rho$", "1", "eq-111";
     alpha = "α", r"\alpha", r"with $A$, a hyperbolic parameter where $p<\rho$", "1", "eq-111";

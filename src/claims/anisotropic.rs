@@ -49,8 +49,8 @@ const FOURTH_REGION: Correction = Correction {
 /// The diagram, with E.
 const DIAGRAM: Correction = Correction {
     change: Change::Statement,
-    latex: r"The regions I to V with the curves A, B up to $Y$, E from $Y$ on, C up to $Y$, and D. Beyond $Y$, E separates II from IV, and C separates nothing.",
-    plain: "The regions I to V with the curves A, B up to Y, E from Y on, C up to Y, and D. Beyond Y, E separates II from IV, and C separates nothing.",
+    latex: r"The regions I to V with the curves A, B up to $Y$, E from $Y$ on, C up to $Y$, and D. Beyond $Y$, E separates II from IV, and C is not a border there.",
+    plain: "The regions I to V with the curves A, B up to Y, E from Y on, C up to Y, and D. Beyond Y, E separates II from IV, and C is not a border there.",
 };
 
 const CLAIMS: &[Claim] = &[

@@ -98,7 +98,7 @@ pub static CASES: [ByHand; 26] = [
         claim: "eq-75",
         wrong: "the sign of the second term",
         reason: "By (61) and (71) $\\bm u-\\dot{\\bm\\rho}=\\hat{\\bm z}\\times\\bm\\zeta$, and $\\hat{\\bm z}\\times(\\hat{\\bm z}\\times\\bm\\zeta)=\\hat{\\bm z}\\zeta_3-\\bm\\zeta$",
-        case: "A sphere rolls towards $+\\hat{\\bm x}$ with $\\dot{\\bm\\rho}=\\hat{\\bm x}$, $\\bm u=0$. Its top goes forward, so it turns about $+\\hat{\\bm y}$. Printed: $\\zeta_y={stated}$. In the motion: $\\zeta_y={found}$",
+        case: "A sphere rolls towards $+\\hat{\\bm x}$ with $\\dot{\\bm\\rho}=\\hat{\\bm x}$, $\\bm u=0$. Its top moves forward, so it turns about $+\\hat{\\bm y}$. Printed: $\\zeta_y={stated}$. In the motion: $\\zeta_y={found}$",
         digits: 3,
         stated: || Ok(sphere::eq75_spin(0.0, [0.0; 3], [1.0, 0.0, 0.0])[1]),
         found: || {
@@ -109,7 +109,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "eq-82",
         wrong: "a factor $1/\\gamma$ is missing",
-        reason: "(13) contains $A$; in units of $\\mu g$ its place is taken by $\\gamma=A/(\\mu g)$, which is left out",
+        reason: "(13) contains $A$; in units of $\\mu g$ its place is taken by $\\gamma=A/(\\mu g)$, which has been left out",
         case: "A solid sphere, $b=\\frac72$, on a plane with $A=2\\mu g$: $\\gamma=2$, $\\lambda=\\frac74$. It is thrown across, $\\theta_0=\\pi/2$, without spin, with $u_0=1$. By (74) $\\lambda u+u_x$ changes at the rate $\\gamma(1-\\lambda^2)=-\\frac{33}8$, from $\\frac74$ to 0: the slip ends at $\\tau=\\frac{14}{33}$. Printed: {stated}. In the motion: {found}",
         digits: 4,
         stated: || Ok(sphere::eq82_time(1.75, 1.0, FRAC_PI_2, 1e-12)),
@@ -156,8 +156,8 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "eq-106",
         wrong: "a factor $\\mu$ is missing in the last term",
-        reason: "The length $s$ of (104) is $\\Omega^2/(\\mu g)$ times the length of the path; multiplied by $m(\\mu g)^2/\\Omega^2$ it gives $m\\,\\mu g$ times the length of the path, and the $\\mu$ is lost in print",
-        case: "Let the table turn so slowly that it may be at rest: $m=1$, $\\mu=\\frac12$, $g=10$, and a push of $v=5$. Friction slows at the rate $\\mu g=5$, over the way $s=v^2/(2\\mu g)=2.5$. The energy $\\frac12v^2$ that is gone must be made up by the last term. Printed: $mgs={stated}$. In the motion: {found}",
+        reason: "The length $s$ of (104) is $\\Omega^2/(\\mu g)$ times the length of the path; multiplied by $m(\\mu g)^2/\\Omega^2$ it gives $m\\,\\mu g$ times the length of the path, and the print has lost the $\\mu$",
+        case: "Let the table turn so slowly that it may be at rest: $m=1$, $\\mu=\\frac12$, $g=10$, and a push of $v=5$. Friction slows it down at the rate $\\mu g=5$, over the distance $s=v^2/(2\\mu g)=2.5$. The last term must make up for the lost energy $\\frac12v^2$. Printed: $mgs={stated}$. In the motion: {found}",
         digits: 1,
         stated: || Ok(-table::friction_work(1.0, 10.0, way()?)),
         found: energy_lost,
@@ -201,7 +201,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "eq-131",
         wrong: "the factor of $A$",
-        reason: "It is (113) with (130) put in, and inherits its factor",
+        reason: "It is (113) with (130) inserted, and inherits its factor",
         case: "$\\dot A/A^{1/3}$ tends to $\\frac12 4^{1/3}={stated}$ as printed. With $A=\\frac13 2^{1/4}\\tau^{3/2}$ it is $\\frac12(3\\sqrt2)^{1/3}$. In the motion: {found}",
         digits: 4,
         stated: || Ok(escape::eq131_a_rate(1.0)),
@@ -219,7 +219,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "eq-133",
         wrong: "the factor of $\\tau$ in the logarithm",
-        reason: "It is (130) with (132) put in. It is read as $\\alpha=\\frac12\\ln\\frac{4\\tau}3+o(1)$, as (135) and (136) need it; as a mere ratio it would hold with any factor before $\\tau$",
+        reason: "It is (130) with (132) inserted. It is read as $\\alpha=\\frac12\\ln\\frac{4\\tau}3+o(1)$, as (135) and (136) need it; as a mere ratio it would hold with any factor before $\\tau$",
         case: "$\\mathrm e^\\alpha=2p/A$ at large $\\alpha$. With $p=\\tau^2/(3\\sqrt2)$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, $\\alpha-\\frac12\\ln\\tau$ tends to $\\frac12\\ln\\sqrt2$. Printed: $\\frac12\\ln\\frac43={stated}$. In the motion: {found}",
         digits: 4,
         stated: || Ok(escape::eq133_alpha(1.0)),
@@ -237,7 +237,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "eq-135",
         wrong: "the factor of $\\tau^2$",
-        reason: "It is (111) with (132) and (133) put in. The power is right, the factor is not",
+        reason: "It is (111) with (132) and (133) inserted. The power is right, the factor is not",
         case: "In the laboratory friction is the only force, of size 1, across the position at late times. With $\\rho=p=c\\tau^2$ and the direction $\\vartheta$, the law along the position is $\\ddot\\rho=\\rho\\dot\\vartheta^2$, so $\\dot\\vartheta=\\sqrt2/\\tau$; across it, $\\rho\\ddot\\vartheta+2\\dot\\rho\\dot\\vartheta=3\\sqrt2\\,c$ must be the friction. The printed $c=\\frac29$ needs a friction of {stated}; it is {found}",
         digits: 4,
         stated: || Ok(3.0 * SQRT_2 * growth::printed_speed()),
@@ -246,7 +246,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "eq-136",
         wrong: "the factor of $\\tau^2$",
-        reason: "It is (112) with (132) and (133) put in. The power is right, the factor is not",
+        reason: "It is (112) with (132) and (133) inserted. The power is right, the factor is not",
         case: "In the laboratory friction is the only force, of size 1, across the position at late times. With $\\rho=c\\tau^2$ and the direction $\\vartheta$, $\\ddot\\rho=\\rho\\dot\\vartheta^2$ gives $\\dot\\vartheta=\\sqrt2/\\tau$, and $\\rho\\ddot\\vartheta+2\\dot\\rho\\dot\\vartheta=1$ gives $3\\sqrt2\\,c=1$. Printed: $c={stated}$. In the motion: $c={found}$",
         digits: 4,
         stated: || Ok(escape::eq136_rho(1.0)),
@@ -264,7 +264,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "eq-146",
         wrong: "the surfaces have no envelope",
-        reason: "The derivative of (145) is right; that it vanishes somewhere, as an envelope needs, is not: the surfaces of the motion do not touch. At $\\alpha=\\sqrt2(1-\\sigma)$ the terms left out of (145) are as large as those kept",
+        reason: "The derivative of (145) is right. But an envelope needs it to vanish somewhere, and it does not: the surfaces of the motion do not touch. At $\\alpha=\\sqrt2(1-\\sigma)$ the terms left out of (145) are as large as those kept",
         case: "With $a=A-1$ and $\\alpha$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$, so that $a^2-\\alpha^2$ keeps its value at rest, $(1-\\sigma)^2$: $A=1-\\sqrt{(1-\\sigma)^2+\\alpha^2}$ on the surface of $\\sigma$. At $\\alpha=\\sqrt2(1-\\sigma)$ the slope $\\partial A/\\partial\\sigma$ is $1/\\sqrt3$. Printed: {stated}. In the motion, with $1-\\sigma$ below a hundredth: {found}",
         digits: 2,
         stated: || Ok(rest::eq146_right(0.5, 0.5 * SQRT_2)),
@@ -277,7 +277,7 @@ pub static CASES: [ByHand; 26] = [
         claim: "eq-147",
         wrong: "the surfaces have no envelope",
         reason: "The algebra from (145) and (146) is right, but there is no envelope",
-        case: "With $a=A-1$ and $\\alpha$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: what starts with $a<-\\alpha$ comes to rest, what starts with $a>-\\alpha$ goes off. At $\\alpha=0.1$ the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion, $\\psi=0.2$: {found}",
+        case: "With $a=A-1$ and $\\alpha$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: what starts with $a<-\\alpha$ comes to rest, what starts with $a>-\\alpha$ escapes. At $\\alpha=0.1$ the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion, $\\psi=0.2$: {found}",
         digits: 4,
         stated: || Ok(rest::eq147_a(0.1)),
         found: || boundary_example(),
@@ -285,8 +285,8 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "s4-envelope-is-boundary",
         wrong: "the surfaces have no envelope",
-        reason: "(145) holds for $\\alpha\\ll1-\\sigma$, and its envelope lies at $\\alpha=\\sqrt2(1-\\sigma)$, where it does not. A state has one future: surfaces of different $\\sigma$ never meet and have no envelope",
-        case: "Take $\\alpha=0.1$, $\\psi=0.2$. With $a=A-1$ small, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: the states on $a=-\\alpha$ creep towards $\\alpha=0$ for ever, and those below come to rest. So the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion: {found}. A start with $A=0.88$ is to go off, and comes to rest",
+        reason: "(145) holds for $\\alpha\\ll1-\\sigma$, and its envelope lies at $\\alpha=\\sqrt2(1-\\sigma)$, where (145) does not hold. A state has one future: surfaces of different $\\sigma$ never meet and have no envelope",
+        case: "Take $\\alpha=0.1$, $\\psi=0.2$. With $a=A-1$ small, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: the states on $a=-\\alpha$ creep towards $\\alpha=0$ for ever, and those below come to rest. So the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion: {found}. According to the print a start with $A=0.88$ escapes; in fact it comes to rest",
         digits: 4,
         stated: || Ok(rest::eq147_a(0.1)),
         found: || boundary_example(),

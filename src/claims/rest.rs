@@ -320,8 +320,8 @@ const CLAIMS: &[Claim] = &[
         id: "s4-envelope-is-boundary",
         section: "4",
         title: "the boundary between rest and escape",
-        latex: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if $A$ starts below it, and goes off without bound otherwise.",
-        plain: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if A starts below it, and goes off without bound otherwise.",
+        latex: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if $A$ starts below it, and escapes to infinity otherwise.",
+        plain: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if A starts below it, and escapes to infinity otherwise.",
         conditions: INNER,
         depends_on: &["eq-143", "eq-145"],
         correction: Some(Correction {

@@ -484,8 +484,8 @@ const CLAIMS: &[Claim] = &[
         id: "s22-attractor-ignores-vy",
         section: "2.2",
         title: "the large-time motion forgets the start across the drive",
-        latex: "At large times $v_x$ does not depend on the initial $v_y$; on the way there it does.",
-        plain: "At large times v_x does not depend on the initial v_y; on the way there it does.",
+        latex: "At large times $v_x$ does not depend on the initial $v_y$; before that it does.",
+        plain: "At large times v_x does not depend on the initial v_y; before that it does.",
         depends_on: &["eq-26", "s22-vy-vanishes"],
         conditions: &[FRICTION_ACROSS],
         trials: trials![

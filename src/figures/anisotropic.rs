@@ -402,7 +402,7 @@ pub fn far(seen: &[Seen], laws: [Law; 2]) -> Result<Figure, FigureError> {
         .caption(format!(
             "Where the motion changes, by bisection on the simulation (marks), with the curves. Far out a rest appears \
              at {}, which is $\\pi$; direct reversals, and with them all backward motion, end at {}, which is \
-             $4\\pi$. C is $1/q$ and bounds nothing there.",
+             $4\\pi$. C is $1/q$; far out it is not a border.",
             law(laws[0]),
             law(laws[1])
         ))

@@ -186,7 +186,7 @@ pub fn speed_and_angle(histories: &[History]) -> Result<Figure, FigureError> {
     }
     Plot::new("constant-speed-angle", "Speed and direction against time")
         .caption(
-            "Speed $v$ and angle $\\theta$ between velocity and inertial force against time, for \
+            "Speed $v$ and angle $\\theta$ between the velocity and the inertial force, against time, for \
              several $\\lambda$. A disc marks where the particle comes to rest: there the angle \
              reaches zero as well.",
         )
@@ -241,7 +241,7 @@ pub fn stopping_time(times: &[StoppingTimes]) -> Result<Figure, FigureError> {
         "Stopping time against the initial direction",
     )
     .caption(
-        "Time $T$ until the particle is at rest against the initial angle $\\theta_0$, for \
+        "Time $T$ until the particle stops, against the initial angle $\\theta_0$, for \
              several $\\lambda>1$. It is longest when the particle starts along the inertial force.",
     )
     .alt(

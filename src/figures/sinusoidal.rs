@@ -165,7 +165,7 @@ pub fn decay(decays: &[Decay]) -> Result<Figure, FigureError> {
     Plot::new("sinusoidal-decay", "How the velocity across the drive dies")
         .caption(
             "The depth $-\\ln\\mathfrak w_y$ period by period, from $\\mathfrak w_y=0.3$, on a logarithmic axis, for several \
-             $\\lambda_0<\\lambda_\\mathrm c$. Straight lines here are exponentials of exponentials; an exponential would be \
+             $\\lambda_0<\\lambda_\\mathrm c$. Straight lines here are exponentials of exponentials; an ordinary exponential would be \
              the dotted curve, whose slope dwindles.",
         )
         .alt(
@@ -202,7 +202,7 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
     .height(220.0);
     Plot::new("sinusoidal-rest", "How long it rests")
         .caption(
-            "The share of a period in which the large-time motion is at rest, read off the simulated intervals. It grows \
+            "The fraction of a period that the large-time motion spends at rest, read off the simulated intervals. It grows \
              from zero at $\\lambda_\\mathrm c$ with a finite slope and reaches one at $\\lambda_0=1$ as a square root does.",
         )
         .alt("A curve that is zero up to the critical friction, then rises, ever more steeply, to one at λ₀ = 1, and stays there.")
