@@ -2,13 +2,9 @@
 
 mod compared;
 mod ranges;
-#[cfg(feature = "book")]
-mod said;
 
 pub use compared::Compared;
 pub use ranges::Ranges;
-#[cfg(feature = "book")]
-pub(crate) use said::count;
 
 use serde::Serialize;
 use std::collections::BTreeSet;

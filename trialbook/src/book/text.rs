@@ -1,6 +1,6 @@
 //! Text and numbers for HTML.
 
-pub(super) use crate::evidence::count;
+pub(super) use crate::ledger::count;
 use crate::ledger::decimal;
 
 /// Data as text in HTML, on one line.

@@ -79,7 +79,7 @@ impl Ledger {
                 ("By hand", root.case.as_ref()),
             ] {
                 if let Some(words) = words.filter(|words| !words.is_empty()) {
-                    text += &style.entry(label, words);
+                    text += &style.entry(label, &closed(words));
                 }
             }
             if !heirs.is_empty() {
@@ -191,15 +191,20 @@ trait Style {
         let mut text = self.title(name, erratum) + &self.wrong(erratum);
         text += &self.entry("Printed", &erratum.old);
         text += &self.entry("Should be", &erratum.new);
-        text += &self.entry("Reason", &erratum.reason);
+        text += &self.entry("Reason", &closed(&erratum.reason));
         if let Some(case) = &erratum.case {
-            text += &self.entry("A case by hand", case);
+            text += &self.entry("A case by hand", &closed(case));
         }
         for said in &erratum.evidence {
             text += &self.entry("Trial", said);
         }
         text
     }
+}
+
+/// Sentences with the full stop at their end.
+fn closed(words: &str) -> String {
+    format!("{}.", words.trim_end_matches('.'))
 }
 
 /// What a claim is about, behind its name; nothing where that says it already.

@@ -19,6 +19,8 @@ mod row;
 #[cfg(feature = "book")]
 mod run;
 #[cfg(feature = "book")]
+mod said;
+#[cfg(feature = "book")]
 mod sheet;
 #[cfg(feature = "book")]
 mod short;
@@ -40,6 +42,8 @@ pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "book")]
 pub use row::{EvidenceRow, Row};
+#[cfg(feature = "book")]
+pub(crate) use said::count;
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 

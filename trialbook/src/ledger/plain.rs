@@ -17,6 +17,10 @@ pub fn plain_formula(latex: &str) -> String {
     let text = reader.until_closed();
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
+        // The power of a function, behind its blank.
+        if SMALL_HIGH.contains(c) && out.ends_with(' ') {
+            out.pop();
+        }
         // Blanks come from several sources: one is enough.
         if !(c == ' ' && (out.is_empty() || out.ends_with([' ', '(', '[']))) {
             out.push(c);
@@ -92,6 +96,8 @@ const SYMBOLS: &[(&str, &str)] = &[
     ("lvert", "|"),
     ("rvert", "|"),
     ("vert", "|"),
+    ("langle", "⟨"),
+    ("rangle", "⟩"),
     ("Vert", "‖"),
     ("circ", "°"),
     ("prime", "′"),
@@ -270,6 +276,9 @@ impl Reader<'_> {
         let (name, rest) = self.rest.split_at(end);
         self.rest = rest;
         if let Some((_, symbol)) = SYMBOLS.iter().find(|(known, _)| *known == name) {
+            if name == "lvert" {
+                self.rest = self.rest.trim_start();
+            }
             return (*symbol).to_owned();
         }
         if let Some((_, mark)) = MARKS.iter().find(|(known, _)| *known == name) {
@@ -342,7 +351,7 @@ fn multiplies(item: &str) -> bool {
 /// True if the text ends with a function whose argument is to come.
 fn ends_with_function(text: &str) -> bool {
     let word = text
-        .trim_end()
+        .trim_end_matches(|c| c == ' ' || SMALL_HIGH.contains(c))
         .rsplit(|c: char| !c.is_ascii_alphabetic())
         .next();
     let functions = [
@@ -376,6 +385,7 @@ fn is_factor(term: &str) -> bool {
         (depth == 0).then_some(i)
     });
     term.chars().all(|c| c.is_ascii_digit())
+        || term.chars().count() == 1
         || symbol(term)
         || term.strip_prefix('d').is_some_and(symbol)
         || term.strip_prefix('√').is_some_and(is_factor)
@@ -419,6 +429,8 @@ mod tests {
             (r"r^{\lambda-1}", "r^(λ−1)"),
             (r"\frac{3\sqrt2}{4A}", "3√2/(4A)"),
             (r"\frac12\ln(\sqrt2\,\tau)", "½ln (√2 τ)"),
+            (r"\sin^2\frac\psi2", "sin²(ψ/2)"),
+            (r"\lvert v_\perp\rvert", "|v_⊥|"),
             (r"\cosh\alpha\cosh2\alpha", "cosh α cosh 2α"),
             (r"\frac76C^4+\frac7{12}", "(7/6)C⁴+7/12"),
         ] {

@@ -2,7 +2,8 @@
 //!
 //! Formulas stand in `$…$`, numbers as `2e-13`; who shows the sentences sets both.
 
-use super::{Evidence, Outcome, Route};
+use super::decimal;
+use crate::evidence::{Evidence, Outcome, Route};
 
 impl Route {
     /// The method, behind the sentence that says what was compared.
@@ -55,10 +56,10 @@ impl Evidence {
             Outcome::Agrees if tolerance == 0.0 => {
                 "All agree; no disagreement is allowed.".to_owned()
             }
-            Outcome::Agrees => format!("All agree to {tolerance:.0e}."),
+            Outcome::Agrees => format!("All agree to {}.", short(tolerance, 0)),
             // The number of those beyond a tolerance may turn on a last bit.
             Outcome::Disagrees if tolerance > 0.0 => {
-                format!("Not all agree to {tolerance:.0e}.")
+                format!("Not all agree to {}.", short(tolerance, 0))
             }
             Outcome::Disagrees => {
                 let failed = self.failing();
@@ -70,26 +71,28 @@ impl Evidence {
 
     /// What came of it, and how far the two sides were apart where they were so farthest.
     pub fn measured(&self) -> String {
-        let tolerance = self.tolerance.value;
+        let tolerance = short(self.tolerance.value, 0);
         if self.route.is_proof() {
             return self.proof_result();
         }
         let at = match self.at.as_str() {
             "" => String::new(),
-            at => format!(", at {at}"),
+            at => format!(" at {at}"),
         };
         let worst = match self.worst.is_infinite() {
             true => format!("there is no value where the motion has one, for instance{at}"),
-            false => format!("the worst differs by {:.1e}{at}", self.worst),
+            false => format!("the worst differs by {},{at}", short(self.worst, 1)),
         };
+        let worst = worst.trim_end_matches([',', ' ']);
         match self.outcome() {
             Outcome::Agrees if self.worst == 0.0 => self.result(),
-            Outcome::Agrees => format!("All agree to {tolerance:.0e}; {worst}."),
-            Outcome::Disagrees if tolerance > 0.0 => {
-                format!("{} by more than {tolerance:.0e}; {worst}.", self.failing())
+            Outcome::Agrees => format!("All agree to {tolerance}; {worst}."),
+            Outcome::Disagrees if self.tolerance.value > 0.0 => {
+                format!("{} by more than {tolerance}; {worst}.", self.failing())
             }
             Outcome::Disagrees => {
-                format!("{}; no disagreement is allowed; {worst}.", self.failing())
+                let failing = self.failing();
+                format!("{failing}, for instance{at}; no disagreement is allowed.")
             }
             Outcome::NotANumber | Outcome::TooFewPoints => self.no_result(),
         }
@@ -135,6 +138,12 @@ impl Evidence {
             _ => format!("{what}: {}.", self.at.trim_end_matches('.')),
         }
     }
+}
+
+/// A size with so many decimals of its mantissa, written without a power of ten where none is needed.
+fn short(size: f64, decimals: usize) -> String {
+    let scientific = format!("{size:.decimals$e}");
+    decimal(&scientific).unwrap_or(scientific)
 }
 
 /// A count, its thousands parted.
