@@ -4,6 +4,7 @@
 mod alone;
 #[cfg(feature = "book")]
 pub mod deep;
+#[cfg(feature = "book")]
 pub mod distrust;
 #[cfg(feature = "book")]
 mod errata;
@@ -24,6 +25,7 @@ mod said;
 mod sheet;
 #[cfg(feature = "book")]
 mod short;
+#[cfg(feature = "book")]
 pub mod slight;
 mod table;
 mod tally;
