@@ -167,7 +167,7 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s23-nonzero-again",
         section: "2.3",
-        title: "what begins again at φ = π",
+        title: "what begins again with the next pulse",
         latex: r"The condition on $\lambda_0$ is that $\mathfrak{w}$ vanishes before the friction becomes nonzero again.",
         plain: "The condition on λ₀ is that w vanishes before the friction becomes nonzero again.",
         depends_on: &["eq-42", "eq-44"],

@@ -726,7 +726,7 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-projection-azimuthal",
         section: "4",
-        title: "where the rate of ℓ comes from",
+        title: "where (100) comes from",
         latex: r"(100) is the law of the angular momentum, combined with the rate of $u$.",
         plain: "(100) is the law of the angular momentum, combined with the rate of u.",
         depends_on: &["eq-91", "eq-96", "eq-99", "eq-100"],
@@ -745,7 +745,7 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s4-projection-radial",
         section: "4",
-        title: "where the rate of ξ comes from",
+        title: "where (101) comes from",
         latex: r"(101) is Newton's law along the radius, combined with the rate of $u$.",
         plain: "(101) is Newton's law along the radius, combined with the rate of u.",
         depends_on: &["eq-92", "eq-97", "eq-99", "eq-101"],

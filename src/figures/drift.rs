@@ -66,7 +66,7 @@ fn map(budgets: &Budgets, title: &str, which: usize, ends: &[f64]) -> Result<Pan
     for (n, end) in ends.iter().enumerate() {
         let label = match ends.get(n + 1) {
             Some(next) => format!("{end}–{next}"),
-            None => format!("> {end}"),
+            None => format!("above {end}"),
         };
         raster = raster.class(label, which, 0.1 + 0.12 * n as f64);
     }
