@@ -115,7 +115,7 @@ const CLAIMS: &[Claim] = &[
         section: "2.3",
         title: "very large friction: rest",
         latex: r"If the largest value of $\lvert h\rvert$ is $1$ and $\lambda_0>1$, the particle is always at rest at large times.",
-        plain: "If max |h| = 1 and λ₀ > 1, the particle is always at rest at large times.",
+        plain: "If the largest value of |h| is 1 and λ₀ > 1, the particle is always at rest at large times.",
         conditions: &[Condition {
             text: r"$h$ has period $2\pi$",
             sort: Sort::Stated,
