@@ -374,6 +374,7 @@ fn energy_lost() -> Result<f64, Failure> {
 mod tests {
     use super::*;
     use crate::claims::PAPER;
+    use std::f64::consts::LN_2;
 
     #[test]
     fn every_case_shows_a_difference() {
@@ -393,22 +394,69 @@ mod tests {
     }
 
     #[test]
-    fn the_numbers_are_those_that_the_words_lead_to() {
-        for (claim, numbers) in [
-            ("s22-vy-two-stages", ["1.000", "4.676"]),
-            ("s24-region-2", ["1", "0"]),
-            ("fig-5", ["2", "4"]),
-            ("eq-75", ["-1.000", "1.000"]),
-            ("eq-82", ["0.8485", "0.4242"]),
-            ("eq-83", ["0.3182", "0.0000"]),
-            ("eq-106", ["25.0", "12.5"]),
-            ("s4-coriolis-no-work", ["-25.0", "-12.5"]),
-        ] {
+    fn the_two_numbers_of_a_case_are_those_of_pencil_and_paper() {
+        let (third, fourth) = (1.0 / 3.0, 2.0_f64.powf(0.25));
+        let s = 0.5 * 3.0_f64.sqrt();
+        let passage = (s + FRAC_1_PI) / (s - FRAC_1_PI);
+        let by_hand = [
+            ("s21-along-acceleration", 1.0, -1.0),
+            ("s22-vy-two-stages", 1.0, passage * passage),
+            ("s22-rest-of-period", 2.5 * PI, PI / 6.0 + TAU),
+            ("s23-nonzero-again", -0.25, 0.0),
+            ("s4-projection-azimuthal", -5.0 + 1.0, -5.0 - 1.0),
+            ("s4-projection-radial", 6.0 + 2.0, 6.0 - 2.0),
+            ("s24-region-2", 1.0, 0.0),
+            ("fig-5", 2.0, 4.0),
+            ("eq-75", -1.0, 1.0),
+            ("eq-82", 28.0 / 33.0, 14.0 / 33.0),
+            (
+                "eq-83",
+                ((1.0 - 49.0 / 16.0) * 14.0 / 33.0 + 1.75) / 2.75,
+                0.0,
+            ),
+            ("eq-106", 25.0, 12.5),
+            ("s4-coriolis-no-work", -25.0, -12.5),
+            ("eq-128", SQRT_2 - 1.5, 0.5),
+            ("eq-129", 1.0, 1.5 / SQRT_2),
+            ("eq-130", third * 4.0_f64.ln(), third * (3.0 * SQRT_2).ln()),
+            ("eq-131", 0.5 * 4.0_f64.cbrt(), 0.5 * (3.0 * SQRT_2).cbrt()),
+            ("eq-132", 2.0 / 27.0_f64.sqrt(), third * fourth),
+            ("eq-133", 0.5 * (4.0 * third).ln(), 0.25 * LN_2),
+            ("eq-134", 0.05, 1.0 / 600.0),
+            ("eq-135", 3.0 * SQRT_2 * 2.0 / 9.0, 1.0),
+            ("eq-136", 2.0 / 9.0, SQRT_2 / 6.0),
+            ("eq-137", 2.0 / 27.0, SQRT_2 / 18.0),
+            ("eq-146", 0.0, third.sqrt()),
+            ("eq-147", (1.0 - 0.1 / SQRT_2).powi(2), 0.910_959_636),
+            (
+                "s4-envelope-is-boundary",
+                (1.0 - 0.1 / SQRT_2).powi(2),
+                0.910_959_636,
+            ),
+        ];
+        for (id, stated, found) in by_hand {
+            let case = PAPER.case(id).unwrap();
+            let [left, right] = case.numbers().unwrap();
+            let decimals = left.find('.').map_or(0, |point| left.len() - point - 1);
             assert_eq!(
-                PAPER.case(claim).unwrap().numbers().unwrap(),
-                numbers,
-                "{claim}"
+                [&left, &right],
+                [
+                    &format!("{stated:.decimals$}"),
+                    &format!("{found:.decimals$}")
+                ],
+                "{id}"
+            );
+            let words = case.words().unwrap();
+            assert!(
+                words.contains(&left) && words.contains(&right) && words.len() > 100,
+                "{id}: {words}"
+            );
+            assert!(
+                !words.contains("{stated}") && !words.contains("{found}"),
+                "{id}: {words}"
             );
         }
+        assert!(PAPER.case("eq-1").is_none());
+        assert_eq!(CASES.len(), by_hand.len());
     }
 }

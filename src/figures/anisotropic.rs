@@ -182,7 +182,7 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
              {points} simulated points the list is wrong; they are marked, and all lie below C and beyond Y. \
              In the middle as corrected, with E for the missing boundary and C ending at Y: {corrected_wrong} wrong. Below, the \
              wedge between E and C enlarged. {}",
-            super::after(5)
+            super::after("fig-5")
         ))
         .alt(
             "Three diagrams. The first two have q from 1 to 7 to the right and λ₀ from 0 to 1.4 upwards. The curves \
@@ -451,7 +451,7 @@ pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
             "The periodic velocity $\\mathfrak{{w}}$ against the phase $\\phi$ over two periods, at one point of each \
              region. I: forwards and backwards in turn. II: forwards, at once backwards, rest. III: a rest after \
              either. IV: forwards and rest. V: rest. {}",
-            super::after(6)
+            super::after("fig-6")
         ))
         .alt(
             "Five panels with φ from 0 to 4π to the right and 𝔴 from −1 to 1 upwards. The wave of panel I never \

@@ -67,7 +67,7 @@ pub fn fig1(curves: &Hodographs) -> Result<Figure, FigureError> {
              the same speed $v_0$ in several directions. (a) $\\lambda\\le 1$: the particle goes on \
              for ever and turns into the direction of the inertial force; for $\\lambda=1$ its velocity \
              tends to a constant (circles). (b) $\\lambda>1$: it comes to rest (disc). {}",
-            super::after(1)
+            super::after("fig-1")
         ))
         .alt(format!(
             "Two panels with the velocity along x to the right and that along y upwards, in units of the \

@@ -22,7 +22,8 @@ pub mod turntable;
 pub use all::{AllFiguresError, all};
 
 /// Which figure of the paper one of ours is drawn after: by its caption and the marks on its axes alone.
-fn after(number: u8) -> String {
+fn after(id: &str) -> String {
+    let number = id.trim_start_matches("fig-");
     format!(
         "After figure {number} of the paper, by its caption and marks; its source has no pictures, and we have not seen that one."
     )

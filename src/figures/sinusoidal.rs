@@ -36,7 +36,7 @@ pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> 
         .caption(format!(
             "The velocity $\\mathfrak w$ along the drive against the phase, from $\\mathfrak w=1$ and several velocities \
              $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. Above, without rest; below, with rests. {}",
-            super::after(2)
+            super::after("fig-2")
         ))
         .alt(
             "Two panels of velocity against phase over four periods, five curves each. The curves start together, spread in \
@@ -121,7 +121,7 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
         .caption(format!(
             "The large-time motion over two periods for $\\lambda_0={}$: {said}. {}",
             lambda.replace("1/√2", "2^{-1/2}"),
-            super::after(if id == "fig-3" { 3 } else { 4 })
+            super::after(id)
         ))
         .alt(format!(
             "Velocity against phase from 0 to 4π: a positive and a negative hump in each period; the curve {seen}."

@@ -54,7 +54,11 @@ const DIRECTED: &[&str] = &[
 /// The claims without a formula of their own: their words with a direction, in order, and the trial that would fail if
 /// one was turned round.
 const STATEMENTS: &[(&str, &str, &str)] = &[
-    ("s2-stops-if-weak", "weak falls", "properties::stops_census"),
+    (
+        "s2-stops-if-weak",
+        "weak below falls",
+        "properties::stops_census",
+    ),
     (
         "s2-no-permanent-rest",
         "strong exceeds",

@@ -170,6 +170,9 @@ fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
     chosen.collect()
 }
 
+/// The parts of an item that stand in one paragraph, in LaTeX.
+const RUN_IN: [&str; 5] = ["Printed", "Right", "Reason", "By hand", "It passes to"];
+
 /// How the letter is set.
 trait Style {
     fn opening(&self, paper: &Paper, what: &str) -> String;
@@ -291,8 +294,8 @@ impl Style for Latex {
             ..
         } = paper;
         format!(
-            "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm}}\n\
-             \\usepackage[margin=25mm]{{geometry}}\n\n\
+            "\\documentclass[10pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm}}\n\
+             \\usepackage[margin=20mm]{{geometry}}\n\n\
              \\title{{{what} ``{title}''\\\\\\large by {authors}, {reference}}}\n\\author{{[name]\\\\{{}}[affiliation and \
              address]}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n"
         )
@@ -325,13 +328,15 @@ impl Style for Latex {
         )
     }
     fn entry(&self, label: &str, words: &str) -> String {
+        // The parts of an item are one paragraph.
+        let end = if RUN_IN.contains(&label) { "" } else { "\n" };
         // A formula alone may be too wide for a line with its label.
         let alone = words
             .strip_prefix('$')
             .and_then(|rest| rest.strip_suffix('$'));
         match alone.filter(|formula| !formula.contains('$')) {
-            Some(formula) => format!("\\emph{{{label}:}}\n\\[{formula}\\]\n\n"),
-            None => format!("\\emph{{{label}:}} {}\n\n", tex_words(words)),
+            Some(formula) => format!("\\emph{{{label}:}}\n\\[{formula}\\]\n{end}"),
+            None => format!("\\emph{{{label}:}} {}\n{end}", tex_words(words)),
         }
     }
     fn closing(&self) -> &'static str {
