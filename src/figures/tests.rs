@@ -504,19 +504,3 @@ proptest::proptest! {
         }
     }
 }
-
-#[test]
-fn a_figure_of_the_paper_names_it_in_its_caption() {
-    let mut named = 0;
-    for figure in gallery() {
-        let number = figure.id.strip_prefix("fig-");
-        let says = figure.caption.contains("of the paper, by its caption");
-        assert_eq!(number.is_some(), says, "{}", figure.id);
-        if let Some(number) = number {
-            let words = format!("After figure {number} of the paper");
-            assert!(figure.caption.contains(&words), "{}", figure.id);
-            named += 1;
-        }
-    }
-    assert!(named > 1);
-}
