@@ -58,10 +58,11 @@ symbols! {
     w_y in sinusoidal = "𝔴_y", r"\mathfrak w_y", r"velocity across the drive, in units of $A_0/\varpi$", "1", "s22-vy-two-stages";
     h = "h", "h", "form of a periodic drive, at most 1 in size", "1", "eq-42";
     eta = "η", r"\eta", "share of a half period that a pulse fills", "1", "eq-42";
+    resisted = "f", "f", "acceleration by friction, in units of the drive's amplitude", "1", "s23-nonzero-again";
     mu_plus = "μ₊", r"\mu_+", "coefficient of friction forwards", "1", "eq-47";
     mu_minus = "μ₋", r"\mu_-", "coefficient of friction backwards", "1", "eq-48";
     q = "q", "q", r"ratio $\mu_-/\mu_+$", "1", "eq-50";
-    k = "K", "K", "half the length of the forward slip on curve A", "radians", "eq-53";
+    k = "K", "K", "half the length of a slip; on curve A of the forward one", "radians", "eq-53";
     q_lambda0 = "(qλ₀)", r"q\lambda_0", "friction backwards", "1", "eq-54";
     q_y = "q_Y", r"q_\mathrm{Y}", "$q$ at the point Y", "1", "s24-Y";
     x in anisotropic = "x", "x", "length of the forward slip at the point Y", "radians", "s24-Y";
@@ -74,7 +75,7 @@ symbols! {
     inertia = "I", "I", "moment of inertia of the sphere", "mass·length²", "eq-60";
     omega in sphere = "ω" ["ω_x", "ω_y", "ω_z"], r"\bm\omega", "angular velocity of the sphere", "1/time", "eq-60";
     radius = "R", "R", "radius of the sphere", "length", "eq-61";
-    contact = "R" ["R_x", "R_y", "R_z"], r"\bm R", "from the centre to the point of contact", "length", "eq-61";
+    contact = "R" ["R_x", "R_y", "R_z"], r"\bm R", "vector from the centre to the point of contact", "length", "eq-61";
     kappa = "κ", r"\kappa", "$I/(mR^2)$", "1", "eq-62";
     slip = "w" ["w_x", "w_y", "w_z"], r"\bm w", "velocity of the point of contact", "length/time", "eq-66";
     b in sphere = "b", "b", r"$1+1/\kappa$, by which the sphere's friction is multiplied", "1", "eq-67";
@@ -95,8 +96,9 @@ symbols! {
     rho = "ρ", r"\rho", "distance from the axis", "1", "eq-94";
     psi = "ψ", r"\psi", "angle from the velocity to the position", "radians", "eq-94";
     xi = "ξ" ["ξ", "ξ̇"], r"\xi", "position along the velocity; with its rate", "1", "eq-94";
+    u_rate = "(du/dτ)", r"\dot u", "rate of what is called u there", "1", "s4-projection-azimuthal";
     ell = "ℓ" ["ℓ", "ℓ̇"], r"\ell", "position to the right of the velocity, angular momentum over $p$; with its rate", "1", "eq-95";
-    s = "s", "s", "way on the table", "length, or 1", "eq-104";
+    s = "s", "s", "length of the path on the table", "length, or 1", "eq-104";
     a in turntable = "A", "A", r"with $\alpha$, a hyperbolic parameter where $p<\rho$", "1", "eq-111";
     a in escape = "A", "A", r"with $\alpha$, a hyperbolic parameter where $p<\rho$", "1", "eq-111";
     alpha = "α", r"\alpha", r"with $A$, a hyperbolic parameter where $p<\rho$", "1", "eq-111";

@@ -8,7 +8,7 @@ use slipbook::claims::measured::MEASURED;
 use slipbook::claims::reading::ELSEWHERE;
 use slipbook::claims::variants::{SPARED, SURVIVORS, Variant};
 use slipbook::claims::{Claim, PAPER};
-use slipbook::evidence::{Evidence, Outcome};
+use slipbook::evidence::{Evidence, Outcome, Sample};
 use slipbook::ledger::deep::Deep;
 use slipbook::ledger::{Entry, Ledger, Record};
 use slipbook::seeded::with;
@@ -76,6 +76,8 @@ fn main() {
     }));
     let whole = Arc::clone(&ledger);
     trials.push(Trial::test("measured", move || reasons(&whole)));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("sentences", move || sentences(&whole)));
     trials.push(Trial::test("no_snapshot_without_a_claim", stale));
     let first = ledger.entries[0].sheet();
     trials.push(Trial::test("a_snapshot_edited_by_hand", move || {
@@ -94,6 +96,53 @@ fn main() {
         ledger.summary()
     );
     conclusion.exit();
+}
+
+/// What is said of a trial is said in sentences, and what disagrees is shown.
+fn sentences(ledger: &Ledger) -> Result<(), Failed> {
+    let bad = |text: &String| {
+        let formulas = text.matches('$').count().is_multiple_of(2);
+        let tidy = !["  ", " ,", " .", "..", ",,", "$$"]
+            .iter()
+            .any(|slip| text.contains(slip));
+        !(formulas && tidy && text.ends_with('.') && !text.starts_with(char::is_lowercase))
+    };
+    let mut offences = Vec::new();
+    for entry in &ledger.entries {
+        let id = entry.claim.id;
+        let in_short = entry.in_short();
+        if entry.judgement.verdict.asks_for_change() != in_short.is_some() {
+            offences.push(format!("{id}: {in_short:?}"));
+        }
+        let said = entry
+            .evidence
+            .iter()
+            .flat_map(|e| [e.comparison(), e.result(), e.measured()]);
+        let slips = said.chain(in_short).filter(bad);
+        offences.extend(slips.map(|text| format!("{id}: {text}")));
+        offences.extend(
+            entry
+                .evidence
+                .iter()
+                .filter(|e| !shows(e))
+                .map(|e| format!("{id}: {}, {} of {}", e.trial, e.failed, e.points)),
+        );
+    }
+    match offences.is_empty() {
+        true => Ok(()),
+        false => Err(format!("{offences:#?}").into()),
+    }
+}
+
+/// True if the number of points that fail and the pairs that are shown say what the outcome says.
+fn shows(e: &Evidence) -> bool {
+    let apart = |s: &Sample| s.stated != s.found;
+    let shown = || (1..=e.failed).contains(&e.samples.len()) && e.samples.iter().all(apart);
+    match e.outcome() {
+        _ if e.farthest.is_none() => e.failed == 0,
+        Outcome::Disagrees => (1..=e.points).contains(&e.failed) && shown(),
+        _ => e.failed == 0,
+    }
 }
 
 /// How many times looser a tolerance may be than the worst disagreement that it admits.

@@ -1,7 +1,7 @@
 //! The judge, tried on evidence made by hand.
 
 use slipbook::claims::{Condition, Sort};
-use slipbook::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
+use slipbook::evidence::{Change, Compared, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
 use std::panic::Location;
 
@@ -15,7 +15,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         points: 1000,
         worst,
         at: "x = 1".into(),
-        ..Evidence::new(route, subject, "a with b", EXAMPLE)
+        ..Evidence::new(route, subject, Compared::one("$a$", "$b$"), EXAMPLE)
     }
 }
 
@@ -219,6 +219,7 @@ fn own(verdict: Verdict) -> Judgement {
     Judgement {
         verdict,
         ground: "fails".into(),
+        inherits: Vec::new(),
     }
 }
 

@@ -102,17 +102,18 @@ pub fn contact(bits: usize) -> Result<Ball, CertifiedError> {
     valued((q - one).over(&below), bits)
 }
 
-/// λ₀ where a rest appears at this q: forward motion for 2K = 2πq/(q+1) from φ₁ just returns to zero,
-/// cot φ₁ = K/sin² K − cot K.
+/// λ₀ where a rest appears at this q. Over a period friction takes as much forward as backward, so that the forward motion
+/// from φ₁ lasts D = 2πq/(q+1); it returns to zero, cos φ₁ − cos(φ₁ + D) = D sin φ₁.
 ///
 /// # Errors
 /// [`CertifiedError::NotProved`] for q ≤ 0.
 pub fn rest_appears(q: &Ball, bits: usize) -> Result<Ball, CertifiedError> {
     let cotangent = || {
         let one = Ball::int(1, q.bits());
-        let k = (Ball::pi(q.bits()) * q).over(&(q + &one))?;
-        let [s, c] = k.sin_cos();
-        let cot = k.over(&(&s * &s))? - c.over(&s)?;
+        let pi = Ball::pi(q.bits());
+        let d = ((&pi + &pi) * q).over(&(q + &one))?;
+        let [s, c] = d.sin_cos();
+        let cot = (d - s).over(&(&one - &c))?;
         one.over(&(&one + &cot * &cot).sqrt()?)
     };
     valued(cotangent(), bits)

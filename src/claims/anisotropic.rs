@@ -5,6 +5,7 @@ pub mod certified;
 mod corners;
 mod curves;
 pub mod drawn;
+pub mod drift;
 pub mod exact;
 mod frictions;
 mod mirror;
@@ -38,11 +39,18 @@ const SECOND_REGION: Correction = Correction {
     plain: "Above A, below B for q ≤ q_Y and below E for q ≥ q_Y, each period has an interval with w > 0, at once one with w < 0, then a rest. Between E and C there is no backward motion: each period has an interval with w > 0 and a rest, as in IV.",
 };
 
+/// Region IV, with E.
+const FOURTH_REGION: Correction = Correction {
+    change: Change::Statement,
+    latex: r"Above C for $q\leq q_Y$, above E for $q\geq q_Y$, and below D, each period has an interval with $\mathfrak{w}>0$ and a rest.",
+    plain: "Above C for q ≤ q_Y, above E for q ≥ q_Y, and below D, each period has an interval with w > 0 and a rest.",
+};
+
 /// The diagram, with E.
 const DIAGRAM: Correction = Correction {
     change: Change::Statement,
-    latex: r"The regions I to V with the curves A, B up to $Y$, E from $Y$ on, C up to $Y$, and D. Beyond $Y$, E separates II from IV, and C separates nothing.",
-    plain: "The regions I to V with the curves A, B up to Y, E from Y on, C up to Y, and D. Beyond Y, E separates II from IV, and C separates nothing.",
+    latex: r"The regions I to V with the curves A, B up to $Y$, E from $Y$ on, C up to $Y$, and D. Beyond $Y$, E separates II from IV, and C is not a border there.",
+    plain: "The regions I to V with the curves A, B up to Y, E from Y on, C up to Y, and D. Beyond Y, E separates II from IV, and C is not a border there.",
 };
 
 const CLAIMS: &[Claim] = &[
@@ -328,12 +336,25 @@ const CLAIMS: &[Claim] = &[
         title: "region IV: forward slip and rest",
         latex: r"Between C and D, each period has an interval with $\mathfrak{w}>0$ and a rest.",
         plain: "Between C and D, each period has an interval with w > 0 and a rest.",
-        conditions: &[Condition {
-            text: r"$q\geq1$",
-            sort: Sort::Stated,
-        }],
+        conditions: &[
+            Condition {
+                text: r"$q\geq1$",
+                sort: Sort::Stated,
+            },
+            Condition {
+                text: r"$q\leq q_Y$: beyond, IV begins at E, below C",
+                sort: Sort::Substance,
+            },
+        ],
         depends_on: &["eq-51", "eq-52", "eq-55", "eq-56"],
-        trials: trials![regions::fourth_census, regions::fourth_ends],
+        trials: trials![
+            regions::fourth_census,
+            regions::fourth_ends,
+            regions::fourth_ends_beyond,
+            regions::between_e_and_c,
+            regions::fourth_corrected_ends
+        ],
+        correction: Some(FOURTH_REGION),
         ..Claim::BLANK
     },
     Claim {
@@ -404,8 +425,10 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             regions::diagram,
             regions::corrected_diagram,
+            regions::far,
             regions::corrected_curves,
-            certified::order
+            certified::order,
+            regions::diagram_step
         ],
         correction: Some(DIAGRAM),
         ..Claim::BLANK

@@ -9,6 +9,7 @@ mod hodograph;
 mod incline;
 mod launches;
 mod limits;
+pub mod sense;
 mod time;
 
 use super::attempt::trials;
@@ -438,6 +439,35 @@ const CLAIMS: &[Claim] = &[
             extremes::large_friction_outside,
             excepted::large_friction
         ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s21-along-acceleration",
+        section: "2.1",
+        title: "the sense of the sliding",
+        latex: r"For $\lambda\leq1$ the particle slides, at large times, along the plane's acceleration: $\bm v/v\to\bm A/A$.",
+        plain: "For λ ≤ 1 the particle slides, at large times, along the plane's acceleration: 𝐯/v → 𝐀/A.",
+        depends_on: &["eq-1", "eq-3", "s21-small-friction-aligns"],
+        trials: trials![
+            sense::along,
+            sense::against,
+            sense::against_in_the_laboratory
+        ],
+        correction: Some(Correction {
+            change: Change::Sign,
+            latex: r"For $\lambda\leq1$ the particle slides, at large times, against the plane's acceleration: $\bm v/v\to-\bm A/A$.",
+            plain: "For λ ≤ 1 the particle slides, at large times, against the plane's acceleration: 𝐯/v → −𝐀/A.",
+        }),
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s21-incline",
+        section: "2.1",
+        title: "the inclined plane is a constant acceleration",
+        latex: r"The motion on an inclined plane is that on a surface with constant acceleration.",
+        plain: "The motion on an inclined plane is that on a surface with constant acceleration.",
+        depends_on: &["eq-1", "eq-3"],
+        trials: trials![incline::law, incline::same_motion],
         ..Claim::BLANK
     },
     Claim {

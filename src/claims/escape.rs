@@ -97,6 +97,49 @@ const ESCAPING_LATE: &[Condition] = &[
     },
 ];
 
+/// How (130) is read.
+const EQ130: &[Condition] = &[
+    ESCAPING_LARGE_A[0],
+    ESCAPING_LARGE_A[1],
+    ESCAPING_LARGE_A[2],
+    Condition {
+        text: r"read with the constant that it gives, $\alpha-\frac13\ln4A\to0$, as (131) takes it over; the ratio of the sides tends to $1$ with any constant",
+        sort: Sort::Stated,
+    },
+];
+
+/// How (133) is read.
+const EQ133: &[Condition] = &[
+    ESCAPING_LATE[0],
+    ESCAPING_LATE[1],
+    ESCAPING_LATE[2],
+    Condition {
+        text: r"read with the constant that it gives, $\alpha-\frac12\ln\frac{4\tau}3\to0$, as (135) and (136) take it over; the ratio of the sides tends to $1$ with any constant",
+        sort: Sort::Stated,
+    },
+];
+
+/// How (134) is read.
+const EQ134: &[Condition] = &[
+    ESCAPING_LATE[0],
+    ESCAPING_LATE[1],
+    ESCAPING_LATE[2],
+    Condition {
+        text: r"read by the term that it gives, $\frac\pi2-\psi\sim(3/\tau)^{1/2}$; that $\psi\to\frac\pi2$ holds without it",
+        sort: Sort::Stated,
+    },
+];
+
+/// In which sense ψ goes to ψ₁.
+const SMALL_ALPHA_ALONE: &[Condition] = &[
+    INNER_NOT_STRAIGHT[0],
+    INNER_NOT_STRAIGHT[1],
+    Condition {
+        text: r"both vanish: $\psi-\psi_1\to0$ is what (126) needs, but unless $A=1$ their ratio does not tend to $1$",
+        sort: Sort::Substance,
+    },
+];
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-126",
@@ -180,7 +223,7 @@ const CLAIMS: &[Claim] = &[
         title: "α at large A",
         latex: r"\alpha\approx\frac{1}{3} \ln(4 A)",
         plain: "α ≈ ⅓ ln(4A)",
-        conditions: ESCAPING_LARGE_A,
+        conditions: EQ130,
         depends_on: &["eq-129"],
         correction: Some(Correction {
             change: Change::Statement,
@@ -191,7 +234,8 @@ const CLAIMS: &[Claim] = &[
             growth::eq130_limit,
             &exact::EQ130,
             growth::corrected130_limit,
-            steps::eq130
+            steps::eq130,
+            onset::alpha_by_a_grows
         ],
     },
     Claim {
@@ -248,7 +292,7 @@ const CLAIMS: &[Claim] = &[
         title: "growth of α",
         latex: r"\alpha\sim\frac{1}{2} \ln\frac{4 \tau}{3}",
         plain: "α ~ ½ ln(4τ/3)",
-        conditions: ESCAPING_LATE,
+        conditions: EQ133,
         depends_on: &["eq-130", "eq-132"],
         correction: Some(Correction {
             change: Change::Statement,
@@ -259,7 +303,8 @@ const CLAIMS: &[Claim] = &[
             growth::eq133_limit,
             &exact::EQ133,
             growth::corrected133_limit,
-            steps::eq133
+            steps::eq133,
+            onset::alpha_grows
         ],
     },
     Claim {
@@ -270,7 +315,7 @@ const CLAIMS: &[Claim] = &[
         title: "limit of the angle ψ",
         latex: r"\psi\sim\frac{\pi}{2}-\left(\frac{3}{\tau}\right)^{1/2}",
         plain: "ψ ~ π/2 − (3/τ)^(1/2)",
-        conditions: ESCAPING_LATE,
+        conditions: EQ134,
         depends_on: &["eq-124", "eq-133"],
         correction: Some(Correction {
             change: Change::Statement,
@@ -284,7 +329,8 @@ const CLAIMS: &[Claim] = &[
             growth::corrected134_exponent,
             growth::corrected134_limit,
             growth::corrected134_delay,
-            steps::eq134
+            steps::eq134,
+            onset::psi_goes_upright
         ],
     },
     Claim {
@@ -389,14 +435,22 @@ const CLAIMS: &[Claim] = &[
         title: "ψ relaxes near α = 0",
         latex: r"Near $\alpha=0$ the angle $\psi$ goes rapidly to $\psi_1$, itself near zero, and then (126) holds.",
         plain: "Near α = 0 the angle ψ goes rapidly to ψ₁, itself near zero, and then (126) holds.",
-        conditions: INNER_NOT_STRAIGHT,
+        conditions: SMALL_ALPHA_ALONE,
         depends_on: &["eq-115", "eq-124", "eq-126"],
         trials: trials![
             onset::small_alpha_angle,
             onset::small_alpha_rate,
             onset::small_alpha_straight,
+            onset::small_alpha_ratio,
+            onset::corrected_small_alpha_ratio,
+            onset::corrected_small_alpha_rate,
             excepted::small_alpha
         ],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"Near $\alpha=0$ the angle $\psi$ goes rapidly to zero, and then (126) holds; for $A>\frac12$, $\frac{\psi}{\psi_1}\to\frac{A}{2A-1}$.",
+            plain: "Near α = 0 the angle ψ goes rapidly to zero, and then (126) holds; for A > ½, ψ/ψ₁ → A/(2A − 1).",
+        }),
         ..Claim::BLANK
     },
     Claim {

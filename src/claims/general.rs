@@ -69,7 +69,7 @@ const CLAIMS: &[Claim] = &[
         section: "2",
         title: "a weak drive lets the particle stop",
         latex: r"If the largest value of $\lvert\bm{A}\rvert$ is below $\mu g$, the speed falls and the particle is at rest after a finite time.",
-        plain: "If max |𝐀| < μ g, the speed falls and the particle is at rest after a finite time.",
+        plain: "If the largest value of |𝐀| is below μ g, the speed falls and the particle is at rest after a finite time.",
         depends_on: &["eq-2"],
         trials: trials![properties::stops_census, properties::stops_integration],
         ..Claim::BLANK

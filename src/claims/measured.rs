@@ -15,6 +15,16 @@ pub const MEASURED: &[Measured] = &[
         claims: &["fig-1", "fig-2", "fig-3", "fig-4", "fig-6"],
     },
     Measured {
+        reason: "It says in words in which sense something goes, or which of two things is meant; it is tried on motions.",
+        claims: &[
+            "s21-along-acceleration",
+            "s21-incline",
+            "s22-rest-of-period",
+            "s23-nonzero-again",
+            "s23-pulses-normalised",
+        ],
+    },
+    Measured {
         reason: "It speaks about every acceleration of the plane as a function of time, or of every drive: there is no formula for the motion.",
         claims: &[
             "s2-stops-if-weak",
@@ -75,6 +85,7 @@ pub const MEASURED: &[Measured] = &[
             "s4-escape-if-A-above-1",
             "s4-alpha-unbounded",
             "s4-near-rest",
+            "s4-dichotomy",
         ],
     },
 ];

@@ -1,5 +1,6 @@
 //! Any periodic acceleration: the claims.
 
+pub mod again;
 pub mod drawn;
 pub mod drives;
 pub mod exact;
@@ -8,8 +9,8 @@ mod rest;
 pub mod threshold;
 
 use super::attempt::trials;
-use super::{Claim, Condition, Sort, Topic};
-use crate::evidence::Kind;
+use super::{Claim, Condition, Correction, Sort, Topic};
+use crate::evidence::{Change, Kind};
 
 /// The topic.
 pub const TOPIC: Topic = Topic {
@@ -114,7 +115,7 @@ const CLAIMS: &[Claim] = &[
         section: "2.3",
         title: "very large friction: rest",
         latex: r"If the largest value of $\lvert h\rvert$ is $1$ and $\lambda_0>1$, the particle is always at rest at large times.",
-        plain: "If max |h| = 1 and λ₀ > 1, the particle is always at rest at large times.",
+        plain: "If the largest value of |h| is 1 and λ₀ > 1, the particle is always at rest at large times.",
         conditions: &[Condition {
             text: r"$h$ has period $2\pi$",
             sort: Sort::Stated,
@@ -143,12 +144,12 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Substance,
             },
             Condition {
-                text: r"$\lvert h\rvert<1$ for some time in each period: else no $\lambda_0<1$ lets it rest",
-                sort: Sort::Substance,
+                text: r"$h$ is generic: $\lvert h\rvert<1$ for some time in each period, else no $\lambda_0<1$ lets it rest",
+                sort: Sort::Stated,
             },
             Condition {
-                text: r"$h\neq0$ wherever the antiderivative of $h$ is at its median: else it may rest at every $\lambda_0$",
-                sort: Sort::Substance,
+                text: r"$h$ is generic: $h\neq0$ wherever the antiderivative of $h$ is at its median, else it may rest at every $\lambda_0$",
+                sort: Sort::Stated,
             },
         ],
         depends_on: &["eq-26"],
@@ -160,6 +161,44 @@ const CLAIMS: &[Claim] = &[
             threshold::with_mean_close,
             threshold::two_valued,
             threshold::level
+        ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s23-nonzero-again",
+        section: "2.3",
+        title: "what begins again with the next pulse",
+        latex: r"The condition on $\lambda_0$ is that $\mathfrak{w}$ vanishes before the friction becomes nonzero again.",
+        plain: "The condition on λ₀ is that w vanishes before the friction becomes nonzero again.",
+        depends_on: &["eq-42", "eq-44"],
+        trials: trials![
+            again::friction_again,
+            again::pull_again,
+            again::pull_again_on_a_plane
+        ],
+        correction: Some(Correction {
+            change: Change::Symbol,
+            latex: r"The condition on $\lambda_0$ is that $\mathfrak{w}$ vanishes before the acceleration becomes nonzero again.",
+            plain: "The condition on λ₀ is that w vanishes before the acceleration becomes nonzero again.",
+        }),
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s23-pulses-normalised",
+        section: "2.3",
+        title: "the size of the pulses",
+        latex: r"The largest value of $\lvert h\rvert$ is $1$ for the pulses of (42), (43), at every $\eta$ from $0$ to $1$.",
+        plain: "The largest value of |h| is 1 for the pulses of (42), (43), at every η from 0 to 1.",
+        depends_on: &["eq-42", "eq-43"],
+        conditions: &[Condition {
+            text: r"$\eta>0$: at $\eta=0$, which is used as an example, there is no pulse",
+            sort: Sort::Degenerate,
+        }],
+        trials: trials![
+            again::largest_census,
+            again::largest_integration,
+            again::largest_outside,
+            again::no_width
         ],
         ..Claim::BLANK
     },

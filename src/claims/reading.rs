@@ -37,7 +37,7 @@ pub const ELSEWHERE: &[Elsewhere] = &[
     Elsewhere {
         claim: "s22-vy-vanishes",
         trial: "across::vanishes_census",
-        reason: "on the way (1) never lets the velocity grow",
+        reason: "(1) never lets the velocity grow before that",
     },
     Elsewhere {
         claim: "s23-rest-above-one",

@@ -3,6 +3,7 @@
 pub mod approach;
 pub mod boundary;
 pub mod certified;
+mod dichotomy;
 pub mod exact;
 pub mod excepted;
 pub mod radius;
@@ -283,8 +284,8 @@ const CLAIMS: &[Claim] = &[
         id: "s4-near-rest",
         section: "4",
         title: "how the particle comes to rest",
-        latex: r"As the particle comes to rest, $\alpha$ and $\psi$ tend to zero, as in (140) to (145).",
-        plain: "As the particle comes to rest, α and ψ tend to zero, as in (140) to (145).",
+        latex: r"As the particle comes to rest, $\alpha$ and $\psi$ tend to zero; (140) to (145) say how.",
+        plain: "As the particle comes to rest, α and ψ tend to zero; (140) to (145) say how.",
         depends_on: &["eq-140", "eq-141", "eq-142", "eq-143", "eq-144", "eq-145"],
         conditions: &[TO_ZERO],
         trials: trials![
@@ -297,11 +298,30 @@ const CLAIMS: &[Claim] = &[
         ..Claim::BLANK
     },
     Claim {
+        id: "s4-dichotomy",
+        section: "4",
+        title: "rest or escape",
+        latex: r"Every start leads either to rest or to an unbounded motion.",
+        plain: "Every start leads either to rest or to an unbounded motion.",
+        depends_on: &["eq-127", "eq-139", "s4-A-never-decreases"],
+        conditions: &[Condition {
+            text: r"the start is not on the boundary $\mathbb S$ itself: from there the particle creeps towards $\rho=1$ for ever",
+            sort: Sort::Degenerate,
+        }],
+        trials: trials![
+            dichotomy::fates,
+            dichotomy::followed,
+            dichotomy::on_the_boundary,
+            dichotomy::beside_the_boundary
+        ],
+        ..Claim::BLANK
+    },
+    Claim {
         id: "s4-envelope-is-boundary",
         section: "4",
         title: "the boundary between rest and escape",
-        latex: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if $A$ starts below it, and goes off without bound otherwise.",
-        plain: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if A starts below it, and goes off without bound otherwise.",
+        latex: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if $A$ starts below it, and escapes to infinity otherwise.",
+        plain: "The envelope (147) of the surfaces (143), (145) is the boundary: the particle comes to rest if A starts below it, and escapes to infinity otherwise.",
         conditions: INNER,
         depends_on: &["eq-143", "eq-145"],
         correction: Some(Correction {

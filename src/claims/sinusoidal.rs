@@ -9,6 +9,7 @@ pub mod excepted;
 mod kinds;
 mod periodic;
 mod phases;
+mod rest_of_period;
 pub(super) mod settled;
 mod slip;
 mod threshold;
@@ -35,6 +36,12 @@ const DECAY: Correction = Correction {
 /// Without friction every start keeps its own motion.
 const SOME_FRICTION: Condition = Condition {
     text: r"$\lambda_0>0$: without friction no start is forgotten",
+    sort: Sort::Degenerate,
+};
+
+/// Without friction the velocity across the drive keeps its value, and the one along it never depends on that.
+const FRICTION_ACROSS: Condition = Condition {
+    text: r"$\lambda_0>0$: without friction nothing acts across the drive",
     sort: Sort::Degenerate,
 };
 
@@ -430,14 +437,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"$v_y\to0$ at large times.",
         plain: "v_y → 0 at large times.",
         depends_on: &["s2-perpendicular-decays", "eq-21"],
-        conditions: &[Condition {
-            text: r"$\mu>0$: there is friction",
-            sort: Sort::Stated,
-        }],
+        conditions: &[FRICTION_ACROSS],
         trials: trials![
             across::vanishes_limit,
             across::vanishes_motion,
-            across::vanishes_census
+            across::vanishes_census,
+            across::vanishes_outside,
+            excepted::no_friction
         ],
         ..Claim::BLANK
     },
@@ -458,10 +464,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time; once $v_y\ll v_x$, it falls more slowly, exponentially.",
         plain: "While v_y ≫ v_x, v_y falls linearly in time; once v_y ≪ v_x, it falls more slowly, exponentially.",
         depends_on: &["eq-1", "eq-21"],
-        conditions: &[Condition {
-            text: r"$\mu>0$: there is friction",
-            sort: Sort::Stated,
-        }],
+        conditions: &[FRICTION_ACROSS],
         trials: trials![
             across::first_stage,
             across::second_stage,
@@ -471,7 +474,8 @@ const CLAIMS: &[Claim] = &[
             decay::passage_limit,
             decay::passage_quadrature,
             decay::finite_end,
-            decay::last_stage
+            decay::last_stage,
+            excepted::no_friction
         ],
         correction: Some(DECAY),
         ..Claim::BLANK
@@ -480,14 +484,16 @@ const CLAIMS: &[Claim] = &[
         id: "s22-attractor-ignores-vy",
         section: "2.2",
         title: "the large-time motion forgets the start across the drive",
-        latex: "At large times $v_x$ does not depend on the initial $v_y$; on the way there it does.",
-        plain: "At large times v_x does not depend on the initial v_y; on the way there it does.",
+        latex: "At large times $v_x$ does not depend on the initial $v_y$; before that it does.",
+        plain: "At large times v_x does not depend on the initial v_y; before that it does.",
         depends_on: &["eq-26", "s22-vy-vanishes"],
-        conditions: &[Condition {
-            text: r"$\mu>0$: there is friction",
-            sort: Sort::Stated,
-        }],
-        trials: trials![across::ignores_motion, across::ignores_census],
+        conditions: &[FRICTION_ACROSS],
+        trials: trials![
+            across::ignores_motion,
+            across::ignores_census,
+            across::ignores_outside,
+            excepted::no_friction
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -568,6 +574,30 @@ const CLAIMS: &[Claim] = &[
             periodic::rest_interval_reached,
             periodic::eq33_unique
         ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s22-rest-of-period",
+        section: "2.2",
+        title: "where the period of the argument ends",
+        latex: r"The slip on $[\phi_1,\tilde\phi_2]$ is followed by an interval that ends, with the period, at $\phi+2\pi$.",
+        plain: "The slip on [φ₁, φ̃₂] is followed by an interval that ends, with the period, at φ + 2π.",
+        depends_on: &["eq-27", "eq-31"],
+        conditions: &[Condition {
+            text: r"$\lambda_0<\lambda_\mathrm{c}$",
+            sort: Sort::Stated,
+        }],
+        trials: trials![
+            rest_of_period::printed_root,
+            rest_of_period::printed_quadrature,
+            rest_of_period::corrected_root,
+            rest_of_period::corrected_quadrature
+        ],
+        correction: Some(Correction {
+            change: Change::Symbol,
+            latex: r"The slip on $[\phi_1,\tilde\phi_2]$ is followed by an interval that ends, with the period, at $\phi_1+2\pi$.",
+            plain: "The slip on [φ₁, φ̃₂] is followed by an interval that ends, with the period, at φ₁ + 2π.",
+        }),
         ..Claim::BLANK
     },
     Claim {

@@ -50,7 +50,7 @@ const TIME_HAS_A_VALUE: &[Condition] = &[
     STATED_CONSTANT,
     Condition {
         text: r"$\theta_0\neq0,\pi$, $\lambda\neq1$ and $\cos\theta_0\neq-\lambda$, as printed and as corrected: elsewhere it is $0/0$",
-        sort: Sort::Substance,
+        sort: Sort::Degenerate,
     },
 ];
 
@@ -59,7 +59,7 @@ const SLIP_HAS_A_VALUE: &[Condition] = &[
     STATED_CONSTANT,
     Condition {
         text: r"$\cos\theta\neq-\lambda$, as printed and as corrected: there it is $0/0$",
-        sort: Sort::Substance,
+        sort: Sort::Degenerate,
     },
 ];
 
@@ -398,7 +398,8 @@ const CLAIMS: &[Claim] = &[
             angle::corrected82,
             angle::corrected82_quadrature,
             &exact::CORRECTED_82,
-            angle::regular_time
+            angle::regular_time,
+            excepted::eq82
         ],
         correction: Some(TIME),
     },
@@ -417,7 +418,8 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ83,
             angle::corrected83,
             &exact::CORRECTED_83,
-            angle::eq83_step
+            angle::eq83_step,
+            excepted::eq83
         ],
         correction: Some(SLIP_AT_TIME),
     },

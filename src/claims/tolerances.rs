@@ -73,6 +73,10 @@ FORGOTTEN = 1e-9,
 FRAMES = 1e-14,
     "the integrators in the frame of the table and in the laboratory agree to a few units of rounding of the largest term";
 
+/// An acceleration, by what is gained over a hundredth of a unit of phase.
+GAINED = 2e-13,
+    "the velocities are rounded to a few parts in 10^16, and their difference is a hundredth";
+
 /// A velocity that dies faster than any exponential.
 GONE = 0.0,
     "it falls as the exponential of an exponential and below every number, or is zero after a finite time";

@@ -10,6 +10,7 @@ pub mod exact;
 pub mod excepted;
 pub mod fixed;
 mod frames;
+pub mod projections;
 mod rates;
 mod standstill;
 pub mod stretches;
@@ -55,6 +56,11 @@ const OFF_AXIS: Condition = Condition {
     sort: Sort::Degenerate,
 };
 
+const NO_ANGLE_ON_AXIS: Condition = Condition {
+    text: r"$\rho>0$: on the axis $\psi$ has no value; it jumps from $\pi$ to $0$ as a particle passes",
+    sort: Sort::Degenerate,
+};
+
 /// Stated after (86), with the first condition.
 const POSITIVE_SLIDES: &[Condition] = &[POSITIVE[0], SLIDES];
 
@@ -83,7 +89,11 @@ const OUTER_OFF_AXIS: &[Condition] = &[
 const FROZEN: &[Condition] = &[
     INNER[0],
     Condition {
-        text: r"$\alpha$ held fixed; where it moves, $\psi$ follows $\psi_1$ only while $\lvert\dot\alpha\rvert\cosh2\alpha\ll1$, which late in an escape it is not",
+        text: r"$\alpha$ is held fixed",
+        sort: Sort::Stated,
+    },
+    Condition {
+        text: r"$\lvert\dot\alpha\rvert\cosh2\alpha\ll1$, where $\psi$ is to follow $\psi_1$ as $\alpha$ moves: late in an escape it does not",
         sort: Sort::Substance,
     },
 ];
@@ -454,7 +464,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\rho=p \cos\psi",
         plain: "dρ/dτ = p cos ψ",
         depends_on: &["eq-94", "eq-102"],
-        trials: trials![&exact::EQ108, rates::eq108],
+        conditions: &[NO_ANGLE_ON_AXIS],
+        trials: trials![
+            &exact::EQ108,
+            rates::eq108,
+            standstill::eq108,
+            excepted::axis
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -620,8 +636,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"\dot\beta=\cos\psi+\frac{\sinh\beta}{B}",
         plain: "dβ/dτ = cos ψ + (sinh β)/B",
         depends_on: &["eq-107", "eq-108", "eq-117", "eq-118"],
-        conditions: OUTER,
-        trials: trials![&exact::EQ120, rates::eq120],
+        conditions: &[OUTER[0], NO_ANGLE_ON_AXIS],
+        trials: trials![
+            &exact::EQ120,
+            rates::eq120,
+            standstill::eq120,
+            excepted::axis
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -703,6 +724,58 @@ const CLAIMS: &[Claim] = &[
         ..Claim::BLANK
     },
     Claim {
+        id: "s4-projection-azimuthal",
+        section: "4",
+        title: "where (100) comes from",
+        latex: r"(100) is the law of the angular momentum, combined with the rate of $u$.",
+        plain: "(100) is the law of the angular momentum, combined with the rate of u.",
+        depends_on: &["eq-91", "eq-96", "eq-99", "eq-100"],
+        trials: trials![
+            projections::azimuthal,
+            projections::azimuthal_corrected,
+            &exact::AZIMUTHAL
+        ],
+        correction: Some(Correction {
+            change: Change::Symbol,
+            latex: r"(100) is the law of the angular momentum, combined with the rate of $p$.",
+            plain: "(100) is the law of the angular momentum, combined with the rate of p.",
+        }),
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s4-projection-radial",
+        section: "4",
+        title: "where (101) comes from",
+        latex: r"(101) is Newton's law along the radius, combined with the rate of $u$.",
+        plain: "(101) is Newton's law along the radius, combined with the rate of u.",
+        depends_on: &["eq-92", "eq-97", "eq-99", "eq-101"],
+        trials: trials![
+            projections::radial,
+            projections::radial_corrected,
+            &exact::RADIAL
+        ],
+        correction: Some(Correction {
+            change: Change::Symbol,
+            latex: r"(101) is Newton's law along the radius, combined with the rate of $p$.",
+            plain: "(101) is Newton's law along the radius, combined with the rate of p.",
+        }),
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s4-constant-of-motion",
+        section: "4",
+        title: "a constant of the motion",
+        latex: r"The equations (99) to (101) for $p$, $\ell$ and $\xi$ have a constant of motion, (104).",
+        plain: "The equations (99) to (101) for p, ℓ and ξ have a constant of motion, (104).",
+        depends_on: &["eq-99", "eq-100", "eq-101", "eq-104", "eq-105"],
+        conditions: &[Condition {
+            text: r"the length $s$ of the path is counted among the variables, with (105): what $p$, $\ell$ and $\xi$ give alone, $\frac12(p^2-\rho^2)$, falls at the rate $p$",
+            sort: Sort::Substance,
+        }],
+        trials: trials![&exact::EQ104, energy::eq104_within, energy::eq104_without_s],
+        ..Claim::BLANK
+    },
+    Claim {
         id: "s4-coriolis-no-work",
         section: "4",
         title: "who does work",
@@ -715,7 +788,8 @@ const CLAIMS: &[Claim] = &[
             &exact::PRINTED_WORK,
             energy::coriolis,
             &exact::CORRECTED_WORK,
-            energy::friction_corrected
+            energy::friction_corrected,
+            energy::work_step
         ],
         ..Claim::BLANK
     },

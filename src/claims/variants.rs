@@ -10,6 +10,11 @@ pub const SURVIVORS: &[Survivor] = &[
         reason: SQUARED,
     },
     Survivor {
+        claim: "s21-along-acceleration",
+        text: "−1",
+        reason: TAKEN_BACK,
+    },
+    Survivor {
         claim: "s23-rest-above-one",
         text: "1; λ₀^2",
         reason: SQUARED,
@@ -17,7 +22,7 @@ pub const SURVIVORS: &[Survivor] = &[
     Survivor {
         claim: "eq-75",
         text: "ζ₃ 0 + (0 (u_z − ρ̇_z) − (−1) (u_y − ρ̇_y)); ζ₃ 0 + ((−1) (u_x − ρ̇_x) − 0 (u_z − ρ̇_z)); ζ₃ 1 + (0 (u_y − ρ̇_y) − 0 (u_x − ρ̇_x))",
-        reason: "it is the corrected formula: the mistake takes the misprint back",
+        reason: TAKEN_BACK,
     },
     Survivor {
         claim: "eq-128",
@@ -36,9 +41,10 @@ pub const SURVIVORS: &[Survivor] = &[
     },
 ];
 
+const TAKEN_BACK: &str = "it is the corrected formula: the mistake takes the misprint back";
 const SQUARED: &str = "the square of a friction is on the same side of 1 as the friction";
 const BY_ITS_SINE: &str =
-    "the proof knows a phase by its sine alone; which phase it is, the motions tell";
+    "the proof knows a phase by its sine and cosine; in which period it lies, the motions tell";
 const BY_ITS_SQUARE: &str = "λ_c enters by its square; its sign is told by enclosure";
 const LARGE: &str = "the law is stated for large α, where sinh and cosh are equal to leading order";
 

@@ -14,6 +14,17 @@
 //! They join at p = 3π/2, where qλ₀ = 1: the point Y. Past E the forward motion outlasts the whole stretch in which
 //! the drive could have pulled backwards, and rest follows until the next forward motion.
 
+//!
+//! *How far it creeps.* Integrate a slip that begins and ends with 𝔴 = 0, has its middle at the phase m and half the
+//! length K. Its ends are m ± K, and with the friction λ
+//!
+//! 𝔴 = cos(m − K) − cos φ − λ (φ − m + K),  so that 𝔴(m + K) = 0 reads  sin m sin K = λK.
+//!
+//! Its integral is K (cos(m − K) + cos(m + K)) − sin(m + K) + sin(m − K) = −2 cos m (sin K − K cos K), and cos m < 0. A
+//! backward slip is a forward one of the friction qλ₀, half a period later. Without rest the two have the half lengths
+//! K = πq/(q + 1) and π − K, in both λK/sin K is the same, and their distances and what friction takes on them add up to
+//! the closed forms below.
+
 use crate::scalar::Scalar;
 use crate::seeded::formulas;
 
@@ -59,6 +70,23 @@ pub fn e_far<S: Scalar>(q: S) -> S {
     let two_pi = S::int(2) * S::pi();
     let correction = (two_pi / (q + S::int(7) / S::int(3))).squared();
     S::int(2) * two_pi / (q + S::int(1)).squared() * (S::int(1) - correction)
+}
+
+/// How far the particle goes in a slip under the friction `lambda0` that takes the phase 2`k` and begins and ends with
+/// 𝔴 = 0, in units of A₀/ϖ². For 0 < k < π, λ₀k ≤ sin k.
+pub fn slip_distance<S: Scalar>(lambda0: S, k: S) -> S {
+    S::int(2) * (k.sin() - k * k.cos()) * (S::int(1) - (lambda0 * k / k.sin()).squared()).sqrt()
+}
+
+/// The mean velocity in region I, in units of A₀/ϖ, from (53)'s K.
+pub fn drift_without_rest<S: Scalar>(lambda0: S, k: S) -> S {
+    -k.cos() * (S::int(1) - (lambda0 * k / k.sin()).squared()).sqrt()
+}
+
+/// What friction takes in a period in region I, per mass and in units of A₀²/ϖ², from q and (53)'s K.
+pub fn loss_without_rest<S: Scalar>(q: S, lambda0: S, k: S) -> S {
+    S::int(2) * (S::int(1) + q) * lambda0 * k.sin()
+        * (S::int(1) - (lambda0 * k / k.sin()).squared()).sqrt()
 }
 
 }

@@ -40,6 +40,12 @@ pub fn turning_slope<S: Scalar>(lambda: S, theta: S) -> S {
     S::int(1) / (lambda - theta.cos())
 }
 
+/// The sense in which the particle slides in the end: with the inertial force, against the plane's acceleration.
+claim "s21-along-acceleration";
+pub fn late_sense<S: Scalar>() -> S {
+    S::int(-1)
+}
+
 }
 
 /// [`speed`] by ln r, for motions so long that r is below every number.

@@ -37,6 +37,12 @@ formulas! {
 
 symbols crate::symbols::SYMBOLS;
 
+/// Near α = 0: ψ/ψ₁ once ψ has relaxed, both being small. For A > ½: put ψ = kα into (115) and dα/dτ = 1 − 1/A.
+claim "s4-small-alpha";
+pub fn relaxed_ratio<S: Scalar>(a: S) -> S {
+    a / (S::int(2) * a - S::int(1))
+}
+
 /// k: the angle by which the particle circles the axis, in the laboratory, is k ln τ.
 pub fn winding<S: Scalar>() -> S {
     S::int(2).sqrt()

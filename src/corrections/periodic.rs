@@ -56,6 +56,23 @@ pub fn small_friction_ends<S: Scalar>(eta: S) -> [S; 2] {
     [eta * S::pi(), S::pi()]
 }
 
+/// What friction takes from the pulse train's motion in a period with rests, η ≤ λ₀ ≤ 1: per mass, dimensionless.
+pub fn loss_with_rests<S: Scalar>(lambda: S, eta: S) -> S {
+    (S::int(1) - lambda) * (eta * S::pi()).squared()
+}
+
+/// The same without rests, 0 < λ₀ ≤ η.
+pub fn loss_without_rest<S: Scalar>(lambda: S, eta: S) -> S {
+    let half = S::pi().squared() / S::int(2);
+    half * lambda * (S::int(2) * eta - eta.squared() - lambda.squared())
+}
+
+/// What becomes nonzero again when the next pulse begins: the drive.
+claim "s23-nonzero-again";
+pub fn nonzero_again<S: Scalar>(h: S) -> S {
+    h
+}
+
 }
 
 /// Which case holds at φ, counted from 0; between two cases, the later one.

@@ -58,4 +58,10 @@ pub fn last_stage<S: Scalar>(lambda0: S, h: S, w_y: S) -> S {
     lambda0 * w_y / (lambda0.squared() - h.squared())
 }
 
+/// Where the period ends that begins with the slip at φ₁, in radians.
+claim "s22-rest-of-period";
+pub fn rest_of_period_end<S: Scalar>(phi1: S) -> S {
+    phi1 + S::int(2) * S::pi()
+}
+
 }

@@ -28,4 +28,16 @@ pub fn friction_work<S: Scalar>(m: S, mu: S, g: S, s: S) -> S {
     -(m * mu * g * s)
 }
 
+/// dℓ/dτ by the law of the angular momentum and the rate of p, which is ξ − 1.
+claim "s4-projection-azimuthal";
+pub fn azimuthal_rate<S: Scalar>(p: S, ell: S, xi: S) -> S {
+    -(S::int(2) * p * xi + ell + (xi - S::int(1)) * ell) / p
+}
+
+/// dξ/dτ by the law along the radius and the rate of p.
+claim "s4-projection-radial";
+pub fn radial_rate<S: Scalar>(p: S, ell: S, xi: S) -> S {
+    ((p + ell).squared() + xi.squared() - xi - (xi - S::int(1)) * xi) / p
+}
+
 }

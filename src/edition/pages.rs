@@ -34,6 +34,8 @@ written!(
     turntable,
     escape,
     rest,
+    new "What is new here",
+    related "Related work",
     ledger "The ledger",
     proved "What is proved, what is measured",
     trust "What you have to trust",

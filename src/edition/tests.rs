@@ -1,6 +1,6 @@
 use super::EDITION;
 use crate::claims::{Claim, Condition, Correction, PAPER, Paper, Sort, Topic};
-use crate::evidence::{Change, Evidence, Kind, Route, Sample, Subject, Tolerance};
+use crate::evidence::{Change, Compared, Evidence, Kind, Route, Sample, Subject, Tolerance};
 use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger};
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,9 +45,10 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
         value: 1e-10,
         reason: "ten digits of <both>",
     };
-    let compared = "<script>alert(1)</script> against the *motion*";
+    let compared = Compared::one("<script>alert(1)</script>", "the *motion*");
     Evidence {
         points: 1234,
+        failed: if worst > TEN_DIGITS.value { 7 } else { 0 },
         worst,
         at: "λ = 0.5, θ₀ < 1 & v|0 = 2".into(),
         samples: vec![Sample {
@@ -342,7 +343,8 @@ fn a_box_shows_all_and_data_stays_data() {
         "&amp; &lt;b&gt;",
         "no value where the motion has one",
         "1,234 points",
-        "1\u{a0}×\u{a0}10<sup>−10</sup> (ten digits of &lt;both&gt;)",
+        "7 of 1,234 disagree by more than 10<sup>−10</sup>; there is no",
+        "Tolerance: ten digits of &lt;both&gt;.",
         "<td class=\"number\">0.25</td><td class=\"number\">no value</td>",
         "θ₀ &lt; 1 &amp; v|0\u{a0}=\u{a0}2",
         "Depends on <a href=\"constant.html#eq-11\">(11)</a>",

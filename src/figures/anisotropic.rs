@@ -181,7 +181,8 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
             "Which motion the friction $\\lambda_0$ and the ratio $q$ lead to. Above as printed: at {printed_wrong} of \
              {points} simulated points the list is wrong; they are marked, and all lie below C and beyond Y. \
              In the middle as corrected, with E for the missing boundary and C ending at Y: {corrected_wrong} wrong. Below, the \
-             wedge between E and C enlarged."
+             wedge between E and C enlarged. {}",
+            super::after("fig-5")
         ))
         .alt(
             "Three diagrams. The first two have q from 1 to 7 to the right and λ₀ from 0 to 1.4 upwards. The curves \
@@ -401,7 +402,7 @@ pub fn far(seen: &[Seen], laws: [Law; 2]) -> Result<Figure, FigureError> {
         .caption(format!(
             "Where the motion changes, by bisection on the simulation (marks), with the curves. Far out a rest appears \
              at {}, which is $\\pi$; direct reversals, and with them all backward motion, end at {}, which is \
-             $4\\pi$. C is $1/q$ and bounds nothing there.",
+             $4\\pi$. C is $1/q$; far out it is not a border.",
             law(laws[0]),
             law(laws[1])
         ))
@@ -446,11 +447,12 @@ pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
         (4.0 * PI, "4π"),
     ];
     let mut plot = Plot::new("fig-6", "The motion in each region")
-        .caption(
-            "The periodic velocity $\\mathfrak{w}$ against the phase $\\phi$ over two periods, at one point of each \
+        .caption(format!(
+            "The periodic velocity $\\mathfrak{{w}}$ against the phase $\\phi$ over two periods, at one point of each \
              region. I: forwards and backwards in turn. II: forwards, at once backwards, rest. III: a rest after \
-             either. IV: forwards and rest. V: rest.",
-        )
+             either. IV: forwards and rest. V: rest. {}",
+            super::after("fig-6")
+        ))
         .alt(
             "Five panels with φ from 0 to 4π to the right and 𝔴 from −1 to 1 upwards. The wave of panel I never \
              rests; in II it rests once a period, in III twice, in IV it is never negative, in V it is zero.",

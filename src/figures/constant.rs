@@ -62,12 +62,13 @@ pub fn fig1(curves: &Hodographs) -> Result<Figure, FigureError> {
     }
     let count = |panel: &[Hodograph]| lambdas(panel.iter().map(|curve| curve.lambda)).len();
     Plot::new("fig-1", "Velocity under constant acceleration and dry friction")
-        .caption(
+        .caption(format!(
             "How the velocity changes under a constant acceleration along $x$ and dry friction, from \
              the same speed $v_0$ in several directions. (a) $\\lambda\\le 1$: the particle goes on \
              for ever and turns into the direction of the inertial force; for $\\lambda=1$ its velocity \
-             tends to a constant (circles). (b) $\\lambda>1$: it comes to rest (disc).",
-        )
+             tends to a constant (circles). (b) $\\lambda>1$: it comes to rest (disc). {}",
+            super::after("fig-1")
+        ))
         .alt(format!(
             "Two panels with the velocity along x to the right and that along y upwards, in units of the \
              initial speed. Every curve starts on the unit circle. Above, for {} values of λ up to 1, the \
@@ -185,7 +186,7 @@ pub fn speed_and_angle(histories: &[History]) -> Result<Figure, FigureError> {
     }
     Plot::new("constant-speed-angle", "Speed and direction against time")
         .caption(
-            "Speed $v$ and angle $\\theta$ between velocity and inertial force against time, for \
+            "Speed $v$ and angle $\\theta$ between the velocity and the inertial force, against time, for \
              several $\\lambda$. A disc marks where the particle comes to rest: there the angle \
              reaches zero as well.",
         )
@@ -240,7 +241,7 @@ pub fn stopping_time(times: &[StoppingTimes]) -> Result<Figure, FigureError> {
         "Stopping time against the initial direction",
     )
     .caption(
-        "Time $T$ until the particle is at rest against the initial angle $\\theta_0$, for \
+        "Time $T$ until the particle stops, against the initial angle $\\theta_0$, for \
              several $\\lambda>1$. It is longest when the particle starts along the inertial force.",
     )
     .alt(

@@ -189,7 +189,7 @@ pub fn fan(ways: &[PutDown], critical: f64) -> Result<Figure, FigureError> {
     }
     Plot::new("escape-fan", "Put down on a turning record")
         .caption(
-            "Particles put down at rest on a turning table, along twelve rays, and the ways that they take over it. \
+            "Particles put down at rest on a turning table, along twelve rays, and the paths that they follow on it. \
              Friction carries the inner ones along: where the dots are they rest. The outer ones slide off. Next to \
              the critical radius a hair's breadth decides. Lengths in units of $\\mu g/\\Omega^2$.",
         )
@@ -198,5 +198,42 @@ pub fn fan(ways: &[PutDown], critical: f64) -> Result<Figure, FigureError> {
              circle, the outer ones sweep backwards around it in widening arcs and leave the picture.",
         )
         .panel(panel.points(Points::new(ends).series(0).marker(Marker::Disc).size(3.5)))
+        .figure(table)
+}
+
+/// What is left of the speed of several escapes once the leading law is taken off, over 1/τ: it falls along a line in ln τ.
+///
+/// Fails as [`Plot::figure`] does.
+pub fn residual(escapes: &[Vec<[f64; 2]>], slope: f64) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["escape", "tau", "(3 sqrt(2) p/tau^2 - 1) tau"]);
+    let mut panel = Panel::new(Axis::log("τ"), Axis::linear("(3√2 p/τ^2 − 1) τ")).height(300.0);
+    for (n, escape) in escapes.iter().enumerate() {
+        for [tau, value] in escape {
+            table.row([(n as f64 + 1.0).into(), (*tau).into(), (*value).into()])?;
+        }
+        panel = panel.curve(
+            Curve::new(escape.iter().copied())
+                .series(n)
+                .stroke(Stroke::Solid),
+        );
+    }
+    // Through the last point of the first escape.
+    if let Some([end, value]) = escapes.first().and_then(|escape| escape.last()).copied() {
+        let line = [1e1, end].map(|tau| [tau, value + slope * libm::log(tau / end)]);
+        let key = format!("slope {slope:.6} per unit of ln τ");
+        panel = panel.curve(Curve::new(line).ink().stroke(Stroke::Dashed).key(key));
+    }
+    Plot::new("escape-residual", "The logarithm in an escape")
+        .caption(
+            "How much the speed of three escapes differs from $\\tau^2/(3\\sqrt2)$, relative to it and times $\\tau$. An expansion in powers \
+             of $1/\\tau$ would end in horizontal lines. In fact the curves end in parallel lines with the slope $-\\frac{3\\sqrt2}2$ in \
+             $\\ln\\tau$ (dashed): the escape lags by a time that grows as the logarithm. The distance between the lines is the shift of time \
+             that each escape has of its own.",
+        )
+        .alt(
+            "Three curves over the time from 10 to a hundred million on a logarithmic axis. After a short transient they fall \
+             along straight parallel lines; a dashed line has the same slope.",
+        )
+        .panel(panel)
         .figure(table)
 }

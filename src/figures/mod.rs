@@ -8,6 +8,7 @@ mod all;
 pub mod anisotropic;
 pub mod constant;
 pub mod digits;
+pub mod drift;
 pub mod escape;
 pub mod periodic;
 pub mod rest;
@@ -19,6 +20,15 @@ mod tests;
 pub mod turntable;
 
 pub use all::{AllFiguresError, all};
+
+/// Which figure of the paper one of ours is drawn after: by its caption and the marks on its axes alone.
+fn after(id: &str) -> String {
+    let number = id.trim_start_matches("fig-");
+    format!(
+        "After figure {number} of the paper, by its caption and marks; its source has no pictures, and we have not seen that one."
+    )
+}
+
 pub use trialbook::figures::{
     Align, Area, Axis, BLANK, Cell, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points,
     Raster, Rule, Stroke, Table,

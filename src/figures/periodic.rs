@@ -149,7 +149,7 @@ fn rests(wave: &Wave) -> String {
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
 pub fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut plot = Plot::new("periodic-pulses", "Velocity under a train of pulses").caption(format!(
-        "Velocity $\\mathfrak w$ over two periods under pulses that fill the share $\\eta={eta}$ of each half \
+        "Velocity $\\mathfrak w$ over two periods under pulses that fill the fraction $\\eta={eta}$ of each half \
          period (shaded: up, then down). With $\\lambda_0<\\eta$ the next pulse comes before the particle has \
          stopped; with $\\lambda_0>\\eta$ it waits at rest."
     ))
@@ -233,7 +233,7 @@ pub fn rest_shares(side: usize, shares: &[f64]) -> Result<Figure, FigureError> {
     let panel = Panel::new(axis("η"), axis("λ_0")).equal().raster(raster);
     Plot::new("periodic-rest-shares", "How long the pulses let rest")
         .caption(
-            "Share of the period at rest under the train of pulses, over $\\eta$ and $\\lambda_0<1$, by \
+            "Fraction of the period spent at rest under the train of pulses, over $\\eta$ and $\\lambda_0<1$, by \
              simulation alone. The diagonal is $\\lambda_\\mathrm c=\\eta$; above it the share is \
              $1-\\eta/\\lambda_0$.",
         )

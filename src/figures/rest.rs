@@ -264,3 +264,122 @@ pub fn resting(list: &[Resting]) -> Result<Figure, FigureError> {
     }
     plot.figure(table)
 }
+
+/// Which starts come to rest, at a distance from the axis with a velocity in the laboratory in one direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Basin {
+    /// The direction of the velocity, for the axis and the title.
+    pub axis: &'static str,
+    /// The same in words.
+    pub name: &'static str,
+    /// Cells along each side; cells row by row from the lowest velocity, true for rest.
+    pub side: usize,
+    /// Rest or not.
+    pub rests: Vec<bool>,
+    /// Ends of the axis of the distance.
+    pub distance: (f64, f64),
+    /// Ends of the axis of the velocity.
+    pub speed: (f64, f64),
+    /// Points on the axes beyond which a particle escapes.
+    pub critical: Vec<[f64; 2]>,
+}
+
+/// Who comes to rest, by place and velocity in the laboratory; the second panel has the velocity of the table too.
+///
+/// Fails as [`Plot::figure`] and [`Raster::new`] do.
+pub fn basin(list: &[Basin]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["velocity", "distance", "size", "rests"]);
+    let mut plot = Plot::new("rest-basin", "Who comes to rest, seen from the laboratory")
+        .caption(
+            "What becomes of a particle that starts at the distance $\\rho$ from the axis with a velocity in the laboratory \
+             straight outwards (first panel) or along the motion of the table (second panel). The dots are the critical \
+             radius and the critical speed. On the dotted line the particle moves with the table; it stays \
+             there as long as $\\rho\\le1$.",
+        )
+        .alt(
+            "Two panels with the distance from 0 to 1.3 along the horizontal axis and the velocity from −1.6 to 1.6 along the \
+             vertical one. In the first the border of the shaded region of rest slopes from the critical speed through the \
+             critical radius, and inward velocities of any size shown lead to rest from some distance on; in the second the \
+             region ends in a tip that follows the dotted line.",
+        );
+    for (n, basin) in list.iter().enumerate() {
+        let side = basin.side as f64;
+        let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / side;
+        for (k, rests) in basin.rests.iter().enumerate() {
+            table.row([
+                basin.name.into(),
+                at(basin.distance, k % basin.side).into(),
+                at(basin.speed, k / basin.side).into(),
+                f64::from(u8::from(*rests)).into(),
+            ])?;
+        }
+        let cells = basin.rests.iter().map(|rests| u8::from(!rests)).collect();
+        let raster = Raster::new(basin.side, basin.side, basin.distance, basin.speed, cells)?
+            .class("rest", 0, 0.35)
+            .class("escape", 1, 0.08);
+        let mut panel = Panel::new(
+            Axis::linear("ρ").range(basin.distance.0, basin.distance.1),
+            Axis::linear(basin.axis).range(basin.speed.0, basin.speed.1),
+        )
+        .title(basin.name)
+        .height(270.0)
+        .raster(raster)
+        .points(Points::new(basin.critical.iter().copied()).ink());
+        if n == 1 {
+            panel = panel.curve(
+                Curve::new([[0.0, 0.0], [1.0, 1.0]])
+                    .ink()
+                    .stroke(Stroke::Dotted),
+            );
+        }
+        plot = plot.panel(panel);
+    }
+    plot.figure(table)
+}
+
+/// A stop: the velocity on the table, along the position and counterclockwise across it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Stop {
+    /// How it began.
+    pub name: String,
+    /// (τ, outward, across).
+    pub points: Vec<[f64; 3]>,
+}
+
+/// Hodographs of stops on the table.
+///
+/// Fails as [`Plot::figure`] does.
+pub fn hodographs(stops: &[Stop]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["start", "tau", "outward", "across"]);
+    let mut panel = Panel::new(
+        Axis::linear("p cos ψ").range(-0.4, 0.4),
+        Axis::linear("−p sin ψ").range(-0.9, 0.2),
+    )
+    .height(330.0);
+    for (n, stop) in stops.iter().enumerate() {
+        for [tau, outward, across] in &stop.points {
+            table.row([
+                stop.name.as_str().into(),
+                (*tau).into(),
+                (*outward).into(),
+                (*across).into(),
+            ])?;
+        }
+        let curve = Curve::new(stop.points.iter().map(|&[_, x, y]| [x, y]));
+        panel = panel.curve(curve.series(n).arrows(&[0.5]).key(stop.name.clone()));
+    }
+    Plot::new("rest-hodograph", "The velocity of a stopping particle")
+        .caption(
+            "Hodographs on the table: the velocity's outward component and the one in the sense of the table's rotation. \
+             Particles put down at rest in the laboratory, and one that slides straight in. A stop is the point in the middle. \
+             All but the last arrive there moving outwards, with $\\psi\\to0$; for $\\sigma$ close to 1 the turn is done long before the stop. The \
+             last one, with $\\psi\\to\\pi$, arrives from the other side.",
+        )
+        .alt(
+            "Curves in the plane of the velocity. They start on the negative vertical axis, bend towards positive horizontal \
+             velocities and run into the origin along the horizontal axis. A single curve comes from negative horizontal \
+             velocities.",
+        )
+        .panel(panel)
+        .figure(table)
+}

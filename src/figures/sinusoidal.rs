@@ -33,10 +33,11 @@ fn multiples_of_pi(last: i32) -> Vec<(f64, String)> {
 pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "w_y at phi = 0", "phi (rad)", "w"]);
     let mut plot = Plot::new("fig-2", "The way to the large-time motion")
-        .caption(
+        .caption(format!(
             "The velocity $\\mathfrak w$ along the drive against the phase, from $\\mathfrak w=1$ and several velocities \
-             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. Above, without rest; below, with rests.",
-        )
+             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. Above, without rest; below, with rests. {}",
+            super::after("fig-2")
+        ))
         .alt(
             "Two panels of velocity against phase over four periods, five curves each. The curves start together, spread in \
              the first period, the lower the smaller the velocity across, and run together within two or three periods.",
@@ -118,8 +119,9 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
     };
     Plot::new(id, format!("Large-time motion, λ₀ = {lambda}"))
         .caption(format!(
-            "The large-time motion over two periods for $\\lambda_0={}$: {said}.",
-            lambda.replace("1/√2", "2^{-1/2}")
+            "The large-time motion over two periods for $\\lambda_0={}$: {said}. {}",
+            lambda.replace("1/√2", "2^{-1/2}"),
+            super::after(id)
         ))
         .alt(format!(
             "Velocity against phase from 0 to 4π: a positive and a negative hump in each period; the curve {seen}."
@@ -163,7 +165,7 @@ pub fn decay(decays: &[Decay]) -> Result<Figure, FigureError> {
     Plot::new("sinusoidal-decay", "How the velocity across the drive dies")
         .caption(
             "The depth $-\\ln\\mathfrak w_y$ period by period, from $\\mathfrak w_y=0.3$, on a logarithmic axis, for several \
-             $\\lambda_0<\\lambda_\\mathrm c$. Straight lines here are exponentials of exponentials; an exponential would be \
+             $\\lambda_0<\\lambda_\\mathrm c$. Straight lines here are exponentials of exponentials; an ordinary exponential would be \
              the dotted curve, whose slope dwindles.",
         )
         .alt(
@@ -200,7 +202,7 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
     .height(220.0);
     Plot::new("sinusoidal-rest", "How long it rests")
         .caption(
-            "The share of a period in which the large-time motion is at rest, read off the simulated intervals. It grows \
+            "The fraction of a period that the large-time motion spends at rest, read off the simulated intervals. It grows \
              from zero at $\\lambda_\\mathrm c$ with a finite slope and reaches one at $\\lambda_0=1$ as a square root does.",
         )
         .alt("A curve that is zero up to the critical friction, then rises, ever more steeply, to one at λ₀ = 1, and stays there.")

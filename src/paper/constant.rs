@@ -126,6 +126,13 @@ pub fn eq20_stop_time<S: Scalar>(lambda: S, a: S, v0: S, theta0: S) -> S {
     v0 * (lambda + theta0.cos()) / (a * (lambda * lambda - S::int(1)))
 }
 
+/// After (14), in the figure's caption and beside it: the sense in which the particle slides in the end, as the cosine of
+/// the angle between its velocity and the plane's acceleration.
+claim "s21-along-acceleration";
+pub fn s21_late_sense<S: Scalar>() -> S {
+    S::int(1)
+}
+
 }
 
 fn half_tan<S: Scalar>(theta: S) -> S {

@@ -57,6 +57,18 @@ pub fn eq46_lambda_c<S: Scalar>(eta: S) -> S {
     eta
 }
 
+/// Before (46): what becomes nonzero again when the next pulse begins, by the acceleration that friction gives.
+claim "s23-nonzero-again";
+pub fn s23_nonzero_again<S: Scalar>(resisted: S) -> S {
+    resisted
+}
+
+/// Before (42): the largest |h|, pulses of every width included.
+claim "s23-pulses-normalised";
+pub fn s23_largest<S: Scalar>() -> S {
+    S::int(1)
+}
+
 }
 
 /// (42): h in the first half period, 0 ≤ φ < π; at a jump, which the paper leaves open, the value after it.

@@ -82,4 +82,10 @@ pub fn s4_near_rest_limits<S: Scalar>() -> [S; 2] {
     [S::int(0), S::int(0)]
 }
 
+/// Before (146): starts that lead neither to rest nor to an unbounded motion.
+claim "s4-dichotomy";
+pub fn s4_third_fates<S: Scalar>() -> S {
+    S::int(0)
+}
+
 }

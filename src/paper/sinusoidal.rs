@@ -162,4 +162,10 @@ pub fn eq41_sides<S: Scalar>(phi_t1: S, phi1: S) -> [S; 2] {
     [phi_t1, phi1]
 }
 
+/// Before (38): where the interval ends that follows the slip, in radians.
+claim "s22-rest-of-period";
+pub fn s22_rest_of_period_end<S: Scalar>(phi: S) -> S {
+    phi + S::int(2) * S::pi()
+}
+
 }

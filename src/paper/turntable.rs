@@ -260,4 +260,16 @@ pub fn eq125_psi2<S: Scalar>(alpha: S) -> S {
     S::pi() - (S::int(2) * alpha).tanh().asin()
 }
 
+/// After (101): dℓ/dτ by the law (91) of the angular momentum and the rate of u.
+claim "s4-projection-azimuthal";
+pub fn s4_azimuthal_rate<S: Scalar>(p: S, ell: S, xi: S, u_rate: S) -> S {
+    -(S::int(2) * p * xi + ell + u_rate * ell) / p
+}
+
+/// After (101): dξ/dτ by the law (92) along the radius and the rate of u.
+claim "s4-projection-radial";
+pub fn s4_radial_rate<S: Scalar>(p: S, ell: S, xi: S, u_rate: S) -> S {
+    ((p + ell).squared() + xi.squared() - xi - u_rate * xi) / p
+}
+
 }

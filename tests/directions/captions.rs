@@ -76,7 +76,10 @@ const UNTRIED: &[(&str, &str)] = &[
     ("escape-compensated", "grows falls right"),
     ("escape-paths", "down inside outside backwards outwards"),
     ("escape-fan", "down inner dotted outer backwards"),
+    ("escape-residual", "dashed grows"),
     ("rest-radius", "down dashed"),
+    ("rest-hodograph", "down"),
+    ("rest-basin", "outwards dotted"),
     (
         "rest-census",
         "small right upwards below falls steeply solid dashed",
@@ -121,6 +124,22 @@ fn every_direction_in_a_caption_is_tried_on_its_numbers_or_listed() {
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn a_figure_of_the_paper_names_it_in_its_caption() {
+    let mut named = 0;
+    for figure in all().unwrap() {
+        let says = figure.caption.contains("of the paper, by its caption");
+        let number = figure.id.strip_prefix("fig-");
+        assert_eq!(number.is_some(), says, "{}", figure.id);
+        if let Some(number) = number {
+            let words = format!("After figure {number} of the paper");
+            assert!(figure.caption.contains(&words), "{}", figure.id);
+            named += 1;
+        }
+    }
+    assert_eq!(named, 6);
 }
 
 /// The decimals of a text.

@@ -54,7 +54,11 @@ const DIRECTED: &[&str] = &[
 /// The claims without a formula of their own: their words with a direction, in order, and the trial that would fail if
 /// one was turned round.
 const STATEMENTS: &[(&str, &str, &str)] = &[
-    ("s2-stops-if-weak", "weak falls", "properties::stops_census"),
+    (
+        "s2-stops-if-weak",
+        "weak below falls",
+        "properties::stops_census",
+    ),
     (
         "s2-no-permanent-rest",
         "strong exceeds",
@@ -80,6 +84,7 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "small large",
         "extremes::small_friction_limit",
     ),
+    ("s21-along-acceleration", "large", "sense::against"),
     (
         "s21-critical-terminal-velocity",
         "large",
@@ -131,6 +136,11 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "small large more",
         "threshold::with_mean",
     ),
+    (
+        "s23-nonzero-again",
+        "vanishes",
+        "again::pull_again_on_a_plane",
+    ),
     ("s23-pulse-phases", "large small", "pulses::extremes_census"),
     (
         "s24-q-at-least-one",
@@ -153,6 +163,7 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "driven::trichotomy_census",
     ),
     ("s4-mirror", "loses", "frames::mirror"),
+    ("s4-dichotomy", "unbounded", "dichotomy::fates"),
     (
         "s4-quasi-fixed-stability",
         "attracts repels",

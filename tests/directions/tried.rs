@@ -32,6 +32,63 @@ pub const TRIED: &[Said] = &[
                 })
         },
     ),
+    (
+        "anisotropic-drift",
+        "the fastest band lies in the corner of large q and small λ₀",
+        |data| {
+            let rows = data.rows();
+            let corner =
+                |row: &[f64]| row[1] == rows[0][1] && rows.iter().all(|other| other[0] <= row[0]);
+            rows.iter()
+                .max_by(|a, b| a[2].total_cmp(&b[2]))
+                .is_some_and(|row| corner(row))
+        },
+    ),
+    (
+        "anisotropic-drift",
+        "surround a place at q = 1, λ₀ = 0.45",
+        |data| {
+            let rows = data.rows();
+            let most = rows.iter().max_by(|a, b| a[3].total_cmp(&b[3])).unwrap();
+            most[0] == rows[0][0] && (most[1] - 0.45).abs() < 0.015
+        },
+    ),
+    (
+        "escape-residual",
+        "they fall along straight parallel lines",
+        |data| {
+            data.groups().iter().all(|(_, rows)| {
+                let slope = |a: &[f64], b: &[f64]| (b[2] - a[2]) / (b[1] / a[1]).ln();
+                let late = &rows[rows.len() - 40..];
+                let slopes = late.windows(2).map(|two| slope(&two[0], &two[1]));
+                slopes
+                    .into_iter()
+                    .all(|slope| (slope + 1.5 * SQRT_2).abs() < 0.01)
+            })
+        },
+    ),
+    (
+        "rest-basin",
+        "region ends in a tip that follows the dotted line",
+        |data| {
+            // The farthest cells at rest move nearly with the table.
+            let across = data.groups().pop().unwrap().1;
+            let far = across.iter().filter(|row| row[3] == 1.0 && row[1] > 0.96);
+            across.iter().all(|row| row[3] == 0.0 || row[1] < 1.0)
+                && far.clone().count() > 0
+                && far.clone().all(|row| (row[2] - row[1]).abs() < 0.1)
+        },
+    ),
+    (
+        "rest-hodograph",
+        "arrive there moving outwards, with",
+        |data| {
+            let groups = data.groups();
+            let (straight, others) = groups.split_last().unwrap();
+            let end = |rows: &[Vec<f64>]| rows[rows.len() - 1][2];
+            others.iter().all(|(_, rows)| end(rows) > 0.0) && end(&straight.1) < 0.0
+        },
+    ),
     ("sinusoidal-rest", "It grows from zero", |data| {
         let share = column(&data.rows(), 1);
         let moving: Vec<f64> = share

@@ -163,6 +163,13 @@ fn every_formula_in_the_words_of_a_row_is_understood() {
                 failures.push(format!("{}: {formula}: {why}", claim.id));
             }
         }
+        let read = match claim.latex.contains('$') {
+            true => words::of_latex(claim.latex),
+            false => words::of_plain(claim.latex),
+        };
+        if read != words::of_plain(claim.plain) {
+            failures.push(format!("{} reads otherwise in plain text", claim.id));
+        }
     }
     assert!(failures.is_empty(), "{failures:#?}");
 }

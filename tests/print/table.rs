@@ -145,6 +145,20 @@ pub const CORRECTED: &[Line] = &[
     ("eq-137", 0, Side(0, 1), "escape::late_s", NONE),
     ("eq-146", 0, Side(0, 1), "rest::surface_slope", NONE),
     (
+        "s22-rest-of-period",
+        2,
+        Side(0, 0),
+        "sinusoidal::rest_of_period_end",
+        NONE,
+    ),
+    (
+        "s4-small-alpha",
+        4,
+        Side(0, 1),
+        "escape::relaxed_ratio",
+        NONE,
+    ),
+    (
         "s22-vy-two-stages",
         6,
         Side(0, 0),
@@ -184,7 +198,24 @@ pub const CORRECTED: &[Line] = &[
 /// Corrections that are not held, and why.
 pub const WORDS_ONLY: &[(&str, &str)] = &[
     (
+        "s21-along-acceleration",
+        "its formula is a direction that is tended to",
+    ),
+    ("s23-nonzero-again", "it says in words what becomes nonzero"),
+    (
+        "s4-projection-azimuthal",
+        "it says in words whose rate is put in",
+    ),
+    (
+        "s4-projection-radial",
+        "it says in words whose rate is put in",
+    ),
+    (
         "s24-region-2",
+        "it says in words which motion lies between which curves",
+    ),
+    (
+        "s24-region-4",
         "it says in words which motion lies between which curves",
     ),
     (
@@ -196,15 +227,24 @@ pub const WORDS_ONLY: &[(&str, &str)] = &[
 /// Formulas of the corrections that no correction prints: they add to it, or serve another that is printed.
 pub const NOT_PRINTED: &[&str] = &[
     "constant::turning_slope",
+    "constant::late_sense",
     "sinusoidal::contraction",
     "sinusoidal::first_stage_lean",
     "periodic::small_friction_start",
     "periodic::small_friction_cases",
     "periodic::small_friction_ends",
+    "periodic::loss_with_rests",
+    "periodic::loss_without_rest",
+    "periodic::nonzero_again",
     "anisotropic::y_from_root",
     "anisotropic::contact",
     "anisotropic::a_far",
     "anisotropic::e_far",
+    "anisotropic::slip_distance",
+    "anisotropic::drift_without_rest",
+    "anisotropic::loss_without_rest",
+    "turntable::azimuthal_rate",
+    "turntable::radial_rate",
     "escape::winding",
     "rest::alpha_rate_straight_in",
     "rest::angle_straight_in",

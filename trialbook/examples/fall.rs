@@ -31,21 +31,30 @@ fn motion([g, t]: [f64; 2]) -> Result<[f64; 2], Failure> {
 }
 
 fn speed_by_motion() -> Evidence {
-    let trial = Trial::motion(Subject::Printed, "the formula with the integrated motion");
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one("the formula", "the integrated motion"),
+    );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
         Ok([paper::eq1_speed(g, t), motion([g, t])?[1]])
     })
 }
 
 fn speed_by_integral() -> Evidence {
-    let trial = Trial::quadrature(Subject::Printed, "the formula with the integral of gravity");
+    let trial = Trial::quadrature(
+        Subject::Printed,
+        Compared::one("the formula", "the integral of gravity"),
+    );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
         Ok([paper::eq1_speed(g, t), integral(|_| g, 0.0, t)?.value])
     })
 }
 
 fn way_by_motion() -> Evidence {
-    let trial = Trial::motion(Subject::Printed, "the formula with the integrated motion");
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one("the formula", "the integrated motion"),
+    );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
         Ok([paper::eq2_way(g, t), motion([g, t])?[0]])
     })
@@ -54,7 +63,7 @@ fn way_by_motion() -> Evidence {
 fn right_way_by_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Corrected,
-        "what is right with the integrated motion",
+        Compared::one("what is right", "the integrated motion"),
     );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
         Ok([corrections::eq2_way(g, t), motion([g, t])?[0]])
@@ -64,7 +73,7 @@ fn right_way_by_motion() -> Evidence {
 fn right_way_by_integral() -> Evidence {
     let trial = Trial::quadrature(
         Subject::Corrected,
-        "what is right with the integral of the speed",
+        Compared::one("what is right", "the integral of the speed"),
     );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
         Ok([

@@ -1,5 +1,11 @@
 //! What a claim is and what a trial of it brings: the vocabulary of the claims and of their judge.
 
+mod compared;
+mod ranges;
+
+pub use compared::Compared;
+pub use ranges::Ranges;
+
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::panic::Location;
@@ -180,9 +186,13 @@ pub struct Evidence {
     /// What it speaks about.
     pub subject: Subject,
     /// What was compared with what.
-    pub compared: &'static str,
+    pub compared: Compared,
     /// How many points were compared.
     pub points: usize,
+    /// At how many of them the two sides differ by more than the tolerance.
+    pub failed: usize,
+    /// Between which ends the points lie.
+    pub ranges: Ranges,
     /// A number that changes when a trial looks elsewhere, takes another scale or finds something else; 0 where no points
     /// were compared.
     pub fingerprint: u64,
@@ -196,8 +206,10 @@ pub struct Evidence {
     pub at: String,
     /// What counts as agreement.
     pub tolerance: Tolerance,
-    /// A few of the compared pairs.
+    /// A few of the compared pairs: the first ones, of those that disagree if any do.
     pub samples: Vec<Sample>,
+    /// The pair with the largest disagreement.
+    pub farthest: Option<Sample>,
     /// The title of a proof; empty for a measurement.
     pub title: String,
     /// The steps of a proof, in order, as plain text; none for a measurement.
@@ -227,24 +239,22 @@ pub enum Outcome {
 
 impl Evidence {
     /// Evidence of no point yet; by whom it is found and what it reads is noted by who runs the trial.
-    pub fn new(
-        route: Route,
-        subject: Subject,
-        compared: &'static str,
-        tolerance: Tolerance,
-    ) -> Self {
+    pub fn new(route: Route, subject: Subject, compared: Compared, tolerance: Tolerance) -> Self {
         Evidence {
             trial: "",
             route,
             subject,
             compared,
             points: 0,
+            failed: 0,
+            ranges: Ranges::default(),
             fingerprint: 0,
             sides: Sides::default(),
             worst: 0.0,
             at: String::new(),
             tolerance,
             samples: Vec::new(),
+            farthest: None,
             title: String::new(),
             steps: Vec::new(),
             partial: false,

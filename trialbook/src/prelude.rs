@@ -1,7 +1,7 @@
 //! What a paper on trial needs, in one import: `use trialbook::prelude::*;`.
 
 pub use crate::claims::attempt::trials;
-pub use crate::claims::compare::{Failure, Pair, Trial};
+pub use crate::claims::compare::{Compared, Failure, Pair, Trial};
 pub use crate::claims::formulas::{Formulas, formulas_of};
 pub use crate::claims::points::Points;
 pub use crate::claims::statement::Statement;

@@ -2,7 +2,8 @@
 //!
 //! B and E are parametrised by β = asin(qλ₀) between 0 and π/2, in which the arcs of Newton's law have slopes
 //! everywhere: from α = asin λ₀ to π + β for B, to 2π − β for E. That these arcs are the differences of the sides of
-//! (54) and of E is proved in [`exact`](super::exact), and looked at again here in the middle of every part of a range.
+//! (54) and of E is proved in [`exact`](super::exact), which every certificate asks first; the numbers are looked at again
+//! in the middle of every part of a range.
 //! Where each root of a function crosses zero downwards, there is one at most; for that a part of the range needs a
 //! sign of the function, or a negative slope.
 //!
@@ -12,14 +13,17 @@
 
 pub mod points;
 
+use super::exact;
 use crate::certified::cover::{Said, everywhere};
 use crate::certified::drive::{self, Edge, arc};
 use crate::certified::error::CertifiedError;
 use crate::certified::interval::{Interval, PI};
 use crate::certified::jet::{Jet, over};
+use crate::claims::compare::Compared;
 use crate::claims::enclosed::certified;
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Subject};
+use crate::exact::Proof;
 use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
 
@@ -49,7 +53,18 @@ fn arc_to<S: Scalar>(edge: Edge, [q, beta]: [S; 2]) -> S {
     arc(lambda0.asin(), end, lambda0)
 }
 
-/// That the difference of an equation's sides is the arc, as far as can be seen in the middle of a part.
+/// The certificate, if the algebra holds that it rests on.
+fn given(algebra: &Proof, certificate: Outcome) -> Outcome {
+    if algebra.holds() {
+        certificate
+    } else {
+        Err(CertifiedError::False {
+            at: algebra.title().to_owned(),
+        })
+    }
+}
+
+/// That the difference of an equation's sides is the arc, for numbers: in the middle of a part.
 fn is_arc(sides: Sides, edge: Edge, cell: &[Interval; 2]) -> Said {
     let middle = cell.map(|x| Interval::point(x.mid()));
     let [left, right] = {
@@ -124,17 +139,23 @@ fn prove_e(sides: Sides) -> Outcome {
 
 /// (54) has one root before q_Y and none beyond.
 pub fn b_once() -> Evidence {
-    let compared = "(54) has one root for every 1 ≤ q < q_Y and none for q_Y < q ≤ 12, by the signs and slopes of the arc that ends at π + asin(qλ₀)";
-    certified(prove_b(printed::eq54_sides), Subject::Within, compared)
+    let compared = Compared::shown(
+        r"(54) has one root for every $1\le q<q_Y$ and none for $q_Y<q\le12$, by the signs and slopes of the arc that ends at $\pi+\sin^{-1}(q\lambda_0)$",
+    );
+    let proof = given(&exact::EQ54.proof(), prove_b(printed::eq54_sides));
+    certified(proof, Subject::Within, compared)
 }
 
 /// E has no root before q_Y and one beyond.
 pub fn e_once() -> Evidence {
-    let compared = "E has no root but λ₀ = 0 for 1 ≤ q < q_Y and one for every q_Y < q ≤ 12, by the signs and slopes of the arc that ends at 2π − asin(qλ₀)";
-    certified(prove_e(corrected::e_sides), Subject::Corrected, compared)
+    let compared = Compared::shown(
+        r"E has no root but $\lambda_0=0$ for $1\le q<q_Y$ and one for every $q_Y<q\le12$, by the signs and slopes of the arc that ends at $2\pi-\sin^{-1}(q\lambda_0)$",
+    );
+    let proof = given(&exact::E.proof(), prove_e(corrected::e_sides));
+    certified(proof, Subject::Corrected, compared)
 }
 
-/// λ₀ on A by (53): its left side is cot asin λ₀.
+/// λ₀ on A by (53): its left side is the cotangent of asin λ₀, so that λ₀ = 1/√(1 + r²) if its right side r is positive.
 fn on_a<S: Scalar>(q: S) -> S {
     let [_, right] = printed::eq53_sides(printed::eq53_k(q), S::int(1));
     S::int(1) / (S::int(1) + right.squared()).sqrt()
@@ -171,7 +192,9 @@ fn prove_a(sides: fn(Two, Two) -> [Two; 2]) -> Outcome {
 
 /// (53) has one root.
 pub fn a_once() -> Evidence {
-    let compared = "(53) has one root in 0 < λ₀ < 1 for every 1 ≤ q ≤ 12: the left side falls with λ₀ from above the right side to 0";
+    let compared = Compared::shown(
+        r"(53) has one root in $0<\lambda_0<1$ for every $1\le q\le12$: with growing $\lambda_0$ the left side falls to 0 from above the right side",
+    );
     certified(prove_a(printed::eq53_sides), Subject::Printed, compared)
 }
 
@@ -201,12 +224,14 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
 }
 
 fn prove_order(on_a: fn(Jet<1>) -> Jet<1>, on_c: fn(Jet<1>) -> Jet<1>) -> Outcome {
-    // C falls from 1, where D is; and A is where the sides of (53) are equal, as far as can be seen.
+    // C falls from 1, where D is; and on A, where the right side of (53) is positive, the sides are equal.
     let c = everywhere([ratios()], |cell| {
         let q = Jet::constant(Interval::point(cell[0].mid()));
         let [left, right] = printed::eq53_sides(printed::eq53_k(q), on_a(q));
+        let [_, all] = printed::eq53_sides(printed::eq53_k(cell[0]), Interval::int(1));
         let falls = Said::of_sign(over(|[q]| on_c(q), cell).slope[0], -1.0);
-        Said::all([Said::of_zero((left - right).value), falls])
+        let positive = Said::of_sign(all, 1.0);
+        Said::all([Said::of_zero((left - right).value), positive, falls])
     })?;
     let b = prove_b(printed::eq54_sides)?;
     Ok(c + b + prove_e(corrected::e_sides)? + prove_a_lowest(on_a)?)
@@ -214,16 +239,22 @@ fn prove_order(on_a: fn(Jet<1>) -> Jet<1>, on_c: fn(Jet<1>) -> Jet<1>) -> Outcom
 
 /// The order of the curves. Which motion lies between which of them it does not say.
 pub fn order() -> Evidence {
-    let compared = "A < B < C < D for all 1 < q < q_Y and A < E < C < D for all q_Y < q ≤ 12, with A = B and C = D at q = 1, where the slopes of their differences have a sign";
+    let compared = Compared::shown(
+        r"$A<B<C<D$ for all $1<q<q_Y$ and $A<E<C<D$ for all $q_Y<q\le12$, with $A=B$ and $C=D$ at $q=1$, where the slopes of their differences have a sign",
+    );
     let proof = prove_order(on_a, printed::eq55_lambda0);
+    let proof = given(&exact::EQ54.proof(), given(&exact::E.proof(), proof));
     certified(proof, Subject::Corrected, compared).of_a_part()
 }
 
 /// Between E and C there is no backward motion: E is where the arc to the last moment is zero. About the rest of the
 /// region's motion it says nothing.
 pub fn e_below_c() -> Evidence {
-    let compared = "the arc to the last moment at which the drive could pull backward is negative below E and positive between E and C, for every q_Y < q ≤ 12";
-    certified(prove_e(corrected::e_sides), Subject::Corrected, compared).of_a_part()
+    let compared = Compared::shown(
+        r"the arc to the last moment at which the drive could pull backward is negative below E and positive between E and C, for every $q_Y<q\le12$",
+    );
+    let proof = given(&exact::E.proof(), prove_e(corrected::e_sides));
+    certified(proof, Subject::Corrected, compared).of_a_part()
 }
 
 #[cfg(test)]
@@ -234,11 +265,25 @@ mod tests {
     fn the_statements_are_proved() {
         for evidence in [a_once(), b_once(), e_once(), order(), e_below_c()] {
             assert_eq!(
-                evidence.worst, 0.0,
+                evidence.worst,
+                0.0,
                 "{}: {}",
-                evidence.compared, evidence.at
+                evidence.comparison(),
+                evidence.at
             );
         }
+    }
+
+    #[test]
+    fn without_the_algebra_there_is_no_certificate() {
+        let fails = Proof::impossible(
+            "no",
+            crate::exact::ExactError::UnknownSymbol {
+                name: String::new(),
+            },
+        );
+        assert!(given(&fails, Ok(3)).is_err());
+        assert_eq!(given(&exact::E.proof(), Ok(3)).unwrap(), 3);
     }
 
     fn refused(proof: Outcome) {

@@ -3,7 +3,7 @@
 use super::simulated::{
     START, attractor, bisect, change, order, own_y, restless, reverses, simulated_y, touching,
 };
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};
 use crate::corrections::anisotropic as corrected;
@@ -30,19 +30,23 @@ fn at(start: State) -> String {
 
 /// (57) with the change of the motion with equal frictions.
 pub fn x_root() -> Evidence {
-    let compared =
-        "λ₀ of X with the λ₀ at which, with q = 1, a rest appears in the simulated motion";
+    let compared = Compared::one(
+        r"$\lambda_0$ of X",
+        r"the $\lambda_0$ at which, for $q=1$, a rest appears in the simulated motion",
+    );
     x(compared, 308, restless)
 }
 
 /// At X both A and B end.
 pub fn x_both() -> Evidence {
-    let compared =
-        "λ₀ of X with the λ₀ at which, with q = 1, direct reversals end in the simulated motion";
+    let compared = Compared::one(
+        r"$\lambda_0$ of X",
+        r"the $\lambda_0$ at which, for $q=1$, direct reversals end in the simulated motion",
+    );
     x(compared, 309, reverses)
 }
 
-fn x(compared: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Evidence {
+fn x(compared: Compared, stream: u64, holds: fn(&[Interval]) -> bool) -> Evidence {
     let [_, lambda0] = printed::eq57_x();
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(starts(stream), |start| {
@@ -58,7 +62,10 @@ fn x(compared: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Evi
 
 /// (58) with Y by simulation, from several starts.
 pub fn y_decimals() -> Evidence {
-    let compared = "(58) with the point of qλ₀ = 1 where the forward motion ends at the drive's minimum, by simulation";
+    let compared = Compared::one(
+        "(58)",
+        r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, THREE_DECIMALS);
     let [q, lambda0] = printed::eq58_y();
     let both = |start| [(start, true), (start, false)];
@@ -80,7 +87,11 @@ pub fn y_decimals() -> Evidence {
 
 /// (58) with the place to which region II narrows along qλ₀ = 1 − η.
 pub fn y_limit() -> Evidence {
-    let compared = "q of (58) with the middle of region II on qλ₀ = 1 − η, its ends by simulation, for η from 1e-5 to 1e-10";
+    let compared = Compared::one(
+        "$q$ of (58)",
+        r"the middle of region II on $q\lambda_0=1-\eta$, whose ends come from simulation",
+    )
+    .over(r"$\eta$ from $10^{-5}$ to $10^{-10}$");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, THREE_DECIMALS);
     trial.over(0..24, |k| {
         let eta = 1e-5 * libm::exp10(-f64::from(k) / 5.0);
@@ -96,7 +107,10 @@ pub fn y_limit() -> Evidence {
 
 /// Y from (54) and (55), to all digits, with Y by simulation.
 pub fn y_digits() -> Evidence {
-    let compared = "the root of (54) on (55) with the point of qλ₀ = 1 where the forward motion ends at the drive's minimum, by simulation";
+    let compared = Compared::one(
+        "the root of (54) on (55)",
+        r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, MOTION);
     trial.over(starts(311), |start| {
         let found = simulated_y(start)?;
@@ -117,7 +131,11 @@ fn printed_y() -> f64 {
 /// Curves that touch: region II between them on qλ₀ = 1 − η opens as the root of η; as η, if they crossed. C lies above
 /// both B and E by c (q − q_Y)², to lowest order, so that it opens for |q − q_Y| < √(η/(q_Y c)).
 pub fn y_contact() -> Evidence {
-    let compared = "2 √(η/(q_Y c)), c = (q_Y − 1)/(2 q_Y³ (q_Y + 1)), with the width in q of region II on qλ₀ = 1 − η, by simulation, for η from 1e-3 to 1e-10";
+    let compared = Compared::one(
+        r"$2\sqrt{\eta/(q_Yc)}$, with $c=(q_Y-1)/[2q_Y^3(q_Y+1)]$,",
+        r"the width in $q$ of region II on $q\lambda_0=1-\eta$ in the simulation",
+    )
+    .over(r"$\eta$ from $10^{-3}$ to $10^{-10}$");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, CONTACT);
     trial.over(0..24, |k| {
         let eta = 1e-3 * libm::exp2(-f64::from(k));
@@ -134,7 +152,11 @@ pub fn y_contact() -> Evidence {
 
 /// How closely they touch, as a number: C − B and C − E over (q − q_Y)², the mean of both sides.
 pub fn y_curvature() -> Evidence {
-    let compared = "λ₀ on C less (q_Y − 1)/(2 q_Y³ (q_Y + 1)) δ² with the λ₀ where direct reversals end, by simulation, at q = q_Y ± δ, in units of its distance from qλ₀ = 1";
+    let compared = Compared::one(
+        r"$\lambda_0$ on C less $(q_Y-1)\delta^2/[2q_Y^3(q_Y+1)]$",
+        r"the $\lambda_0$ at which direct reversals end in the simulation, in units of its distance from $q\lambda_0=1$",
+    )
+    .over(r"$q=q_Y\pm\delta$");
     let trial = Trial::by(Route::Root, Subject::Printed, compared, CONTACT);
     trial.over(0..24, |k| {
         let (y, own) = (printed_y(), own_y()?);

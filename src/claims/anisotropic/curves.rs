@@ -5,7 +5,7 @@ use super::simulated::{
     Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, printed_list,
     simulated,
 };
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::{FAR_A, FAR_E, NONE, ROOT};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -29,7 +29,7 @@ fn on_b_or_e(q: f64) -> f64 {
 /// A formula's λ₀ with the λ₀ at which the simulation changes, at those q that are wanted.
 fn change(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     wanted: fn(&Row) -> bool,
     stated: fn(f64) -> f64,
     found: fn(&Row) -> f64,
@@ -66,7 +66,7 @@ const DISTANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 /// The words of a list with the simulated motion, on both sides of a λ₀.
 fn sides(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     wanted: fn(&Row) -> bool,
     height: fn(&Row) -> f64,
     list: fn(f64) -> Regions,
@@ -122,11 +122,18 @@ fn motion(row: &Row) -> f64 {
     row.changes.motion
 }
 
-const SIDES: &str = "the signs of 𝔴 in a period by the printed list, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, 1e-3, 1e-6 and 1e-9 on both sides of where that changes";
+const SIDES: Compared = Compared::one(
+    "the order of slips and rests in a period by the printed list (a digit each: 3 forward, 2 rest, 1 backward)",
+    "that of the simulated motion",
+)
+.over("$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of where the order changes");
 
 /// (53) with the onset of rest.
 pub fn eq53_root() -> Evidence {
-    let compared = "the root of (53) with the λ₀ at which a rest appears in the simulated motion";
+    let compared = Compared::one(
+        "the root of (53)",
+        r"the $\lambda_0$ at which a rest appears in the simulated motion",
+    );
     change(Subject::Printed, compared, everywhere, on_a, rest)
 }
 
@@ -137,7 +144,11 @@ pub fn eq53_census() -> Evidence {
 
 /// (53) for large q, and its own asymptotic form.
 pub fn eq53_limit() -> Evidence {
-    let compared = "the root of (53), and π/(q + 1)² (1 − π²/(3 (q + 2)²)), to which it tends, with the λ₀ at which a rest appears, q from 200 to 20,000";
+    let compared = Compared::many(
+        r"the root of (53), and $\pi/(q+1)^2\,[1-\pi^2/(3(q+2)^2)]$, to which it tends,",
+        r"the $\lambda_0$ at which a rest appears",
+    )
+    .over("$q$ from 200 to 20,000");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FAR_A);
     let both = [on_a, corrected::a_far];
     over(&trial, far_rows(), everywhere, &both, rest)
@@ -154,7 +165,10 @@ pub fn eq54_outside() -> Evidence {
 }
 
 fn eq54(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
-    let compared = "the root of (54) with the λ₀ at which forward motion ceases to turn straight into backward motion";
+    let compared = Compared::one(
+        "the root of (54)",
+        r"the $\lambda_0$ at which forward motion ceases to turn straight into backward motion",
+    );
     change(subject, compared, wanted, on_b, reversal)
 }
 
@@ -165,20 +179,31 @@ pub fn eq54_census() -> Evidence {
 
 /// E with the end of direct reversals, beyond Y.
 pub fn e_root() -> Evidence {
-    let compared = "the root of E with the λ₀ at which forward motion ceases to turn straight into backward motion";
+    let compared = Compared::one(
+        "the root of E",
+        r"the $\lambda_0$ at which forward motion ceases to turn straight into backward motion",
+    );
     change(Subject::Corrected, compared, beyond_y, on_b_or_e, reversal)
 }
 
 /// B and E on both sides, with the corrected list, over the whole range of q.
 pub fn e_census() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the corrected list, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, 1e-3, 1e-6 and 1e-9 on both sides of where direct reversals end";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the corrected list (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    )
+    .over("$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of where direct reversals end");
     let subject = Subject::Corrected;
     sides(subject, compared, everywhere, reversal, corrected_list)
 }
 
 /// E for large q, and its asymptotic form.
 pub fn e_limit() -> Evidence {
-    let compared = "the root of E, and 4π/(q + 1)² (1 − 4π²/(q + 7/3)²), to which it tends, with the λ₀ at which direct reversals end, q from 200 to 20,000";
+    let compared = Compared::many(
+        r"the root of E, and $4\pi/(q+1)^2\,[1-4\pi^2/(q+7/3)^2]$, to which it tends,",
+        r"the $\lambda_0$ at which direct reversals end",
+    )
+    .over("$q$ from 200 to 20,000");
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, FAR_E);
     let both = [on_b_or_e, corrected::e_far];
     over(&trial, far_rows(), everywhere, &both, reversal)
@@ -195,7 +220,10 @@ pub fn eq55_outside() -> Evidence {
 }
 
 fn eq55(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
-    let compared = "(55) with the λ₀ beyond which the simulated motion has no backward part";
+    let compared = Compared::one(
+        "(55)",
+        r"the $\lambda_0$ beyond which the simulated motion has no backward part",
+    );
     change(subject, compared, wanted, printed::eq55_lambda0, backward)
 }
 
@@ -206,7 +234,11 @@ pub fn eq55_census() -> Evidence {
 
 /// (55) on both sides, beyond Y: where friction backwards is as strong as the drive.
 pub fn eq55_census_outside() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the printed list, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, 1e-3, 1e-6 and 1e-9 on both sides of qλ₀ = 1";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the printed list (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    )
+    .over(r"$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of $q\lambda_0=1$");
     let as_strong = |row: &Row| 1.0 / row.q;
     sides(
         Subject::Outside,
@@ -219,7 +251,10 @@ pub fn eq55_census_outside() -> Evidence {
 
 /// (56) with the end of all motion.
 pub fn eq56_root() -> Evidence {
-    let compared = "(56) with the λ₀ beyond which the simulated particle is at rest for ever";
+    let compared = Compared::one(
+        "(56)",
+        r"the $\lambda_0$ beyond which the simulated particle is at rest for ever",
+    );
     let on_d = |_: f64| printed::eq56_lambda0();
     change(Subject::Printed, compared, everywhere, on_d, motion)
 }

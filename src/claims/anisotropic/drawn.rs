@@ -3,7 +3,7 @@
 use super::census::{self, Column, LAMBDA0, Q};
 use super::panels::{PANELS, motion};
 use super::rows::{Row, far_rows, rows};
-use super::simulated::{Curves, START, fits, printed_list, touching};
+use super::simulated::{Curves, START, attractor, fits, printed_list, touching};
 use crate::claims::compare::Failure;
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
@@ -78,6 +78,48 @@ pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure>
 pub fn corners() -> Result<[[f64; 2]; 2], Failure> {
     let y = touching()?;
     Ok([printed::eq57_x(), [y, printed::eq55_lambda0(y)]])
+}
+
+/// How far the particle creeps and what it loses, over a part of the plane.
+#[derive(Debug, Clone)]
+pub struct Budgets {
+    /// The curves, in order of q.
+    pub curves: Vec<Curves>,
+    /// Cells along q and along λ₀.
+    pub shape: (usize, usize),
+    /// The ends along q.
+    pub q: (f64, f64),
+    /// The ends along λ₀.
+    pub lambda0: (f64, f64),
+    /// The mean velocity and what friction takes in a period, by the motion, row by row from the lowest λ₀.
+    pub cells: Vec<[f64; 2]>,
+}
+
+/// Drift and loss by simulation at the middles of a grid's cells.
+///
+/// # Errors
+/// A motion that does not become periodic.
+pub fn budgets() -> Result<Budgets, Failure> {
+    let (shape, q, lambda0) = ((72, 60), (1.0, 7.0), (0.0, 1.2));
+    let middle = |(from, to): (f64, f64), i: usize, n: usize| {
+        from + (to - from) * (i as f64 + 0.5) / n as f64
+    };
+    let cell = |k: usize| -> Result<[f64; 2], Failure> {
+        let at = (
+            middle(q, k % shape.0, shape.0),
+            middle(lambda0, k / shape.0, shape.1),
+        );
+        let motion = attractor(at.0, at.1)?;
+        Ok([motion.displacement() / (2.0 * PI), motion.lost()])
+    };
+    let ratios = (0..=shape.0).map(|i| q.0 + (q.1 - q.0) * i as f64 / shape.0 as f64);
+    Ok(Budgets {
+        curves: ratios.map(Curves::at).collect::<Result<_, _>>()?,
+        shape,
+        q,
+        lambda0,
+        cells: (0..shape.0 * shape.1).map(cell).collect::<Result<_, _>>()?,
+    })
 }
 
 /// (φ, 𝔴) over two periods in each panel of fig-6: equal steps and the ends of the intervals.

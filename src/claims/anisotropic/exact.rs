@@ -4,6 +4,7 @@
 //! are rational in the tangents of half these angles. An arc from rest at φ₀ is ∫ (sin φ ∓ λ±) dφ =
 //! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
 
+use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::Subject;
@@ -106,7 +107,7 @@ fn prove_eq52(formula: Expr) -> Proof {
 /// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
 pub const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
     Subject::Printed,
-    "Newton's law in the symbols (47) to (50) with (51) and (52)",
+    Compared::one("Newton's law in the symbols (47) to (50)", "(51) and (52)"),
     || (definitions(), printed_rates()),
     |(a, b)| prove_rates(a, b),
 );
@@ -357,7 +358,10 @@ fn prove_eq56(curve: Expr) -> Proof {
 /// (55).
 pub const EQ55: Statement = Statement::new(
     Subject::Within,
-    "(52) with q (λ₀ − (55)) plus a square that vanishes at φ = 3π/2",
+    Compared::one(
+        "(52)",
+        r"$q$ times the difference of $\lambda_0$ and (55), plus a square that vanishes at $\phi=3\pi/2$",
+    ),
     || printed::eq55_lambda0(Expr::symbol("q")),
     prove_eq55,
 );
@@ -365,7 +369,10 @@ pub const EQ55: Statement = Statement::new(
 /// (56).
 pub const EQ56: Statement = Statement::new(
     Subject::Printed,
-    "(51) with (56) − λ₀ less a square that vanishes at φ = π/2",
+    Compared::one(
+        "(51)",
+        r"(56) less $\lambda_0$, less a square that vanishes at $\phi=\pi/2$",
+    ),
     printed::eq56_lambda0,
     prove_eq56,
 );
@@ -405,7 +412,10 @@ fn printed_rates() -> [Expr; 2] {
 /// (51).
 pub const EQ51: Statement = Statement::new(
     Subject::Printed,
-    "(51) with Newton's law along x, in the units of (23), (24), (47) to (50)",
+    Compared::one(
+        "(51)",
+        "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
+    ),
     || {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         printed::eq51_rate(lambda0, phi)
@@ -416,7 +426,10 @@ pub const EQ51: Statement = Statement::new(
 /// (52).
 pub const EQ52: Statement = Statement::new(
     Subject::Printed,
-    "(52) with Newton's law along x, in the units of (23), (24), (47) to (50)",
+    Compared::one(
+        "(52)",
+        "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
+    ),
     || {
         let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
         printed::eq52_rate(q, lambda0, phi)
@@ -427,7 +440,10 @@ pub const EQ52: Statement = Statement::new(
 /// (53).
 pub const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
     Subject::Printed,
-    "(53) with the balance of friction over a period and a forward arc of length 2K from asin λ₀",
+    Compared::one(
+        "(53)",
+        r"the balance of friction over a period, with a forward arc of length $2K$ from $\sin^{-1}\lambda_0$",
+    ),
     || (printed::eq53_k(Expr::symbol("q")), sides_of_a()),
     |(a, b)| prove_eq53(a, b),
 );
@@ -435,7 +451,10 @@ pub const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
 /// (54), as the condition that a forward arc ends at π + asin(qλ₀).
 pub const EQ54: Statement<[Expr; 2]> = Statement::new(
     Subject::Within,
-    "(54) with the forward arc from asin λ₀ to π + asin(qλ₀)",
+    Compared::one(
+        "(54)",
+        r"the forward arc from $\sin^{-1}\lambda_0$ to $\pi+\sin^{-1}(q\lambda_0)$",
+    ),
     sides_of_b,
     prove_eq54,
 );
@@ -443,7 +462,10 @@ pub const EQ54: Statement<[Expr; 2]> = Statement::new(
 /// E, as the condition that a forward arc ends at 2π − asin(qλ₀).
 pub const E: Statement<[Expr; 2]> = Statement::new(
     Subject::Corrected,
-    "E with the forward arc from asin λ₀ to 2π − asin(qλ₀)",
+    Compared::one(
+        "E",
+        r"the forward arc from $\sin^{-1}\lambda_0$ to $2\pi-\sin^{-1}(q\lambda_0)$",
+    ),
     sides_of_e,
     prove_e,
 );
@@ -451,7 +473,7 @@ pub const E: Statement<[Expr; 2]> = Statement::new(
 /// (57).
 pub const X: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
-    "X with (53) and (54) at q = 1",
+    Compared::one("X", "(53) and (54) at $q=1$"),
     printed::eq57_x,
     prove_x,
 );
@@ -459,7 +481,10 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
 /// The touch at Y.
 pub const Y: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
-    "the direction of (54) with that of (55) where they meet, which is where tan x = x with q = √(1 + x²)",
+    Compared::one(
+        "the direction of (54)",
+        r"that of (55) where they meet, which is where $\tan x=x$ and $q=\sqrt{1+x^2}$",
+    ),
     sides_of_b,
     prove_y,
 );
@@ -467,7 +492,10 @@ pub const Y: Statement<[Expr; 2]> = Statement::new(
 /// The mirror.
 pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     Subject::Printed,
-    "(51) and (52) with each other, under φ → φ + π, 𝔴 → −𝔴, λ₀ → qλ₀, q → 1/q",
+    Compared::many(
+        r"(51) and (52) under $\phi\to\phi+\pi$, $\mathfrak w\to-\mathfrak w$, $\lambda_0\to q\lambda_0$, $q\to1/q$",
+        "(52) and (51)",
+    ),
     || {
         let [q, lambda0] = Expr::symbols(["q", "λ₀"]);
         (printed_rates(), printed::s24_mirrored(q, lambda0))

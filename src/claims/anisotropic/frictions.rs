@@ -1,7 +1,7 @@
 //! Trials of (47) to (52): the two frictions, and the rates while sliding either way.
 
 use super::simulated::{START, attractor, attractor_from};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
@@ -10,7 +10,7 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::{PI, TAU};
 
-const fn consistency(compared: &'static str) -> Trial {
+const fn consistency(compared: Compared) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
 }
 
@@ -60,7 +60,7 @@ fn dimensional([mu_plus, mu_minus, g, a0, phi]: [f64; 5]) -> Result<f64, Failure
 }
 
 fn against_dimensional(
-    compared: &'static str,
+    compared: Compared,
     stream: u64,
     friction: fn([f64; 5]) -> (f64, f64),
 ) -> Evidence {
@@ -85,7 +85,10 @@ fn against_dimensional(
 
 /// (47), with λ₋ entered by hand.
 pub fn eq47() -> Evidence {
-    let compared = "A₀𝔴 of the motion with λ₊ of (47) with ϖv_x under A₀ sin φ and the decelerations μ₊g and μ₋g";
+    let compared = Compared::one(
+        r"$A_0\mathfrak w$ of the motion with $\lambda_+$ of (47)",
+        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
+    );
     against_dimensional(compared, 302, |[mu_plus, mu_minus, g, a0, _]| {
         let minus = mu_minus / a0 * g;
         (printed::eq47_lambda_plus(mu_plus, g, a0), minus)
@@ -94,7 +97,10 @@ pub fn eq47() -> Evidence {
 
 /// (48), with λ₊ entered by hand.
 pub fn eq48() -> Evidence {
-    let compared = "A₀𝔴 of the motion with λ₋ of (48) with ϖv_x under A₀ sin φ and the decelerations μ₊g and μ₋g";
+    let compared = Compared::one(
+        r"$A_0\mathfrak w$ of the motion with $\lambda_-$ of (48)",
+        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
+    );
     against_dimensional(compared, 303, |[mu_plus, mu_minus, g, a0, _]| {
         let plus = mu_plus / a0 * g;
         (plus, printed::eq48_lambda_minus(mu_minus, g, a0))
@@ -103,7 +109,10 @@ pub fn eq48() -> Evidence {
 
 /// (49), with λ₀ the ratio of the forward friction to the drive.
 pub fn eq49() -> Evidence {
-    let compared = "A₀𝔴 of the motion with λ₊ of (49), λ₀ = μ₊g/A₀, with ϖv_x under A₀ sin φ and the decelerations μ₊g and μ₋g";
+    let compared = Compared::one(
+        r"$A_0\mathfrak w$ of the motion with $\lambda_+$ of (49), $\lambda_0=\mu_+g/A_0$,",
+        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
+    );
     against_dimensional(compared, 304, |[mu_plus, mu_minus, g, a0, _]| {
         let plus = printed::eq49_lambda_plus(mu_plus * g / a0);
         (plus, mu_minus / a0 * g)
@@ -112,7 +121,10 @@ pub fn eq49() -> Evidence {
 
 /// (50), with q the ratio of the frictions.
 pub fn eq50() -> Evidence {
-    let compared = "A₀𝔴 of the motion with λ₋ of (50), q = μ₋/μ₊, with ϖv_x under A₀ sin φ and the decelerations μ₊g and μ₋g";
+    let compared = Compared::one(
+        r"$A_0\mathfrak w$ of the motion with $\lambda_-$ of (50), $q=\mu_-/\mu_+$,",
+        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
+    );
     against_dimensional(compared, 305, |[mu_plus, mu_minus, g, a0, _]| {
         let lambda0 = mu_plus * g / a0;
         let minus = printed::eq50_lambda_minus(mu_minus / mu_plus, lambda0);
@@ -122,7 +134,7 @@ pub fn eq50() -> Evidence {
 
 /// A printed rate, integrated within an interval of this sign, with the change of 𝔴 there.
 fn summed_rate(
-    compared: &'static str,
+    compared: Compared,
     stream: u64,
     sign: Sign,
     rate: fn(f64, f64, f64) -> f64,
@@ -163,7 +175,10 @@ fn summed_rate(
 /// (51) along the forward motion.
 pub fn eq51_quadrature() -> Evidence {
     summed_rate(
-        "∫ (51) dφ along a stretch of forward motion with its change of 𝔴",
+        Compared::one(
+            r"the integral of (51) over $\phi$ along a stretch of forward motion",
+            r"its change of $\mathfrak w$",
+        ),
         306,
         Sign::Positive,
         |_, lambda0, phi| printed::eq51_rate(lambda0, phi),
@@ -173,7 +188,10 @@ pub fn eq51_quadrature() -> Evidence {
 /// (52) along the backward motion.
 pub fn eq52_quadrature() -> Evidence {
     summed_rate(
-        "∫ (52) dφ along a stretch of backward motion with its change of 𝔴",
+        Compared::one(
+            r"the integral of (52) over $\phi$ along a stretch of backward motion",
+            r"its change of $\mathfrak w$",
+        ),
         307,
         Sign::Negative,
         printed::eq52_rate,

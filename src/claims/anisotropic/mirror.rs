@@ -1,7 +1,7 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
 use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
@@ -17,7 +17,10 @@ fn small_ratio(points: &mut Points) -> (f64, f64) {
 
 /// A motion with q < 1 from any start, and its mirror image with 1/q, some time later.
 pub fn integration() -> Evidence {
-    let compared = "−𝔴(φ + π) of the motion with 1/q and qλ₀ from the mirrored start with 𝔴(φ) of the motion with q < 1 and λ₀";
+    let compared = Compared::one(
+        r"$-\mathfrak w(\phi+\pi)$ of the motion with $1/q$ and $q\lambda_0$ from the mirrored start",
+        r"$\mathfrak w(\phi)$ of the motion with $q<1$ and $\lambda_0$",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(312);
     trial.over(0..400, |i| {
@@ -65,7 +68,10 @@ pub fn integration() -> Evidence {
 
 /// The intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
 pub fn census() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the corrected list at (1/q, qλ₀), a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion at (q, λ₀), forward and backward exchanged";
+    let compared = Compared::one(
+        r"the order of slips and rests in a period by the corrected list at $(1/q,q\lambda_0)$ (a digit each: 3 forward, 2 rest, 1 backward)",
+        r"that of the simulated motion at $(q,\lambda_0)$, forward and backward exchanged",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(313);
     let words = listed_digits();

@@ -1,7 +1,7 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
 use super::simulated::{START, attractor_from, listed_digits, own_digits};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, QUADRATURE};
 use crate::evidence::{Evidence, Route, Subject};
@@ -102,7 +102,10 @@ impl Rates {
 
 /// 𝔴(φ) over two periods, as the region's words and the printed rates have it, with the simulation.
 pub fn quadrature() -> Evidence {
-    let compared = "𝔴(φ) in each panel, made of ∫ (51) dφ, ∫ (52) dφ and rest in the order of the list, with the simulated motion over two periods";
+    let compared = Compared::one(
+        r"$\mathfrak w(\phi)$ in each panel, made of the integrals of (51) and (52) over $\phi$ and of rests, in the order of the list,",
+        "the simulated motion over two periods",
+    );
     let trial = Trial::by(Route::Quadrature, Subject::Printed, compared, QUADRATURE);
     let panels = PANELS.into_iter().zip(printed::signs());
     let periods: Vec<_> = panels
@@ -141,7 +144,10 @@ pub fn motion(panel: usize, start: State) -> Result<Attractor<'static>, Failure>
 
 /// The intervals in each panel, and whether the motion stays on the axes, from several starts.
 pub fn census() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the words of the panel's region, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, and |𝔴|, but not more than 1, with the largest |𝔴|, from eight starts";
+    let compared = Compared::many(
+        r"the order of slips and rests in a period by the words of the panel's region (a digit each: 3 forward, 2 rest, 1 backward), and $\lvert\mathfrak w\rvert$, but not more than 1,",
+        r"those of the simulated motion, and the largest $\lvert\mathfrak w\rvert$, from eight starts",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(314);
     let words = listed_digits();

@@ -4,9 +4,10 @@ use super::census;
 use super::rows::{Row, rows};
 use super::simulated::{
     Regions, corrected_list, curves_as_corrected, curves_as_printed, listed_digits, own_y,
-    printed_list,
+    printed_list, simulated,
 };
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
+use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::anisotropic as printed;
@@ -65,12 +66,20 @@ const BESIDE: usize = 2;
 /// One point in so many is put first.
 const GENERIC: usize = 997;
 
-const fn by_census(subject: Subject, compared: &'static str) -> Trial {
+const fn by_census(subject: Subject, compared: Compared) -> Trial {
     Trial::by(Route::Census, subject, compared, NONE)
 }
 
-const BY_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever that is the region's or next to it and the printed list has this region; where it has another, this claim says nothing";
-const BY_CORRECTED_REGION: &str = "the signs of 𝔴 in a period, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, wherever that is the region's or next to it and the corrected list has this region; where it has another, this claim says nothing";
+const BY_REGION: Compared = Compared::one(
+    "the order of slips and rests in a period by the claim (a digit each: 3 forward, 2 rest, 1 backward)",
+    "that of the simulated motion",
+)
+.over("wherever that is the region's or next to it and the printed list has this region; where it has another, this claim says nothing");
+const BY_CORRECTED_REGION: Compared = Compared::one(
+    "the order of slips and rests in a period by the claim (a digit each: 3 forward, 2 rest, 1 backward)",
+    "that of the simulated motion",
+)
+.over("wherever that is the region's or next to it and the corrected list has this region; where it has another, this claim says nothing");
 
 /// What the words of one region say where a list has it.
 fn words_of(region: usize, list: Regions) -> Says {
@@ -98,7 +107,7 @@ fn printed_census(region: usize, own: f64) -> Evidence {
 fn ends(
     region: usize,
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     list: fn(&Row) -> [f64; 4],
     wanted: fn(&Row) -> bool,
 ) -> Evidence {
@@ -123,10 +132,7 @@ fn ends(
             changes.motion,
         ];
         let (name, stated, found) = if lower {
-            let (end, begins) = (bounds[region - 2], motion[region - 2]);
-            // What IV's words say of its own points holds too if its motion goes on below, as it does beyond Y.
-            let goes_on = region == 4 && !row.before_y && begins <= end;
-            ("lower end", if goes_on { begins } else { end }, begins)
+            ("lower end", bounds[region - 2], motion[region - 2])
         } else {
             ("upper end", bounds[region - 1], motion[region - 1])
         };
@@ -139,9 +145,14 @@ fn ends(
     })
 }
 
-const BY_ENDS: &str = "the region's ends in λ₀ by the printed curves with those of its kind of motion, by bisection on the simulation";
-const BY_ENDS_OR_BEYOND: &str = "the region's ends in λ₀ by the printed curves with those of its kind of motion, by bisection on the simulation; beyond Y the lower end may lie above where the motion begins";
-const BY_CORRECTED_ENDS: &str = "the region's ends in λ₀ by the corrected list with those of its kind of motion, by bisection on the simulation";
+const BY_ENDS: Compared = Compared::many(
+    r"the region's ends in $\lambda_0$ by the printed curves",
+    "those of its kind of motion in the simulation",
+);
+const BY_CORRECTED_ENDS: Compared = Compared::many(
+    r"the region's ends in $\lambda_0$ by the corrected list",
+    "those of its kind of motion in the simulation",
+);
 
 /// The upper ends of the regions I to IV by the printed list. Without B, II reaches up to C and III is empty.
 fn printed_bounds(row: &Row) -> [f64; 4] {
@@ -178,6 +189,16 @@ fn has_third(row: &Row) -> bool {
 /// Where IV is: not at q = 1.
 fn has_fourth(row: &Row) -> bool {
     row.q > 1.0
+}
+
+/// Where IV is and C is its lower end.
+fn begins_at_c(row: &Row) -> bool {
+    has_fourth(row) && row.before_y
+}
+
+/// Where IV begins below C.
+fn begins_below_c(row: &Row) -> bool {
+    !row.before_y
 }
 
 /// Region I at the points of the census.
@@ -220,7 +241,11 @@ pub fn second_corrected_ends() -> Evidence {
 
 /// What is new in region IV: between E and C.
 pub fn between_e_and_c() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the words of IV, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, between E and C; beside that, beyond Y, this says nothing";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the words of IV (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    )
+    .over("between E and C; elsewhere beyond Y this says nothing");
     let trial = by_census(Subject::Corrected, compared);
     let y = match own_y() {
         Ok(y) => y,
@@ -254,16 +279,31 @@ pub fn third_ends() -> Evidence {
 
 /// Region IV at the points of the census.
 pub fn fourth_census() -> Evidence {
-    printed_census(4, 32.0)
+    let trial = by_census(Subject::Within, BY_REGION);
+    census(
+        &trial,
+        |_, _, found| found == 32.0,
+        |q| words_of(4, printed_list(q)),
+    )
 }
 
-/// Region IV by its ends.
+/// Region IV by its ends, up to Y.
 pub fn fourth_ends() -> Evidence {
+    ends(4, Subject::Within, BY_ENDS, printed_bounds, begins_at_c)
+}
+
+/// Region IV by its ends, beyond Y.
+pub fn fourth_ends_beyond() -> Evidence {
+    ends(4, Subject::Outside, BY_ENDS, printed_bounds, begins_below_c)
+}
+
+/// Region IV of the corrected list by its ends.
+pub fn fourth_corrected_ends() -> Evidence {
     ends(
         4,
-        Subject::Printed,
-        BY_ENDS_OR_BEYOND,
-        printed_bounds,
+        Subject::Corrected,
+        BY_CORRECTED_ENDS,
+        corrected_bounds,
         has_fourth,
     )
 }
@@ -283,23 +323,69 @@ pub const LARGEST_Q: f64 = 7.0;
 
 /// The printed diagram at the points of the census.
 pub fn diagram() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the printed diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, all over the diagram's axes";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the printed diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    )
+    .over("all over the diagram's axes");
     let trial = by_census(Subject::Printed, compared);
     let says = |q| all_words(printed_list(q));
     census(&trial, |q, _, _| q <= LARGEST_Q, says)
 }
 
+/// The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
+/// Where B has ended, it enters two at C.
+pub fn diagram_step() -> Evidence {
+    let compared = Compared::one(
+        r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
+        "the expected 1",
+    );
+    let trial = by_census(Subject::Step, compared);
+    let points = Points::stream(704).within(400, [[1.0, LARGEST_Q], [0.0, 1.4]]);
+    trial.at(["q", "λ₀"], points, 1.0, |[q, lambda0]| {
+        let beyond_the_crossed = |curves: printed::Curves| {
+            let crossed = [curves.a, curves.b.unwrap_or(curves.c), curves.c, curves.d];
+            let below = crossed.iter().filter(|curve| **curve < lambda0).count();
+            Some(printed::region(lambda0, &curves)? as f64 - below as f64)
+        };
+        let curves = curves_as_printed(q).ok();
+        Ok([curves.and_then(beyond_the_crossed).unwrap_or(f64::NAN), 1.0])
+    })
+}
+
 /// The corrected diagram at all points of the census.
 pub fn corrected_diagram() -> Evidence {
-    let compared = "the signs of 𝔴 in a period by the corrected diagram, a digit each (3 forward, 2 rest, 1 backward), with those of the simulated motion, for q from 1 to 12";
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the corrected diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    )
+    .over("$q$ from 1 to 12");
     let trial = by_census(Subject::Corrected, compared);
     let says = |q| all_words(corrected_list(q));
     census(&trial, |_, _, _| true, says)
 }
 
+/// The corrected diagram farther out.
+pub fn far() -> Evidence {
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the corrected diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "that of the simulated motion",
+    );
+    let trial = by_census(Subject::Corrected, compared);
+    let points = Points::stream(718).within(1000, [[12.0, 30.0], [1e-6, 1.0]]);
+    trial.at(["q", "qλ₀/2"], points, 1.0, |[q, share]| {
+        let lambda0 = 2.0 * share / q;
+        let stated = all_words(corrected_list(q))(lambda0);
+        Ok([stated.unwrap_or(f64::NAN), simulated(q, lambda0)?])
+    })
+}
+
 /// The corrected diagram's curves with the changes of the motion, none left out.
 pub fn corrected_curves() -> Evidence {
-    let compared = "λ₀ on A, on B or E, on C (on E beyond Y) and on D with the λ₀ at which a rest appears, direct reversals end, backward motion ends and all motion ends";
+    let compared = Compared::many(
+        r"$\lambda_0$ on A, on B or E, on C (on E beyond Y) and on D",
+        r"the $\lambda_0$ at which a rest appears, direct reversals end, backward motion ends and all motion ends",
+    );
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, ROOT);
     let rows = match rows() {
         Ok(rows) => rows,

@@ -1,7 +1,7 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
 use super::launches::Turn;
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Motion;
@@ -81,7 +81,7 @@ fn both_panels() -> impl Iterator<Item = Result<Curve, MotionError>> {
 pub fn points() -> Evidence {
     let trial = Trial::motion(
         Subject::Printed,
-        "(11) at the angle of each drawn point with its speed",
+        Compared::one("(11) at the angle of each drawn point", "the speed there"),
     );
     let drawn = both_panels().flat_map(|curve| match curve {
         Ok(curve) => {
@@ -107,7 +107,10 @@ pub fn points() -> Evidence {
 
 /// How the curves end: in panel (a) the particle still moves, in panel (b) it rests.
 pub fn ends() -> Evidence {
-    let compared = "panel (a): 1, panel (b): 0, with 1 for a curve that ends in motion and 0 for one that ends at rest";
+    let compared = Compared::one(
+        "whether a curve ends in motion, as in panel (a), or at rest, as in panel (b) (1 for motion),",
+        "what the motion does",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(both_panels(), |curve| {
         let curve = curve?;

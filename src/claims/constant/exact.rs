@@ -8,6 +8,7 @@ mod sliding;
 #[cfg(test)]
 mod tests;
 
+use crate::claims::compare::Compared;
 use cases::*;
 use sliding::*;
 
@@ -33,7 +34,10 @@ pub enum Friction {
 
 #[track_caller]
 const fn law(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
-    let compared = "the printed formula with Newton's law (1), as rational functions of tan(θ/2) and its powers";
+    let compared = Compared::one(
+        "the printed formula",
+        r"Newton's law (1), as rational functions of $\tan(\theta/2)$ and its powers",
+    );
     Statement::new(subject, compared, formula, prove)
 }
 
@@ -214,7 +218,7 @@ fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
 /// (3) to (5) by the use made of them.
 pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
     Subject::Printed,
-    "(1) in the symbols (3) to (5) with (6) and (7)",
+    Compared::one("(1) in the symbols (3) to (5)", "(6) and (7)"),
     definitions,
     prove_definitions,
 );

@@ -1,6 +1,7 @@
 //! What the conditions of section 2.1 except: points at which the formulas have no value, or that fill no stretch.
 
 use crate::certified::interval::Interval;
+use crate::claims::compare::Compared;
 use crate::claims::excepted::{no_inside, no_value};
 use crate::evidence::Evidence;
 use crate::paper::constant as printed;
@@ -33,7 +34,11 @@ fn straight() -> [Interval; 2] {
 /// (8), where dv_x and dv_y both vanish.
 pub fn eq8() -> Evidence {
     no_value(
-        "whether (8) has a value, at random and at λ = 1, θ = 0, with whether the condition holds",
+        Compared::one(
+            "whether (8) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\lambda=1$, $\theta=0$"),
         ["λ", "θ"],
         [LAMBDA, ANGLE],
         [[int(1), int(0)]],
@@ -44,7 +49,11 @@ pub fn eq8() -> Evidence {
 /// (9), along the line of the acceleration.
 pub fn eq9() -> Evidence {
     no_value(
-        "whether (9) has a value, at random and at θ = 0, π, with whether the condition holds",
+        Compared::one(
+            "whether (9) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\theta=0,\pi$"),
         ["λ", "θ"],
         [LAMBDA, ANGLE],
         straight().map(|theta| [half(), theta]),
@@ -55,7 +64,11 @@ pub fn eq9() -> Evidence {
 /// (10), for angles that are not between 0 and π.
 pub fn eq10() -> Evidence {
     no_value(
-        "whether (10) has a value, at random and at θ = −1, 0, π, with whether the condition holds",
+        Compared::one(
+            "whether (10) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\theta=-1,0,\pi$"),
         ["λ", "v", "θ"],
         [LAMBDA, SPEED, ANGLE],
         [int(-1), int(0), Interval::pi()].map(|theta| [half(), int(1), theta]),
@@ -66,7 +79,11 @@ pub fn eq10() -> Evidence {
 /// (11), from the line of the acceleration.
 pub fn eq11() -> Evidence {
     no_value(
-        "whether (11) has a value, at random and at θ = θ₀ = 0, π, with whether the condition holds",
+        Compared::one(
+            "whether (11) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\theta=\theta_0=0,\pi$"),
         ["λ", "v₀", "θ₀", "θ"],
         [LAMBDA, SPEED, ANGLE, ANGLE],
         straight().map(|theta| [half(), int(1), theta, theta]),
@@ -78,7 +95,11 @@ pub fn eq11() -> Evidence {
 pub fn eq12() -> Evidence {
     let at = |lambda, theta| [lambda, int(1), int(1), theta];
     no_value(
-        "whether (12) has a value, at random and at θ = −1, 0, π or λ = 0, with whether the condition holds",
+        Compared::one(
+            "whether (12) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\theta=-1,0,\pi$ or $\lambda=0$"),
         ["λ", "v₀", "θ₀", "θ"],
         [LAMBDA, SPEED, ANGLE, ANGLE],
         [
@@ -97,7 +118,7 @@ pub fn eq12() -> Evidence {
     )
 }
 
-fn eq13(compared: &'static str, excepted: [[Interval; 3]; 2]) -> Evidence {
+fn eq13(compared: Compared, excepted: [[Interval; 3]; 2]) -> Evidence {
     let usual = [LAMBDA, ANGLE, ANGLE];
     no_value(
         compared,
@@ -111,7 +132,11 @@ fn eq13(compared: &'static str, excepted: [[Interval; 3]; 2]) -> Evidence {
 /// (13), at the critical friction, and from the angle at which its first factor vanishes.
 pub fn eq13_friction() -> Evidence {
     eq13(
-        "whether (13) has a value, at random and at λ = 1 and at cos θ₀ = −λ, with whether the condition holds",
+        Compared::one(
+            "whether (13) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\lambda=1$ or $\cos\theta_0=-\lambda$"),
         [[int(1), int(2), int(1)], [half(), two_thirds(), int(1)]],
     )
 }
@@ -119,7 +144,11 @@ pub fn eq13_friction() -> Evidence {
 /// (13), from the line of the acceleration.
 pub fn eq13_straight() -> Evidence {
     eq13(
-        "whether (13) has a value, at random and at θ = θ₀ = 0, π, with whether the condition holds",
+        Compared::one(
+            "whether (13) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\theta=\theta_0=0,\pi$"),
         straight().map(|theta| [half(), theta, theta]),
     )
 }
@@ -127,7 +156,11 @@ pub fn eq13_straight() -> Evidence {
 /// (14), at the angle at which its denominator vanishes.
 pub fn eq14() -> Evidence {
     no_value(
-        "whether (14) has a value, at random and at cos θ = −λ, with whether the condition holds",
+        Compared::one(
+            "whether (14) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\cos\theta=-\lambda$"),
         ["λ", "θ₀", "θ", "t"],
         [LAMBDA, ANGLE, ANGLE, [0.0, 1.0]],
         [[half(), int(2), two_thirds(), int(1)]],
@@ -140,7 +173,11 @@ pub fn eq14() -> Evidence {
 /// The one start with λ ≤ 1 that stops for good.
 pub fn small_friction() -> Evidence {
     no_inside(
-        "whether a start is λ = 1, θ₀ = π, with that it is none at random and close to it",
+        Compared::one(
+            "whether a start meets the condition (1 if so)",
+            r"the expectation that only $\lambda=1$, $\theta_0=\pi$ does not",
+        )
+        .over("random ones, that one, and some close to it"),
         ["λ", "θ₀"],
         [[0.0, 1.0], [0.0, PI]],
         &[[1.0, PI]],
@@ -151,7 +188,11 @@ pub fn small_friction() -> Evidence {
 /// Starts straight against the inertial force.
 pub fn large_friction() -> Evidence {
     no_inside(
-        "whether a start has θ₀ = π, with that it has not at random and close to it",
+        Compared::one(
+            "whether a start meets the condition (1 if so)",
+            r"the expectation that only $\theta_0=\pi$ does not",
+        )
+        .over("random ones, that one, and some close to it"),
         ["λ", "θ₀"],
         [[1.0, 10.0], [0.0, PI]],
         &[[1.5, PI], [5.0, PI]],

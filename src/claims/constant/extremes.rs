@@ -1,7 +1,7 @@
 //! Trials of what section 2.1 says in words.
 
 use super::launches::{Aligned, Stop, Turn, aligned, held, others_aligned, stops};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -12,7 +12,7 @@ use crate::paper::constant as printed;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 pub fn small_friction_limit() -> Evidence {
-    let compared = "0 with the angle of the velocity at A t/v₀ = 1e8";
+    let compared = Compared::one("the stated 0", "the angle of the velocity at $At/v_0=10^8$");
     let trial = Trial::by(Route::Limit, Subject::Within, compared, LATE_ANGLE);
     trial.over(aligned(), |aligned| {
         let Aligned { start, angle, .. } = aligned?;
@@ -27,7 +27,10 @@ pub fn small_friction_limit() -> Evidence {
 
 /// λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving; for λ > 1 it does not.
 pub fn small_friction_census() -> Evidence {
-    let compared = "1 for λ ≤ 1 and 0 above with 1 where the particle never rests and on no step its angle grows";
+    let compared = Compared::one(
+        r"whether $\lambda\le1$ (1 if so)",
+        "whether the particle never rests and its angle grows on no step",
+    );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let moving = others_aligned().map(|aligned| aligned.map(|a| (a.start, a.broken == 0)));
     let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
@@ -47,7 +50,10 @@ pub fn small_friction_census() -> Evidence {
 
 /// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
 pub fn small_friction_outside() -> Evidence {
-    let compared = "1, for motion, with 1 for sliding and 0 for rest, at A t/v₀ = 100";
+    let compared = Compared::one(
+        "1, for motion,",
+        "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
+    );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.over(held(), |launch: Turn| {
         let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
@@ -68,8 +74,10 @@ fn moves_late(launch: &Turn) -> Result<f64, MotionError> {
 
 /// λ > 1: towards the stop, d ln θ/d ln v is positive and that of a motion that turns into the x axis, so θ → 0.
 pub fn large_friction_limit() -> Evidence {
-    let compared =
-        "1/(λ − 1) with d ln θ/d ln v over the last steps before the stop, extrapolated to θ = 0";
+    let compared = Compared::one(
+        r"$1/(\lambda-1)$",
+        r"$\mathrm d\ln\theta/\mathrm d\ln v$ over the last steps before the stop, extrapolated to $\theta=0$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Within, compared, SLOPE);
     // Others have not turned yet when their speed is lost in rounding.
     let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
@@ -91,7 +99,10 @@ pub fn large_friction_limit() -> Evidence {
 
 /// λ > 1, however large: all the way down ln v falls as ln tan(θ/2) says, so that θ → 0 with v.
 pub fn large_friction_turns() -> Evidence {
-    let compared = "∫ (λ − cos θ) d ln tan(θ/2) from the launch to the last step with ln v/v₀ of the motion there";
+    let compared = Compared::one(
+        r"$\int(\lambda-\cos\theta)\,\mathrm d\ln\tan(\theta/2)$ from the launch to the last step",
+        r"$\ln v/v_0$ of the motion there",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, ROOT);
     let turning = stops().filter(|s| s.as_ref().map_or(true, |s| !s.start.is_straight()));
     trial.over(turning, |stop| {
@@ -138,7 +149,10 @@ fn last_slope(stop: &Stop) -> f64 {
 
 /// λ > 1 and θ₀ = π: the particle stops without turning.
 pub fn large_friction_outside() -> Evidence {
-    let compared = "0 with the angle of the velocity at 99 % of the time of stopping";
+    let compared = Compared::one(
+        "the stated 0",
+        "the angle of the velocity at 99 % of the time of stopping",
+    );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, LATE_ANGLE);
     let backwards = stops().filter(|s| {
         s.as_ref()

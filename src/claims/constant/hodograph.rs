@@ -2,7 +2,7 @@
 //! angle.
 
 use super::launches::{Turn, straight, turns, turns_where};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
@@ -14,7 +14,7 @@ use crate::scalar::Scalar;
 type Reading = fn(&Turn) -> [f64; 3];
 
 /// A printed rate with that of the motion.
-fn rates(compared: &'static str, reading: Reading) -> Evidence {
+fn rates(compared: Compared, reading: Reading) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, DIFFERENCES);
     // Later, the time itself is too coarse for differences.
     let turning = turns_where(|turn| turn.v > 0.01 * turn.v0).map(|turn| turn.copied());
@@ -32,24 +32,32 @@ fn rates(compared: &'static str, reading: Reading) -> Evidence {
 
 /// (6) with the motion.
 pub fn eq6_motion() -> Evidence {
-    rates("(6) with dv_x/dt of the motion", |turn| {
-        let rate = printed::eq6_vx_rate(turn.lambda, turn.a, turn.theta);
-        [rate, turn.rate[0], 1.0]
-    })
+    rates(
+        Compared::one("(6)", r"$\mathrm dv_x/\mathrm dt$ of the motion"),
+        |turn| {
+            let rate = printed::eq6_vx_rate(turn.lambda, turn.a, turn.theta);
+            [rate, turn.rate[0], 1.0]
+        },
+    )
 }
 
 /// (7) with the motion.
 pub fn eq7_motion() -> Evidence {
-    rates("(7) with dv_y/dt of the motion", |turn| {
-        let rate = printed::eq7_vy_rate(turn.lambda, turn.a, turn.theta);
-        [rate, turn.rate[1], 1.0]
-    })
+    rates(
+        Compared::one("(7)", r"$\mathrm dv_y/\mathrm dt$ of the motion"),
+        |turn| {
+            let rate = printed::eq7_vy_rate(turn.lambda, turn.a, turn.theta);
+            [rate, turn.rate[1], 1.0]
+        },
+    )
 }
 
 /// (8) with the motion, as an angle, so that an infinite slope is one like any other.
 pub fn eq8_motion() -> Evidence {
-    let compared =
-        "the angle whose tangent is (8) with that of (dv_x, dv_y) of the motion, up to half turns";
+    let compared = Compared::one(
+        "the angle whose tangent is (8)",
+        r"that of $(\mathrm dv_x,\mathrm dv_y)$ of the motion, up to half turns",
+    );
     rates(compared, |turn| {
         let slope = printed::eq8_hodograph_slope(turn.lambda, turn.theta);
         let [x, y] = turn.rate;
@@ -61,7 +69,10 @@ pub fn eq8_motion() -> Evidence {
 
 /// (8) where the velocity stays as it is.
 pub fn eq8_outside() -> Evidence {
-    let compared = "(8) at λ = 1, θ = 0 with the change of the velocity in half a unit of time";
+    let compared = Compared::one(
+        r"(8) at $\lambda=1$, $\theta=0$",
+        "the change of the velocity in half a unit of time",
+    );
     let mut points = Points::stream(15);
     Trial::motion(Subject::Outside, compared).over(0..20, |_| {
         let (a, v0) = (points.uniform(0.5, 2.0), points.uniform(0.5, 2.0));
@@ -78,7 +89,10 @@ pub fn eq8_outside() -> Evidence {
 
 /// (9), integrated over the angle.
 pub fn eq9_quadrature() -> Evidence {
-    let compared = "exp ∫ (9) dθ with v/v₀ of the motion";
+    let compared = Compared::one(
+        r"the exponential of the integral of (9) over $\theta$",
+        "$v/v_0$ of the motion",
+    );
     Trial::quadrature(Subject::Within, compared).over(turns_where(Turn::is_gentle), |turn| {
         let turn = turn?;
         let rate = |theta| printed::eq9_log_speed_rate(turn.lambda, theta);
@@ -95,8 +109,10 @@ pub fn eq9_quadrature() -> Evidence {
 
 /// (9) where dθ = 0 all the way, although the speed changes.
 pub fn eq9_outside() -> Evidence {
-    let compared =
-        "exp of (9) with dθ = 0 with v/v₀ of the motion half a unit of time after the launch";
+    let compared = Compared::one(
+        r"the exponential of (9) with $\mathrm d\theta=0$",
+        "$v/v_0$ of the motion half a unit of time after the launch",
+    );
     Trial::motion(Subject::Outside, compared).over(straight(), |turn| {
         let turn = turn?;
         let found = turn.v / turn.v0;
@@ -113,7 +129,10 @@ pub fn eq9_outside() -> Evidence {
 
 /// (10): the invariant at θ over that at θ₀.
 fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
-    let compared = "(10) at θ over (10) at θ₀, along the motion, with 1";
+    let compared = Compared::one(
+        r"(10) at $\theta$ over (10) at $\theta_0$, along the motion,",
+        "1",
+    );
     Trial::motion(subject, compared).over(turns_where(wanted), |turn| {
         let turn = turn?;
         let number = Double::from;
@@ -137,7 +156,10 @@ pub fn eq10_outside() -> Evidence {
 
 /// (11) with the speed of the motion.
 pub fn eq11_motion() -> Evidence {
-    let compared = "(11) with the speed of the motion when it has turned to θ";
+    let compared = Compared::one(
+        "(11)",
+        r"the speed of the motion when it has turned to $\theta$",
+    );
     Trial::motion(Subject::Within, compared).over(turns(), |turn| {
         let turn = turn?;
         let speed = turn.formula(printed::eq11_speed);
@@ -147,7 +169,10 @@ pub fn eq11_motion() -> Evidence {
 
 /// (11) with the integral of dv/v.
 pub fn eq11_quadrature() -> Evidence {
-    let compared = "(11) with v₀ exp ∫ dv/v, dv/v from the two components of Newton's law";
+    let compared = Compared::one(
+        "(11)",
+        r"$v_0\exp\int\mathrm dv/v$, with $\mathrm dv/v$ from the two components of Newton's law",
+    );
     Trial::quadrature(Subject::Within, compared).over(turns_where(Turn::is_gentle), |turn| {
         let turn = turn?;
         // Along and across the velocity, with A along x: dv/dt = A cos θ − λA, v dθ/dt = −A sin θ.
@@ -161,8 +186,10 @@ pub fn eq11_quadrature() -> Evidence {
 
 /// (11) where the particle starts along the line of the acceleration: the angle stays, the speed does not.
 pub fn eq11_outside() -> Evidence {
-    let compared =
-        "(11) at θ = θ₀ with the speed of the motion half a unit of time after the launch";
+    let compared = Compared::one(
+        r"(11) at $\theta=\theta_0$",
+        "the speed of the motion half a unit of time after the launch",
+    );
     Trial::motion(Subject::Outside, compared).over(straight(), |turn| {
         let turn = &turn?;
         let speed = turn.formula(printed::eq11_speed);

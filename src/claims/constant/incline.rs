@@ -2,13 +2,13 @@
 //! λ = μ cot β of section 2.1.
 
 use super::launches::Turn;
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
 use crate::numerics::double::Double;
-use crate::paper::constant as printed;
+use crate::paper::{constant as printed, general};
 use nalgebra::{Rotation3, Unit, Vector3};
 
 /// A plane tilted by β about a horizontal axis, and a particle on it.
@@ -78,8 +78,10 @@ impl Incline {
 
 /// (11) with the motion on the incline.
 pub fn speed() -> Evidence {
-    let compared =
-        "(11) with the speed on an inclined plane in three dimensions, at its angle to the slope";
+    let compared = Compared::one(
+        "(11)",
+        "the speed on an inclined plane in three dimensions, at its angle to the slope",
+    );
     slides(compared, |[lambda, _, v0, theta0, theta], turn| {
         let stated = printed::eq11_speed(lambda, v0, theta0, theta);
         (stated, turn.v, turn.v * turn.condition())
@@ -88,7 +90,10 @@ pub fn speed() -> Evidence {
 
 /// (13) with the motion on the incline.
 pub fn time() -> Evidence {
-    let compared = "(13) at the angle to the slope that is reached on an inclined plane in three dimensions, with the time";
+    let compared = Compared::one(
+        "(13) at the angle to the slope that is reached on an inclined plane in three dimensions",
+        "the time",
+    );
     slides(compared, |[lambda, a, v0, theta0, theta], turn| {
         let stated = printed::eq13_time(lambda, a, v0, theta0, theta);
         (stated, turn.t, turn.time_scale())
@@ -97,7 +102,7 @@ pub fn time() -> Evidence {
 
 /// A printed formula of (λ, A, v₀, θ₀, θ) with what is found of it on the incline, and the size in units of which that is
 /// known.
-fn slides(compared: &'static str, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
+fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(12);
     trial.over(0..300, |_| {
@@ -128,9 +133,70 @@ fn slides(compared: &'static str, pair: fn([Double; 5], &Turn) -> (Double, f64, 
     })
 }
 
+/// (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
+pub fn law() -> Evidence {
+    let compared = Compared::one(
+        r"(1), with $g\sin\beta$ against the slope for $\bm A$ and $g\cos\beta$ for $g$, as the component down the slope plus twice that across,",
+        "the same sum for weight, normal force and friction",
+    );
+    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(716);
+    trial.over(0..200, |_| {
+        let incline = Incline::any(&mut points);
+        let (v, theta) = (incline.v0, incline.theta0);
+        let [down, across] = general::eq1_velocity_rate(
+            [-incline.a(), 0.0],
+            incline.mu,
+            incline.g * libm::cos(incline.beta),
+            [v * libm::cos(theta), v * libm::sin(theta)],
+        );
+        let force = incline.acceleration(&incline.velocity(v, theta));
+        Ok(Pair {
+            at: incline.at(),
+            stated: down + 2.0 * across,
+            found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
+            scale: incline.a() * (1.0 + incline.lambda()),
+        })
+    })
+}
+
+/// The motion by (1) with the motion on the incline.
+pub fn same_motion() -> Evidence {
+    let compared = Compared::one(
+        "the velocity by (1), integrated in the plane, as the component down the slope plus twice that across,",
+        "the same sum for the motion on an incline in three dimensions",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
+    let mut points = Points::stream(717);
+    trial.over(0..60, |_| {
+        let incline = Incline::any(&mut points);
+        let (v, theta) = (incline.v0, incline.theta0);
+        let duration = 0.4 * v / (incline.a() * (1.0 + incline.lambda()));
+        let normal = incline.g * libm::cos(incline.beta);
+        let law = |_: f64, v: &[f64; 2]| {
+            general::eq1_velocity_rate([-incline.a(), 0.0], incline.mu, normal, *v)
+        };
+        let flat = [v * libm::cos(theta), v * libm::sin(theta)];
+        let [down, across] = dop853::end(law, 0.0, flat, duration, 1e-13, 1e-15)?;
+        let rate = |_: f64, v: &[f64; 3]| incline.acceleration(&Vector3::from(*v)).into();
+        let start = incline.velocity(v, theta);
+        let end = dop853::end(rate, 0.0, start.into(), duration, 1e-14, 1e-16)?;
+        let end = Vector3::from(end);
+        Ok(Pair {
+            at: incline.at(),
+            stated: down + 2.0 * across,
+            found: end.dot(&incline.down) + 2.0 * end.dot(&incline.across),
+            scale: v,
+        })
+    })
+}
+
 /// (6) and (7) with the forces on the incline.
 pub fn forces() -> Evidence {
-    let compared = "(6) + 2 (7) with the same components of weight, normal force and friction";
+    let compared = Compared::one(
+        "(6) plus twice (7)",
+        "the same sum of the components of weight, normal force and friction",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(13);
     trial.over(0..1000, |_| {

@@ -1,7 +1,7 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
 use super::launches::{Turn, frictionless, settled, stops, stops_over_the_angle};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::TERMINAL;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::double::Double;
@@ -13,7 +13,7 @@ use crate::scalar::Scalar;
 pub fn eq15_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Printed,
-        "(15) with v_x of the motion without friction",
+        Compared::one("(15)", "$v_x$ of the motion without friction"),
     );
     trial.over(frictionless(), |flight| {
         let (start, state) = flight?;
@@ -31,7 +31,7 @@ pub fn eq15_motion() -> Evidence {
 pub fn eq16_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Printed,
-        "(16) with v_y of the motion without friction",
+        Compared::one("(16)", "$v_y$ of the motion without friction"),
     );
     trial.over(frictionless(), |flight| {
         let (start, state) = flight?;
@@ -46,7 +46,10 @@ pub fn eq16_motion() -> Evidence {
 
 /// The parabola: v_y² x − v_y v_0x y − A y²/2 vanishes along the path, the time being eliminated.
 pub fn parabola_motion() -> Evidence {
-    let compared = "x(y) of the path without friction with the parabola through the launch";
+    let compared = Compared::one(
+        "$x(y)$ of the path without friction",
+        "the parabola through the launch",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     let flights = frictionless().filter(|f| {
         f.as_ref()
@@ -66,7 +69,10 @@ pub fn parabola_motion() -> Evidence {
 
 /// The same path by quadrature of its slope dx/dy = v_x/v_y.
 pub fn parabola_quadrature() -> Evidence {
-    let compared = "∫ v_x dy/v_y with (15), (16) over the path, with its x";
+    let compared = Compared::one(
+        r"$\int v_x\,\mathrm dy/v_y$, with (15) and (16), over the path",
+        "its $x$",
+    );
     let trial = Trial::quadrature(Subject::Printed, compared);
     let flights = frictionless().filter(|f| {
         f.as_ref()
@@ -89,7 +95,10 @@ pub fn parabola_quadrature() -> Evidence {
 
 /// (17): the invariant at θ over that at θ₀.
 pub fn eq17_motion() -> Evidence {
-    let compared = "(17) at θ over (17) at θ₀, along the motion, with 1";
+    let compared = Compared::one(
+        r"(17) at $\theta$ over (17) at $\theta_0$, along the motion,",
+        "1",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(
         super::launches::critical_turns(),
@@ -105,7 +114,7 @@ pub fn eq17_motion() -> Evidence {
 
 /// (18) with v_x after a long time.
 pub fn eq18_limit() -> Evidence {
-    let compared = "(18) with v_x of the motion at 40 times v₀/A";
+    let compared = Compared::one("(18)", "$v_x$ of the motion at 40 times $v_0/A$");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
         let (start, state) = late?;
@@ -120,7 +129,7 @@ pub fn eq18_limit() -> Evidence {
 
 /// (18) with v₀ exp ∫ dv/v from θ₀ to 0, where dv/v = tan(θ/2) dθ at λ = 1.
 pub fn eq18_quadrature() -> Evidence {
-    let compared = "(18) with v₀ exp ∫ dv/v over the whole turn";
+    let compared = Compared::one("(18)", r"$v_0\exp\int\mathrm dv/v$ over the whole turn");
     let trial = Trial::quadrature(Subject::Printed, compared);
     // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
     let gentle = settled().filter(|s| s.as_ref().map_or(true, |(start, _)| start.is_gentle()));
@@ -139,7 +148,7 @@ pub fn eq18_quadrature() -> Evidence {
 
 /// (19) with v_y after a long time.
 pub fn eq19_limit() -> Evidence {
-    let compared = "(19) with v_y of the motion at 40 times v₀/A";
+    let compared = Compared::one("(19)", "$v_y$ of the motion at 40 times $v_0/A$");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
         let (start, state) = late?;
@@ -156,7 +165,7 @@ pub fn eq19_limit() -> Evidence {
 pub fn eq20_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Printed,
-        "(20) with the time at which the motion stops",
+        Compared::one("(20)", "the time at which the motion stops"),
     );
     trial.over(stops(), |stop| {
         let stop = stop?;
@@ -170,7 +179,10 @@ pub fn eq20_motion() -> Evidence {
 
 /// (20) with the integral of dt over the whole turn.
 pub fn eq20_quadrature() -> Evidence {
-    let compared = "(20) with ∫ dt over the angle, along and across the velocity";
+    let compared = Compared::one(
+        "(20)",
+        r"$\int\mathrm dt$ over the angle, along and across the velocity",
+    );
     let trial = Trial::quadrature(Subject::Printed, compared);
     trial.over(stops_over_the_angle(), |stop| {
         let (start, time) = stop?;

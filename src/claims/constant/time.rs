@@ -1,7 +1,7 @@
 //! Trials of (12) to (14): the time against the angle.
 
 use super::launches::{Turn, straight, turns, turns_where};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -35,7 +35,10 @@ fn eq12_rate(turn: &Turn, theta: f64) -> f64 {
 
 /// (12), integrated over the angle.
 pub fn eq12_quadrature() -> Evidence {
-    let trial = Trial::quadrature(Subject::Within, "∫ (12) dθ with A t of the motion");
+    let trial = Trial::quadrature(
+        Subject::Within,
+        Compared::one(r"the integral of (12) over $\theta$", "$At$ of the motion"),
+    );
     trial.over(
         turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
         |turn| {
@@ -57,7 +60,10 @@ pub fn eq12_quadrature() -> Evidence {
 pub fn eq12_outside() -> Evidence {
     let trial = Trial::motion(
         Subject::Outside,
-        "(12) per dθ with A dt/dθ = −v/sin θ of the motion",
+        Compared::one(
+            r"(12) per $\mathrm d\theta$",
+            r"$A\,\mathrm dt/\mathrm d\theta=-v/\sin\theta$ of the motion",
+        ),
     );
     let wanted =
         |turn: &Turn| turn.lambda == 0.0 || turn.lambda.fract() != 0.0 && turn.theta0 < 0.0;
@@ -77,7 +83,10 @@ pub fn eq12_outside() -> Evidence {
 pub fn eq13_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Within,
-        "(13) with the time at which the motion has turned to θ",
+        Compared::one(
+            "(13)",
+            r"the time at which the motion has turned to $\theta$",
+        ),
     );
     trial.over(turns_where(eq13_has_a_value), |turn| {
         let turn = turn?;
@@ -89,7 +98,10 @@ pub fn eq13_motion() -> Evidence {
 pub fn eq13_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Subject::Within,
-        "(13) with ∫ dt over the angle, along and across the velocity",
+        Compared::one(
+            "(13)",
+            r"$\int\mathrm dt$ over the angle, along and across the velocity",
+        ),
     );
     trial.over(
         turns_where(|turn| eq13_has_a_value(turn) && turn.is_gentle()),
@@ -106,7 +118,10 @@ pub fn eq13_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
         Subject::Within,
-        "the root θ of (13) = t with the angle of the motion at t",
+        Compared::one(
+            r"the root $\theta$ of (13) at $t$",
+            "the angle of the motion then",
+        ),
         ROOT,
     );
     let wanted = |turn: &Turn| {
@@ -132,18 +147,22 @@ pub fn eq13_root() -> Evidence {
 
 /// (13) where it is 0/0 or 0·∞: at λ = 1 and where cos θ₀ = −λ.
 pub fn eq13_singular() -> Evidence {
-    let compared = "(13) with the time of the motion, λ = 1 or cos θ₀ = −λ";
+    let compared = Compared::one("(13)", "the time of the motion")
+        .over(r"$\lambda=1$ or $\cos\theta_0=-\lambda$");
     let singular = turns_where(|turn| !eq13_has_a_value(turn));
     eq13_outside(compared, singular.map(|turn| turn.copied()))
 }
 
 /// (13) along the line of the acceleration.
 pub fn eq13_straight() -> Evidence {
-    eq13_outside("(13) with the time of the motion, θ₀ = 0 or π", straight())
+    eq13_outside(
+        Compared::one("(13)", "the time of the motion").over(r"$\theta_0=0$ or $\pi$"),
+        straight(),
+    )
 }
 
 fn eq13_outside<E: std::fmt::Display + Into<Failure>>(
-    compared: &'static str,
+    compared: Compared,
     excluded: impl Iterator<Item = Result<Turn, E>>,
 ) -> Evidence {
     let trial = Trial::motion(Subject::Outside, compared);
@@ -187,7 +206,7 @@ fn speed_at_time_scale(turn: &Turn) -> f64 {
 pub fn eq14_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Within,
-        "(14) at the angle and time of the motion with its speed",
+        Compared::one("(14) at the angle and time of the motion", "its speed"),
     );
     let all = turns().map(|turn| turn.copied()).chain(straight());
     trial.over(all, |turn| {
@@ -200,7 +219,10 @@ pub fn eq14_motion() -> Evidence {
 pub fn eq14_outside() -> Evidence {
     let trial = Trial::motion(
         Subject::Outside,
-        "(14) where cos θ = −λ with the speed of the motion",
+        Compared::one(
+            r"(14) where $\cos\theta=-\lambda$",
+            "the speed of the motion",
+        ),
     );
     trial.over(super::launches::turns_to_the_gap(), |turn| {
         let turn = &turn?;
@@ -215,8 +237,10 @@ pub fn eq14_outside() -> Evidence {
 
 /// The regular form of the time at all points, those included where (13) has no value.
 pub fn regular_time() -> Evidence {
-    let compared =
-        "the regular form of the time, where (13) has a value and where not, with the motion";
+    let compared = Compared::one(
+        "the regular form of the time, where (13) has a value and where not,",
+        "that of the motion",
+    );
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
         let turn = turn?;
@@ -232,7 +256,10 @@ pub fn regular_time() -> Evidence {
 
 /// The regular forms along the line of the acceleration: the speed at the r that they give for a time.
 pub fn regular_straight() -> Evidence {
-    let compared = "the regular form of the speed along the line of the acceleration, at the root r of the regular time, with the motion";
+    let compared = Compared::one(
+        "the regular form of the speed along the line of the acceleration, at the root $r$ of the regular time,",
+        "that of the motion",
+    );
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(straight(), |turn| {
         let Turn {
@@ -257,7 +284,7 @@ pub fn regular_straight() -> Evidence {
 
 /// The regular form of the speed.
 pub fn regular_speed() -> Evidence {
-    let compared = "the regular form of the speed with the motion";
+    let compared = Compared::one("the regular form of the speed", "that of the motion");
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
         let turn = turn?;

@@ -207,16 +207,33 @@ pub fn others_relaxed() -> impl Iterator<Item = Result<&'static Relaxed, Failure
     OTHERS.each()
 }
 
+/// Launches with a ψ of the order of α, so that their ratio has relaxed too. For A < 0.7 it takes too long to be seen, and
+/// for A < ½ for ever.
+pub fn relaxed_ratios() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
+    static RATIOS: Runs<Vec<Relaxed>> =
+        Runs::new(|| launched(710, 0.7, |alpha, points| alpha * points.uniform(-5.0, 5.0)));
+    RATIOS.each()
+}
+
 fn all_relaxed(stream: u64) -> Result<Vec<Relaxed>, Failure> {
+    launched(stream, 0.4, |_, points| points.uniform(-2.9, 2.9))
+}
+
+fn launched(
+    stream: u64,
+    least_a: f64,
+    psi: fn(f64, &mut Points) -> f64,
+) -> Result<Vec<Relaxed>, Failure> {
     let mut points = Points::stream(stream);
-    let launch = |i: usize| Launch {
-        a: if i.is_multiple_of(2) {
+    let launch = |i: usize| {
+        let a = if i.is_multiple_of(2) {
             points.uniform(1.05, 3.0)
         } else {
-            points.uniform(0.4, 0.95)
-        },
-        alpha: points.log_uniform(1e-13, 1e-11),
-        psi: points.uniform(-2.9, 2.9),
+            points.uniform(least_a, 0.95)
+        };
+        let alpha = points.log_uniform(1e-13, 1e-11);
+        let psi = psi(alpha, &mut points);
+        Launch { a, alpha, psi }
     };
     let launches: Vec<_> = (0..40).map(launch).collect();
     every(launches.into_iter().map(relax))

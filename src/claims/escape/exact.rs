@@ -2,6 +2,7 @@
 
 pub mod late;
 
+use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
@@ -39,7 +40,10 @@ fn exponential(law: Expr, n: i64) -> Expr {
 
 #[track_caller]
 const fn law(corrected: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
-    let compared = "the corrected law with the series in 1/τ and ln τ that solves (107) to (109), of which it has the first terms";
+    let compared = Compared::one(
+        "the corrected law",
+        r"the series in $1/\tau$ and $\ln\tau$ that solves (107) to (109), of which it has the first terms",
+    );
     Statement::new(Subject::Corrected, compared, corrected, prove)
 }
 
@@ -173,7 +177,7 @@ pub fn eq126(formula: Expr) -> Proof {
 /// (126) against the motion.
 pub const EQ126: Statement = Statement::new(
     Subject::Printed,
-    "(126) with the first term in α of (114) at ψ₁",
+    Compared::one("(126)", r"the first term in $\alpha$ of (114) at $\psi_1$"),
     || printed::eq126_alpha_rate(Expr::symbol("A")),
     eq126,
 );
@@ -198,7 +202,10 @@ pub fn eq138(formula: Expr) -> Proof {
 /// (138) against any motion.
 pub const EQ138: Statement = Statement::new(
     Subject::Printed,
-    "d(A²/2)/dτ with ds/dτ, for any A and α",
+    Compared::one(
+        r"$\mathrm d(A^2/2)/\mathrm d\tau$",
+        r"$\mathrm ds/\mathrm d\tau$, for any $A$ and $\alpha$",
+    ),
     || printed::eq138_s(Expr::symbol("A")),
     eq138,
 );

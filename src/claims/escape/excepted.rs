@@ -1,13 +1,17 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
 use super::escapes::{a, alpha, flights, relaxed};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {
-    let compared = "1, for a start at random with A > 1 that does not come straight in, with 1 where A of its motion exceeds 10⁴";
+    let compared = Compared::one(
+        "the expected 1, for an escape,",
+        "whether $A$ of the motion exceeds $10^4$ (1 if so)",
+    )
+    .over("random starts with $A>1$ that do not come straight in");
     let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
     let beyond = flights().filter(|flight| flight.as_ref().map_or(true, |f| f.launch.a > 1.0));
     trial.over(beyond, |flight| {
@@ -23,7 +27,11 @@ pub fn escaping() -> Evidence {
 
 /// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
 pub fn small_alpha() -> Evidence {
-    let compared = "1, for a start at random with tiny α that does not come straight in, with 1 where ψ of its motion has fallen below 10⁻³";
+    let compared = Compared::one(
+        r"the expected 1, for a fall of $\psi$ to 0,",
+        r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",
+    )
+    .over(r"random starts with tiny $\alpha$ that do not come straight in");
     let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
     trial.over(relaxed(), |relaxed| {
         let relaxed = relaxed?;

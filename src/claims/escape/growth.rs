@@ -5,7 +5,7 @@
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
 use super::escapes::{Escape, LATE, Late, a, alpha, escapes};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -132,6 +132,10 @@ pub fn printed_speed() -> f64 {
 pub fn corrected_speed() -> f64 {
     corrected::rho(LATE) / (LATE * LATE)
 }
+/// The coefficient of (ln τ)/τ in p/τ², over the limit.
+pub fn corrected_speed_log() -> f64 {
+    -2.0 * corrected::delay::<f64>()
+}
 /// The limit of A/τ^(3/2) as printed.
 pub fn printed_size() -> f64 {
     printed::eq132_a(1.0)
@@ -148,7 +152,7 @@ pub fn corrected_lag() -> f64 {
 /// A stated limit against the limit of what the motion does.
 fn against(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     quantity: Quantity,
     stated: impl Fn(&Escape) -> Result<f64, Failure>,
 ) -> Evidence {
@@ -167,7 +171,7 @@ fn against(
 }
 
 /// The limit of the ratio of an equation's sides, of which one is the motion's own, against 1.
-fn sides(compared: &'static str, ratio: Quantity) -> Evidence {
+fn sides(compared: Compared, ratio: Quantity) -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, ESCAPE_LIMIT);
     trial.over(escapes(), |flight| {
         let flight = flight?;
@@ -183,7 +187,7 @@ fn sides(compared: &'static str, ratio: Quantity) -> Evidence {
 /// A stated exponent against the exponent of what the motion does.
 fn powers(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     quantity: Quantity,
     taken_out: f64,
     law: fn(f64) -> f64,
@@ -202,7 +206,7 @@ fn powers(
 }
 
 /// The coefficient of (ln τ)/τ, relative to the limit, against `power` times the delay of the law's own time.
-fn delays(compared: &'static str, quantity: Quantity, power: f64) -> Evidence {
+fn delays(compared: Compared, quantity: Quantity, power: f64) -> Evidence {
     let trial = Trial::by(
         Route::Limit,
         Subject::Corrected,
@@ -223,151 +227,223 @@ fn delays(compared: &'static str, quantity: Quantity, power: f64) -> Evidence {
 
 /// (128): τ dα/dτ.
 pub fn eq128_limit() -> Evidence {
-    let compared = "τ times (128), for τ → ∞, with τ dα/dτ of the motion";
+    let compared = Compared::one(
+        r"$\tau$ times (128)",
+        r"$\tau\,\mathrm d\alpha/\mathrm d\tau$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, alpha_rate, |f| {
         Ok(limit(f, eq128)?.value)
     })
 }
 /// The same of what replaces it.
 pub fn corrected128_limit() -> Evidence {
-    let compared = "τ (√2/cosh 2α − cosh α/A), for τ → ∞, with τ dα/dτ of the motion";
+    let compared = Compared::one(
+        r"$\tau(\sqrt2/\cosh2\alpha-\cosh\alpha/A)$",
+        r"$\tau\,\mathrm d\alpha/\mathrm d\tau$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, alpha_rate, |f| {
         Ok(limit(f, corrected128)?.value)
     })
 }
 /// (129): the ratio of its two sides.
 pub fn eq129_limit() -> Evidence {
-    let compared = "cosh α cosh 2α/A, for τ → ∞, with 1";
+    let compared = Compared::one(r"$\cosh\alpha\cosh2\alpha/A$, for $\tau\to\infty$,", "1");
     sides(compared, eq129)
 }
 /// The same of what replaces it.
 pub fn corrected129_limit() -> Evidence {
-    let compared = "3√2/4 with cosh α cosh 2α/A of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"$3\sqrt2/4$",
+        r"$\cosh\alpha\cosh2\alpha/A$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, product, |_| {
         Ok(corrected::product_over_a())
     })
 }
 /// (130): what is added to ⅓ ln A.
 pub fn eq130_limit() -> Evidence {
-    let compared = "(130) − ⅓ ln A with α − ⅓ ln A of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"(130) less $\frac13\ln A$",
+        r"$\alpha-\frac13\ln A$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, alpha_by_a, |_| {
         Ok(printed::eq130_alpha(LATE) - libm::log(LATE) / 3.0)
     })
 }
 /// The same of what replaces it.
 pub fn corrected130_limit() -> Evidence {
-    let compared = "⅓ ln(3√2) with α − ⅓ ln A of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"$\frac13\ln(3\sqrt2)$",
+        r"$\alpha-\frac13\ln A$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, alpha_by_a, |_| {
         Ok(corrected::alpha_by_a(LATE) - libm::log(LATE) / 3.0)
     })
 }
 /// (131): the factor of A^(1/3).
 pub fn eq131_limit() -> Evidence {
-    let compared = "(131)/A^(1/3) with (dA/dτ)/A^(1/3) of the motion, for τ → ∞";
+    let compared = Compared::one(
+        "(131) over $A^{1/3}$",
+        r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, a_rate, |_| {
         Ok(printed::eq131_a_rate(LATE) / libm::cbrt(LATE))
     })
 }
 /// The same of what replaces it.
 pub fn corrected131_limit() -> Evidence {
-    let compared = "(3√2)^(1/3)/2 with (dA/dτ)/A^(1/3) of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"$\frac12(3\sqrt2)^{1/3}$",
+        r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, a_rate, |_| {
         Ok(corrected::a_rate(LATE) / libm::cbrt(LATE))
     })
 }
 /// (132): the prefactor.
 pub fn eq132_limit() -> Evidence {
-    let compared = "(132)/τ^(3/2) with A/τ^(3/2) of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"(132) over $\tau^{3/2}$",
+        r"$A/\tau^{3/2}$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, size, |_| Ok(printed_size()))
 }
 /// (132): the exponent.
 pub fn eq132_exponent() -> Evidence {
-    let compared = "the exponent of τ in (132) with that of A of the motion";
+    let compared = Compared::one(
+        r"the exponent of $\tau$ in (132)",
+        "that in $A$ of the motion",
+    );
     powers(Subject::Printed, compared, size, 1.5, printed::eq132_a)
 }
 /// The prefactor of what replaces it.
 pub fn corrected132_limit() -> Evidence {
-    let compared = "2^(1/4)/3 with A/τ^(3/2) of the motion, for τ → ∞";
+    let compared = Compared::one(
+        "$2^{1/4}/3$",
+        r"$A/\tau^{3/2}$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, size, |_| Ok(corrected_size()))
 }
 /// Its first correction.
 pub fn corrected132_delay() -> Evidence {
-    let compared = "−9√2/8 with the coefficient of (ln τ)/τ in A/τ^(3/2), over the limit";
+    let compared = Compared::one(
+        r"$-9\sqrt2/8$",
+        r"the coefficient of $(\ln\tau)/\tau$ in $A/\tau^{3/2}$, over the limit",
+    );
     delays(compared, size, 1.5)
 }
 /// (133): what is added to ½ ln τ.
 pub fn eq133_limit() -> Evidence {
-    let compared = "(133) − ½ ln τ with α − ½ ln τ of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"(133) less $\frac12\ln\tau$",
+        r"$\alpha-\frac12\ln\tau$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, excess, |_| {
         Ok(printed::eq133_alpha(LATE) - 0.5 * libm::log(LATE))
     })
 }
 /// The same of what replaces it.
 pub fn corrected133_limit() -> Evidence {
-    let compared = "½ ln √2 with α − ½ ln τ of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"$\frac12\ln\sqrt2$",
+        r"$\alpha-\frac12\ln\tau$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, excess, |_| {
         Ok(corrected::alpha(LATE) - 0.5 * libm::log(LATE))
     })
 }
 /// (134): the exponent of π/2 − ψ.
 pub fn eq134_exponent() -> Evidence {
-    let compared = "the exponent of τ in π/2 − ψ by (134) with that of the motion";
+    let compared = Compared::one(
+        r"the exponent of $\tau$ in $\pi/2-\psi$ by (134)",
+        "that of the motion",
+    );
     powers(Subject::Printed, compared, lag, -1.0, printed::eq134_lag)
 }
 /// (134) as a whole, late.
 pub fn eq134_limit() -> Evidence {
-    let compared = "(134) times τ, at τ = 10⁸, with (π/2 − ψ) τ of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"(134) times $\tau$, at $\tau=10^8$,",
+        r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, lag, |_| {
         Ok(printed::eq134_lag(LATE) * LATE)
     })
 }
 /// The exponent of what replaces it.
 pub fn corrected134_exponent() -> Evidence {
-    let compared = "−1 with the exponent of τ in π/2 − ψ of the motion";
+    let compared = Compared::one(
+        "the stated $-1$",
+        r"the exponent of $\tau$ in $\pi/2-\psi$ of the motion",
+    );
     powers(Subject::Corrected, compared, lag, -1.0, corrected::lag)
 }
 /// Its prefactor.
 pub fn corrected134_limit() -> Evidence {
-    let compared = "2 with (π/2 − ψ) τ of the motion, for τ → ∞";
+    let compared = Compared::one(
+        "the stated 2",
+        r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, lag, |_| Ok(corrected_lag()))
 }
 /// Its first correction.
 pub fn corrected134_delay() -> Evidence {
-    let compared = "3√2/4 with the coefficient of (ln τ)/τ in (π/2 − ψ) τ, over the limit";
+    let compared = Compared::one(
+        r"$3\sqrt2/4$",
+        r"the coefficient of $(\ln\tau)/\tau$ in $(\pi/2-\psi)\tau$, over the limit",
+    );
     delays(compared, lag, -1.0)
 }
 /// (135): the prefactor.
 pub fn eq135_limit() -> Evidence {
-    let compared = "(135)/τ² with p/τ² of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"(135) over $\tau^2$",
+        r"$p/\tau^2$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, speed, |_| Ok(printed_speed()))
 }
 /// (135): the exponent.
 pub fn eq135_exponent() -> Evidence {
-    let compared = "the exponent of τ in (135) with that of p of the motion";
+    let compared = Compared::one(
+        r"the exponent of $\tau$ in (135)",
+        "that in $p$ of the motion",
+    );
     powers(Subject::Printed, compared, speed, 2.0, printed::eq135_p)
 }
 /// The prefactor of what replaces it.
 pub fn corrected135_limit() -> Evidence {
-    let compared = "1/(3√2) with p/τ² of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"$1/(3\sqrt2)$",
+        r"$p/\tau^2$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, speed, |_| {
         Ok(corrected_speed())
     })
 }
 /// Its first correction.
 pub fn corrected135_delay() -> Evidence {
-    let compared = "−3√2/2 with the coefficient of (ln τ)/τ in p/τ², over the limit";
+    let compared = Compared::one(
+        r"$-3\sqrt2/2$",
+        r"the coefficient of $(\ln\tau)/\tau$ in $p/\tau^2$, over the limit",
+    );
     delays(compared, speed, 2.0)
 }
 /// (136): the prefactor.
 pub fn eq136_limit() -> Evidence {
-    let compared = "(136)/τ² with ρ/τ² of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"(136) over $\tau^2$",
+        r"$\rho/\tau^2$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, distance, |_| {
         Ok(printed::eq136_rho(1.0))
     })
 }
 /// (136): the exponent.
 pub fn eq136_exponent() -> Evidence {
-    let compared = "the exponent of τ in (136) with that of ρ of the motion";
+    let compared = Compared::one(
+        r"the exponent of $\tau$ in (136)",
+        r"that in $\rho$ of the motion",
+    );
     powers(
         Subject::Printed,
         compared,
@@ -378,43 +454,61 @@ pub fn eq136_exponent() -> Evidence {
 }
 /// The prefactor of what replaces it.
 pub fn corrected136_limit() -> Evidence {
-    let compared = "1/(3√2) with ρ/τ² of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"$1/(3\sqrt2)$",
+        r"$\rho/\tau^2$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, distance, |_| {
         Ok(corrected_speed())
     })
 }
 /// Its first correction.
 pub fn corrected136_delay() -> Evidence {
-    let compared = "−3√2/2 with the coefficient of (ln τ)/τ in ρ/τ², over the limit";
+    let compared = Compared::one(
+        r"$-3\sqrt2/2$",
+        r"the coefficient of $(\ln\tau)/\tau$ in $\rho/\tau^2$, over the limit",
+    );
     delays(compared, distance, 2.0)
 }
 /// (137): the prefactor.
 pub fn eq137_limit() -> Evidence {
-    let compared = "(137)/τ³ with s/τ³ of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"(137) over $\tau^3$",
+        r"$s/\tau^3$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Printed, compared, way, |_| {
         Ok(printed::eq137_s(1.0))
     })
 }
 /// (137): the exponent.
 pub fn eq137_exponent() -> Evidence {
-    let compared = "the exponent of τ in (137) with that of s of the motion";
+    let compared = Compared::one(
+        r"the exponent of $\tau$ in (137)",
+        "that in $s$ of the motion",
+    );
     powers(Subject::Printed, compared, way, 3.0, printed::eq137_s)
 }
 /// The prefactor of what replaces it.
 pub fn corrected137_limit() -> Evidence {
-    let compared = "1/(9√2) with s/τ³ of the motion, for τ → ∞";
+    let compared = Compared::one(
+        r"$1/(9\sqrt2)$",
+        r"$s/\tau^3$ of the motion, for $\tau\to\infty$",
+    );
     against(Subject::Corrected, compared, way, |_| {
         Ok(corrected::s(LATE) / libm::pow(LATE, 3.0))
     })
 }
 /// Its first correction.
 pub fn corrected137_delay() -> Evidence {
-    let compared = "−9√2/4 with the coefficient of (ln τ)/τ in s/τ³, over the limit";
+    let compared = Compared::one(
+        r"$-9\sqrt2/4$",
+        r"the coefficient of $(\ln\tau)/\tau$ in $s/\tau^3$, over the limit",
+    );
     delays(compared, way, 3.0)
 }
 /// (138): the ratio of its two sides.
 pub fn eq138_limit() -> Evidence {
-    let compared = "(A²/2)/s, for τ → ∞, with 1";
+    let compared = Compared::one(r"$(A^2/2)/s$, for $\tau\to\infty$,", "1");
     sides(compared, eq138)
 }
 

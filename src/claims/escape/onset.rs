@@ -2,11 +2,11 @@
 
 use super::escapes::{
     LATE, Launch, a, alpha, escapes, flights, other_escapes, other_flights, others_relaxed, rates,
-    relaxed,
+    relaxed, relaxed_ratios,
 };
-use super::growth::{Quantity, limit, size};
+use super::growth::{Quantity, a_rate, lag, limit, size};
 use super::straight::{StraightIn, beyond_one, time_to_stop};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{
     DIFFERENCES, ESCAPE_LIMIT, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED,
@@ -18,15 +18,18 @@ use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, rotating};
 use crate::paper::{escape as printed, turntable};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_PI_2, PI};
 
 /// (126) with the rate of α after ψ has relaxed, at α below a millionth.
 pub fn eq126_relaxed() -> Evidence {
-    let compared = "(126) with dα/dτ of the motion, ψ having relaxed, α below a millionth";
+    let compared = Compared::one(
+        "(126)",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion, when $\psi$ has relaxed and $\alpha$ is below a millionth",
+    );
     after_relaxing(Subject::Printed, compared)
 }
 
-fn after_relaxing(subject: Subject, compared: &'static str) -> Evidence {
+fn after_relaxing(subject: Subject, compared: Compared) -> Evidence {
     let trial = Trial::by(Route::Integration, subject, compared, RELAXED);
     trial.over(relaxed(), |relaxed| {
         let relaxed = relaxed?;
@@ -41,7 +44,10 @@ fn after_relaxing(subject: Subject, compared: &'static str) -> Evidence {
 
 /// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
 pub fn eq126_order() -> Evidence {
-    let compared = "(126) with dα/dτ of the motion from ψ = ψ₁, in units of 100 (α² + ψ²)";
+    let compared = Compared::one(
+        "(126)",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion from $\psi=\psi_1$, in units of $100(\alpha^2+\psi^2)$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FIRST_OMITTED);
     let mut points = Points::stream(607);
     trial.over(0..60, |_| {
@@ -69,7 +75,10 @@ pub fn eq126_order() -> Evidence {
 pub fn above_one_census() -> Evidence {
     above_one(
         Subject::Printed,
-        "0 where (127) holds, else what is found, with 1 for a launch that stops or is within ρ = 30 at τ = 300",
+        Compared::one(
+            "0 where (127) holds, else what is found,",
+            r"whether a launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
+        ),
     )
 }
 
@@ -77,11 +86,14 @@ pub fn above_one_census() -> Evidence {
 pub fn above_one_within() -> Evidence {
     above_one(
         Subject::Within,
-        "0 where (127) holds, else what is found, with 1 for a launch, a random one, that stops or is within ρ = 30 at τ = 300",
+        Compared::one(
+            "0 where (127) holds, else what is found,",
+            r"whether a random launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
+        ),
     )
 }
 
-fn above_one(subject: Subject, compared: &'static str) -> Evidence {
+fn above_one(subject: Subject, compared: Compared) -> Evidence {
     let trial = Trial::by(Route::Census, subject, compared, NONE);
     trial.over(launches_around_one(), |launch| {
         let stays = not_escaping(&Run::new(&launch.start()?, 300.0)?) > 0;
@@ -122,8 +134,11 @@ fn not_escaping(run: &Run) -> usize {
 
 /// (127) where it decides: close to α = 0, the A at which rest gives way to escape.
 pub fn eq127_root() -> Evidence {
-    let compared =
-        "the bound of (127) with the A at which the motion passes from rest to escape, α = 1e-4";
+    let compared = Compared::one(
+        "the bound of (127)",
+        "the $A$ at which the motion passes from rest to escape",
+    )
+    .over(r"$\alpha=10^{-4}$");
     let trial = Trial::by(Route::Root, Subject::Printed, compared, NEAR_CORNER);
     trial.over(0..20, |i| {
         let psi = 2.8 * (f64::from(i) - 9.5) / 9.5;
@@ -140,7 +155,10 @@ pub fn eq127_root() -> Evidence {
 
 /// A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
 pub fn never_decreases_way() -> Evidence {
-    let compared = "A² at the start, and more by 2s, with A² at the end, along the motion";
+    let compared = Compared::one(
+        "$A^2$ at the start, and more by $2s$,",
+        "$A^2$ at the end, along the motion",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(flights(), |flight| {
         let flight = flight?;
@@ -157,7 +175,10 @@ pub fn never_decreases_way() -> Evidence {
 
 /// A grows from each start to the end, and falls on no step by more than its rounding.
 pub fn never_decreases_census() -> Evidence {
-    let compared = "1, for growth, with the sign of the change of A: −1 if it falls on a step, 0 if at the end α is not small nor A large";
+    let compared = Compared::one(
+        "1, for growth,",
+        r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(other_flights(), |flight| {
         let flight = flight?;
@@ -187,7 +208,10 @@ fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
 
 /// ψ after many relaxation times, against ψ₁.
 pub fn small_alpha_angle() -> Evidence {
-    let compared = "ψ₁ with ψ of the motion, ψ having relaxed after a start with α < 1e-11";
+    let compared = Compared::one(
+        r"$\psi_1$",
+        r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
     trial.over(others_relaxed(), |relaxed| {
         let relaxed = relaxed?;
@@ -200,16 +224,72 @@ pub fn small_alpha_angle() -> Evidence {
     })
 }
 
+/// ψ over ψ₁, which both vanish.
+pub fn small_alpha_ratio() -> Evidence {
+    let compared = Compared::one(
+        r"$\psi_1$",
+        r"$\psi$ of a motion in which their ratio has relaxed, $\alpha$ below a millionth",
+    );
+    ratio(Subject::Outside, compared, |_| 1.0)
+}
+
+/// What that ratio is.
+pub fn corrected_small_alpha_ratio() -> Evidence {
+    let compared = Compared::one(
+        r"$\psi_1A/(2A-1)$",
+        r"$\psi$ of a motion in which the ratio $\psi/\psi_1$ has relaxed, $\alpha$ below a millionth",
+    );
+    ratio(Subject::Corrected, compared, corrected::relaxed_ratio)
+}
+
+fn ratio(subject: Subject, compared: Compared, stated: fn(f64) -> f64) -> Evidence {
+    let trial = Trial::by(Route::Limit, subject, compared, RELAXED);
+    trial.over(relaxed_ratios(), |relaxed| {
+        let relaxed = relaxed?;
+        let (found, psi1) = (
+            relaxed.state.psi(),
+            turntable::eq124_psi1(alpha(&relaxed.state)),
+        );
+        Ok(Pair {
+            at: relaxed.launch.at(),
+            stated: stated(a(&relaxed.state)) * psi1,
+            found,
+            scale: found,
+        })
+    })
+}
+
+/// That ratio by the equations of motion: with it, ψ and α fall or grow alike.
+pub fn corrected_small_alpha_rate() -> Evidence {
+    let compared = Compared::one(
+        r"the relative rate of $\psi$ by (115) at $\psi=\psi_1A/(2A-1)$ over that of $\alpha$ by (126)",
+        "the expected 1",
+    );
+    let trial = Trial::by(Route::Consistency, Subject::Corrected, compared, RELAXED);
+    let points = Points::stream(706).within(40, [[1.2, 5.0], [-8.0, -4.0]]);
+    trial.at(["A", "lg α"], points, 1.0, |[size, power]| {
+        let small = libm::exp10(power);
+        let psi = corrected::relaxed_ratio(size) * turntable::eq124_psi1(small);
+        let turn = turntable::eq115_psi_rate(small, psi) / psi;
+        Ok([turn * small / printed::eq126_alpha_rate(size), 1.0])
+    })
+}
+
 /// (126) at the same states.
 pub fn small_alpha_rate() -> Evidence {
-    let compared = "(126) with dα/dτ of the motion, ψ having relaxed after a start with α < 1e-11";
+    let compared = Compared::one(
+        "(126)",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed after a start with $\alpha<10^{-11}$",
+    );
     after_relaxing(Subject::Within, compared)
 }
 
 /// ψ when a particle that comes straight in has almost stopped.
 pub fn small_alpha_straight() -> Evidence {
-    let compared =
-        "ψ₁ with ψ of a motion that comes straight in, when α has fallen below a ten-thousandth";
+    let compared = Compared::one(
+        r"$\psi_1$",
+        r"$\psi$ of a motion that comes straight in, when $\alpha$ has fallen below a ten-thousandth",
+    );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, RELAXED);
     trial.over(beyond_one(), |straight| {
         let straight = straight?;
@@ -226,10 +306,34 @@ pub fn small_alpha_straight() -> Evidence {
 /// The growth of A from A > 1: its limit over τ^(3/2).
 pub fn a_grows() -> Evidence {
     grows(
-        "2^(1/4)/3 with the limit of A/τ^(3/2)",
+        Compared::one("$2^{1/4}/3$", r"the limit of $A/\tau^{3/2}$"),
         size,
         corrected::a(1.0),
         Subject::Within,
+    )
+}
+
+/// (130) as a ratio: what it has before ln A.
+pub fn alpha_by_a_grows() -> Evidence {
+    let law = printed::eq130_alpha::<f64>;
+    grows(
+        Compared::one(
+            r"the factor that (130) has before $\ln A$",
+            r"the limit of $\mathrm d\alpha/\mathrm d\ln A$",
+        ),
+        |l| l.alpha_rate * size(l) / a_rate(l),
+        (law(LATE) - law(1.0)) / libm::log(LATE),
+        Subject::Printed,
+    )
+}
+
+/// That ψ → π/2, as (134) has it.
+pub fn psi_goes_upright() -> Evidence {
+    grows(
+        Compared::one("the limit of (134)", r"that of $\psi$"),
+        |l| FRAC_PI_2 - lag(l),
+        FRAC_PI_2 - printed::eq134_lag(LATE * LATE),
+        Subject::Printed,
     )
 }
 
@@ -237,14 +341,17 @@ pub fn a_grows() -> Evidence {
 pub fn alpha_grows() -> Evidence {
     let law = printed::eq133_alpha::<f64>;
     grows(
-        "what (133) has before ln τ with the limit of τ dα/dτ",
+        Compared::one(
+            r"the factor of $\ln\tau$ in (133)",
+            r"the limit of $\tau\,\mathrm d\alpha/\mathrm d\tau$",
+        ),
         |l| l.tau * l.alpha_rate,
         (law(LATE) - law(1.0)) / libm::log(LATE),
         Subject::Printed,
     )
 }
 
-fn grows(compared: &'static str, quantity: Quantity, stated: f64, subject: Subject) -> Evidence {
+fn grows(compared: Compared, quantity: Quantity, stated: f64, subject: Subject) -> Evidence {
     let trial = Trial::by(Route::Limit, subject, compared, ESCAPE_LIMIT);
     trial.over(escapes(), |escape| {
         let escape = escape?;
@@ -259,7 +366,10 @@ fn grows(compared: &'static str, quantity: Quantity, stated: f64, subject: Subje
 
 /// Decades of τ over which α grows.
 pub fn alpha_census() -> Evidence {
-    let compared = "the decades of τ from 100 to 1e8 over which α of (133) grows by more than 1 with those over which α of the motion does";
+    let compared = Compared::one(
+        r"the number of decades of $\tau$ from 100 to $10^8$ over which $\alpha$ of (133) grows by more than 1",
+        r"that of those over which $\alpha$ of the motion does",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
     trial.over(other_escapes(), |escape| {
@@ -283,7 +393,10 @@ fn grown(values: &[f64]) -> usize {
 
 /// Stops of particles that come straight in from A > 1, in the frame of the table.
 pub fn straight_stops() -> Evidence {
-    let compared = "0 with the stops of a particle that comes straight in from A > 1";
+    let compared = Compared::one(
+        "the stated 0",
+        "the number of stops of a particle that comes straight in from $A>1$",
+    );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.over(beyond_one(), |straight| {
         let straight = straight?;
@@ -298,7 +411,10 @@ pub fn straight_stops() -> Evidence {
 
 /// (127) where a particle comes straight in.
 pub fn above_one_straight() -> Evidence {
-    let compared = "1 where (127) holds at the start, for an escape, with 0 for a particle that comes straight in and stops";
+    let compared = Compared::one(
+        "whether (127) holds at the start (1 if so, for an escape)",
+        "what becomes of a particle that comes straight in (0 if it stops)",
+    );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     trial.over(beyond_one(), |straight| {
         let straight = straight?;
@@ -330,7 +446,10 @@ pub fn table_stops(straight: &StraightIn) -> Result<usize, MotionError> {
 
 /// A particle that comes straight in from A > 1: the way in which it slows down, against its own law.
 pub fn straight_rate() -> Evidence {
-    let compared = "−1 − 1/ρ with dα/dτ of a particle that has almost stopped, coming straight in";
+    let compared = Compared::one(
+        r"$-1-1/\rho$",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of a particle that has almost stopped, coming straight in",
+    );
     let trial = Trial::by(
         Route::Integration,
         Subject::Corrected,

@@ -1,7 +1,7 @@
 //! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
 
 use super::escapes::{a, alpha, escapes};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{QUADRATURE, ROOT};
 use crate::evidence::{Evidence, Route, Subject, Tolerance};
@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 /// Compares what is printed with what its predecessors give, relatively, at twenty values in a range of powers of ten.
 fn step(
     route: Route,
-    compared: &'static str,
+    compared: Compared,
     tolerance: Tolerance,
     (name, [low, high]): (&str, [f64; 2]),
     pair: impl Fn(f64) -> Result<[f64; 2], Failure>,
@@ -28,7 +28,10 @@ fn step(
 
 /// (129) from (128): a step that is wrong by itself. It puts 0 for dα/dτ, which is a third of cosh α/A at late times.
 pub fn eq129() -> Evidence {
-    let compared = "(128) over (cosh α)/A at the A of (129), where it vanishes, with dα/dτ of the motion over (cosh α)/A, late in escapes";
+    let compared = Compared::one(
+        r"(128) over $(\cosh\alpha)/A$ at the $A$ of (129), where it vanishes,",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion over $(\cosh\alpha)/A$, late in escapes",
+    );
     let trial = Trial::by(Route::Limit, Subject::Step, compared, ROOT);
     trial.over(escapes(), |escape| {
         let escape = escape?;
@@ -46,7 +49,7 @@ pub fn eq129() -> Evidence {
 
 /// (130) from (129), where α is large.
 pub fn eq130() -> Evidence {
-    let compared = "(130) at the A of (129) with α, from 18 on";
+    let compared = Compared::one("(130) at the $A$ of (129)", r"$\alpha$");
     step(Route::Limit, compared, ROOT, ("α", [1.26, 2.0]), |alpha| {
         Ok([printed::eq130_alpha(printed::eq129_a(alpha)), alpha])
     })
@@ -54,7 +57,7 @@ pub fn eq130() -> Evidence {
 
 /// (131) from (113) and (130), where A is large.
 pub fn eq131() -> Evidence {
-    let compared = "(131) with (113) at the α of (130), A from 10²⁰ on";
+    let compared = Compared::one("(131)", r"(113) at the $\alpha$ of (130)");
     step(Route::Limit, compared, ROOT, ("A", [20.0, 40.0]), |a| {
         let rate = turntable::eq113_a_rate(printed::eq130_alpha(a));
         Ok([printed::eq131_a_rate(a), rate])
@@ -63,7 +66,10 @@ pub fn eq131() -> Evidence {
 
 /// (132) from (131): its integral.
 pub fn eq132() -> Evidence {
-    let compared = "what A of (132) gains from τ to 2τ with the integral of (131) there";
+    let compared = Compared::one(
+        r"the gain of $A$ by (132) from $\tau$ to $2\tau$",
+        "the integral of (131) there",
+    );
     step(
         Route::Quadrature,
         compared,
@@ -80,7 +86,7 @@ pub fn eq132() -> Evidence {
 
 /// (133) from (130) and (132).
 pub fn eq133() -> Evidence {
-    let compared = "(133) with (130) at the A of (132)";
+    let compared = Compared::one("(133)", "(130) at the $A$ of (132)");
     step(Route::Limit, compared, ROOT, ("τ", [1.0, 8.0]), |tau| {
         let found = printed::eq130_alpha(printed::eq132_a(tau));
         Ok([printed::eq133_alpha(tau), found])
@@ -90,7 +96,10 @@ pub fn eq133() -> Evidence {
 /// (134) from (124) and (133): a step that is wrong by itself. tanh 2α → 1 − 2 exp(−4α) is the sine of an angle that
 /// misses π/2 by 2 exp(−2α), not by 2 exp(−α).
 pub fn eq134() -> Evidence {
-    let compared = "what (134) has ψ miss π/2 by with what (124) does at the α of (133)";
+    let compared = Compared::one(
+        r"what $\psi$ lacks of $\pi/2$ by (134)",
+        r"what it lacks by (124) at the $\alpha$ of (133)",
+    );
     step(Route::Limit, compared, ROOT, ("τ", [1.0, 3.0]), |tau| {
         let psi = turntable::eq124_psi1(printed::eq133_alpha(tau));
         Ok([printed::eq134_lag(tau), FRAC_PI_2 - psi])
@@ -99,7 +108,7 @@ pub fn eq134() -> Evidence {
 
 /// (135) from (111), (132) and (133).
 pub fn eq135() -> Evidence {
-    let compared = "(135) with (111) at A of (132) and α of (133), τ from 10¹⁴ on";
+    let compared = Compared::one("(135)", r"(111) at $A$ of (132) and $\alpha$ of (133)");
     step(Route::Limit, compared, ROOT, ("τ", [14.0, 24.0]), |tau| {
         let found = turntable::eq111_p(printed::eq132_a(tau), printed::eq133_alpha(tau));
         Ok([printed::eq135_p(tau), found])
@@ -108,7 +117,7 @@ pub fn eq135() -> Evidence {
 
 /// (136) from (112), (132) and (133).
 pub fn eq136() -> Evidence {
-    let compared = "(136) with (112) at A of (132) and α of (133), τ from 10¹⁴ on";
+    let compared = Compared::one("(136)", r"(112) at $A$ of (132) and $\alpha$ of (133)");
     step(Route::Limit, compared, ROOT, ("τ", [14.0, 24.0]), |tau| {
         let found = turntable::eq112_rho(printed::eq132_a(tau), printed::eq133_alpha(tau));
         Ok([printed::eq136_rho(tau), found])
@@ -117,8 +126,10 @@ pub fn eq136() -> Evidence {
 
 /// (137) from (105) and (135): the integral of the speed.
 pub fn eq137() -> Evidence {
-    let compared =
-        "what s of (137) gains from τ to 2τ with the integral of (105) there, p from (135)";
+    let compared = Compared::one(
+        r"the gain of $s$ by (137) from $\tau$ to $2\tau$",
+        "the integral of (105) there, with $p$ from (135)",
+    );
     step(
         Route::Quadrature,
         compared,

@@ -1,12 +1,17 @@
 //! What the conditions of section 2 except.
 
+use crate::claims::compare::Compared;
 use crate::claims::excepted::no_inside;
 use crate::evidence::Evidence;
 
 /// A push at a single instant.
 pub fn instants() -> Evidence {
     no_inside(
-        "whether a push has no length, with that it has one at random and close to it",
+        Compared::one(
+            "whether a push meets the condition (1 if so)",
+            "the expectation that only a push without length does not",
+        )
+        .over("random ones, that one, and some close to it"),
         ["strength", "length"],
         [[1.1, 10.0], [0.0, 1.0]],
         &[[2.0, 0.0], [5.0, 0.0]],
@@ -17,7 +22,11 @@ pub fn instants() -> Evidence {
 /// No friction at all.
 pub fn no_friction() -> Evidence {
     no_inside(
-        "whether a friction is μ = 0, with that it is not at random and close to it",
+        Compared::one(
+            "whether a friction meets the condition (1 if so)",
+            r"the expectation that only $\mu=0$ does not",
+        )
+        .over("random ones, that one, and some close to it"),
         ["μ"],
         [[0.0, 1.0]],
         &[[0.0]],

@@ -1,7 +1,7 @@
 //! Trials of (1) and (2): the law seen from the plane against the law seen from the laboratory.
 
 use super::planes::{Case, bounded};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::statement::Statement;
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::evidence::{Evidence, Route, Subject};
@@ -35,7 +35,10 @@ fn acceleration(case: &Case, t: f64) -> [f64; 2] {
 /// (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
 /// points against V − U, where U is the plane's velocity.
 pub fn eq1_laboratory() -> Evidence {
-    let compared = "v of (1), integrated, with V − U of the laboratory, where friction alone acts, each component";
+    let compared = Compared::one(
+        r"$\bm v$ of (1), integrated,",
+        r"$\bm V-\bm U$ of the laboratory, where friction alone acts, component by component",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     trial.over(
         cases().flat_map(|(case, until)| components_at_the_end(&case, until)),
@@ -85,27 +88,35 @@ fn in_the_laboratory(case: &Case, until: f64) -> Result<[f64; 2], Failure> {
 
 /// (1): its right-hand side, summed over time along the motion, is the change of the velocity.
 pub fn eq1_quadrature() -> Evidence {
-    let compared = "∫ of the components of (1), the second one twice, with the change of v_x + 2 v_y of the motion";
+    let compared = Compared::one(
+        "the integral of (1), its second component taken twice,",
+        "the change of $v_x+2v_y$ of the motion",
+    );
     summed(compared, eq1_rate, components)
 }
 
 /// (1): its right-hand side is the rate of the velocity of the motion.
 pub fn eq1_motion() -> Evidence {
-    let compared =
-        "the components of (1), the second one twice, with the rate of v_x + 2 v_y of the motion";
+    let compared = Compared::one(
+        "(1), its second component taken twice,",
+        "the rate of $v_x+2v_y$ of the motion",
+    );
     followed(compared, eq1_rate, components)
 }
 
 /// (2): its right-hand side, summed over time along the motion, is the change of the speed.
 pub fn eq2_quadrature() -> Evidence {
-    let compared = "∫ (2) dt along the motion with its change of speed";
+    let compared = Compared::one(
+        "the integral of (2) over $t$ along the motion",
+        "its change of speed",
+    );
     summed(compared, eq2_rate, State::speed)
 }
 
 /// (2): its right-hand side is the rate of the speed of the motion.
 pub fn eq2_motion() -> Evidence {
     followed(
-        "(2) with the rate of the speed of the motion",
+        Compared::one("(2)", "the rate of the speed of the motion"),
         eq2_rate,
         State::speed,
     )
@@ -131,7 +142,7 @@ const TIMES: u32 = 17;
 
 /// A printed rate with differences of fourth order along the motions.
 fn followed(
-    compared: &'static str,
+    compared: Compared,
     rate: fn(&Case, &State) -> f64,
     quantity: fn(&State) -> f64,
 ) -> Evidence {
@@ -170,7 +181,7 @@ fn looks(
 }
 
 fn summed(
-    compared: &'static str,
+    compared: Compared,
     rate: fn(&Case, &State) -> f64,
     quantity: fn(&State) -> f64,
 ) -> Evidence {
@@ -192,7 +203,10 @@ fn summed(
 /// (1) from the laboratory, where friction alone acts, against the velocity relative to the plane.
 pub const EQ1: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
-    "the velocity's rate in the laboratory, by (1) and the plane's acceleration, with friction alone",
+    Compared::one(
+        "the velocity's rate in the laboratory, by (1) and the plane's acceleration,",
+        "that by friction alone",
+    ),
     eq1,
     eq1_proof,
 );
@@ -254,7 +268,10 @@ fn eq1_proof(formula: [Expr; 2]) -> Proof {
 /// (2) from (1): the rate of √(v_x² + v_y²).
 pub const EQ2: Statement = Statement::new(
     Subject::Printed,
-    "(2) with the rate of |v| by (1), as algebraic functions of the components",
+    Compared::one(
+        "(2)",
+        r"the rate of $\lvert\bm v\rvert$ by (1), as algebraic functions of the components",
+    ),
     eq2,
     eq2_proof,
 );

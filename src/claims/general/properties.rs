@@ -7,7 +7,7 @@ use super::examples::{
     AT_REST, Pulled, Returning, breaks, others_pulled, others_returning, pulled, returning,
 };
 use super::planes::{Case, SHAPES, along_a_line, any_start, bounded};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
 use crate::evidence::{Evidence, Route, Subject};
@@ -18,7 +18,7 @@ use crate::paper::general as printed;
 /// μ and g of unit friction, without rounding.
 const UNIT: [f64; 2] = [0.5, 2.0];
 
-const fn census(subject: Subject, compared: &'static str) -> Trial {
+const fn census(subject: Subject, compared: Compared) -> Trial {
     Trial::by(Route::Census, subject, compared, NONE)
 }
 
@@ -50,7 +50,11 @@ fn speeds_up_above() -> f64 {
 
 /// Below μg the speed falls on every step until the stop, and the stop comes. Above, a pull along the velocity prevents it.
 pub fn stops_census() -> Evidence {
-    let compared = "1 where max |A| < μg, else 0, with 1 where the speed falls on every step and the motion stops by v₀/(μg − max |A|), or 20 v₀; above μg, A is constant, against the velocity";
+    let compared = Compared::one(
+        r"whether $\max\lvert\bm A\rvert<\mu g$ (1 if so)",
+        r"whether the speed falls on every step and the motion stops by $v_0/(\mu g-\max\lvert\bm A\rvert)$, or $20v_0$",
+    )
+    .over(r"where, above $\mu g$, $\bm A$ is constant, against the velocity");
     let weak = bounded(21, 0.95).map(|case| (0.95, case));
     census(Subject::Printed, compared).over(weak.chain(pulled_along()), |(largest, case)| {
         let stops = unlike_a_stop(&case)? == 0;
@@ -93,8 +97,10 @@ fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
 
 /// The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
 pub fn stops_integration() -> Evidence {
-    let compared =
-        "the time of stopping, cut to the bounds that (2) sets, with the time of stopping";
+    let compared = Compared::one(
+        "the time of stopping, cut to the bounds that (2) sets,",
+        "the time of stopping",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(bounded(22, 0.9), |case| {
         let v0 = case.start.speed();
@@ -112,7 +118,10 @@ pub fn stops_integration() -> Evidence {
 
 /// Motions, from rest, under accelerations that exceed μg again and again, where every rest ends, or never, where none does.
 pub fn rest_census() -> Evidence {
-    let compared = "1 where |A| exceeds μg in every period, else 0, with 1 where no rest lasts longer than a period";
+    let compared = Compared::one(
+        r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
+        "whether no rest lasts longer than a period",
+    );
     census(Subject::Within, compared).over(returning(), |returning| {
         let Returning {
             name,
@@ -135,7 +144,10 @@ fn long_rests(phases: &[Phase], period: f64) -> usize {
 
 /// Others move in every period, or do not.
 pub fn rest_integration() -> Evidence {
-    let compared = "1 where |A| exceeds μg in every period, else 0, with 1 for a motion that has slid in each of five periods";
+    let compared = Compared::one(
+        r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
+        "whether the motion has slid in each of five periods",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     trial.over(others_returning(), |returning| {
         let Returning {
@@ -163,7 +175,10 @@ fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
 
 /// A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
 pub fn rest_outside() -> Evidence {
-    let compared = "1, for motion, where |A| > μg at an instant, with the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0";
+    let compared = Compared::one(
+        r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant,",
+        "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0",
+    );
     let trial = Trial::by(Route::Limit, Subject::Outside, compared, SHORT_PUSH);
     let mut points = Points::stream(30);
     trial.over(0..40, |_| {
@@ -197,7 +212,10 @@ fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
 /// Accelerations of fixed direction: where |A| ≥ 1.2 μg, from some time on, every step raises the speed; where |A| ≤ 0.9 μg,
 /// none does.
 pub fn grows_census() -> Evidence {
-    let compared = "1 where |A| > μg at all times, else 0, with 1 where the speed grows on every step from t = 200 to 400";
+    let compared = Compared::one(
+        r"whether $\lvert\bm A\rvert>\mu g$ at all times (1 if so)",
+        "whether the speed grows on every step from $t=200$ to 400",
+    );
     census(Subject::Within, compared).over(pulled(), |pulled| {
         let pulled = pulled?;
         let stated = pulled.least > speeds_up_above();
@@ -208,7 +226,10 @@ pub fn grows_census() -> Evidence {
 
 /// Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
 pub fn grows_integration() -> Evidence {
-    let compared = "the speed gained from t = 200 to 400, but at least 0.95 · 200 (min |A| − μg), with the speed gained";
+    let compared = Compared::one(
+        r"the speed gained from $t=200$ to 400, but at least $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$,",
+        "the speed gained",
+    );
     let trial = Trial::motion(Subject::Within, compared);
     trial.over(others_pulled(), |pulled| {
         let Pulled {
@@ -228,7 +249,10 @@ pub fn grows_integration() -> Evidence {
 
 /// |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
 pub fn grows_outside() -> Evidence {
-    let compared = "the speed at t + 1, as it should exceed that at t, with the speed at t + 1";
+    let compared = Compared::one(
+        "the speed at $t+1$, raised to that at $t$ where it is less,",
+        "the speed at $t+1$",
+    );
     let trial = Trial::motion(Subject::Outside, compared);
     let mut points = Points::stream(26);
     trial.over(0..100, |_| {
@@ -258,7 +282,10 @@ pub fn grows_outside() -> Evidence {
 
 /// Across a fixed direction, every step lowers what velocity there is.
 pub fn across_census() -> Evidence {
-    let compared = "−1, for a fall, with the sign of the change of |v⊥| on every step: 1 if it grows on one, or stays while it is not zero";
+    let compared = Compared::one(
+        "$-1$, for a fall,",
+        r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
+    );
     census(Subject::Printed, compared).over(fixed_direction(27), |case| {
         let falls = grows_across(&case)? == 0;
         Ok(Pair {
@@ -283,8 +310,10 @@ fn grows_across(case: &Across) -> Result<usize, Failure> {
 
 /// Without friction the velocity across stays as it is.
 pub fn across_outside() -> Evidence {
-    let compared =
-        "−1, for a fall, with the sign of the change of |v⊥| in ten units of time without friction";
+    let compared = Compared::one(
+        "$-1$, for a fall,",
+        r"the sign of the change of $\lvert v_\perp\rvert$ in ten units of time without friction",
+    );
     census(Subject::Outside, compared).over(fixed_direction(29), |case| {
         let end = run(&case.plane, 0.0, case.start, 10.0)?.end();
         let (before, after) = (case.across(&case.start), case.across(&end));
@@ -304,7 +333,10 @@ pub fn across_outside() -> Evidence {
 
 /// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
 pub fn across_quadrature() -> Evidence {
-    let compared = "−∫ μg/v dt along the motion with the change of ln |v⊥|";
+    let compared = Compared::one(
+        r"$-\int\mu g/v\,\mathrm dt$ along the motion",
+        r"the change of $\ln\lvert v_\perp\rvert$",
+    );
     Trial::quadrature(Subject::Printed, compared).over(fixed_direction(28), |case| {
         let until = 0.5 * case.start.speed() / (1.0 + case.largest);
         let until = case.plane.next_break(0.0).map_or(until, |b| until.min(b));
@@ -322,7 +354,10 @@ pub fn across_quadrature() -> Evidence {
 
 /// Bounded A: what is left of v⊥ after a long time.
 pub fn across_limit() -> Evidence {
-    let compared = "0 with |v⊥|/v₀ after a long time, A bounded by twice μg";
+    let compared = Compared::one(
+        "the stated 0",
+        r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, VANISHES);
     let bounded = fixed_direction(29).filter(|case| case.largest.is_finite());
     trial.over(bounded, |case| {
@@ -345,8 +380,10 @@ pub fn across_limit() -> Evidence {
 
 /// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
 pub fn across_integration() -> Evidence {
-    let compared =
-        "|v⊥| cut to the bound v⊥₀ (1 + A t/v₀)^(−μg/A), A up to 30 μg, with |v⊥| at a late time";
+    let compared = Compared::one(
+        r"$\lvert v_\perp\rvert$, cut to the bound $v_{\perp0}(1+At/v_0)^{-\mu g/A}$, with $A$ up to $30\mu g$,",
+        r"$\lvert v_\perp\rvert$ at a late time",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(31);
     let bounded = fixed_direction(32).filter(|case| case.largest.is_finite());

@@ -1,7 +1,7 @@
 //! What the chapter's figures show: the same drives and motions that are tried.
 
 use super::drives::{Phase, motion, named, phase, phase_of, pulses, rest_share, third_harmonic};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::drive::{Drive, DriveError};
 use crate::paper::periodic as printed;
@@ -108,7 +108,10 @@ pub fn shares(side: usize) -> Result<Vec<f64>, DriveError> {
 
 /// The drawn shares with those that follow from (44): 1 − η/λ₀ for λ₀ above (46), else 0.
 pub fn shares_motion() -> Evidence {
-    let compared = "the share of the third case of (44), 0 for λ₀ below (46), with the share of the period at rest in the motion";
+    let compared = Compared::one(
+        r"the share of the third case of (44), 0 for $\lambda_0$ below (46),",
+        "the share of the period at rest in the motion",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     let side = 33;
     let shares = match shares(side) {

@@ -3,6 +3,7 @@
 //! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
 //! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
+use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::corrections::periodic as supplied;
 use crate::evidence::Subject;
@@ -139,7 +140,10 @@ fn small_friction_chain(cases: [Expr; 3]) -> Proof {
     .prove()
 }
 
-const COMPARED: &str = "the printed formula with 𝔴' = h − λ₀ case by case, and the cases with each other where they meet";
+const COMPARED: Compared = Compared::one(
+    "the printed formula",
+    r"$\mathfrak w'=h-\lambda_0$ case by case, and the cases with each other where they meet",
+);
 
 /// Evidence on (44).
 pub const EQ44: Statement<[Expr; 3]> = Statement::new(
@@ -155,7 +159,10 @@ pub const EQ44: Statement<[Expr; 3]> = Statement::new(
 /// Evidence on (45).
 pub const EQ45: Statement = Statement::new(
     Subject::Printed,
-    "the rate of the mirrored motion with the mirrored force, of opposite friction",
+    Compared::one(
+        "the rate of the mirrored motion",
+        "the mirrored force, of opposite friction",
+    ),
     || printed::eq45_w(Expr::symbol("𝔴")),
     eq45_mirror,
 );
@@ -163,7 +170,10 @@ pub const EQ45: Statement = Statement::new(
 /// Evidence on (46).
 pub const EQ46: Statement = Statement::new(
     Subject::Printed,
-    "the stop of (44), and the start of the motion without rest, with the beginning of a pulse",
+    Compared::many(
+        "the stop of (44), and the start of the motion without rest,",
+        "the beginning of a pulse",
+    ),
     || printed::eq46_lambda_c(Expr::symbol("η")),
     eq46_meeting,
 );

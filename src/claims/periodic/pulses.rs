@@ -1,7 +1,7 @@
 //! Trials of (42) to (46): the train of pulses.
 
 use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
 use crate::corrections::periodic as supplied;
@@ -104,9 +104,10 @@ fn joints((eta, lambda): (f64, f64)) -> [f64; 2] {
 
 /// (42): a smooth particle gains what the printed pulse gives until φ.
 pub fn eq42() -> Evidence {
-    let trial = consistency(
-        "the area of (42) up to φ with 𝔴 of a smooth particle that starts at rest under pulses that fill the share η",
-    );
+    let trial = consistency(Compared::one(
+        r"the area of (42) up to $\phi$",
+        r"$\mathfrak w$ of a smooth particle that starts at rest under pulses that fill the share $\eta$",
+    ));
     gains(&trial, |eta, phi| {
         (phi, area(printed::eq42_cases(), eta, phi))
     })
@@ -114,8 +115,10 @@ pub fn eq42() -> Evidence {
 
 /// (43): the second half takes back what the first has given.
 pub fn eq43() -> Evidence {
-    let trial =
-        consistency("the area of (42) and, up to π + φ, of (43) with 𝔴 of a smooth particle there");
+    let trial = consistency(Compared::one(
+        r"the area of (42) and, up to $\pi+\phi$, of (43)",
+        r"$\mathfrak w$ of a smooth particle there",
+    ));
     gains(&trial, |eta, phi| {
         let first = printed::eq42_cases();
         let second = first.map(printed::eq43_h);
@@ -129,7 +132,7 @@ fn area([pulse, gap]: [f64; 2], eta: f64, phi: f64) -> f64 {
     pulse * end + gap * (phi - end)
 }
 
-const fn consistency(compared: &'static str) -> Trial {
+const fn consistency(compared: Compared) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
 }
 
@@ -156,8 +159,10 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
 
 /// (44) with the simulated motion, over half a period.
 pub fn eq44_motion() -> Evidence {
-    let compared =
-        "the largest difference of (44) from 𝔴 of the motion, over the first half period, with 0";
+    let compared = Compared::one(
+        r"the largest difference of (44) from $\mathfrak w$ of the motion, over the first half period,",
+        "0",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
@@ -172,7 +177,10 @@ pub fn eq44_motion() -> Evidence {
 
 /// (45), with (44) in it, with the simulated motion over the other half.
 pub fn eq45_motion() -> Evidence {
-    let compared = "the largest difference of (45) of (44) from 𝔴 of the motion, over the second half period, with 0";
+    let compared = Compared::one(
+        r"the largest difference of (45), with (44), from $\mathfrak w$ of the motion, over the second half period,",
+        "0",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
@@ -186,7 +194,7 @@ pub fn eq45_motion() -> Evidence {
 
 /// The velocity along a pull in pulses, from rest at φ = 0, and across it, of a particle on a plane of any direction. It
 /// rests before each pulse, so that its first period is like every other.
-fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64, Failure> {
+pub fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64, Failure> {
     let square = |start: f64| Signal::Square { start, half: PI };
     let late = square(eta * PI).times(-1.0);
     let pull = Signal::Sum(vec![square(0.0), late]).times(-0.5);
@@ -201,7 +209,7 @@ fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64, Fa
     Ok(x * cosine + y * sine + (x * sine - y * cosine).abs())
 }
 
-fn from_rest(compared: &'static str, value: impl Fn((f64, f64), f64) -> [f64; 2]) -> Evidence {
+fn from_rest(compared: Compared, value: impl Fn((f64, f64), f64) -> [f64; 2]) -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(205);
     trial.over(0..30, |_| {
@@ -220,14 +228,19 @@ fn from_rest(compared: &'static str, value: impl Fn((f64, f64), f64) -> [f64; 2]
 
 /// (44) with a particle on a plane, whose acceleration jumps.
 pub fn eq44_plane() -> Evidence {
-    let compared =
-        "(44) with 𝔴 of a particle on a plane in the direction of the pull, from rest at φ = 0";
+    let compared = Compared::one(
+        "(44)",
+        r"$\mathfrak w$ of a particle on a plane in the direction of the pull, from rest at $\phi=0$",
+    );
     from_rest(compared, |point, phi| [phi, eq44(point, phi)])
 }
 
 /// (45) with a particle on a plane.
 pub fn eq45_plane() -> Evidence {
-    let compared = "(45) of (44) with 𝔴 of a particle on a plane in the direction of the pull, from rest at φ = 0";
+    let compared = Compared::one(
+        "(45), with (44),",
+        r"$\mathfrak w$ of a particle on a plane in the direction of the pull, from rest at $\phi=0$",
+    );
     from_rest(compared, |point, phi| {
         [PI + phi, printed::eq45_w(eq44(point, phi))]
     })
@@ -253,7 +266,10 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
 
 /// (46) with the place where rests appear.
 pub fn eq46_root() -> Evidence {
-    let compared = "(46) with λ₀ at which rests appear in the motion, by bisection";
+    let compared = Compared::one(
+        "(46)",
+        r"the $\lambda_0$ at which rests appear in the motion",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, THRESHOLD);
     trial.over(widths(), |eta| {
         Ok(Pair {
@@ -267,8 +283,10 @@ pub fn eq46_root() -> Evidence {
 
 /// (46) over the whole square: two rests per period above λ_c, none below.
 pub fn eq46_census() -> Evidence {
-    let compared =
-        "2 for λ₀ above (46) and 0 below with the number of rests per period in the motion";
+    let compared = Compared::one(
+        r"2 for $\lambda_0$ above (46) and 0 below",
+        "the number of rests in a period of the motion",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let points = above().into_iter().zip(below()).flat_map(|(a, b)| [a, b]);
     trial.over(points, |(eta, lambda)| {
@@ -291,7 +309,10 @@ pub fn eq46_census() -> Evidence {
 
 /// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
 pub fn below_motion() -> Evidence {
-    let compared = "the largest difference of the motion without rest for λ₀ below (46), from our own derivation, from 𝔴 of the motion, with 0";
+    let compared = Compared::one(
+        r"the largest difference of the motion without rest for $\lambda_0$ below (46), from our own derivation, from $\mathfrak w$ of the motion",
+        "0",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(below(), |(eta, lambda)| {
         with_motion((eta, lambda), |motion| {
@@ -309,7 +330,11 @@ pub fn below_motion() -> Evidence {
 
 /// η = 1 and η = 0 themselves.
 pub fn extremes_census() -> Evidence {
-    let compared = "0 below (46) and 1 above with the rests per period, 1 for a particle at rest for ever, at η = 1 and η = 0";
+    let compared = Compared::one(
+        "0 below (46) and 1 above",
+        "the number of rests in a period (1 for a particle at rest for ever)",
+    )
+    .over(r"$\eta=1$ and $\eta=0$");
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(204);
     let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
@@ -340,7 +365,11 @@ pub fn extremes_census() -> Evidence {
 
 /// η → 1 and η → 0: the phase that is to vanish is as narrow as 1 − η, or as η.
 pub fn extremes_limit() -> Evidence {
-    let compared = "the width of the vanishing phase by (46), over δ, with that in the motion, for η = 1 − δ (large friction) and η = δ (small friction)";
+    let compared = Compared::one(
+        r"the width of the vanishing phase by (46), over $\delta$,",
+        "that in the motion",
+    )
+    .over(r"$\eta=1-\delta$ (large friction) and $\eta=\delta$ (small friction)");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, LIMIT_OF_WIDTH);
     let distances = (1..13).map(|k| Scalar::pow(10.0, -0.25 * f64::from(k)));
     trial.over(

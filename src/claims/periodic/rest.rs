@@ -3,7 +3,7 @@
 //! While w > 0, w' = h − λ₀ ≤ 1 − λ₀, and likewise for w < 0: |w| is used up within |w₀|/(λ₀ − 1).
 
 use super::drives::{Harmonics, Phase, named, phase};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
@@ -21,7 +21,10 @@ fn at(name: &str, lambda: f64, start: State) -> String {
 
 /// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
 pub fn within_time() -> Evidence {
-    let compared = "1 for λ₀ > 1 and 0 below with 1 where the motion rests from |𝔴₀|/(λ₀ − 1), and a millionth, after any start on; for λ₀ < 1 from a period after it on";
+    let compared = Compared::one(
+        r"1 for $\lambda_0>1$ and 0 below",
+        r"whether the motion rests (1 if so) from $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$, and a millionth, after any start on, or for $\lambda_0<1$ from a period after it on",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(210);
     let drives = named();
@@ -72,7 +75,10 @@ fn left(w: f64, later: &[Interval]) -> f64 {
 
 /// When it comes to rest: the motion's first rest with the root of the equation's integral.
 pub fn stopping_time() -> Evidence {
-    let compared = "the root of |𝔴₀| + ∫ (1) dφ, along the velocity, with the phase at which the motion comes to rest";
+    let compared = Compared::one(
+        r"the root of $\lvert\mathfrak w_0\rvert+\int(1)\,\mathrm d\phi$, taken along the velocity,",
+        "the phase at which the motion comes to rest",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     let mut points = Points::stream(211);
     trial.over(0..60, |_| {
@@ -109,7 +115,10 @@ pub fn stopping_time() -> Evidence {
 
 /// 1 is the exact bound: from 1 on all is still, below it something moves.
 pub fn sharp() -> Evidence {
-    let compared = "1 for λ₀ ≥ 1 and 0 below with whether the motion is at rest for ever";
+    let compared = Compared::one(
+        r"1 for $\lambda_0\ge1$ and 0 below",
+        "whether the motion is at rest for ever (1 if so)",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let drives = named();
     let excess = [1e-3, -1e-3, 0.0, 1e-9, -1e-6, 1e-6, -0.1, 0.1, 9.0, -1e-5];

@@ -3,7 +3,7 @@
 use super::drives::{
     Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps, third_harmonic,
 };
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, THRESHOLD};
 use crate::evidence::{Evidence, Route, Subject};
@@ -87,7 +87,10 @@ fn admitted() -> Result<Vec<Named>, DriveError> {
 
 /// Every admitted drive: no rest below the one bound, motion with rest above the other.
 pub fn both_ends() -> Evidence {
-    let compared = "0 where |h| > λ₀ wherever |H − c| ≤ π λ₀, 1 where ⟨|h|⟩ < λ₀ < 1, with whether the motion has rests";
+    let compared = Compared::one(
+        r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$,",
+        "whether the motion has rests (1 if so)",
+    );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let drives = match admitted() {
         Ok(drives) => drives,
@@ -137,7 +140,10 @@ fn two_zero_threshold(shape: &Harmonics) -> Result<f64, Failure> {
 
 /// λ_c from that condition, with the place where rests appear in the simulation.
 pub fn two_zeros_root() -> Evidence {
-    let compared = "λ₀ at which ∫ h = π λ₀ between zeros half a period apart and h is λ₀ at one, with λ₀ at which rests appear in the motion, by bisection";
+    let compared = Compared::one(
+        r"the $\lambda_0$ at which $\int h=\pi\lambda_0$ between zeros half a period apart and $h$ is $\lambda_0$ at one",
+        r"the $\lambda_0$ at which rests appear in the motion",
+    );
     let trial = Trial::by(Route::Root, Subject::Within, compared, THRESHOLD);
     let mut points = Points::stream(221);
     trial.over(0..20, |_| {
@@ -159,8 +165,10 @@ pub fn two_zeros_root() -> Evidence {
 
 /// More than one change: rests come, go, and come again as the friction grows.
 pub fn again_and_again() -> Evidence {
-    let compared =
-        "3 with how often rests appear or disappear for sin φ + a sin 3φ as λ₀ grows from 0 to 1";
+    let compared = Compared::one(
+        "the stated 3",
+        r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
+    );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     trial.over(0..20, |k| {
         let a = 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0;
@@ -180,7 +188,10 @@ pub fn again_and_again() -> Evidence {
 
 /// With a mean m: below |m| there is no periodic motion, without rest or with it.
 pub fn with_mean() -> Evidence {
-    let compared = "0, for a periodic motion without rest, with −1, for one that drifts, at λ₀ below the mean of h";
+    let compared = Compared::one(
+        "0, for a periodic motion without rest,",
+        r"$-1$ for one that drifts, at $\lambda_0$ below the mean of $h$",
+    );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(222);
     trial.over(0..60, |_| {
@@ -192,7 +203,10 @@ pub fn with_mean() -> Evidence {
 
 /// The same close to where the friction is as strong as the mean.
 pub fn with_mean_close() -> Evidence {
-    let compared = "0, for a periodic motion without rest, with −1, for one that drifts, at λ₀ a part in 10³ or less below the mean of h";
+    let compared = Compared::one(
+        "0, for a periodic motion without rest,",
+        r"$-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$",
+    );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(225);
     trial.over(0..24, |_| {
@@ -204,8 +218,10 @@ pub fn with_mean_close() -> Evidence {
 
 /// |h| = 1 throughout: no rest at any λ₀ < 1.
 pub fn two_valued() -> Evidence {
-    let compared =
-        "1 with whether the motion has rests, for steps between 1 and −1 and λ₀ just below 1";
+    let compared = Compared::one(
+        "the stated 1",
+        r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1",
+    );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(223);
     trial.over(0..60, |_| {
@@ -223,7 +239,10 @@ pub fn two_valued() -> Evidence {
 /// minimum π − p between them. With little friction w rises through 0 at π/2 − πλ₀/2; at π − p it would then be
 /// λ₀ (p − (π/2) sin p) < 0, all before scaling.
 pub fn level() -> Evidence {
-    let compared = "0 with whether the motion has rests, for sin φ + sin(2φ + p), scaled, 0 < p < π/2, and small λ₀";
+    let compared = Compared::one(
+        "the stated 0",
+        r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$",
+    );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(224);
     trial.over(0..60, |_| {

@@ -8,7 +8,7 @@ use super::stops::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
     other_approaches,
 };
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::escape::escapes::{a, alpha, rates};
 use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
 use crate::claims::runs::{Runs, every};
@@ -27,7 +27,7 @@ use std::f64::consts::PI;
 type Sides = fn(sigma: f64, close: &Close) -> (f64, f64, f64);
 
 /// At p = 10⁻²⁰, for σ not so small that ψ has not relaxed even there.
-fn exactly(route: Route, compared: &'static str, sides: Sides) -> Evidence {
+fn exactly(route: Route, compared: Compared, sides: Sides) -> Evidence {
     let trial = Trial::by(route, Subject::Within, compared, DIFFERENCES);
     trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
         pair(approach?, 1e-20, |_, _| 1.0, sides)
@@ -35,7 +35,7 @@ fn exactly(route: Route, compared: &'static str, sides: Sides) -> Evidence {
 }
 
 /// At p = `speed`, in units of the order of what is left out.
-fn by_order(compared: &'static str, speed: f64, sides: Sides) -> Evidence {
+fn by_order(compared: Compared, speed: f64, sides: Sides) -> Evidence {
     let trial = Trial::by(Route::Limit, Subject::Within, compared, FIRST_OMITTED);
     trial.over(approaches(), |approach| {
         pair(approach?, speed, |s, c| 100.0 * c.omitted(s), sides)
@@ -59,7 +59,7 @@ fn pair(
 }
 
 /// The same equation on the way into a rest with ψ → π.
-fn straight(compared: &'static str, sides: Sides) -> Evidence {
+fn straight(compared: Compared, sides: Sides) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, RELAXED);
     trial.over(within_one(), |straight| {
         let straight = straight?;
@@ -182,7 +182,7 @@ fn leaving(alpha0: f64) -> Result<Leaving, Failure> {
 }
 
 /// At σ = 1, where the motion takes for ever: on the boundary.
-fn at_one(compared: &'static str, sides: fn(&Leaving) -> (f64, f64, f64)) -> Evidence {
+fn at_one(compared: Compared, sides: fn(&Leaving) -> (f64, f64, f64)) -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Outside, compared, BOUNDARY);
     trial.over(borders_near_one(), |leaving| {
         let leaving = leaving?;
@@ -199,7 +199,10 @@ fn at_one(compared: &'static str, sides: fn(&Leaving) -> (f64, f64, f64)) -> Evi
 
 /// (140) at σ = 1.
 pub fn eq140_at_one() -> Evidence {
-    let compared = "(140) with dα/dτ of the motion on the boundary, relative";
+    let compared = Compared::one(
+        "(140)",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion on the boundary, relative to it",
+    );
     at_one(compared, |l| {
         let rate = l.alpha_rate;
         (printed::eq140_alpha_rate(1.0), rate, rate.abs())
@@ -207,7 +210,10 @@ pub fn eq140_at_one() -> Evidence {
 }
 /// (141) at σ = 1.
 pub fn eq141_at_one() -> Evidence {
-    let compared = "(141), for any τ, with α on the boundary, relative";
+    let compared = Compared::one(
+        r"(141), for any $\tau$,",
+        r"$\alpha$ on the boundary, relative to it",
+    );
     at_one(compared, |l| {
         let alpha = l.border.alpha;
         (printed::eq141_alpha(1.0, -1.0), alpha, alpha)
@@ -215,7 +221,10 @@ pub fn eq141_at_one() -> Evidence {
 }
 /// (142) at σ = 1.
 pub fn eq142_at_one() -> Evidence {
-    let compared = "the left side of (142) less the right one with 0, dψ/dα being that of the motion on the boundary, over 2 + ψ/α";
+    let compared = Compared::one(
+        r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion on the boundary,",
+        "0",
+    );
     at_one(compared, |l| {
         let Border { alpha, psi, .. } = l.border;
         let left = printed::eq142_left(1.0, l.psi_rate / l.alpha_rate);
@@ -225,7 +234,10 @@ pub fn eq142_at_one() -> Evidence {
 }
 /// (144) at σ = 1.
 pub fn eq144_at_one() -> Evidence {
-    let compared = "the left side of (144) less the right one with 0, dA/dα being that of the motion on the boundary, relative";
+    let compared = Compared::one(
+        r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion on the boundary,",
+        "0",
+    );
     at_one(compared, |l| {
         let alpha = l.border.alpha;
         let left = printed::eq144_left(1.0, l.a_rate / l.alpha_rate);
@@ -234,15 +246,17 @@ pub fn eq144_at_one() -> Evidence {
 }
 /// (145) at σ = 1.
 pub fn eq145_at_one() -> Evidence {
-    let compared = "(145) with A on the boundary";
+    let compared = Compared::one("(145)", "$A$ on the boundary");
     at_one(compared, |l| {
         (printed::eq145_a(1.0, l.border.alpha), l.border.a, 1.0)
     })
 }
 /// (141) with another origin of time.
 pub fn eq141_clock() -> Evidence {
-    let compared =
-        "(141) with α of the motion at p = 1e-20, τ counted from one unit of time after the stop";
+    let compared = Compared::one(
+        r"(141), with $\tau$ counted from one unit of time after the stop,",
+        r"$\alpha$ of the motion at $p=10^{-20}$",
+    );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
     trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
         pair(
@@ -256,24 +270,36 @@ pub fn eq141_clock() -> Evidence {
 
 /// (140) at p = 10⁻²⁰.
 pub fn eq140_motion() -> Evidence {
-    let compared = "(140) with dα/dτ of the motion at p = 1e-20";
+    let compared = Compared::one(
+        "(140)",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion at $p=10^{-20}$",
+    );
     exactly(Route::Integration, compared, eq140)
 }
 /// (140) by order.
 pub fn eq140_order() -> Evidence {
-    let compared = "(140) with dα/dτ of the motion at p = 1e-3, relative, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = Compared::one(
+        "(140)",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion at $p=10^{-3}$, relative, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
+    );
     by_order(compared, 1e-3, eq140)
 }
 /// (140), ψ → π.
 pub fn eq140_straight() -> Evidence {
     straight(
-        "(140) with dα/dτ of a motion that comes to rest with ψ → π",
+        Compared::one(
+            "(140)",
+            r"$\mathrm d\alpha/\mathrm d\tau$ of a motion that comes to rest with $\psi\to\pi$",
+        ),
         eq140,
     )
 }
 /// What holds there.
 pub fn corrected140() -> Evidence {
-    let compared = "−1 − 1/σ with dα/dτ of a motion that comes to rest with ψ → π";
+    let compared = Compared::one(
+        r"$-1-1/\sigma$",
+        r"$\mathrm d\alpha/\mathrm d\tau$ of a motion that comes to rest with $\psi\to\pi$",
+    );
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, RELAXED);
     trial.over(within_one(), |straight| {
         let straight = straight?;
@@ -288,71 +314,105 @@ pub fn corrected140() -> Evidence {
 }
 /// (141) at p = 10⁻²⁰.
 pub fn eq141_motion() -> Evidence {
-    let compared = "(141) with α of the motion at p = 1e-20, τ counted from the stop";
+    let compared = Compared::one(
+        r"(141), with $\tau$ counted from the stop,",
+        r"$\alpha$ of the motion at $p=10^{-20}$",
+    );
     exactly(Route::Integration, compared, eq141)
 }
 /// (141) by order.
 pub fn eq141_order() -> Evidence {
-    let compared =
-        "(141) with α of the motion at p = 1e-3, relative, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = Compared::one(
+        "(141)",
+        r"$\alpha$ of the motion at $p=10^{-3}$, relative, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
+    );
     by_order(compared, 1e-3, eq141)
 }
 /// (141), ψ → π.
 pub fn eq141_straight() -> Evidence {
     straight(
-        "(141) with α of a motion that comes to rest with ψ → π",
+        Compared::one(
+            "(141)",
+            r"$\alpha$ of a motion that comes to rest with $\psi\to\pi$",
+        ),
         eq141,
     )
 }
 /// (142) at p = 10⁻²⁰.
 pub fn eq142_motion() -> Evidence {
-    let compared = "the left side of (142) less the right one with 0, over 2 + ψ/α, dψ/dα being that of the motion at p = 1e-20";
+    let compared = Compared::one(
+        r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion at $p=10^{-20}$,",
+        "0",
+    );
     exactly(Route::Integration, compared, eq142)
 }
 /// (142) by order.
 pub fn eq142_order() -> Evidence {
-    let compared = "the left side of (142) less the right one with 0 at p = 1e-3, over 2 + ψ/α, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = Compared::one(
+        r"the difference of the sides of (142) at $p=10^{-3}$, over $2+\psi/\alpha$,",
+        r"0, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
+    );
     by_order(compared, 1e-3, eq142)
 }
 /// (142), ψ → π.
 pub fn eq142_straight() -> Evidence {
     straight(
-        "the left side of (142) less the right one with 0 for a motion that comes to rest with ψ → π",
+        Compared::one(
+            r"the difference of the sides of (142) for a motion that comes to rest with $\psi\to\pi$",
+            "0",
+        ),
         eq142,
     )
 }
 /// (144) at p = 10⁻²⁰, by the way.
 pub fn eq144_motion() -> Evidence {
-    let compared = "the left side of (144) less the right one with 0 at p = 1e-20, relative, with A dA = ds from the way still to go";
+    let compared = Compared::one(
+        r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm dA=\mathrm ds$ from the way still to go,",
+        "0",
+    );
     exactly(Route::Integration, compared, eq144_way)
 }
 /// (144) by order.
 pub fn eq144_order() -> Evidence {
-    let compared = "the left side of (144) less the right one with 0, dA/dα being that of the motion at p = 1e-3, relative, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = Compared::one(
+        r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion at $p=10^{-3}$,",
+        r"0, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
+    );
     by_order(compared, 1e-3, eq144)
 }
 /// (144), ψ → π.
 pub fn eq144_straight() -> Evidence {
     straight(
-        "the left side of (144) less the right one with 0 for a motion that comes to rest with ψ → π",
+        Compared::one(
+            r"the difference of the sides of (144) for a motion that comes to rest with $\psi\to\pi$",
+            "0",
+        ),
         eq144,
     )
 }
 /// (145) at p = 10⁻²⁰, by the way.
 pub fn eq145_motion() -> Evidence {
-    let compared = "the coefficient of α² in (145) with (A − σ)/α² at p = 1e-20, A² = σ² − 2 (way still to go)";
+    let compared = Compared::one(
+        r"the coefficient of $\alpha^2$ in (145)",
+        r"$(A-\sigma)/\alpha^2$ at $p=10^{-20}$, where $A^2$ is $\sigma^2$ less twice the way still to go",
+    );
     exactly(Route::Integration, compared, eq145_way)
 }
 /// (145) by order.
 pub fn eq145_order() -> Evidence {
-    let compared =
-        "(145) with A of the motion at p = 1e-3, over A − σ, in units of 100 (α² + ψ²)/[σ(1 − σ)²]";
+    let compared = Compared::one(
+        "(145)",
+        r"$A$ of the motion at $p=10^{-3}$, over $A-\sigma$, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
+    );
     by_order(compared, 1e-3, eq145)
 }
 /// (145), ψ → π.
 pub fn eq145_straight() -> Evidence {
     straight(
-        "the coefficient of α² in (145) with (A − σ)/α² of a motion that comes to rest with ψ → π",
+        Compared::one(
+            r"the coefficient of $\alpha^2$ in (145)",
+            r"$(A-\sigma)/\alpha^2$ of a motion that comes to rest with $\psi\to\pi$",
+        ),
         eq145_way,
     )
 }
@@ -380,7 +440,7 @@ fn constant(approach: &Approach) -> Result<[f64; 3], Failure> {
     Ok([found, near.alpha, left_out])
 }
 
-fn constants(subject: Subject, compared: &'static str, ranges: &'static [(f64, f64)]) -> Evidence {
+fn constants(subject: Subject, compared: Compared, ranges: &'static [(f64, f64)]) -> Evidence {
     let trial = Trial::by(Route::Limit, subject, compared, NEAR_REST);
     trial.over(gentle_approaches_to(ranges), |approach| {
         let approach = approach?;
@@ -406,7 +466,7 @@ fn unit(subject: Subject, size: f64, left_out: f64, tolerance: Tolerance) -> f64
 /// The exponent of α beside c, from the slope of ψ/α at two moments.
 fn exponents(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     ranges: &'static [(f64, f64)],
     levels: fn(f64) -> [f64; 2],
 ) -> Evidence {
@@ -428,12 +488,18 @@ fn exponents(
 
 /// (143): the constant.
 pub fn eq143_constant() -> Evidence {
-    let compared = "σ/(2σ − 1) with the limit of ψ/(2α) without its power of α";
+    let compared = Compared::one(
+        r"$\sigma/(2\sigma-1)$",
+        r"the limit of $\psi/(2\alpha)$ without its power of $\alpha$",
+    );
     constants(Subject::Within, compared, &[(0.36, 0.47), (0.53, 0.7)])
 }
 /// (143): the exponent.
 pub fn eq143_exponent() -> Evidence {
-    let compared = "(2σ − 1)/(1 − σ) with the exponent of α in ψ/α of the motion";
+    let compared = Compared::one(
+        r"$(2\sigma-1)/(1-\sigma)$",
+        r"the exponent of $\alpha$ in $\psi/\alpha$ of the motion",
+    );
     exponents(
         Subject::Within,
         compared,
@@ -449,17 +515,29 @@ pub fn eq143_exponent() -> Evidence {
 }
 /// σ < 1/4: what is left out exceeds the first term.
 pub fn eq143_small_sigma() -> Evidence {
-    let compared = "σ/(2σ − 1) with the limit of ψ/(2α) without its power of α, σ < 1/4";
+    let compared = Compared::one(
+        r"$\sigma/(2\sigma-1)$",
+        r"the limit of $\psi/(2\alpha)$ without its power of $\alpha$",
+    )
+    .over(r"$\sigma<1/4$");
     constants(Subject::Outside, compared, &[(0.05, 0.24)])
 }
 /// σ > 3/4: what is left out exceeds the second term.
 pub fn eq143_large_sigma() -> Evidence {
-    let compared = "(2σ − 1)/(1 − σ) with the exponent of α in ψ/α of the motion, σ > 3/4";
+    let compared = Compared::one(
+        r"$(2\sigma-1)/(1-\sigma)$",
+        r"the exponent of $\alpha$ in $\psi/\alpha$ of the motion",
+    )
+    .over(r"$\sigma>3/4$");
     exponents(Subject::Outside, compared, &[(0.8, 0.98)], |_| [1e-3, 1e-4])
 }
 /// σ = 1/2: no value.
 pub fn eq143_one_half() -> Evidence {
-    let compared = "(143) over 2α with ψ/(2α) of the motion at p = 1e-10, σ = 1/2";
+    let compared = Compared::one(
+        r"(143) over $2\alpha$",
+        r"$\psi/(2\alpha)$ of the motion at $p=10^{-10}$",
+    )
+    .over(r"$\sigma=1/2$");
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NEAR_REST);
     trial.over(approaches_to_one_half(), |approach| {
         let approach = approach?;
@@ -474,7 +552,11 @@ pub fn eq143_one_half() -> Evidence {
 }
 /// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
 pub fn eq143_regular() -> Evidence {
-    let compared = "the regular form of (143) over 2α, its constant taken at p = 1e-10, with ψ/(2α) at p = 1e-12, σ = 1/2";
+    let compared = Compared::one(
+        r"the regular form of (143) over $2\alpha$, its constant taken at $p=10^{-10}$,",
+        r"$\psi/(2\alpha)$ at $p=10^{-12}$",
+    )
+    .over(r"$\sigma=1/2$");
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NEAR_REST);
     trial.over(approaches_to_one_half(), |approach| {
         let approach = approach?;
@@ -492,14 +574,20 @@ pub fn eq143_regular() -> Evidence {
 /// ψ → π: (143) has no such motion.
 pub fn eq143_straight() -> Evidence {
     straight(
-        "(143) with ψ of a motion that comes to rest with ψ → π",
+        Compared::one(
+            "(143)",
+            r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
+        ),
         |sigma, c| (printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0),
     )
 }
 
 /// α and ψ at the end of a motion to rest.
 pub fn near_rest_angle() -> Evidence {
-    let compared = "the limits 0 of α and ψ with α and ψ of the motion at p = 1e-30";
+    let compared = Compared::many(
+        r"the limits 0 of $\alpha$ and $\psi$",
+        r"$\alpha$ and $\psi$ of the motion at $p=10^{-30}$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
     let both = approaches_to(&[(0.3, 0.98)]).flat_map(|a| [0, 1].map(|i| (a.clone(), i)));
     trial.over(both, |(approach, i)| {
@@ -515,7 +603,10 @@ pub fn near_rest_angle() -> Evidence {
 }
 /// Random motions to rest, on which ψ and α come nearer to their limits at the end.
 pub fn near_rest_census() -> Evidence {
-    let compared = "the tenfold falls of p, from 1e-10 on, over which α and ψ both come nearer to their limits 0, with all of them";
+    let compared = Compared::one(
+        r"the number of tenfold falls of $p$, from $10^{-10}$ on, over which $\alpha$ and $\psi$ both come nearer to their limits 0,",
+        "that of all such falls",
+    );
     let trial = Trial::by(
         Route::Census,
         Subject::Within,
@@ -562,13 +653,19 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
 /// ψ of motions that come straight in to rest.
 pub fn near_rest_straight() -> Evidence {
     straight(
-        "0 with ψ of a motion that comes to rest with ψ → π",
+        Compared::one(
+            "the stated 0",
+            r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
+        ),
         |_, c| (printed::s4_near_rest_limits()[1], c.psi, 1.0),
     )
 }
 /// The angle of those motions by its own law.
 pub fn corrected_near_rest() -> Evidence {
-    let compared = "π − 2α/(2 + 1/σ) with ψ of a motion that comes to rest with ψ → π";
+    let compared = Compared::one(
+        r"$\pi-2\alpha/(2+1/\sigma)$",
+        r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
+    );
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, RELAXED);
     trial.over(within_one(), |straight| {
         let straight = straight?;

@@ -1,6 +1,6 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::runs::{Runs, every};
 
 use crate::claims::points::Points;
@@ -79,7 +79,10 @@ fn at(alpha: f64, psi: f64) -> String {
 
 /// (147) against the boundary.
 pub fn printed_root() -> Evidence {
-    let compared = "(147) with the A at which the motion passes from rest to escape";
+    let compared = Compared::one(
+        "(147)",
+        "the $A$ at which the motion passes from rest to escape",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
     trial.over(borders(), |border| {
         let Border { alpha, psi, a } = *border?;
@@ -94,7 +97,11 @@ pub fn printed_root() -> Evidence {
 
 /// (147) on the slow motion, ψ = 2α, which its derivation is about.
 pub fn printed_slow() -> Evidence {
-    let compared = "(147) with the A at which the motion passes from rest to escape, ψ = 2α";
+    let compared = Compared::one(
+        "(147)",
+        "the $A$ at which the motion passes from rest to escape",
+    )
+    .over(r"$\psi=2\alpha$");
     let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
     trial.over(0..20, |i| {
         let alpha = 0.02 + 0.01 * f64::from(i);
@@ -110,7 +117,10 @@ pub fn printed_slow() -> Evidence {
 
 /// The second-order boundary against the boundary.
 pub fn corrected_root() -> Evidence {
-    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the A at which the motion passes from rest to escape, in units of 1000 α³";
+    let compared = Compared::one(
+        r"$1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$",
+        r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
+    );
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
     trial.over(borders(), |border| {
         let Border { alpha, psi, a } = *border?;
@@ -125,7 +135,11 @@ pub fn corrected_root() -> Evidence {
 
 /// The second-order boundary so close to A = 1, α = 0 that it is one to a part in 10⁸ or less.
 pub fn corrected_close() -> Evidence {
-    let compared = "1 − α f₁(ψ) + α² f₂(ψ) with the A at which the motion passes from rest to escape, in units of 1000 α³, α = 1e-3 and 1e-4";
+    let compared = Compared::one(
+        r"$1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$",
+        r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
+    )
+    .over(r"$\alpha=10^{-3}$ and $10^{-4}$");
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
     let angles = (0..10).map(|k| PI * (f64::from(k) - 4.0) / 5.0);
     let points = angles.flat_map(|psi| [1e-3, 1e-4].map(|alpha| (alpha, psi)));
@@ -223,7 +237,10 @@ fn counted(case: &Case, rests: bool) -> Pair {
 
 /// Who comes to rest by (147), and who does.
 pub fn printed_census() -> Evidence {
-    let compared = "1 for rest, 0 for escape, by (147) with what the motion does";
+    let compared = Compared::one(
+        "the fate by (147) (1 for rest, 0 for escape)",
+        "that of the motion",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(census(), |case| {
         let case = case?;
@@ -238,7 +255,10 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 
 /// Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
 pub fn corrected_census() -> Evidence {
-    let compared = "1 for rest, 0 for escape, by 1 − α f₁(ψ) + α² f₂(ψ) with what the motion does, where it does so with A changed by 6α³ either way too";
+    let compared = Compared::one(
+        r"the fate by $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ (1 for rest, 0 for escape)",
+        r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
+    );
     let trial = Trial::by(Route::Census, Subject::Corrected, compared, NONE);
     let clear = |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.clear);
     trial.over(census().filter(clear), |case| {
@@ -289,7 +309,7 @@ fn surface(sigma: f64) -> Result<Surface, Failure> {
     })
 }
 
-fn slopes(subject: Subject, compared: &'static str, stated: fn(f64, f64) -> f64) -> Evidence {
+fn slopes(subject: Subject, compared: Compared, stated: fn(f64, f64) -> f64) -> Evidence {
     let trial = Trial::by(Route::Root, subject, compared, CLOSING_SURFACES);
     trial.over(surfaces(), |surface| {
         let surface = surface?;
@@ -304,14 +324,21 @@ fn slopes(subject: Subject, compared: &'static str, stated: fn(f64, f64) -> f64)
 
 /// (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
 pub fn real_surfaces() -> Evidence {
-    let compared =
-        "∂A/∂σ by (146) at α = √2 (1 − σ) with that of the surfaces that the motion makes, ψ = 2α";
+    let compared = Compared::one(
+        r"$\partial A/\partial\sigma$ by (146) at $\alpha=\sqrt2(1-\sigma)$",
+        "that of the surfaces that the motion makes",
+    )
+    .over(r"$\psi=2\alpha$");
     slopes(Subject::Printed, compared, printed::eq146_right)
 }
 
 /// The real surfaces around the saddle: 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3 there.
 pub fn closing_surfaces() -> Evidence {
-    let compared = "(1 − σ)/√((1−σ)² + α²) at α = √2 (1 − σ) with ∂A/∂σ of the surfaces that the motion makes, ψ = 2α";
+    let compared = Compared::one(
+        r"$(1-\sigma)/\sqrt{(1-\sigma)^2+\alpha^2}$ at $\alpha=\sqrt2(1-\sigma)$",
+        r"$\partial A/\partial\sigma$ of the surfaces that the motion makes",
+    )
+    .over(r"$\psi=2\alpha$");
     slopes(Subject::Corrected, compared, corrected::surface_slope)
 }
 

@@ -4,6 +4,7 @@
 pub mod boundary;
 pub mod series;
 
+use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
@@ -78,7 +79,10 @@ pub fn eq147(formula: Expr) -> Proof {
 /// (139) against the law of motion.
 pub const EQ139: Statement = Statement::new(
     Subject::Printed,
-    "(107) at rest with (σ − bound) − 2σ sin²(ψ/2)",
+    Compared::one(
+        "(107) at rest",
+        r"the difference of $\sigma$ and the bound, less $2\sigma\sin^2(\psi/2)$",
+    ),
     printed::eq139_largest_sigma,
     eq139,
 );
@@ -86,7 +90,10 @@ pub const EQ139: Statement = Statement::new(
 /// (146) against (145).
 pub const EQ146: Statement = Statement::new(
     Subject::Step,
-    "(146) with the derivative of (145), the terms left out being dropped",
+    Compared::one(
+        "(146)",
+        "the derivative of (145), the terms left out being dropped",
+    ),
     || {
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         printed::eq146_right(sigma, alpha)
@@ -97,7 +104,10 @@ pub const EQ146: Statement = Statement::new(
 /// (147) against (145) and (146).
 pub const EQ147: Statement = Statement::new(
     Subject::Step,
-    "(147) with (145) where (146) holds, the terms left out being dropped",
+    Compared::one(
+        "(147)",
+        "(145) where (146) holds, the terms left out being dropped",
+    ),
     || printed::eq147_a(Expr::symbol("α")),
     eq147,
 );

@@ -2,7 +2,7 @@
 
 use super::stops::approaches;
 use crate::certified::interval::Interval;
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::excepted::{no_inside, no_value};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -12,7 +12,11 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub fn straight_in() -> Evidence {
-    let compared = "1, for a start at random that does not come straight in, with 1 where ψ of its motion ends below a right angle";
+    let compared = Compared::one(
+        "the expected 1",
+        r"whether $\psi$ of the motion ends below a right angle (1 if so)",
+    )
+    .over("random starts that do not come straight in");
     let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
     trial.over(approaches(), |approach| {
         let approach = approach?;
@@ -28,7 +32,11 @@ pub fn straight_in() -> Evidence {
 /// The resting place at which friction is only just as strong as the centrifugal force.
 pub fn edge() -> Evidence {
     no_inside(
-        "whether a resting place is σ = 0 or 1, with that it is not at random and close to it",
+        Compared::one(
+            "whether a resting place meets the condition (1 if so)",
+            r"the expectation that only $\sigma=0$ or 1 does not",
+        )
+        .over("random ones, that one, and some close to it"),
         ["σ"],
         [[0.0, 1.0]],
         &[[1.0], [0.0]],
@@ -40,7 +48,11 @@ pub fn edge() -> Evidence {
 pub fn one_half() -> Evidence {
     let half = Interval::ratio(1, 2);
     no_value(
-        "whether (143) has a value, at random and at σ = ½, with whether the condition holds",
+        Compared::one(
+            "whether (143) has a value (1 if so)",
+            "whether the condition holds",
+        )
+        .over(r"some of them random, the others with $\sigma=\frac12$"),
         ["σ", "α", "c"],
         [[0.6, 0.9], [0.1, 0.5], [0.5, 2.0]],
         [[half, half, Interval::int(1)]],

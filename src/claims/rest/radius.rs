@@ -1,7 +1,7 @@
 //! Trials of where rest is possible, (139) and its words.
 
 use super::boundary::census;
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{NEAR_CORNER, NONE};
@@ -14,7 +14,10 @@ use crate::paper::rest as printed;
 
 /// (139) with the largest distance from which a nudged particle comes back to rest.
 pub fn eq139_nudge() -> Evidence {
-    let compared = "(139) with the ρ up to which a particle nudged by p = 1e-4 comes to rest";
+    let compared = Compared::one(
+        "(139)",
+        r"the $\rho$ up to which a particle nudged by $p=10^{-4}$ comes to rest",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, NEAR_CORNER);
     trial.over(0..20, |i| {
         let psi = 2.8 * (f64::from(i) - 9.5) / 9.5;
@@ -74,7 +77,10 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
 
 /// (139) with a particle that rides with a table: whether it stays, seen from the laboratory.
 pub fn eq139_stays() -> Evidence {
-    let compared = "1 if it stays, 0 if not, by (139) with a particle that rides with the table, seen from the laboratory";
+    let compared = Compared::one(
+        "whether a particle stays, by (139) (1 if so),",
+        "what one does that rides with the table, seen from the laboratory",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     trial.over(riders(), |rider| {
         let Rider {
@@ -99,7 +105,10 @@ const SOON: f64 = 0.1;
 
 /// (139) where it decides: at rest on the table, a part in 10⁹ or less from the edge.
 pub fn eq139_at_the_edge() -> Evidence {
-    let compared = "1 if it stays, 0 if not, by (139) with a particle at rest on the table within 1e-9 of σ = 1, in the frame of the table, in the laboratory, and by its fate";
+    let compared = Compared::one(
+        "whether a particle stays, by (139) (1 if so),",
+        r"what one does at rest on the table within $10^{-9}$ of $\sigma=1$, in the frame of the table, in the laboratory, and by its fate",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(642);
     trial.over(0..40, |i| {
@@ -142,7 +151,10 @@ const LONG: f64 = 1e3;
 
 /// Where particles come to rest: never beyond the largest σ.
 pub fn resting_places() -> Evidence {
-    let compared = "σ, but at most that of (139), with σ of random starts that come to rest";
+    let compared = Compared::one(
+        r"$\sigma$, but at most that of (139),",
+        r"$\sigma$ of random starts that come to rest",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let resting = census().filter(|case| case.as_ref().map_or(true, |case| case.rests));
     trial.over(resting.step_by(EVERY), |case| {

@@ -1,7 +1,7 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
 use super::settled::{Particle, drive, each, lambda_c, printed_late};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE, NONE};
@@ -116,7 +116,10 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
 
 /// v_y → 0: what is left after ten periods.
 pub fn vanishes_limit() -> Evidence {
-    let compared = "0 with 𝔴_y after ten periods, from ln 𝔴_y";
+    let compared = Compared::one(
+        "the stated 0",
+        r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
     trial.over(flights_where(|_| true), |flight| {
         let flight = flight?;
@@ -131,7 +134,10 @@ pub fn vanishes_limit() -> Evidence {
 
 /// The same by the other integrator, with little friction too.
 pub fn vanishes_motion() -> Evidence {
-    let compared = "0 with v_y of a particle on the plane after five periods";
+    let compared = Compared::one(
+        "the stated 0",
+        "$v_y$ of a particle on the plane after five periods",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, GONE);
     let mut points = Points::stream(161);
     trial.over(0..20, |_| {
@@ -147,9 +153,31 @@ pub fn vanishes_motion() -> Evidence {
     })
 }
 
+/// Without friction v_y keeps its value.
+pub fn vanishes_outside() -> Evidence {
+    let compared = Compared::one(
+        "the expected 0",
+        "$v_y$ of a particle on the plane after five periods without friction",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Outside, compared, GONE);
+    let starts = Points::stream(167).within(20, [[-1.0, 1.0], [0.05, 1.0]]);
+    trial.over(starts, |v| {
+        let end = Particle::plain(0.0).run(0.0, v, 5.0 * TAU)?.end();
+        Ok(Pair {
+            at: at([0.0, v[0], v[1]]),
+            stated: printed::s22_late_vy(),
+            found: end.v[1],
+            scale: v[1],
+        })
+    })
+}
+
 /// On the way v_y never grows.
 pub fn vanishes_census() -> Evidence {
-    let compared = "the states at which (1) lets 𝔴_y > 0 grow, with the steps of an eighth of a period on which ln 𝔴_y grows, over ten periods";
+    let compared = Compared::one(
+        r"the number of states at which (1) lets $\mathfrak w_y>0$ grow",
+        r"that of the steps of an eighth of a period on which $\ln\mathfrak w_y$ grows, over ten periods",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(flights_where(|_| true), |flight| {
         let flight = flight?;
@@ -172,7 +200,10 @@ pub fn vanishes_census() -> Evidence {
 
 /// First stage: the mean slope of 𝔴_y over a period, while 𝔴_y is ten thousand times 𝔴_x or more.
 pub fn first_stage() -> Evidence {
-    let compared = "−λ₀ with the mean slope of 𝔴_y over a period in which it stays above 10⁴ |𝔴|";
+    let compared = Compared::one(
+        r"$-\lambda_0$",
+        r"the mean slope of $\mathfrak w_y$ over a period in which it stays above $10^4\lvert\mathfrak w\rvert$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FIRST_STAGE);
     let mut points = Points::stream(163);
     trial.over(0..30, |_| {
@@ -192,7 +223,10 @@ pub fn first_stage() -> Evidence {
 
 /// Second stage, as printed: an exponential falls by the same factor in every period.
 pub fn second_stage() -> Evidence {
-    let compared = "1 with the fall of ln 𝔴_y in the third period after 𝔴_y has fallen below 1e-3, over that in the second, λ₀ < λ_c";
+    let compared = Compared::one(
+        "the stated 1",
+        r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, EXPONENTIAL);
     trial.over(flights_where(Flight::never_rests), |flight| {
         let flight = flight?;
@@ -219,7 +253,10 @@ fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
 
 /// The large-time v_x, from several v_y, is that of a motion on the line.
 pub fn ignores_motion() -> Evidence {
-    let compared = "𝔴 by (38), (33) or rest, as λ₀ says, with 𝔴 of a motion in the plane at eight phases of its tenth period";
+    let compared = Compared::one(
+        r"$\mathfrak w$ by (38), (33) or rest, as $\lambda_0$ says,",
+        r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FORGOTTEN);
     each(&trial, flights_where(|_| true), |flight| {
         let flight = flight?;
@@ -236,11 +273,27 @@ pub fn ignores_motion() -> Evidence {
 
 /// On the way v_x does depend on v_y.
 pub fn ignores_census() -> Evidence {
-    let compared = "1 with 1 where the first period's 𝔴 differs by more than 0.01 between 𝔴_y = 0.1, 1 and 5 at the start";
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    let mut points = Points::stream(166);
+    let compared = Compared::one(
+        "the expected 1",
+        r"whether the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
+    );
+    ignores(Subject::Printed, compared, 166, [0.15, 1.4])
+}
+
+/// Without friction it does not.
+pub fn ignores_outside() -> Evidence {
+    let compared = Compared::one(
+        "the expected 1",
+        r"whether, without friction, the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
+    );
+    ignores(Subject::Outside, compared, 168, [0.0, 0.0])
+}
+
+fn ignores(subject: Subject, compared: Compared, stream: u64, [low, high]: [f64; 2]) -> Evidence {
+    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    let mut points = Points::stream(stream);
     trial.over(0..20, |_| {
-        let (lambda, w_x) = (points.uniform(0.15, 1.4), points.uniform(-1.0, 1.0));
+        let (lambda, w_x) = (points.uniform(low, high), points.uniform(-1.0, 1.0));
         let phases = first_period();
         let mut curves = Vec::new();
         for w_y in [0.1, 1.0, 5.0] {

@@ -18,7 +18,7 @@ use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
 use crate::certified::numbers::LAMBDA_C;
 use crate::certified::taylor::Taylor;
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::enclosed::{certified, numbers, on_balls};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -37,7 +37,7 @@ const NEAR_CRITICAL: f64 = 1e-14;
 fn resting_on(
     premises: &[Proof],
     certificate: impl FnOnce() -> Outcome,
-    compared: &'static str,
+    compared: Compared,
 ) -> Evidence {
     let obstacle = premises.iter().find_map(Proof::obstacle);
     let outcome = match obstacle {
@@ -104,7 +104,7 @@ fn left() -> Expr {
 }
 
 /// φ₂ < φ̃₂ < φ₄.
-fn prove_bracket(phases: [Expr; 3], left: Expr, compared: &'static str) -> Evidence {
+fn prove_bracket(phases: [Expr; 3], left: Expr, compared: Compared) -> Evidence {
     let at = |phi1: Expr, which: usize| {
         let phi = by_phi1(phi1)[which];
         let left = left.with("φ", phi);
@@ -125,13 +125,19 @@ fn prove_bracket(phases: [Expr; 3], left: Expr, compared: &'static str) -> Evide
 
 /// φ₂ < φ̃₂ < φ₄.
 pub fn bracket() -> Evidence {
-    let compared = "the signs of (32) at φ₂ and φ₄ for all 0 < λ₀ < 1, by subdivision, and next to λ₀ = 1 and λ₀ = 0 by series whose remainders are bounded";
+    let compared = Compared::shown(
+        r"(32) has its signs at $\phi_2$ and $\phi_4$ for all $0<\lambda_0<1$, by subdivision, and next to $\lambda_0=1$ and $\lambda_0=0$ by series whose remainders are bounded",
+    );
     prove_bracket(phases(), left(), compared)
 }
 
 /// φ̃₂ = φ₄ without friction, where (32) has the solution 2π.
 pub fn bracket_outside() -> Evidence {
-    let compared = "1, for φ̃₂ < φ₄, with 0 where φ₄ is a solution of (32): at λ₀ = 0";
+    let compared = Compared::one(
+        r"1, for $\tilde\phi_2<\phi_4$,",
+        r"0 where $\phi_4$ is a solution of (32)",
+    )
+    .over(r"$\lambda_0=0$");
     let trial = Trial::by(Route::Certified, Subject::Outside, compared, NONE);
     trial.over([Interval::int(0)], |lambda0| {
         let end = printed::eq30_phi4(lambda0);
@@ -147,7 +153,9 @@ pub fn bracket_outside() -> Evidence {
 
 /// (32) has one solution between φ₁ and φ₄.
 pub fn one_end() -> Evidence {
-    let compared = "(32) rises from 0 at φ₁ to φ₂, is positive there, falls from there on and is negative at φ₄: one solution in between for every 0 < λ₀ < 1";
+    let compared = Compared::shown(
+        r"(32) rises from 0 at $\phi_1$ to $\phi_2$, is positive there, falls from there on and is negative at $\phi_4$: it has one solution in between for every $0<\lambda_0<1$",
+    );
     prove_bracket(phases(), left(), compared)
 }
 
@@ -176,8 +184,9 @@ fn prove_threshold(left: fn(One) -> One, critical: Interval) -> Outcome {
 
 /// (35) changes its sign once, at λ_c of (37).
 pub fn threshold() -> Evidence {
-    let compared =
-        "the left side of (35) falls for all 0 ≤ λ₀ ≤ 1 and changes its sign within 1e-14 of (37)";
+    let compared = Compared::shown(
+        r"the left side of (35) falls for all $0\le\lambda_0\le1$ and changes its sign within $10^{-14}$ of (37)",
+    );
     let proof = prove_threshold(printed::eq35_left, printed::eq37_lambda_c());
     certified(proof, Subject::Printed, compared)
 }
@@ -196,21 +205,26 @@ fn turn_by_itself(phi_t1: One) -> One {
     later - earlier
 }
 
-fn prove_turns(phi_t1: Expr, critical: Interval, compared: &'static str) -> Evidence {
+fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence {
     let change = || Ok(prove_slope(turn_by_itself, 1.0, angles())? + prove_change(turn, critical)?);
     resting_on(&[premises::turn(phi_t1)], change, compared)
 }
 
 /// (41) holds exactly below λ_c.
 pub fn turns() -> Evidence {
-    let compared = "φ̃₁ − φ₁ falls for all 0 ≤ λ₀ ≤ 2/π, both ends included, by its slope in φ̃₁, and changes its sign within 1e-14 of (37)";
+    let compared = Compared::shown(
+        r"$\tilde\phi_1-\phi_1$ falls for all $0\le\lambda_0\le2/\pi$, both ends included, by its slope in $\tilde\phi_1$, and changes its sign within $10^{-14}$ of (37)",
+    );
     let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
     prove_turns(phi_t1, printed::eq37_lambda_c(), compared)
 }
 
 /// (37), fifty digits.
 pub fn lambda_c() -> Evidence {
-    let compared = "(37) to 50 digits with the enclosure of the one friction in (0.48, 0.56) under which an arc of Newton's law ends half a period after it began";
+    let compared = Compared::one(
+        "(37), to 50 digits,",
+        "the enclosure of the one friction in $(0.48,0.56)$ under which an arc of Newton's law ends half a period after it began",
+    );
     numbers(
         [("lambda-c", LAMBDA_C)],
         Subject::Printed,
@@ -222,6 +236,8 @@ pub fn lambda_c() -> Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    const NOTHING: Compared = Compared::shown("");
     use crate::certified::ball::Ball;
     use crate::claims::PAPER;
     use crate::seeded::with;
@@ -230,9 +246,11 @@ mod tests {
     fn the_statements_are_proved() {
         for evidence in [bracket(), one_end(), threshold(), turns(), lambda_c()] {
             assert_eq!(
-                evidence.worst, 0.0,
+                evidence.worst,
+                0.0,
                 "{}: {}",
-                evidence.compared, evidence.at
+                evidence.comparison(),
+                evidence.at
             );
         }
     }
@@ -244,7 +262,7 @@ mod tests {
     #[test]
     fn a_changed_bracket_is_refused() {
         let [a, b, d] = phases();
-        refused(&prove_bracket([a, d, b], left(), ""));
+        refused(&prove_bracket([a, d, b], left(), NOTHING));
         // Changed in the middle, and at either end.
         let lambda0 = Expr::symbol("λ₀");
         let far = Expr::int(1) - lambda0.squared();
@@ -256,10 +274,10 @@ mod tests {
         ] {
             let off = lambda0.pow(Expr::int(k)) * far.pow(Expr::int(l));
             let off = Expr::int(n) * off / Expr::int(m);
-            refused(&prove_bracket(phases(), left() - off, ""));
+            refused(&prove_bracket(phases(), left() - off, NOTHING));
         }
         // Of the same value, or with the slope and the ends that count.
-        let holds = || prove_bracket(phases(), left(), "").worst == 0.0;
+        let holds = || prove_bracket(phases(), left(), NOTHING).worst == 0.0;
         let kept = PAPER.formulas.variants_of("eq32_left").into_iter();
         let kept = kept.filter(|variant| with(variant.seed, holds));
         let kept: Vec<_> = kept.map(|variant| variant.text).collect();
@@ -271,14 +289,14 @@ mod tests {
         let critical = printed::eq37_lambda_c::<Interval>();
         let off = critical + Interval::point(1e-13);
         let threshold =
-            |left, critical| certified(prove_threshold(left, critical), Subject::Printed, "");
+            |left, critical| certified(prove_threshold(left, critical), Subject::Printed, NOTHING);
         refused(&threshold(printed::eq35_left, off));
         refused(&threshold(|l| -printed::eq35_left(l), critical));
         let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
-        refused(&prove_turns(phi_t1, off, ""));
+        refused(&prove_turns(phi_t1, off, NOTHING));
         for variant in PAPER.formulas.variants_of("eq39_phi_t1") {
             let phi_t1 = || printed::eq39_phi_t1(Expr::symbol("λ₀"));
-            let evidence = prove_turns(with(variant.seed, phi_t1), critical, "");
+            let evidence = prove_turns(with(variant.seed, phi_t1), critical, NOTHING);
             assert_ne!(evidence.worst, 0.0, "{}", variant.text);
         }
     }
@@ -290,9 +308,12 @@ mod tests {
             let tiny = &(&small * &small) * &small;
             Some(on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)? + tiny)
         };
-        let evidence = numbers([("lambda-c", LAMBDA_C)], Subject::Printed, "", |bits| {
-            [stated(bits)]
-        });
+        let evidence = numbers(
+            [("lambda-c", LAMBDA_C)],
+            Subject::Printed,
+            NOTHING,
+            |bits| [stated(bits)],
+        );
         assert_eq!(evidence.worst, f64::INFINITY);
     }
 

@@ -2,7 +2,7 @@
 
 use super::across::{Flight, flights_where, strobed};
 use super::settled::{ORIGIN, Particle, drive, forward, lambda_c, settled};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
 use crate::corrections::sinusoidal as corrected;
@@ -31,7 +31,10 @@ fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
 
 /// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
 pub fn period_factor() -> Evidence {
-    let compared = "((s + λ₀)/(s − λ₀))² with the factor by which ln 𝔴_y grows in a period, from ln 𝔴_y = −1e9 on";
+    let compared = Compared::one(
+        r"$[(s+\lambda_0)/(s-\lambda_0)]^2$",
+        r"the factor by which $\ln\mathfrak w_y$ grows in a period, from $\ln\mathfrak w_y=-10^9$ on",
+    );
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, LOGARITHM);
     trial.over(below(170, lambda_c() - 1e-3), |lambda| {
         let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
@@ -53,7 +56,10 @@ pub fn period_factor() -> Evidence {
 
 /// The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
 pub fn period_factor_reached() -> Evidence {
-    let compared = "((s + λ₀)/(s − λ₀))² with the last growth of ln 𝔴_y over a period on the way from 𝔴_y of order one to exp(−1e15)";
+    let compared = Compared::one(
+        r"$[(s+\lambda_0)/(s-\lambda_0)]^2$",
+        r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
     trial.over(flights_where(Flight::never_rests), |flight| {
         let flight = flight?;
@@ -77,7 +83,10 @@ pub fn period_factor_reached() -> Evidence {
 
 /// The correction of the first stage: friction leans towards the drive by half the square of the ratio of the velocities.
 pub fn first_stage_correction() -> Evidence {
-    let compared = "−((𝔴 + 1)² + 1/2)/2 with (the mean slope of 𝔴_y over a period)/(−λ₀) − 1, times 𝔴_y², from 𝔴 at φ = 0";
+    let compared = Compared::one(
+        r"$-\frac12[(\mathfrak w+1)^2+\frac12]$, with $\mathfrak w$ at $\phi=0$,",
+        r"$\mathfrak w_y^2$ times the relative excess of the mean slope of $\mathfrak w_y$ over a period above $-\lambda_0$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, SECOND_ORDER);
     let mut points = Points::stream(176);
     trial.over(0..30, |_| {
@@ -100,7 +109,10 @@ pub fn first_stage_correction() -> Evidence {
 
 /// λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
 pub fn passage_limit() -> Evidence {
-    let compared = "(s + λ₀)/(s − λ₀) with Δ ln v_y after over Δ ln v_y before a passage of a particle, v_y = 1e-6 and 1e-8";
+    let compared = Compared::one(
+        r"$(s+\lambda_0)/(s-\lambda_0)$",
+        r"the ratio of $\Delta\ln v_y$ after and before a passage of a particle with $v_y=10^{-6}$ and $10^{-8}$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
     trial.over(below(172, 0.42), |lambda| {
         let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
@@ -121,7 +133,10 @@ pub fn passage_limit() -> Evidence {
 
 /// λ₀ < λ_c, by quadrature of d ln 𝔴_y = −λ₀ dφ/|𝔴| towards and from a zero of the simulated motion on the line.
 pub fn passage_quadrature() -> Evidence {
-    let compared = "(s + λ₀)/(s − λ₀) with (1 + q)/(1 − p), p and q the coefficients of the logarithm in λ₀ ∫ dφ/|𝔴| before and after a zero of 𝔴";
+    let compared = Compared::one(
+        r"$(s+\lambda_0)/(s-\lambda_0)$",
+        r"$(1+q)/(1-p)$, where $p$ and $q$ are the coefficients of the logarithm in $\lambda_0\int\mathrm d\phi/\lvert\mathfrak w\rvert$ before and after a zero of $\mathfrak w$",
+    );
     let trial = Trial::by(Route::Quadrature, Subject::Corrected, compared, PASSAGE);
     trial.over(below(173, lambda_c() - 1e-2), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
@@ -150,7 +165,10 @@ pub fn passage_quadrature() -> Evidence {
 
 /// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
 pub fn finite_end() -> Evidence {
-    let compared = "1 with 1 where 𝔴_y is exactly 0 after ten periods, and 𝔴 is then that of the motion on the line";
+    let compared = Compared::one(
+        "the expected 1",
+        r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
+    );
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NONE);
     trial.over(
         flights_where(|flight| flight.lambda > lambda_c()),
@@ -171,7 +189,10 @@ pub fn finite_end() -> Evidence {
 
 /// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
 pub fn last_stage() -> Evidence {
-    let compared = "λ₀/(λ₀² − h²) with the time, over v_y, that a particle with v_x = 0 and a small v_y takes to stop where |h| < λ₀";
+    let compared = Compared::one(
+        r"$\lambda_0/(\lambda_0^2-h^2)$",
+        r"the time, over $v_y$, that a particle with $v_x=0$ and a small $v_y$ takes to stop where $\lvert h\rvert<\lambda_0$",
+    );
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, LAST_STAGE);
     let mut points = Points::stream(175);
     trial.over(0..20, |_| {

@@ -1,7 +1,7 @@
 //! The curves of fig-2 to fig-4: what is tried here is what the book draws.
 
 use super::settled::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
@@ -91,8 +91,11 @@ fn over_curves(trial: &Trial, of: impl Fn(&Transient) -> Result<Vec<Pair>, Failu
 
 /// fig-2: every eighth drawn point with a particle on the plane.
 pub fn fig2_motion() -> Evidence {
-    let compared =
-        "𝔴 of the drawn motion with v_x of a particle on the plane, at every eighth drawn point";
+    let compared = Compared::one(
+        r"$\mathfrak w$ of the drawn motion",
+        "$v_x$ of a particle on the plane",
+    )
+    .over("every eighth drawn one");
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     over_curves(&trial, |curve| {
         let until = TAU * f64::from(PERIODS);
@@ -111,7 +114,10 @@ pub fn fig2_motion() -> Evidence {
 
 /// fig-2: where all its curves end, by a particle on the plane that starts like each of them.
 pub fn fig2_limit() -> Evidence {
-    let compared = "𝔴 by (38) or (33), as λ₀ says, with v_x of a particle on the plane 15 to 16 periods after it started like a drawn motion";
+    let compared = Compared::one(
+        r"$\mathfrak w$ by (38) or (33), as $\lambda_0$ says,",
+        "$v_x$ of a particle on the plane 15 to 16 periods after it started like a drawn motion",
+    );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, FORGOTTEN);
     let starts = [SMALL, LARGE].into_iter();
     let starts = starts.flat_map(|lambda| W_Y.into_iter().map(move |w_y| (lambda, w_y)));
@@ -144,11 +150,7 @@ pub fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
 }
 
 /// Every drawn point with the printed form.
-fn drawn(
-    lambda: f64,
-    form: impl Fn(f64) -> Result<f64, Failure>,
-    compared: &'static str,
-) -> Evidence {
+fn drawn(lambda: f64, form: impl Fn(f64) -> Result<f64, Failure>, compared: Compared) -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     let points: Vec<Result<[f64; 2], Failure>> = match two_periods(lambda) {
         Ok(points) => points.into_iter().map(Ok).collect(),
@@ -176,7 +178,10 @@ pub fn fig3_motion() -> Evidence {
     drawn(
         SMALL,
         form,
-        "(38) for λ₀ = 1/π with the drawn points of the simulated motion",
+        Compared::one(
+            r"(38) for $\lambda_0=1/\pi$",
+            "the drawn points of the simulated motion",
+        ),
     )
 }
 
@@ -187,7 +192,10 @@ pub fn fig4_motion() -> Evidence {
     drawn(
         LARGE,
         form,
-        "(33) for λ₀ = 1/√2 with the drawn points of the simulated motion",
+        Compared::one(
+            r"(33) for $\lambda_0=1/\sqrt2$",
+            "the drawn points of the simulated motion",
+        ),
     )
 }
 
@@ -243,7 +251,7 @@ fn frame_top(label: f64, baseline: f64) -> f64 {
 }
 
 /// The printed frame, with its mark a mark on the axis and not the axis' end, holds the motion.
-fn framed(lambda: f64, top: f64, compared: &'static str) -> Evidence {
+fn framed(lambda: f64, top: f64, compared: Compared) -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let points: Vec<Result<[f64; 2], Failure>> = match two_periods(lambda) {
         Ok(points) => points.into_iter().map(Ok).collect(),
@@ -265,7 +273,10 @@ pub fn fig3_frame() -> Evidence {
     framed(
         SMALL,
         frame_top(0.8, 150.0),
-        "1 with 1 where a drawn point lies within the printed frame, whose mark 0.8 is not its edge",
+        Compared::one(
+            "the expected 1",
+            "whether a drawn point lies within the printed frame, whose mark 0.8 is not its edge (1 if so)",
+        ),
     )
 }
 
@@ -274,7 +285,10 @@ pub fn fig4_frame() -> Evidence {
     framed(
         LARGE,
         frame_top(0.3, 155.0),
-        "1 with 1 where a drawn point lies within the printed frame, whose mark 0.3 is not its edge",
+        Compared::one(
+            "the expected 1",
+            "whether a drawn point lies within the printed frame, whose mark 0.3 is not its edge (1 if so)",
+        ),
     )
 }
 

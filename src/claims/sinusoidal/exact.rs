@@ -3,6 +3,7 @@
 //! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
 //! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
 
+use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational, Ring};
@@ -101,7 +102,7 @@ fn eq26_rate() -> Expr {
 /// (21) to (24) by the use made of them: with them Newton's law becomes (26).
 pub const DEFINITIONS: Statement<([Expr; 4], Expr, i64)> = Statement::new(
     Subject::Printed,
-    "Newton's law in the symbols (21) to (24) with (26)",
+    Compared::one("Newton's law in the symbols (21) to (24)", "(26)"),
     || (units(), eq26_rate(), 1),
     |(a, b, c)| prove_eq26(a, b, c),
 );
@@ -109,7 +110,10 @@ pub const DEFINITIONS: Statement<([Expr; 4], Expr, i64)> = Statement::new(
 /// (26), for velocities of both signs.
 pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
     Subject::Printed,
-    "(26) with Newton's law (1) on the line, in the symbols (21) to (24), for both signs of 𝔴",
+    Compared::one(
+        "(26)",
+        r"Newton's law (1) on the line, in the symbols (21) to (24), for both signs of $\mathfrak w$",
+    ),
     || (units(), eq26_rate()),
     |(units, rate)| {
         let forward = prove_eq26(units, rate, 1);
@@ -121,9 +125,14 @@ pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
     },
 );
 
-/// sin of a printed phase is ±λ₀.
-fn prove_phase(phase: Expr, sign: i64) -> Proof {
+/// sin of a printed phase is ±λ₀, and its cosine, by which the drive grows or falls there, is that of asin λ₀ or its negative:
+/// two phases in a period have the same sine.
+fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
     prove("The drive at the printed phase", ring_of_phi1(), |p| {
+        let slope = p.read("The slope of the drive there", phase.cos())?;
+        let first = Expr::symbol("λ₀").asin().cos();
+        let expected = p.read("That at asin λ₀, with its sign", Expr::int(growth) * first)?;
+        p.equal("The two", &slope, &expected)?;
         let sine = p.read("The drive at the printed phase", phase.sin())?;
         let signed = Expr::int(sign) * Expr::symbol("λ₀");
         let expected = p.read("Friction, with its sign", signed)?;
@@ -134,33 +143,45 @@ fn prove_phase(phase: Expr, sign: i64) -> Proof {
 /// (27): sin φ₁ = λ₀.
 pub const EQ27: Statement = Statement::new(
     Subject::Printed,
-    "sin of (27) with λ₀",
+    Compared::many(
+        "the sine and the cosine of (27)",
+        r"$\lambda_0$ and $\cos\sin^{-1}\lambda_0$",
+    ),
     || paper::eq27_phi1(Expr::symbol("λ₀")),
-    |phase| prove_phase(phase, 1),
+    |phase| prove_phase(phase, 1, 1),
 );
 
 /// (28): sin φ₂ = λ₀.
 pub const EQ28: Statement = Statement::new(
     Subject::Printed,
-    "sin of (28) with λ₀",
+    Compared::many(
+        "the sine and the cosine of (28)",
+        r"$\lambda_0$ and $-\cos\sin^{-1}\lambda_0$",
+    ),
     || paper::eq28_phi2(Expr::symbol("λ₀")),
-    |phase| prove_phase(phase, 1),
+    |phase| prove_phase(phase, 1, -1),
 );
 
 /// (29): sin φ₃ = −λ₀.
 pub const EQ29: Statement = Statement::new(
     Subject::Printed,
-    "sin of (29) with −λ₀",
+    Compared::many(
+        "the sine and the cosine of (29)",
+        r"$-\lambda_0$ and $-\cos\sin^{-1}\lambda_0$",
+    ),
     || paper::eq29_phi3(Expr::symbol("λ₀")),
-    |phase| prove_phase(phase, -1),
+    |phase| prove_phase(phase, -1, -1),
 );
 
 /// (30): sin φ₄ = −λ₀.
 pub const EQ30: Statement = Statement::new(
     Subject::Printed,
-    "sin of (30) with −λ₀",
+    Compared::many(
+        "the sine and the cosine of (30)",
+        r"$-\lambda_0$ and $\cos\sin^{-1}\lambda_0$",
+    ),
     || paper::eq30_phi4(Expr::symbol("λ₀")),
-    |phase| prove_phase(phase, -1),
+    |phase| prove_phase(phase, -1, 1),
 );
 
 /// A slip: its slope is sin φ ∓ λ₀, and it is zero at `start`.
@@ -183,7 +204,10 @@ fn prove_eq31(w: Expr) -> Proof {
 /// (31) solves (26) from 𝔴 = 0 at φ₁.
 pub const EQ31: Statement = Statement::new(
     Subject::Printed,
-    "the slope of (31) with (26) for 𝔴 > 0, and (31) at φ₁ with 0",
+    Compared::many(
+        r"the slope of (31), and (31) at $\phi_1$,",
+        r"(26) for $\mathfrak w>0$, and 0",
+    ),
     || {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi)
@@ -220,7 +244,7 @@ fn prove_eq32(left: Expr) -> Proof {
 /// (32) is that (31) vanishes at φ̃₂.
 pub const EQ32: Statement = Statement::new(
     Subject::Printed,
-    "the left side of (32) with (31) at φ̃₂",
+    Compared::one("the left side of (32)", r"(31) at $\tilde\phi_2$"),
     eq32_left,
     prove_eq32,
 );
@@ -242,7 +266,7 @@ fn prove_eq34(left: Expr) -> Proof {
 /// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
 pub const EQ34: Statement = Statement::new(
     Subject::Printed,
-    "the left side of (34) with (31) at φ₃",
+    Compared::one("the left side of (34)", r"(31) at $\phi_3$"),
     eq34_left,
     prove_eq34,
 );
@@ -272,7 +296,10 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
 /// (25): the drive exceeds friction at some phase.
 pub const EQ25: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
-    "the drive less friction with the difference of the sides of (25) less a square",
+    Compared::one(
+        "the drive less friction",
+        "the difference of the sides of (25) less a square",
+    ),
     || paper::eq25_sides(Expr::symbol("λ₀")),
     prove_eq25,
 );
@@ -315,7 +342,7 @@ fn prove_eq33(cases: [Expr; 4]) -> Proof {
 /// (33) solves (26) on both slips, and is continuous and periodic by (32).
 pub const EQ33: Statement<[Expr; 4]> = Statement::new(
     Subject::Printed,
-    "the slopes of (33) with (26), and its ends with 0, by (32)",
+    Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
     || {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         paper::eq33_w(
@@ -344,7 +371,7 @@ fn prove_eq35(left: Expr) -> Proof {
 /// (34) with (27) and (29) is (35).
 pub const EQ35: Statement = Statement::new(
     Subject::Printed,
-    "the left side of (35) with that of (34), by (27) and (29)",
+    Compared::one("the left side of (35)", "that of (34), by (27) and (29)"),
     || paper::eq35_left(Expr::symbol("λ₀")),
     prove_eq35,
 );
@@ -371,7 +398,7 @@ fn prove_eq37(critical: Expr) -> Proof {
 /// The left side of (35) vanishes at λ_c.
 pub const EQ37: Statement = Statement::new(
     Subject::Printed,
-    "the left side of (35) at (37) with 0",
+    Compared::one("the left side of (35) at (37)", "0"),
     paper::eq37_lambda_c,
     prove_eq37,
 );
@@ -408,7 +435,10 @@ fn prove_eq36(sides: [Expr; 2]) -> Proof {
 /// (36): (35) squared. The factor that turns the left side of (35) into a difference of squares is positive.
 pub const EQ36: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
-    "the left side of (35), times the sum of its terms, with (4 + π²) (λ_c² − λ₀²)",
+    Compared::one(
+        "the left side of (35), times the sum of its terms,",
+        r"$(4+\pi^2)(\lambda_\mathrm c^2-\lambda_0^2)$",
+    ),
     || paper::eq36_sides(Expr::symbol("λ₀")),
     prove_eq36,
 );
@@ -426,7 +456,10 @@ fn prove_eq40(sides: [Expr; 2]) -> Proof {
 /// phases are below π/2, that is (41) too.
 pub const EQ40: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
-    "sin²φ̃₁ − λ₀² by (39) with (1 + π²/4) (λ_c² − λ₀²)",
+    Compared::one(
+        r"$\sin^2\tilde\phi_1-\lambda_0^2$ by (39)",
+        r"$(1+\pi^2/4)(\lambda_\mathrm c^2-\lambda_0^2)$",
+    ),
     || paper::eq40_sides(Expr::symbol("λ₀")),
     prove_eq40,
 );
@@ -449,7 +482,10 @@ fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
 /// (38) with (39) solves (26) and closes after a period.
 pub const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
     Subject::Within,
-    "the slopes of (38) with (26), and both its ends with 0, by (39)",
+    Compared::many(
+        "the slopes of (38), and both its ends,",
+        "(26), and 0 by (39)",
+    ),
     || {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let turn = paper::eq39_phi_t1(lambda0);
@@ -470,7 +506,7 @@ fn prove_eq39(turn: Expr) -> Proof {
 /// (39): with it the forward slip of (38) ends in zero.
 pub const EQ39: Statement = Statement::new(
     Subject::Printed,
-    "(38) with (39), half a period after φ̃₁, with 0",
+    Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),
     || paper::eq39_phi_t1(Expr::symbol("λ₀")),
     prove_eq39,
 );

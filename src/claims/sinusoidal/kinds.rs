@@ -3,7 +3,7 @@
 use super::settled::{
     ORIGIN, Particle, Slip, dense, drive, end_spread, phi_t2, settled, small, starts,
 };
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
@@ -18,7 +18,10 @@ fn at(lambda: f64) -> String {
 
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
 pub fn no_rest_census() -> Evidence {
-    let compared = "1 for λ₀ < λ_c and 0 above with 1 where the simulated motions from seven starts have no rest at large times";
+    let compared = Compared::one(
+        r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
+        "whether the simulated motions from seven starts have no rest at large times (1 if so)",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(dense().into_iter().step_by(4), |lambda| {
         let is = |truth: bool| f64::from(u8::from(truth));
@@ -44,7 +47,10 @@ fn all_rests(lambda: f64) -> Result<usize, Failure> {
 
 /// The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
 pub fn no_rest_motion() -> Evidence {
-    let compared = "−2λ₀ (φ̃₂ − φ₁ − π), φ̃₂ the root of (32), with 𝔴 a period after a rest has ended at φ₁, where it has to be negative";
+    let compared = Compared::one(
+        r"$-2\lambda_0(\tilde\phi_2-\phi_1-\pi)$, with the root $\tilde\phi_2$ of (32),",
+        r"$\mathfrak w$ a period after a rest has ended at $\phi_1$, where it has to be negative",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, ROOT);
     trial.over(small(), |lambda| {
         let (phi1, end) = (printed::eq27_phi1(lambda), phi_t2(lambda));
@@ -99,7 +105,10 @@ fn frictions() -> Vec<f64> {
 
 /// The three kinds, over more than 1500 frictions.
 pub fn trichotomy_census() -> Evidence {
-    let compared = "zeros plus ten times the rests in a period: 2 below λ_c, 20 above, −1 for rest throughout above 1, with the same of the simulated list of intervals";
+    let compared = Compared::one(
+        r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
+        "the same of the simulated list of intervals",
+    );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     trial.over(
         frictions().into_iter().zip(starts().into_iter().cycle()),
@@ -117,7 +126,10 @@ pub fn trichotomy_census() -> Evidence {
 
 /// The three kinds by the other integrator: stops and rests of a particle over its third period.
 pub fn trichotomy_motion() -> Evidence {
-    let compared = "the same numbers with those of a particle on the plane, over its third period";
+    let compared = Compared::one(
+        r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
+        "that of a particle on the plane, over its third period",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     let mut points = Points::stream(151);
     trial.over(0..20, |_| {
@@ -142,7 +154,10 @@ pub fn trichotomy_motion() -> Evidence {
 
 /// λ₀ = 0: a fast particle never turns.
 pub fn trichotomy_outside() -> Evidence {
-    let compared = "2 with the zeros in a period without friction, of starts with 𝔴 > 0 at φ = 0";
+    let compared = Compared::one(
+        "the stated 2",
+        r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$",
+    );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(152);
     trial.over(0..24, |_| {
@@ -159,7 +174,10 @@ pub fn trichotomy_outside() -> Evidence {
 
 /// A₀ < μg: a particle with any velocity comes to rest and stays there.
 pub fn weak_drive_motion() -> Evidence {
-    let compared = "1 where (25) fails with 1 where a particle, launched in any direction, is at rest over the last period of four";
+    let compared = Compared::one(
+        "whether (25) fails (1 if so)",
+        "whether a particle, launched in any direction, is at rest over the last period of four",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(153);
     trial.over(0..30, |i| {
@@ -194,7 +212,10 @@ fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
 
 /// A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
 pub fn weak_drive_census() -> Evidence {
-    let compared = "1 where (25) fails with 1 where the simulated large-time motion is rest throughout, from seven starts";
+    let compared = Compared::one(
+        "whether (25) fails (1 if so)",
+        "whether the simulated large-time motion is rest throughout, from seven starts",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let frictions = frictions().into_iter().enumerate();
     let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);

@@ -3,7 +3,7 @@
 use super::settled::{
     ORIGIN, Slip, drive, each, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{APPROACH, NONE, ROOT};
 use crate::corrections::sinusoidal as corrected;
@@ -43,8 +43,10 @@ fn over_a_period(
 
 /// (33) over a whole period.
 pub fn eq33_motion() -> Evidence {
-    let compared =
-        "(33), φ̃₂ by (32), with the simulated large-time motion at 256 phases of the period";
+    let compared = Compared::one(
+        r"(33), with $\tilde\phi_2$ by (32),",
+        "the simulated large-time motion at 256 phases of the period",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     each(
         &trial,
@@ -61,8 +63,10 @@ pub fn eq33_motion() -> Evidence {
 
 /// (38) over a whole period.
 pub fn eq38_motion() -> Evidence {
-    let compared =
-        "(38) with (39) with the simulated large-time motion at 256 phases of the period";
+    let compared = Compared::one(
+        "(38) with (39)",
+        "the simulated large-time motion at 256 phases of the period",
+    );
     let trial = Trial::motion(Subject::Within, compared);
     each(
         &trial,
@@ -79,7 +83,10 @@ pub fn eq38_motion() -> Evidence {
 
 /// λ₀ = 0: every start keeps its own motion.
 pub fn eq38_outside() -> Evidence {
-    let compared = "(38) with (39) with the motion without friction, from any start, at 256 phases of the period";
+    let compared = Compared::one(
+        "(38) with (39)",
+        "the motion without friction, from any start, at 256 phases of the period",
+    );
     let trial = Trial::motion(Subject::Outside, compared);
     let mut points = Points::stream(140);
     each(&trial, 0..24, |_| {
@@ -99,7 +106,10 @@ pub fn eq38_outside() -> Evidence {
 
 /// Seven starts end in one motion.
 fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
-    let compared = "1 with 1 where seven starts, near and far, end in the same motion";
+    let compared = Compared::one(
+        "the expected 1",
+        "whether seven starts, near and far, end in the same motion (1 if so)",
+    );
     let trial = Trial::by(Route::Census, subject, compared, NONE);
     trial.over(frictions, |lambda| {
         let friction = Friction::new(lambda, lambda)?;
@@ -128,7 +138,10 @@ const PERIODS: u32 = 320;
 
 /// How fast the periodic motion is approached: the distance to it, period by period.
 pub fn eq38_approach() -> Evidence {
-    let compared = "((s − λ₀)/(s + λ₀))², s = sin φ̃₁, with the factor by which a simulated motion's distance to the periodic one shrinks in a period";
+    let compared = Compared::one(
+        r"$[(s-\lambda_0)/(s+\lambda_0)]^2$, with $s=\sin\tilde\phi_1$,",
+        "the factor by which a simulated motion's distance to the periodic one shrinks in a period",
+    );
     let trial = Trial::by(Route::Limit, Subject::Within, compared, APPROACH);
     let frictions = small().into_iter().filter(|l| (0.02..0.5).contains(l));
     trial.over(frictions, |lambda| {
@@ -163,7 +176,10 @@ fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
 
 /// (39) with the phase at which the simulated motion turns positive.
 pub fn eq39_motion() -> Evidence {
-    let compared = "(39) with the phase at which the simulated large-time motion turns positive";
+    let compared = Compared::one(
+        "(39)",
+        "the phase at which the simulated large-time motion turns positive",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
@@ -176,7 +192,10 @@ pub fn eq39_motion() -> Evidence {
 
 /// Where the rests lie: [φ̃₂, φ₃], and half a period later.
 pub fn rest_interval_root() -> Evidence {
-    let compared = "the ends of [φ̃₂, φ₃] and [φ̃₂ + π, φ₁ + 2π], φ̃₂ the root of (32), with the ends of the simulated rests";
+    let compared = Compared::many(
+        r"the ends of $[\tilde\phi_2,\phi_3]$ and $[\tilde\phi_2+\pi,\phi_1+2\pi]$, with the root $\tilde\phi_2$ of (32),",
+        "the ends of the simulated rests",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     each(&trial, large(), |lambda| {
         let end = phi_t2(lambda);
@@ -199,7 +218,10 @@ pub fn rest_interval_root() -> Evidence {
 
 /// After its first rest a motion is the periodic one, from whatever start.
 pub fn rest_interval_reached() -> Evidence {
-    let compared = "(33) with 𝔴 at 40 phases of the period that follows the first rest on the way from any start";
+    let compared = Compared::one(
+        "(33)",
+        r"$\mathfrak w$ at 40 phases of the period that follows the first rest on the way from any start",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(141);
     each(&trial, large(), |lambda| {

@@ -1,7 +1,7 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
 use super::settled::{ORIGIN, Particle, all, drive, each, lambda_c};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
@@ -16,7 +16,7 @@ use std::f64::consts::{FRAC_PI_2, PI, TAU};
 type Formula = fn(Double) -> Double;
 
 /// A printed phase with the zero of |sin φ| − λ₀ in its quarter of the period.
-fn by_root(formula: Formula, quarter: u8, compared: &'static str) -> Evidence {
+fn by_root(formula: Formula, quarter: u8, compared: Compared) -> Evidence {
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(all(), |lambda| {
         let from = FRAC_PI_2 * f64::from(quarter);
@@ -38,7 +38,10 @@ pub fn eq27_root() -> Evidence {
     by_root(
         printed::eq27_phi1,
         0,
-        "(27) with the zero of |sin φ| − λ₀ in [0, π/2]",
+        Compared::one(
+            "(27)",
+            r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in $[0,\pi/2]$",
+        ),
     )
 }
 
@@ -47,7 +50,10 @@ pub fn eq28_root() -> Evidence {
     by_root(
         printed::eq28_phi2,
         1,
-        "(28) with the zero of |sin φ| − λ₀ in [π/2, π]",
+        Compared::one(
+            "(28)",
+            r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in $[\pi/2,\pi]$",
+        ),
     )
 }
 
@@ -56,7 +62,10 @@ pub fn eq29_root() -> Evidence {
     by_root(
         printed::eq29_phi3,
         2,
-        "(29) with the zero of |sin φ| − λ₀ in [π, 3π/2]",
+        Compared::one(
+            "(29)",
+            r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in $[\pi,3\pi/2]$",
+        ),
     )
 }
 
@@ -65,12 +74,15 @@ pub fn eq30_root() -> Evidence {
     by_root(
         printed::eq30_phi4,
         3,
-        "(30) with the zero of |sin φ| − λ₀ in [3π/2, 2π]",
+        Compared::one(
+            "(30)",
+            r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in $[3\pi/2,2\pi]$",
+        ),
     )
 }
 
 /// A printed phase with the end of a simulated rest that began at `from`.
-fn by_release(formula: Formula, from: f64, compared: &'static str) -> Evidence {
+fn by_release(formula: Formula, from: f64, compared: Compared) -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(all(), |lambda| {
         let rest = State {
@@ -96,7 +108,10 @@ pub fn eq27_motion() -> Evidence {
     by_release(
         printed::eq27_phi1,
         0.0,
-        "(27) with the end of a simulated rest that holds at φ = 0",
+        Compared::one(
+            "(27)",
+            r"the end of a simulated rest that holds at $\phi=0$",
+        ),
     )
 }
 
@@ -105,12 +120,15 @@ pub fn eq29_motion() -> Evidence {
     by_release(
         printed::eq29_phi3,
         PI,
-        "(29) with the end of a simulated rest that holds at φ = π",
+        Compared::one(
+            "(29)",
+            r"the end of a simulated rest that holds at $\phi=\pi$",
+        ),
     )
 }
 
 /// A printed phase with the place of the largest |𝔴| where friction forbids the other direction.
-fn by_extremum(formula: Formula, side: Sign, compared: &'static str) -> Evidence {
+fn by_extremum(formula: Formula, side: Sign, compared: Compared) -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     // Nearer to a zero of the drive, rounding hides which of two values of 𝔴 is the larger.
     let frictions = all().into_iter().filter(|lambda| *lambda > 1e-5);
@@ -140,7 +158,10 @@ pub fn eq28_motion() -> Evidence {
     by_extremum(
         printed::eq28_phi2,
         Sign::Positive,
-        "(28) with the phase of the largest 𝔴 of a particle that can only slip forwards",
+        Compared::one(
+            "(28)",
+            r"the phase of the largest $\mathfrak w$ of a particle that can only slip forwards",
+        ),
     )
 }
 
@@ -149,7 +170,10 @@ pub fn eq30_motion() -> Evidence {
     by_extremum(
         printed::eq30_phi4,
         Sign::Negative,
-        "(30) with the phase of the smallest 𝔴 of a particle that can only slip backwards",
+        Compared::one(
+            "(30)",
+            r"the phase of the smallest $\mathfrak w$ of a particle that can only slip backwards",
+        ),
     )
 }
 
@@ -183,7 +207,10 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
 
 /// Four points, by counting.
 pub fn four_points_census() -> Evidence {
-    let compared = "4 with the number of phases in a period at which |h| equals the friction";
+    let compared = Compared::one(
+        "the stated 4",
+        r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
+    );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     trial.over(all(), |lambda| {
         Ok(Pair {
@@ -197,7 +224,10 @@ pub fn four_points_census() -> Evidence {
 
 /// The four points, each in its place.
 pub fn four_points_root() -> Evidence {
-    let compared = "(27) to (30) with the crossings of h with ±λ₀, in order";
+    let compared = Compared::many(
+        "(27) to (30)",
+        r"the crossings of $h$ with $\pm\lambda_0$, in order",
+    );
     let trial = Trial::by(Route::Root, Subject::Within, compared, ROOT);
     each(&trial, all(), |lambda| {
         let stated: [Formula; 4] = [
@@ -217,8 +247,10 @@ pub fn four_points_root() -> Evidence {
 
 /// λ₀ = 0: the points meet in pairs.
 pub fn four_points_outside() -> Evidence {
-    let compared =
-        "4 with the number of phases in [a, a + 2π) at which h vanishes, without friction";
+    let compared = Compared::one(
+        "the stated 4",
+        r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction",
+    );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(120);
     trial.over(0..24, |_| {
@@ -236,7 +268,7 @@ pub fn four_points_outside() -> Evidence {
 
 /// Every rest of a motion on the line ends at φ₁ or φ₃.
 pub fn rest_ends_motion() -> Evidence {
-    let compared = "the nearer of (27) and (29) with the end of a simulated rest";
+    let compared = Compared::one("the nearer of (27) and (29)", "the end of a simulated rest");
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(121);
     let mut ends = Vec::new();
@@ -280,7 +312,10 @@ fn rests_from(lambda: f64, start: State) -> Vec<Result<(f64, f64), Failure>> {
 
 /// In the plane too: no rest ends elsewhere.
 pub fn rest_ends_census() -> Evidence {
-    let compared = "the rests that end elsewhere than at (27) and (29), of a particle that began with v_y ≠ 0 and rests at least once, with 0";
+    let compared = Compared::one(
+        r"the number of rests that end elsewhere than at (27) and (29), of a particle that began with $v_y\ne0$ and rests at least once,",
+        "0",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(122);
     trial.over(0..20, |_| {

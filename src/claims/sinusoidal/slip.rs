@@ -1,7 +1,7 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
 use super::settled::{ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Friction, State};
@@ -15,7 +15,10 @@ fn at(lambda: f64) -> String {
 
 /// (31) at 40 phases of the slip.
 pub fn eq31_motion() -> Evidence {
-    let compared = "(31) with 𝔴 of the motion that rests until φ₁, at 40 phases of the slip";
+    let compared = Compared::one(
+        "(31)",
+        r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     each(&trial, all(), |lambda| {
         let slip = Slip::of(lambda)?;
@@ -35,7 +38,10 @@ pub fn eq31_motion() -> Evidence {
 
 /// (32): its root with the end of the simulated slip.
 pub fn eq32_root() -> Evidence {
-    let compared = "the root of (32) between φ₂ and φ₄ with the end of the simulated slip";
+    let compared = Compared::one(
+        r"the root of (32) between $\phi_2$ and $\phi_4$",
+        "the end of the simulated slip",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(all(), |lambda| {
         let found = Slip::of(lambda)?.end;
@@ -50,7 +56,7 @@ pub fn eq32_root() -> Evidence {
 
 /// (32) at the time at which a particle, followed by the other integrator, comes back to rest.
 pub fn eq32_motion() -> Evidence {
-    let compared = "(32) at the end of a slip of a particle from rest, with 0";
+    let compared = Compared::one("(32) at the end of a slip of a particle from rest", "0");
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
     let frictions = all().into_iter().enumerate();
@@ -68,7 +74,10 @@ pub fn eq32_motion() -> Evidence {
 
 /// (32): nowhere before its root, as found by simulation, does its left side vanish.
 pub fn eq32_census() -> Evidence {
-    let compared = "the phases of 1000 between the ends of the simulated slip at which (32) is not positive, with 0";
+    let compared = Compared::one(
+        "the number of phases, of 1000 between the ends of the simulated slip, at which (32) is not positive",
+        "0",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let frictions = all().into_iter().filter(|l| (1e-3..=0.999).contains(l));
     trial.over(frictions, |lambda| {
@@ -92,7 +101,10 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
 
 /// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
 pub fn bracket_census() -> Evidence {
-    let compared = "1 where (28) and (30) hold the end of the simulated slip between them, with 1";
+    let compared = Compared::one(
+        "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
+        "1",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(dense(), |lambda| {
         let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
@@ -108,8 +120,10 @@ pub fn bracket_census() -> Evidence {
 
 /// How close φ̃₂ comes: √(4πλ₀) to φ₄ as λ₀ → 0, √(2(1 − λ₀)) to φ₂ as λ₀ → 1.
 pub fn bracket_limit() -> Evidence {
-    let compared = "the gap between φ̃₂ of the simulated slip and (30) or (28), over √(4πλ₀) at λ₀ → 0 and over \
-                    √(2 (1 − λ₀)) at λ₀ → 1, with 1";
+    let compared = Compared::one(
+        r"the gap between $\tilde\phi_2$ of the simulated slip and (30) or (28), over $\sqrt{4\pi\lambda_0}$ for $\lambda_0\to0$ and over $\sqrt{2(1-\lambda_0)}$ for $\lambda_0\to1$,",
+        "1",
+    );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, EDGE);
     trial.over(0..30, |i| {
         let small = libm::pow(10.0, -9.0 - 0.1 * f64::from(i / 2));
@@ -133,7 +147,7 @@ pub fn bracket_limit() -> Evidence {
 }
 
 /// A printed left side with 𝔴 at φ₃ of a slip that is not over yet there.
-fn left_with_motion(left: fn(Double) -> Double, compared: &'static str) -> Evidence {
+fn left_with_motion(left: fn(Double) -> Double, compared: Compared) -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(small(), |lambda| {
         let friction = Friction::new(lambda, lambda)?;
@@ -158,7 +172,11 @@ fn eq34_of(lambda: Double) -> Double {
 pub fn eq34_motion() -> Evidence {
     left_with_motion(
         eq34_of,
-        "the left side of (34) with 𝔴 at the simulated φ₃ of a slip from rest, λ₀ < λ_c",
+        Compared::one(
+            "the left side of (34)",
+            r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest",
+        )
+        .over(r"$\lambda_0<\lambda_\mathrm c$"),
     )
 }
 
@@ -166,12 +184,16 @@ pub fn eq34_motion() -> Evidence {
 pub fn eq35_motion() -> Evidence {
     left_with_motion(
         printed::eq35_left,
-        "the left side of (35) with 𝔴 at the simulated φ₃ of a slip from rest, λ₀ < λ_c",
+        Compared::one(
+            "the left side of (35)",
+            r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest",
+        )
+        .over(r"$\lambda_0<\lambda_\mathrm c$"),
     )
 }
 
 /// A printed inequality holds exactly where the simulated slip ends before the next can begin.
-pub fn ends_early(inequality: fn(f64) -> bool, compared: &'static str) -> Evidence {
+pub fn ends_early(inequality: fn(f64) -> bool, compared: Compared) -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let is = |truth: bool| f64::from(u8::from(truth));
     trial.over(dense(), |lambda| {
@@ -197,7 +219,10 @@ pub fn eq34_census() -> Evidence {
     };
     ends_early(
         holds,
-        "1 where (34) holds with 1 where the simulated slip lasts less than half a period",
+        Compared::one(
+            "whether (34) holds (1 if so)",
+            "whether the simulated slip lasts less than half a period",
+        ),
     )
 }
 
@@ -206,7 +231,10 @@ pub fn eq35_census() -> Evidence {
     let holds = |lambda| printed::eq35_left(lambda) < 0.0;
     ends_early(
         holds,
-        "1 where (35) holds with 1 where the simulated slip lasts less than half a period",
+        Compared::one(
+            "whether (35) holds (1 if so)",
+            "whether the simulated slip lasts less than half a period",
+        ),
     )
 }
 
@@ -218,7 +246,10 @@ pub fn eq36_census() -> Evidence {
     };
     ends_early(
         holds,
-        "1 where (36) holds with 1 where the simulated slip lasts less than half a period",
+        Compared::one(
+            "whether (36) holds (1 if so)",
+            "whether the simulated slip lasts less than half a period",
+        ),
     )
 }
 

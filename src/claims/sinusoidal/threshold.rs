@@ -1,7 +1,7 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
 use super::settled::{ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{NONE, ONSET, ROOT};
@@ -53,7 +53,10 @@ fn at(onset: &Onset) -> String {
 
 /// (37) with the onset of rest.
 pub fn eq37_motion() -> Evidence {
-    let compared = "(37) with the friction at which simulated rests appear, by bisection";
+    let compared = Compared::one(
+        "(37)",
+        "the friction at which simulated rests appear, by bisection",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, ONSET);
     trial.over(onsets(), |onset| {
         let onset = onset?;
@@ -76,7 +79,10 @@ fn eq34_of(lambda: f64) -> f64 {
 
 /// (37) with the friction from which on a slip ends before the next one can begin, from several brackets.
 pub fn eq37_root() -> Evidence {
-    let compared = "(37) with the root of how much longer than half a period a simulated slip lasts, from several brackets";
+    let compared = Compared::one(
+        "(37)",
+        "the root of how much longer than half a period a simulated slip lasts, from several brackets",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     let mut points = Points::stream(131);
     trial.over(0..24, |_| {
@@ -92,8 +98,10 @@ pub fn eq37_root() -> Evidence {
 
 /// (34): its root with the onset of rest.
 pub fn eq34_root() -> Evidence {
-    let compared =
-        "the root of the left side of (34) with the friction at which simulated rests appear";
+    let compared = Compared::one(
+        "the root of the left side of (34)",
+        "the friction at which simulated rests appear",
+    );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ONSET);
     trial.over(onsets(), |onset| {
         let onset = onset?;
@@ -108,7 +116,10 @@ pub fn eq34_root() -> Evidence {
 
 /// (40) holds exactly where the simulated motion passes through zero without rest.
 pub fn eq40_census() -> Evidence {
-    let compared = "1 where (40) holds with 1 where the simulated large-time motion has no rest";
+    let compared = Compared::one(
+        "whether (40) holds (1 if so)",
+        "whether the simulated large-time motion has no rest",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let is = |truth: bool| f64::from(u8::from(truth));
     trial.over(dense(), |lambda| {
@@ -125,7 +136,10 @@ pub fn eq40_census() -> Evidence {
 
 /// (41): φ̃₁ − φ₁ with what the simulation finds for both.
 pub fn eq41_motion() -> Evidence {
-    let compared = "the left side of (41) minus the right one with the same of the simulation, where it has to be positive";
+    let compared = Compared::one(
+        "the difference of the sides of (41)",
+        "the same of the simulation, where it has to be positive",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
@@ -142,7 +156,11 @@ pub fn eq41_motion() -> Evidence {
 
 /// (41): its sign, everywhere below λ_c.
 pub fn eq41_census() -> Evidence {
-    let compared = "1 where (41) holds with 1 where the simulated motion turns later than a rest would end, λ₀ < λ_c";
+    let compared = Compared::one(
+        "whether (41) holds (1 if so)",
+        "whether the simulated motion turns later than a rest would end",
+    )
+    .over(r"$\lambda_0<\lambda_\mathrm c$");
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let is = |truth: bool| f64::from(u8::from(truth));
     let below = dense().into_iter().filter(|lambda| *lambda < lambda_c());

@@ -1,7 +1,7 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
 use super::settled::{ORIGIN, Particle, drive, settled};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{MOTION, NONE};
@@ -12,15 +12,16 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
 
-const fn consistency(compared: &'static str) -> Trial {
+const fn consistency(compared: Compared) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
 }
 
 /// (21): what a particle on a smooth plane gains is the integral of −A.
 pub fn eq21() -> Evidence {
-    let trial = consistency(
-        "−∫ (21) dt with what a particle without friction gains along x, and loses along y",
-    );
+    let trial = consistency(Compared::one(
+        "the integral of (21) over $t$, its $x$ component with the sign changed,",
+        "the gain of $v_x+v_y$ of a particle without friction",
+    ));
     let mut points = Points::stream(110);
     trial.over(0..40, |_| {
         let (a0, varpi) = (points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0));
@@ -107,7 +108,10 @@ fn twins(points: &mut Points) -> Result<Twins, Failure> {
 
 /// (22): the motion without units, with the friction (22), is the motion in units.
 pub fn eq22() -> Evidence {
-    let trial = consistency("𝔴 of w′ = h ∓ λ₀, λ₀ by (22), with ϖ v_x/A₀ of the particle");
+    let trial = consistency(Compared::one(
+        r"$\mathfrak w$ of $\mathfrak w'=h\mp\lambda_0$, with $\lambda_0$ by (22),",
+        r"$\varpi v_x/A_0$ of the particle",
+    ));
     trial.over(all_twins(), |twins| {
         let twins = twins?;
         let lambda = printed::eq22_lambda0(twins.mu, twins.g, twins.a0);
@@ -126,9 +130,10 @@ pub fn eq22() -> Evidence {
 
 /// (23): both start to slide at the same phase.
 pub fn eq23() -> Evidence {
-    let trial = consistency(
-        "(23) of the time at which the particle starts with the phase at which its twin does",
-    );
+    let trial = consistency(Compared::one(
+        "(23) of the time at which the particle starts",
+        "the phase at which its twin does",
+    ));
     trial.over(all_twins(), |twins| {
         let twins = twins?;
         Ok(Pair {
@@ -142,8 +147,10 @@ pub fn eq23() -> Evidence {
 
 /// (24): the velocities are the same.
 pub fn eq24() -> Evidence {
-    let trial =
-        consistency("(24) of the particle's v_x with the velocity of its twin without units");
+    let trial = consistency(Compared::one(
+        "(24) of the particle's $v_x$",
+        "the velocity of its twin without units",
+    ));
     trial.over(all_twins(), |twins| {
         let twins = twins?;
         Ok(Pair {
@@ -169,8 +176,10 @@ fn around_one(stream: u64) -> Vec<f64> {
 
 /// (25): exactly then a particle at rest is set in motion.
 pub fn eq25_motion() -> Evidence {
-    let compared =
-        "1 where (25) holds with 1 where a particle at rest starts to slide within a period";
+    let compared = Compared::one(
+        "whether (25) holds (1 if so)",
+        "whether a particle at rest starts to slide within a period",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     trial.over(around_one(114), |lambda| {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
@@ -186,7 +195,10 @@ pub fn eq25_motion() -> Evidence {
 
 /// (25): exactly then the large-time motion is not rest.
 pub fn eq25_census() -> Evidence {
-    let compared = "1 where (25) holds with 1 where the large-time motion is not rest for ever";
+    let compared = Compared::one(
+        "whether (25) holds (1 if so)",
+        "whether the large-time motion is not rest for ever",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     trial.over(around_one(115), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
@@ -205,7 +217,10 @@ pub fn eq25_census() -> Evidence {
 pub fn eq26_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Subject::Printed,
-        "∫ (26) dφ over half a slip with the change of 𝔴 of a particle that began with v_y ≠ 0; from φ = 0.5 to 1.5 of one that began along the drive, λ₀ near 0 and 1",
+        Compared::one(
+            r"the integral of (26) over $\phi$, over half a slip,",
+            r"the change of $\mathfrak w$ of a particle that began with $v_y\ne0$, or, from $\phi=0.5$ to 1.5, of one that began along the drive, with $\lambda_0$ near 0 and 1",
+        ),
     );
     let mut points = Points::stream(116);
     let edges = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4].map(Ok);

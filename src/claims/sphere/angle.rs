@@ -1,7 +1,7 @@
 //! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
 
 use super::spheres::{Units, braking, sphere};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{MOTION, ROOT};
@@ -214,8 +214,10 @@ fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
 
 /// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
 pub fn eq80() -> Evidence {
-    let compared =
-        "v/v₀ of a particle with μg = λA, λ by (80), with u/u₀ of a sphere at the same A t/v₀";
+    let compared = Compared::one(
+        r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
+        "$u/u_0$ of a sphere at the same $At/v_0$",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     trial.over(turns(), |turn| {
         let turn = turn?;
@@ -244,7 +246,7 @@ pub fn eq80() -> Evidence {
 pub fn eq81() -> Evidence {
     let trial = Trial::motion(
         Subject::Within,
-        "(81) with the slip of the motion at the angle θ",
+        Compared::one("(81)", r"the slip of the motion at the angle $\theta$"),
     );
     trial.over(turns(), |turn| {
         let turn = turn?;
@@ -258,7 +260,10 @@ pub fn eq81() -> Evidence {
 pub fn eq81_outside() -> Evidence {
     let trial = Trial::motion(
         Subject::Outside,
-        "(81) along the line of the acceleration with the slip of the motion",
+        Compared::one(
+            "(81) along the line of the acceleration",
+            "the slip of the motion",
+        ),
     );
     trial.over(straight(), |turn| {
         let turn = turn?;
@@ -273,7 +278,7 @@ pub fn eq81_outside() -> Evidence {
 
 /// The form of (81) without singular points.
 pub fn regular_slip() -> Evidence {
-    let compared = "the regular form of u with the slip of the motion";
+    let compared = Compared::one("the regular form of $u$", "the slip of the motion");
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
         let turn = turn?;
@@ -288,7 +293,10 @@ pub fn regular_slip() -> Evidence {
 
 /// The regular forms along the line of the acceleration: r from the regular time, u from r.
 pub fn regular_straight() -> Evidence {
-    let compared = "the regular form of u along the line of the acceleration, r from the regular form of τ, with the slip of the motion";
+    let compared = Compared::one(
+        r"the regular form of $u$ along the line of the acceleration, with $r$ from the regular form of $\tau$,",
+        "the slip of the motion",
+    );
     Trial::motion(Subject::Corrected, compared).over(straight(), |turn| {
         let turn = turn?;
         let Turn {
@@ -312,7 +320,7 @@ pub fn regular_straight() -> Evidence {
 
 type Time = fn(&Turn, [Double; 6]) -> Double;
 
-fn late(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
+fn late(subject: Subject, compared: Compared, formula: Time) -> Evidence {
     let turns = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
     Trial::motion(subject, compared).over(turns, |turn| {
         let turn = turn?;
@@ -327,7 +335,10 @@ fn late(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
 pub fn eq82() -> Evidence {
     late(
         Subject::Printed,
-        "(82) with the time τ of the motion at the angle θ",
+        Compared::one(
+            "(82)",
+            r"the time $\tau$ of the motion at the angle $\theta$",
+        ),
         |_, n| printed::eq82_time(n[0], n[1], n[2], n[3]),
     )
 }
@@ -336,14 +347,20 @@ pub fn eq82() -> Evidence {
 pub fn corrected82() -> Evidence {
     late(
         Subject::Corrected,
-        "(82) over γ with the time τ of the motion at the angle θ",
+        Compared::one(
+            r"(82) over $\gamma$",
+            r"the time $\tau$ of the motion at the angle $\theta$",
+        ),
         |_, n| corrected::time(n[0], n[5], n[1], n[2], n[3]),
     )
 }
 
 /// (82) with its factor, from Newton's law across and along the slip: u dθ = −γ sin θ dτ and du = (γ cos θ − λγ) dτ.
 pub fn corrected82_quadrature() -> Evidence {
-    let compared = "(82) over γ with −∫ u dθ/(γ sin θ), u = u₀ exp ∫ (λ − cos θ) dθ/sin θ, both integrals by a foreign integrator";
+    let compared = Compared::one(
+        r"(82) over $\gamma$",
+        r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by a foreign integrator",
+    );
     let turns = turns().filter(|turn| {
         turn.as_ref().map_or(true, |t| {
             t.has_a_time() && t.condition() < 100.0 && t.theta.abs() > 1e-3
@@ -372,7 +389,10 @@ pub fn corrected82_quadrature() -> Evidence {
 
 /// The form of (82) without singular points: at λ = 1 and cos θ₀ = −λ too.
 pub fn regular_time() -> Evidence {
-    let compared = "the regular form of τ with the motion, λ = 1 and cos θ₀ = −λ included";
+    let compared = Compared::one(
+        r"the regular form of $\tau$",
+        r"that of the motion, $\lambda=1$ and $\cos\theta_0=-\lambda$ included",
+    );
     Trial::motion(Subject::Corrected, compared).over(turns(), |turn| {
         let turn = turn?;
         Ok(Pair {
@@ -384,7 +404,7 @@ pub fn regular_time() -> Evidence {
     })
 }
 
-fn slip_at_time(subject: Subject, compared: &'static str, formula: Time) -> Evidence {
+fn slip_at_time(subject: Subject, compared: Compared, formula: Time) -> Evidence {
     Trial::motion(subject, compared).over(turns(), |turn| {
         let turn = turn?;
         let stated = formula(turn, turn.numbers());
@@ -394,7 +414,7 @@ fn slip_at_time(subject: Subject, compared: &'static str, formula: Time) -> Evid
 
 /// (83) as printed.
 pub fn eq83() -> Evidence {
-    let compared = "(83) at the angle and time of the motion with its slip";
+    let compared = Compared::one("(83) at the angle and time of the motion", "its slip");
     slip_at_time(Subject::Printed, compared, |_, n| {
         printed::eq83_slip_at_time(n[0], n[1], n[2], n[3], n[4])
     })
@@ -402,7 +422,10 @@ pub fn eq83() -> Evidence {
 
 /// (83) with its factor.
 pub fn corrected83() -> Evidence {
-    let compared = "(83) with γτ for τ at the angle and time of the motion with its slip";
+    let compared = Compared::one(
+        r"(83) with $\gamma\tau$ for $\tau$, at the angle and time of the motion,",
+        "its slip",
+    );
     slip_at_time(Subject::Corrected, compared, |_, n| {
         corrected::slip_at_time(n[0], n[5], n[1], n[2], n[3], n[4])
     })
@@ -422,7 +445,7 @@ pub(super) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
 
 /// (83) from (81) and (82): with the time of (82) it has to give the slip of (81).
 pub fn eq83_step() -> Evidence {
-    let compared = "u by (83) at the time of (82) with u by (81)";
+    let compared = Compared::one("$u$ by (83) at the time of (82)", "$u$ by (81)");
     let trial = Trial::by(Route::Consistency, Subject::Step, compared, ROOT);
     let points = Points::stream(703).within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
     trial.at(

@@ -1,7 +1,7 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
 use super::spheres::{Run, braking, length, mixed, sphere, weighed};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
 use crate::evidence::{Evidence, Route, Subject};
@@ -11,7 +11,7 @@ use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
 
-const fn consistency(compared: &'static str) -> Trial {
+const fn consistency(compared: Compared) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
 }
 
@@ -50,8 +50,10 @@ fn by_the_laws(run: &Run) -> [f64; 5] {
 
 /// (59): the laboratory knows no inertial force. There the centre's velocity V changes by friction alone.
 pub fn eq59() -> Evidence {
-    let compared =
-        "v by (59) and (60) with V − U of the laboratory, where friction alone acts; x + 2y";
+    let compared = Compared::one(
+        r"$\bm v$ by (59) and (60)",
+        r"$\bm V-\bm U$ of the laboratory, where friction alone acts, each vector as $x+2y$",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     trial.over(super::spheres::sliding(), |run| {
         let run = run?;
@@ -84,7 +86,10 @@ pub fn eq59() -> Evidence {
 
 /// (60): against the rigid body's own integrator.
 pub fn eq60() -> Evidence {
-    let compared = "ω by (59) and (60), by a foreign integrator, with ω of the motion; x + 2y + 3z";
+    let compared = Compared::one(
+        r"$\bm\omega$ by (59) and (60), by a foreign integrator,",
+        r"$\bm\omega$ of the motion, each vector as $x+2y+3z$",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     trial.over(super::spheres::sliding(), |run| {
         let run = run?;
@@ -101,8 +106,10 @@ pub fn eq60() -> Evidence {
 
 /// (61): the point at **R** from the centre of a rolling sphere is at rest.
 pub fn eq61() -> Evidence {
-    let trial =
-        consistency("−ω × (61) with the velocity of the centre of a rolling sphere; x + 2y");
+    let trial = consistency(Compared::one(
+        r"$-\bm\omega\times$ (61)",
+        "the velocity of the centre of a rolling sphere, each vector as $x+2y$",
+    ));
     let rolling = mixed().flat_map(|run| match run {
         Ok(run) => {
             let times = (1..=8).map(|k| f64::from(k) / 8.0 * run.until);
@@ -127,9 +134,10 @@ pub fn eq61() -> Evidence {
 
 /// (67): on a plane at rest the slip velocity w lasts for w/(bμg).
 pub fn eq67() -> Evidence {
-    let trial = consistency(
-        "w/(bμg), b by (67), with the time at which a sphere on a plane at rest begins to roll",
-    );
+    let trial = consistency(Compared::one(
+        r"$w/(b\mu g)$, with $b$ by (67),",
+        "the time at which a sphere on a plane at rest begins to roll",
+    ));
     let mut points = Points::stream(402);
     trial.over(0..60, |i| {
         let sphere = sphere(i, &mut points);
@@ -160,8 +168,10 @@ pub fn eq67() -> Evidence {
 
 /// (76): what the plane gains on a body that feels no friction.
 pub fn eq76() -> Evidence {
-    let trial =
-        consistency("∫ (76) dτ with −v/√(μgR) of a particle from rest without friction; x + 2y");
+    let trial = consistency(Compared::one(
+        r"the integral of (76) over $\tau$",
+        r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector as $x+2y$",
+    ));
     trial.over(mixed(), |run| {
         let run = run?;
         let (_, mu, g) = run.case.parameters();

@@ -3,7 +3,7 @@
 use super::every_drive::rolling_time;
 use super::spheres::{braking, sphere};
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::Runs;
 use crate::claims::tolerances::{MOTION, NONE};
@@ -226,7 +226,10 @@ fn lambda_c() -> Result<f64, Failure> {
 
 /// (84): the slip obeys the drive of section 2.2 with this λ₀.
 pub fn eq84() -> Evidence {
-    let compared = "𝔴 of the one-dimensional drive with λ₀ by (84) with ϖ w_x/A₀ of the sphere's slip velocity w";
+    let compared = Compared::one(
+        r"$\mathfrak w$ of the one-dimensional drive with $\lambda_0$ by (84)",
+        r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(410);
     trial.over(0..20, |i| {
@@ -264,7 +267,10 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
 
 /// (85): the slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
 pub fn eq85() -> Evidence {
-    let compared = "𝔴 of the drive with λ₊ = λ₀ of (85), λ₋ = qλ₀, with ϖ w_x/A₀ of the sphere's slip velocity w";
+    let compared = Compared::one(
+        r"$\mathfrak w$ of the drive with $\lambda_+=\lambda_0$ of (85) and $\lambda_-=q\lambda_0$",
+        r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(411);
     trial.over(0..30, |i| {
@@ -304,7 +310,10 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
 
 /// Every kind: with a start along x.
 pub fn trichotomy_census() -> Evidence {
-    let compared = "zeros plus ten times the rests in a period: with λ₀ by (84), 2 below λ_c of (37), 20 above, −1 for rest throughout above 1, with the changes between sliding and rolling of a sphere in a late period";
+    let compared = Compared::one(
+        r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (37), 20 above, $-1$ for rest throughout above 1)",
+        "the same count of changes between sliding and rolling of a sphere in a late period",
+    );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let mut points = Points::stream(412);
     let cases = match lambda_c() {
@@ -328,7 +337,10 @@ pub fn trichotomy_census() -> Evidence {
 
 /// How long it rolls in a period, from a start in any direction, against the rests of the drive.
 pub fn trichotomy_motion() -> Evidence {
-    let compared = "the part of a period in which the drive's motion, λ₀ by (84), rests with that of a late period in which a sphere, started in any direction, rolls";
+    let compared = Compared::one(
+        r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
+        "that of a late period in which a sphere, started in any direction, rolls",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, MOTION);
     let mut points = Points::stream(413);
     trial.over(0..20, |i| {
@@ -351,8 +363,10 @@ pub fn trichotomy_motion() -> Evidence {
 
 /// λ₀ = 0: the slip of a fast sphere never changes its sign.
 pub fn trichotomy_outside() -> Evidence {
-    let compared =
-        "2 with the zeros in a period of a slip without friction, of starts with 𝔴 > 0 at φ = 0";
+    let compared = Compared::one(
+        "the stated 2",
+        r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$",
+    );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(414);
     trial.over(0..24, |_| {
@@ -371,7 +385,10 @@ pub fn trichotomy_outside() -> Evidence {
 
 /// Rolling holds as long as friction suffices: the sphere set rolling at φ = 0 begins to slide where sin φ = λ₀.
 pub fn rolling_ends() -> Evidence {
-    let compared = "the root φ of sin φ = λ₀, λ₀ by (84), with the phase at which a sphere that rolls at φ = 0 begins to slide";
+    let compared = Compared::one(
+        r"the root $\phi$ of $\sin\phi=\lambda_0$, with $\lambda_0$ by (84),",
+        r"the phase at which a sphere that rolls at $\phi=0$ begins to slide",
+    );
     let trial = Trial::by(Route::Root, Subject::Within, compared, MOTION);
     let mut points = Points::stream(415);
     trial.over(0..24, |i| {
@@ -409,7 +426,10 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The pulse train: kinds on both sides of λ₀ = η.
 pub fn pulse_census() -> Evidence {
-    let compared = "zeros plus ten times the rests in a period: with λ₀ by (84), 2 below λ_c of (46), 20 above, −1 for rest throughout above 1, with a sphere's late period under the pulses";
+    let compared = Compared::one(
+        r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (46), 20 above, $-1$ for rest throughout above 1)",
+        "that of a sphere's late period under the pulses",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(416);
     let all = pulse_points(&mut points, 20);
@@ -432,7 +452,10 @@ pub fn pulse_census() -> Evidence {
 
 /// The pulse train: the part of a period in which the drive rests.
 pub fn pulse_motion() -> Evidence {
-    let compared = "the part of a period in which the drive's motion, λ₀ by (84), rests with that of a late period in which the sphere rolls, under the pulses";
+    let compared = Compared::one(
+        r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
+        "that of a late period in which the sphere rolls, under the pulses",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(417);
     let all = pulse_points(&mut points, 20);
@@ -495,7 +518,10 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The order of forward slip, backward slip and rolling in a period, as the particle has it.
 pub fn anisotropic_census() -> Evidence {
-    let compared = "the signs of 𝔴 in a period of the drive, λ₀ by (85), a digit each (3 forward, 2 rest, 1 backward), with those of the sphere's slip";
+    let compared = Compared::one(
+        r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (a digit each: 3 forward, 2 rest, 1 backward),",
+        "that of the sphere's slip",
+    );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(418);
     let all = map_points(&mut points, 40);
@@ -514,7 +540,10 @@ pub fn anisotropic_census() -> Evidence {
 
 /// How long each lasts.
 pub fn anisotropic_motion() -> Evidence {
-    let compared = "the parts of a period of backward motion and rest, the second one twice, of the drive with λ₀ of (85), where it rests at all, with those of the sphere's slip";
+    let compared = Compared::many(
+        r"the parts of a period of backward motion and rest, the second one taken twice, of the drive with $\lambda_0$ of (85), where it rests at all,",
+        "those of the sphere's slip",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(419);
     let resting = |(q, lambda): &(f64, f64)| q * lambda > 1.0;

@@ -1,7 +1,7 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
 use super::spheres::{Case, Run, braking, case, length, mixed, sphere, times, weighed};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Subject};
@@ -24,7 +24,10 @@ fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failu
 
 /// The slip velocity is the particle's velocity, sliding and rolling.
 pub fn reduction_motion() -> Evidence {
-    let compared = "v of a particle with bμ under the same A with the slip velocity of the motion, sliding and rolling; x + 2y";
+    let compared = Compared::one(
+        r"$\bm v$ of a particle with $b\mu$ under the same $\bm A$",
+        "the slip velocity of the motion, sliding and rolling, each vector as $x+2y$",
+    );
     Trial::motion(Subject::Printed, compared).over(
         mixed().flat_map(|run| match run {
             Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
@@ -77,7 +80,10 @@ fn released() -> impl Iterator<Item = Result<Run, Failure>> {
 
 /// The slip that begins by itself is the particle's velocity from rest.
 pub fn reduction_from_rest() -> Evidence {
-    let compared = "v of a particle with bμ, from rest, under the same A, which turns, with the slip velocity of a sphere that rolls at the start; x + 2y";
+    let compared = Compared::one(
+        r"$\bm v$ of a particle with $b\mu$, from rest, under the same turning $\bm A$",
+        "the slip velocity of a sphere that rolls at the start, each vector as $x+2y$",
+    );
     Trial::motion(Subject::Printed, compared).over(released(), |run| {
         let run = run?;
         let Run {
@@ -105,7 +111,10 @@ pub fn reduction_from_rest() -> Evidence {
 
 /// A slip that is small beside the velocity lasts as long as the particle's velocity does.
 pub fn reduction_small_slip() -> Evidence {
-    let compared = "the time in which a particle with bμ that is as slow as the slip stops with that in which the sphere, a billion times as fast, comes to roll";
+    let compared = Compared::one(
+        r"the time in which a particle with $b\mu$ that is as slow as the slip stops",
+        "that in which the sphere, a billion times as fast, comes to roll",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(420);
     trial.over(0..20, |i| {
@@ -144,7 +153,10 @@ pub fn reduction_small_slip() -> Evidence {
 
 /// The sphere rolls while the particle rests.
 pub fn reduction_rolling() -> Evidence {
-    let compared = "the time that a particle with bμ rests with the time that the sphere rolls";
+    let compared = Compared::one(
+        r"the time that a particle with $b\mu$ rests",
+        "the time that the sphere rolls",
+    );
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
         let rests = |particle: crate::motion::Motion| {
@@ -187,7 +199,10 @@ pub(super) fn rolling_time(
 
 /// The rest follows from u: dρ/dτ by (79), then ζ by the corrected (75), both from the particle's velocity.
 pub fn reduction_rest() -> Evidence {
-    let compared = "velocity dρ/dτ by (79) and spin ζ by the corrected (75), with u of the particle, with the motion; all components, weighed";
+    let compared = Compared::many(
+        r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
+        "those of the motion, all components weighed",
+    );
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
         let (b, t, zero) = (run.case.b(), run.until, [0.0; 3]);
@@ -215,7 +230,10 @@ pub fn reduction_rest() -> Evidence {
 
 /// The vertical spin keeps its value, and another one changes nothing else.
 pub fn spin_constant() -> Evidence {
-    let compared = "ω_z at the start, with its constant rate for the time of the motion, and the end's x, v, ω_x, ω_y with three times that ω_z, with those of the motion; weighed";
+    let compared = Compared::many(
+        r"$\omega_z$ at the start, with its constant rate for the time of the motion, and the end's $x$, $\bm v$, $\omega_x$, $\omega_y$ with three times that $\omega_z$",
+        "those of the motion, all weighed",
+    );
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
         let case = &run.case;

@@ -9,6 +9,7 @@ mod newton;
 #[cfg(test)]
 mod tests;
 
+use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::Expr;
@@ -19,27 +20,43 @@ pub type Components = Vec<Expr>;
 /// A statement about the sphere.
 pub type Law = Statement<Components>;
 
-const BY_COMPONENTS: &str =
-    "the formula with the laws of Newton and Euler for the sphere, component by component";
-const BY_DEFINITION: &str =
-    "(74), with the quantity by the definition, with the laws of Newton and Euler for the sphere";
-const AS_A_PARTICLE: &str = "the formula with (11), (13), (14), proved from (1), with γ for A, b for μg and τ for t, as (74) has them";
+const BY_COMPONENTS: Compared = Compared::one(
+    "the formula",
+    "the laws of Newton and Euler for the sphere, component by component",
+);
+const BY_DEFINITION: Compared = Compared::one(
+    "(74), with the quantity by the definition,",
+    "the laws of Newton and Euler for the sphere",
+);
+const AS_A_PARTICLE: Compared = Compared::one(
+    "the formula",
+    r"(11), (13) and (14), proved from (1), with $\gamma$ for $A$, $b$ for $\mu g$ and $\tau$ for $t$, as (74) has them",
+);
 
 pub const EQ59: Law = Law::new(
     Subject::Printed,
-    "the formula with Newton's law in the laboratory, where friction alone acts",
+    Compared::one(
+        "the formula",
+        "Newton's law in the laboratory, where friction alone acts",
+    ),
     newton::eq59,
     newton::prove_eq59,
 );
 pub const EQ60: Law = Law::new(
     Subject::Printed,
-    "the formula with Newton's law for six point masses that move as one body",
+    Compared::one(
+        "the formula",
+        "Newton's law for six point masses that move as one body",
+    ),
     newton::eq60,
     newton::prove_eq60,
 );
 pub const EQ62: Law = Law::new(
     Subject::Printed,
-    "(64), with κ by the definition, with Euler's law for the sphere",
+    Compared::one(
+        r"(64), with $\kappa$ by the definition,",
+        "Euler's law for the sphere",
+    ),
     body::eq62,
     body::prove_eq62,
 );
@@ -69,7 +86,10 @@ pub const EQ66: Law = Law::new(
 );
 pub const EQ68: Law = Law::new(
     Subject::Printed,
-    "(73), with ρ by the definition, with Newton's law for the sphere",
+    Compared::one(
+        r"(73), with $\bm\rho$ by the definition,",
+        "Newton's law for the sphere",
+    ),
     body::eq68,
     body::prove_eq68,
 );
@@ -81,7 +101,10 @@ pub const EQ69: Law = Law::new(
 );
 pub const EQ70: Law = Law::new(
     Subject::Printed,
-    "ζ dτ, with τ by (69), with ω dt",
+    Compared::one(
+        r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
+        r"$\bm\omega\,\mathrm dt$",
+    ),
     body::eq70,
     body::prove_eq70,
 );

@@ -1,7 +1,7 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
 use super::spheres::{Run, length, mixed, sliding, times, weighed};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Subject};
 use crate::motion::State;
@@ -11,7 +11,7 @@ use crate::paper::sphere as printed;
 
 /// What a printed rate, summed over time along sliding motions, has to be: the change of a quantity.
 fn summed(
-    compared: &'static str,
+    compared: Compared,
     rate: impl Fn(&Run, &Ball, [f64; 3], f64) -> [f64; 3],
     quantity: impl Fn(&Run, &Ball) -> [f64; 3],
 ) -> Evidence {
@@ -53,7 +53,10 @@ fn slip(run: &Run, ball: &Ball) -> [f64; 3] {
 
 /// (63).
 pub fn eq63() -> Evidence {
-    let compared = "∫ (63) dt with the change of dr/dt of the motion; x + 2y + 3z";
+    let compared = Compared::one(
+        "the integral of (63) over $t$",
+        r"the change of $\mathrm d\bm r/\mathrm dt$ of the motion, each vector as $x+2y+3z$",
+    );
     let rate = |run: &Run, ball: &Ball, _, t| {
         let (_, mu, g) = run.case.parameters();
         let a = run.case.acceleration(t);
@@ -64,7 +67,10 @@ pub fn eq63() -> Evidence {
 
 /// (64).
 pub fn eq64() -> Evidence {
-    let compared = "∫ (64) dt with the change of κ R² ω of the motion; x + 2y + 3z";
+    let compared = Compared::one(
+        "the integral of (64) over $t$",
+        r"the change of $\kappa R^2\bm\omega$ of the motion, each vector as $x+2y+3z$",
+    );
     let rate = |run: &Run, ball: &Ball, _, _| {
         let (_, mu, g) = run.case.parameters();
         printed::eq64_spin_rate(mu, g, flat(ball.v), ball.omega, run.case.contact())
@@ -77,7 +83,10 @@ pub fn eq64() -> Evidence {
 
 /// (65).
 pub fn eq65() -> Evidence {
-    let compared = "∫ (65) dt with the change of (−R ω_y, R ω_x) of the motion; x + 2y + 3z";
+    let compared = Compared::one(
+        "the integral of (65) over $t$",
+        r"the change of $(-R\omega_y,R\omega_x)$ of the motion, each vector as $x+2y+3z$",
+    );
     let rate = |run: &Run, ball: &Ball, _, _| {
         let (_, mu, g) = run.case.parameters();
         let (v, contact) = (flat(ball.v), run.case.contact());
@@ -88,8 +97,10 @@ pub fn eq65() -> Evidence {
 
 /// (66).
 pub fn eq66() -> Evidence {
-    let compared =
-        "∫ (66) dt with the change of the velocity of the sphere's lowest point; x + 2y + 3z";
+    let compared = Compared::one(
+        "the integral of (66) over $t$",
+        "the change of the velocity of the sphere's lowest point, each vector as $x+2y+3z$",
+    );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (_, mu, g) = run.case.parameters();
         printed::eq66_slip_rate(run.case.acceleration(t), run.case.b(), mu, g, slip)
@@ -122,7 +133,10 @@ fn u(run: &Run, ball: &Ball) -> [f64; 3] {
 
 /// (73).
 pub fn eq73() -> Evidence {
-    let compared = "∫ (73) dτ with the change of dρ/dτ of the motion; x + 2y + 3z";
+    let compared = Compared::one(
+        r"the integral of (73) over $\tau$",
+        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ of the motion, each vector as $x+2y+3z$",
+    );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (gamma, u) = gamma_u(run, slip, t);
         per_time(run, printed::eq73_velocity_rate(gamma, u))
@@ -132,7 +146,10 @@ pub fn eq73() -> Evidence {
 
 /// (74).
 pub fn eq74() -> Evidence {
-    let compared = "∫ (74) dτ with the change of u of the motion; x + 2y + 3z";
+    let compared = Compared::one(
+        r"the integral of (74) over $\tau$",
+        r"the change of $\bm u$ of the motion, each vector as $x+2y+3z$",
+    );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (gamma, u) = gamma_u(run, slip, t);
         per_time(run, printed::eq74_slip_rate(run.case.b(), gamma, u))
@@ -142,7 +159,10 @@ pub fn eq74() -> Evidence {
 
 /// (77): its right-hand side less γ, the rate of ν, changes dρ/dτ.
 pub fn eq77() -> Evidence {
-    let compared = "∫ [(77) − (76)] dτ with the change of dρ/dτ of the motion; x + 2y + 3z";
+    let compared = Compared::one(
+        r"the integral of (77) less (76) over $\tau$",
+        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ of the motion, each vector as $x+2y+3z$",
+    );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (gamma, u) = gamma_u(run, slip, t);
         let (both, nu) = (printed::eq77_rate(u), printed::eq76_nu_rate(gamma));
@@ -153,7 +173,10 @@ pub fn eq77() -> Evidence {
 
 /// (78), likewise.
 pub fn eq78() -> Evidence {
-    let compared = "∫ [(78) − (76)] dτ with the change of u of the motion; x + 2y + 3z";
+    let compared = Compared::one(
+        r"the integral of (78) less (76) over $\tau$",
+        r"the change of $\bm u$ of the motion, each vector as $x+2y+3z$",
+    );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (gamma, u) = gamma_u(run, slip, t);
         let both = printed::eq78_rate(run.case.b(), u);
@@ -166,7 +189,7 @@ pub fn eq78() -> Evidence {
 type Spin = fn(f64, [f64; 3], [f64; 3]) -> [f64; 3];
 
 /// A formula for ζ, sliding and rolling.
-fn spin(subject: Subject, compared: &'static str, formula: Spin) -> Evidence {
+fn spin(subject: Subject, compared: Compared, formula: Spin) -> Evidence {
     let states = mixed().flat_map(|run| match run {
         Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
         Err(error) => vec![Err(error)],
@@ -185,13 +208,19 @@ fn spin(subject: Subject, compared: &'static str, formula: Spin) -> Evidence {
 
 /// (75) as printed.
 pub fn eq75() -> Evidence {
-    let compared = "(75) with ζ of the motion, sliding and rolling; x + 2y + 3z";
+    let compared = Compared::one(
+        "(75)",
+        r"$\bm\zeta$ of the motion, sliding and rolling, each vector as $x+2y+3z$",
+    );
     spin(Subject::Printed, compared, printed::eq75_spin)
 }
 
 /// (75) with the other sign.
 pub fn corrected75() -> Evidence {
-    let compared = "ẑ ζ₃ − ẑ × (u − dρ/dτ) with ζ of the motion, sliding and rolling; x + 2y + 3z";
+    let compared = Compared::one(
+        r"$\hat{\bm z}\zeta_3-\hat{\bm z}\times(\bm u-\mathrm d\bm\rho/\mathrm d\tau)$",
+        r"$\bm\zeta$ of the motion, sliding and rolling, each vector as $x+2y+3z$",
+    );
     spin(Subject::Corrected, compared, corrected::spin)
 }
 
@@ -209,8 +238,10 @@ pub(super) fn nu(run: &Run, t: f64) -> Result<[f64; 3], Failure> {
 
 /// (79), with c from the start, through sliding and rolling.
 pub fn eq79() -> Evidence {
-    let compared =
-        "(79), c from the start, with dρ/dτ of the motion, sliding and rolling; x + 2y + 3z";
+    let compared = Compared::one(
+        r"(79), with $\bm c$ from the start,",
+        r"$\mathrm d\bm\rho/\mathrm d\tau$ of the motion, sliding and rolling, each vector as $x+2y+3z$",
+    );
     let states = mixed().flat_map(|run| match run {
         Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
         Err(error) => vec![Err(error)],

@@ -2,7 +2,7 @@
 //! of them has 1 for each unit.
 
 use super::spheres::{Case, Dimensionless, Run, Units, length, sliding, sphere, weighed};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::MOTION;
@@ -108,7 +108,7 @@ fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
 
 /// What a definition makes of the motion of the one with the same quantity of the other, at their ends.
 fn alike(
-    compared: &'static str,
+    compared: Compared,
     stated: impl Fn(&Run, &Dimensionless) -> [f64; 3],
     found: impl Fn(&Run, &Dimensionless) -> [f64; 3],
 ) -> Evidence {
@@ -137,7 +137,10 @@ fn first_change(run: &Run) -> f64 {
 
 /// (62).
 pub fn eq62() -> Evidence {
-    let compared = "κ by (62) and dρ/dτ of a sphere with I and v of the one with m = R = μ = g = 1 that has the same κ, drive and start in its own units; x + 2y, κ added to x";
+    let compared = Compared::many(
+        r"$\kappa$ by (62) and $\mathrm d\bm\rho/\mathrm d\tau$ of a sphere",
+        r"$I$ and $\bm v$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, each vector as $x+2y$, with $\kappa$ added to $x$",
+    );
     let both = |kappa: f64, [x, y, _]: [f64; 3]| [kappa + x, y, 0.0];
     alike(
         compared,
@@ -148,13 +151,19 @@ pub fn eq62() -> Evidence {
 
 /// (68).
 pub fn eq68() -> Evidence {
-    let compared = "ρ by (68) of a sphere with r of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, at the same time in these; x + 2y";
+    let compared = Compared::one(
+        r"$\bm\rho$ by (68) of a sphere",
+        r"$\bm r$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector as $x+2y$",
+    );
     alike(compared, |_, state| state.rho, |_, state| state.rho)
 }
 
 /// (68) as what the velocity adds up to.
 pub fn eq68_way() -> Evidence {
-    let compared = "the change of (68) with ∫ (d𝐫/dt)/R dt of a sphere that slides; x + 2y";
+    let compared = Compared::one(
+        "the change of (68)",
+        r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector as $x+2y$",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     trial.over(sliding(), |run| {
         let run = run?;
@@ -178,7 +187,10 @@ pub fn eq68_way() -> Evidence {
 
 /// (71) where the sphere slides with one friction forwards and with another backwards.
 pub fn eq71_both_ways() -> Evidence {
-    let compared = "u by (71) from d𝐫/dt and ω with that from the slip velocity, of a sphere on a line with μ₋ ≠ μ₊, followed by itself";
+    let compared = Compared::one(
+        r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
+        r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, followed by itself",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(421);
     trial.over(0..24, |i| {
@@ -217,7 +229,10 @@ pub fn eq71_both_ways() -> Evidence {
 
 /// (69).
 pub fn eq69() -> Evidence {
-    let compared = "τ by (69) at which a sphere begins to roll or slide with that time of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units";
+    let compared = Compared::one(
+        r"$\tau$ by (69) at which a sphere begins to roll or slide",
+        r"that time of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units",
+    );
     alike(
         compared,
         |run, _| {
@@ -231,19 +246,28 @@ pub fn eq69() -> Evidence {
 
 /// (70).
 pub fn eq70() -> Evidence {
-    let compared = "ζ by (70) of a sphere with ω of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, at the same time in these; x + 2y + 3z";
+    let compared = Compared::one(
+        r"$\bm\zeta$ by (70) of a sphere",
+        r"$\bm\omega$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector as $x+2y+3z$",
+    );
     alike(compared, |_, state| state.zeta, |_, state| state.zeta)
 }
 
 /// (71).
 pub fn eq71() -> Evidence {
-    let compared = "u by (71) of a sphere with the slip of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, at the same time in these; x + 2y";
+    let compared = Compared::one(
+        r"$\bm u$ by (71) of a sphere",
+        r"the slip of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector as $x+2y$",
+    );
     alike(compared, |_, state| state.u, |_, state| state.u)
 }
 
 /// (72).
 pub fn eq72() -> Evidence {
-    let compared = "γ by (72) at the end, and dρ/dτ, of a sphere with A and v of the one with m = R = μ = g = 1 and the same κ, drive and start in its own units; x + 2y";
+    let compared = Compared::many(
+        r"$\bm\gamma$ by (72) at the end, and $\mathrm d\bm\rho/\mathrm d\tau$,",
+        r"$\bm A$ and $\bm v$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, each vector as $x+2y$",
+    );
     let both =
         |_: &Run, state: &Dimensionless| [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k]);
     alike(compared, both, both)

@@ -2,7 +2,7 @@
 
 use super::complex::Complex;
 use super::stretches::{FASTER, View, stretches, sum};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::turntable as printed;
@@ -18,7 +18,11 @@ fn inner(view: &View) -> [Complex; 2] {
 
 /// (111) and (112) give p and ρ, both real.
 pub fn eq122() -> Evidence {
-    let compared = "(111) + 2 (112), with the complex A and α of (122) and (123), real and imaginary part, with p + 2ρ and 0, where p > ρ";
+    let compared = Compared::many(
+        r"the real and imaginary part of (111) plus twice (112), with the complex $A$ and $\alpha$ of (122) and (123),",
+        r"$p+2\rho$ and 0",
+    )
+    .over(r"$p>\rho$");
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let all = stretches(FASTER).flat_map(|s| [(s.clone(), true), (s, false)]);
     trial.over(all, |(stretch, real)| {
@@ -38,7 +42,11 @@ pub fn eq122() -> Evidence {
 
 /// (114) gives the rate of α, real.
 pub fn eq123() -> Evidence {
-    let compared = "∫ (114) dτ, with the complex A and α of (122) and (123), real and imaginary part, with the change of β and 0, where p > ρ";
+    let compared = Compared::many(
+        r"the real and imaginary part of the integral of (114) over $\tau$, with the complex $A$ and $\alpha$ of (122) and (123),",
+        r"the change of $\beta$, and 0",
+    )
+    .over(r"$p>\rho$");
     let trial = Trial::quadrature(Subject::Printed, compared);
     let all = stretches(FASTER).flat_map(|s| [(s.clone(), true), (s, false)]);
     trial.over(all, |(stretch, real)| {

@@ -3,7 +3,7 @@
 //! The motion is integrated twice: in Cartesian components, and in components along and across the velocity.
 
 use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::FRAMES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::Intrinsic;
@@ -11,7 +11,7 @@ use crate::paper::turntable as printed;
 
 /// At both ends of each stretch: what a formula gives from one integration with what the other has.
 fn ends(
-    compared: &'static str,
+    compared: Compared,
     classes: &[Class],
     pair: impl Fn(&View, &Intrinsic) -> [f64; 2],
 ) -> Evidence {
@@ -42,7 +42,10 @@ impl Stretch {
 
 /// (93).
 pub fn eq93() -> Evidence {
-    let compared = "(93) of the Cartesian velocity with the speed by components along the velocity";
+    let compared = Compared::one(
+        "(93) of the Cartesian velocity",
+        "the speed by components along the velocity",
+    );
     ends(compared, ANY, |view, part| {
         [printed::eq93_speed(view.rate), part.p()]
     })
@@ -50,7 +53,10 @@ pub fn eq93() -> Evidence {
 
 /// (94).
 pub fn eq94() -> Evidence {
-    let compared = "(94), with the angle ψ from the Cartesian velocity to the position, with the position along the velocity";
+    let compared = Compared::one(
+        r"(94), with the angle $\psi$ from the Cartesian velocity to the position,",
+        "the position along the velocity",
+    );
     ends(compared, ANY, |view, part| {
         [printed::eq94_xi(view.rho, view.psi), part.parts.xi]
     })
@@ -58,7 +64,10 @@ pub fn eq94() -> Evidence {
 
 /// (95).
 pub fn eq95() -> Evidence {
-    let compared = "(95), with the angle ψ from the Cartesian velocity to the position, with minus the position to the left of the velocity";
+    let compared = Compared::one(
+        r"(95), with the angle $\psi$ from the Cartesian velocity to the position,",
+        "minus the position to the left of the velocity",
+    );
     ends(compared, ANY, |view, part| {
         let left = part.parts.p - part.parts.zeta;
         [printed::eq95_ell(view.rho, view.psi), -left]
@@ -68,7 +77,7 @@ pub fn eq95() -> Evidence {
 /// At both ends of each stretch: the left-hand side by components along the velocity with what the Cartesian motion has, and
 /// the right-hand side of the Cartesian motion with what the components have; or the other way round.
 fn both_sides(
-    compared: &'static str,
+    compared: Compared,
     stated: impl Fn(&View, &Intrinsic) -> [f64; 2],
     found: impl Fn(&View, &Intrinsic) -> [f64; 2],
 ) -> Evidence {
@@ -91,7 +100,10 @@ fn both_sides(
 
 /// (96).
 pub fn eq96() -> Evidence {
-    let compared = "the sides of (96), pℓ by components along the velocity, the other one Cartesian, with the angular momentum, Cartesian and by components";
+    let compared = Compared::many(
+        r"the sides of (96), $p\ell$ by components along the velocity and the other one Cartesian,",
+        "the angular momentum, Cartesian and by components",
+    );
     both_sides(
         compared,
         |view, part| {
@@ -107,7 +119,10 @@ pub fn eq96() -> Evidence {
 
 /// (97).
 pub fn eq97() -> Evidence {
-    let compared = "the sides of (97), pξ by components along the velocity, the other one Cartesian, with 𝛒·(d𝛒/dτ), Cartesian and by components";
+    let compared = Compared::many(
+        r"the sides of (97), $p\xi$ by components along the velocity and the other one Cartesian,",
+        r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$, Cartesian and by components",
+    );
     both_sides(
         compared,
         |view, part| {
@@ -120,7 +135,10 @@ pub fn eq97() -> Evidence {
 
 /// (98).
 pub fn eq98() -> Evidence {
-    let compared = "the sides of (98), 𝛒·𝛒 Cartesian, the other one by components along the velocity, with ρ², by components and Cartesian";
+    let compared = Compared::many(
+        r"the sides of (98), $\bm\rho\cdot\bm\rho$ Cartesian and the other one by components along the velocity,",
+        r"$\rho^2$, by components and Cartesian",
+    );
     both_sides(
         compared,
         |view, part| {
@@ -134,8 +152,10 @@ pub fn eq98() -> Evidence {
 
 /// (103): the energy in its brackets.
 pub fn eq103() -> Evidence {
-    let compared =
-        "(p² − ρ²)/2 of (103), Cartesian, with the same by components along the velocity";
+    let compared = Compared::one(
+        r"$\frac12(p^2-\rho^2)$ of (103), Cartesian,",
+        "the same by components along the velocity",
+    );
     ends(compared, ANY, |view, part| {
         [printed::eq103_energy(view.p, view.rho), -0.5 * lead(part)]
     })
@@ -148,8 +168,10 @@ fn lead(part: &Intrinsic) -> f64 {
 
 /// (110).
 pub fn eq110() -> Evidence {
-    let compared =
-        "p² − ρ² of (110), where the particle is slower than the table under it, with −A²";
+    let compared = Compared::one(
+        r"$p^2-\rho^2$ of (110), where the particle is slower than the table under it,",
+        "$-A^2$",
+    );
     ends(compared, SLOWER, |view, part| {
         let a = part.a().unwrap_or(f64::NAN);
         [printed::eq110_case(view.p, view.rho), -a * a]
@@ -158,7 +180,10 @@ pub fn eq110() -> Evidence {
 
 /// (111).
 pub fn eq111() -> Evidence {
-    let compared = "(111), with A = √(ρ² − p²) and tanh α = p/ρ, with p";
+    let compared = Compared::one(
+        r"(111), with $A=\sqrt{\rho^2-p^2}$ and $\tanh\alpha=p/\rho$,",
+        "$p$",
+    );
     ends(compared, SLOWER, |view, part| {
         let (a, alpha) = (
             part.a().unwrap_or(f64::NAN),
@@ -170,7 +195,10 @@ pub fn eq111() -> Evidence {
 
 /// (112).
 pub fn eq112() -> Evidence {
-    let compared = "(112), with A = √(ρ² − p²) and tanh α = p/ρ, with ρ";
+    let compared = Compared::one(
+        r"(112), with $A=\sqrt{\rho^2-p^2}$ and $\tanh\alpha=p/\rho$,",
+        r"$\rho$",
+    );
     ends(compared, SLOWER, |view, part| {
         let (a, alpha) = (
             part.a().unwrap_or(f64::NAN),
@@ -182,8 +210,10 @@ pub fn eq112() -> Evidence {
 
 /// (116).
 pub fn eq116() -> Evidence {
-    let compared =
-        "p² − ρ² of (116), where the particle is faster than the table under it, with B²";
+    let compared = Compared::one(
+        r"$p^2-\rho^2$ of (116), where the particle is faster than the table under it,",
+        "$B^2$",
+    );
     ends(compared, FASTER, |view, part| {
         let b = libm::sqrt(-lead(part));
         [printed::eq116_case(view.p, view.rho), b * b]
@@ -198,7 +228,10 @@ fn outer(part: &Intrinsic) -> (f64, f64) {
 
 /// (117).
 pub fn eq117() -> Evidence {
-    let compared = "(117), with B = √(p² − ρ²) and tanh β = ρ/p, with p";
+    let compared = Compared::one(
+        r"(117), with $B=\sqrt{p^2-\rho^2}$ and $\tanh\beta=\rho/p$,",
+        "$p$",
+    );
     ends(compared, FASTER, |view, part| {
         let (b, beta) = outer(part);
         [printed::eq117_p(b, beta), view.p]
@@ -207,7 +240,10 @@ pub fn eq117() -> Evidence {
 
 /// (118).
 pub fn eq118() -> Evidence {
-    let compared = "(118), with B = √(p² − ρ²) and tanh β = ρ/p, with ρ";
+    let compared = Compared::one(
+        r"(118), with $B=\sqrt{p^2-\rho^2}$ and $\tanh\beta=\rho/p$,",
+        r"$\rho$",
+    );
     ends(compared, FASTER, |view, part| {
         let (b, beta) = outer(part);
         [printed::eq118_rho(b, beta), view.rho]

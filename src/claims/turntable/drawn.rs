@@ -1,6 +1,6 @@
 //! The motions that the chapter draws: two launches from the axis, one that comes to rest and one that escapes.
 
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
@@ -73,8 +73,10 @@ pub fn launched(speed: f64) -> Result<Launched, MotionError> {
 
 /// (104) at every drawn moment, rest included.
 pub fn kept() -> Evidence {
-    let compared =
-        "(104) at each drawn moment, on the way to rest and at rest, with its value at the launch";
+    let compared = Compared::one(
+        "(104) at each drawn moment, on the way to rest and at rest,",
+        "its value at the launch",
+    );
     let trial = Trial::motion(Subject::Printed, compared);
     let all = SPEEDS.into_iter().flat_map(|speed| match launched(speed) {
         Ok(launch) => launch.moments.into_iter().map(|m| Ok((speed, m))).collect(),

@@ -2,7 +2,7 @@
 //! particle that stops stays.
 
 use super::stretches::{ANY, View, stretches, sum};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{ENDS, FRAMES, MOTION, OF_MANY};
@@ -80,7 +80,10 @@ fn weighed([x, y]: [f64; 2]) -> f64 {
 
 /// (89) from the moment of a start on: friction is overcome, and has its full size at once.
 pub fn eq89_from_rest() -> Evidence {
-    let compared = "∫ (89) dτ along a motion that starts from rest, in the frame of the table, with d𝛒/dτ found in the laboratory; x + 2y";
+    let compared = Compared::one(
+        r"the integral of (89) over $\tau$ along a motion that starts from rest, in the frame of the table,",
+        r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector as $x+2y$",
+    );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     trial.over(loose(), |loose| {
         let loose = loose?;
@@ -95,7 +98,10 @@ pub fn eq89_from_rest() -> Evidence {
 
 /// (89) with the direction of the velocity that the components along it keep.
 pub fn eq89_by_components() -> Evidence {
-    let compared = "∫ (89) dτ along the motion found in the frame of the table with the change of d𝛒/dτ by components along the velocity; x + 2y";
+    let compared = Compared::one(
+        r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
+        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector as $x+2y$",
+    );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     trial.over(stretches(ANY), |stretch| {
         let stretch = stretch?;
@@ -125,7 +131,7 @@ const TERMS: usize = 24;
 /// The sum of a rate from a start on with what it is the rate of, which is zero at rest, by components along the velocity:
 /// from p, ξ and η.
 fn from_rest(
-    compared: &'static str,
+    compared: Compared,
     rate: fn(&View) -> f64,
     quantity: fn([f64; 3]) -> f64,
 ) -> Evidence {
@@ -145,7 +151,10 @@ fn from_rest(
 
 /// (91) from a start on.
 pub fn eq91_from_rest() -> Evidence {
-    let compared = "∫ (91) dτ along a motion that starts from rest, in the frame of the table, with ẑ·(𝛒 × d𝛒/dτ) by components along the velocity";
+    let compared = Compared::one(
+        r"the integral of (91) over $\tau$ along a motion that starts from rest, in the frame of the table,",
+        r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$ by components along the velocity",
+    );
     from_rest(
         compared,
         |v| printed::eq91_moment(v.position, v.rate),
@@ -155,7 +164,10 @@ pub fn eq91_from_rest() -> Evidence {
 
 /// (92) from a start on.
 pub fn eq92_from_rest() -> Evidence {
-    let compared = "∫ (92) dτ along a motion that starts from rest, in the frame of the table, with 𝛒·d𝛒/dτ by components along the velocity";
+    let compared = Compared::one(
+        r"the integral of (92) over $\tau$ along a motion that starts from rest, in the frame of the table,",
+        r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity",
+    );
     from_rest(
         compared,
         |v| printed::eq92_virial(v.position, v.rate),
@@ -297,8 +309,10 @@ fn by_each(programs: usize) -> impl Iterator<Item = (usize, Result<&'static Stop
 
 /// (104) where a motion has come to rest.
 pub fn eq104_at_rest() -> Evidence {
-    let compared =
-        "the change of (104) from the start to the place of rest, by four programs, with 0";
+    let compared = Compared::one(
+        "the change of (104) from the start to the place of rest, by four programs,",
+        "0",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, ENDS);
     trial.over(by_each(4), |(i, stop)| {
         let stop = stop?;
@@ -311,8 +325,10 @@ pub fn eq104_at_rest() -> Evidence {
 
 /// (99) until a motion stops.
 pub fn eq99_until_rest() -> Evidence {
-    let compared =
-        "∫ (99) dτ along a motion until it stops, by three programs, with −p at the start";
+    let compared = Compared::one(
+        r"the integral of (99) over $\tau$ along a motion until it stops, by three programs,",
+        "$-p$ at the start",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, ENDS);
     trial.over(by_each(3), |(i, stop)| {
         let stop = stop?;
@@ -325,7 +341,10 @@ const MANY: &str = "many at once";
 
 /// (99) until motions of which many are followed at once stop.
 pub fn eq99_of_many() -> Evidence {
-    let compared = "∫ (99) dτ along a motion until it stops, of many at once, with −p at the start";
+    let compared = Compared::one(
+        r"the integral of (99) over $\tau$ along a motion until it stops, of many followed at once,",
+        "$-p$ at the start",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, OF_MANY);
     trial.over(to_rest(), |stop| {
         let stop = stop?;
@@ -341,8 +360,10 @@ const HORIZON: Horizon = Horizon { rho: 3.0, tau: 2.0 };
 
 /// (104) where motions end of which many are followed at once: at rest, at a distance, at a time.
 pub fn eq104_of_many() -> Evidence {
-    let compared =
-        "the change of (104) from the start to rest, to ρ = 3 or to τ = 2, of many at once, with 0";
+    let compared = Compared::one(
+        r"the change of (104) from the start to rest, to $\rho=3$ or to $\tau=2$, of many followed at once,",
+        "0",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, OF_MANY);
     let resting = to_rest().map(|stop| -> Result<_, Failure> {
         let stop = stop?;

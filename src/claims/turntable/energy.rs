@@ -1,7 +1,8 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::stretches::{ANY, Launch, launches, stretches, sum};
-use crate::claims::compare::{Failure, Pair, Trial};
+use super::stretches::{ANY, Launch, Stretch, launches, stretches, sum};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::points::Points;
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
 use crate::evidence::{Evidence, Route, Subject};
@@ -13,7 +14,7 @@ use crate::paper::turntable as printed;
 pub fn eq104() -> Evidence {
     let trial = Trial::motion(
         Subject::Printed,
-        "the change of (104) over a stretch of motion with 0",
+        Compared::one("the change of (104) over a stretch of motion", "0"),
     );
     trial.over(stretches(ANY), |stretch| {
         let stretch = stretch?;
@@ -30,10 +31,54 @@ pub fn eq104() -> Evidence {
     })
 }
 
+/// (104) with the length of the path, in the words that call it a constant of motion.
+pub fn eq104_within() -> Evidence {
+    let compared = Compared::one(
+        "the change of (104), with $s$, over a stretch of motion",
+        "the expected 0",
+    );
+    balance(Subject::Within, compared, |stretch, tau| {
+        let part = stretch.part(tau)?;
+        Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
+    })
+}
+
+/// Without it.
+pub fn eq104_without_s() -> Evidence {
+    let compared = Compared::one(
+        r"the change of (104) without $s$, as $p$, $\ell$ and $\xi$ give it, over a stretch of motion",
+        "the expected 0",
+    );
+    balance(Subject::Outside, compared, |stretch, tau| {
+        let part = stretch.part(tau)?;
+        Ok(printed::eq104_constant(part.p(), part.rho(), 0.0))
+    })
+}
+
+fn balance(
+    subject: Subject,
+    compared: Compared,
+    value: impl Fn(&Stretch, f64) -> Result<f64, Failure>,
+) -> Evidence {
+    let trial = Trial::motion(subject, compared);
+    trial.over(stretches(ANY), |stretch| {
+        let stretch = stretch?;
+        let size = 0.5 * stretch.part(stretch.to)?.rho().powi(2);
+        Ok(Pair {
+            at: stretch.at(),
+            stated: value(stretch, stretch.to)? - value(stretch, stretch.from)?,
+            found: 0.0,
+            scale: size.max(1.0),
+        })
+    })
+}
+
 /// (105).
 pub fn eq105() -> Evidence {
-    let compared =
-        "∫ (105) dτ in the frame of the table with the arc length by components along the velocity";
+    let compared = Compared::one(
+        r"the integral of (105) over $\tau$ in the frame of the table",
+        "the arc length by components along the velocity",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
     trial.over(stretches(ANY), |stretch| {
         let stretch = stretch?;
@@ -56,10 +101,27 @@ pub fn way(launch: &Launch) -> Result<f64, Failure> {
     Ok(integral(speed, 0.0, launch.to)?.value)
 }
 
+/// The work of friction by (106): what the terms without s gain, if (106) keeps its value.
+pub fn work_step() -> Evidence {
+    let compared = Compared::one(
+        "$-mgs$, the work of friction, over what kinetic and centrifugal energy gain by (106)",
+        "the expected 1",
+    );
+    let trial = Trial::by(Route::Consistency, Subject::Step, compared, FRAMES);
+    let points = Points::stream(705).within(40, [[0.2, 3.0]; 3]);
+    trial.at(["m", "g", "s"], points, 1.0, |[m, g, s]| {
+        let at_rest = |s| printed::eq106_constant(m, g, 1.0, [0.0; 2], [0.0; 2], s);
+        Ok([
+            printed::friction_work(m, g, s) / (at_rest(0.0) - at_rest(s)),
+            1.0,
+        ])
+    })
+}
+
 /// The energy that (106) is about, as printed or as corrected: its change with 0.
 fn kept(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     energy: impl Fn(&Table, &State, f64) -> f64,
 ) -> Evidence {
     let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
@@ -81,7 +143,7 @@ fn kept(
 
 /// (106) as printed.
 pub fn eq106() -> Evidence {
-    let compared = "the change of (106) over a motion with 0";
+    let compared = Compared::one("the change of (106) over a motion", "0");
     kept(Subject::Printed, compared, |table, state, s| {
         printed::eq106_constant(table.mass, table.g, table.omega, state.x, state.v, s)
     })
@@ -89,7 +151,7 @@ pub fn eq106() -> Evidence {
 
 /// (106) with m μ g s.
 pub fn eq106_corrected() -> Evidence {
-    let compared = "the change of (106) with mμgs over a motion with 0";
+    let compared = Compared::one(r"the change of (106) with $m\mu gs$ over a motion", "0");
     kept(Subject::Corrected, compared, |table, state, s| {
         let Table { omega, mu, g, mass } = *table;
         corrections::constant(mass, mu, g, omega, state.x, state.v, s)
@@ -108,11 +170,7 @@ fn friction_work(launch: &Launch) -> Result<f64, Failure> {
     Ok(value(&launch.still.at(launch.to)?) - value(&launch.still.at(0.0)?))
 }
 
-fn work(
-    subject: Subject,
-    compared: &'static str,
-    formula: impl Fn(&Table, f64) -> f64,
-) -> Evidence {
+fn work(subject: Subject, compared: Compared, formula: impl Fn(&Table, f64) -> f64) -> Evidence {
     let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
     trial.over(launches(), |launch| {
         let launch = launch?;
@@ -128,8 +186,10 @@ fn work(
 
 /// −mgs as the work of friction.
 pub fn friction() -> Evidence {
-    let compared =
-        "−mgs with the work of friction along the way s on the table, found in the laboratory";
+    let compared = Compared::one(
+        "$-mgs$",
+        "the work of friction along the way $s$ on the table, found in the laboratory",
+    );
     work(Subject::Printed, compared, |table, s| {
         printed::friction_work(table.mass, table.g, s)
     })
@@ -137,8 +197,10 @@ pub fn friction() -> Evidence {
 
 /// −mμgs as the work of friction.
 pub fn friction_corrected() -> Evidence {
-    let compared =
-        "−mμgs with the work of friction along the way s on the table, found in the laboratory";
+    let compared = Compared::one(
+        r"$-m\mu gs$",
+        "the work of friction along the way $s$ on the table, found in the laboratory",
+    );
     work(Subject::Corrected, compared, |table, s| {
         corrections::friction_work(table.mass, table.mu, table.g, s)
     })
@@ -147,7 +209,10 @@ pub fn friction_corrected() -> Evidence {
 /// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken
 /// off is the work of the Coriolis force.
 pub fn coriolis() -> Evidence {
-    let compared = "the work of the Coriolis force of (86) with the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction";
+    let compared = Compared::one(
+        "the work of the Coriolis force of (86)",
+        "the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction",
+    );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FRAMES);
     trial.over(launches(), |launch| {
         let launch = launch?;

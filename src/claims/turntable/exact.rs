@@ -14,6 +14,7 @@ mod setting;
 #[cfg(test)]
 mod tests;
 
+use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover};
@@ -22,30 +23,33 @@ pub use setting::Setting;
 /// A statement about the turntable: formulas, or the two components of one.
 pub type Law = Statement<Vec<Expr>>;
 
-const RATE: &str = "the printed rate with the rate by (89), exactly";
-const SIDES: &str = "the two sides, with (89)";
+const RATE: Compared = Compared::one("the printed rate", "the rate by (89), exactly");
+const SIDES: Compared = Compared::one("the left side", "the right side, with (89)");
 
 pub const EQ86: Law = Law::new(
     Subject::Within,
-    "the acceleration in the laboratory that (86) leads to, with friction alone",
+    Compared::one(
+        "the acceleration in the laboratory that (86) leads to",
+        "that by friction alone",
+    ),
     frames::eq86,
     frames::prove_eq86,
 );
 pub const EQ87: Law = Law::new(
     Subject::Printed,
-    "(86) in the symbols (87) and (88) with (89)",
+    Compared::one("(86) in the symbols (87) and (88)", "(89)"),
     frames::eq87,
     frames::prove_eq87,
 );
 pub const EQ88: Law = Law::new(
     Subject::Printed,
-    "(86) in the symbols (87) and (88) with (89)",
+    Compared::one("(86) in the symbols (87) and (88)", "(89)"),
     frames::eq88,
     frames::prove_eq88,
 );
 pub const EQ89: Law = Law::new(
     Subject::Within,
-    "(89) with (86) in the units of (87) and (88)",
+    Compared::one("(89)", "(86) in the units of (87) and (88)"),
     frames::eq89,
     frames::prove_eq89,
 );
@@ -54,37 +58,40 @@ pub const EQ91: Law = Law::new(Subject::Within, SIDES, frames::eq91, frames::pro
 pub const EQ92: Law = Law::new(Subject::Within, SIDES, frames::eq92, frames::prove_eq92);
 pub const EQ93: Law = Law::new(
     Subject::Printed,
-    "(93) with the size of the velocity",
+    Compared::one("(93)", "the size of the velocity"),
     definitions::eq93,
     definitions::prove_eq93,
 );
 pub const EQ94: Law = Law::new(
     Subject::Printed,
-    "(94) with 𝛒·(d𝛒/dτ)/p",
+    Compared::one("(94)", r"$\bm\rho\cdot(\mathrm d\bm\rho/\mathrm d\tau)/p$"),
     definitions::eq94,
     definitions::prove_eq94,
 );
 pub const EQ95: Law = Law::new(
     Subject::Printed,
-    "(95) with ẑ·(𝛒 × d𝛒/dτ)/p",
+    Compared::one(
+        "(95)",
+        r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)/p$",
+    ),
     definitions::eq95,
     definitions::prove_eq95,
 );
 pub const EQ96: Law = Law::new(
     Subject::Printed,
-    "the two sides, with (95)",
+    Compared::one("the left side", "the right side, with (95)"),
     components::eq96,
     components::prove_eq96,
 );
 pub const EQ97: Law = Law::new(
     Subject::Printed,
-    "the two sides, with (94)",
+    Compared::one("the left side", "the right side, with (94)"),
     components::eq97,
     components::prove_eq97,
 );
 pub const EQ98: Law = Law::new(
     Subject::Printed,
-    "the two sides, with (94) and (95)",
+    Compared::one("the left side", "the right side, with (94) and (95)"),
     components::eq98,
     components::prove_eq98,
 );
@@ -106,22 +113,37 @@ pub const EQ101: Law = Law::new(
     components::eq101,
     components::prove_eq101,
 );
+pub const AZIMUTHAL: Law = Law::new(
+    Subject::Corrected,
+    RATE,
+    components::azimuthal,
+    components::prove_azimuthal,
+);
+pub const RADIAL: Law = Law::new(
+    Subject::Corrected,
+    RATE,
+    components::radial,
+    components::prove_radial,
+);
 pub const EQ102: Law = Law::new(
     Subject::Printed,
-    "each printed expression with ρ dρ/dτ by (89)",
+    Compared::one(
+        "each printed expression",
+        r"$\rho\,\mathrm d\rho/\mathrm d\tau$ by (89)",
+    ),
     components::eq102,
     components::prove_eq102,
 );
 pub const EQ103: Law = Law::new(Subject::Printed, RATE, energy::eq103, energy::prove_eq103);
 pub const EQ104: Law = Law::new(
     Subject::Printed,
-    "the rate of (104) along (89) with 0",
+    Compared::one("the rate of (104) along (89)", "0"),
     energy::eq104,
     energy::prove_eq104,
 );
 pub const CORRECTED_106: Law = Law::new(
     Subject::Corrected,
-    "the rate of (106) with mμgs, along (86), with 0",
+    Compared::one(r"the rate of (106) with $m\mu gs$, along (86),", "0"),
     energy::corrected_106,
     energy::prove_106,
 );
@@ -145,19 +167,19 @@ pub const EQ109: Law = Law::new(
 );
 pub const EQ110: Law = Law::new(
     Subject::Printed,
-    "(110), by (111) and (112), with −A²",
+    Compared::one("(110), by (111) and (112),", "$-A^2$"),
     definitions::eq110,
     definitions::prove_eq110,
 );
 pub const EQ111: Law = Law::new(
     Subject::Printed,
-    "ρ ± p by (111) and (112) with A exp(±α)",
+    Compared::one(r"$\rho\pm p$ by (111) and (112)", r"$A\exp(\pm\alpha)$"),
     definitions::eq111,
     definitions::prove_eq111,
 );
 pub const EQ112: Law = Law::new(
     Subject::Printed,
-    "ρ ± p by (111) and (112) with A exp(±α)",
+    Compared::one(r"$\rho\pm p$ by (111) and (112)", r"$A\exp(\pm\alpha)$"),
     definitions::eq112,
     definitions::prove_eq112,
 );
@@ -181,19 +203,19 @@ pub const EQ115: Law = Law::new(
 );
 pub const EQ116: Law = Law::new(
     Subject::Printed,
-    "(116), by (117) and (118), with B²",
+    Compared::one("(116), by (117) and (118),", "$B^2$"),
     definitions::eq116,
     definitions::prove_eq116,
 );
 pub const EQ117: Law = Law::new(
     Subject::Printed,
-    "p ± ρ by (117) and (118) with B exp(±β)",
+    Compared::one(r"$p\pm\rho$ by (117) and (118)", r"$B\exp(\pm\beta)$"),
     definitions::eq117,
     definitions::prove_eq117,
 );
 pub const EQ118: Law = Law::new(
     Subject::Printed,
-    "p ± ρ by (117) and (118) with B exp(±β)",
+    Compared::one(r"$p\pm\rho$ by (117) and (118)", r"$B\exp(\pm\beta)$"),
     definitions::eq118,
     definitions::prove_eq118,
 );
@@ -217,43 +239,58 @@ pub const EQ121: Law = Law::new(
 );
 pub const EQ122: Law = Law::new(
     Subject::Printed,
-    "(111) to (115), with (122) and (123) put in, with (117) to (121)",
+    Compared::many(
+        "(111) to (115), with (122) and (123) put in,",
+        "(117) to (121)",
+    ),
     hyperbolic::eq122,
     hyperbolic::prove_eq122,
 );
 pub const EQ123: Law = Law::new(
     Subject::Printed,
-    "(111) to (115), with (122) and (123) put in, with (117) to (121)",
+    Compared::many(
+        "(111) to (115), with (122) and (123) put in,",
+        "(117) to (121)",
+    ),
     hyperbolic::eq123,
     hyperbolic::prove_eq123,
 );
 pub const EQ124: Law = Law::new(
     Subject::Printed,
-    "(115) at this angle with 0",
+    Compared::one("(115) at this angle", "0"),
     fixed::eq124,
     fixed::prove_zero,
 );
 pub const EQ125: Law = Law::new(
     Subject::Printed,
-    "(115) at this angle with 0",
+    Compared::one("(115) at this angle", "0"),
     fixed::eq125,
     fixed::prove_zero,
 );
 pub const S4_MIRROR: Law = Law::new(
     Subject::Printed,
-    "the mirrored accelerations of (86) with those of (86) for −Ω at the mirrored state",
+    Compared::many(
+        "the mirrored accelerations of (86)",
+        r"those of (86) for $-\Omega$ at the mirrored state",
+    ),
     frames::eq86,
     frames::prove_mirror,
 );
 pub const CORRECTED_WORK: Law = Law::new(
     Subject::Corrected,
-    "the power of the Coriolis force with 0, and the rate of −mμgs with the power of friction, in (86)",
+    Compared::many(
+        r"the power of the Coriolis force and the rate of $-m\mu gs$, in (86),",
+        "0 and the power of friction",
+    ),
     energy::works,
     energy::prove_works,
 );
 pub const S4_QUASI_FIXED_STABILITY: Law = Law::new(
     Subject::Within,
-    "the slope of (115) at ψ₁ and ψ₂ with −2/sinh 2α and 2/sinh 2α",
+    Compared::many(
+        r"the slopes of (115) at $\psi_1$ and $\psi_2$",
+        r"$-2/\sinh2\alpha$ and $2/\sinh2\alpha$",
+    ),
     fixed::slope,
     fixed::prove_slope,
 );
@@ -281,7 +318,7 @@ fn vectors() -> [[Expr; 2]; 2] {
 /// (106) as printed.
 pub const PRINTED_106: Law = Law::new(
     Subject::Printed,
-    "the rate of (106) along (86) with 0",
+    Compared::one("the rate of (106) along (86)", "0"),
     energy::printed_106,
     energy::prove_106,
 );
@@ -289,7 +326,10 @@ pub const PRINTED_106: Law = Law::new(
 /// The work as printed.
 pub const PRINTED_WORK: Law = Law::new(
     Subject::Printed,
-    "the power of the Coriolis force with 0, and the rate of −mgs with the power of friction, in (86)",
+    Compared::many(
+        "the power of the Coriolis force and the rate of $-mgs$, in (86),",
+        "0 and the power of friction",
+    ),
     energy::printed_works,
     energy::prove_works,
 );

@@ -1,6 +1,7 @@
 //! What the conditions of section 4 except: a particle at rest on the table, and one on the axis.
 
 use crate::certified::interval::Interval;
+use crate::claims::compare::Compared;
 use crate::claims::excepted::{no_inside, no_value};
 use crate::evidence::Evidence;
 use crate::paper::turntable as printed;
@@ -13,10 +14,7 @@ fn int(n: i64) -> Interval {
 }
 
 /// A formula by position and velocity, where that velocity vanishes.
-fn at_rest(
-    compared: &'static str,
-    law: impl Fn([Interval; 2], [Interval; 2]) -> Interval,
-) -> Evidence {
+fn at_rest(compared: Compared, law: impl Fn([Interval; 2], [Interval; 2]) -> Interval) -> Evidence {
     no_value(
         compared,
         ["x", "y", "v_x", "v_y"],
@@ -33,7 +31,11 @@ fn sum([x, y]: [Interval; 2]) -> Interval {
 /// (86), at rest.
 pub fn eq86() -> Evidence {
     at_rest(
-        "whether (86) has a value, at random and at rest, with whether the particle slides",
+        Compared::one(
+            "whether (86) has a value (1 if so)",
+            "whether the particle slides",
+        )
+        .over("some of them random, the others at rest"),
         |r, v| sum(printed::eq86_acceleration(int(1), int(1), int(1), r, v)),
     )
 }
@@ -41,7 +43,11 @@ pub fn eq86() -> Evidence {
 /// (89), at rest.
 pub fn eq89() -> Evidence {
     at_rest(
-        "whether (89) has a value, at random and at rest, with whether the particle slides",
+        Compared::one(
+            "whether (89) has a value (1 if so)",
+            "whether the particle slides",
+        )
+        .over("some of them random, the others at rest"),
         |r, v| sum(printed::eq89_acceleration(r, v)),
     )
 }
@@ -49,7 +55,8 @@ pub fn eq89() -> Evidence {
 /// (91), at rest.
 pub fn eq91() -> Evidence {
     at_rest(
-        "whether (91) has a value, at random and at rest, with whether p > 0",
+        Compared::one("whether (91) has a value (1 if so)", "whether $p>0$")
+            .over("some of them random, the others at rest"),
         printed::eq91_moment,
     )
 }
@@ -57,7 +64,8 @@ pub fn eq91() -> Evidence {
 /// (92), at rest.
 pub fn eq92() -> Evidence {
     at_rest(
-        "whether (92) has a value, at random and at rest, with whether p > 0",
+        Compared::one("whether (92) has a value (1 if so)", "whether $p>0$")
+            .over("some of them random, the others at rest"),
         printed::eq92_virial,
     )
 }
@@ -65,7 +73,11 @@ pub fn eq92() -> Evidence {
 /// A particle at rest, among all.
 pub fn rest() -> Evidence {
     no_inside(
-        "whether a particle is at rest, with that it is not at random and close to it",
+        Compared::one(
+            "whether a particle meets the condition (1 if so)",
+            "the expectation that only rest does not",
+        )
+        .over("random ones, that one, and some close to it"),
         ["ρ", "p"],
         [[0.0, 3.0]; 2],
         &[[0.5, 0.0], [2.0, 0.0]],
@@ -76,7 +88,11 @@ pub fn rest() -> Evidence {
 /// A particle on the axis, among all.
 pub fn axis() -> Evidence {
     no_inside(
-        "whether a particle is on the axis, with that it is not at random and close to it",
+        Compared::one(
+            "whether a particle meets the condition (1 if so)",
+            "the expectation that only the axis does not",
+        )
+        .over("random ones, that one, and some close to it"),
         ["ρ", "p"],
         [[0.0, 3.0]; 2],
         &[[0.0, 0.5], [0.0, 2.0]],
@@ -87,7 +103,8 @@ pub fn axis() -> Evidence {
 /// (100), at rest.
 pub fn eq100() -> Evidence {
     no_value(
-        "whether (100) has a value, at random and at rest, with whether p > 0",
+        Compared::one("whether (100) has a value (1 if so)", "whether $p>0$")
+            .over("some of them random, the others at rest"),
         ["p", "ℓ", "ξ"],
         [FAR; 3],
         [[int(0), int(1), int(1)]],
@@ -98,7 +115,8 @@ pub fn eq100() -> Evidence {
 /// (101), at rest.
 pub fn eq101() -> Evidence {
     no_value(
-        "whether (101) has a value, at random and at rest, with whether p > 0",
+        Compared::one("whether (101) has a value (1 if so)", "whether $p>0$")
+            .over("some of them random, the others at rest"),
         ["p", "ℓ"],
         [FAR; 2],
         [[int(0), int(1)]],
@@ -106,7 +124,7 @@ pub fn eq101() -> Evidence {
     )
 }
 
-fn eq109(compared: &'static str, excepted: [Interval; 2]) -> Evidence {
+fn eq109(compared: Compared, excepted: [Interval; 2]) -> Evidence {
     let [p, rho] = excepted;
     no_value(
         compared,
@@ -120,7 +138,8 @@ fn eq109(compared: &'static str, excepted: [Interval; 2]) -> Evidence {
 /// (109), at rest.
 pub fn eq109_rest() -> Evidence {
     eq109(
-        "whether (109) has a value, at random and at rest, with whether p > 0",
+        Compared::one("whether (109) has a value (1 if so)", "whether $p>0$")
+            .over("some of them random, the others at rest"),
         [int(0), int(1)],
     )
 }
@@ -128,7 +147,8 @@ pub fn eq109_rest() -> Evidence {
 /// (109), on the axis.
 pub fn eq109_axis() -> Evidence {
     eq109(
-        "whether (109) has a value, at random and on the axis, with whether ρ > 0",
+        Compared::one("whether (109) has a value (1 if so)", r"whether $\rho>0$")
+            .over("some of them random, the others on the axis"),
         [int(1), int(0)],
     )
 }
@@ -136,7 +156,8 @@ pub fn eq109_axis() -> Evidence {
 /// (115), at rest.
 pub fn eq115() -> Evidence {
     no_value(
-        "whether (115) has a value, at random and at rest, with whether α > 0",
+        Compared::one("whether (115) has a value (1 if so)", r"whether $\alpha>0$")
+            .over("some of them random, the others at rest"),
         ["α", "ψ"],
         [FAR; 2],
         [[int(0), int(1)]],
@@ -147,7 +168,8 @@ pub fn eq115() -> Evidence {
 /// (121), on the axis.
 pub fn eq121() -> Evidence {
     no_value(
-        "whether (121) has a value, at random and on the axis, with whether β > 0",
+        Compared::one("whether (121) has a value (1 if so)", r"whether $\beta>0$")
+            .over("some of them random, the others on the axis"),
         ["β", "ψ"],
         [FAR; 2],
         [[int(0), int(1)]],

@@ -1,7 +1,7 @@
 //! Trials of the quasi-fixed points (124) and (125): where ψ stands still, what deviations do, and how well ψ
 //! follows ψ₁ when α moves.
 
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, LAG, NONE, STANDS_STILL};
 use crate::evidence::{Evidence, Route, Subject};
@@ -45,7 +45,7 @@ fn at(a: f64, alpha: f64) -> String {
 }
 
 fn stands_still(
-    compared: &'static str,
+    compared: Compared,
     stream: u64,
     range: [f64; 2],
     formula: fn(f64) -> f64,
@@ -76,22 +76,29 @@ const BELOW_AND_ABOVE: [[f64; 2]; 2] = [[0.0, FRAC_PI_2], [FRAC_PI_2, PI]];
 
 /// (124).
 pub fn psi1() -> Evidence {
-    let compared =
-        "(124) with the angle below π/2 at which ψ of the motion stands still for a moment";
+    let compared = Compared::one(
+        "(124)",
+        r"the angle below $\pi/2$ at which $\psi$ of the motion stands still for a moment",
+    );
     stands_still(compared, 530, BELOW_AND_ABOVE[0], printed::eq124_psi1)
 }
 
 /// (125).
 pub fn psi2() -> Evidence {
-    let compared =
-        "(125) with the angle above π/2 at which ψ of the motion stands still for a moment";
+    let compared = Compared::one(
+        "(125)",
+        r"the angle above $\pi/2$ at which $\psi$ of the motion stands still for a moment",
+    );
     stands_still(compared, 531, BELOW_AND_ABOVE[1], printed::eq125_psi2)
 }
 
 /// Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
 /// shrinks.
 pub fn separation() -> Evidence {
-    let compared = "−1 if it is ψ₁ where ψ stands still, 1 if it is ψ₂, with the sign of the rate at which two motions with the same A, α, and with ψ less and greater than there by 1e-4, part";
+    let compared = Compared::one(
+        r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
+        r"the sign of the rate at which two motions with the same $A$, $\alpha$, and with $\psi$ less and greater than there by $10^{-4}$, part",
+    );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
     let mut points = Points::stream(532);
     trial.over(0..40, |i| {
@@ -119,7 +126,10 @@ pub fn separation() -> Evidence {
 /// (115) with α held fixed, from any angle: forwards in time it ends where ψ stands still and attracts, backwards where it
 /// repels.
 pub fn frozen() -> Evidence {
-    let compared = "where (115) leads from any ψ at fixed α, forwards and backwards in time, up to turns, with the angles below and above π/2 at which forces turn velocity and position equally fast";
+    let compared = Compared::many(
+        r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
+        r"the angles below and above $\pi/2$ at which forces turn velocity and position equally fast",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, FOREIGN);
     let mut points = Points::stream(533);
     trial.over(0..40, |i| {
@@ -188,7 +198,10 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
 
 /// Along an escape, where α grows: the angle that ψ lacks of π/2 is not the one that ψ₁ lacks.
 pub fn escape() -> Evidence {
-    let compared = "π/2 − ψ₁ with π/2 − ψ late in an escape, relative";
+    let compared = Compared::one(
+        r"$\pi/2-\psi_1$",
+        r"$\pi/2-\psi$ late in an escape, relative to it",
+    );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, LAG);
     let late = ESCAPES
         .into_iter()

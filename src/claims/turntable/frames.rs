@@ -1,7 +1,7 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
 use super::stretches::{ANY, Launch, launches, stretches, sum};
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::evidence::{Evidence, Route, Subject};
@@ -18,13 +18,19 @@ fn law(table: &Table, state: &State) -> [f64; 2] {
 /// (86), integrated along the motion as the table's frame has it, with the change of velocity that the
 /// laboratory has, where friction is the only force.
 pub fn eq86() -> Evidence {
-    let compared = "∫ (86) dt along the motion found in the frame of the table with the change of d𝐫/dt found in the laboratory, each component";
+    let compared = Compared::one(
+        "the integral of (86) over $t$ along the motion found in the frame of the table",
+        r"the change of $\mathrm d\bm r/\mathrm dt$ found in the laboratory, component by component",
+    );
     summed(Subject::Within, compared, |table, state| (table, state))
 }
 
 /// The same for the mirrored motion on a table that turns the other way.
 pub fn mirror() -> Evidence {
-    let compared = "∫ (86) dt with −Ω along the mirrored motion, found in the frame of the table, with the mirrored change of d𝐫/dt found in the laboratory, each component";
+    let compared = Compared::one(
+        r"the integral of (86) over $t$ with $-\Omega$ along the mirrored motion, found in the frame of the table,",
+        r"the mirrored change of $\mathrm d\bm r/\mathrm dt$ found in the laboratory, component by component",
+    );
     summed(Subject::Printed, compared, |table, state| {
         let other = Table {
             omega: -table.omega,
@@ -41,7 +47,7 @@ pub fn mirror() -> Evidence {
 
 fn summed(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     image: fn(Table, State) -> (Table, State),
 ) -> Evidence {
     let trial = Trial::by(Route::Quadrature, subject, compared, FRAMES);
@@ -65,7 +71,10 @@ fn summed(
 
 /// (86) as an equation for the motion, through several turns of the table.
 pub fn eq86_turns() -> Evidence {
-    let compared = "place on the table by (86), through three turns, with that found in the laboratory, its components added";
+    let compared = Compared::one(
+        "the place on the table by (86), through three turns,",
+        "that found in the laboratory, as the sum of its components",
+    );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, FOREIGN);
     let mut points = Points::stream(502);
     trial.over(0..20, |_| {
@@ -120,7 +129,10 @@ fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
 
 /// (89), likewise.
 pub fn eq89() -> Evidence {
-    let compared = "∫ (89) dτ along the motion found in the frame of the table with the change of d𝛒/dτ found in the laboratory; x + 2y";
+    let compared = Compared::one(
+        r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
+        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector as $x+2y$",
+    );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     let weighed = |[x, y]: [f64; 2]| x + 2.0 * y;
     trial.over(stretches(ANY), |stretch| {
@@ -155,7 +167,10 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
 
 /// (87): motions on any table are one and the same in these units.
 pub fn eq87() -> Evidence {
-    let compared = "(87) of a motion on any table with the motion for Ω = μg = 1, each component";
+    let compared = Compared::one(
+        "(87) of a motion on any table",
+        r"the motion for $\Omega=\mu g=1$, component by component",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
     trial.over(components(), |(launch, i)| {
         let launch = launch?;
@@ -172,7 +187,10 @@ pub fn eq87() -> Evidence {
 
 /// (88), likewise.
 pub fn eq88() -> Evidence {
-    let compared = "the place at the time (88) for Ω = μg = 1 with the place at the time t on any table, over μg/Ω², each component";
+    let compared = Compared::one(
+        r"the place at the time (88) for $\Omega=\mu g=1$",
+        r"the place at the time $t$ on any table, over $\mu g/\Omega^2$, component by component",
+    );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
     trial.over(components(), |(launch, i)| {
         let launch = launch?;

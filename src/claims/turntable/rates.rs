@@ -1,7 +1,7 @@
 //! Printed rates, integrated along motions, against what changed.
 
 use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches, sum};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
 use crate::paper::turntable as printed;
@@ -13,7 +13,7 @@ const ASKED: f64 = 1e-13;
 /// ∫ rate dτ along each stretch of these classes with the change of the quantity.
 fn change(
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     classes: &[Class],
     quantity: impl Fn(&View) -> f64,
     rate: impl Fn(&View) -> f64,
@@ -34,7 +34,7 @@ fn change(
 }
 
 /// The same for the angle ψ, which is measured up to whole turns, and followed through them.
-fn turning(compared: &'static str, classes: &[Class], rate: impl Fn(&View) -> f64) -> Evidence {
+fn turning(compared: Compared, classes: &[Class], rate: impl Fn(&View) -> f64) -> Evidence {
     Trial::quadrature(Subject::Within, compared).over(stretches(classes), |stretch| {
         let stretch = stretch?;
         let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
@@ -58,7 +58,10 @@ fn turned(stretch: &Stretch) -> Result<f64, MotionError> {
 
 /// (90): its left-hand side is the rate of p²/2.
 pub fn eq90() -> Evidence {
-    let compared = "∫ (90) dτ along the motion with the change of p²/2";
+    let compared = Compared::one(
+        r"the integral of (90) over $\tau$ along the motion",
+        r"the change of $\frac12p^2$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -70,7 +73,10 @@ pub fn eq90() -> Evidence {
 
 /// (91): its left-hand side is the rate of ẑ·(𝛒 × d𝛒/dτ).
 pub fn eq91() -> Evidence {
-    let compared = "∫ (91) dτ along the motion with the change of ẑ·(𝛒 × d𝛒/dτ)";
+    let compared = Compared::one(
+        r"the integral of (91) over $\tau$ along the motion",
+        r"the change of $\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$",
+    );
     change(Subject::Within, compared, ANY, View::moment, |v| {
         printed::eq91_moment(v.position, v.rate)
     })
@@ -78,7 +84,10 @@ pub fn eq91() -> Evidence {
 
 /// (92): its left-hand side is the rate of 𝛒·d𝛒/dτ.
 pub fn eq92() -> Evidence {
-    let compared = "∫ (92) dτ along the motion with the change of 𝛒·d𝛒/dτ";
+    let compared = Compared::one(
+        r"the integral of (92) over $\tau$ along the motion",
+        r"the change of $\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$",
+    );
     change(Subject::Within, compared, ANY, View::along, |v| {
         printed::eq92_virial(v.position, v.rate)
     })
@@ -86,7 +95,10 @@ pub fn eq92() -> Evidence {
 
 /// (99).
 pub fn eq99() -> Evidence {
-    let compared = "∫ (99) dτ along the motion with the change of p";
+    let compared = Compared::one(
+        r"the integral of (99) over $\tau$ along the motion",
+        "the change of $p$",
+    );
     change(
         Subject::Within,
         compared,
@@ -98,7 +110,10 @@ pub fn eq99() -> Evidence {
 
 /// (100).
 pub fn eq100() -> Evidence {
-    let compared = "∫ (100) dτ along the motion with the change of ℓ";
+    let compared = Compared::one(
+        r"the integral of (100) over $\tau$ along the motion",
+        r"the change of $\ell$",
+    );
     change(
         Subject::Within,
         compared,
@@ -110,7 +125,10 @@ pub fn eq100() -> Evidence {
 
 /// (101).
 pub fn eq101() -> Evidence {
-    let compared = "∫ (101) dτ along the motion with the change of ξ";
+    let compared = Compared::one(
+        r"the integral of (101) over $\tau$ along the motion",
+        r"the change of $\xi$",
+    );
     change(
         Subject::Within,
         compared,
@@ -122,7 +140,10 @@ pub fn eq101() -> Evidence {
 
 /// (102): its three expressions, added with different weights, so that no two errors can cancel.
 pub fn eq102() -> Evidence {
-    let compared = "∫ of the expressions of (102), taken once, twice and four times, with 7 times the change of ρ²/2";
+    let compared = Compared::one(
+        "the integral of the expressions of (102), taken once, twice and four times,",
+        r"7 times the change of $\frac12\rho^2$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -140,7 +161,10 @@ pub fn eq102() -> Evidence {
 
 /// (103).
 pub fn eq103() -> Evidence {
-    let compared = "∫ −p dτ along the motion with the change of (p² − ρ²)/2";
+    let compared = Compared::one(
+        r"the integral of $-p$ over $\tau$ along the motion",
+        r"the change of $\frac12(p^2-\rho^2)$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -152,7 +176,10 @@ pub fn eq103() -> Evidence {
 
 /// (107).
 pub fn eq107() -> Evidence {
-    let compared = "∫ (107) dτ along the motion with the change of p";
+    let compared = Compared::one(
+        r"the integral of (107) over $\tau$ along the motion",
+        "the change of $p$",
+    );
     change(
         Subject::Within,
         compared,
@@ -164,7 +191,10 @@ pub fn eq107() -> Evidence {
 
 /// (108).
 pub fn eq108() -> Evidence {
-    let compared = "∫ (108) dτ along the motion with the change of ρ";
+    let compared = Compared::one(
+        r"the integral of (108) over $\tau$ along the motion",
+        r"the change of $\rho$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -176,7 +206,10 @@ pub fn eq108() -> Evidence {
 
 /// (109).
 pub fn eq109() -> Evidence {
-    let compared = "∫ (109) dτ along the motion with the change of ψ";
+    let compared = Compared::one(
+        r"the integral of (109) over $\tau$ along the motion",
+        r"the change of $\psi$",
+    );
     turning(compared, ANY, |v| {
         printed::eq109_psi_rate(v.p, v.rho, v.psi)
     })
@@ -184,7 +217,10 @@ pub fn eq109() -> Evidence {
 
 /// (113).
 pub fn eq113() -> Evidence {
-    let compared = "∫ (113) dτ along the motion with the change of A";
+    let compared = Compared::one(
+        r"the integral of (113) over $\tau$ along the motion",
+        "the change of $A$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -196,7 +232,10 @@ pub fn eq113() -> Evidence {
 
 /// (114).
 pub fn eq114() -> Evidence {
-    let compared = "∫ (114) dτ along the motion with the change of α";
+    let compared = Compared::one(
+        r"the integral of (114) over $\tau$ along the motion",
+        r"the change of $\alpha$",
+    );
     change(
         Subject::Within,
         compared,
@@ -211,7 +250,10 @@ pub fn eq114() -> Evidence {
 
 /// (115).
 pub fn eq115() -> Evidence {
-    let compared = "∫ (115) dτ along the motion with the change of ψ";
+    let compared = Compared::one(
+        r"the integral of (115) over $\tau$ along the motion",
+        r"the change of $\psi$",
+    );
     turning(compared, SLOWER, |v| {
         printed::eq115_psi_rate(v.inner().1, v.psi)
     })
@@ -219,7 +261,10 @@ pub fn eq115() -> Evidence {
 
 /// (119).
 pub fn eq119() -> Evidence {
-    let compared = "∫ (119) dτ along the motion with the change of B";
+    let compared = Compared::one(
+        r"the integral of (119) over $\tau$ along the motion",
+        "the change of $B$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -231,7 +276,10 @@ pub fn eq119() -> Evidence {
 
 /// (120).
 pub fn eq120() -> Evidence {
-    let compared = "∫ (120) dτ along the motion with the change of β";
+    let compared = Compared::one(
+        r"the integral of (120) over $\tau$ along the motion",
+        r"the change of $\beta$",
+    );
     change(
         Subject::Printed,
         compared,
@@ -246,7 +294,10 @@ pub fn eq120() -> Evidence {
 
 /// (121).
 pub fn eq121() -> Evidence {
-    let compared = "∫ (121) dτ along the motion with the change of ψ";
+    let compared = Compared::one(
+        r"the integral of (121) over $\tau$ along the motion",
+        r"the change of $\psi$",
+    );
     turning(compared, FASTER, |v| {
         printed::eq121_psi_rate(v.outer().1, v.psi)
     })

@@ -2,12 +2,13 @@
 //! and one launched from the axis.
 
 use super::stretches::View;
-use crate::claims::compare::{Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::{State, Table, rotating};
 use crate::paper::turntable as printed;
+use std::f64::consts::PI;
 
 /// How a motion begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,7 +37,7 @@ fn state(begin: Begin, points: &mut Points) -> State {
 const H: f64 = 1e-3;
 
 /// The rate of a quantity at the beginning, by its first five values.
-fn first_rate(
+pub fn first_rate(
     table: &Table,
     start: &State,
     quantity: impl Fn(&State) -> f64,
@@ -52,7 +53,7 @@ fn first_rate(
 
 /// What a formula gives at the beginning, against the rate of a quantity.
 fn first_moment(
-    compared: &'static str,
+    compared: Compared,
     stream: u64,
     begins: &[Begin],
     quantity: fn(&View) -> f64,
@@ -83,7 +84,10 @@ const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
 
 /// (86) at rest, on tables of any Ω, μ, g.
 pub fn eq86() -> Evidence {
-    let compared = "(86) at rest with the acceleration, its components added";
+    let compared = Compared::one(
+        "(86) at rest",
+        "the acceleration, as the sum of its components",
+    );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
     let mut points = Points::stream(510);
     trial.over(0..30, |i| {
@@ -116,7 +120,10 @@ pub fn eq86() -> Evidence {
 
 /// (89) at rest.
 pub fn eq89() -> Evidence {
-    let compared = "(89) at rest with the acceleration, its components added";
+    let compared = Compared::one(
+        "(89) at rest",
+        "the acceleration, as the sum of its components",
+    );
     first_moment(
         compared,
         511,
@@ -131,7 +138,10 @@ pub fn eq89() -> Evidence {
 
 /// (91) at rest.
 pub fn eq91() -> Evidence {
-    let compared = "(91) at rest with the rate of ẑ·(𝛒 × d𝛒/dτ)";
+    let compared = Compared::one(
+        "(91) at rest",
+        r"the rate of $\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$",
+    );
     first_moment(compared, 512, AT_REST, View::moment, |v| {
         printed::eq91_moment(v.position, v.rate)
     })
@@ -139,7 +149,10 @@ pub fn eq91() -> Evidence {
 
 /// (92) at rest.
 pub fn eq92() -> Evidence {
-    let compared = "(92) at rest with the rate of 𝛒·d𝛒/dτ";
+    let compared = Compared::one(
+        "(92) at rest",
+        r"the rate of $\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$",
+    );
     first_moment(compared, 513, AT_REST, View::along, |v| {
         printed::eq92_virial(v.position, v.rate)
     })
@@ -147,7 +160,10 @@ pub fn eq92() -> Evidence {
 
 /// (99) for a particle that friction holds. ξ has no value; its largest possible one is taken.
 pub fn eq99() -> Evidence {
-    let compared = "(99) at rest, with ρ for ξ, with dp/dτ";
+    let compared = Compared::one(
+        r"(99) at rest, with $\rho$ for $\xi$,",
+        r"$\mathrm dp/\mathrm d\tau$",
+    );
     first_moment(
         compared,
         514,
@@ -159,7 +175,10 @@ pub fn eq99() -> Evidence {
 
 /// (100) at the moment of a start.
 pub fn eq100() -> Evidence {
-    let compared = "(100) at a start from rest with dℓ/dτ";
+    let compared = Compared::one(
+        "(100) at a start from rest",
+        r"$\mathrm d\ell/\mathrm d\tau$",
+    );
     first_moment(
         compared,
         515,
@@ -171,7 +190,10 @@ pub fn eq100() -> Evidence {
 
 /// (101) at the moment of a start.
 pub fn eq101() -> Evidence {
-    let compared = "(101) at a start from rest with dξ/dτ";
+    let compared = Compared::one(
+        "(101) at a start from rest",
+        r"$\mathrm d\xi/\mathrm d\tau$",
+    );
     first_moment(
         compared,
         516,
@@ -183,7 +205,10 @@ pub fn eq101() -> Evidence {
 
 /// (107) for a particle that friction holds. ψ has no value; 0 is taken, which makes it largest.
 pub fn eq107() -> Evidence {
-    let compared = "(107) at rest, with ψ = 0, with dp/dτ";
+    let compared = Compared::one(
+        r"(107) at rest, with $\psi=0$,",
+        r"$\mathrm dp/\mathrm d\tau$",
+    );
     first_moment(
         compared,
         517,
@@ -193,10 +218,46 @@ pub fn eq107() -> Evidence {
     )
 }
 
+/// (108) on the axis, with the ψ = π of a particle that is about to arrive there.
+pub fn eq108() -> Evidence {
+    let compared = Compared::one(
+        r"(108) on the axis, with $\psi=\pi$,",
+        r"$\mathrm d\rho/\mathrm d\tau$",
+    );
+    first_moment(
+        compared,
+        523,
+        &[Begin::Launched],
+        |v| v.rho,
+        |v| printed::eq108_rho_rate(v.p, PI),
+    )
+}
+
+/// (120) on the axis, with the same ψ.
+pub fn eq120() -> Evidence {
+    let compared = Compared::one(
+        r"(120) on the axis, with $\psi=\pi$,",
+        r"$\mathrm d\beta/\mathrm d\tau$",
+    );
+    first_moment(
+        compared,
+        524,
+        &[Begin::Launched],
+        |v| v.outer().1,
+        |v| {
+            let (b, beta) = v.outer();
+            printed::eq120_beta_rate(b, beta, PI)
+        },
+    )
+}
+
 /// (109) at the moment of a start.
 pub fn eq109() -> Evidence {
     eq109_from(
-        "(109) at a start from rest with dψ/dτ",
+        Compared::one(
+            "(109) at a start from rest",
+            r"$\mathrm d\psi/\mathrm d\tau$",
+        ),
         518,
         &[Begin::Released],
     )
@@ -204,10 +265,14 @@ pub fn eq109() -> Evidence {
 
 /// (109) on the axis.
 pub fn eq109_on_the_axis() -> Evidence {
-    eq109_from("(109) on the axis with dψ/dτ", 522, &[Begin::Launched])
+    eq109_from(
+        Compared::one("(109) on the axis", r"$\mathrm d\psi/\mathrm d\tau$"),
+        522,
+        &[Begin::Launched],
+    )
 }
 
-fn eq109_from(compared: &'static str, stream: u64, begins: &'static [Begin]) -> Evidence {
+fn eq109_from(compared: Compared, stream: u64, begins: &'static [Begin]) -> Evidence {
     first_moment(
         compared,
         stream,
@@ -219,7 +284,10 @@ fn eq109_from(compared: &'static str, stream: u64, begins: &'static [Begin]) -> 
 
 /// (114) for a particle that friction holds, with ψ = 0.
 pub fn eq114() -> Evidence {
-    let compared = "(114) at rest, with ψ = 0, with dα/dτ";
+    let compared = Compared::one(
+        r"(114) at rest, with $\psi=0$,",
+        r"$\mathrm d\alpha/\mathrm d\tau$",
+    );
     first_moment(
         compared,
         519,
@@ -234,7 +302,10 @@ pub fn eq114() -> Evidence {
 
 /// (115) at the moment of a start.
 pub fn eq115() -> Evidence {
-    let compared = "(115) at a start from rest with dψ/dτ";
+    let compared = Compared::one(
+        "(115) at a start from rest",
+        r"$\mathrm d\psi/\mathrm d\tau$",
+    );
     first_moment(
         compared,
         520,
@@ -246,7 +317,7 @@ pub fn eq115() -> Evidence {
 
 /// (121) on the axis.
 pub fn eq121() -> Evidence {
-    let compared = "(121) on the axis with dψ/dτ";
+    let compared = Compared::one("(121) on the axis", r"$\mathrm d\psi/\mathrm d\tau$");
     first_moment(
         compared,
         521,

@@ -5,7 +5,7 @@ use crate::claims::anisotropic::{
     census, drawn as anisotropic_drawn, panels, rows as anisotropic_rows,
     simulated as anisotropic_simulated,
 };
-use crate::figures::{Figure, anisotropic as anisotropic_figures};
+use crate::figures::{Figure, anisotropic as anisotropic_figures, drift as anisotropic_drift};
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![
@@ -13,6 +13,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
         region_waves()?,
         region_census()?,
         region_boundaries()?,
+        budgets()?,
     ])
 }
 
@@ -59,6 +60,18 @@ fn region_diagram() -> Result<Figure, AllFiguresError> {
 fn region_census() -> Result<Figure, AllFiguresError> {
     let map = region_map(90..330, 36, f64::INFINITY)?;
     Ok(anisotropic_figures::census(&map)?)
+}
+
+/// How fast the particle creeps, and what it loses.
+fn budgets() -> Result<Figure, AllFiguresError> {
+    let all = anisotropic_drawn::budgets()?;
+    Ok(anisotropic_drift::drift(&anisotropic_drift::Budgets {
+        curves: all.curves.iter().map(heights).collect(),
+        shape: all.shape,
+        q: all.q,
+        lambda0: all.lambda0,
+        cells: all.cells,
+    })?)
 }
 
 /// fig-6.

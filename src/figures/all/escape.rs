@@ -8,13 +8,19 @@ use crate::motion::MotionError;
 use crate::motion::turntable::{State, Table, critical_radius, inertial};
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
-    Ok(vec![compensated()?, paths()?, fan()?])
+    let moments = moments()?;
+    Ok(vec![
+        compensated(&moments)?,
+        residual(&moments)?,
+        paths()?,
+        fan()?,
+    ])
 }
 
 /// Three escapes, over seven decades of the time.
-fn compensated() -> Result<Figure, AllFiguresError> {
+fn moments() -> Result<Vec<Vec<Late>>, AllFiguresError> {
     let launches = [(1.2, 0.3, 1.0), (2.0, 0.5, -1.0), (8.0, 1.0, 2.0)];
-    let moments: Vec<Vec<Late>> = launches
+    let all: Result<_, MotionError> = launches
         .into_iter()
         .map(|(a, alpha, psi)| {
             let flight = Flight::new(Launch { a, alpha, psi }, 1e8)?;
@@ -30,7 +36,30 @@ fn compensated() -> Result<Figure, AllFiguresError> {
                 })
                 .collect::<Result<_, MotionError>>()
         })
-        .collect::<Result<_, _>>()?;
+        .collect();
+    Ok(all?)
+}
+
+/// What the first correction leaves of their speeds.
+fn residual(moments: &[Vec<Late>]) -> Result<Figure, AllFiguresError> {
+    let left = |late: &Late| {
+        [
+            late.tau,
+            (speed(late) / growth::corrected_speed() - 1.0) * late.tau,
+        ]
+    };
+    let escapes: Vec<Vec<_>> = moments
+        .iter()
+        .map(|one| one.iter().map(left).collect())
+        .collect();
+    Ok(escape_figures::residual(
+        &escapes,
+        growth::corrected_speed_log(),
+    )?)
+}
+
+/// Their growth.
+fn compensated(moments: &[Vec<Late>]) -> Result<Figure, AllFiguresError> {
     let followed = |quantity: Quantity| {
         let one = |moments: &Vec<Late>| moments.iter().map(|l| [l.tau, quantity(l)]).collect();
         moments.iter().map(one).collect()

@@ -1,16 +1,24 @@
 //! Figures of section 4, rest.
 
 use super::AllFiguresError;
+use crate::claims::escape::straight::straight_in;
 use crate::claims::rest::boundary;
 use crate::figures::{Figure, rest as rest_figures};
 use crate::motion::MotionError;
 use crate::motion::turntable::ensemble::rests;
-use crate::motion::turntable::intrinsic::Run;
+use crate::motion::turntable::intrinsic::{Intrinsic, Run};
 use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use std::f64::consts::PI;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
-    Ok(vec![resting()?, census()?, around()?, space()?])
+    Ok(vec![
+        resting()?,
+        hodographs()?,
+        basin()?,
+        census()?,
+        around()?,
+        space()?,
+    ])
 }
 
 /// Angles at which the level lines of the boundary are found: enough that no corner is seen.
@@ -186,4 +194,72 @@ fn resting() -> Result<Figure, AllFiguresError> {
             critical: speed,
         },
     ])?)
+}
+
+/// Cells along each side of the basin's maps.
+const BASIN: usize = 80;
+
+/// Who comes to rest, by distance and velocity in the laboratory.
+fn basin() -> Result<Figure, AllFiguresError> {
+    let (distance, speed) = ((0.0, 1.3), (-1.6, 1.6));
+    let at =
+        |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / BASIN as f64;
+    let (radius, launch) = (critical_radius()?, critical_speed()?);
+    let one = |axis, name, velocity: fn(f64, f64) -> [f64; 2]| -> Result<_, AllFiguresError> {
+        let start = |k: usize| {
+            let (rho, u) = (at(distance, k % BASIN), at(speed, k / BASIN));
+            Start::cartesian([rho, 0.0], velocity(rho, u))
+        };
+        let starts: Result<Vec<_>, _> = (0..BASIN * BASIN).map(start).collect();
+        let certain: Option<Vec<bool>> = rests(&starts?)?.into_iter().collect();
+        let undecided = || AllFiguresError::Data("the fate of a cell is not certain".into());
+        Ok(rest_figures::Basin {
+            axis,
+            name,
+            side: BASIN,
+            rests: certain.ok_or_else(undecided)?,
+            distance,
+            speed,
+            critical: vec![[radius, 0.0], [0.0, launch], [0.0, -launch]],
+        })
+    };
+    // Relative to the table, whose own velocity is ρ, across.
+    Ok(rest_figures::basin(&[
+        one("outward", "outward velocity", |rho, u| [u, -rho])?,
+        one(
+            "across",
+            "velocity along the motion of the table",
+            |rho, u| [0.0, u - rho],
+        )?,
+    ])?)
+}
+
+/// The velocity before a stop.
+fn hodographs() -> Result<Figure, AllFiguresError> {
+    let stop = |name: String, run: &Run, end: f64| -> Result<_, MotionError> {
+        let even = (0..=200).map(|i| run.at(end * f64::from(i) / 200.0));
+        let mut states = even.collect::<Result<Vec<_>, _>>()?;
+        states.extend(run.nodes().filter(|state| state.tau < end));
+        states.sort_by(|a, b| a.tau.total_cmp(&b.tau));
+        let point = |state: &Intrinsic| {
+            let (s, c) = libm::sincos(state.psi());
+            [state.tau, state.p() * c, -state.p() * s]
+        };
+        // Rounding turns a particle that comes straight in, but not before it is too slow to be seen.
+        let seen = states.iter().filter(|state| state.p() > 1e-3);
+        let points = seen.map(point).collect();
+        Ok(rest_figures::Stop { name, points })
+    };
+    let mut stops = Vec::new();
+    for rho in [0.3, 0.6, 0.8, 0.87] {
+        let run = Run::new(&Start::put_down(rho)?, 20.0)?;
+        stops.push(stop(format!("put down at ρ = {rho}"), &run, run.end().tau)?);
+    }
+    let straight = straight_in(0.6, 0.4)?;
+    stops.push(stop(
+        "straight in".to_owned(),
+        &straight.run,
+        straight.stop().tau,
+    )?);
+    Ok(rest_figures::hodographs(&stops)?)
 }

@@ -60,7 +60,20 @@ impl Attractor<'_> {
 
     /// ∫ w dφ over one period: the displacement, dimensionless. Divided by 2π, the mean velocity.
     pub fn displacement(&self) -> f64 {
-        let mut sum = 0.0;
+        let [forward, backward] = self.distances();
+        forward - backward
+    }
+
+    /// What friction takes from the motion in a period, λ₊ and λ₋ times the distances forwards and backwards: energy per
+    /// mass, dimensionless. In a periodic motion it is ∮ h w dφ, the work of the drive.
+    pub fn lost(&self) -> f64 {
+        let [forward, backward] = self.distances();
+        self.friction.plus * forward + self.friction.minus * backward
+    }
+
+    /// How far the particle goes forwards, and how far backwards, in a period: ∫ |w| dφ over either, dimensionless.
+    pub fn distances(&self) -> [f64; 2] {
+        let [mut forward, mut backward] = [0.0; 2];
         self.walk(
             |interval,
              Stretch {
@@ -75,10 +88,14 @@ impl Attractor<'_> {
                 // ∫ w = w₀ ℓ + ∫ (s₁ − s)(h − level) ds.
                 let zeroth = length * piece.secant(s0).mean(s1);
                 let first = piece.moment(s1) - piece.moment(s0);
-                sum += w0 * length + s1 * zeroth - first - 0.5 * level * length * length;
+                let gone = w0 * length + s1 * zeroth - first - 0.5 * level * length * length;
+                match interval.sign {
+                    Sign::Positive => forward += gone,
+                    _ => backward -= gone,
+                }
             },
         );
-        sum
+        [forward, backward]
     }
 
     /// How near this motion is to one of another kind.

@@ -81,11 +81,11 @@ pub const COMPUTED: &[Computed] = &[
     ("escape", "which turns {} times meanwhile", || {
         format!("{} million", word(((1e8 - 1e4) / TAU / 1e6).round()))
     }),
-    ("rest", "but the code does, to {} digits", || {
+    ("rest", "the code does, to {} digits", || {
         let value = |id| VALUES.iter().find(|v| v.id == id).unwrap().decimals;
         word(value("critical-radius").min(value("critical-speed")) as f64)
     }),
-    ("turntable", "matter of the next {} chapters", || {
+    ("turntable", "subject of the next {} chapters", || {
         let stems = PAPER.topics.iter().map(|topic| topic.stem);
         word(
             stems

@@ -51,7 +51,10 @@ fn laws() -> [[Expr; 3]; 4] {
     [[across, -k * across, u], fall, ways[0], ways[1]]
 }
 const fn proved(formulas: fn() -> [Expr; 3]) -> Statement<[Expr; 3]> {
-    let compared = "the formula with Newton's law, as rational functions of exp(kt)";
+    let compared = Compared::one(
+        "the formula",
+        r"Newton's law, as rational functions of $\mathrm e^{kt}$",
+    );
     Statement::new(Printed, compared, formulas, law)
 }
 const EQ1: Statement<[Expr; 3]> = proved(|| laws()[0]);
@@ -61,9 +64,9 @@ const EQ4: Statement<[Expr; 3]> = proved(|| laws()[3]);
 type Stated = fn(f64, f64, f64) -> f64;
 type Found = fn([f64; 3]) -> Result<f64, Failure>;
 /// Compares what a formula states with what is found, for forty throws.
-fn tried(by: fn(Subject, &'static str) -> Trial, of: Subject, says: Stated, is: Found) -> Evidence {
+fn tried(by: fn(Subject, Compared) -> Trial, of: Subject, says: Stated, is: Found) -> Evidence {
     let throws = Points::stream(1).within(40, [[0.5, 2.0]; 3]);
-    let trial = by(of, "the formula with what Newton's law gives");
+    let trial = by(of, Compared::one("the formula", "what Newton's law gives"));
     trial.at(["k", "g", "w"], throws, 10.0, |[k, g, w]| {
         Ok([says(k, g, w), is([k, g, w])?])
     })

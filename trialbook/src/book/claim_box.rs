@@ -6,7 +6,7 @@ use super::deep;
 use super::error::Fault;
 use super::maths::Maths;
 use super::plain;
-use super::text::{counted, escape, sentence, size, value};
+use super::text::{counted, escape, sentence, value};
 use crate::claims::{Claim, Sort};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally};
@@ -15,18 +15,28 @@ use crate::ledger::{Entry, Tally};
 pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let claim = entry.claim;
     let judgement = &entry.judgement;
+    let (in_short, ground) = match entry.in_short() {
+        Some(words) => {
+            let ground = format!("It {}.", judgement.ground);
+            (
+                format!("<strong>{}</strong> ", context.maths.words(&words)?),
+                ground,
+            )
+        }
+        None => (String::new(), judgement.ground.clone()),
+    };
     let mut html = format!(
         "<article class=\"claim {slug}\" aria-labelledby=\"{id}\">\
          <h3 id=\"{id}\" class=\"claim-title\"><a class=\"header\" href=\"#{id}\">{heading}</a></h3>\
          <p class=\"claim-place\">Section {section}, {kind} <a class=\"permalink\" href=\"#{id}\">#{id}</a></p>\
-         <p class=\"claim-verdict\">{verdict} {ground}</p>",
+         <p class=\"claim-verdict\">{verdict} {in_short}{ground}</p>",
         slug = judgement.verdict.slug(),
         id = claim.id,
         heading = context.maths.words(&heading(claim))?,
         section = escape(claim.section),
         kind = claim.kind.name(),
         verdict = verdict(judgement.verdict),
-        ground = context.maths.words(&judgement.ground)?,
+        ground = context.maths.words(&ground)?,
     );
     html.push_str(&statements(context, entry)?);
     html.push_str(&conditions(context, claim)?);
@@ -178,17 +188,19 @@ fn trial(
         Outcome::TooFewPoints => ("open", "has too few points"),
     };
     let proved = evidence.proof_words();
-    let measure = match proved {
-        Some(_) => proof(evidence),
-        None => measure(maths, evidence)?,
+    let proof = proved.map_or(String::new(), |_| proof(evidence));
+    let reason = match proved {
+        Some(_) => String::new(),
+        None => format!(" Tolerance: {}.", maths.words(evidence.tolerance.reason)?),
     };
     Ok(format!(
         "<li class=\"{class}\"><p><strong>{route}</strong>, {about}: <span class=\"outcome\">{outcome}</span>. \
-         {compared}.{code}</p>{measure}{samples}</li>",
+         {compared}{code}</p><p class=\"measure\">{measured}{reason}</p>{proof}{samples}</li>",
         route = evidence.route.name(),
         about = evidence.about(conditional),
         outcome = proved.unwrap_or(outcome),
-        compared = maths.words(&sentence(evidence.compared))?,
+        compared = maths.words(&evidence.comparison())?,
+        measured = maths.words(&evidence.measured())?,
         samples = samples(maths, evidence)?,
         code = code.map_or(String::new(), |place| format!(
             " <a class=\"code\" href=\"{}\">Code</a>",
@@ -197,51 +209,29 @@ fn trial(
     ))
 }
 
-/// Where a proof breaks off, and its steps behind a fold.
+/// The steps of a proof, behind a fold.
 fn proof(evidence: &Evidence) -> String {
-    let mut html = String::new();
-    if !evidence.at.is_empty() {
-        html.push_str(&format!(
-            "<p class=\"measure\">{}.</p>",
-            plain::set(&sentence(&evidence.at))
-        ));
+    if evidence.steps.is_empty() {
+        return String::new();
     }
-    if !evidence.steps.is_empty() {
-        let step = |step: &String| format!("<li>{}</li>", plain::set(step));
-        let steps: String = evidence.steps.iter().map(step).collect();
-        html.push_str(&format!(
-            "<details class=\"proof\"><summary>The proof, {}</summary><ol>{steps}</ol></details>",
-            counted(evidence.steps.len(), "step")
-        ));
-    }
-    html
+    let step = |step: &String| format!("<li>{}</li>", plain::set(step));
+    let steps: String = evidence.steps.iter().map(step).collect();
+    format!(
+        "<details class=\"proof\"><summary>The proof, {}</summary><ol>{steps}</ol></details>",
+        counted(evidence.steps.len(), "step")
+    )
 }
 
-/// How much was compared, how far it was apart, and how far it might have been.
-fn measure(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
-    let worst = if evidence.worst.is_infinite() {
-        "no value where the motion has one".to_owned()
-    } else {
-        format!("worst disagreement {}", size(evidence.worst))
-    };
-    let at = match evidence.at.as_str() {
-        "" => String::new(),
-        at => format!(" at {}", maths.words(at)?),
-    };
-    Ok(format!(
-        "<p class=\"measure\">{points}; {worst}{at}; tolerance {tolerance} ({reason}).</p>",
-        points = counted(evidence.points, "point"),
-        tolerance = size(evidence.tolerance.value),
-        reason = maths.words(evidence.tolerance.reason)?,
-    ))
-}
-
+/// A few of the compared pairs; of those that disagree, unfolded, the farthest apart too.
 fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
     if evidence.samples.is_empty() {
         return Ok(String::new());
     }
+    let fails = evidence.outcome() == Outcome::Disagrees;
+    let farthest = evidence.farthest.iter();
+    let farthest = farthest.filter(|pair| fails && !evidence.samples.contains(pair));
     let mut rows = String::new();
-    for sample in &evidence.samples {
+    for sample in evidence.samples.iter().chain(farthest) {
         rows.push_str(&format!(
             "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
             maths.words(&sample.at)?,
@@ -249,8 +239,12 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
             value(sample.found)
         ));
     }
+    let (open, summary) = match fails {
+        true => (" open", "Some of the values that disagree"),
+        false => ("", "Some of the compared values"),
+    };
     Ok(format!(
-        "<details class=\"samples\"><summary>Some of the compared values</summary><div class=\"table-wrapper\"><table>\
+        "<details class=\"samples\"{open}><summary>{summary}</summary><div class=\"table-wrapper\"><table>\
          <thead><tr><th>at</th><th>stated</th><th>found</th></tr></thead><tbody>{rows}</tbody>\
          </table></div></details>"
     ))

@@ -19,12 +19,18 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry) -> String {
         return String::new();
     };
     let points = entry.measured().map(|e| e.points).sum();
+    let worst = match closest.tolerance.value {
+        0.0 => "all agree, and no disagreement is allowed".to_owned(),
+        allowed => format!(
+            "worst disagreement {} where {} is allowed",
+            size(closest.worst),
+            size(allowed)
+        ),
+    };
     format!(
-        "<p>{}: {}, worst disagreement {} where {} is allowed.</p>",
+        "<p>{}: {}, {worst}.</p>",
         context.explained("Deep run", "deep"),
         counted(points, "point"),
-        size(closest.worst),
-        size(closest.tolerance.value)
     )
 }
 

@@ -45,6 +45,8 @@ fn item(context: &Context<'_>, erratum: &Erratum) -> Result<String, Fault> {
     html.push_str(&format!(
         "<div class=\"corrected\"><p class=\"claim-label\">Should be</p>{new}</div></div>"
     ));
+    let wrong = maths.words(&erratum.wrong)?;
+    html.push_str(&format!("<p><strong>{wrong}</strong></p>"));
     for (label, words) in [
         ("Reason", Some(&erratum.reason)),
         ("By hand", erratum.case.as_ref()),

@@ -105,7 +105,7 @@ impl<'a> Filler<'a> {
                 let entries = ledger.entries.iter();
                 inline(count(entries.filter(|e| e.is_proved()).count()))
             }
-            ["count", "wrong"] => inline(count(ledger.roots_and_heirs().into_iter().sum())),
+            ["count", "wrong"] => inline(count(ledger.wrong())),
             ["count", "roots"] => inline(count(ledger.roots_and_heirs()[0])),
             ["count", "heirs"] => inline(count(ledger.roots_and_heirs()[1])),
             ["value", id] => inline(values::shown(ledger.paper, id)?),

@@ -134,7 +134,15 @@ fn row(context: &Context<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
         0 => String::new(),
         _ => format!("{}; {}", routes.join(", "), counted(points, "point")),
     };
-    Ok([claim, verdict(entry.judgement.verdict), tried])
+    let verdict = verdict(entry.judgement.verdict);
+    let verdict = match entry.in_short() {
+        Some(words) => format!(
+            "{verdict}<div class=\"says\">{}</div>",
+            maths.words(&words)?
+        ),
+        None => verdict,
+    };
+    Ok([claim, verdict, tried])
 }
 
 /// The numbered equations: number, formula, verdict.

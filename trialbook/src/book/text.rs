@@ -1,5 +1,6 @@
 //! Text and numbers for HTML.
 
+pub(super) use crate::ledger::count;
 use crate::ledger::decimal;
 
 /// Data as text in HTML, on one line.
@@ -52,19 +53,6 @@ pub(super) fn unescape(html: &str) -> String {
                 out.push_str(part);
             }
         }
-    }
-    out
-}
-
-/// A count, its thousands parted.
-pub(super) fn count(n: usize) -> String {
-    let digits = n.to_string();
-    let mut out = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            out.push(',');
-        }
-        out.push(digit);
     }
     out
 }

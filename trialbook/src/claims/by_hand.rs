@@ -10,6 +10,8 @@ use super::compare::Failure;
 pub struct ByHand {
     /// Id of the claim.
     pub claim: &'static str,
+    /// What is wrong, in a few words: `the sign of the second term`; formulas in `$…$`.
+    pub wrong: &'static str,
     /// Where the derivation goes wrong; formulas in `$…$`.
     pub reason: &'static str,
     /// The case; formulas in `$…$`, `{stated}` and `{found}` for the two numbers.

@@ -2,6 +2,7 @@
 
 pub use super::runs::Failure;
 use super::tolerances;
+pub use crate::evidence::Compared;
 use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
 use crate::exact::{Obstacle, Proof, Step};
 use crate::numerics::double::Double;
@@ -41,19 +42,19 @@ pub struct Trial {
     /// What it speaks about.
     pub subject: Subject,
     /// What is compared with what.
-    pub compared: &'static str,
+    pub compared: Compared,
     /// What counts as agreement.
     pub tolerance: Tolerance,
 }
 
 impl Trial {
     /// A formula or statement against the integrated motion.
-    pub const fn motion(subject: Subject, compared: &'static str) -> Self {
+    pub const fn motion(subject: Subject, compared: Compared) -> Self {
         Self::by(Route::Integration, subject, compared, tolerances::MOTION)
     }
 
     /// A formula against a quadrature.
-    pub const fn quadrature(subject: Subject, compared: &'static str) -> Self {
+    pub const fn quadrature(subject: Subject, compared: Compared) -> Self {
         Self::by(Route::Quadrature, subject, compared, tolerances::QUADRATURE)
     }
 
@@ -61,7 +62,7 @@ impl Trial {
     pub const fn by(
         route: Route,
         subject: Subject,
-        compared: &'static str,
+        compared: Compared,
         tolerance: Tolerance,
     ) -> Self {
         Trial {
@@ -79,8 +80,9 @@ impl Trial {
         mut pair: impl FnMut(P) -> Result<Pair, Failure>,
     ) -> Evidence {
         let mut evidence = Evidence::new(self.route, self.subject, self.compared, self.tolerance);
+        let mut kept = Kept::default();
         for point in points {
-            if !take(&mut evidence, pair(point)) {
+            if !take(&mut evidence, &mut kept, pair(point)) {
                 break;
             }
         }
@@ -113,7 +115,7 @@ impl Trial {
 }
 
 /// Adds a pair to the evidence, or why there is none; says whether the next one is wanted.
-fn take(evidence: &mut Evidence, pair: Result<Pair, Failure>) -> bool {
+fn take(evidence: &mut Evidence, kept: &mut Kept, pair: Result<Pair, Failure>) -> bool {
     let pair = match pair {
         Ok(pair) => pair,
         Err(error) => {
@@ -136,19 +138,53 @@ fn take(evidence: &mut Evidence, pair: Result<Pair, Failure>) -> bool {
         (evidence.worst, evidence.at) = (f64::NAN, pair.at);
         return false;
     }
+    evidence.ranges.take(&pair.at);
+    let sample = Sample {
+        at: pair.at,
+        stated: pair.stated,
+        found: pair.found,
+    };
     if evidence.at.is_empty() || disagreement > evidence.worst {
         evidence.worst = disagreement;
-        evidence.at.clone_from(&pair.at);
+        evidence.at.clone_from(&sample.at);
+        evidence.farthest = Some(sample.clone());
     }
-    if evidence.samples.len() < SAMPLES {
-        evidence.samples.push(Sample {
-            at: pair.at,
-            stated: pair.stated,
-            found: pair.found,
-        });
-    }
+    kept.keep(evidence, sample, disagreement);
     true
 }
+
+/// What sort of pairs is kept for readers: those that agree; as soon as one disagrees, those that do; as soon as one does so
+/// plainly, those that do so, for whether others disagree may turn on a last bit.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kept {
+    #[default]
+    Agreeing,
+    Beyond,
+    Plainly,
+}
+
+impl Kept {
+    /// Keeps a pair, if it is one of the first of its sort, and counts it if it disagrees.
+    pub(super) fn keep(&mut self, evidence: &mut Evidence, sample: Sample, disagreement: f64) {
+        let tolerance = evidence.tolerance.value;
+        let sort = match disagreement {
+            d if d > PLAINLY * tolerance => Kept::Plainly,
+            d if d > tolerance => Kept::Beyond,
+            _ => Kept::Agreeing,
+        };
+        evidence.failed += usize::from(sort > Kept::Agreeing);
+        if sort > *self {
+            *self = sort;
+            evidence.samples.clear();
+        }
+        if sort == *self && evidence.samples.len() < SAMPLES {
+            evidence.samples.push(sample);
+        }
+    }
+}
+
+/// How many times the tolerance is plainly beyond it.
+const PLAINLY: f64 = 10.0;
 
 /// A fingerprint with one more pair in it: where it was, the first digits of its scale, and what was found there, in units
 /// of the scale and so roughly that rounding does not show.
@@ -198,7 +234,7 @@ pub fn noted(trial: impl FnOnce() -> Evidence) -> Evidence {
 }
 
 /// Evidence from a proof, with its steps: it holds or it does not.
-pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Evidence {
+pub fn proved(proof: &Proof, subject: Subject, compared: Compared) -> Evidence {
     Evidence {
         points: 1,
         // A step that cannot be carried out says nothing about the claim.
@@ -220,6 +256,37 @@ pub fn proved(proof: &Proof, subject: Subject, compared: &'static str) -> Eviden
 mod tests {
     use super::*;
     use crate::scalar::Scalar;
+
+    #[test]
+    fn what_disagrees_is_counted_and_kept_for_readers() {
+        let trial = Trial::by(
+            Route::Census,
+            Subject::Printed,
+            Compared::one("$n$", "what is found"),
+            tolerances::NONE,
+        );
+        let of = |fails: fn(u8) -> bool| {
+            trial.over(0..30, |n| {
+                Ok(Pair {
+                    at: format!("n = {n}"),
+                    stated: f64::from(n),
+                    found: f64::from(n) + f64::from(u8::from(fails(n))),
+                    scale: 1.0,
+                })
+            })
+        };
+        let shown = |e: &Evidence| -> Vec<f64> { e.samples.iter().map(|s| s.stated).collect() };
+        let agrees = of(|_| false);
+        assert_eq!((agrees.failed, shown(&agrees)), (0, vec![0.0, 1.0, 2.0]));
+        assert_eq!(agrees.result(), "All agree; no disagreement is allowed.");
+        let fails = of(|n| n % 10 == 4);
+        assert_eq!((fails.failed, shown(&fails)), (3, vec![4.0, 14.0, 24.0]));
+        assert_eq!(
+            format!("{} {}", fails.comparison(), fails.result()),
+            "$n$ was compared with what is found, case by case, at 30 points, n from 0 to 29. \
+             3 of 30 disagree; no disagreement is allowed."
+        );
+    }
 
     #[test]
     fn what_cancels_in_a_formula_widens_no_scale() {

@@ -1,10 +1,11 @@
 //! How a certificate becomes [`Evidence`], and how a formula is evaluated on balls.
 
+use super::compare::Kept;
 use super::tolerances;
 use crate::certified::ball::{Ball, bits_for};
 use crate::certified::enclosure::Enclosure;
 use crate::certified::error::CertifiedError;
-use crate::evidence::{Evidence, Route, Sample, Subject};
+use crate::evidence::{Compared, Evidence, Route, Sample, Subject};
 use crate::exact::{Binary, Expr, Function, Node};
 
 /// Decimals to which a stated number is held against an enclosure.
@@ -15,7 +16,7 @@ pub const DIGITS: usize = 50;
 pub fn certified(
     proof: Result<usize, CertifiedError>,
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
 ) -> Evidence {
     let (points, worst, at) = match proof {
         Ok(parts) => (parts, 0.0, String::new()),
@@ -35,10 +36,11 @@ pub fn certified(
 pub fn numbers<const N: usize>(
     found: [(&'static str, Enclosure); N],
     subject: Subject,
-    compared: &'static str,
+    compared: Compared,
     stated: impl Fn(usize) -> [Option<Ball>; N],
 ) -> Evidence {
     let mut evidence = certified(Ok(N), subject, compared);
+    let mut kept = Kept::default();
     for ((name, found), stated) in found.into_iter().zip(stated(bits_for(DIGITS))) {
         let (Some(stated), Ok(found)) = (stated, found.ball(DIGITS)) else {
             evidence.worst = f64::NAN;
@@ -46,18 +48,21 @@ pub fn numbers<const N: usize>(
             break;
         };
         let enough = bits_for(DIGITS) - 8;
+        let disagrees = !stated.meets(&found);
         if stated.known_bits().min(found.known_bits()) < enough {
             evidence.worst = f64::NAN;
             evidence.at = format!("{name}, too wide");
-        } else if !stated.meets(&found) {
+        } else if disagrees {
             evidence.worst = f64::INFINITY;
             evidence.at = name.to_owned();
         }
-        evidence.samples.push(Sample {
+        let sample = Sample {
             at: format!("{name}, {DIGITS} digits"),
             stated: stated.interval().mid(),
             found: found.interval().mid(),
-        });
+        };
+        let disagreement = if disagrees { f64::INFINITY } else { 0.0 };
+        kept.keep(&mut evidence, sample, disagreement);
     }
     evidence
 }

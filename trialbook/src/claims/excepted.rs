@@ -1,6 +1,6 @@
 //! What a condition excepts: that it has no inside, or that the claim has no value there.
 
-use super::compare::{Pair, Trial};
+use super::compare::{Compared, Pair, Trial};
 use super::points::Points;
 use super::tolerances::NONE;
 use crate::certified::interval::Interval;
@@ -15,7 +15,7 @@ const NEAR: [f64; 3] = [1e-2, 1e-5, 1e-8];
 /// That what a condition excepts has no inside: no point drawn from the `domain` is excepted, nor any that is drawn close to
 /// one of the `excepted` points, while those are themselves. `holds` says whether the condition holds.
 pub fn no_inside<const N: usize>(
-    compared: &'static str,
+    compared: Compared,
     names: [&str; N],
     domain: [[f64; 2]; N],
     excepted: &[[f64; N]],
@@ -49,7 +49,7 @@ pub fn no_inside<const N: usize>(
 /// That a claim has no value at the `excepted` points, and has one at the `usual` ones, by arithmetic that is exact about
 /// what is zero.
 pub fn no_value<const N: usize>(
-    compared: &'static str,
+    compared: Compared,
     names: [&str; N],
     usual: [[f64; 2]; N],
     excepted: impl IntoIterator<Item = [Interval; N]>,
@@ -88,7 +88,14 @@ mod tests {
     #[test]
     fn a_set_with_an_inside_is_not_degenerate() {
         let outcome = |excepted: &[[f64; 2]], holds: fn([f64; 2]) -> bool| {
-            no_inside("", ["x", "y"], [[0.0, 1.0]; 2], excepted, holds).outcome()
+            no_inside(
+                Compared::shown(""),
+                ["x", "y"],
+                [[0.0, 1.0]; 2],
+                excepted,
+                holds,
+            )
+            .outcome()
         };
         // An edge, a line, a point.
         assert_eq!(outcome(&[[0.0, 0.3]], |[x, _]| x > 0.0), Outcome::Agrees);
@@ -109,7 +116,10 @@ mod tests {
     fn a_claim_that_has_a_value_where_it_is_said_to_have_none_is_found() {
         let at = |excepted: i64, law: fn(Interval) -> Interval| {
             let excepted = [[Interval::int(excepted)]];
-            no_value("", ["x"], [[0.5, 1.0]], excepted, |[x]| law(x)).outcome()
+            no_value(Compared::shown(""), ["x"], [[0.5, 1.0]], excepted, |[x]| {
+                law(x)
+            })
+            .outcome()
         };
         assert_eq!(at(0, |x| x / x), Outcome::Agrees);
         assert_eq!(at(0, Scalar::ln), Outcome::Agrees);

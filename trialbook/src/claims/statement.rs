@@ -1,7 +1,7 @@
 //! A statement that can be proved: formulas, what is said of them, and the proof, in one value that rows name.
 
 use super::compare::proved;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::{Compared, Evidence, Subject};
 use crate::exact::{Obstacle, Proof, Prover};
 use std::panic::Location;
 
@@ -11,7 +11,7 @@ pub struct Statement<F = crate::exact::Expr> {
     /// What it speaks about.
     pub subject: Subject,
     /// What is compared with what.
-    pub compared: &'static str,
+    pub compared: Compared,
     /// The formulas as the code has them.
     pub formulas: fn() -> F,
     /// Tries to prove what is said, of formulas that stand in their place.
@@ -25,7 +25,7 @@ impl<F> Statement<F> {
     #[track_caller]
     pub const fn new(
         subject: Subject,
-        compared: &'static str,
+        compared: Compared,
         formulas: fn() -> F,
         prove: fn(F) -> Proof,
     ) -> Self {

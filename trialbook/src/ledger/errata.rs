@@ -24,11 +24,13 @@ pub struct Erratum {
     pub old: String,
     /// What should stand there; formulas in `$…$`.
     pub new: String,
+    /// What is wrong, in one sentence; formulas in `$…$`.
+    pub wrong: String,
     /// Why; formulas in `$…$`.
     pub reason: String,
     /// A case that can be checked on paper, with its numbers; formulas in `$…$`.
     pub case: Option<String>,
-    /// What was compared, and what came of it; one sentence a trial, formulas in `$…$`.
+    /// What was compared, and what came of it; an item a trial, formulas in `$…$`.
     pub evidence: Vec<String>,
     /// Ids of the claims from which its error comes: those that it is derived from and that fail themselves, unless the
     /// step from them fails too.
@@ -100,12 +102,18 @@ impl Ledger {
         below.filter(|id| self.is_wrong(id)).collect()
     }
 
-    /// How many wrong claims have an error of their own, and how many have it from others.
+    /// How many claims are false as printed, misprints among them.
+    pub fn wrong(&self) -> usize {
+        let wrong = |e: &&Entry| e.judgement.verdict.is_wrong();
+        self.entries.iter().filter(wrong).count()
+    }
+
+    /// How many wrong claims have an error of their own, and how many have it from others; misprints are not among them.
     pub fn roots_and_heirs(&self) -> [usize; 2] {
         let wrong = self
             .entries
             .iter()
-            .filter(|e| e.judgement.verdict.is_wrong());
+            .filter(|e| e.judgement.verdict.is_wrong() && e.judgement.verdict != Verdict::Misprint);
         let (roots, heirs): (Vec<_>, Vec<_>) = wrong.partition(|e| self.inherits(e).is_empty());
         [roots.len(), heirs.len()]
     }
@@ -132,6 +140,7 @@ impl Ledger {
                 entry,
                 &inherits.iter().map(|id| self.name(id)).collect::<Vec<_>>(),
             ),
+            wrong: entry.in_short().unwrap_or_default(),
             reason: by_hand
                 .map_or_else(|| reason_of_condition(entry), |case| case.reason.to_owned()),
             case,
@@ -200,39 +209,14 @@ fn reason_of_condition(entry: &Entry) -> String {
         .filter(|e| e.subject == Subject::Outside);
     let fails = outside
         .filter(|e| e.outcome() == Outcome::Disagrees)
-        .map(|e| {
-            let how = match e.worst.is_infinite() {
-                true => "no value where the motion has one".to_owned(),
-                false => format!("a disagreement of {:.1e}", e.worst),
-            };
-            let at = match e.at.as_str() {
-                "" => String::new(),
-                at => format!(", for instance at {at}"),
-            };
-            format!("without the condition ({}): {how}{at}", e.compared)
-        });
-    fails.collect::<Vec<_>>().join("; ")
+        .map(|e| format!("{} {}", e.comparison(), e.measured()));
+    let fails: Vec<_> = fails.collect();
+    format!("Without the condition it fails. {}", fails.join(" "))
 }
 
-/// A trial in one sentence.
+/// A trial in sentences.
 fn said(e: &Evidence, conditional: bool) -> String {
-    let measured = match e.outcome() {
-        Outcome::Agrees if e.tolerance.value == 0.0 => format!("agrees at {} points", e.points),
-        Outcome::Agrees => format!("agrees to {:.0e} at {} points", e.tolerance.value, e.points),
-        Outcome::Disagrees if e.worst.is_infinite() => {
-            "has no value where the motion has one".to_owned()
-        }
-        Outcome::Disagrees => format!(
-            "differs by up to {:.1e}, {:.0e} allowed, {} points",
-            e.worst, e.tolerance.value, e.points
-        ),
-        Outcome::NotANumber | Outcome::TooFewPoints => "open".to_owned(),
-    };
-    let outcome = e.proof_words().map_or(measured, str::to_owned);
-    format!(
-        "{}, by {}: {}: {outcome}",
-        e.about(conditional),
-        e.route.name(),
-        e.compared
-    )
+    let (about, route) = (e.about(conditional), e.route.name());
+    let (comparison, measured) = (e.comparison(), e.measured());
+    format!("{about}, by {route}. {comparison} {measured}")
 }

@@ -20,7 +20,7 @@ pub enum Format {
 
 impl Ledger {
     /// The errata as a short comment on the paper, as one sends it to a journal, or as JSON: an item for each error that
-    /// rests on no other, with what inherits it, and a paragraph of conditions.
+    /// rests on no other, with what inherits it, a list of misprints and a paragraph of conditions.
     ///
     /// # Errors
     /// As [`Ledger::errata`].
@@ -47,25 +47,31 @@ impl Ledger {
 
     fn comment(&self, errata: &[Erratum], style: &dyn Style) -> String {
         let wrong = of(errata, &WRONG);
-        let (roots, heirs): (Vec<_>, Vec<_>) = wrong.iter().partition(|e| e.inherits.is_empty());
+        let (misprints, wrong): (Vec<&Erratum>, Vec<&Erratum>) = wrong
+            .into_iter()
+            .partition(|e| e.verdict == Verdict::Misprint);
+        let (roots, heirs): (Vec<&Erratum>, Vec<&Erratum>) =
+            wrong.into_iter().partition(|e| e.inherits.is_empty());
         let mut text = style.opening(self.paper, "Comment on");
         text += &style.sender();
         text += &style.paragraph(&format!(
             "All {} numbered equations and statements of the paper were tried {}. Independent errors: {}. Further statements \
-             that suffer from them: {}. Statements that need a condition: {}. The rest is right as printed.",
+             that suffer from them: {}. Misprints: {}. Statements that need a condition: {}. The rest is right as printed.",
             self.entries.len(),
             self.paper.tried,
             roots.len(),
             heirs.len(),
-            errata.len() - wrong.len()
+            misprints.len(),
+            of(errata, &[Verdict::Conditional]).len()
         ));
         text += &style.heading("Corrections");
         for (i, root) in roots.iter().enumerate() {
             let heirs: Vec<_> = heirs
                 .iter()
-                .filter(|e: &&&Erratum| root.fallen.contains(&e.id))
+                .filter(|e| root.fallen.contains(&e.id))
                 .collect();
             text += &style.numbered(i + 1, &self.name(root.id), root);
+            text += &style.wrong(root);
             text += &style.entry("Printed", &root.old);
             text += &style.entry("Right", &root.new);
             for (label, words) in [
@@ -73,7 +79,7 @@ impl Ledger {
                 ("By hand", root.case.as_ref()),
             ] {
                 if let Some(words) = words.filter(|words| !words.is_empty()) {
-                    text += &style.entry(label, words);
+                    text += &style.entry(label, &closed(words));
                 }
             }
             if !heirs.is_empty() {
@@ -84,7 +90,15 @@ impl Ledger {
             }
             text.push('\n');
         }
-        if errata.len() > wrong.len() {
+        if !misprints.is_empty() {
+            text += &style.heading("Misprints");
+            for misprint in misprints {
+                let (old, new) = (&misprint.old, &misprint.new);
+                text += &style.entry(&self.name(misprint.id), &format!("{old} should be {new}"));
+            }
+            text.push('\n');
+        }
+        if errata.iter().any(|e| e.verdict == Verdict::Conditional) {
             text += &style.heading("Conditions");
             text += &style.paragraph(&self.conditions(errata));
         }
@@ -156,6 +170,9 @@ fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
     chosen.collect()
 }
 
+/// The parts of an item that stand in one paragraph, in LaTeX.
+const RUN_IN: [&str; 5] = ["Printed", "Right", "Reason", "By hand", "It passes to"];
+
 /// How the letter is set.
 trait Style {
     fn opening(&self, paper: &Paper, what: &str) -> String;
@@ -167,19 +184,30 @@ trait Style {
     fn entry(&self, label: &str, words: &str) -> String;
     fn closing(&self) -> &'static str;
 
+    /// `Misprint: the sign of the second term.`
+    fn wrong(&self, erratum: &Erratum) -> String {
+        let parts = erratum.wrong.split_once(": ");
+        parts.map_or_else(String::new, |(label, words)| self.entry(label, words))
+    }
+
     fn item(&self, name: &str, erratum: &Erratum) -> String {
-        let mut text = self.title(name, erratum);
+        let mut text = self.title(name, erratum) + &self.wrong(erratum);
         text += &self.entry("Printed", &erratum.old);
         text += &self.entry("Should be", &erratum.new);
-        text += &self.entry("Reason", &erratum.reason);
+        text += &self.entry("Reason", &closed(&erratum.reason));
         if let Some(case) = &erratum.case {
-            text += &self.entry("A case by hand", case);
+            text += &self.entry("A case by hand", &closed(case));
         }
         for said in &erratum.evidence {
             text += &self.entry("Trial", said);
         }
         text
     }
+}
+
+/// Sentences with the full stop at their end.
+fn closed(words: &str) -> String {
+    format!("{}.", words.trim_end_matches('.'))
 }
 
 /// What a claim is about, behind its name; nothing where that says it already.
@@ -266,8 +294,8 @@ impl Style for Latex {
             ..
         } = paper;
         format!(
-            "\\documentclass[11pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm}}\n\
-             \\usepackage[margin=25mm]{{geometry}}\n\n\
+            "\\documentclass[10pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm}}\n\
+             \\usepackage[margin=20mm]{{geometry}}\n\n\
              \\title{{{what} ``{title}''\\\\\\large by {authors}, {reference}}}\n\\author{{[name]\\\\{{}}[affiliation and \
              address]}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n"
         )
@@ -300,13 +328,15 @@ impl Style for Latex {
         )
     }
     fn entry(&self, label: &str, words: &str) -> String {
+        // The parts of an item are one paragraph.
+        let end = if RUN_IN.contains(&label) { "" } else { "\n" };
         // A formula alone may be too wide for a line with its label.
         let alone = words
             .strip_prefix('$')
             .and_then(|rest| rest.strip_suffix('$'));
         match alone.filter(|formula| !formula.contains('$')) {
-            Some(formula) => format!("\\emph{{{label}:}}\n\\[{formula}\\]\n\n"),
-            None => format!("\\emph{{{label}:}} {}\n\n", tex_words(words)),
+            Some(formula) => format!("\\emph{{{label}:}}\n\\[{formula}\\]\n{end}"),
+            None => format!("\\emph{{{label}:}} {}\n{end}", tex_words(words)),
         }
     }
     fn closing(&self) -> &'static str {

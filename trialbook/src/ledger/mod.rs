@@ -4,6 +4,7 @@
 mod alone;
 #[cfg(feature = "book")]
 pub mod deep;
+#[cfg(feature = "book")]
 pub mod distrust;
 #[cfg(feature = "book")]
 mod errata;
@@ -19,7 +20,12 @@ mod row;
 #[cfg(feature = "book")]
 mod run;
 #[cfg(feature = "book")]
+mod said;
+#[cfg(feature = "book")]
 mod sheet;
+#[cfg(feature = "book")]
+mod short;
+#[cfg(feature = "book")]
 pub mod slight;
 mod table;
 mod tally;
@@ -38,6 +44,8 @@ pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "book")]
 pub use row::{EvidenceRow, Row};
+#[cfg(feature = "book")]
+pub(crate) use said::count;
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 

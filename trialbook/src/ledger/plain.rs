@@ -17,6 +17,10 @@ pub fn plain_formula(latex: &str) -> String {
     let text = reader.until_closed();
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
+        // The power of a function, behind its blank.
+        if SMALL_HIGH.contains(c) && out.ends_with(' ') {
+            out.pop();
+        }
         // Blanks come from several sources: one is enough.
         if !(c == ' ' && (out.is_empty() || out.ends_with([' ', '(', '[']))) {
             out.push(c);
@@ -92,6 +96,8 @@ const SYMBOLS: &[(&str, &str)] = &[
     ("lvert", "|"),
     ("rvert", "|"),
     ("vert", "|"),
+    ("langle", "⟨"),
+    ("rangle", "⟩"),
     ("Vert", "‖"),
     ("circ", "°"),
     ("prime", "′"),
@@ -152,8 +158,13 @@ const SMALL: &str = "0123456789+-";
 const SMALL_LOW: &str = "₀₁₂₃₄₅₆₇₈₉₊₋";
 const SMALL_HIGH: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻";
 
-/// Commands that only change how their argument looks, and those that leave no trace.
-const SILENT: &[&str] = &[
+/// True for a digit or a sign as a sub- or superscript.
+fn is_small(c: char) -> bool {
+    SMALL_LOW.contains(c) || SMALL_HIGH.contains(c)
+}
+
+/// Commands that only change how their argument looks.
+const LOOKS: &[&str] = &[
     "mathrm",
     "mathfrak",
     "mathsf",
@@ -163,6 +174,10 @@ const SILENT: &[&str] = &[
     "mbox",
     "text",
     "operatorname",
+];
+
+/// Commands that leave no trace.
+const SILENT: &[&str] = &[
     "left",
     "right",
     "big",
@@ -211,6 +226,11 @@ impl Reader<'_> {
             {
                 bracket(&mut out, at);
             }
+            let function =
+                item.ends_with(' ') && item.starts_with(|c: char| c.is_ascii_lowercase());
+            if function && out.ends_with(|c: char| c.is_alphabetic() || is_small(c)) {
+                out.push(' ');
+            }
             let begins = out.len();
             out.push_str(&item);
             if is_fraction && item.contains('/') {
@@ -256,6 +276,9 @@ impl Reader<'_> {
         let (name, rest) = self.rest.split_at(end);
         self.rest = rest;
         if let Some((_, symbol)) = SYMBOLS.iter().find(|(known, _)| *known == name) {
+            if name == "lvert" {
+                self.rest = self.rest.trim_start();
+            }
             return (*symbol).to_owned();
         }
         if let Some((_, mark)) = MARKS.iter().find(|(known, _)| *known == name) {
@@ -272,7 +295,7 @@ impl Reader<'_> {
                 }
             }
             "sqrt" => format!("√{}", factor(self.argument())),
-            "mathrm" | "text" | "mbox" if self.rest.starts_with('{') => self.argument(),
+            name if LOOKS.contains(&name) => self.argument(),
             "begin" | "end" => {
                 self.argument();
                 String::new()
@@ -328,7 +351,7 @@ fn multiplies(item: &str) -> bool {
 /// True if the text ends with a function whose argument is to come.
 fn ends_with_function(text: &str) -> bool {
     let word = text
-        .trim_end()
+        .trim_end_matches(|c| c == ' ' || SMALL_HIGH.contains(c))
         .rsplit(|c: char| !c.is_ascii_alphabetic())
         .next();
     let functions = [
@@ -347,12 +370,7 @@ fn factor(term: String) -> String {
 }
 
 fn is_factor(term: &str) -> bool {
-    let mark = |c: char| {
-        SMALL_LOW.contains(c)
-            || SMALL_HIGH.contains(c)
-            || "′˙".contains(c)
-            || ('\u{300}'..'\u{370}').contains(&c)
-    };
+    let mark = |c: char| is_small(c) || "′˙".contains(c) || ('\u{300}'..'\u{370}').contains(&c);
     let symbol = |term: &str| {
         let mut rest = term.chars();
         rest.next().is_some_and(char::is_alphabetic)
@@ -367,6 +385,7 @@ fn is_factor(term: &str) -> bool {
         (depth == 0).then_some(i)
     });
     term.chars().all(|c| c.is_ascii_digit())
+        || term.chars().count() == 1
         || symbol(term)
         || term.strip_prefix('d').is_some_and(symbol)
         || term.strip_prefix('√').is_some_and(is_factor)
@@ -401,11 +420,18 @@ mod tests {
                 "(tan (θ/2))^(−λ)",
             ),
             (r"\bm{A}=-A \hat{\bm{x}}", "A = −A x̂"),
+            (
+                r"\lambda_\mathrm c\,\mathrm d\bm\rho/\mathrm dt",
+                "λ_c dρ/dt",
+            ),
             (r"\tau\to\infty", "τ → ∞"),
             (r"2^{1/4}", "2^(1/4)"),
             (r"r^{\lambda-1}", "r^(λ−1)"),
             (r"\frac{3\sqrt2}{4A}", "3√2/(4A)"),
             (r"\frac12\ln(\sqrt2\,\tau)", "½ln (√2 τ)"),
+            (r"\sin^2\frac\psi2", "sin²(ψ/2)"),
+            (r"\lvert v_\perp\rvert", "|v_⊥|"),
+            (r"\cosh\alpha\cosh2\alpha", "cosh α cosh 2α"),
             (r"\frac76C^4+\frac7{12}", "(7/6)C⁴+7/12"),
         ] {
             assert_eq!(plain_formula(latex), plain, "{latex}");

@@ -1,6 +1,6 @@
 //! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
 
-use super::Entry;
+use super::{Entry, plain_words};
 use crate::claims::Condition;
 use serde::Serialize;
 
@@ -23,6 +23,8 @@ pub struct Row<'a> {
     pub plain: &'a str,
     /// The verdict, by its slug.
     pub verdict: &'a str,
+    /// What is wrong, in one sentence of plain text; nothing for a claim that stands.
+    pub wrong: Option<String>,
     /// What the verdict rests on.
     pub ground: &'a str,
     /// The conditions under which it is tried.
@@ -51,10 +53,20 @@ pub struct EvidenceRow<'a> {
     pub route: &'a str,
     /// What it speaks about, in lower case.
     pub subject: crate::evidence::Subject,
-    /// What was compared with what.
-    pub compared: &'a str,
+    /// What was compared with what, by which method and at which points: a sentence of plain text.
+    pub compared: String,
+    /// What the claim states, as plain text; for a proof in which no two sides are compared, what is shown.
+    pub stated: String,
+    /// What is found without it.
+    pub found: Option<String>,
+    /// Where, in words.
+    pub over: Option<String>,
     /// How many points were compared.
     pub points: usize,
+    /// At how many of them the two sides differ by more than the tolerance.
+    pub failed: usize,
+    /// What came of it: a sentence.
+    pub result: String,
     /// The largest disagreement; written as `null` where it is infinite or not a number.
     pub worst: f64,
     /// The largest disagreement that counts as agreement.
@@ -87,6 +99,7 @@ impl Entry {
             formula: claim.latex,
             plain: claim.plain,
             verdict: self.judgement.verdict.slug(),
+            wrong: self.in_short().as_deref().map(plain_words),
             ground: &self.judgement.ground,
             conditions: claim.conditions,
             depends_on: claim.depends_on,
@@ -100,12 +113,18 @@ impl Entry {
 }
 
 fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
+    let over = e.compared.points().map(plain_words);
     EvidenceRow {
         trial: e.trial,
         route: e.route.name(),
         subject: e.subject,
-        compared: e.compared,
+        compared: plain_words(&e.comparison()),
+        stated: plain_words(e.compared.stated()),
+        found: e.compared.found().map(plain_words),
+        over: over.or_else(|| e.ranges.words()),
         points: e.points,
+        failed: e.failed,
+        result: plain_words(&e.measured()),
         worst: e.worst,
         tolerance: e.tolerance.value,
         tolerance_name: e.tolerance.name,

@@ -1,8 +1,8 @@
 //! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
 
-use super::Entry;
+use super::{Entry, plain_words};
 use crate::claims::Sort;
-use crate::evidence::{Evidence, Outcome};
+use crate::evidence::{Evidence, Outcome, Sample};
 use std::fmt::Write;
 
 impl Entry {
@@ -39,6 +39,9 @@ impl Entry {
             let _ = writeln!(text, "condition ({by}): {}", condition.text);
         }
         let _ = writeln!(text, "verdict: {}", self.judgement.verdict.words());
+        if let Some(words) = self.in_short() {
+            let _ = writeln!(text, "in short: {}", plain_words(&words));
+        }
         let _ = writeln!(text, "ground: {}", self.judgement.ground);
         for evidence in &self.evidence {
             trial(&mut text, evidence, self.is_conditional());
@@ -48,41 +51,68 @@ impl Entry {
 }
 
 fn trial(text: &mut String, e: &Evidence, conditional: bool) {
-    let tolerance = e.tolerance.value;
-    let said = match e.outcome() {
-        Outcome::Agrees => format!("agrees to {tolerance:.0e}"),
-        Outcome::Disagrees => format!("differs by more than {tolerance:.0e}"),
-        Outcome::NotANumber => "gave no number".into(),
-        Outcome::TooFewPoints => "has too few points".into(),
-    };
     let (route, about) = (e.route.name(), e.about(conditional));
-    let _ = writeln!(text, "\ntrial by {route}, {about}: {}", e.compared);
-    if let Some(proof) = e.proof_words() {
-        let steps = match e.steps.len() {
-            0 => String::new(),
-            n => format!(" in {n} steps"),
-        };
-        let _ = writeln!(text, "    {proof}{steps}");
-        if !e.title.is_empty() {
-            let _ = writeln!(text, "    {}", e.title);
-        }
-    } else {
-        let _ = writeln!(text, "    {} points, {said}", e.points);
+    let comparison = plain_words(&e.comparison());
+    let result = e.result();
+    let _ = writeln!(
+        text,
+        "\ntrial by {route}, {about}:\n    {comparison} {result}"
+    );
+    if !e.title.is_empty() {
+        let _ = writeln!(text, "    {}", e.title);
     }
     for s in &e.samples {
-        let (stated, found) = (rounded(s.stated, tolerance), rounded(s.found, tolerance));
+        let [stated, found] = match e.outcome() {
+            Outcome::Disagrees => apart(s, e.tolerance.value),
+            _ => counts(s, e.tolerance.value).unwrap_or_else(|| {
+                [s.stated, s.found].map(|value| rounded(value, e.tolerance.value))
+            }),
+        };
         let _ = writeln!(text, "    {}: stated {stated}, found {found}", s.at);
     }
 }
 
+/// Both sides of a pair that disagrees, with digits enough to see it.
+fn apart(sample: &Sample, tolerance: f64) -> [String; 2] {
+    if let Some(counts) = counts(sample, tolerance) {
+        return counts;
+    }
+    let both = |digits| [sample.stated, sample.found].map(|value| with_digits(value, digits));
+    let differ = |[stated, found]: &[String; 2]| stated != found;
+    // One digit more than the first that differs.
+    let first = (digits(tolerance)..17).find(|digits| differ(&both(*digits)));
+    match first {
+        Some(first) if first > digits(tolerance) => both(first + 1),
+        _ => both(digits(tolerance)),
+    }
+}
+
+/// Both sides of a pair of whole numbers that have to be the same.
+fn counts(sample: &Sample, tolerance: f64) -> Option<[String; 2]> {
+    let sides = [sample.stated, sample.found];
+    let whole = |value: f64| value.fract() == 0.0 && value.abs() < 1e9;
+    let counted = tolerance == 0.0 && sides.into_iter().all(whole);
+    counted.then(|| sides.map(|value| format!("{value:.0}")))
+}
+
 /// `value` with two digits fewer than `tolerance` vouches for, at least three and at most ten.
 pub(crate) fn rounded(value: f64, tolerance: f64) -> String {
+    match value.abs() < tolerance.max(1e-300) {
+        true => "0".into(),
+        false => with_digits(value, digits(tolerance)),
+    }
+}
+
+fn digits(tolerance: f64) -> usize {
+    let vouched = -libm::log10(tolerance.max(1e-12));
+    (vouched.floor() as i32 - 2).clamp(3, 10) as usize
+}
+
+fn with_digits(value: f64, digits: usize) -> String {
     if !value.is_finite() {
         return "no value".into();
     }
-    let vouched = -libm::log10(tolerance.max(1e-12));
-    let digits = (vouched.floor() as i32 - 2).clamp(3, 10) as usize;
-    if value.abs() < tolerance.max(1e-300) {
+    if value == 0.0 {
         return "0".into();
     }
     let text = format!("{value:.*e}", digits - 1);
@@ -98,7 +128,8 @@ pub(crate) fn rounded(value: f64, tolerance: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::rounded;
+    use super::{apart, rounded};
+    use crate::evidence::Sample;
 
     #[test]
     fn values_keep_two_digits_fewer_than_the_tolerance_vouches_for() {
@@ -108,5 +139,17 @@ mod tests {
         assert_eq!(rounded(1e-14, 1e-12), "0");
         assert_eq!(rounded(f64::NAN, 1e-12), "no value");
         assert_eq!(rounded(f64::INFINITY, 0.0), "no value");
+    }
+
+    #[test]
+    fn what_disagrees_is_seen_to() {
+        let of = |stated, found| {
+            let at = String::new();
+            apart(&Sample { at, stated, found }, 1e-6)
+        };
+        assert_eq!(of(1.0, 1.000_002_5), ["1.0000000", "1.0000025"]);
+        assert_eq!(of(2.0, 3.0), ["2.000", "3.000"]);
+        assert_eq!(of(0.0, 3e-9), ["0", "3.000e-9"]);
+        assert_eq!(of(f64::NAN, 1.0), ["no value", "1.000"]);
     }
 }

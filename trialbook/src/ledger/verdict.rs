@@ -96,12 +96,15 @@ pub struct Judgement {
     pub verdict: Verdict,
     /// The ground for it; of an undecided claim, what would settle it.
     pub ground: String,
+    /// Ids of the wrong claims from which an inherited error comes.
+    pub inherits: Vec<String>,
 }
 
 fn judgement(verdict: Verdict, ground: impl Into<String>) -> Judgement {
     Judgement {
         verdict,
         ground: ground.into(),
+        inherits: Vec::new(),
     }
 }
 
@@ -256,9 +259,9 @@ pub fn in_view_of(
     below: &[(&str, Verdict)],
     above: &[(&str, Verdict)],
 ) -> Judgement {
-    let list = |claims: &[(&str, Verdict)], wanted: fn(Verdict) -> bool| {
+    let list = |claims: &[(&str, Verdict)], wanted: fn(Verdict) -> bool| -> Vec<String> {
         let ids = claims.iter().filter(|(_, verdict)| wanted(*verdict));
-        ids.map(|(id, _)| *id).collect::<Vec<_>>().join(", ")
+        ids.map(|(id, _)| (*id).to_owned()).collect()
     };
     match own.verdict {
         Verdict::Inherited => match list(below, Verdict::is_wrong) {
@@ -266,17 +269,18 @@ pub fn in_view_of(
                 Verdict::Undecided,
                 format!("{}, and nothing that it rests on is wrong", own.ground),
             ),
-            wrong if !own.ground.contains("; wrong there: ") => judgement(
-                Verdict::Inherited,
-                format!("{}; wrong there: {wrong}", own.ground),
-            ),
+            wrong if own.inherits.is_empty() => Judgement {
+                ground: format!("{}; wrong there: {}", own.ground, wrong.join(", ")),
+                inherits: wrong,
+                ..own
+            },
             _ => own,
         },
         Verdict::Misprint => match list(above, |verdict| verdict == Verdict::Inherited) {
             heirs if heirs.is_empty() => own,
             heirs => judgement(
                 Verdict::Misderived,
-                format!("{}; it passes to {heirs}", own.ground),
+                format!("{}; it passes to {}", own.ground, heirs.join(", ")),
             ),
         },
         _ => own,

@@ -6,7 +6,7 @@ use crate::certified::error::CertifiedError;
 use crate::certified::interval::{Interval, PI};
 use crate::certified::krawczyk;
 use crate::certified::numbers::{LAMBDA_Y, Q_Y};
-use crate::claims::compare::{Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::enclosed::{DIGITS, certified, numbers, on_balls};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -16,7 +16,10 @@ use crate::scalar::Scalar;
 
 /// X: (53) and (54) have one common root near (57).
 pub fn x_unique() -> Evidence {
-    let compared = "(57) with the only common root of (53) and (54) in 0.97 ≤ q ≤ 1.03, 0.525 ≤ λ₀ ≤ 0.55, enclosed to 1e-14, so that its λ₀ is positive";
+    let compared = Compared::one(
+        "(57)",
+        r"the only common root of (53) and (54) in $0.97\le q\le1.03$, $0.525\le\lambda_0\le0.55$, which is enclosed to $10^{-14}$ and has a positive $\lambda_0$",
+    );
     let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
     let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
     certified(proof, Subject::Printed, compared)
@@ -50,7 +53,7 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
 
 /// The decimals of (58), to the last one.
 pub fn y_rounding() -> Evidence {
-    let compared = "(58) with the enclosure of Y, rounded to three decimals";
+    let compared = Compared::one("(58)", "the enclosure of Y, rounded to three decimals");
     let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
     let points = [("q of Y", Q_Y), ("λ₀ of Y", LAMBDA_Y)]
         .into_iter()
@@ -67,7 +70,10 @@ pub fn y_rounding() -> Evidence {
 
 /// (54) and (55) at Y.
 pub fn y_digits() -> Evidence {
-    let compared = "q = √(1 + x²) for the one x in (4.4, 4.6) with tan x = x, to 50 digits, with the sum of q and the difference of the sides of (54) on (55)";
+    let compared = Compared::one(
+        "the sum of $q$ and the difference of the sides of (54) on (55), to 50 digits,",
+        r"$q=\sqrt{1+x^2}$, for the one $x$ in $(4.4,4.6)$ with $\tan x=x$",
+    );
     numbers([("q of Y", Q_Y)], Subject::Printed, compared, |bits| {
         let spare = bits + 32;
         let y = Q_Y.ball(DIGITS + 8).ok();
@@ -89,7 +95,11 @@ fn last_pull([q, lambda0]: [Interval; 2]) -> Interval {
 
 /// A point of the printed region II where the drive never pulls the particle back.
 pub fn no_way_back() -> Evidence {
-    let compared = "the sign of 𝔴 at the last moment at which the drive could pull backward: −1 in the printed region II, whose forward motion is over by then, with that of the arc of Newton's law, at q = 9, λ₀ = 1/10";
+    let compared = Compared::one(
+        r"the sign of $\mathfrak w$ at the last moment at which the drive could pull backward, $-1$ in the printed region II, whose forward motion is over by then,",
+        "the sign that the arc of Newton's law has there",
+    )
+    .over(r"$q=9$, $\lambda_0=1/10$");
     let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
     trial.over([(9, Interval::ratio(1, 10))], |(q, lambda0)| {
         let q = Interval::int(q);
@@ -117,9 +127,11 @@ mod tests {
     fn the_points_are_proved() {
         for evidence in [x_unique(), y_rounding(), y_digits()] {
             assert_eq!(
-                evidence.worst, 0.0,
+                evidence.worst,
+                0.0,
                 "{}: {}",
-                evidence.compared, evidence.at
+                evidence.comparison(),
+                evidence.at
             );
         }
         assert_eq!(no_way_back().worst, 2.0);

@@ -3,6 +3,7 @@
 //! With t = tan(ψ/2), Fₖ = (aₖ + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ. The equation of the order k gives the xₙ of Fₖ, and the
 //! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
 
+use crate::claims::compare::Compared;
 use crate::claims::runs::Derived;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
@@ -155,7 +156,10 @@ pub fn stated() -> Expr {
 /// The boundary as corrected.
 pub const CORRECTED: Statement = Statement::new(
     Subject::Corrected,
-    "1 − α f₁(ψ) + α² f₂(ψ) with the power series in α that solves the equations of motion, to order four",
+    Compared::one(
+        r"$1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$",
+        r"the power series in $\alpha$ that solves the equations of motion, to order four",
+    ),
     stated,
     |formula| prove(formula, 2),
 );
@@ -163,7 +167,10 @@ pub const CORRECTED: Statement = Statement::new(
 /// (147) as the boundary.
 pub const PRINTED: Statement = Statement::new(
     Subject::Printed,
-    "(147) with the power series in α that solves the equations of motion",
+    Compared::one(
+        "(147)",
+        r"the power series in $\alpha$ that solves the equations of motion",
+    ),
     || crate::paper::rest::eq147_a(Expr::symbol("α")),
     |formula| prove(formula, 1),
 );

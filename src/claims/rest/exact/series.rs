@@ -4,6 +4,7 @@
 //! that (143) prints. The coefficients are found order by order from the equations of motion (113) to (115), which are
 //! proved from Newton's law.
 
+use crate::claims::compare::Compared;
 use crate::claims::runs::Derived;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
@@ -298,7 +299,10 @@ pub fn eq145(formula: Expr) -> Proof {
     })
 }
 
-const SERIES: &str = "the first term of the power series in α and ζ that solves (113) to (115), which three orders of it confirm";
+const SERIES: Compared = Compared::one(
+    "the claim",
+    r"the first term of the power series in $\alpha$ and $\zeta$ that solves (113) to (115), which three orders of it confirm",
+);
 
 /// (140) against the motions to rest.
 pub const EQ140: Statement = Statement::new(

@@ -1,6 +1,7 @@
 //! The motion by p, ℓ, ξ and by p, ρ, ψ: (96) to (102), (107) to (109).
 
 use super::{Setting, prove, vectors};
+use crate::corrections::turntable as corrected;
 use crate::exact::{Expr, Proof};
 use crate::paper::turntable as paper;
 
@@ -76,6 +77,24 @@ pub(super) fn eq101() -> Vec<Expr> {
 
 pub(super) fn prove_eq101(printed: Vec<Expr>) -> Proof {
     rate("(101): dξ/dτ", "ξ", &printed)
+}
+
+pub(super) fn azimuthal() -> Vec<Expr> {
+    let [p, ell, xi] = Expr::symbols(["p", "ℓ", "ξ"]);
+    vec![corrected::azimuthal_rate(p, ell, xi)]
+}
+
+pub(super) fn prove_azimuthal(corrected: Vec<Expr>) -> Proof {
+    rate("dℓ/dτ, by the angular momentum and dp/dτ", "ℓ", &corrected)
+}
+
+pub(super) fn radial() -> Vec<Expr> {
+    let [p, ell, xi] = Expr::symbols(["p", "ℓ", "ξ"]);
+    vec![corrected::radial_rate(p, ell, xi)]
+}
+
+pub(super) fn prove_radial(corrected: Vec<Expr>) -> Proof {
+    rate("dξ/dτ, by the radius and dp/dτ", "ξ", &corrected)
 }
 
 pub(super) fn eq102() -> Vec<Expr> {

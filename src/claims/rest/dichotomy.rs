@@ -1,0 +1,110 @@
+//! Trials of the statement that every start leads to rest or to an unbounded motion.
+
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::NONE;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::turntable::boundary::boundary;
+use crate::motion::turntable::ensemble::rests;
+use crate::motion::turntable::intrinsic::Run;
+use crate::motion::turntable::{Fate, Start, State, Table, fate, rotating};
+use crate::paper::rest as printed;
+
+/// Starts all over the inner part of the states, by ρ, p and ψ.
+fn starts(stream: u64, count: usize) -> Vec<[f64; 3]> {
+    Points::stream(stream).within(count, [[0.0, 3.0], [0.0, 3.0], [-3.1, 3.1]])
+}
+
+/// By bounds on the energy, which make a fate certain: many starts together.
+pub fn fates() -> Evidence {
+    let compared = Compared::one(
+        "the expected 0, for no third fate,",
+        "whether the fate is neither rest nor escape by the bounds on its energy (1 if so)",
+    );
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let points = starts(714, 5000);
+    let begun = points
+        .iter()
+        .map(|[rho, p, psi]| Start::polar(*rho, *p, *psi));
+    let ends = begun
+        .collect::<Result<Vec<_>, _>>()
+        .and_then(|all| rests(&all));
+    let ends = match ends {
+        Ok(ends) => ends,
+        Err(error) => return trial.over([Failure::from(error)], Err),
+    };
+    trial.over(points.into_iter().zip(ends), |([rho, p, psi], end)| {
+        Ok(Pair {
+            at: format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}"),
+            stated: printed::s4_third_fates(),
+            found: f64::from(u8::from(end.is_none())),
+            scale: 1.0,
+        })
+    })
+}
+
+/// In Cartesian axes on the table, up to τ = 100.
+pub fn followed() -> Evidence {
+    let compared = Compared::one(
+        "the expected 0, for no third fate,",
+        r"whether a particle at $\tau=100$ neither rests on the table nor is beyond $\rho=100$ (1 if so)",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
+    trial.at(["ρ", "p", "ψ"], starts(715, 200), 1.0, |[rho, p, psi]| {
+        let start = State {
+            t: 0.0,
+            x: [rho * libm::cos(psi), rho * libm::sin(psi)],
+            v: [p, 0.0],
+        };
+        let path = rotating::run(&Table::default(), &start, 100.0)?;
+        let away = path.at(100.0)?.radius() > 100.0;
+        let third = path.resting_place().is_none() && !away;
+        Ok([printed::s4_third_fates(), f64::from(u8::from(third))])
+    })
+}
+
+/// Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
+pub fn on_the_boundary() -> Evidence {
+    let compared = Compared::one(
+        "the expected 0, for no third fate,",
+        r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
+    );
+    let trial = Trial::by(Route::Root, Subject::Outside, compared, NONE);
+    trial.over(0..20, |i| {
+        let (alpha, psi) = (0.05 + 0.02 * f64::from(i), 0.1 * f64::from(i) - 1.0);
+        let run = Run::new(&Start::hyperbolic(boundary(alpha, psi)?, alpha, psi)?, 8.0)?;
+        let (before, after) = (run.at(4.0)?, run.at(8.0)?);
+        let nearer = (after.rho() - 1.0).abs() < (before.rho() - 1.0).abs();
+        let creeps = after.p() > 0.0 && after.p() < 0.1 * before.p() && nearer;
+        Ok(Pair {
+            at: format!("α = {alpha:.6}, ψ = {psi:.6} on the boundary"),
+            stated: printed::s4_third_fates(),
+            found: f64::from(u8::from(creeps)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
+pub fn beside_the_boundary() -> Evidence {
+    let compared = Compared::one(
+        "the expected 1",
+        "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
+    );
+    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
+    trial.over(0..40, |i| {
+        let (alpha, psi) = (0.05 + 0.02 * f64::from(i), 0.1 * f64::from(i) - 2.0);
+        let on = boundary(alpha, psi)?;
+        let beside = |part: f64| -> Result<Fate, Failure> {
+            Ok(fate(&Start::hyperbolic(on * (1.0 + part), alpha, psi)?)?)
+        };
+        let sides = [beside(-1e-6)?, beside(1e-6)?];
+        let apart = matches!(sides, [Fate::Rest { .. }, Fate::Escape { .. }]);
+        Ok(Pair {
+            at: format!("α = {alpha:.6}, ψ = {psi:.6}"),
+            stated: 1.0,
+            found: f64::from(u8::from(apart)),
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,88 @@
+//! Trials of where the rest of the period ends that begins at φ₁: what follows the slip up to φ̃₂.
+
+use super::settled::{Slip, small};
+use crate::claims::compare::{Compared, Failure, Trial};
+use crate::claims::tolerances::ROOT;
+use crate::corrections::sinusoidal as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::numerics::quadrature::integral_within;
+use crate::numerics::roots::root;
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::{PI, TAU};
+
+/// What is said of the end, at a phase inside the slip that begins at φ₁ for this λ₀.
+type Stated = fn(f64, f64) -> f64;
+
+fn at_each(
+    route: Route,
+    subject: Subject,
+    compared: Compared,
+    pair: impl Fn(f64, f64) -> Result<[f64; 2], Failure>,
+) -> Evidence {
+    let trial = Trial::by(route, subject, compared, ROOT);
+    let points = small().into_iter().map(|lambda| {
+        let slip = Slip::of(lambda);
+        [lambda, slip.map_or(f64::NAN, |s| 0.5 * (s.start + s.end))]
+    });
+    trial.at(["λ₀", "φ"], points, TAU, |[lambda, phi]| {
+        pair(lambda, phi)
+    })
+}
+
+/// As printed: φ itself, whichever of the slip it is.
+const PRINTED: Stated = |_, phi| printed::s22_rest_of_period_end(phi);
+
+const CORRECTED: Stated = |lambda, _| corrected::rest_of_period_end(printed::eq27_phi1(lambda));
+
+/// Where the drive next overcomes friction forward, after it has done so at φ₁.
+fn next_start(subject: Subject, compared: Compared, stated: Stated) -> Evidence {
+    at_each(Route::Root, subject, compared, |lambda, phi| {
+        let found = root(|phi| libm::sin(phi) - lambda, 1.5 * PI, 2.5 * PI)?;
+        Ok([stated(lambda, phi), found])
+    })
+}
+
+/// The drive gives nothing in a whole period.
+fn nothing_given(subject: Subject, compared: Compared, stated: Stated) -> Evidence {
+    at_each(Route::Quadrature, subject, compared, |lambda, phi| {
+        let start = Slip::of(lambda)?.start;
+        let given = integral_within(libm::sin, start, stated(lambda, phi), 1e-13);
+        Ok([given.map_or(f64::NAN, |sum| sum.value), 0.0])
+    })
+}
+
+/// As printed.
+pub fn printed_root() -> Evidence {
+    let compared = Compared::one(
+        r"$\phi+2\pi$, with $\phi$ in the middle of the slip,",
+        r"the phase after $\phi_1$ at which the drive next exceeds friction forward",
+    );
+    next_start(Subject::Printed, compared, PRINTED)
+}
+
+/// As printed.
+pub fn printed_quadrature() -> Evidence {
+    let compared = Compared::one(
+        r"what the drive gives from $\phi_1$ to $\phi+2\pi$, with $\phi$ in the middle of the slip,",
+        "the 0 of a whole period",
+    );
+    nothing_given(Subject::Printed, compared, PRINTED)
+}
+
+/// As corrected.
+pub fn corrected_root() -> Evidence {
+    let compared = Compared::one(
+        r"$\phi_1+2\pi$",
+        r"the phase after $\phi_1$ at which the drive next exceeds friction forward",
+    );
+    next_start(Subject::Corrected, compared, CORRECTED)
+}
+
+/// As corrected.
+pub fn corrected_quadrature() -> Evidence {
+    let compared = Compared::one(
+        r"what the drive gives from $\phi_1$ to $\phi_1+2\pi$",
+        "the 0 of a whole period",
+    );
+    nothing_given(Subject::Corrected, compared, CORRECTED)
+}

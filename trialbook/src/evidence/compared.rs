@@ -1,0 +1,78 @@
+//! What a trial compares with what, and where, in words.
+
+use serde::Serialize;
+
+/// The two sides of a comparison, as parts of a sentence; formulas as LaTeX in `$…$`.
+///
+/// ```
+/// use trialbook::evidence::Compared;
+///
+/// let time = Compared::one("$T$", "the time at which the motion stops").over(r"$\lambda$ near 1");
+/// assert_eq!(time.words(), "$T$ was compared with the time at which the motion stops");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Compared {
+    /// What the claim states; a comma at its end parts what was added to it from the verb. Or, without a found side, all
+    /// that is to be proved.
+    stated: &'static str,
+    /// What is found without the claim.
+    found: Option<&'static str>,
+    /// True if what is stated is more than one thing.
+    many: bool,
+    /// Where the two are compared, if more is to be said than what can be read from the points.
+    over: Option<&'static str>,
+}
+
+impl Compared {
+    /// One thing that is stated, and what is found.
+    pub const fn one(stated: &'static str, found: &'static str) -> Self {
+        Compared {
+            stated,
+            found: Some(found),
+            many: false,
+            over: None,
+        }
+    }
+
+    /// Several things that are stated, and what is found.
+    pub const fn many(stated: &'static str, found: &'static str) -> Self {
+        let one = Self::one(stated, found);
+        Compared { many: true, ..one }
+    }
+
+    /// What a proof shows where no two sides are compared, as a clause.
+    pub const fn shown(clause: &'static str) -> Self {
+        let one = Self::one(clause, "");
+        Compared { found: None, ..one }
+    }
+
+    /// The same, at these points; the words stand behind their number.
+    pub const fn over(self, points: &'static str) -> Self {
+        let over = Some(points);
+        Compared { over, ..self }
+    }
+
+    /// What is stated; formulas in `$…$`.
+    pub fn stated(&self) -> &'static str {
+        self.stated.trim_end_matches(',')
+    }
+
+    /// What is found; nothing for a proof in which no two sides are compared.
+    pub fn found(&self) -> Option<&'static str> {
+        self.found
+    }
+
+    /// Where, if the trial says so; formulas in `$…$`.
+    pub fn points(&self) -> Option<&'static str> {
+        self.over
+    }
+
+    /// What was compared with what, as a clause; formulas in `$…$`.
+    pub fn words(&self) -> String {
+        let verb = if self.many { "were" } else { "was" };
+        match self.found {
+            Some(found) => format!("{} {verb} compared with {found}", self.stated),
+            None => self.stated.to_owned(),
+        }
+    }
+}

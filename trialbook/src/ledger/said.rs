@@ -1,0 +1,160 @@
+//! A trial in sentences: what was compared, by which method, at which points, and what came of it.
+//!
+//! Formulas stand in `$…$`, numbers as `2e-13`; who shows the sentences sets both.
+
+use super::decimal;
+use crate::evidence::{Evidence, Outcome, Route};
+
+impl Route {
+    /// The method, behind the sentence that says what was compared.
+    fn method(self) -> &'static str {
+        match self {
+            Route::Exact => "in exact arithmetic",
+            Route::Certified => "with rigorous bounds",
+            Route::Integration => "by integrating the equation of motion",
+            Route::Quadrature => "by quadrature",
+            Route::Root => "by solving for the root",
+            Route::Limit => "by following the approach to the limit",
+            Route::Census => "case by case",
+            Route::Consistency => "as a test of consistency",
+        }
+    }
+}
+
+impl Evidence {
+    /// What was compared with what, by which method, at which points: one sentence.
+    pub fn comparison(&self) -> String {
+        let (words, method) = (self.compared.words(), self.route.method());
+        if self.compared.found().is_none() {
+            return format!("To be shown {method}: {words}.");
+        }
+        let points = match self.points {
+            // A proof of formulas has no points.
+            _ if self.route.is_proof() && self.samples.is_empty() => String::new(),
+            1 => ", at one point".to_owned(),
+            n => format!(", at {} points", count(n)),
+        };
+        let ranges = self.compared.points().map(str::to_owned);
+        let ranges = ranges.or_else(|| self.ranges.words());
+        let points = match ranges {
+            Some(ranges) if !points.is_empty() => format!("{points}, {ranges}"),
+            _ => points,
+        };
+        let mut letters = words.chars();
+        let first = letters.next().map(|c| c.to_ascii_uppercase());
+        let words: String = first.into_iter().chain(letters).collect();
+        format!("{words}, {method}{points}.")
+    }
+
+    /// What came of it, in one sentence that is the same on every machine.
+    pub fn result(&self) -> String {
+        let tolerance = self.tolerance.value;
+        if self.route.is_proof() {
+            return self.proof_result();
+        }
+        match self.outcome() {
+            Outcome::Agrees if tolerance == 0.0 => {
+                "All agree; no disagreement is allowed.".to_owned()
+            }
+            Outcome::Agrees => format!("All agree to {}.", short(tolerance, 0)),
+            // The number of those beyond a tolerance may turn on a last bit.
+            Outcome::Disagrees if tolerance > 0.0 => {
+                format!("Not all agree to {}.", short(tolerance, 0))
+            }
+            Outcome::Disagrees => {
+                let failed = self.failing();
+                format!("{failed}; no disagreement is allowed.")
+            }
+            Outcome::NotANumber | Outcome::TooFewPoints => self.no_result(),
+        }
+    }
+
+    /// What came of it, and how far the two sides were apart where they were so farthest.
+    pub fn measured(&self) -> String {
+        let tolerance = short(self.tolerance.value, 0);
+        if self.route.is_proof() {
+            return self.proof_result();
+        }
+        let at = match self.at.as_str() {
+            "" => String::new(),
+            at => format!(" at {at}"),
+        };
+        let worst = match self.worst.is_infinite() {
+            true => format!("there is no value where the motion has one, for instance{at}"),
+            false => format!("the worst differs by {},{at}", short(self.worst, 1)),
+        };
+        let worst = worst.trim_end_matches([',', ' ']);
+        match self.outcome() {
+            Outcome::Agrees if self.worst == 0.0 => self.result(),
+            Outcome::Agrees => format!("All agree to {tolerance}; {worst}."),
+            Outcome::Disagrees if self.tolerance.value > 0.0 => {
+                format!("{} by more than {tolerance}; {worst}.", self.failing())
+            }
+            Outcome::Disagrees => {
+                let failing = self.failing();
+                format!("{failing}, for instance{at}; no disagreement is allowed.")
+            }
+            Outcome::NotANumber | Outcome::TooFewPoints => self.no_result(),
+        }
+    }
+
+    /// How many disagree.
+    fn failing(&self) -> String {
+        match (self.failed, self.points) {
+            (1, 1) => "The two sides disagree".to_owned(),
+            (failed, points) if failed == points => format!("All {} disagree", count(points)),
+            (1, points) => format!("1 of {} disagrees", count(points)),
+            (failed, points) => format!("{} of {} disagree", count(failed), count(points)),
+        }
+    }
+
+    fn proof_result(&self) -> String {
+        let steps = match self.steps.len() {
+            0 => String::new(),
+            1 => " in one step".to_owned(),
+            n => format!(" in {n} steps"),
+        };
+        match self.outcome() {
+            Outcome::Agrees => format!("Proved{steps}."),
+            Outcome::Disagrees if self.failed > 0 => {
+                format!("Disproved: {}.", self.failing().to_lowercase())
+            }
+            Outcome::Disagrees => format!("Disproved: {}.", self.at.trim_end_matches('.')),
+            Outcome::NotANumber | Outcome::TooFewPoints => self.no_result(),
+        }
+    }
+
+    fn no_result(&self) -> String {
+        let what = match self.route.is_proof() {
+            true => "Not proved",
+            false => "No number was found",
+        };
+        match self.outcome() {
+            Outcome::TooFewPoints => {
+                let least = self.route.min_points();
+                format!("Too few points: at least {least} are needed.")
+            }
+            _ if self.at.is_empty() => format!("{what}."),
+            _ => format!("{what}: {}.", self.at.trim_end_matches('.')),
+        }
+    }
+}
+
+/// A size with so many decimals of its mantissa, written without a power of ten where none is needed.
+fn short(size: f64, decimals: usize) -> String {
+    let scientific = format!("{size:.decimals$e}");
+    decimal(&scientific).unwrap_or(scientific)
+}
+
+/// A count, its thousands parted.
+pub(crate) fn count(n: usize) -> String {
+    let digits = n.to_string();
+    let mut out = String::new();
+    for (i, digit) in digits.chars().enumerate() {
+        if i > 0 && (digits.len() - i).is_multiple_of(3) {
+            out.push(',');
+        }
+        out.push(digit);
+    }
+    out
+}
