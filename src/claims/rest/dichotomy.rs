@@ -7,7 +7,7 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::boundary::boundary;
 use crate::motion::turntable::ensemble::rests;
 use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Start, State, Table, fate, rotating};
+use crate::motion::turntable::{Fate, Start, State, Table, fate, inertial};
 use crate::paper::rest as printed;
 
 /// Starts all over the inner part of the states, by ρ, p and ψ.
@@ -43,7 +43,7 @@ pub fn fates() -> Evidence {
     })
 }
 
-/// In Cartesian axes on the table, up to τ = 100.
+/// In the laboratory, up to τ = 100.
 pub fn followed() -> Evidence {
     let compared = Compared::one(
         "the expected 0, for no third fate,",
@@ -56,7 +56,8 @@ pub fn followed() -> Evidence {
             x: [rho * libm::cos(psi), rho * libm::sin(psi)],
             v: [p, 0.0],
         };
-        let path = rotating::run(&Table::default(), &start, 100.0)?;
+        let table = Table::default();
+        let path = inertial::run(&table, &table.to_laboratory(&start), 100.0)?;
         let away = path.at(100.0)?.radius() > 100.0;
         let third = path.resting_place().is_none() && !away;
         Ok([printed::s4_third_fates(), f64::from(u8::from(third))])

@@ -52,7 +52,7 @@ impl Ledger {
             .partition(|e| e.verdict == Verdict::Misprint);
         let (roots, heirs): (Vec<&Erratum>, Vec<&Erratum>) =
             wrong.into_iter().partition(|e| e.inherits.is_empty());
-        let mut text = style.opening(self.paper, "Comment on");
+        let mut text = style.opening(self.paper, COMMENT);
         text += &style.sender();
         text += &style.paragraph(&format!(
             "All {} numbered equations and statements of the paper were tried {}. Independent errors: {}. Further statements \
@@ -170,8 +170,14 @@ fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
     chosen.collect()
 }
 
+/// A displayed formula that is too wide for its column is made smaller.
+const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}";
+
 /// The parts of an item that stand in one paragraph, in LaTeX.
 const RUN_IN: [&str; 5] = ["Printed", "Right", "Reason", "By hand", "It passes to"];
+
+/// How the title of the letter begins.
+const COMMENT: &str = "Comment on";
 
 /// How the letter is set.
 trait Style {
@@ -293,11 +299,16 @@ impl Style for Latex {
             reference,
             ..
         } = paper;
+        // The comment is two pages of a journal, the supplement a report.
+        let (columns, size) = match what {
+            COMMENT => (",twocolumn", r"\small"),
+            _ => ("", ""),
+        };
         format!(
-            "\\documentclass[10pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm}}\n\
-             \\usepackage[margin=20mm]{{geometry}}\n\n\
+            "\\documentclass[10pt{columns}]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm,graphicx}}\n\
+             \\usepackage[margin=16mm]{{geometry}}\n{FIT}\n\n\
              \\title{{{what} ``{title}''\\\\\\large by {authors}, {reference}}}\n\\author{{[name]\\\\{{}}[affiliation and \
-             address]}}\n\\date{{}}\n\n\\begin{{document}}\n\\maketitle\n\n"
+             address]}}\n\\date{{}}\n\n\\begin{{document}}{size}\n\\maketitle\n\n"
         )
     }
     fn sender(&self) -> String {
@@ -335,7 +346,7 @@ impl Style for Latex {
             .strip_prefix('$')
             .and_then(|rest| rest.strip_suffix('$'));
         match alone.filter(|formula| !formula.contains('$')) {
-            Some(formula) => format!("\\emph{{{label}:}}\n\\[{formula}\\]\n{end}"),
+            Some(formula) => format!("\\emph{{{label}:}}\n\\[\\fit{{{formula}}}\\]\n{end}"),
             None => format!("\\emph{{{label}:}} {}\n{end}", tex_words(words)),
         }
     }
