@@ -14,15 +14,15 @@
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
 //! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
 //! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
-//! of it down. [`cli`] is the command. Both get from the [`edition`] what is this paper's own. For parameters of your own there are the calculators of [`claims::solve`].
+//! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`] what is this paper's own. For parameters of your own there are the calculators of [`claims::solve`].
 //!
 //! What knows no paper is a crate of its own, [`trialbook`]; its rooms stand here under their names.
 //!
 //! With `default-features = false` there are the formulas, the motions, the calculators and the ledger's types
-//! alone, and a handful of dependencies; the feature `book` brings the trials and all that rests on them.
+//! alone, and a handful of dependencies; the feature `trials` brings the trials, `book` all that rests on them.
 //!
 //! ```
-//! # #[cfg(feature = "book")] {
+//! # #[cfg(feature = "trials")] {
 //! use slipbook::claims::PAPER;
 //! use slipbook::ledger::{Entry, Verdict};
 //!
@@ -33,7 +33,9 @@
 //! # Ok::<(), &str>(())
 //! ```
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
+pub mod breaks;
+#[cfg(feature = "trials")]
 pub mod certified;
 pub mod claims;
 #[cfg(feature = "book")]
@@ -47,9 +49,11 @@ pub mod explorers;
 pub mod figures;
 pub mod motion;
 pub mod paper;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod symbols;
 
+#[cfg(feature = "trials")]
+pub use trialbook::exact;
 #[cfg(feature = "book")]
-pub use trialbook::{book, cli, exact};
+pub use trialbook::{book, cli};
 pub use trialbook::{evidence, ledger, numerics, scalar, seeded};

@@ -11,7 +11,7 @@ use slipbook::claims::{Claim, PAPER};
 use slipbook::evidence::{Evidence, Outcome, Sample};
 use slipbook::ledger::deep::Deep;
 use slipbook::ledger::{Entry, Ledger, Record};
-use slipbook::seeded::with;
+use slipbook::seeded::{reading::of, with};
 use std::collections::{BTreeMap, BTreeSet};
 use std::env;
 use std::fs;
@@ -78,6 +78,8 @@ fn main() {
     trials.push(Trial::test("measured", move || reasons(&whole)));
     let whole = Arc::clone(&ledger);
     trials.push(Trial::test("sentences", move || sentences(&whole)));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("values", move || values(&whole)));
     trials.push(Trial::test("no_snapshot_without_a_claim", stale));
     let first = ledger.entries[0].sheet();
     trials.push(Trial::test("a_snapshot_edited_by_hand", move || {
@@ -114,6 +116,11 @@ fn sentences(ledger: &Ledger) -> Result<(), Failed> {
         if entry.judgement.verdict.asks_for_change() != in_short.is_some() {
             offences.push(format!("{id}: {in_short:?}"));
         }
+        let strange = entry
+            .evidence
+            .iter()
+            .filter_map(|e| names_another(entry, e));
+        offences.extend(strange);
         let said = entry
             .evidence
             .iter()
@@ -134,6 +141,34 @@ fn sentences(ledger: &Ledger) -> Result<(), Failed> {
     }
 }
 
+/// Whether a claim is derived from the one of this id, directly or through others.
+fn rests_on(claim: &Claim, id: &str) -> bool {
+    let below = |on: &&str| **on == *id || rests_on(PAPER.find(on).expect("a claim").1, id);
+    claim.depends_on.iter().any(below)
+}
+
+/// The equations that a comparison names, though the trial has not read them and the claim neither is nor rests on them.
+fn names_another(entry: &Entry, e: &Evidence) -> Option<String> {
+    let words = e.compared.words();
+    let claim = entry.claim;
+    let known = |number: u16| {
+        let (formula, id) = (format!("::eq{number}_"), format!("eq-{number}"));
+        claim.equation == Some(number)
+            || e.read.iter().any(|path| path.contains(&formula))
+            || rests_on(claim, &id)
+            // Section 3 takes over what section 2.1 has solved.
+            || matches!((claim.id, number), ("eq-81" | "eq-82", 13 | 14))
+            || claim.plain.contains(&format!("({number})"))
+    };
+    let numbers = words.split('(').skip(1).filter_map(|rest| {
+        let (number, _) = rest.split_once(')')?;
+        number.parse().ok()
+    });
+    let strange: Vec<u16> = numbers.filter(|number| !known(*number)).collect();
+    let named = (claim.id, e.trial, &strange);
+    (!strange.is_empty()).then(|| format!("{named:?} is named and was not read"))
+}
+
 /// True if the number of points that fail and the pairs that are shown say what the outcome says.
 fn shows(e: &Evidence) -> bool {
     let apart = |s: &Sample| s.stated != s.found;
@@ -142,6 +177,53 @@ fn shows(e: &Evidence) -> bool {
         _ if e.farthest.is_none() => e.failed == 0,
         Outcome::Disagrees => (1..=e.points).contains(&e.failed) && shown(),
         _ => e.failed == 0,
+    }
+}
+
+/// Values that the trials of their claim neither read nor show, roots and runs of their own: by hand, with the claim.
+const VALUES_BY_HAND: &[(&str, &str)] = &[
+    ("fig-3-largest", "fig-3"),
+    ("fig-4-largest", "fig-4"),
+    ("slip-end", "eq-82"),
+    ("turn", "eq-136"),
+    ("critical-radius", "s4-rest-radius"),
+    ("critical-speed", "s4-rest-radius"),
+    ("boundary", "s4-envelope-is-boundary"),
+    ("fig-3-friction", "fig-3"),
+    ("fig-4-friction", "fig-4"),
+    ("winding", "eq-136"),
+    ("critical-phase", "eq-37"),
+    ("fig-4-slip-end", "eq-32"),
+    ("slip-end-0.6", "eq-32"),
+    ("slip-end-0.9", "eq-32"),
+    ("curve-a-6", "eq-53"),
+    ("curve-a-12", "eq-53"),
+];
+
+/// A value is computed from what the trials of its claim read, a formula or runs, or they show it.
+fn values(ledger: &Ledger) -> Result<(), Failed> {
+    let mut strange = Vec::new();
+    for value in PAPER.values {
+        let (_, read) = of(|| (value.number(), value.decimal(3)));
+        let entry = ledger.entries.iter().find(|e| e.claim.id == value.claim);
+        let evidence = || entry.into_iter().flat_map(|entry| &entry.evidence);
+        let formulas = |e: &Evidence| !e.read.is_disjoint(&read.formulas);
+        let runs = |e: &Evidence| !e.runs.is_disjoint(&read.runs);
+        let number = value.number()?;
+        let close = |x: f64| (x / number - 1.0).abs() < 1e-9;
+        let pair = |s: &Sample| close(s.stated) || close(s.found);
+        let shows = |e: &Evidence| e.samples.iter().chain(&e.farthest).any(pair);
+        let known = evidence().any(|e| formulas(e) || runs(e) || shows(e));
+        if known == VALUES_BY_HAND.contains(&(value.id, value.claim)) {
+            strange.push(format!(
+                "{} of {}: {:?}",
+                value.id, value.claim, read.formulas
+            ));
+        }
+    }
+    match strange.is_empty() {
+        true => Ok(()),
+        false => Err(format!("{strange:#?}").into()),
     }
 }
 

@@ -3,7 +3,7 @@
 //! Every test gathers all offences before it fails, each with the id of its claim.
 
 use slipbook::claims::{Claim, PAPER};
-use slipbook::evidence::Kind;
+use slipbook::evidence::{Change, Kind};
 use slipbook::ledger::{plain_formula, plain_words};
 use std::collections::BTreeMap;
 
@@ -292,4 +292,75 @@ fn every_claim_can_be_read_so() {
             assert!(!text.contains(left), "{}: {text}", claim.id);
         }
     }
+}
+
+/// The pieces of the formulas of a text, without brackets: a letter with what stands below it is one. What a formula defines
+/// beside itself does not count.
+fn pieces(text: &str) -> Vec<String> {
+    let parts = match text.contains('$') {
+        true => text.split('$').skip(1).step_by(2).collect(),
+        false => vec![text.split(",\\quad").next().expect("a first part")],
+    };
+    let mut pieces: Vec<String> = Vec::new();
+    for part in parts {
+        let mut rest = part;
+        while let Some(first) = rest.chars().next() {
+            let length = match first {
+                '\\' => {
+                    let letter = |c: char| c.is_ascii_alphabetic();
+                    let name = rest[1..].find(|c| !letter(c)).unwrap_or(rest.len() - 1);
+                    1 + name.max(1)
+                }
+                _ => first.len_utf8(),
+            };
+            let piece = &rest[..length];
+            match pieces.last_mut() {
+                Some(last) if piece == "_" || last.ends_with('_') => last.push_str(piece),
+                _ if [r"\left", r"\right"].contains(&piece) || "{}()[] ".contains(piece) => {}
+                _ => pieces.push(piece.to_owned()),
+            }
+            rest = &rest[length..];
+        }
+    }
+    pieces
+}
+
+/// What has changed: signs alone; letters or numbers that were added to a product; a word or letter; or more.
+fn change(old: &str, new: &str) -> Change {
+    let [a, b] = [old, new].map(pieces);
+    let sign = |piece: &&String| ["+", "-"].contains(&piece.as_str());
+    let unsigned = |of: &[String]| of.iter().filter(|p| !sign(p)).cloned().collect::<Vec<_>>();
+    if a != b && unsigned(&a) == unsigned(&b) {
+        return Change::Sign;
+    }
+    let mut left = a.iter().peekable();
+    let added: Vec<_> = b
+        .iter()
+        .filter(|piece| left.next_if_eq(piece).is_none())
+        .collect();
+    let factor =
+        |piece: &&String| piece.starts_with('\\') || piece.chars().all(char::is_alphanumeric);
+    if left.next().is_none() && !added.is_empty() && added.iter().all(factor) {
+        return Change::Factor;
+    }
+    let [a, b] = [(old, a), (new, b)].map(|(text, pieces)| match text.contains('$') {
+        true => text.split(' ').map(str::to_owned).collect(),
+        false => pieces,
+    });
+    let other = a.iter().zip(&b).filter(|(a, b)| a != b).count();
+    match a.len() == b.len() && other == 1 {
+        true => Change::Symbol,
+        false => Change::Statement,
+    }
+}
+
+#[test]
+fn what_a_correction_changes_is_what_differs() {
+    let kinds = all().filter_map(|claim| {
+        let correction = claim.correction?;
+        let found = change(claim.latex, correction.latex);
+        (found != correction.change)
+            .then(|| format!("{}: {found:?}, not {:?}", claim.id, correction.change))
+    });
+    none(kinds.collect());
 }

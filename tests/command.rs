@@ -216,6 +216,51 @@ fn an_answer_is_text_json_or_a_table() {
     assert!(with(" --plot").contains("v_y against v_x"));
 }
 
+/// In each form the formula's number stands where the formula is named, and the motion's where the motion is.
+#[test]
+fn the_two_ways_of_an_answer_keep_their_names() {
+    let question = |form: &[&'static str]| {
+        let problem = [
+            "solve",
+            "turntable-boundary",
+            "--alpha",
+            "0.2",
+            "--psi",
+            "1",
+        ];
+        text(&slipbook(&[&problem, form].concat()).stdout)
+    };
+    let formula = slipbook::corrections::rest::boundary_a(0.2, 1.0);
+    let motion = slipbook::motion::turntable::boundary(0.2, 1.0).unwrap();
+    let close = |word: &str, to: f64| {
+        let number: f64 = word.parse().unwrap();
+        assert!((number - to).abs() < 1e-9, "{word} {to}");
+    };
+    let json: Value = serde_json::from_str(&question(&["--json"])).unwrap();
+    for (way, to) in [("by_formula", formula), ("by_motion", motion)] {
+        close(&json[way]["A"].to_string(), to);
+    }
+    close(&json["A"].to_string(), motion);
+    let ways = ["value", "by_formula", "by_motion"];
+    for (form, parts) in [(&["--csv"][..], ','), (&[], ' ')] {
+        let said = question(form)
+            .replace("by formula", "by_formula")
+            .replace("by motion", "by_motion");
+        let mut lines = said
+            .lines()
+            .map(|line| line.split(parts).filter(|word| !word.is_empty()));
+        let (mut head, mut row) = (lines.next().unwrap(), lines.next().unwrap());
+        if parts == ',' {
+            head.next();
+        }
+        row.next();
+        assert!(head.by_ref().take(3).eq(ways), "{said}");
+        for to in [motion, formula, motion] {
+            close(row.next().unwrap(), to);
+        }
+    }
+}
+
 #[test]
 fn a_plot_is_a_file_that_is_replaced_whole() {
     let folder = tempfile::tempdir().unwrap();

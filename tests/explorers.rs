@@ -2,7 +2,7 @@
 //! found elsewhere.
 
 use slipbook::claims::anisotropic::simulated::Curves;
-use slipbook::explorers::{Answer, anisotropic, answer, constant, sphere, turntable};
+use slipbook::explorers::{Answer, anisotropic, answer, constant, periodic, sphere, turntable};
 use slipbook::motion::drive::Sign;
 use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use slipbook::paper;
@@ -43,7 +43,7 @@ impl Page {
 #[test]
 fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
     let mut page = Page::open();
-    let questions: [(u32, &[[f64; 4]]); 7] = [
+    let questions: [(u32, &[[f64; 4]]); 13] = [
         (
             0,
             &[
@@ -82,6 +82,12 @@ fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
                 [1.5, 0.05, 0.0, 0.0],
             ],
         ),
+        (7, &[[1.2, 120.0, 0.0, 0.0], [0.5, -179.0, 0.0, 0.0]]),
+        (8, &[[2.0, 0.45, 1.5, 0.0], [1.0, 1.2, -2.0, 0.0]]),
+        (9, &[[0.75, 0.4, 0.0, 1.0]]),
+        (10, &[[0.8, 0.0, 0.0, 0.0], [1.1, 0.0, 0.0, 0.0]]),
+        (11, &[[1.5, 0.08, 1.0, 0.0], [0.0, 0.45, -2.0, 0.0]]),
+        (12, &[[1.5, 0.3, 1.0, 0.0]]),
     ];
     for (number, arguments) in questions {
         for given in arguments {
@@ -108,7 +114,14 @@ fn what_has_no_answer_is_an_empty_list_in_the_module_and_a_named_error_in_the_cr
         (6, [0.0, 0.4, 0.0, 0.0], "lambda_0"),
         (6, [1.0, 0.0, 0.0, 0.0], "inertia"),
         (6, [1.0, 0.4, f64::NAN, 0.0], "v_x"),
-        (7, [0.0; 4], "question 7"),
+        (7, [-1.0, 0.0, 0.0, 0.0], "λ"),
+        (8, [1.0, -0.5, 0.0, 0.0], "lambda_plus"),
+        (9, [0.0, 0.4, 0.0, 0.0], "lambda_0"),
+        (10, [-1.0, 0.0, 0.0, 0.0], "rho"),
+        (11, [f64::NAN, 0.5, 0.0, 0.0], "h"),
+        (11, [1.0, -0.5, 0.0, 0.0], "lambda_plus"),
+        (12, [1.0, 0.5, f64::NAN, 0.0], "phi"),
+        (13, [0.0; 4], "question 13"),
     ] {
         let error = answer(number, given).unwrap_err().to_string();
         assert!(error.contains(named), "{number} {given:?}: {error}");
@@ -257,11 +270,109 @@ fn the_ball_rolls_where_the_particle_rests() {
     );
 }
 
+#[test]
+fn films_show_the_motions_at_equal_times() {
+    let (film, motion) = (
+        constant::film(1.2, 120.0).unwrap(),
+        constant::motion(1.2, 120.0).unwrap(),
+    );
+    let last = |curve: &[[f64; 2]]| *curve.last().unwrap();
+    assert_eq!(last(&film.curves[0])[..], motion.values[4..6]);
+    assert_eq!(last(&film.curves[1]), [0.0, 0.0]);
+    let pictures = (film.curves[0].len() - 1) as f64;
+    assert!((pictures * film.values[0] - motion.values[1]).abs() < 1e-12);
+
+    // In the last of four periods the block drifts as the periodic motion does, and returns to its velocity.
+    let (film, motion) = (
+        anisotropic::film(2.0, 0.45, 1.5).unwrap(),
+        anisotropic::motion(2.0, 0.45, 1.5).unwrap(),
+    );
+    let (places, velocities) = (&film.curves[0], &film.curves[1]);
+    let (end, before) = (places.len() - 1, 3 * (places.len() - 1) / 4);
+    let drift = (places[end][1] - places[before][1]) / TAU;
+    assert!((drift - motion.values[1]).abs() < 1e-4, "{drift}");
+    assert!((velocities[end][1] - velocities[before][1]).abs() < 1e-9);
+    // Where it rests it goes with the floor, whose velocity is the change of its place.
+    let step = film.values[0];
+    let resting = (1..end).filter(|i| velocities[i - 1][1] == 0.0 && velocities[*i][1] == 0.0);
+    let still = |i: usize| (places[i][1] - places[i - 1][1]).abs() < 1e-15;
+    assert!(resting.clone().count() > 50 && resting.clone().all(still));
+    for i in 1..=end {
+        let gone = (places[i][0] - places[i - 1][0]) / step;
+        let mean = 0.5 * (velocities[i][0] + velocities[i - 1][0]);
+        assert!((gone - mean).abs() < step * step);
+    }
+
+    // Without the third harmonic, the shaken tray of the sine; with it, the floor's velocity is the change of its place.
+    let (with, without) = (
+        periodic::film(1.5, 0.3, 1.0).unwrap(),
+        periodic::film(0.0, 0.45, 1.5).unwrap(),
+    );
+    let sine = anisotropic::film(1.0, 0.45, 1.5).unwrap();
+    for (found, expected) in without.curves.concat().iter().zip(&sine.curves.concat()) {
+        assert!((found[0] - expected[0]).abs() < 1e-9 && (found[1] - expected[1]).abs() < 1e-9);
+    }
+    let (places, velocities) = (&with.curves[0], &with.curves[1]);
+    for i in 1..=end {
+        let gone = (places[i][0] - places[i - 1][0]) / step;
+        let mean = 0.5 * (velocities[i][0] + velocities[i - 1][0]);
+        assert!((gone - mean).abs() < 2.0 * step * step);
+    }
+
+    // Where the ball rolls, its centre advances by what it has turned.
+    let film = sphere::film(1.2, 0.4, [0.0, 0.0]).unwrap();
+    for ([_, centre], [turned, slip]) in film.curves[0].iter().zip(&film.curves[1]) {
+        assert!(slip.abs() < 1e-12 && (centre - turned).abs() < 1e-3);
+    }
+
+    // A coin that is lost goes as the laboratory says and not as the paper does; one that is kept has no late times.
+    let growth = turntable::growth(1.1).unwrap().curves;
+    let [decades, ratio] = last(&growth[0]);
+    assert_eq!(decades, 4.0);
+    assert!((ratio - 1.0 / (3.0 * 2.0_f64.sqrt())).abs() < 1e-3);
+    assert!((ratio - paper::escape::eq136_rho(1.0)).abs() > 1e-2);
+    let kept = turntable::growth(0.5).unwrap().curves;
+    assert!(kept[0].last().is_none_or(|point| point[0] < 1.0));
+}
+
+/// What the explorers ask the reader to guess.
+#[test]
+fn the_guesses_have_the_answers_that_are_given() {
+    // Straight across the pull at λ = 2: a third later than the 1/2 on a table at rest.
+    let stop = constant::motion(2.0, 90.0).unwrap().values[1];
+    assert!((stop / 0.5 - 4.0 / 3.0).abs() < 1e-12);
+    // Friction a little stronger than the drive: rest, for ever.
+    let shaken = anisotropic::motion(1.0, 1.01, 1.5).unwrap();
+    assert_eq!(shaken.values[3], 1.0);
+    assert_eq!(shaken.curves[0].last().unwrap()[1], 0.0);
+    // A sine with its third harmonic: as friction grows, rests come, go, and come again.
+    let rests = |lambda: f64| {
+        let values = periodic::motion(1.5, lambda, 1.0).unwrap().values;
+        values[4..].chunks(3).filter(|i| i[0] == 0.0).count()
+    };
+    assert_eq!([0.03, 0.08, 0.15, 0.4, 0.8].map(rests), [0, 2, 0, 2, 4]);
+    // Flicked against the turning, the coin rests; as hard along it, it does not.
+    for rho in [0.3, 0.5, 0.7] {
+        assert_eq!(turntable::motion(rho, [0.0, -1.2]).unwrap().values[0], 1.0);
+        assert_eq!(turntable::motion(rho, [0.0, 1.2]).unwrap().values[0], 0.0);
+    }
+    // Of τ, τ² and an exponential, the ratio to τ² settles.
+    let curves = turntable::growth(1.1).unwrap().curves;
+    let [.., [x, before], [y, last]] = curves[0][..] else {
+        panic!("no late times")
+    };
+    assert!(y > x && (last / before - 1.0).abs() < 1e-3);
+}
+
 /// Without scripts the figure that follows takes the explorer's place.
 #[test]
 fn each_explorer_stands_before_a_figure() {
     for page in [
+        include_str!("../book/src/index.md"),
         include_str!("../book/src/constant.md"),
+        include_str!("../book/src/sinusoidal.md"),
+        include_str!("../book/src/escape.md"),
+        include_str!("../book/src/rest.md"),
         include_str!("../book/src/anisotropic.md"),
         include_str!("../book/src/sphere.md"),
         include_str!("../book/src/turntable.md"),

@@ -1,8 +1,10 @@
 //! The judge, tried on evidence made by hand.
 
+use slipbook::claims::compare::{Pair, Trial};
 use slipbook::claims::{Condition, Sort};
-use slipbook::evidence::{Change, Compared, Evidence, Kind, Route, Subject, Tolerance};
+use slipbook::evidence::{Change, Compared, Evidence, Kind, Outcome, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
+use slipbook::numerics::roots::root;
 use std::panic::Location;
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
@@ -354,4 +356,54 @@ fn a_proof_of_a_part_proves_no_claim() {
         verdict(Kind::Equation, None, &[against]),
         Verdict::Undecided
     );
+}
+
+#[test]
+fn a_tolerance_ends_where_it_says() {
+    let of = |worst| evidence(Route::Census, Subject::Printed, worst).outcome();
+    assert_eq!(of(1e-12), Outcome::Agrees);
+    assert_eq!(of(1e-12_f64.next_up()), Outcome::Disagrees);
+    // And what is just beyond it is counted.
+    let tolerance = evidence(Route::Census, Subject::Printed, 0.0).tolerance;
+    let trial = Trial::by(
+        Route::Census,
+        Subject::Printed,
+        Compared::one("$a$", "$b$"),
+        tolerance,
+    );
+    let pairs = trial.over(0..30, |i| {
+        Ok(Pair {
+            at: format!("i = {i}"),
+            stated: if i < 7 { 1.1e-12 } else { 0.9e-12 },
+            found: 0.0,
+            scale: 1.0,
+        })
+    });
+    assert_eq!((pairs.failed, pairs.outcome()), (7, Outcome::Disagrees));
+}
+
+#[test]
+fn no_value_is_no_agreement() {
+    let of = |stated: f64, found: f64, scale: f64| {
+        let at = String::new();
+        Pair {
+            at,
+            stated,
+            found,
+            scale,
+        }
+        .disagreement()
+    };
+    for none in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        assert_eq!(of(none, 1.0, 1.0), f64::INFINITY);
+        assert!(of(1.0, none, 1.0).is_nan() && of(1.0, 1.0, none).is_nan());
+    }
+    assert!(of(1.0, 1.0, 0.0).is_nan() && of(1.0, 1.0, -1.0).is_nan());
+    assert_eq!([of(1.0, 3.0, 4.0), of(3.0, 1.0, 4.0)], [0.5, 0.5]);
+}
+
+#[test]
+fn a_root_at_an_end_is_that_end() {
+    let at = |low, high| root(|x| x - 2.0, low, high).unwrap();
+    assert_eq!([at(2.0, 3.0), at(1.0, 2.0)], [2.0; 2]);
 }

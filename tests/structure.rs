@@ -71,6 +71,18 @@ const OF_THE_PAPER: &Rooms = &[
     ),
     ("figures", &["claims", "motion"]),
     (
+        "breaks",
+        &[
+            "claims",
+            "corrections",
+            "evidence",
+            "ledger",
+            "paper",
+            "scalar",
+            "seeded",
+        ],
+    ),
+    (
         "commands",
         &["numerics", "claims", "figures", "cli", "edition"],
     ),

@@ -8,6 +8,23 @@ window.slipbookExplorers = (() => {
     const fixed = SlipbookPlot.fixed;
     const pair = (x, y) => `(${fixed(x)}, ${fixed(y)})`;
     const column = (points, k) => points.filter((_, i) => i % 2 === k);
+    const { at } = SlipbookStage;
+    const scenes = slipbookScenes;
+    // The speed below which a particle at the distance ρ comes to rest, by the paper's border; 0 beyond it.
+    const border = (printed, rho) => {
+        for (let i = 0; i + 3 < printed.length; i += 2) {
+            const [a, p, b, r] = printed.slice(i, i + 4);
+            if ((a - rho) * (b - rho) <= 0 && a !== b) return p + (r - p) * (rho - a) / (b - a);
+        }
+        return 0;
+    };
+    const circle = radius => Array.from({ length: 122 }, (_, i) => radius * (i % 2 ? Math.sin : Math.cos)(Math.floor(i / 2) * Math.PI / 30));
+    const FATES = {
+        '1': (sigma, tau) => `it comes to rest at the distance σ = ${fixed(sigma)} after τ = ${fixed(tau)}`,
+        '0': (_, tau) => `it goes away for ever, which is certain after τ = ${fixed(tau)}`,
+        '-1': () => 'the start is so near the boundary that rounding decides',
+    };
+    const fates = fate => fate === 1 ? 'rest' : fate ? 'undecided' : 'escape';
 
     // Ends of two axes that hold the points and the origin, in steps, so that they do not jump with every move.
     function around(points, shape) {
@@ -30,9 +47,15 @@ window.slipbookExplorers = (() => {
 
     // Each explorer: its inputs, its plots, and what to show at a state. `show` returns one drawing for each plot, the
     // values by name, and a sentence.
-    return {
+    const explorers = {
         constant: {
             name: 'Throw it yourself.',
+            predict: {
+                asks: 'First your guess: the table is pulled from under a block that is launched straight across the pull, with λ = 2. It stops',
+                options: ['earlier than on a table at rest', 'at the same time', 'later'],
+                right: 2,
+                says: 'Friction turns with the velocity, and part of it works against the pull: a third later.',
+            },
             hint: 'Choose the friction and the direction; drag the circle, or focus it and use the arrow keys.',
             inputs: {
                 lambda: { label: 'friction λ', range: [0, 3], step: 0.01, start: 1.2 },
@@ -55,9 +78,14 @@ window.slipbookExplorers = (() => {
                 x: { label: 'launch angle, either way', range: [0, 180], ticks: [0, 45, 90, 135, 180].map(t => [t, `${t}°`]) },
                 y: { label: 'AT/v_0' }, height: 234,
             }],
+            film: ({ lambda, theta }, ask) => scenes.constant(ask(7, lambda, theta)),
+            now: ({ lambda, theta }, ask) => {
+                const { curves: [places, velocities] } = ask(7, lambda, theta);
+                return [i => at(velocities, i), i => at(places, i)];
+            },
             show({ lambda, theta }, ask) {
                 const { values: [rests, t, vx, vy, x, y], curves: [velocity, path, times] } = ask(0, lambda, theta);
-                const [stops, ...others] = ask(1, lambda).curves;
+                const [stops = [], ...others] = ask.later(1, lambda).curves;
                 const rest = rests ? [{ points: [0, 0], dots: 6 }] : [];
                 const top = [0.5, 1, 2, 5, 10, 20, 50, 100, 200].find(n => n >= Math.max(...column(stops, 1))) || 1;
                 const ends = rests ? `It comes to rest after T = ${fixed(t)} v₀/A`
@@ -105,9 +133,14 @@ window.slipbookExplorers = (() => {
                 title: 'one period: + forth, − back, 0 rest', label: 'One period of the periodic motion, with its intervals.',
                 x: { label: 'φ since the first start' }, y: { label: '𝔴' }, height: 240,
             }],
-            show({ q, lambda, w }, ask) {
+            film: ({ q, lambda, w }, ask) => scenes.tray(ask(8, q, lambda, w), q > 1),
+            now: ({ q, lambda, w }, ask) => {
+                const { values: [step], curves: [, velocities] } = ask(8, q, lambda, w);
+                return [null, i => [i * step, at(velocities, i)[1]]];
+            },
+            show({ q, lambda, w }, ask, printed) {
                 const { values: [region, mean, largest, rest, count, ...list], curves: [shown, periodic] } = ask(2, q, lambda, w);
-                const borders = ask(3, 7).curves;
+                const borders = ask.later(3, 7).curves;
                 const intervals = Array.from({ length: count }, (_, i) => list.slice(3 * i, 3 * i + 3));
                 const order = intervals.map(([sign]) => ({ '1': '+', '-1': '−', '0': '0' })[sign]).join(' ');
                 const edges = [[1, 0, 7, 0], ...borders.map(curve => [...curve]), [1, 1.2, 7, 1.2]];
@@ -123,6 +156,8 @@ window.slipbookExplorers = (() => {
                 return {
                     draw: [{
                         marks: [...areas, ...borders.map(points => ({ points })),
+                            { points: printed, dash: true },
+                            { points: [5.6, 0.265], text: 'C, as printed' },
                             ...[[1.3, 0.13, 1], [2.1, 0.31, 2], [1.25, 0.6, 3], [4, 0.6, 4], [4, 1.08, 5]]
                                 .map(([x, y, n]) => ({ points: [x, y], text: REGIONS[n] }))],
                         hand: [q, lambda],
@@ -146,6 +181,12 @@ window.slipbookExplorers = (() => {
 
         turntable: {
             name: 'Rest or escape?',
+            predict: {
+                asks: 'First your guess: a coin at rest on the record, well inside the dashed circle, is flicked backwards, against the turning. It',
+                options: ['always flies off', 'can come to rest even when flicked hard', 'comes to rest only if flicked very gently'],
+                right: 1,
+                says: 'Seen from the laboratory it then hardly moves, and the record drags it along.',
+            },
             hint: 'Drag the velocity in the first plot and the start in the second, or focus a circle and use the arrow keys.',
             inputs: {
                 rho: { label: 'distance ρ from the axis', range: [0, 1.6], step: 0.01, start: 0.8 },
@@ -153,7 +194,7 @@ window.slipbookExplorers = (() => {
                 v: { label: 'velocity along the turning', range: [-2.5, 1.5], step: 0.01, start: 0.4 },
             },
             plots: set => [{
-                title: 'velocity at the start: rest inside', equal: true,
+                title: 'start velocity; inside it rests', equal: true,
                 label: 'The velocities at the start, relative to the table. From those inside the marked area the particle comes to rest.',
                 x: { label: 'outwards', range: [-2, 2] }, y: { label: 'along the turning', range: [-2.5, 1.5] },
                 hand: {
@@ -173,27 +214,175 @@ window.slipbookExplorers = (() => {
                 title: 'in the laboratory', label: 'The path in the laboratory.', equal: true,
                 x: { label: 'Ω²X/(μg)', range: [-2.5, 2.5] }, y: { label: 'Ω²Y/(μg)', range: [-2.5, 2.5] },
             }],
-            show({ rho, u, v }, ask) {
+            film: ({ rho, u, v }, ask) => scenes.record(ask(4, rho, u, v)),
+            now: ({ rho, u, v }, ask) => {
+                const { curves: [table, laboratory] } = ask(4, rho, u, v);
+                return [null, i => at(table, i), i => at(laboratory, i)];
+            },
+            show({ rho, u, v }, ask, printed) {
                 const { values: [fate, sigma, tau], curves: [table, laboratory] } = ask(4, rho, u, v);
-                const [boundary, circle] = ask(5, rho).curves;
+                const [boundary = [], limit = []] = ask.later(5, rho).curves;
+                const paper = border(printed, rho);
                 const series = fate === 1 ? 1 : 2;
                 const rest = fate === 1 ? [{ points: table.slice(-2), series: 1, dots: 6 }] : [];
                 const axis = { points: [0, 0], dots: 3 };
-                const words = {
-                    '1': `it comes to rest at the distance σ = ${fixed(sigma)} after τ = ${fixed(tau)}`,
-                    '0': `it goes away for ever, which is certain after τ = ${fixed(tau)}`,
-                    '-1': 'the start is so near the boundary that rounding decides',
-                };
-                const speed = { now: u, text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${words[fate]}` };
+                const words = FATES[fate](sigma, tau);
+                const speed = { now: u, text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${words}` };
                 return {
                     draw: [
-                        { marks: [{ points: boundary, series: 1, fill: 0.2 }, { points: boundary, series: 1 }], hand: [u, v], words: speed },
-                        { marks: [{ points: circle, dash: true, faint: true }, axis, { points: table, series }, ...rest], hand: [rho, 0], words: { now: rho, text: fixed(rho, 2) } },
+                        { marks: [{ points: boundary, series: 1, fill: 0.2 }, { points: boundary, series: 1 },
+                            ...(paper ? [{ points: circle(paper), dash: true }, { points: [0, paper + 0.06], text: '(147)' }] : [])], hand: [u, v], words: speed },
+                        { marks: [{ points: limit, dash: true, faint: true }, axis, { points: table, series }, ...rest], hand: [rho, 0], words: { now: rho, text: fixed(rho, 2) } },
                         { marks: [axis, { points: laboratory, series }] },
                     ],
                     values: fate === 1 ? { fate: 'rest', 'σ (μg/Ω²)': fixed(sigma), 'τ (1/Ω)': fixed(tau) }
-                        : { fate: fate ? 'undecided' : 'escape', 'certain at τ (1/Ω)': fixed(tau) },
-                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}): ${words[fate]}.`,
+                        : { fate: fates(fate), 'certain at τ (1/Ω)': fixed(tau) },
+                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}): ${words}.`,
+                };
+            },
+        },
+
+        record: {
+            name: 'Rest or escape?',
+            hint: 'Drag the coin or the tip of its velocity, and let go. If the tip is in the shaded area, it comes to rest. The paper’s border is the small dashed circle.',
+            inputs: {
+                rho: { label: 'distance ρ from the axis', range: [0, 1.4], step: 0.01, start: 0.5 },
+                u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01, start: 0.45 },
+                v: { label: 'velocity along the turning', range: [-2.5, 2.5], step: 0.01, start: -0.75 },
+            },
+            bare: true,
+            plots: () => [],
+            film({ rho, u, v }, ask, printed, set) {
+                const [x, y] = scenes.centre, { scale } = scenes;
+                const from = x + scale * rho, tip = [from + scale * u, y - scale * v];
+                const around = points => points.map((c, i) => i % 2 ? y - scale * c : from + scale * c);
+                const { values: [fate] } = ask(4, rho, u, v), [boundary = []] = ask.later(5, rho).curves;
+                const paper = border(printed, rho);
+                const start = `${boundary.length ? `<path class="border" d="${scenes.line(around(boundary))}Z"/>` : ''}
+                    ${paper ? `<path class="printed" d="${scenes.line(around(circle(paper)))}Z"/>` : ''}${scenes.arrow(from, y, scale * u, -scale * v, 'velocity')}`;
+                return {
+                    ...scenes.record(ask(4, rho, u, v), start),
+                    hands: [{
+                        at: [from, y], label: 'the coin: its distance from the axis', range: [0, 1.4], now: rho, text: fixed(rho, 2),
+                        move: px => set({ rho: (px - x) / scale }),
+                        step: (dx, dy) => set({ rho: [dx + dy] }),
+                    }, {
+                        at: tip, label: 'the velocity at the start', range: [-2.5, 2.5], now: v,
+                        text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${fates(fate)}`,
+                        move: (px, py) => set({ u: (px - from) / scale, v: (y - py) / scale }),
+                        step: (du, dv) => set({ u: [du], v: [dv] }),
+                    }],
+                };
+            },
+            show({ rho, u, v }, ask, printed) {
+                const { values: [fate, sigma, tau] } = ask(4, rho, u, v);
+                const paper = Math.hypot(u, v) < border(printed, rho) ? 'rests' : 'escapes';
+                return {
+                    draw: [],
+                    values: {},
+                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}) relative to the record ${FATES[fate](sigma, tau)}. By the paper’s border it ${paper}.`,
+                };
+            },
+        },
+
+        escape: {
+            name: 'How fast does it go?',
+            hint: 'Put the coin down at rest in the laboratory, at the distance that you choose, and let the record drag it.',
+            predict: {
+                asks: 'First your guess: once friction has lost it, its distance grows in the end as',
+                options: ['τ', 'τ²', 'an exponential of τ'],
+                right: 1,
+                says: 'Friction of constant strength can do no more than a constant acceleration does.',
+            },
+            inputs: { rho: { label: 'distance ρ from the axis', range: [0.9, 2], step: 0.01, start: 1.1 } },
+            plots: () => [{
+                title: 'ρ/τ²; dashed: 2/9, as printed', label: 'The distance over the square of the time, against the time in powers of ten.',
+                x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y: { label: 'ρ/τ²', range: [0.1, 0.3] }, height: 240,
+            }],
+            film: ({ rho }, ask) => scenes.record(ask(4, rho, 0, -rho)),
+            show({ rho }, ask, printed) {
+                const { curves: [growth] } = ask(10, rho);
+                const last = growth.at(-1);
+                return {
+                    draw: [{ marks: [{ points: growth, series: 1 }, { points: printed, dash: true }] }],
+                    values: { 'ρ/τ² at τ = 10⁴': fixed(last), 'as printed': fixed(printed[1]) },
+                    says: `Put down at ρ = ${fixed(rho, 2)}: at τ = 10⁴ the distance is ${fixed(last)} τ², and not ${fixed(printed[1])} τ².`,
+                };
+            },
+        },
+
+        sinusoidal: {
+            name: 'Shake the tray.',
+            predict: {
+                asks: 'First your guess: friction is a little stronger than the strongest push of the tray, λ₀ = 1.01. A block that slides at first',
+                options: ['slides for ever', 'rests in part of each stroke', 'comes to rest and stays'],
+                right: 2,
+                says: 'At rest, friction can hold it at every phase.',
+            },
+            hint: 'Choose the friction and the velocity at the start. From λc on, at 0.537, the block rests in each half period; from 1 on for ever.',
+            inputs: {
+                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.45 },
+                w: { label: 'velocity at φ = 0', range: [-2, 2], step: 0.05, start: 1.5 },
+            },
+            plots: () => [{
+                title: '𝔴: from the start, and periodic (dashed)', label: 'Velocity against phase over four periods.',
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴', range: [-2, 2] }, height: 240,
+            }],
+            film: ({ lambda, w }, ask) => scenes.tray(ask(8, 1, lambda, w)),
+            now: ({ lambda, w }, ask) => {
+                const { values: [step], curves: [, velocities] } = ask(8, 1, lambda, w);
+                return [i => [i * step, at(velocities, i)[1]]];
+            },
+            show({ lambda, w }, ask) {
+                const { values: [, , largest, rest, count, ...list], curves: [shown, periodic] } = ask(2, 1, lambda, w);
+                const ways = Array.from({ length: count }, (_, i) => WAYS[list[3 * i]]);
+                return {
+                    draw: [{ marks: [{ points: shown, series: 1 }, { points: periodic, series: 2, dash: true }] }],
+                    values: { 'largest |𝔴|': fixed(largest), 'share of rest': fixed(rest) },
+                    says: `λ₀ = ${fixed(lambda, 3)}: in each period ${ways.join(', ')}.`,
+                };
+            },
+        },
+
+        periodic: {
+            name: 'Shake it in another rhythm.',
+            predict: {
+                asks: 'First your guess: the tray shakes with λ₀ = 0.08, and the block rests twice in each period. Twice as much friction makes these rests',
+                options: ['longer', 'shorter', 'disappear'],
+                right: 2,
+                says: 'Friction lifts the shallow loops of the velocity away from zero. The rests come back later.',
+            },
+            hint: 'Choose how much of the third harmonic is added to the sine, and the friction.',
+            inputs: {
+                third: { label: 'third harmonic', range: [0, 2], step: 0.05, start: 1.5 },
+                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.08 },
+                w: { label: 'velocity at φ = 0', range: [-2, 2], step: 0.05, start: 0.2 },
+            },
+            plots: () => [{
+                title: '𝔴: from the start, and periodic (dashed)', label: 'Velocity against phase over four periods.',
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴', range: [-2, 2] }, height: 240,
+            }, {
+                title: 'the drive h', label: 'The inertial force against phase over four periods, and the friction.',
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'h', range: [-1.2, 1.2] }, height: 240,
+            }],
+            film: ({ third, lambda, w }, ask) => scenes.tray(ask(12, third, lambda, w)),
+            now: ({ third, lambda, w }, ask) => {
+                const { values: [step], curves: [, velocities] } = ask(12, third, lambda, w);
+                const { curves: [, , drive] } = ask(11, third, lambda, w);
+                return [i => [i * step, at(velocities, i)[1]], i => [i * step, at(drive, i * 400 / 480)[1]]];
+            },
+            show({ third, lambda, w }, ask) {
+                const { values: [, largest, rest, count, ...list], curves: [shown, periodic, drive] } = ask(11, third, lambda, w);
+                const signs = Array.from({ length: count }, (_, i) => list[3 * i]);
+                const rests = signs.filter(sign => sign === 0).length;
+                const most = Math.max(...column(shown, 1).map(Math.abs)), high = [0.5, 1, 2, 3].find(n => n >= most) || 5;
+                const many = rests === 0 ? 'no rest' : rests === 1 ? 'one rest' : `${rests} rests`;
+                return {
+                    draw: [{ y: [-high, high], marks: [{ points: shown, series: 1 }, { points: periodic, series: 2, dash: true }] }, {
+                        marks: [{ points: drive, series: 3 }, ...[-lambda, lambda].map(y => ({ points: [0, y, 8 * Math.PI, y], dash: true, faint: true }))],
+                    }],
+                    values: { 'rests per period': String(rests), 'largest |𝔴|': fixed(largest), 'share of rest': fixed(rest) },
+                    says: `Third harmonic ${fixed(third, 2)}, λ₀ = ${fixed(lambda, 3)}: ${many} in each period.`,
                 };
             },
         },
@@ -223,6 +412,11 @@ window.slipbookExplorers = (() => {
                 title: 'path of the centre on the plane', label: 'The path of the centre, as seen from the plane.', equal: true,
                 x: { label: 'x (A_0/ϖ²)' }, y: { label: 'y (A_0/ϖ²)' },
             }],
+            film: ({ lambda, kappa, u, v }, ask) => scenes.ball(ask(9, lambda, kappa, u, v)),
+            now: ({ lambda, kappa, u, v }, ask) => {
+                const { values: [step], curves: [, turning] } = ask(9, lambda, kappa, u, v);
+                return [i => [i * step, at(turning, i)[1]]];
+            },
             show({ lambda, kappa, u, v }, ask) {
                 const { values: [b, first, share, slip, count, ...list], curves: [along, centre, plane, path] } = ask(6, lambda, kappa, u, v);
                 const rolls = Array.from({ length: count }, (_, i) => list.slice(2 * i, 2 * i + 2));
@@ -239,4 +433,7 @@ window.slipbookExplorers = (() => {
             },
         },
     };
+    // The chapter on rest asks the same as the one before, where its answer is explained.
+    explorers.rest = { ...explorers.turntable, name: 'Over the border.' };
+    return explorers;
 })();

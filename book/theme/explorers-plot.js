@@ -114,12 +114,24 @@ window.SlipbookPlot = (() => {
             for (const mark of marks) parts.push(this.mark(mark, at));
             parts.push('</g>');
             this.back.innerHTML = parts.join('');
+            this.at = at;
+            this.now(null);
             if (this.hand) {
                 const [px, py] = at(...hand);
                 this.hand.setAttribute('transform', `translate(${px} ${py})`);
                 this.hand.setAttribute('aria-valuenow', words.now);
                 this.hand.setAttribute('aria-valuetext', words.text);
             }
+        }
+
+        // Where the bodies on the stage are now.
+        now(point) {
+            this.spot?.remove();
+            this.spot = null;
+            if (!point) return;
+            const [u, v] = this.at(...point);
+            this.back.insertAdjacentHTML('beforeend', `<circle class="now" cx="${u}" cy="${v}" r="6"/>`);
+            this.spot = this.back.lastElementChild;
         }
 
         mark({ points = [], series, fill, dash, faint, dots, text, band }, at) {

@@ -6,7 +6,7 @@
     const here = document.currentScript.src;
     const fixed = SlipbookPlot.fixed;
 
-    // The module's one function, with the list that it returns taken apart: values, then curves.
+    // The door to the crate.
     async function door() {
         await new Promise((loaded, failed) => {
             const script = document.createElement('script');
@@ -16,19 +16,63 @@
             document.head.append(script);
         });
         const bytes = Uint8Array.from(atob(slipbookModule), c => c.charCodeAt(0));
-        const { exports } = (await WebAssembly.instantiate(bytes)).instance;
+        const put = await opened(bytes);
         const last = [];
-        return (number, ...given) => {
-            const key = given.join();
-            if (last[number]?.key === key) return last[number].answer;
+        const known = (number, given) => last[number]?.key === given.join() ? last[number].answer : null;
+        const keep = (number, given, answer) => { last[number] = { key: given.join(), answer }; };
+        const ask = (number, ...given) => {
+            if (!known(number, given)) keep(number, given, put(number, given));
+            return known(number, given);
+        };
+
+        // What takes longer is asked beside the page's own thread: until the answer is there, the one before it is shown.
+        let worker;
+        try {
+            const work = `${opened}; let put; onmessage = async ({ data }) => {
+                put ||= await opened(data.bytes);
+                postMessage({ ...data, bytes: null, answer: put(data.number, data.given) });
+            };`;
+            worker = new Worker(URL.createObjectURL(new Blob([work], { type: 'text/javascript' })));
+        } catch { /* Then the page's own thread does it. */ }
+        const wanted = [];
+        const send = number => worker.postMessage({ number, given: wanted[number].given, bytes });
+        if (worker) {
+            worker.onmessage = ({ data: { number, given, answer } }) => {
+                keep(number, given, answer);
+                if (wanted[number].given.join() === given.join()) {
+                    wanted[number] = null;
+                    ask.heard.forEach(hear => hear());
+                } else {
+                    send(number);
+                }
+            };
+            worker.onerror = () => { worker = null; ask.heard.forEach(hear => hear()); };
+        }
+        ask.heard = [];
+        ask.later = (number, ...given) => {
+            if (!worker) return ask(number, ...given);
+            if (!known(number, given)) {
+                const idle = !wanted[number];
+                wanted[number] = { given };
+                if (idle) send(number);
+            }
+            return last[number]?.answer || { values: [], curves: [] };
+        };
+        return ask;
+    }
+
+    // Opens the module: its one function, with the list that it returns taken apart: values, then curves.
+    async function opened(bytes) {
+        const { exports } = (await WebAssembly.instantiate(bytes)).instance;
+        return (number, given) => {
             const start = exports.ask(number, ...[...given, 0, 0, 0, 0].slice(0, 4));
             const length = new Float64Array(exports.memory.buffer, start, 1)[0];
-            const list = Array.from(new Float64Array(exports.memory.buffer, start + 8, length));
-            if (!length) throw new Error(`question ${number} has no answer at ${key}`);
-            const values = list.splice(0, list.shift());
-            const curves = Array.from({ length: list.shift() }, () => list.splice(0, 2 * list.shift()));
-            last[number] = { key, answer: { values, curves } };
-            return last[number].answer;
+            const list = new Float64Array(exports.memory.buffer, start + 8, length);
+            if (!length) throw new Error(`question ${number} has no answer at ${given}`);
+            let at = 0;
+            const take = n => Array.from(list.subarray(at, at += n));
+            const [count] = take(1), values = take(count), [many] = take(1);
+            return { values, curves: Array.from({ length: many }, () => take(2 * take(1)[0])) };
         };
     }
 
@@ -46,8 +90,10 @@
         host.innerHTML = `<p><span class="name">${explorer.name}</span> <span class="hint">${explorer.hint}</span></p>
             <div class="inputs">${keys.map(key => `<label>${inputs[key].label} <output></output>
                 <input type="range" name="${key}" min="${inputs[key].range[0]}" max="${inputs[key].range[1]}" step="${inputs[key].step}"></label>`).join('')}
-                <div><button type="button">As at first</button></div></div>
-            <div class="plots"></div>`;
+                <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button></div></div>
+            <div class="theatre"></div><div class="plots"></div>`;
+        host.classList.toggle('bare', Boolean(explorer.bare));
+        const printed = (host.dataset.printed || '').split(/[ ,]+/).filter(Boolean).map(Number);
         const sliders = Object.fromEntries([...host.querySelectorAll('input')].map(slider => [slider.name, slider]));
         let noted;
         // A number sets an input, a list of one number moves it by so many steps.
@@ -66,15 +112,37 @@
         const panels = plots(set).map((options, i) => new SlipbookPlot(host.querySelector('.plots'), `${host.id}-${i}`, options));
         host.querySelector('.plots').insertAdjacentHTML('beforeend', '<div class="readout"><p class="says" role="status"></p><dl></dl></div>');
 
+        // Where an intuition is usually wrong, the reader guesses before the bodies move.
+        if (explorer.predict) {
+            const { asks, options, right, says } = explorer.predict;
+            host.querySelector('.inputs').insertAdjacentHTML('beforebegin', `<div class="predict" role="group" aria-label="Your guess"><p>${asks}</p>
+                ${options.map(option => `<button type="button" aria-pressed="false">${option}</button>`).join(' ')} <span role="status"></span></div>`);
+            const box = host.querySelector('.predict'), buttons = [...box.querySelectorAll('button')];
+            buttons.forEach((button, i) => button.addEventListener('click', () => {
+                buttons.forEach(other => other.setAttribute('aria-pressed', other === button));
+                box.querySelector('[role=status]').textContent = `${i === right ? 'Yes.' : `No: ${options[right]}.`} ${says}`;
+                stage?.play();
+            }));
+        }
+
+        let places = [];
+        const stage = explorer.film && new SlipbookStage(host.querySelector('.theatre'),
+            i => panels.forEach((panel, k) => panel.now(places[k] && i > 0 ? places[k](i) : null)));
+
         let due = false;
+        let anew = false;
         const draw = () => {
+            anew = true;
+            drawn();
+        };
+        const drawn = () => {
             // What is shown is no longer what is asked for.
             delete host.dataset.shown;
             if (due) return;
             due = true;
             requestAnimationFrame(() => {
                 due = false;
-                const shown = show(state, ask);
+                const shown = show(state, ask, printed);
                 for (const key of keys) {
                     sliders[key].value = state[key];
                     const said = `${fixed(state[key], digits(key))}${inputs[key].unit || ''}`;
@@ -82,6 +150,9 @@
                     sliders[key].setAttribute('aria-valuetext', said);
                 }
                 panels.forEach((panel, i) => panel.draw(shown.draw[i]));
+                places = explorer.now ? explorer.now(state, ask) : [];
+                stage?.load(explorer.film(state, ask, printed, set), !anew);
+                anew = false;
                 host.querySelector('dl').innerHTML = Object.entries(shown.values)
                     .map(([term, value]) => `<div><dt>${term.replace(/_(.)/g, '<sub>$1</sub>')}</dt><dd>${value}</dd></div>`).join('');
                 host.querySelector('.says').textContent = shown.says;
@@ -94,16 +165,28 @@
             const [id, query = ''] = location.hash.slice(1).split('?');
             const given = new URLSearchParams(id === host.id ? query : '');
             for (const key of keys) {
-                const value = given.has(key) ? Number(given.get(key)) : NaN;
+                // Nothing behind the sign is not 0.
+                const value = given.get(key) ? Number(given.get(key)) : NaN;
                 state[key] = snap(key, Number.isFinite(value) ? value : inputs[key].start);
             }
             draw();
             if (id === host.id) host.scrollIntoView();
         };
-        host.addEventListener('input', event => set({ [event.target.name]: Number(event.target.value) }));
+        host.addEventListener('input', event => event.target.name in inputs && set({ [event.target.name]: Number(event.target.value) }));
         // mdBook turns pages with the arrow keys.
         host.addEventListener('keydown', event => event.key.startsWith('Arrow') && event.stopPropagation());
-        host.querySelector('button').addEventListener('click', () => set(Object.fromEntries(keys.map(key => [key, inputs[key].start]))));
+        host.querySelector('.inputs button').addEventListener('click', () => set(Object.fromEntries(keys.map(key => [key, inputs[key].start]))));
+        host.querySelector('.copy').addEventListener('click', async event => {
+            const link = new URL(address(), location.href).href;
+            try {
+                await navigator.clipboard.writeText(link);
+                event.target.textContent = 'Copied';
+            } catch {
+                location.hash = address();
+                event.target.textContent = 'It is in the address';
+            }
+            setTimeout(() => { event.target.textContent = 'Copy link'; }, 1500);
+        });
         const figure = host.nextElementSibling;
         const still = document.createElement('details');
         still.className = 'explorer-static';
@@ -115,6 +198,7 @@
             if (location.hash.slice(1).split('?')[0] === host.id) read();
             unfold();
         });
+        ask.heard.push(drawn);
         host.hidden = false;
         read();
         unfold();
@@ -123,6 +207,13 @@
     // The page for printing keeps its still figures.
     if (!location.pathname.endsWith('/print.html')) {
         const hosts = [...document.querySelectorAll('[data-explorer]')];
-        door().then(ask => hosts.forEach(host => start(host, ask)));
+        let opened;
+        const open = () => opened ||= door().then(ask => hosts.forEach(host => start(host, ask)));
+        // The module is loaded when its place comes near, or is linked to.
+        const near = new IntersectionObserver(entries => entries.some(entry => entry.isIntersecting) && open(), { rootMargin: '1200px' });
+        hosts.forEach(host => near.observe(host.nextElementSibling));
+        const linked = () => hosts.some(host => location.hash.startsWith(`#${host.id}`)) && open();
+        addEventListener('hashchange', linked);
+        linked();
     }
 })();

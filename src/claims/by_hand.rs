@@ -39,7 +39,7 @@ pub static CASES: [ByHand; 26] = [
         claim: "s22-vy-two-stages",
         wrong: "the second stage is no exponential decay",
         reason: "An exponential decay needs a bounded rate. Friction across the drive is $\\lambda_0v_y/v$, and at each zero of $v_x$ the divisor is $v_y$ itself: the smaller $v_y$, the more it loses there",
-        case: "Take $\\lambda_0=1/\\pi$, as in figure 3. By (39) $\\cos\\tilde\\phi_1=\\frac12$, so that $\\mathfrak w$ passes through zero with the slopes $s\\pm\\lambda_0$, $s=\\sqrt3/2$. Beside a zero $\\mathrm d\\ln v_y/\\mathrm d\\phi=-\\lambda_0/[(s\\pm\\lambda_0)\\lvert\\phi-\\tilde\\phi_1\\rvert]$, until $\\lvert\\mathfrak w\\rvert$ is as small as $v_y$: each passage multiplies $\\ln v_y$ by $(s+\\lambda_0)/(s-\\lambda_0)=2.162$, each period by its square. An exponential would multiply it by {stated} in the end; the motion multiplies it by {found}",
+        case: "Take $\\lambda_0=1/\\pi$, as in figure 3. By (39) $\\cos\\tilde\\phi_1=\\frac12$, so that $\\mathfrak w$ passes through zero with the slopes $s\\pm\\lambda_0$, $s=\\sqrt3/2$. Beside a zero $\\mathrm d\\ln v_y/\\mathrm d\\phi=-\\lambda_0/[(s\\pm\\lambda_0)\\lvert\\phi-\\tilde\\phi_1\\rvert]$, until $\\lvert\\mathfrak w\\rvert$ is as small as $v_y$: each passage multiplies $\\ln v_y$ by $(s+\\lambda_0)/(s-\\lambda_0)=2.162$, each period by its square. An exponential decay would multiply it by {stated} in the end; the motion multiplies it by {found}",
         digits: 3,
         stated: || Ok(1.0),
         found: growth_of_logarithm,
@@ -70,8 +70,8 @@ pub static CASES: [ByHand; 26] = [
     },
     ByHand {
         claim: "s24-region-2",
-        wrong: "beyond $Y$ its border is not B but E",
-        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion. $q_Y=4.603$ is the $q$ of $Y$; on E the forward motion ends just when the drive ceases to pull backward: $\\sqrt{1-\\lambda_0^2}-\\sqrt{1-(q\\lambda_0)^2}=\\lambda_0[2\\pi-\\sin^{-1}(q\\lambda_0)-\\sin^{-1}\\lambda_0]$",
+        wrong: "beyond Y, for $q>q_Y=4.603$, its border is not B but E, where the forward motion ends just when the drive ceases to pull backward",
+        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion. The border of that is E: $\\sqrt{1-\\lambda_0^2}-\\sqrt{1-(q\\lambda_0)^2}=\\lambda_0[2\\pi-\\sin^{-1}(q\\lambda_0)-\\sin^{-1}\\lambda_0]$",
         case: "Take $q=9$, $\\lambda_0=0.1$: below C at $1/9$, and far above A. The drive can pull backward only while $\\sin\\phi<-0.9$, from $\\phi=4.261$ to $5.163$. The forward motion begins at $0.100$, and at $5.163$ its velocity is $0.995-0.436-0.1\\,(5.163-0.100)=0.053$, still positive. Backward intervals in a period: {stated} printed, {found} in the motion",
         digits: 0,
         stated: || {
@@ -157,7 +157,7 @@ pub static CASES: [ByHand; 26] = [
         claim: "eq-106",
         wrong: "a factor $\\mu$ is missing in the last term",
         reason: "The length $s$ of (104) is $\\Omega^2/(\\mu g)$ times the length of the path; multiplied by $m(\\mu g)^2/\\Omega^2$ it gives $m\\,\\mu g$ times the length of the path, and the print has lost the $\\mu$",
-        case: "Let the table turn so slowly that it may be at rest: $m=1$, $\\mu=\\frac12$, $g=10$, and a push of $v=5$. Friction slows it down at the rate $\\mu g=5$, over the distance $s=v^2/(2\\mu g)=2.5$. The last term must make up for the lost energy $\\frac12v^2$. Printed: $mgs={stated}$. In the motion: {found}",
+        case: "Let the table turn so slowly that it is as good as at rest: $m=1$, $\\mu=\\frac12$, $g=10$, and a push of $v=5$. Friction slows it down at the rate $\\mu g=5$, over the distance $s=v^2/(2\\mu g)=2.5$. The last term must make up for the lost energy $\\frac12v^2$. Printed: $mgs={stated}$. In the motion: {found}",
         digits: 1,
         stated: || Ok(-table::friction_work(1.0, 10.0, way()?)),
         found: energy_lost,

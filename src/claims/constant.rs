@@ -183,6 +183,7 @@ const CLAIMS: &[Claim] = &[
             hodograph::eq11_outside,
             time::regular_speed,
             time::regular_straight,
+            time::regular_speed_by_log,
             excepted::eq11
         ],
         correction: Some(REGULAR_SPEED),
@@ -235,6 +236,8 @@ const CLAIMS: &[Claim] = &[
             time::eq13_singular,
             time::eq13_straight,
             time::regular_time,
+            time::regular_late,
+            time::regular_angle,
             excepted::eq13_friction,
             excepted::eq13_straight
         ],

@@ -183,23 +183,8 @@ pub const CORNERED: &[Survivor] = &[
     ),
     cornered(
         "s22-vy-two-stages",
-        "drive_at_zero 1 % more where 0 < λ₀ < 0.001",
-        SLOW,
-    ),
-    cornered(
-        "s22-vy-two-stages",
         "last_stage 1 % more where 0 < λ₀ < 0.001",
-        SLOW,
-    ),
-    cornered(
-        "s22-vy-two-stages",
-        "passage_factor 1 % more where 0 < λ₀ < 0.001",
-        SLOW,
-    ),
-    cornered(
-        "s22-vy-two-stages",
-        "s22_first_stage_slope 1 % more where 0 < λ₀ < 0.001",
-        SLOW,
+        RESTS,
     ),
     cornered(
         "eq-44",
@@ -216,8 +201,6 @@ pub const CORNERED: &[Survivor] = &[
         "eq54_sides with inverse function 2 on the other branch over the upper half of its range",
         BELOW,
     ),
-    cornered("eq-69", "eq69_time 1 % more where t > 10", NOT_SO_LATE),
-    cornered("eq-83", "slip_at_time 1 % more where τ > 10", NOT_SO_LATE),
     cornered(
         "eq-146",
         "surface_slope 1 % more where 0 < α < 0.01",
@@ -226,9 +209,7 @@ pub const CORNERED: &[Survivor] = &[
 ];
 
 const BORDER: &str = "it is a border, and no motion that is tried is within one in a hundred of it";
-const NOT_SO_LATE: &str = "not tried yet at so late a time";
-const SLOW: &str =
-    "not tried yet: with so little friction a motion takes thousands of periods to settle";
+const RESTS: &str = "it is about rests, of which there are none with so little friction";
 const BELOW: &str = "it is the arcsine of λ₀, and on the curve λ₀ stays below 0.54";
 
 const fn cornered(claim: &'static str, text: &'static str, reason: &'static str) -> Survivor {

@@ -135,7 +135,7 @@ const SMALL_ALPHA_ALONE: &[Condition] = &[
     INNER_NOT_STRAIGHT[0],
     INNER_NOT_STRAIGHT[1],
     Condition {
-        text: r"both vanish: $\psi-\psi_1\to0$ is what (126) needs, but unless $A=1$ their ratio does not tend to $1$",
+        text: r"it is read as $\psi-\psi_1\to0$, which is what (126) needs: unless $A=1$ the ratio of the two does not tend to $1$",
         sort: Sort::Substance,
     },
 ];

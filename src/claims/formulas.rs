@@ -82,6 +82,56 @@ mod tests {
         assert_eq!(tried("corrections::escape::winding"), None);
     }
 
+    /// What the corrections have and no claim tries mistakes in: its path, and what tries it over all values for which it is
+    /// used.
+    const BESIDE: &[(&str, &str)] = &[
+        ("anisotropic::drift_without_rest", DRIFT),
+        ("anisotropic::loss_without_rest", DRIFT),
+        ("anisotropic::region", DRIFT),
+        ("anisotropic::slip_distance", DRIFT),
+        (
+            "anisotropic::y_from_root",
+            "the code of its page, at the one point that there is",
+        ),
+        ("escape::winding", "tests/certified.rs: it is a number"),
+        ("periodic::loss_with_rests", DRIFT),
+        ("periodic::loss_without_rest", DRIFT),
+        (
+            "periodic::small_friction_case",
+            "pulses::below_motion, which asks it for every phase",
+        ),
+    ];
+    const DRIFT: &str = "the tests of anisotropic::drift, by motions all over the plane";
+
+    #[test]
+    fn mistakes_are_tried_in_every_correction_or_it_is_listed() {
+        let folder = std::fs::read_dir("src/corrections").unwrap();
+        let mut left = BTreeSet::new();
+        for file in folder.map(|file| file.unwrap().path()) {
+            let stem = file.file_stem().unwrap().to_str().unwrap().to_owned();
+            let text = std::fs::read_to_string(&file).unwrap();
+            let text = text.split("#[cfg(test)]").next().unwrap();
+            for function in text.split("\npub fn ").skip(1) {
+                let name = function.split(['<', '(']).next().unwrap();
+                left.insert(format!("{stem}::{name}"));
+            }
+        }
+        assert!(left.len() > 30, "{left:?}");
+        for formula in formulas::<f64>() {
+            if let Some((_, path)) = formula.path.split_once("::corrections::")
+                && formula.claim().is_some()
+            {
+                assert!(left.remove(path), "{path}");
+            }
+        }
+        assert!(
+            left.iter()
+                .map(String::as_str)
+                .eq(BESIDE.iter().map(|beside| beside.0)),
+            "{left:?}"
+        );
+    }
+
     #[test]
     fn every_argument_is_a_declared_symbol_and_introduced_by_a_claim() {
         for formula in formulas::<f64>() {

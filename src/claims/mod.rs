@@ -3,53 +3,54 @@
 //! A claim is data; a trial is a function that returns [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not
 //! said here: the [ledger](crate::ledger) judges.
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod by_hand;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod corners;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod distrust;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod failure;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod formulas;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
+pub mod laid_over;
 pub mod measured;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod reading;
 pub mod solve;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod tolerances;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod values;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod variants;
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod anisotropic;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod constant;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod escape;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod general;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod periodic;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod rest;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod sinusoidal;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod sphere;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod turntable;
 
 pub use trialbook::claims::{Claim, Condition, Correction, Paper, Sort, Topic};
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub use trialbook::claims::{attempt, compare, enclosed, excepted, points, runs, statement};
 
 /// All topics, in the paper's order.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 static TOPICS: [Topic; 9] = [
     general::TOPIC,
     constant::TOPIC,
@@ -63,7 +64,7 @@ static TOPICS: [Topic; 9] = [
 ];
 
 /// The paper on trial.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub static PAPER: Paper = Paper {
     title: "Slipping and rolling on a rough accelerating surface",
     authors: "M. Khorrami, A. Aghamohammadi and C. Aghamohammadi",

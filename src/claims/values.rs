@@ -394,7 +394,10 @@ mod tests {
         assert_eq!(ids.len(), VALUES.len());
         for value in &VALUES {
             assert!(PAPER.find(value.claim).is_some(), "{}", value.id);
-            assert!(value.shown().is_ok(), "{}", value.id);
+            let shown: f64 = value.shown().unwrap().parse().unwrap();
+            let half = 0.5 * libm::exp10(-(value.decimals as f64));
+            let off = (shown - value.number().unwrap()).abs();
+            assert!(off <= half * (1.0 + 1e-9), "{}: {shown}", value.id);
             if let Some(enclosure) = value.enclosure {
                 let [number, middle] =
                     [value.number().unwrap(), enclosure.interval().unwrap().mid()];

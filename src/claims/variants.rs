@@ -90,7 +90,7 @@ pub const SPARED: &[Spared] = &[
 ];
 
 /// The formulas that say that something vanishes or keeps its value: a constant factor does not make them wrong.
-pub(super) const UP_TO_A_FACTOR: [&str; 9] = [
+pub(super) const UP_TO_A_FACTOR: [&str; 10] = [
     "constant",
     "eq10_invariant",
     "eq17_invariant",
@@ -100,6 +100,7 @@ pub(super) const UP_TO_A_FACTOR: [&str; 9] = [
     "eq104_constant",
     "eq106_constant",
     "eq146_right",
+    "half_angle",
 ];
 
 /// The formulas that state a sign: a positive factor does not make them wrong.
@@ -111,6 +112,7 @@ pub(super) fn argument(letter: &str, random: &mut fastrand::Rng) -> f64 {
     match letter {
         "ω_z" | "R_z" => random.f64(),
         "R_x" | "R_y" => 0.0,
+        "ln r" => -random.f64(),
         letter if letter.ends_with("_z") => 0.0,
         "h" => f64::from(random.u8(0..2)),
         _ => random.f64(),

@@ -27,11 +27,27 @@ pub fn speed<S: Scalar>(lambda: S, v0: S, theta0: S, r: S) -> S {
     v0 * (half.cos().squared() * r.pow(lambda - one) + half.sin().squared() * r.pow(lambda + one))
 }
 
-/// The time at which tan(θ/2) has fallen to `r` times its initial value. For 0 < r ≤ 1.
-claim "eq-13";
-pub fn time<S: Scalar>(lambda: S, a: S, v0: S, theta0: S, r: S) -> S {
+/// [`speed`] by ln r, for motions so long that r is below every number.
+claim "eq-11";
+pub fn speed_by_log<S: Scalar>(lambda: S, v0: S, theta0: S, ln_r: S) -> S {
     let (one, half) = (S::int(1), theta0 / S::int(2));
-    v0 / a * (half.cos().squared() * r.power_fall(lambda - one) + half.sin().squared() * r.power_fall(lambda + one))
+    v0 * (half.cos().squared() * ((lambda - one) * ln_r).exp()
+        + half.sin().squared() * ((lambda + one) * ln_r).exp())
+}
+
+/// The time at which ln tan(θ/2) has changed by `ln_r` ≤ 0.
+claim "eq-13";
+pub fn time<S: Scalar>(lambda: S, a: S, v0: S, theta0: S, ln_r: S) -> S {
+    let (one, half) = (S::int(1), theta0 / S::int(2));
+    v0 / a * (half.cos().squared() * ln_r.exp_fall(lambda - one) + half.sin().squared() * ln_r.exp_fall(lambda + one))
+}
+
+/// tan(θ/2) where it has fallen to `r` times its initial value: θ by the sine and the cosine of its half, each times the
+/// same number.
+claim "eq-13";
+pub fn half_angle<S: Scalar>(theta0: S, r: S) -> [S; 2] {
+    let half = theta0 / S::int(2);
+    [r * half.sin(), half.cos()]
 }
 
 /// d ln tan(θ/2)/d ln v, by Newton's law along and across the velocity; 1/(λ − 1) in the end. For λ > 1.
@@ -46,34 +62,4 @@ pub fn late_sense<S: Scalar>() -> S {
     S::int(-1)
 }
 
-}
-
-/// [`speed`] by ln r, for motions so long that r is below every number.
-pub fn speed_by_log<S: Scalar>(lambda: S, v0: S, theta0: S, ln_r: S) -> S {
-    let (one, half) = (S::int(1), theta0 / S::int(2));
-    v0 * (half.cos().squared() * ((lambda - one) * ln_r).exp()
-        + half.sin().squared() * ((lambda + one) * ln_r).exp())
-}
-
-/// [`time`] by ln r.
-pub fn time_by_log<S: Scalar + PartialEq>(lambda: S, a: S, v0: S, theta0: S, ln_r: S) -> S {
-    let (one, half) = (S::int(1), theta0 / S::int(2));
-    let fall = |k: S| power_fall(ln_r, k);
-    v0 / a * (half.cos().squared() * fall(lambda - one) + half.sin().squared() * fall(lambda + one))
-}
-
-/// \[r; k\] = (1 − r^k)/k, from ln r, without loss of digits near k = 0.
-fn power_fall<S: Scalar + PartialEq>(ln_r: S, k: S) -> S {
-    if k == S::int(0) {
-        -ln_r
-    } else {
-        -(k * ln_r).exp_m1() / k
-    }
-}
-
-/// tan(θ/2) where it has fallen to `r` times its initial value: θ by the sine and the cosine of its half, each times the
-/// same number.
-pub fn half_angle<S: Scalar>(theta0: S, r: S) -> [S; 2] {
-    let half = theta0 / S::int(2);
-    [r * half.sin(), half.cos()]
 }

@@ -38,6 +38,7 @@ pub fn passage_factor<S: Scalar>(lambda0: S, s: S) -> S {
 }
 
 /// By what factor a small distance to the periodic motion (38) shrinks in a period, 0 ≤ λ₀ ≤ λ_c. Dimensionless.
+claim "s22-vy-two-stages";
 pub fn contraction<S: Scalar>(lambda0: S) -> S {
     (S::int(1) / passage_factor(lambda0, drive_at_zero(lambda0))).squared()
 }

@@ -1,14 +1,16 @@
 //! The explorers' place on a page, and the files that they run on.
 //!
 //! The scripts are displays; what they show comes from [`crate::explorers`], compiled to the module
-//! `book/theme/explorers.wasm` (rebuilt by `book/explorers/rebuild`). Pages opened from the disk may not fetch
-//! anything, so the module goes into a script as text.
+//! `book/theme/explorers.wasm` (rebuilt by `book/explorers/rebuild`), and from [`crate::breaks`], compiled to
+//! `book/theme/breaks.wasm`. Pages opened from the disk may not fetch anything, so a module goes into a script as text.
 
+use crate::claims::laid_over;
 use trialbook::edition::{Failure, Filled};
 
 /// The scripts and the style, with the module as text: path within the book, and text.
 pub(super) fn files() -> Vec<(String, String)> {
     let module = base64(include_bytes!("../../book/theme/explorers.wasm"));
+    let breaks = base64(include_bytes!("../../book/theme/breaks.wasm"));
     let named = [
         (
             "explorers.css",
@@ -19,12 +21,26 @@ pub(super) fn files() -> Vec<(String, String)> {
             include_str!("../../book/theme/explorers-plot.js"),
         ),
         (
+            "explorers-stage.js",
+            include_str!("../../book/theme/explorers-stage.js"),
+        ),
+        (
+            "explorers-scenes.js",
+            include_str!("../../book/theme/explorers-scenes.js"),
+        ),
+        (
             "explorers-list.js",
             include_str!("../../book/theme/explorers-list.js"),
         ),
         (
             "explorers.js",
             include_str!("../../book/theme/explorers.js"),
+        ),
+        ("breaks.css", include_str!("../../book/theme/breaks.css")),
+        ("breaks.js", include_str!("../../book/theme/breaks.js")),
+        (
+            "breaks-module.js",
+            &format!("window.slipbookBreaks = \"{breaks}\";\n"),
         ),
         (
             "explorers-module.js",
@@ -35,25 +51,56 @@ pub(super) fn files() -> Vec<(String, String)> {
     named.into_iter().map(file).collect()
 }
 
-/// The pages that have an explorer. It stands right before the figure that takes its place where scripts are off.
-const PAGES: [&str; 4] = ["constant", "anisotropic", "sphere", "turntable"];
+/// The pages that have an explorer, and its name. It stands right before the figure that takes its place where scripts are
+/// off.
+const PAGES: [(&str, &str); 9] = [
+    ("index", "record"),
+    ("constant", "constant"),
+    ("sinusoidal", "sinusoidal"),
+    ("periodic", "periodic"),
+    ("anisotropic", "anisotropic"),
+    ("sphere", "sphere"),
+    ("turntable", "turntable"),
+    ("escape", "escape"),
+    ("rest", "rest"),
+];
 
 /// An explorer's place on the page of this stem: empty and hidden until a script fills it.
 ///
 /// # Errors
 /// On a page that has none.
 pub(super) fn place(page: &str) -> Result<Filled, Failure> {
-    if !PAGES.contains(&page) {
+    let Some((_, name)) = PAGES.iter().find(|(stem, _)| *stem == page) else {
         return Err("this page has no explorer".into());
-    }
+    };
+    let scripts = ["plot", "stage", "scenes", "list"].map(|name| format!("-{name}"));
+    let scripts = scripts.iter().map(String::as_str).chain([""]);
+    let scripts =
+        scripts.map(|name| format!("<script defer src=\"theme/explorers{name}.js\"></script>"));
     Ok(Filled::Block(format!(
-        "<link rel=\"stylesheet\" href=\"theme/explorers.css\">\
-             <script defer src=\"theme/explorers-plot.js\"></script>\
-             <script defer src=\"theme/explorers-list.js\"></script>\
-             <script defer src=\"theme/explorers.js\"></script>\
-             <div class=\"explorer\" id=\"explore-{page}\" data-explorer=\"{page}\" role=\"group\" \
-             aria-label=\"Explorer\" hidden></div>\n"
+        "<link rel=\"stylesheet\" href=\"theme/explorers.css\">{}<div class=\"explorer\" id=\"explore-{name}\" \
+         data-explorer=\"{name}\" data-printed=\"{}\" role=\"group\" aria-label=\"Explorer\" hidden></div>\n",
+        scripts.collect::<String>(),
+        printed(name),
     )))
+}
+
+/// The place where the reader breaks a formula: empty and hidden until a script fills it.
+#[allow(clippy::unnecessary_wraps)]
+pub(super) fn breakable(_: &str) -> Result<Filled, Failure> {
+    Ok(Filled::Block(
+        "<link rel=\"stylesheet\" href=\"theme/explorers.css\"><link rel=\"stylesheet\" href=\"theme/breaks.css\"><div \
+         class=\"explorer\" id=\"broken\" role=\"group\" aria-label=\"Break it yourself\" hidden></div><script defer \
+         src=\"theme/breaks.js\"></script>\n"
+            .to_owned(),
+    ))
+}
+
+/// Pairs of numbers as the scripts read them.
+fn printed(name: &str) -> String {
+    let pairs = laid_over::printed(name);
+    let pairs = pairs.iter().map(|[x, y]| format!("{x},{y}"));
+    pairs.collect::<Vec<_>>().join(" ")
 }
 
 /// Bytes as text: six bits a letter.

@@ -22,6 +22,16 @@ pub static EDITION: Edition = Edition {
     usual: &[],
     figures: || Ok(figures::all()?),
     symbols: symbols::SYMBOLS,
+    aliases: &[
+        (
+            "errata.html#errata",
+            "wrong error mistake false list errors mistakes",
+        ),
+        ("anisotropic.html#eq-58", "Y Y Y point"),
+        ("sinusoidal.html#eq-37", "λc λc lambda c lambda c"),
+        ("escape.html#eq-135", "tau^2 tau^2 2/9"),
+        ("sinusoidal.html#sinusoidal", "stick slip"),
+    ],
     sources: Sources {
         files: sources,
         motion,
@@ -30,6 +40,10 @@ pub static EDITION: Edition = Edition {
         Placeholder {
             name: "explorer",
             fill: explorer::place,
+        },
+        Placeholder {
+            name: "break",
+            fill: explorer::breakable,
         },
         Placeholder {
             name: "physics",

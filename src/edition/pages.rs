@@ -41,6 +41,7 @@ written!(
     trust "What you have to trust",
     accuracy "How accurately it was measured",
     errata "Errata",
+    findings "The findings, to print",
     map "The map of claims",
     equations "Index of equations",
     symbols "Index of symbols",

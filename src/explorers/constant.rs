@@ -1,6 +1,6 @@
 //! Section 2.1: a launch under constant acceleration. Speeds in units of v₀, times in v₀/A, lengths in v₀²/A.
 
-use super::{Answer, ExplorerError, flag, spread};
+use super::{Answer, ExplorerError, PICTURES, flag, spread};
 use crate::motion::{Launch, Motion, MotionError, State};
 use std::f64::consts::PI;
 
@@ -69,6 +69,25 @@ pub fn portrait(lambda: f64) -> Result<Answer, ExplorerError> {
     Ok(Answer {
         values: Vec::new(),
         curves,
+    })
+}
+
+/// The same motion at equal times, for a moving picture.
+///
+/// Values: the time between the pictures. Curves: place and velocity of the particle, relative to the plane.
+///
+/// # Errors
+/// As for [`motion`].
+pub fn film(lambda: f64, theta: f64) -> Result<Answer, ExplorerError> {
+    let motion = followed(lambda, theta)?;
+    let (places, velocities): (Vec<_>, Vec<_>) = spread(0.0, motion.end().t, PICTURES)
+        .map(|t| motion.at(t).map(|state| (state.x, state.v)))
+        .collect::<Result<Vec<_>, _>>()?
+        .into_iter()
+        .unzip();
+    Ok(Answer {
+        values: vec![motion.end().t / f64::from(PICTURES)],
+        curves: vec![places, velocities],
     })
 }
 

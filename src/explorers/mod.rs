@@ -9,7 +9,9 @@
 
 pub mod anisotropic;
 pub mod constant;
+pub mod periodic;
 pub mod sphere;
+pub mod tray;
 pub mod turntable;
 
 use crate::motion::MotionError;
@@ -60,7 +62,7 @@ pub enum ExplorerError {
 pub type Question = fn([f64; 4]) -> Result<Answer, ExplorerError>;
 
 /// The questions, by the number under which the browser puts them.
-pub const QUESTIONS: [Question; 7] = [
+pub const QUESTIONS: [Question; 13] = [
     |[lambda, theta, ..]| constant::motion(lambda, theta),
     |[lambda, ..]| constant::portrait(lambda),
     |[q, lambda, w, _]| anisotropic::motion(q, lambda, w),
@@ -68,6 +70,12 @@ pub const QUESTIONS: [Question; 7] = [
     |[rho, u, v, _]| turntable::motion(rho, [u, v]),
     |[rho, ..]| turntable::boundary(rho),
     |[lambda, kappa, u, v]| sphere::motion(lambda, kappa, [u, v]),
+    |[lambda, theta, ..]| constant::film(lambda, theta),
+    |[q, lambda, w, _]| anisotropic::film(q, lambda, w),
+    |[lambda, kappa, u, v]| sphere::film(lambda, kappa, [u, v]),
+    |[rho, ..]| turntable::growth(rho),
+    |[third, lambda, w, _]| periodic::motion(third, lambda, w),
+    |[third, lambda, w, _]| periodic::film(third, lambda, w),
 ];
 
 /// The answer to a question by its number.
@@ -78,6 +86,9 @@ pub fn answer(number: usize, arguments: [f64; 4]) -> Result<Answer, ExplorerErro
     let question = QUESTIONS.get(number);
     question.ok_or(ExplorerError::Question { number })?(arguments)
 }
+
+/// Pictures in a film of given length, beside the first.
+const PICTURES: u32 = 480;
 
 /// 1 for yes, 0 for no.
 fn flag(truth: bool) -> f64 {

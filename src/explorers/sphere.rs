@@ -1,7 +1,7 @@
 //! Section 3.2: a sphere on a plane that swings. Velocities in units of A₀/ϖ, lengths in A₀/ϖ², φ = ϖt.
 
-use super::{Answer, ExplorerError, spread};
-use crate::motion::sphere::{Ball, Contact, Sphere};
+use super::{Answer, ExplorerError, PICTURES, spread};
+use crate::motion::sphere::{Ball, Contact, Motion, Sphere};
 use crate::motion::{MotionError, Plane, Signal};
 use std::f64::consts::TAU;
 
@@ -20,33 +20,8 @@ const PERIODS: f64 = 4.0;
 /// # Errors
 /// λ₀ or κ not positive, κ above 1, a slip that is not finite.
 pub fn motion(lambda0: f64, kappa: f64, slip: [f64; 2]) -> Result<Answer, ExplorerError> {
-    let fit = (1e-6..=1e6).contains(&lambda0);
-    if !fit {
-        return Err(ExplorerError::Motion(MotionError::Argument {
-            name: "lambda_0",
-            value: lambda0,
-            range: "between 1e-6 and 1e6",
-        }));
-    }
-    let sine = Signal::Sine {
-        frequency: 1.0,
-        phase: 0.0,
-    };
-    // A₀ = ϖ = m = R = g = 1; μ follows from λ₀.
-    let b = 1.0 + 1.0 / kappa;
-    let sphere = Sphere {
-        mu: lambda0 / b,
-        ..Sphere::with_kappa(kappa)
-    };
-    let start = Ball {
-        t: 0.0,
-        x: [0.0; 2],
-        v: slip,
-        omega: [0.0; 3],
-    };
-    let until = PERIODS * TAU;
-    let motion = sphere.run(&Plane::along([1.0, 0.0], sine.times(-1.0)), &start, until)?;
-
+    let motion = followed(lambda0, kappa, slip)?;
+    let (b, until) = (1.0 + 1.0 / kappa, PERIODS * TAU);
     let mut rolls: Vec<[f64; 2]> = Vec::new();
     let mut from = (motion.contact(0.0)? == Contact::Rolling).then_some(0.0);
     for transition in motion.transitions() {
@@ -83,4 +58,60 @@ pub fn motion(lambda0: f64, kappa: f64, slip: [f64; 2]) -> Result<Answer, Explor
         curves.iter_mut().zip(points).for_each(|(c, p)| c.push(p));
     }
     Ok(Answer { values, curves })
+}
+
+/// The same motion at equal times, for a moving picture from the side.
+///
+/// Values: the phase between the pictures. Curves: the displacements, in A₀/ϖ², of the floor in the laboratory and of the centre
+/// on the floor; the angle by which the ball has turned, forwards along the swing, times its radius, in A₀/ϖ², and the slip along
+/// the swing.
+///
+/// # Errors
+/// As for [`motion`].
+pub fn film(lambda0: f64, kappa: f64, slip: [f64; 2]) -> Result<Answer, ExplorerError> {
+    let motion = followed(lambda0, kappa, slip)?;
+    let step = PERIODS * TAU / f64::from(PICTURES);
+    let (mut turned, mut before) = (0.0, 0.0);
+    let mut curves = [Vec::new(), Vec::new()];
+    for phi in spread(0.0, PERIODS * TAU, PICTURES) {
+        let (ball, slip) = (motion.at(phi)?, motion.slip(phi)?);
+        // Where it rolls, it turns as fast as its centre advances.
+        let spin = ball.v[0] - slip[0];
+        turned += 0.5 * step * (spin + before);
+        before = spin;
+        curves[0].push([libm::sin(phi), ball.x[0]]);
+        curves[1].push([turned, slip[0]]);
+    }
+    Ok(Answer {
+        values: vec![step],
+        curves: curves.into(),
+    })
+}
+
+fn followed(lambda0: f64, kappa: f64, slip: [f64; 2]) -> Result<Motion, ExplorerError> {
+    let fit = (1e-6..=1e6).contains(&lambda0);
+    if !fit {
+        return Err(ExplorerError::Motion(MotionError::Argument {
+            name: "lambda_0",
+            value: lambda0,
+            range: "between 1e-6 and 1e6",
+        }));
+    }
+    let sine = Signal::Sine {
+        frequency: 1.0,
+        phase: 0.0,
+    };
+    // A₀ = ϖ = m = R = g = 1; μ follows from λ₀.
+    let sphere = Sphere {
+        mu: lambda0 / (1.0 + 1.0 / kappa),
+        ..Sphere::with_kappa(kappa)
+    };
+    let start = Ball {
+        t: 0.0,
+        x: [0.0; 2],
+        v: slip,
+        omega: [0.0; 3],
+    };
+    let plane = Plane::along([1.0, 0.0], sine.times(-1.0));
+    Ok(sphere.run(&plane, &start, PERIODS * TAU)?)
 }

@@ -2,7 +2,7 @@
 
 use super::{Answer, ExplorerError, spread};
 use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::{Fate, Start, State, Table, fate, rotating};
+use crate::motion::turntable::{Fate, Start, State, Table, fate, intrinsic, rotating};
 use std::f64::consts::TAU;
 
 /// Time between the points of a path.
@@ -12,6 +12,8 @@ const LONGEST: f64 = 60.0;
 const FARTHEST: f64 = 6.0;
 /// How long a path is followed after its escape is certain.
 const AFTER: f64 = 8.0;
+/// To what time the growth of the distance is shown.
+const LATE: f64 = 1e4;
 /// Steps along each side of the first survey of the velocities, and the largest of their components.
 const SURVEY: u32 = 14;
 const LARGEST: f64 = 3.0;
@@ -19,7 +21,7 @@ const LARGEST: f64 = 3.0;
 /// The motion from the place (ρ, 0) with the given velocity relative to the table.
 ///
 /// Values: the fate (1 rest, 0 escape, −1 undecided), the distance σ of the resting place from the axis (0 for an
-/// escape), and the time of the rest or the time by which the escape was certain. Curves: the path on the table and the
+/// escape), the time of the rest or the time by which the escape was certain, and the time between points. Curves: the path on the table and the
 /// path in the laboratory, of a particle at rest for one turn more.
 ///
 /// # Errors
@@ -27,7 +29,7 @@ const LARGEST: f64 = 3.0;
 pub fn motion(rho: f64, v: [f64; 2]) -> Result<Answer, ExplorerError> {
     let table = Table::default();
     let fate = fate(&start(rho, v)?)?;
-    let (values, more) = match fate {
+    let (mut values, more) = match fate {
         Fate::Rest { sigma, tau, .. } => (vec![1.0, sigma, tau], TAU),
         Fate::Escape { tau, .. } => (vec![0.0, 0.0, tau], AFTER),
         Fate::Undecided { tau, .. } => (vec![-1.0, 0.0, tau], 0.0),
@@ -40,7 +42,9 @@ pub fn motion(rho: f64, v: [f64; 2]) -> Result<Answer, ExplorerError> {
     };
     let path = rotating::run(&table, &begin, until)?;
     let (mut seen, mut here) = (Vec::new(), Vec::new());
-    for t in spread(0.0, until, (until / STEP) as u32 + 1) {
+    let n = (until / STEP) as u32 + 1;
+    values.push(until / f64::from(n));
+    for t in spread(0.0, until, n) {
         let state = path.at(t)?;
         seen.push(state.x);
         here.push(table.to_laboratory(&state).x);
@@ -51,6 +55,28 @@ pub fn motion(rho: f64, v: [f64; 2]) -> Result<Answer, ExplorerError> {
     Ok(Answer {
         values,
         curves: vec![seen, here],
+    })
+}
+
+/// How the distance of a particle put down at rest in the laboratory grows, from τ = 3 to 10⁴.
+///
+/// Curves: ρ/τ² against the logarithm of τ to the base 10; to its rest, if it comes to rest.
+///
+/// # Errors
+/// ρ negative, not finite or above 10⁹.
+pub fn growth(rho: f64) -> Result<Answer, ExplorerError> {
+    let run = intrinsic::Run::new(&Start::put_down(rho)?, LATE)?;
+    let end = run.end().tau;
+    let mut curve = Vec::new();
+    for decades in spread(0.5, libm::log10(LATE), 140) {
+        let tau = libm::exp10(decades);
+        if tau <= end {
+            curve.push([decades, run.at(tau)?.rho() / (tau * tau)]);
+        }
+    }
+    Ok(Answer {
+        values: Vec::new(),
+        curves: vec![curve],
     })
 }
 

@@ -4,8 +4,8 @@
 //! of backward to forward friction, φ the phase and 𝔴 the velocity.
 
 use super::{
-    Axis, BLANK, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Raster, Stroke,
-    Table,
+    Area, Axis, BLANK, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Raster,
+    Stroke, Table,
 };
 use std::f64::consts::PI;
 
@@ -72,6 +72,23 @@ impl Map {
         )
     }
 
+    /// The region between two curves, tinted.
+    fn region(
+        &self,
+        low: impl Fn(&Heights) -> Option<f64>,
+        high: impl Fn(&Heights) -> Option<f64>,
+        series: usize,
+    ) -> Area {
+        Area::between(self.height(low), self.height(high)).series(series)
+    }
+
+    /// Between E and C, beyond Y: where the printed list has II and the motion is of IV.
+    fn wedge(&self) -> Area {
+        let y = self.corners[1][0];
+        let beyond = self.region(|h| h.e, |h| h.e.filter(|_| h.q >= y).map(|_| h.c), 0);
+        beyond.ink().opacity(0.55)
+    }
+
     fn table(&self) -> Result<Table, FigureError> {
         let mut table = Table::new(&["what", "q", "lambda_0"]);
         type Of = fn(&Heights) -> Option<f64>;
@@ -109,10 +126,6 @@ impl Map {
     }
 }
 
-fn wrong(cell: &Cell) -> u8 {
-    if cell.found == cell.printed { BLANK } else { 0 }
-}
-
 /// fig-5: the regions as printed, with the census's verdict on them, and as corrected.
 ///
 /// # Errors
@@ -121,7 +134,11 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
     let y = map.corners[1][0];
     let before = |h: &Heights, at: f64| (h.q <= y).then_some(at);
-    let base = |title: &str| {
+    // B, and beyond Y the border of region II that comes after it.
+    let upper = |beyond: fn(&Heights) -> Option<f64>| {
+        move |h: &Heights| if h.q <= y { h.b } else { beyond(h) }
+    };
+    let base = |title: &str, beyond: fn(&Heights) -> Option<f64>| {
         let regions = [
             ([1.35, 0.17], "'I'"),
             ([2.1, 0.335], "'II'"),
@@ -135,6 +152,11 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
         )
         .title(title)
         .height(340.0)
+        .area(map.region(|_| Some(0.0), |h| Some(h.a), 0))
+        .area(map.region(|h| Some(h.a), upper(beyond), 1))
+        .area(map.region(upper(beyond), |h| Some(h.d), 3))
+        .area(map.region(|h| h.b, |h| h.b.map(|_| h.c), 2))
+        .area(map.region(|h| Some(h.d), |_| Some(1.4), 4))
         .curve(Curve::new(map.height(|h| Some(h.d))).label_at("'D'", 0.9))
         .curve(Curve::new(map.height(|h| Some(h.a))).label_at("'A'", 0.55));
         regions
@@ -153,8 +175,8 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
             .stroke(Stroke::Dotted)
             .label_at("'B'", 0.2)
     };
-    let printed = base("as printed")
-        .raster(map.raster(wrong)?.ink_class("'IV' by simulation", 0.75))
+    let printed = base("as printed", |h| Some(h.c))
+        .area(map.wedge().key("'IV', where the list has 'II'"))
         .curve(
             Curve::new(map.height(|h| Some(h.c)))
                 .series(2)
@@ -162,7 +184,7 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
                 .label_at("'C'", 0.33),
         )
         .curve(b());
-    let corrected = base("as corrected")
+    let corrected = base("as corrected", |h| h.e)
         .curve(
             Curve::new(map.height(|h| before(h, h.c)))
                 .series(2)
@@ -178,16 +200,16 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
         );
     Plot::new("fig-5", "The regions of the anisotropic friction")
         .caption(format!(
-            "Which motion the friction $\\lambda_0$ and the ratio $q$ lead to. Above as printed: at {printed_wrong} of \
-             {points} simulated points the list is wrong; they are marked, and all lie below C and beyond Y. \
-             In the middle as corrected, with E for the missing boundary and C ending at Y: {corrected_wrong} wrong. Below, the \
-             wedge between E and C enlarged. {}",
+            "Which motion the friction $\\lambda_0$ and the ratio $q$ lead to. As printed, the list is wrong at {printed_wrong} of \
+             {points} simulated points; all lie below C and beyond Y, in the dark wedge. \
+             As corrected, with E for the missing boundary and C ending at Y, it is wrong at {corrected_wrong}. The last panel has the \
+             wedge enlarged. {}",
             super::after("fig-5")
         ))
         .alt(
             "Three diagrams. The first two have q from 1 to 7 to the right and λ₀ from 0 to 1.4 upwards. The curves \
              A, B and C fall from the left, D is the horizontal line λ₀ = 1. In the first, a thin wedge below C, right \
-             of the point Y, is marked as wrong. In the second, curve E runs along the lower edge of that wedge, and C \
+             of the point Y, is dark. In the second, curve E runs along the lower edge of that wedge, and C \
              ends at Y. The third shows the wedge alone, with C above it and E below.",
         )
         .panel(corners(printed))
@@ -205,7 +227,7 @@ fn wedge(map: &Map) -> Result<Panel, FigureError> {
     )
     .title("where they differ")
     .height(260.0)
-    .raster(map.raster(wrong)?.ink_class("'IV' by simulation", 0.5))
+    .area(map.wedge().key("'IV', where the list has 'II'"))
     .curve(
         plain(|h| Some(h.c))
             .series(2)

@@ -3,7 +3,9 @@
 //! All dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| = 1, λ₀ the
 //! friction, η the share of a half period that a pulse fills.
 
-use super::{Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Stroke, Table};
+use super::{
+    Area, Axis, Curve, Figure, FigureError, Note, Panel, Plot, Points, Raster, Stroke, Table,
+};
 use std::f64::consts::{PI, TAU};
 
 /// What becomes of a motion.
@@ -69,7 +71,7 @@ pub fn census(rows: &[CensusRow]) -> Result<Figure, FigureError> {
         .class("2 rests", 0, 0.7)
         .class("3 rests", 1, 0.45)
         .class("4 or more", 1, 0.85)
-        .ink_class("drifts for ever", 0.35);
+        .ink_class("drifts for ever (∞)", 0.35);
     let mut panel = Panel::new(
         Axis::linear("λ_0").range(0.0, 1.0).without_grid(),
         Axis::linear("")
@@ -83,6 +85,17 @@ pub fn census(rows: &[CensusRow]) -> Result<Figure, FigureError> {
         let y = k as f64;
         panel = panel.curve(Curve::new([[0.0, y], [1.0, y]]).ink().width(0.8));
     }
+    for (k, row) in rows.iter().rev().enumerate() {
+        for (at, fate) in wide_bands(&row.fates) {
+            let words = match fate {
+                Fate::Drifts => "∞".to_owned(),
+                Fate::Rests(n) => n.to_string(),
+            };
+            let clear = (at - row.mean_size).abs() > 0.03;
+            let at = if clear { at } else { row.mean_size - 0.05 };
+            panel = panel.note(Note::new([at, k as f64 + 0.5], words));
+        }
+    }
     let panel = panel.points(Points::new(bounds).ink().size(4.0).key("mean of |h|"));
     Plot::new("periodic-census", "How often the motion rests")
         .caption(
@@ -92,13 +105,26 @@ pub fn census(rows: &[CensusRow]) -> Result<Figure, FigureError> {
              $\\lvert h\\rvert$ is 1 throughout, the antiderivative is level at its median, the mean is not 0.",
         )
         .alt(
-            "Ten horizontal bars from λ₀ = 0 to 1, coloured by the number of rests per period. For the \
+            "Ten horizontal bars from λ₀ = 0 to 1, coloured by the number of rests per period, which stands in them. For the \
              first seven the colour starts with no rest and ends with one, two or four rests; for the third \
              harmonic no rest appears twice. The square wave never rests, the drive level at its median always \
              does, and the sine with a mean drifts at first.",
         )
         .panel(panel)
         .figure(table)
+}
+
+/// The middles of the bands of one fate that have room for a number.
+fn wide_bands(fates: &[Fate]) -> Vec<(f64, Fate)> {
+    let cell = 1.0 / fates.len() as f64;
+    let mut start = 0.0;
+    let bands = fates.chunk_by(|a, b| a == b).map(|band| {
+        let (from, width) = (start, cell * band.len() as f64);
+        start += width;
+        (from + 0.5 * width, width, band[0])
+    });
+    let wide = bands.filter(|(_, width, _)| *width > 0.06);
+    wide.map(|(middle, _, fate)| (middle, fate)).collect()
 }
 
 /// A periodic motion and its drive over two periods.

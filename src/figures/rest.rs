@@ -19,6 +19,8 @@ pub struct Census {
     pub printed: Vec<[f64; 2]>,
     /// The second-order boundary: (α, A).
     pub corrected: Vec<[f64; 2]>,
+    /// The boundary by bisection on the motion: (α, A).
+    pub found: Vec<[f64; 2]>,
 }
 
 /// Who comes to rest, at several ψ, with the printed and the corrected boundary.
@@ -30,13 +32,13 @@ pub fn census(list: &[Census]) -> Result<Figure, FigureError> {
         .caption(
             "What becomes of particles that start with the given $\\alpha$ and $A$, for three angles $\\psi$. Every \
              cell is one motion, followed until its fate is certain. Shaded: it comes to rest. The true boundary \
-             depends on $\\psi$ (solid: to second order in $\\alpha$, which is good while $\\alpha$ is small), the printed \
-             envelope (147) (dashed) does not.",
+             depends on $\\psi$ (solid: by bisection on the motion; dotted: to second order in $\\alpha$, which is good while $\\alpha$ \
+             is small), the printed envelope (147) (dashed) does not.",
         )
         .alt(
             "Three panels with α to the right and A upwards. The shaded region of rest lies below a line that falls \
              from A = 1, steeply at ψ = 0, half as steeply at ψ = π/2, and hardly at all at ψ = 5π/6; the solid \
-             curve follows its edge where α is small, the dashed curve runs well below it.",
+             line is its edge, the dotted curve follows it where α is small, the dashed curve runs well below.",
         );
     for census in list {
         let side = census.side as f64;
@@ -54,6 +56,14 @@ pub fn census(list: &[Census]) -> Result<Figure, FigureError> {
                 f64::from(u8::from(*rests)).into(),
             ])?;
         }
+        for [alpha, a] in &census.found {
+            table.row([
+                census.psi.into(),
+                (*alpha).into(),
+                (*a).into(),
+                "border".into(),
+            ])?;
+        }
         let cells = census.rests.iter().map(|rests| u8::from(!rests)).collect();
         let raster = Raster::new(census.side, census.side, census.alpha, census.a, cells)?
             .class("rest", 0, 0.35)
@@ -66,8 +76,14 @@ pub fn census(list: &[Census]) -> Result<Figure, FigureError> {
         .height(240.0)
         .raster(raster)
         .curve(
+            Curve::new(census.found.iter().copied())
+                .ink()
+                .key("by bisection"),
+        )
+        .curve(
             Curve::new(census.corrected.iter().copied())
                 .ink()
+                .stroke(Stroke::Dotted)
                 .key("to second order"),
         )
         .curve(
@@ -185,7 +201,7 @@ pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure,
                 Curve::new(level.found.iter().map(polar))
                     .series(n)
                     .stroke(Stroke::Solid)
-                    .key(format!("A = {}", level.a)),
+                    .label_at(format!("A = {}", level.a), 0.22),
             )
             .curve(
                 Curve::new(circle)

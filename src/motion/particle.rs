@@ -4,7 +4,7 @@ mod slide;
 mod start;
 mod stick;
 
-#[cfg(all(test, feature = "book"))]
+#[cfg(all(test, feature = "trials"))]
 mod tests;
 
 use super::acceleration::{Acceleration, Coefficients};

@@ -19,7 +19,7 @@ mod line;
 mod run;
 mod slide;
 
-#[cfg(all(test, feature = "book"))]
+#[cfg(all(test, feature = "trials"))]
 mod tests;
 
 pub use line::{Directed, LineMotion, LineState, Stretch};

@@ -217,11 +217,18 @@ impl Page<'_> {
         };
         let late = || format!("{address} is not loaded");
         self.browser.inbox.wait(loaded).ok_or_else(late)?;
+        self.wait_for("document.fonts.status === 'loaded'")
+    }
+
+    /// Goes to the explorer of the page, if it has one, and back: it is made when it comes near. The page for printing makes none.
+    pub fn explored(&mut self) -> Result<(), Failure> {
+        self.value("document.querySelector('[data-explorer]')?.nextElementSibling.scrollIntoView({ behavior: 'instant' })")?;
         self.wait_for(
-            "document.fonts.status === 'loaded'
-             && [...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown
+            "[...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown
                  || location.pathname.endsWith('/print.html'))",
-        )
+        )?;
+        self.value("scrollTo({ top: 0, behavior: 'instant' })")
+            .map(drop)
     }
 
     /// The value of an expression in the page; a promise is waited for.

@@ -4,13 +4,35 @@ use crate::Book;
 use crate::chrome::{Failure, Page};
 use crate::pages::{is_marked, none};
 use serde_json::{Value, json};
+use slipbook::breaks::{answer as answer_to, breaks, claims};
 use slipbook::explorers::answer;
+use slipbook::paper::escape::eq136_rho;
 
-/// The pages with an explorer, which has the same name.
-pub const PAGES: [&str; 4] = ["constant", "anisotropic", "sphere", "turntable"];
+/// The pages with an explorer, in the order of the book.
+pub const PAGES: [&str; 9] = [
+    "index",
+    "constant",
+    "sinusoidal",
+    "periodic",
+    "anisotropic",
+    "sphere",
+    "turntable",
+    "escape",
+    "rest",
+];
+
+/// The name of the explorer on a page: the page's, but for the first one.
+fn name_on(page: &'static str) -> &'static str {
+    if page == "index" { "record" } else { page }
+}
+
+/// The page of an explorer.
+fn page_of(name: &str) -> &str {
+    if name == "record" { "index" } else { name }
+}
 
 /// States to show, as they stand in the address; between them all that the explorer can say.
-const STATES: [(&str, &[&str]); 4] = [
+const STATES: [(&str, &[&str]); 9] = [
     (
         "constant",
         &[
@@ -42,6 +64,21 @@ const STATES: [(&str, &[&str]); 4] = [
         ],
     ),
     (
+        "record",
+        &["rho=0.5&u=0&v=-1", "rho=1.4&u=2.5&v=-2.5", "rho=0&u=0&v=0"],
+    ),
+    ("rest", &["rho=0.8&u=-0.6&v=0.4", "rho=1.6&u=2&v=1.5"]),
+    ("escape", &["rho=0.9", "rho=2"]),
+    ("sinusoidal", &["lambda=0.01&w=-2", "lambda=1.2&w=2"]),
+    (
+        "periodic",
+        &[
+            "third=1.5&lambda=0.15&w=1",
+            "third=0&lambda=0.6&w=-2",
+            "third=2&lambda=1.2&w=2",
+        ],
+    ),
+    (
         "sphere",
         &[
             "lambda=0.75&kappa=0.4&u=0&v=1",
@@ -55,15 +92,19 @@ const STATES: [(&str, &[&str]); 4] = [
 fn expected(name: &str, state: &[f64]) -> Result<Vec<String>, Failure> {
     let mut given = [0.0; 4];
     given[..state.len()].copy_from_slice(state);
+    if name == "sinusoidal" {
+        given = [1.0, given[0], given[1], 0.0];
+    }
     let number = match name {
         "constant" => 0,
-        "anisotropic" => 2,
-        "turntable" => 4,
+        "anisotropic" | "sinusoidal" => 2,
+        "turntable" | "rest" | "record" => 4,
+        "escape" => 10,
+        "periodic" => 11,
         _ => 6,
     };
-    let values = answer(number, given)
-        .map_err(|error| error.to_string())?
-        .values;
+    let found = answer(number, given).map_err(|error| error.to_string())?;
+    let values = found.values;
     let fixed = |x: f64| {
         let text = format!("{x:.4}");
         if text == "-0.0000" {
@@ -91,7 +132,18 @@ fn expected(name: &str, state: &[f64]) -> Result<Vec<String>, Failure> {
                 .chain(numbers)
                 .collect()
         }
-        ("turntable", [fate, sigma, tau]) => match fate {
+        ("sinusoidal", [_, _, largest, rest, ..]) => vec![fixed(*largest), fixed(*rest)],
+        ("periodic", [_, largest, rest, _, intervals @ ..]) => {
+            let rests = intervals.chunks(3).filter(|i| i[0] == 0.0).count();
+            vec![rests.to_string(), fixed(*largest), fixed(*rest)]
+        }
+        ("escape", []) => {
+            let last = found.curves[0].last().map_or(f64::NAN, |point| point[1]);
+            vec![fixed(last), fixed(eq136_rho(1.0))]
+        }
+        // It says in a sentence what becomes of the coin.
+        ("record", _) => Vec::new(),
+        ("turntable" | "rest", [fate, sigma, tau, _]) => match fate {
             1.0 => vec!["rest".into(), fixed(*sigma), fixed(*tau)],
             0.0 => vec!["escape".into(), fixed(*tau)],
             _ => vec!["undecided".into(), fixed(*tau)],
@@ -126,7 +178,15 @@ impl<'p, 'b> Explorer<'p, 'b> {
         } else {
             format!("#explore-{name}?{state}")
         };
-        page.open(&format!("{}{query}", book.address(&format!("{name}.html"))))?;
+        let file = format!("{}.html", page_of(name));
+        page.open(&format!("{}{query}", book.address(&file)))?;
+        // It is made when it comes near.
+        page.value(&format!(
+            "document.getElementById('explore-{name}').nextElementSibling.scrollIntoView({{ behavior: 'instant' }})"
+        ))?;
+        page.wait_for(&format!(
+            "document.getElementById('explore-{name}').dataset.shown !== undefined"
+        ))?;
         Ok(Explorer { page, name })
     }
 
@@ -162,7 +222,8 @@ impl<'p, 'b> Explorer<'p, 'b> {
         self.page.wait_for(&format!(
             "document.getElementById('explore-{name}').dataset.shown !== undefined"
         ))?;
-        let state = self.value("[...host.querySelectorAll('input')].map(i => Number(i.value))")?;
+        let state =
+            self.value("[...host.querySelectorAll('.inputs input')].map(i => Number(i.value))")?;
         let numbers = state
             .as_array()
             .map(|list| list.iter().filter_map(Value::as_f64).collect());
@@ -187,15 +248,18 @@ impl<'p, 'b> Explorer<'p, 'b> {
 
     /// The curves of all plots, as drawn.
     fn drawn(&mut self) -> Result<Value, Failure> {
-        self.value("[...host.querySelectorAll('.curve')].map(e => e.getAttribute('d'))")
+        self.value(
+            "[...host.querySelectorAll('.curve, .stage path')].map(e => e.getAttribute('d'))",
+        )
     }
 
     /// The numbers of the plots that have a hand.
     fn hands(&self) -> &'static [usize] {
         match self.name {
             "sphere" => &[1],
-            "turntable" => &[0, 1],
-            _ => &[0],
+            "turntable" | "rest" => &[0, 1],
+            "constant" | "anisotropic" => &[0],
+            _ => &[],
         }
     }
 
@@ -217,7 +281,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
         if !complaints.is_empty()
             || !here
                 .as_str()
-                .is_some_and(|path| path.ends_with(&format!("{name}.html")))
+                .is_some_and(|path| path.ends_with(&format!("{}.html", page_of(name))))
         {
             return Err(format!("{name}: at {here} with complaints {complaints:?}"));
         }
@@ -227,12 +291,12 @@ impl<'p, 'b> Explorer<'p, 'b> {
 
 /// Whatever a reader at a desk does with it, each explorer shows what the crate says.
 pub fn desk(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    for name in PAGES {
+    for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         let first = explorer.right()?;
         keyboard(&mut explorer)?;
         mouse(&mut explorer)?;
-        explorer.value("host.querySelector('button').click()")?;
+        explorer.value("host.querySelector('.inputs button').click()")?;
         let again = explorer.right()?;
         if first != again {
             return Err(format!(
@@ -270,7 +334,9 @@ fn states(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 fn keyboard(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
     let name = explorer.name;
     for plot in 0..explorer.hands().len() {
-        explorer.value(&format!("host.querySelectorAll('.hand')[{plot}].focus()"))?;
+        explorer.value(&format!(
+            "host.querySelectorAll('.explore-plot .hand')[{plot}].focus()"
+        ))?;
         for key in [
             "ArrowRight",
             "ArrowUp",
@@ -296,10 +362,16 @@ fn keyboard(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 /// The arrow keys move every slider, and no other.
 fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
     let name = explorer.name;
-    let count = explorer.state()?.len();
+    let count = match name {
+        // It has hands alone.
+        "record" => 0,
+        _ => explorer.state()?.len(),
+    };
     for i in 0..count {
         let before = explorer.right()?;
-        explorer.value(&format!("host.querySelectorAll('input')[{i}].focus()"))?;
+        explorer.value(&format!(
+            "host.querySelectorAll('.inputs input')[{i}].focus()"
+        ))?;
         for key in ["ArrowLeft", "ArrowDown", "ArrowLeft"] {
             explorer.page.press(key)?;
         }
@@ -310,6 +382,9 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
                 "{name}: slider {i} led from {before:?} to {after:?}"
             ));
         }
+    }
+    if count == 0 {
+        return Ok(());
     }
     // The address follows, a little later; until then a link to the address that still stands leads nowhere.
     explorer.page.wait_for(&format!(
@@ -343,7 +418,7 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
         let off = [0, 1].map(|i| (hand[i] - share(0.6, 0.6)[i]).abs());
         let free = match (name, plot) {
             ("constant", _) => true,
-            ("turntable", 1) => off[0] < 3.0,
+            ("turntable" | "rest", 1) => off[0] < 3.0,
             _ => off[0] < 3.0 && off[1] < 3.0,
         };
         if !free {
@@ -358,7 +433,7 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 /// On a phone, a tap moves the hand.
 pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
     page.resize(390, 800)?;
-    for name in PAGES {
+    for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         for &plot in explorer.hands() {
             let before = explorer.right()?;
@@ -367,7 +442,7 @@ pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
                 .page
                 .tap([0.3 * low[0] + 0.7 * high[0], 0.7 * low[1] + 0.3 * high[1]])?;
             explorer.page.wait_for(&format!(
-                "[...document.querySelectorAll('#explore-{name} input')].some((input, i) => Number(input.value) !== {}[i])",
+                "[...document.querySelectorAll('#explore-{name} .inputs input')].some((input, i) => Number(input.value) !== {}[i])",
                 json!(before)
             ))?;
             explorer.right()?;
@@ -375,6 +450,63 @@ pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
         explorer.unharmed()?;
     }
     Ok(())
+}
+
+/// On every stage bodies move: they are played, stepped and drawn along, and end where the crate says; the coin of the first
+/// page is taken by hand and let go.
+pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    for name in PAGES.map(name_on) {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        let picture = "host.querySelector('.scene').innerHTML";
+        let first = explorer.value(picture)?;
+        explorer.value("host.querySelector('.play').click()")?;
+        let time = format!("Number(document.querySelector('#explore-{name} .film input').value)");
+        explorer.page.wait_for(&format!("{time} > 1"))?;
+        explorer.value("host.querySelector('.play').click()")?;
+        let (at, moved) = (explorer.value(&time)?, explorer.value(picture)?);
+        explorer.value("host.querySelector('.on').click()")?;
+        if moved == first || explorer.value(&time)? == at {
+            return Err(format!("{name}: nothing moves"));
+        }
+        explorer.value(
+            "(bar => { bar.value = bar.max; bar.dispatchEvent(new Event('input', { bubbles: true })); })(host.querySelector('.film input'))",
+        )?;
+        let last = explorer.value(picture)?;
+        if last == moved {
+            return Err(format!("{name}: the time cannot be drawn along"));
+        }
+        if name == "turntable" {
+            let place = explorer.value(
+                "(coin => [Number(coin.getAttribute('cx')), Number(coin.getAttribute('cy'))])(host.querySelector('.scene .body'))",
+            )?;
+            let found = answer(4, [0.8, -0.6, 0.4, 0.0]).map_err(|error| error.to_string())?;
+            let [x, y] = found.curves[1].last().copied().unwrap_or_default();
+            let (there, scale) = ([180.0 + 62.0 * x, 150.0 - 62.0 * y], 0.06);
+            let place: [f64; 2] = serde_json::from_value(place).map_err(|e| e.to_string())?;
+            if (0..2).any(|i| (place[i] - there[i]).abs() > scale) {
+                return Err(format!(
+                    "{name}: the coin ends at {place:?}, not at {there:?}"
+                ));
+            }
+        }
+        explorer.unharmed()?;
+    }
+    let mut explorer = Explorer::open(page, book, "record", "")?;
+    let before = explorer.right()?;
+    let place = explorer.value(
+        "(hand => { hand.scrollIntoView({ block: 'center', behavior: 'instant' }); const box = hand.querySelector('circle').getBoundingClientRect();
+           return [box.x + box.width / 2, box.y + box.height / 2]; })(host.querySelectorAll('.stage .hand')[1])",
+    )?;
+    let [x, y]: [f64; 2] = serde_json::from_value(place).map_err(|error| error.to_string())?;
+    explorer
+        .page
+        .drag(&[[x, y], [x - 20.0, y - 10.0], [x - 40.0, y - 30.0]])?;
+    if explorer.right()? == before {
+        return Err("the coin's velocity does not follow the mouse".into());
+    }
+    explorer
+        .page
+        .wait_for("Number(document.querySelector('#explore-record .film input').value) > 1")
 }
 
 /// Labels that a careless way to markup would break.
@@ -432,20 +564,26 @@ const SEEN: &str = "label => label.replace(/_(.)/gsu, '$1').replaceAll('𝔴', '
 
 /// The address follows the hand and leads back to the same view; the page's own fragments still lead to their places.
 pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    for name in PAGES {
+    for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         if explorer.page.value("location.hash")? != "" {
             return Err(format!(
                 "{name}: the address changes before the reader does anything"
             ));
         }
-        explorer.value("host.querySelector('.hand').focus()")?;
+        let first = match (name, explorer.hands()) {
+            ("record", _) => ".stage .hand",
+            (_, []) => ".inputs input",
+            _ => ".explore-plot .hand",
+        };
+        explorer.value(&format!("host.querySelector('{first}').focus()"))?;
         explorer.page.press("ArrowLeft")?;
         let state = explorer.right()?;
         explorer.page.wait_for("location.hash !== ''")?;
         let hash = explorer.page.value("location.hash")?;
         let hash = hash.as_str().unwrap_or_default().to_owned();
-        page.open(&format!("{}{hash}", book.address(&format!("{name}.html"))))?;
+        let file = format!("{}.html", page_of(name));
+        page.open(&format!("{}{hash}", book.address(&file)))?;
         page.wait_for(&format!("(box => box.top < innerHeight && box.bottom > 0)(document.getElementById('explore-{name}').getBoundingClientRect())"))?;
         let again = Explorer { page, name }.right()?;
         if again != state {
@@ -458,7 +596,7 @@ pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
         page.wait_for("document.querySelector('.explorer-static svg').checkVisibility()")?;
         // A link that is followed before the last state is noted keeps its address; timers of the same length run in order.
         let kept = page.value(&format!(
-            "document.querySelector('#explore-{name} button').click(), location.hash = 'elsewhere',
+            "document.querySelector('#explore-{name} .inputs button').click(), location.hash = 'elsewhere',
              new Promise(later => setTimeout(() => later(location.hash), 200))"
         ))?;
         if kept != "#elsewhere" {
@@ -480,4 +618,38 @@ pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
         explorer.unharmed()?;
     }
     Ok(())
+}
+
+/// Break it yourself: what turns red in the page is what turns red in the crate.
+pub fn broken(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.open(&book.address("trust.html"))?;
+    page.wait_for("document.querySelector('#broken button') !== null")?;
+    page.value("document.querySelector('#broken button').click()")?;
+    page.wait_for("document.querySelector('#broken').dataset.shown === '0'")?;
+    let all = claims();
+    let time = all.iter().find(|claim| claim.id == "eq-13");
+    let time = time.ok_or("(13) cannot be broken")?;
+    let ways = breaks(time.id);
+    let mut wrong = Vec::new();
+    for (way, shown) in ways.iter().zip(["0", "1", "2"]) {
+        page.wait_for(&format!(
+            "document.querySelector('#broken').dataset.shown === '{shown}'"
+        ))?;
+        let trials = answer_to(time, way.seed).trials;
+        let red = trials.iter().filter(|said| said.agrees == [true, false]);
+        let red: Vec<_> = red.map(|said| said.trial).collect();
+        let shown = "[...document.querySelectorAll('#broken .red code')].map(c => c.textContent)";
+        let seen = page.texts(shown)?;
+        if red.is_empty() || seen != red {
+            wrong.push(format!("{}: {seen:?} turn red, not {red:?}", way.wrong));
+        }
+        let formula = page.value("document.querySelector('#broken .wrong').textContent")?;
+        if formula != way.wrong.as_str() {
+            wrong.push(format!("{formula} is shown for {}", way.wrong));
+        }
+        page.value("document.querySelector('#broken input').focus()")?;
+        page.press("ArrowRight")?;
+    }
+    wrong.extend(page.complaints());
+    none(wrong)
 }

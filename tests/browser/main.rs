@@ -29,7 +29,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 14] = [
+const TESTS: [(&str, Test); 19] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -55,6 +55,11 @@ const TESTS: [(&str, Test); 14] = [
         explorers::desk,
     ),
     ("explorers_move_by_touch", explorers::touch),
+    ("bodies_move_on_every_stage", explorers::stages),
+    ("boxes_fold_and_unfold", pages::folds),
+    ("the_first_page_answers", pages::front),
+    ("a_formula_can_be_broken", explorers::broken),
+    ("long_tables_filter_and_sort", pages::filters),
     ("no_explorer_shows_its_markup", explorers::labels),
     (
         "a_view_can_be_linked_and_fragments_still_work",

@@ -23,7 +23,8 @@ pub fn links(page: &mut Page, book: &Book) -> Result<(), Failure> {
     let (root, visits) = (book.address(""), visits(page, book)?);
     let leads = |address: &str| {
         let Some(path) = address.strip_prefix(&root) else {
-            return address.starts_with("data:");
+            // Other people's pages are named, and not asked for.
+            return address.starts_with("data:") || address.starts_with("https://arxiv.org/");
         };
         let (file, fragment) = path.split_once('#').unwrap_or((path, ""));
         let file = if file.is_empty() { "index.html" } else { file };
@@ -72,13 +73,30 @@ pub fn labels(page: &mut Page, book: &Book) -> Result<(), Failure> {
     )
 }
 
-/// What a reader may search for, and an address that must be among what is found.
-const SOUGHT: [(&str, &str); 2] = [("(37)", "sinusoidal.html#eq-37"), ("λc", "sinusoidal.html")];
+/// What a reader may search for, how many of what is found may be looked at, and an address that must be among those.
+const SOUGHT: [(&str, usize, &str); 16] = [
+    ("(37)", 1, "sinusoidal.html#eq-37"),
+    ("(13)", 1, "constant.html#eq-13"),
+    ("eq 13", 1, "constant.html#eq-13"),
+    ("is equation 20 right", 1, "constant.html#eq-20"),
+    ("equation 75", 1, "sphere.html#eq-75"),
+    ("what is wrong", 1, "errata.html#errata"),
+    ("errors in the paper", 1, "errata.html#errata"),
+    ("Y", 2, "anisotropic.html#eq-58"),
+    ("λc", 2, "sinusoidal.html#eq-37"),
+    ("lambda c", 2, "sinusoidal.html#eq-37"),
+    ("0.537", 3, "sinusoidal.html#eq-37"),
+    ("tau^2", 1, "escape.html#eq-135"),
+    ("2/9", 2, "escape.html#eq-135"),
+    ("stick slip", 1, "sinusoidal.html#sinusoidal"),
+    ("fig 3", 1, "sinusoidal.html#fig-3"),
+    ("envelope", 2, "rest.html#envelope"),
+];
 
 /// The search field finds equations by number and symbols.
 pub fn search(page: &mut Page, book: &Book) -> Result<(), Failure> {
     let mut missing = Vec::new();
-    for (sought, address) in SOUGHT {
+    for (sought, few, address) in SOUGHT {
         page.open(&book.address("index.html"))?;
         page.value("document.getElementById('mdbook-search-toggle').click()")?;
         page.wait_for("document.activeElement === document.getElementById('mdbook-searchbar')")?;
@@ -92,13 +110,138 @@ pub fn search(page: &mut Page, book: &Book) -> Result<(), Failure> {
             let (file, rest) = found.split_once('?').unwrap_or((found, ""));
             format!("{file}{}", rest.find('#').map_or("", |i| &rest[i..]))
         };
-        if !found.iter().any(|found| plain(found).contains(address)) {
+        if !found
+            .iter()
+            .take(few)
+            .any(|found| plain(found).contains(address))
+        {
             missing.push(format!(
                 "\"{sought}\" does not find {address} but {found:?}"
             ));
         }
     }
     none(missing)
+}
+
+/// The chapters that follow the paper.
+const CHAPTERS: [&str; 9] = [
+    "general",
+    "constant",
+    "sinusoidal",
+    "periodic",
+    "anisotropic",
+    "sphere",
+    "turntable",
+    "escape",
+    "rest",
+];
+
+/// Folded, the chapters are short, and so are the boxes of what stands; the switch unfolds all and is remembered.
+pub fn folds(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.resize(1400, 900)?;
+    let (mut screens, mut wrong) = (0.0, Vec::new());
+    for name in CHAPTERS {
+        page.open(&book.address(&format!("{name}.html")))?;
+        page.explored()?;
+        let height = page.value("document.documentElement.scrollHeight")?;
+        screens += height.as_f64().unwrap_or(f64::INFINITY) / 900.0;
+        // What a box needs besides its formula.
+        wrong.extend(page.texts(
+            "[...document.querySelectorAll('.claim:is(.confirmed, .degenerate, .definition)')].map(box => [box, [...box.children]
+                .filter(part => part.matches('.claim-formula, .claim-words')).reduce((rest, part) => rest - part.offsetHeight, box.offsetHeight)])
+                .filter(([, height]) => height > 120).map(([box, height]) => `${box.getAttribute('aria-labelledby')} is ${height} high`)",
+        )?);
+        let stops = page.value(
+            "[...document.querySelectorAll('a[href], button, input, select, summary, [tabindex]')]
+                .filter(part => part.tabIndex >= 0 && part.checkVisibility({ visibilityProperty: true })).length",
+        )?;
+        if stops.as_f64().is_none_or(|stops| stops > 120.0) {
+            wrong.push(format!("{name} has {stops} stops for the tabulator"));
+        }
+    }
+    if screens > 110.0 {
+        wrong.push(format!("the chapters are {screens:.1} screens long"));
+    }
+    let open = "[...document.querySelectorAll('.evidence')].every(fold => fold.open)";
+    page.value("document.querySelector('.audit').click()")?;
+    for expected in [true, true] {
+        if page.value(open)? != expected {
+            wrong.push("the switch does not unfold, or is forgotten".to_owned());
+        }
+        page.open(&book.address("general.html"))?;
+    }
+    page.value("document.querySelector('.audit').click()")?;
+    page.open(&book.address("constant.html"))?;
+    page.open(&book.address("general.html#eq-1-evidence"))?;
+    if page.value("document.getElementById('eq-1-evidence').open")? != true {
+        wrong.push("a link to the evidence does not open it".to_owned());
+    }
+    none(wrong)
+}
+
+/// What one may ask the field of the first page, and what it must answer with first.
+const ASKED: [(&str, &str); 6] = [
+    ("13", "constant.html#eq-13"),
+    ("is equation 20 right?", "constant.html#eq-20"),
+    ("lambda_c", "sinusoidal.html#eq-36"),
+    ("0.537", "sinusoidal.html#eq-37"),
+    ("4.603", "anisotropic.html#eq-58"),
+    ("growth of the arc length", "escape.html#eq-137"),
+];
+
+/// The first page answers to numbers, symbols and words, and has a mark for every equation.
+pub fn front(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.open(&book.address("index.html"))?;
+    let mut wrong = Vec::new();
+    for (asked, address) in ASKED {
+        page.value(&format!(
+            "(field => {{ field.value = '{asked}'; field.dispatchEvent(new Event('input')); }})(document.querySelector('.ask input'))"
+        ))?;
+        let answer = "document.querySelector('.ask .answers a')";
+        let ends = format!("{answer}?.href.endsWith('{address}')");
+        if page.wait_for(&ends).is_err() {
+            let first = page.value(&format!("{answer}?.href ?? null"))?;
+            wrong.push(format!("\"{asked}\" is answered with {first}"));
+        }
+        let formula = page.value("document.querySelector('.ask .answers math') !== null")?;
+        if formula != true {
+            wrong.push(format!("\"{asked}\" is answered without a formula"));
+        }
+    }
+    let marks = page.value("document.querySelectorAll('.skeleton a').length")?;
+    if marks != 147 {
+        wrong.push(format!("{marks} marks"));
+    }
+    page.value("document.querySelector('.skeleton a').focus()")?;
+    page.press("ArrowRight")?;
+    page.wait_for("document.querySelector('.skeleton-says').textContent.startsWith('(2)')")?;
+    none(wrong)
+}
+
+/// The long tables keep the rows that one asks for, and sort.
+pub fn filters(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    page.open(&book.address("equations.html"))?;
+    page.value(
+        "(field => { field.value = 'misprint'; field.dispatchEvent(new Event('input')); })(document.querySelector('.filter input'))",
+    )?;
+    let rows = page.texts(
+        "[...document.querySelectorAll('.equations tbody tr')].filter(row => row.checkVisibility()).map(row => row.textContent)",
+    )?;
+    let mut wrong: Vec<_> = rows
+        .iter()
+        .filter(|row| !row.contains("misprint"))
+        .cloned()
+        .collect();
+    if rows.is_empty() {
+        wrong.push("no row is left".to_owned());
+    }
+    page.value("[...document.querySelectorAll('.equations .sort')].at(-1).click()")?;
+    let sorted = page
+        .value("document.querySelector('.equations tbody tr').textContent.includes('confirmed')")?;
+    if sorted != true {
+        wrong.push("the table is not sorted by verdict".to_owned());
+    }
+    none(wrong)
 }
 
 /// The contents are opened and closed without a mouse.

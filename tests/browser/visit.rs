@@ -55,6 +55,7 @@ fn visit(page: &mut Page, book: &Book, name: &str) -> Result<Visit, Failure> {
         page.resize(390, 800)?;
     }
     page.open(&book.address(name))?;
+    page.explored()?;
     let complaints = page.complaints();
     let places =
         page.texts("[...document.querySelectorAll('[id], a[name]')].map(e => e.id || e.name)")?;

@@ -8,7 +8,7 @@ use slipbook::claims::values::search;
 use slipbook::cli;
 use slipbook::edition::EDITION;
 use slipbook::figures::{Cell, Table};
-use slipbook::ledger::{Record, plain_formula, plain_words};
+use slipbook::ledger::{Record, pieces, plain_formula, plain_words};
 
 /// Any text, or one that is nearly a number, a range, a record or a formula.
 fn text() -> impl Strategy<Value = String> {
@@ -79,6 +79,7 @@ proptest! {
     fn any_formula_is_put_into_words(text in text()) {
         plain_formula(&text);
         plain_words(&text);
+        pieces(&text);
     }
 
     #[test]

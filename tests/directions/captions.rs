@@ -63,10 +63,7 @@ const UNTRIED: &[(&str, &str)] = &[
     ("periodic-pulses", "up down small rises falls"),
     ("periodic-rest-shares", "right upwards Above grows left"),
     ("periodic-come-and-go", "growing never"),
-    (
-        "fig-5",
-        "Above Below right upwards fall left thin below lower above",
-    ),
+    ("fig-5", "right upwards fall left thin below lower above"),
     ("fig-6", "backwards right upwards never"),
     ("anisotropic-census", "right upwards below above"),
     ("anisotropic-far", "falls below"),
@@ -82,7 +79,7 @@ const UNTRIED: &[(&str, &str)] = &[
     ("rest-basin", "outwards dotted"),
     (
         "rest-census",
-        "small right upwards below falls steeply solid dashed",
+        "dotted small right upwards below falls steeply solid dashed",
     ),
     ("rest-boundary", "dashed"),
     (

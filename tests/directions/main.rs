@@ -1,8 +1,11 @@
 //! Words with a direction: in the statements of the claims each has a trial that notices mistakes; in the captions of the
-//! figures each is tried on the figure's own numbers, or listed as one that is not.
+//! figures each is tried on the figure's own numbers, and on the pages each is computed, or listed as one that is not.
 
 mod captions;
 mod data;
+mod drawn;
+mod pages;
+mod said;
 mod tried;
 
 use slipbook::claims::PAPER;

@@ -369,8 +369,8 @@ pub const TRIED: &[Said] = &[
                     .all(|(p, c)| number(p) < number(c))
         },
     ),
-    ("rest-census", "(solid: to second order", |data| {
-        let keys = data.keys("to second order");
+    ("rest-census", "(solid: by bisection", |data| {
+        let keys = data.keys("by bisection");
         !keys.is_empty() && keys.iter().all(|key| !key.1)
     }),
     ("rest-census", "envelope (147) (dashed)", |data| {

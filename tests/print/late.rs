@@ -6,7 +6,7 @@ use slipbook::scalar::Scalar;
 
 /// The time, whose code takes the logarithm of r.
 pub fn time(x: &[Expr]) -> Vec<Expr> {
-    vec![constant::time_by_log(x[0], x[1], x[2], x[3], x[4].ln())]
+    vec![constant::time(x[0], x[1], x[2], x[3], x[4].ln())]
 }
 
 /// A law ∝ τ^(n/d) in the time τ − delay ln τ instead of τ, to first order in the delay.

@@ -122,7 +122,6 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
 /// The corrections' formulas, by the claim.
 pub const CORRECTED: &[Line] = &[
     ("eq-11", 0, Side(0, 1), "constant::speed", NONE),
-    ("eq-13", 0, Side(0, 1), "constant::time", NONE),
     ("eq-13", 0, Side(0, 1), "constant::time_of_ln_r", NONE),
     ("eq-54", 0, Sides(0), "anisotropic::e_sides", NONE),
     ("eq-75", 0, Side(0, 1), "sphere::spin", NONE),
@@ -226,6 +225,8 @@ pub const WORDS_ONLY: &[(&str, &str)] = &[
 
 /// Formulas of the corrections that no correction prints: they add to it, or serve another that is printed.
 pub const NOT_PRINTED: &[&str] = &[
+    "constant::speed_by_log",
+    "constant::half_angle",
     "constant::turning_slope",
     "constant::late_sense",
     "sinusoidal::contraction",

@@ -46,6 +46,9 @@ pub struct Edition {
     pub figures: fn() -> Result<Vec<Figure>, Failure>,
     /// The symbols of the formulas.
     pub symbols: &'static [Symbol],
+    /// Words by which the search finds a place though they do not stand there: its address, such as `errata.html#errata`, and
+    /// the words.
+    pub aliases: &'static [(&'static str, &'static str)],
     /// The code to show.
     pub sources: Sources,
     /// The placeholders of its own.
@@ -73,6 +76,7 @@ impl Edition {
             usual: Page::USUAL,
             figures: || Ok(Vec::new()),
             symbols: &[],
+            aliases: &[],
             sources: Sources::NONE,
             placeholders: &[],
             files: Vec::new,

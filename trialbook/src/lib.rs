@@ -10,11 +10,11 @@
 //! The [`book`] writes all of it down, and [`cli`] is the command; what a paper has of its own for them is its [`edition`].
 //!
 //! Nothing here knows which paper is on trial. With `default-features = false` there are the formulas, the numerics that
-//! a motion needs, and the judge alone; the feature `book` brings the trials and all that rests on them.
+//! a motion needs, and the judge alone; the feature `trials` brings the trials, `book` all that rests on them.
 
 #[cfg(feature = "book")]
 pub mod book;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod certified;
 pub mod claims;
 #[cfg(feature = "book")]
@@ -22,7 +22,7 @@ pub mod cli;
 #[cfg(feature = "book")]
 pub mod edition;
 pub mod evidence;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod exact;
 #[cfg(feature = "book")]
 pub mod figures;

@@ -64,13 +64,13 @@ pub trait Scalar:
         self.cosh() / self.sinh()
     }
     /// The work number nearest to it; `None` if it stands for none.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     fn nearest(self) -> Option<f64> {
         None
     }
-    /// (1 − xᵏ)/k, where the number can tell k from zero also there: −ln x.
-    fn power_fall(self, k: Self) -> Self {
-        (Self::int(1) - self.pow(k)) / k
+    /// (1 − eᵏˣ)/k, where the number can tell k from zero also there: −x.
+    fn exp_fall(self, k: Self) -> Self {
+        (Self::int(1) - (k * self).exp()) / k
     }
     /// `self` times itself.
     fn squared(self) -> Self {
@@ -122,15 +122,14 @@ impl Scalar for f64 {
     fn ln_1p(self) -> Self {
         libm::log1p(self)
     }
-    fn power_fall(self, k: Self) -> Self {
-        let ln = libm::log(self);
+    fn exp_fall(self, k: Self) -> Self {
         if k == 0.0 {
-            -ln
+            -self
         } else {
-            -libm::expm1(k * ln) / k
+            -libm::expm1(k * self) / k
         }
     }
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     fn nearest(self) -> Option<f64> {
         Some(self)
     }

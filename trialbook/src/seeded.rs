@@ -5,27 +5,27 @@
 //! and change the chosen one. So a mistake reaches every kind of [`Scalar`](crate::scalar::Scalar) alike, numbers
 //! and trees, and a trial cannot tell it from a misprint. What [`reading`] watches is noted too: which formulas it reads.
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod corner;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod number;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod parts;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod reading;
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub use corner::{Corner, Domain};
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub use number::{Seeded, evaluate};
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub use parts::{Formula, Parts, Symbol, letters, symbol};
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 use std::cell::{Cell, RefCell};
 
 /// What is changed at a place.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mistake {
     /// The sign.
@@ -47,7 +47,7 @@ pub enum Mistake {
     Corner(&'static Corner, usize),
 }
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 impl Mistake {
     /// What of the value is too much, as in [`Mistake::Part`], at these arguments.
     fn part<S: crate::scalar::Scalar>(self, arguments: &[S]) -> Option<i64> {
@@ -63,7 +63,7 @@ impl Mistake {
 }
 
 /// A place that an evaluation passes: where an argument is read, or what an operation gives.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Place {
     /// The argument of this number is read.
@@ -74,7 +74,7 @@ pub enum Place {
     Inverse,
 }
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 impl Place {
     /// The mistakes that can be made here, in a formula with so many arguments.
     fn mistakes(self, arguments: usize) -> Vec<Mistake> {
@@ -96,7 +96,7 @@ impl Place {
 }
 
 /// A mistake at a place of a formula.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Seed {
     /// The formula's path: `some_crate::some_topic::eq13_time`.
@@ -107,7 +107,7 @@ pub struct Seed {
     pub mistake: Mistake,
 }
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 impl Seed {
     /// A mistake of the value, at no place.
     pub fn of_value(formula: &'static str, mistake: Mistake) -> Self {
@@ -119,14 +119,14 @@ impl Seed {
     }
 }
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 thread_local! {
     static SEED: Cell<Option<Seed>> = const { Cell::new(None) };
     static PLACES: RefCell<Vec<Place>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Calls `f` with the mistake seeded on this thread, and on no other.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub fn with<T>(seed: Seed, f: impl FnOnce() -> T) -> T {
     struct Before(Option<Seed>);
     impl Drop for Before {
@@ -139,7 +139,7 @@ pub fn with<T>(seed: Seed, f: impl FnOnce() -> T) -> T {
 }
 
 /// Calls `f` with no mistake seeded on this thread.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub fn without<T>(f: impl FnOnce() -> T) -> T {
     let seed = SEED.take();
     let value = f();
@@ -148,28 +148,28 @@ pub fn without<T>(f: impl FnOnce() -> T) -> T {
 }
 
 /// True if a mistake is seeded in one of these formulas.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub fn is_in_any(formulas: &std::collections::BTreeSet<&'static str>) -> bool {
     SEED.get()
         .is_some_and(|seed| formulas.contains(seed.formula))
 }
 
 /// The formula of this path is read: true if a mistake is seeded in it.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub fn is_in(formula: &'static str) -> bool {
     reading::note(formula);
     SEED.get().is_some_and(|seed| seed.formula == formula)
 }
 
 /// The places that `evaluation` of the formula of this path passes, in order.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub fn places(formula: &'static str, evaluation: impl FnOnce()) -> Vec<Place> {
     with(Seed::of_value(formula, Mistake::Sign), evaluation);
     PLACES.take()
 }
 
 /// Passes a place: the mistake to make there, if any.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 fn pass(place: Place) -> Option<Mistake> {
     PLACES.with_borrow_mut(|places| {
         places.push(place);
@@ -179,7 +179,7 @@ fn pass(place: Place) -> Option<Mistake> {
 }
 
 /// Code of [`formulas!`] for mistakes that are seeded: with this crate's feature, whatever features the formulas' own crate has.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! where_seeded {
@@ -187,7 +187,7 @@ macro_rules! where_seeded {
 }
 
 /// Nothing: without the feature no mistake is seeded.
-#[cfg(not(feature = "book"))]
+#[cfg(not(feature = "trials"))]
 #[doc(hidden)]
 #[macro_export]
 macro_rules! where_seeded {

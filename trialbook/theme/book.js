@@ -20,6 +20,9 @@
         label.after(button);
     });
 
+    // A heading's link to itself is for the mouse; every box has its address in its evidence.
+    all('main a.header').forEach(link => { link.tabIndex = -1; });
+
     // A formula or table wider than its place scrolls: then it can be reached by keyboard.
     const reachable = box => {
         const scrolls = box.scrollWidth > box.clientWidth + 1;
@@ -32,12 +35,12 @@
         }
     };
     const widths = new ResizeObserver(entries => entries.forEach(entry => reachable(entry.target)));
-    all('.katex-display, .claim-words, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
+    all('.katex-display, .steps, .claim-words, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
 
     // On paper answers and lists are not folded away, for browsers whose styles cannot say so.
     let closed = [];
     addEventListener('beforeprint', () => {
-        closed = all('details:not([class]):not([open])');
+        closed = all('details:is(:not([class]), .evidence, .proof, .listing):not([open])');
         closed.forEach(box => { box.open = true; });
     });
     addEventListener('afterprint', () => closed.forEach(box => { box.open = false; }));
@@ -51,6 +54,59 @@
     };
     addEventListener('hashchange', unfold);
     unfold();
+
+    // Who reads sees the boxes folded, who audits unfolded: a switch, remembered.
+    const folds = all('.claim .evidence, .claim :is(.proof, .samples), .listing');
+    const place = document.querySelector('#mdbook-menu-bar .right-buttons');
+    if (folds.length && place) {
+        const key = 'trialbook-evidence';
+        const remember = on => { try { localStorage.setItem(key, on); } catch { /* Then it lasts for this page. */ } };
+        const remembered = () => { try { return localStorage.getItem(key) === 'true'; } catch { return false; } };
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.className = 'audit';
+        button.textContent = 'Evidence';
+        button.title = 'Unfold all evidence and all code';
+        const put = on => {
+            button.setAttribute('aria-pressed', on);
+            folds.forEach(fold => { fold.open = on || fold.matches('.disagrees .samples'); });
+        };
+        button.addEventListener('click', () => {
+            const on = button.getAttribute('aria-pressed') !== 'true';
+            const seen = all('.claim').find(box => box.getBoundingClientRect().bottom > 60);
+            const top = seen?.getBoundingClientRect().top;
+            put(on);
+            remember(on);
+            // What one was looking at stays where it is.
+            if (seen) scrollBy(0, seen.getBoundingClientRect().top - top);
+        });
+        put(remembered());
+        place.prepend(button);
+        unfold();
+    }
+
+    // The verdict of a claim, in the list of the page's headings and among what the search finds.
+    const marked = new Map(all('.claim').map(box => [box.getAttribute('aria-labelledby'), box.className.split(' ')[1]]));
+    const contents = document.getElementById('mdbook-sidebar');
+    const markContents = () => all('a[href*="#"]', contents).forEach(link => {
+        const slug = marked.get(decodeURIComponent(link.hash.slice(1)));
+        if (!slug) return;
+        link.classList.add('marked', slug);
+        // Who goes from link to link meets each claim once, on the page.
+        link.tabIndex = -1;
+    });
+    if (marked.size && contents) {
+        new MutationObserver(markContents).observe(contents, { childList: true, subtree: true });
+        markContents();
+    }
+    const results = document.getElementById('mdbook-searchresults');
+    const markResults = () => all('a:not(.marked)', results).forEach(link => {
+        const [slug, words] = window.search?.verdicts?.[`${link.pathname.split('/').pop()}${link.hash}`] || [];
+        if (!slug) return;
+        link.classList.add('marked', slug);
+        link.title = words;
+    });
+    if (results) new MutationObserver(markResults).observe(results, { childList: true });
 
     // The LaTeX of a claim, copied by a button.
     const copy = async text => {
@@ -77,6 +133,56 @@
         box.before(button);
     });
 
+    // Long tables: a field that keeps the rows with all its words, and headings that sort.
+    const bars = new Set(['ledger', 'equations', 'values', 'symbols', 'strongest', 'accuracy']);
+    const tables = all('.table-wrapper').filter(box => [...box.classList].some(name => bars.has(name)) && all('tbody tr', box).length > 12);
+    if (tables.length && !document.querySelector('.claim')) {
+        const bar = document.createElement('div');
+        bar.className = 'filter';
+        bar.innerHTML = '<label>Only rows with <input type="search" autocomplete="off" placeholder="inherits, 2.2, τ"></label> <span role="status"></span>';
+        const field = bar.querySelector('input'), said = bar.querySelector('span');
+        // Where no script of the page's own reads the formula, its source would be read twice: as MathML and as HTML.
+        const text = row => {
+            const copy = row.cloneNode(true);
+            all('.katex-html, annotation', copy).forEach(part => part.remove());
+            return copy.textContent.toLowerCase();
+        };
+        let rows;
+        const filter = () => {
+            rows ||= tables.flatMap(box => all('tbody tr', box)).map(row => [row, text(row)]);
+            const words = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+            let shown = 0;
+            rows.forEach(([row, has]) => {
+                row.hidden = !words.every(word => has.includes(word));
+                shown += !row.hidden;
+            });
+            said.textContent = words.length ? `${shown} of ${rows.length}` : '';
+        };
+        field.addEventListener('input', filter);
+        field.addEventListener('keydown', event => event.stopPropagation());
+        tables[0].before(bar);
+        const number = text => Number(text.replace(/[,\s]/g, '').replace('−', '-').match(/^\(?(-?[\d.]+)/)?.[1] ?? NaN);
+        tables.forEach(box => all('th', box).forEach((head, k) => {
+            const button = document.createElement('button');
+            button.type = 'button';
+            button.className = 'sort';
+            button.innerHTML = head.innerHTML;
+            head.replaceChildren(button);
+            button.addEventListener('click', () => {
+                const down = head.getAttribute('aria-sort') === 'ascending';
+                all('th', box).forEach(other => other.removeAttribute('aria-sort'));
+                head.setAttribute('aria-sort', down ? 'descending' : 'ascending');
+                const cell = row => row.cells[k].textContent.trim();
+                const sorted = all('tbody tr', box).sort((a, b) => {
+                    const [x, y] = [number(cell(a)), number(cell(b))];
+                    const order = Number.isNaN(x) || Number.isNaN(y) ? cell(a).localeCompare(cell(b)) : x - y;
+                    return down ? -order : order;
+                });
+                box.querySelector('tbody').append(...sorted);
+            });
+        }));
+    }
+
     // The map of claims: zoom, drag, and what rests on the claim under the pointer.
     all('#plot-map').forEach(figure => {
         const view = figure.querySelector('.map-window'), map = view?.querySelector('svg');
@@ -89,6 +195,8 @@
             scale = to;
             map.style.width = `${width * scale}px`;
             map.style.height = 'auto';
+            // What is too small to read gives its place to signs and numbers.
+            figure.classList.toggle('whole', scale < 0.6);
             view.scrollTo(left * scale - x, top * scale - y);
         };
         const bar = document.createElement('div');
@@ -103,6 +211,10 @@
         button('+', 'Zoom in', () => zoom(scale * 1.3));
         button('−', 'Zoom out', () => zoom(scale / 1.3));
         button('Whole map', 'Show the whole map', () => zoom(0));
+        button('Only errors', 'Only errors, and what they rest on', event => {
+            const on = map.classList.toggle('errors');
+            event.target.setAttribute('aria-pressed', on);
+        });
         view.before(bar);
         view.addEventListener('wheel', event => {
             if (!event.ctrlKey && !event.metaKey) return;
@@ -119,6 +231,14 @@
         map.addEventListener('dragstart', event => event.preventDefault());
 
         const steps = all('.step', map), nodes = all('.node', map);
+        // What is wrong, and all that it rests on.
+        const wrong = new Set(nodes.filter(node => node.matches('.misprint, .misderived, .inherited, .refuted')).map(node => node.dataset.node));
+        for (let before = -1; before !== wrong.size;) {
+            before = wrong.size;
+            steps.forEach(step => wrong.has(step.dataset.to) && wrong.add(step.dataset.from));
+        }
+        nodes.forEach(node => node.classList.toggle('aside', !wrong.has(node.dataset.node)));
+        steps.forEach(step => step.classList.toggle('aside', !(wrong.has(step.dataset.from) && wrong.has(step.dataset.to))));
         const light = start => {
             const lit = new Set([start]);
             for (let before = -1; before !== lit.size;) {

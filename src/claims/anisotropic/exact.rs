@@ -146,7 +146,10 @@ fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
         let two = Expr::int(2);
         let end = p.read("𝔴 at α + 2K", arc(alpha, alpha + two * k, lambda0))?;
         let factor = two * k.sin().squared() * alpha.sin();
-        let stated = p.read("2 sin²K sin α (left − right side)", factor * (left - right))?;
+        let stated = p.read(
+            "2 sin²K sin α times left less right side",
+            factor * (left - right),
+        )?;
         p.equal("The two vanish together", &end, &stated)
     })
 }

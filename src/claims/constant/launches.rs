@@ -272,6 +272,29 @@ pub fn stops_over_the_angle() -> impl Iterator<Item = Result<&'static (Turn, f64
     TIMES.each()
 }
 
+/// Turns so far round that next to no angle is left: below, at and above the critical friction.
+pub fn late_turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
+    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
+        let mut points = Points::stream(15);
+        every((0..60).map(|i| {
+            let lambda = match i % 4 {
+                0 => 1.0,
+                1 => points.uniform(0.0, 1.0),
+                2 => 1.0 + points.sign() * points.log_uniform(1e-6, 0.1),
+                _ => points.uniform(1.0, 3.0),
+            };
+            let theta0 = points.sign() * points.uniform(0.05, 3.0);
+            // The speed changes by a factor of a million at most.
+            let most = (14.0 / (lambda - 1.0).abs()).min(180.0);
+            let r = libm::exp(-points.uniform(5.0, most));
+            let theta = 2.0 * libm::atan(r * libm::tan(theta0 / 2.0));
+            let [a, v0] = [0.1, 0.1].map(|low| points.log_uniform(low, 10.0));
+            turn([lambda, a, v0, theta0, theta])
+        }))
+    });
+    TURNS.each()
+}
+
 /// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
 pub fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
     let mut points = Points::stream(2);

@@ -1,6 +1,6 @@
 //! Trials of (12) to (14): the time against the angle.
 
-use super::launches::{Turn, straight, turns, turns_where};
+use super::launches::{Turn, late_turns, straight, turns, turns_where};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
@@ -244,12 +244,69 @@ pub fn regular_time() -> Evidence {
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
         let turn = turn?;
-        let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
         Ok(Pair {
             at: turn.at(),
-            stated: corrected::time(turn.lambda, turn.a, turn.v0, turn.theta0, r),
+            stated: regular(turn, turn.ln_fall()),
             found: turn.t,
             scale: turn.t * turn.condition(),
+        })
+    })
+}
+
+/// The regular form of the time at which ln tan(θ/2) has changed by so much.
+fn regular(turn: &Turn, ln_r: f64) -> f64 {
+    corrected::time(turn.lambda, turn.a, turn.v0, turn.theta0, ln_r)
+}
+
+/// The regular form of the time, so late that next to no angle is left.
+pub fn regular_late() -> Evidence {
+    let compared = Compared::one("the regular form of the time", "that of the motion")
+        .over("turns to a hundredth of the angle down to $10^{-80}$");
+    Trial::motion(Subject::Corrected, compared).over(late_turns(), |turn| {
+        let turn = turn?;
+        Ok(Pair {
+            at: turn.at(),
+            stated: regular(turn, turn.ln_fall()),
+            found: turn.t,
+            scale: turn.t * turn.condition(),
+        })
+    })
+}
+
+/// The regular form of the speed by the logarithm, at those points and at all others.
+pub fn regular_speed_by_log() -> Evidence {
+    let compared = Compared::one(
+        r"the regular form of the speed, by $\ln r$,",
+        "that of the motion",
+    );
+    Trial::motion(Subject::Corrected, compared).over(late_turns().chain(turns()), |turn| {
+        let turn = turn?;
+        Ok(Pair {
+            at: turn.at(),
+            stated: corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
+            found: turn.v,
+            scale: turn.v.max(turn.v0) * turn.condition(),
+        })
+    })
+}
+
+/// The regular forms solved for the angle at a time.
+pub fn regular_angle() -> Evidence {
+    let compared = Compared::one(
+        r"$\theta$ with $\tan(\theta/2)=r\tan(\theta_0/2)$, at the root $r$ of the regular form of the time,",
+        "the angle of the motion then",
+    );
+    let trial = Trial::by(Route::Root, Subject::Corrected, compared, ROOT);
+    let wanted = |turn: &Turn| turn.lambda <= 1.0 && turn.is_gentle();
+    trial.over(turns_where(wanted), |turn| {
+        let turn = turn?;
+        let ln_r = root(|ln_r| regular(turn, ln_r) - turn.t, -100.0, 0.0).unwrap_or(f64::NAN);
+        let [sine, cosine] = corrected::half_angle(turn.theta0, libm::exp(ln_r));
+        Ok(Pair {
+            at: turn.at(),
+            stated: 2.0 * libm::atan2(sine, cosine),
+            found: turn.theta,
+            scale: turn.theta0.abs(),
         })
     })
 }
@@ -270,7 +327,7 @@ pub fn regular_straight() -> Evidence {
             ..
         } = turn?;
         let t = 0.3 * v0 / (a * (1.0 + lambda));
-        let late = |r| corrected::time(lambda, a, v0, theta0, r) - t;
+        let late = |r| corrected::time(lambda, a, v0, theta0, libm::log(r)) - t;
         let r = root(late, 0.1, 1.0).unwrap_or(f64::NAN);
         let found = Turn::launch(lambda, a, v0, theta0).motion(t)?.end().speed();
         Ok(Pair {

@@ -149,7 +149,7 @@ fn all_pulled([strongly, weakly]: [u64; 2]) -> Result<Vec<Pulled>, Failure> {
 
 /// The steps on which the speed does not grow, from a time on.
 fn falls(motion: &Motion, from: f64) -> usize {
-    breaks(motion, from, |a, b| b.t > a.t && b.speed() <= a.speed())
+    violations(motion, from, |a, b| b.t > a.t && b.speed() <= a.speed())
 }
 
 /// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
@@ -208,7 +208,7 @@ pub const AT_REST: State = State {
 };
 
 /// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
-pub fn breaks(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> bool) -> usize {
+pub fn violations(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> bool) -> usize {
     let nodes: Vec<_> = motion.nodes().filter(|s| s.t >= from).collect();
     nodes.windows(2).filter(|w| broken(&w[0], &w[1])).count()
 }
@@ -230,9 +230,9 @@ mod tests {
         let times: Vec<_> = times.filter(|t| *t <= stop).collect();
         let slower = |a: &State, b: &State| b.speed() < a.speed();
         assert!(times.len() > 3, "{times:?}");
-        assert_eq!(breaks(&motion, 0.0, slower), times.len() - 1);
-        assert_eq!(breaks(&motion, times[1], slower), times.len() - 2);
-        assert_eq!(breaks(&motion, 0.0, |a, b| slower(b, a)), 0);
+        assert_eq!(violations(&motion, 0.0, slower), times.len() - 1);
+        assert_eq!(violations(&motion, times[1], slower), times.len() - 2);
+        assert_eq!(violations(&motion, 0.0, |a, b| slower(b, a)), 0);
     }
 
     /// Friction alone slows the particle on every step; a strong pull along its velocity speeds it up on every one.

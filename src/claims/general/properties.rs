@@ -4,7 +4,7 @@
 //! the one that we found to break it.
 
 use super::examples::{
-    AT_REST, Pulled, Returning, breaks, others_pulled, others_returning, pulled, returning,
+    AT_REST, Pulled, Returning, others_pulled, others_returning, pulled, returning, violations,
 };
 use super::planes::{Case, SHAPES, along_a_line, any_start, bounded};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
@@ -90,7 +90,7 @@ fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
         case.start,
         latest * (1.0 + 1e-9),
     )?;
-    let rises = breaks(&motion, 0.0, |a, b| b.t > a.t && b.speed() >= a.speed());
+    let rises = violations(&motion, 0.0, |a, b| b.t > a.t && b.speed() >= a.speed());
     let runs_on = usize::from(motion.first_stop().is_none());
     Ok(rises + runs_on)
 }
@@ -305,7 +305,7 @@ fn grows_across(case: &Across) -> Result<usize, Failure> {
     let grows = |a: &State, b: &State| {
         b.t > a.t && case.across(a) > lost(b) && case.across(b) >= case.across(a)
     };
-    Ok(breaks(&motion, 0.0, grows))
+    Ok(violations(&motion, 0.0, grows))
 }
 
 /// Without friction the velocity across stays as it is.

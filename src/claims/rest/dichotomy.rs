@@ -43,11 +43,11 @@ pub fn fates() -> Evidence {
     })
 }
 
-/// In the laboratory, up to τ = 100.
+/// In the laboratory, up to τ = 100: each has one of the two fates, and not both. From ρ² − p² > 1 none comes back to rest.
 pub fn followed() -> Evidence {
     let compared = Compared::one(
         "the expected 0, for no third fate,",
-        r"whether a particle at $\tau=100$ neither rests on the table nor is beyond $\rho=100$ (1 if so)",
+        r"1 less how many of these hold of a particle at $\tau=100$: it rests on the table; $\rho^2-p^2>1$",
     );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     trial.at(["ρ", "p", "ψ"], starts(715, 200), 1.0, |[rho, p, psi]| {
@@ -58,9 +58,11 @@ pub fn followed() -> Evidence {
         };
         let table = Table::default();
         let path = inertial::run(&table, &table.to_laboratory(&start), 100.0)?;
-        let away = path.at(100.0)?.radius() > 100.0;
-        let third = path.resting_place().is_none() && !away;
-        Ok([printed::s4_third_fates(), f64::from(u8::from(third))])
+        let State { x, v, .. } = path.on_table(100.0)?;
+        let [rho, p] = [x, v].map(|[x, y]| libm::hypot(x, y));
+        let fates = [path.resting_place().is_some(), rho * rho - p * p > 1.0];
+        let held = fates.map(|so| f64::from(u8::from(so)));
+        Ok([printed::s4_third_fates(), 1.0 - held[0] - held[1]])
     })
 }
 

@@ -302,7 +302,7 @@ impl Formulas {
 
     /// The time by ln r, r being the part to which tan(θ/2) has fallen.
     fn time(&self, ln_r: Double) -> Double {
-        corrected::time_by_log(self.lambda, self.a, self.v0, self.theta0, ln_r)
+        corrected::time(self.lambda, self.a, self.v0, self.theta0, ln_r)
     }
 
     /// Whether the launch is straight against the inertial force: at the angle that stands for π.

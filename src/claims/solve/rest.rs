@@ -33,8 +33,8 @@ impl Fields for Boundary {
     }
 }
 
-/// Beyond this α the expansion means nothing.
-const FAR: f64 = 1.0;
+/// Beyond this α the expansion is tried by no claim, and soon means nothing.
+const FAR: f64 = 0.3;
 /// Between these α the boundary is found in `f64` first.
 const NARROW: std::ops::RangeInclusive<f64> = 1e-3..=10.0;
 /// To this it is right.

@@ -161,10 +161,13 @@ impl Turn {
     }
 }
 
+/// Slips from here on are late: τ is up to some hundreds.
+const LATE: usize = 220;
+
 /// Next to no friction, hardly less and more than the critical one, and much.
 const EDGES: [f64; 4] = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4, 12.0];
 
-/// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges.
+/// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges, then late ones.
 fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
     static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
         let mut points = Points::stream(404);
@@ -180,14 +183,15 @@ fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
                     -libm::cos(1.6 + 0.07 * (i - 180) as f64),
                     1.6 + 0.07 * (i - 180) as f64,
                 ),
-                200.. => (EDGES[i % EDGES.len()], theta0),
+                200..LATE => (EDGES[i % EDGES.len()], theta0),
+                LATE.. => (points.uniform(0.1, 0.9), theta0),
                 _ => (lambda, theta0),
             };
             // Late slips at large friction have next to no angle left.
-            let elapsed = points.uniform(0.05, 0.8);
+            let elapsed = points.uniform(0.05, 0.8) * if i < LATE { 1.0 } else { 400.0 };
             Turn::new(i, &mut points, lambda, theta0, elapsed)
         };
-        every((0..220).map(turn))
+        every((0..LATE + 20).map(turn))
     });
     TURNS.each()
 }
@@ -307,7 +311,7 @@ pub fn regular_straight() -> Evidence {
             tau,
             ..
         } = *turn;
-        let late = |ln_r: f64| time(lambda, gamma, u0, theta0, libm::exp(ln_r)) - tau;
+        let late = |ln_r: f64| time(lambda, gamma, u0, theta0, ln_r) - tau;
         let r = libm::exp(root(late, -20.0, 0.0).unwrap_or(f64::NAN));
         Ok(Pair {
             at: turn.at(),
@@ -397,7 +401,13 @@ pub fn regular_time() -> Evidence {
         let turn = turn?;
         Ok(Pair {
             at: turn.at(),
-            stated: time(turn.lambda, turn.gamma, turn.u0, turn.theta0, turn.r()),
+            stated: time(
+                turn.lambda,
+                turn.gamma,
+                turn.u0,
+                turn.theta0,
+                libm::log(turn.r()),
+            ),
             found: turn.tau,
             scale: turn.tau * turn.condition(),
         })

@@ -131,11 +131,35 @@ fn census() -> Result<Figure, AllFiguresError> {
             a: sizes,
             printed: line(&boundary::printed_a),
             corrected: line(&|alpha| boundary::corrected_a(alpha, psi)),
+            found: edge(alphas.1, sizes, psi)?,
         })
     };
     let angles = [("0", 0.0), ("π/2", PI / 2.0), ("5π/6", 5.0 * PI / 6.0)];
     let list: Result<Vec<_>, _> = angles.into_iter().map(one).collect();
     Ok(rest_figures::census(&list?)?)
+}
+
+/// The A at which rest turns into escape, for α out to `far`; at rest it is 1.
+fn edge(far: f64, (low, high): (f64, f64), psi: f64) -> Result<Vec<[f64; 2]>, AllFiguresError> {
+    let alphas: Vec<f64> = (1..=30).map(|k| far * f64::from(k) / 30.0).collect();
+    let mut bounds = vec![(low, high); alphas.len()];
+    for _ in 0..=HALVINGS {
+        let start = |(alpha, (low, high)): (&f64, &(f64, f64))| {
+            Start::hyperbolic(0.5 * (low + high), *alpha, psi)
+        };
+        let starts: Result<Vec<_>, _> = alphas.iter().zip(&bounds).map(start).collect();
+        for ((low, high), rest) in bounds.iter_mut().zip(rests(&starts?)?) {
+            let middle = 0.5 * (*low + *high);
+            if rest == Some(true) {
+                *low = middle;
+            } else {
+                *high = middle;
+            }
+        }
+    }
+    let found = alphas.iter().zip(&bounds);
+    let found = found.map(|(alpha, (low, high))| [*alpha, 0.5 * (low + high)]);
+    Ok(std::iter::once([0.0, 1.0]).chain(found).collect())
 }
 
 /// The boundary by bisection at the trials' points.

@@ -281,5 +281,5 @@ impl<'d> Flight<'d> {
     }
 }
 
-#[cfg(all(test, feature = "book"))]
+#[cfg(all(test, feature = "trials"))]
 mod tests;

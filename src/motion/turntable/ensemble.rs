@@ -15,7 +15,7 @@ use crate::numerics::lanes::{Lanes, Wide, widest};
 use crate::numerics::number::Real;
 use crate::numerics::series::{arrival, value};
 use crate::numerics::taylor::{Control, Integrator, Step};
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 use rayon::prelude::*;
 use std::sync::LazyLock;
 
@@ -98,7 +98,7 @@ const BRINK: f64 = 0.001;
 const PIECE: usize = 1024;
 
 impl Horizon {
-    /// The ends of these particles' ways, in their order. With the feature `book` all cores share the work; the result does
+    /// The ends of these particles' ways, in their order. With the feature `trials` all cores share the work; the result does
     /// not depend on how.
     ///
     /// # Errors
@@ -107,9 +107,9 @@ impl Horizon {
     pub fn follow(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
         self.check(starts)?;
         let ends = |piece| self.piece(piece);
-        #[cfg(feature = "book")]
+        #[cfg(feature = "trials")]
         let pieces = starts.par_chunks(PIECE).flat_map_iter(ends);
-        #[cfg(not(feature = "book"))]
+        #[cfg(not(feature = "trials"))]
         let pieces = starts.chunks(PIECE).flat_map(ends);
         Ok(pieces.collect())
     }

@@ -26,7 +26,7 @@ pub use fate::{Escaping, Fate, fate};
 pub use intrinsic::{Intrinsic, Start};
 pub use path::Path;
 
-#[cfg(all(test, feature = "book"))]
+#[cfg(all(test, feature = "trials"))]
 mod tests;
 
 /// The table and the particle. Both the friction and the turning may be absent, and Ω may have either sign.

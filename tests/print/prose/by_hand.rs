@@ -59,7 +59,7 @@ fn by_hand(claim: &str) -> Vec<f64> {
 #[test]
 fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
     for case in &CASES {
-        let text = format!("{} {}", case.reason, case.case);
+        let text = format!("{} {} {}", case.wrong, case.reason, case.case);
         let printed = decimals(&text);
         let by_hand = by_hand(case.claim);
         assert_eq!(printed.len(), by_hand.len(), "{}: {printed:?}", case.claim);

@@ -22,9 +22,11 @@ pub const COMPUTED: &[Computed] = &[
         let points = census::COLUMNS * census::ROWS;
         in_thousands(points.next_multiple_of(10_000))
     }),
-    ("anisotropic", "These are the paper's {} manners", || {
-        word(named("s24-region-"))
-    }),
+    (
+        "anisotropic",
+        "These are the paper's {} kinds of motion",
+        || word(named("s24-region-")),
+    ),
     ("general", "The paper draws {} conclusions", || {
         word(in_words_only("general"))
     }),

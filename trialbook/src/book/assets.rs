@@ -17,6 +17,7 @@ const THEME: &[(&str, &[u8])] = files![
     "theme/book.css",
     "theme/access.css",
     "theme/book.js",
+    "theme/overview.js",
     "theme/katex/katex.min.css",
     "theme/katex/NOTICE.txt",
     "theme/katex/LICENSE-MIT.txt",

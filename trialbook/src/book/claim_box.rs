@@ -1,51 +1,52 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
+use super::changes;
 use super::code::Place;
 use super::context::{Context, verdict};
 use super::deep;
 use super::error::Fault;
 use super::maths::Maths;
-use super::plain;
 use super::text::{counted, escape, sentence, value};
 use crate::claims::{Claim, Sort};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally};
 
-/// The box of one claim, as a block of HTML.
+/// The box of one claim, as a block of HTML: what is stated, what is wrong with it, and behind a fold the evidence.
 pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
-    let claim = entry.claim;
-    let judgement = &entry.judgement;
-    let (in_short, ground) = match entry.in_short() {
-        Some(words) => {
-            let ground = format!("It {}.", judgement.ground);
-            (
-                format!("<strong>{}</strong> ", context.maths.words(&words)?),
-                ground,
-            )
-        }
-        None => (String::new(), judgement.ground.clone()),
+    let (claim, judgement, maths) = (entry.claim, &entry.judgement, context.maths);
+    let wrong = entry.in_short().map(|words| maths.words(&words));
+    let wrong = wrong.transpose()?.map_or(String::new(), |words| {
+        format!("<p class=\"claim-verdict\"><strong>{words}</strong></p>")
+    });
+    let ground = match wrong.is_empty() {
+        true => judgement.ground.clone(),
+        false => format!("It {}.", judgement.ground),
     };
-    let mut html = format!(
-        "<article class=\"claim {slug}\" aria-labelledby=\"{id}\">\
-         <h3 id=\"{id}\" class=\"claim-title\"><a class=\"header\" href=\"#{id}\">{heading}</a></h3>\
+    Ok(format!(
+        "<article class=\"claim {slug}\" aria-labelledby=\"{id}\"><div class=\"claim-head\">\
+         <h3 id=\"{id}\" class=\"claim-title\"><a class=\"header\" href=\"#{id}\">{heading}</a></h3>{verdict}</div>\
+         {wrong}{stated}<details class=\"evidence\" id=\"{id}-evidence\"><summary>{brief}</summary>\
          <p class=\"claim-place\">Section {section}, {kind} <a class=\"permalink\" href=\"#{id}\">#{id}</a></p>\
-         <p class=\"claim-verdict\">{verdict} {in_short}{ground}</p>",
+         <p class=\"claim-ground\">{ground}</p>{behind}</details></article>\n",
         slug = judgement.verdict.slug(),
         id = claim.id,
-        heading = context.maths.words(&heading(claim))?,
+        heading = maths.words(&heading(claim))?,
+        verdict = verdict(judgement.verdict),
+        stated = statements(context, entry)?,
+        brief = maths.words(&sentence(&entry.brief()))?,
         section = escape(claim.section),
         kind = claim.kind.name(),
-        verdict = verdict(judgement.verdict),
-        ground = context.maths.words(&ground)?,
-    );
-    html.push_str(&statements(context, entry)?);
-    html.push_str(&conditions(context, claim)?);
-    html.push_str(&trials(context, entry)?);
-    html.push_str(&neighbours(context, claim)?);
-    html.push_str(&code(context, entry));
-    html.push_str(&source(claim));
-    html.push_str("</article>\n");
-    Ok(html)
+        ground = maths.words(&ground)?,
+        behind = [
+            unconditional(context, entry)?,
+            conditions(context, claim)?,
+            trials(context, entry)?,
+            neighbours(context, claim)?,
+            code(context, entry),
+            source(claim),
+        ]
+        .concat(),
+    ))
 }
 
 /// `(11) Speed as a function of direction`, `Figure 1: Portraits of the velocity`.
@@ -80,11 +81,12 @@ pub(super) fn is_formula(claim: &Claim, latex: &str) -> bool {
     claim.equation.is_some() && !latex.contains('$')
 }
 
+/// What is printed; of a claim that fails, beside it what is right, and why.
 fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let claim = entry.claim;
-    let printed = statement(context, claim, claim.latex)?;
-    let Some(correction) = claim.correction else {
-        return Ok(printed + &by_hand(context, entry)?);
+    let fails = entry.judgement.verdict.is_wrong();
+    let Some(correction) = claim.correction.filter(|_| fails) else {
+        return Ok(statement(context, claim, claim.latex)? + &by_hand(context, entry)?);
     };
     let changed = match correction.change {
         Change::Sign => "a sign",
@@ -92,18 +94,56 @@ fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         Change::Symbol => "a symbol",
         Change::Statement => "the statement",
     };
-    let heading = match entry.judgement.verdict {
-        // The printed form is right where it has a value; nothing is corrected.
-        verdict if verdict.has_condition() => "A form that needs no condition".to_owned(),
-        _ => format!("As corrected (changed: {changed})"),
-    };
-    let corrected = statement(context, claim, correction.latex)?;
+    let [old, new] = forms(context, claim, correction.latex)?;
     Ok(format!(
         "<div class=\"claim-forms\">\
-         <div class=\"printed\"><p class=\"claim-label\">As printed</p>{printed}</div>\
-         <div class=\"corrected\"><p class=\"claim-label\">{heading}</p>{corrected}</div>\
+         <div class=\"printed\"><p class=\"claim-label\">As printed</p>{old}</div>\
+         <div class=\"corrected\"><p class=\"claim-label\">As corrected (changed: {changed})</p>{new}</div>\
          </div>{}",
         by_hand(context, entry)?
+    ))
+}
+
+/// What is printed and what is right, with what is changed marked.
+pub(super) fn forms(
+    context: &Context<'_>,
+    claim: &Claim,
+    corrected: &str,
+) -> Result<[String; 2], Fault> {
+    let formulas = [claim.latex, corrected]
+        .iter()
+        .all(|latex| is_formula(claim, latex));
+    let leading = leading(corrected).filter(|_| formulas);
+    let [old, new] = match formulas {
+        true => changes::marked(claim.latex, leading.unwrap_or(corrected)),
+        false => [claim.latex, corrected].map(str::to_owned),
+    };
+    let mut new = statement(context, claim, &new)?;
+    if leading.is_some() {
+        let next = statement(context, claim, corrected)?;
+        new.push_str(&format!(
+            "<p class=\"claim-label\">To the next order</p>{next}"
+        ));
+    }
+    Ok([statement(context, claim, &old)?, new])
+}
+
+/// What is left of an asymptotic law when the bracket behind it, `\left[1-…\right]`, is taken for 1: that is what the printed
+/// law is to be held against.
+fn leading(latex: &str) -> Option<&str> {
+    let (leading, bracket) = latex.split_once(r"\left[1")?;
+    bracket.ends_with(r"\cdots\right]").then_some(leading)
+}
+
+/// The form of a claim that needs its condition no more: nothing is corrected by it.
+fn unconditional(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
+    let conditional = entry.judgement.verdict.has_condition();
+    let Some(form) = entry.claim.correction.filter(|_| conditional) else {
+        return Ok(String::new());
+    };
+    let form = statement(context, entry.claim, form.latex)?;
+    Ok(format!(
+        "<p class=\"claim-label\">A form that needs no condition</p>{form}"
     ))
 }
 
@@ -188,7 +228,10 @@ fn trial(
         Outcome::TooFewPoints => ("open", "has too few points"),
     };
     let proved = evidence.proof_words();
-    let proof = proved.map_or(String::new(), |_| proof(evidence));
+    let proof = match proved {
+        Some(_) => proof(maths, evidence)?,
+        None => String::new(),
+    };
     let reason = match proved {
         Some(_) => String::new(),
         None => format!(" Tolerance: {}.", maths.words(evidence.tolerance.reason)?),
@@ -210,16 +253,17 @@ fn trial(
 }
 
 /// The steps of a proof, behind a fold.
-fn proof(evidence: &Evidence) -> String {
+fn proof(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
     if evidence.steps.is_empty() {
-        return String::new();
+        return Ok(String::new());
     }
-    let step = |step: &String| format!("<li>{}</li>", plain::set(step));
-    let steps: String = evidence.steps.iter().map(step).collect();
-    format!(
-        "<details class=\"proof\"><summary>The proof, {}</summary><ol>{steps}</ol></details>",
-        counted(evidence.steps.len(), "step")
-    )
+    let step = |step: &String| Ok(format!("<li>{}</li>", maths.folded(step)?));
+    let steps: Result<String, Fault> = evidence.steps.iter().map(step).collect();
+    Ok(format!(
+        "<details class=\"proof\"><summary>The proof, {}</summary><div class=\"steps\"><ol>{}</ol></div></details>",
+        counted(evidence.steps.len(), "step"),
+        steps?
+    ))
 }
 
 /// A few of the compared pairs; of those that disagree, unfolded, the farthest apart too.
@@ -234,7 +278,7 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
     for sample in evidence.samples.iter().chain(farthest) {
         rows.push_str(&format!(
             "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
-            maths.words(&sample.at)?,
+            maths.folded(&sample.at)?,
             value(sample.stated),
             value(sample.found)
         ));

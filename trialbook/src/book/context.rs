@@ -3,6 +3,7 @@
 use super::code::Code;
 use super::error::Fault;
 use super::maths::Maths;
+use super::text::escape;
 use crate::edition::Edition;
 use crate::figures::Figure;
 use crate::ledger::deep::Deep;
@@ -30,9 +31,11 @@ impl<'a> Context<'a> {
     /// A link to a claim's box.
     pub(super) fn link(&self, entry: &Entry) -> Result<String, Fault> {
         Ok(format!(
-            "<a href=\"{}.html#{}\">{}</a>",
+            "<a href=\"{}.html#{}\" title=\"{}: {}\">{}</a>",
             entry.topic.stem,
             entry.claim.id,
+            escape(entry.claim.plain),
+            entry.judgement.verdict.words(),
             self.maths.words(&entry.claim.name())?
         ))
     }
@@ -70,4 +73,19 @@ pub(super) fn verdict(verdict: Verdict) -> String {
         verdict.slug(),
         verdict.words()
     )
+}
+
+/// The sign of a verdict where there is no room for its name; `theme/book.css` has the same.
+pub(super) fn sign(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Confirmed => "✓",
+        Verdict::Degenerate => "✓°",
+        Verdict::Conditional => "(✓)",
+        Verdict::Misprint => "✎",
+        Verdict::Misderived => "≠",
+        Verdict::Inherited => "↳",
+        Verdict::Refuted => "✗",
+        Verdict::Definition => "≔",
+        Verdict::Undecided => "?",
+    }
 }

@@ -1,19 +1,21 @@
 //! The page of errata, and the letters beside it.
 
-use super::claim_box::{heading, statement};
+use super::claim_box::{forms, heading, statement};
 use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::sentence;
 use crate::ledger::{Erratum, Verdict};
 
-/// The errata with these verdicts, in the paper's order.
+/// The errata with these verdicts, in the paper's order; `stem` begins their addresses.
 pub(super) fn list(
     context: &Context<'_>,
+    stem: &str,
     errata: &[Erratum],
     verdicts: &[Verdict],
 ) -> Result<String, Fault> {
     let chosen = errata.iter().filter(|e| verdicts.contains(&e.verdict));
-    let items: Result<Vec<_>, _> = chosen.map(|erratum| item(context, erratum)).collect();
+    let items = chosen.map(|erratum| item(context, stem, erratum));
+    let items: Result<Vec<_>, _> = items.collect();
     let none = "<p>None.</p>\n".to_owned();
     let items = items?;
     Ok(if items.is_empty() {
@@ -23,28 +25,28 @@ pub(super) fn list(
     })
 }
 
-fn item(context: &Context<'_>, erratum: &Erratum) -> Result<String, Fault> {
+fn item(context: &Context<'_>, stem: &str, erratum: &Erratum) -> Result<String, Fault> {
     let maths = context.maths;
     let entry = context.entry(erratum.id)?;
     let title = maths.words(&heading(entry.claim))?;
+    let [old, new] = match (erratum.verdict, entry.claim.correction) {
+        (Verdict::Conditional, _) | (_, None) => [
+            statement(context, entry.claim, entry.claim.latex)?,
+            format!("<p>{}</p>", maths.words(&erratum.new)?),
+        ],
+        (_, Some(correction)) => forms(context, entry.claim, correction.latex)?,
+    };
     let mut html = format!(
-        "<section class=\"erratum {slug}\" aria-labelledby=\"erratum-{id}\"><h3 id=\"erratum-{id}\"><a href=\"{page}.html#{id}\">{title}</a></h3>\
+        "<section class=\"erratum {slug}\" aria-labelledby=\"{stem}-{id}\"><h3 id=\"{stem}-{id}\"><a href=\"{page}.html#{id}\">{title}</a></h3>\
          <p class=\"claim-place\">Section {section} {verdict}</p>\
-         <div class=\"claim-forms\"><div class=\"printed\"><p class=\"claim-label\">Printed</p>{old}</div>",
+         <div class=\"claim-forms\"><div class=\"printed\"><p class=\"claim-label\">Printed</p>{old}</div>\
+         <div class=\"corrected\"><p class=\"claim-label\">Should be</p>{new}</div></div>",
         slug = erratum.verdict.slug(),
         id = erratum.id,
         page = entry.topic.stem,
         section = erratum.section,
         verdict = verdict(erratum.verdict),
-        old = statement(context, entry.claim, entry.claim.latex)?,
     );
-    let new = match (erratum.verdict, entry.claim.correction) {
-        (Verdict::Conditional, _) | (_, None) => format!("<p>{}</p>", maths.words(&erratum.new)?),
-        (_, Some(correction)) => statement(context, entry.claim, correction.latex)?,
-    };
-    html.push_str(&format!(
-        "<div class=\"corrected\"><p class=\"claim-label\">Should be</p>{new}</div></div>"
-    ));
     let wrong = maths.words(&erratum.wrong)?;
     html.push_str(&format!("<p><strong>{wrong}</strong></p>"));
     for (label, words) in [

@@ -112,3 +112,13 @@ pub(super) enum Fault {
         reason: String,
     },
 }
+
+impl From<Fault> for BookError {
+    /// Of what stands on no page.
+    fn from(fault: Fault) -> Self {
+        Self::Render(match fault {
+            Fault::Placeholder(reason) => reason,
+            Fault::Formula { formula, reason } => format!("{formula}: {reason}"),
+        })
+    }
+}

@@ -4,10 +4,10 @@ use super::claim_box;
 use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::{count, escape, in_words, size};
-use super::{deep, errata, map, symbols, tables, values};
+use super::{deep, errata, map, overview, symbols, tables, values};
 use crate::edition::Filled;
 use crate::evidence::Kind;
-use crate::figures::Figure;
+use crate::figures::{Figure, panels};
 use crate::ledger::{Entry, Ledger, Tally, Verdict};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -57,6 +57,9 @@ impl<'a> Filler<'a> {
             ["title"] => inline(escape(ledger.paper.title)),
             ["authors"] => inline(escape(ledger.paper.authors)),
             ["counts"] => block(tables::counts(ledger)),
+            ["errors"] => block(overview::errors(context)?),
+            ["skeleton"] => block(overview::skeleton(context)),
+            ["ask"] => block(overview::field()),
             ["ledger"] => block(tables::whole_ledger(context)?),
             ["ledger", topic] => block(tables::folded_topic(context, topic)?),
             ["proofs"] => block(tables::proofs(ledger)),
@@ -82,7 +85,9 @@ impl<'a> Filler<'a> {
             ["errata", slugs @ ..] => {
                 let verdicts: Result<Vec<_>, _> =
                     slugs.iter().map(|slug| verdict_of(slug)).collect();
-                block(errata::list(context, context.errata, &verdicts?)?)
+                // Whichever pages list them, an address is given once.
+                let stem = if page == "errata" { "erratum" } else { page };
+                block(errata::list(context, stem, context.errata, &verdicts?)?)
             }
             ["routes"] => block(tables::routes(ledger)),
             ["tolerances"] => block(tables::tolerances(context)?),
@@ -171,16 +176,19 @@ impl<'a> Filler<'a> {
         let Some(svg) = svg else {
             return Err(Fault::Placeholder("this figure is not an SVG".into()));
         };
+        let parts = panels(svg);
         // A drawing with links is not one picture to a screen reader.
-        let window = match svg.contains("<a ") {
-            true => "class=\"map-window\" role=\"group\"",
-            false => "role=\"img\"",
+        let window = match (svg.contains("<a "), parts.len()) {
+            (true, _) => "class=\"map-window\" role=\"group\"",
+            (_, 1) => "role=\"img\"",
+            _ => "class=\"panels\" role=\"img\"",
         };
+        let parts = parts.concat();
         Ok(format!(
             "<figure class=\"plot\" id=\"plot-{id}\"><div {window} aria-label=\"{}\">{}</div>\
              <figcaption>{} <a href=\"{}\" download>Data (CSV)</a></figcaption></figure>\n",
             escape(&figure.alt),
-            svg.lines().map(str::trim).collect::<Vec<_>>().join(" "),
+            parts.lines().map(str::trim).collect::<Vec<_>>().join(" "),
             self.context.maths.words(&figure.caption)?,
             data_file(figure),
         ))

@@ -10,7 +10,8 @@ use super::maths::{Forms, Maths};
 use super::pages;
 use super::search::Search;
 use super::swap::{Staging, unwritable};
-use super::{assets, map, put};
+use super::text::escape;
+use super::{assets, map, overview, put};
 use crate::edition::{Edition, Filled, Page};
 use crate::figures::Figure;
 use crate::ledger::deep::Deep;
@@ -128,13 +129,15 @@ impl<'a> Frame<'a> {
             for figure in &figures {
                 put(&book.join(fill::data_file(figure)), figure.csv.as_bytes())?;
             }
+            let answers = overview::answers(&context)?;
+            put(&book.join(overview::ANSWERS), answers.as_bytes())?;
             for (name, text) in (self.edition.files)() {
                 put(&book.join(name), text.as_bytes())?;
             }
             let mut pages = code.pages();
             pages.try_for_each(|(name, html)| put(&book.join(name), html.as_bytes()))
         };
-        let finish = || self.finish(&book, &filled, &self.maths.forms());
+        let finish = || self.finish(&context, &book, &filled, &self.maths.forms());
         let (finished, written) = rayon::join(finish, beside);
         finished?;
         written?;
@@ -165,7 +168,13 @@ impl<'a> Frame<'a> {
     }
 
     /// Puts what fills them and the formulas into mdBook's pages, and our index in place of mdBook's.
-    fn finish(&self, book: &Path, filled: &[Filled], forms: &Forms) -> Result<(), BookError> {
+    fn finish(
+        &self,
+        context: &Context<'_>,
+        book: &Path,
+        filled: &[Filled],
+        forms: &Forms,
+    ) -> Result<(), BookError> {
         let whole = |(name, html): &(String, String)| {
             let put_in = |number: usize| {
                 let (html, block) = match filled.get(number)? {
@@ -178,11 +187,16 @@ impl<'a> Frame<'a> {
                 };
                 Some((html, block))
             };
-            (name.clone(), with_blanks(html, put_in))
+            let html = with_blanks(html, put_in);
+            let stem = name.trim_end_matches(".html");
+            let mut topics = self.edition.paper.topics.iter();
+            let chapter = name == PRINT || topics.any(|topic| topic.stem == stem);
+            let html = if chapter { with_folds(&html) } else { html };
+            (name.clone(), with_head(self.edition, &html, forms))
         };
         let pages: Vec<_> = self.html.par_iter().map(whole).collect();
         let index = || {
-            let mut search = Search::new();
+            let mut search = Search::new(context);
             for (name, html) in pages.iter().filter(|(name, _)| name != PRINT) {
                 search.add(name, &forms.with_words(html));
             }
@@ -234,6 +248,69 @@ fn with_blanks(html: &str, put_in: impl Fn(usize) -> Option<(String, bool)>) -> 
         out.push_str(after);
     }
     out
+}
+
+/// A page with a title of its own and what those need who share a link to it.
+fn with_head(edition: &Edition, html: &str, forms: &Forms) -> String {
+    let Some((before, rest)) = html.split_once("<title>") else {
+        return html.to_owned();
+    };
+    let Some((title, after)) = rest.split_once("</title>") else {
+        return html.to_owned();
+    };
+    let book = escape(edition.title);
+    // What a page adds to the name of the book.
+    let title = match title.strip_suffix(&format!(" - {book}")) {
+        Some(page) if page != book => format!("{page} - {book}"),
+        _ => format!("{book}: {}", escape(edition.description)),
+    };
+    let first = after.split_once("</h1>").map_or("", |(_, rest)| rest);
+    // The line in italics says where a chapter stands in the paper.
+    let mut texts = first
+        .split("<p>")
+        .skip(1)
+        .filter(|text| !text.starts_with("<em>Section"));
+    let text = texts.next().and_then(|text| text.split("</p>").next());
+    let words = forms.with_words(text.unwrap_or_default());
+    let mut plain = String::new();
+    for part in words.split('<') {
+        plain.push_str(part.split_once('>').map_or(part, |(_, text)| text));
+    }
+    let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
+    let plain = match plain.as_str() {
+        "" => escape(edition.description),
+        text => text.replace('"', "&quot;"),
+    };
+    format!(
+        "{before}<title>{title}</title><meta property=\"og:title\" content=\"{title}\">\
+         <meta property=\"og:type\" content=\"article\"><meta property=\"og:description\" content=\"{plain}\">{after}"
+    )
+}
+
+/// A chapter with its listings folded away, but for those in what is folded already.
+fn with_folds(html: &str) -> String {
+    const LISTING: [&str; 2] = ["<pre><code class=\"language-rust\">", "</code></pre>"];
+    let mut out = String::with_capacity(html.len() + html.len() / 16);
+    let mut folds = 0;
+    let mut rest = html;
+    while let Some(start) = rest.find(LISTING[0]) {
+        let (before, listing) = rest.split_at(start);
+        let Some(end) = listing.find(LISTING[1]).map(|end| end + LISTING[1].len()) else {
+            break;
+        };
+        folds += before.matches("<details").count();
+        folds -= before.matches("</details>").count().min(folds);
+        out.push_str(before);
+        let listing = &listing[..end];
+        out.push_str(&match folds {
+            0 => format!(
+                "<details class=\"listing\"><summary>The code that checks this</summary>{listing}</details>"
+            ),
+            _ => listing.to_owned(),
+        });
+        rest = &rest[start + end..];
+    }
+    out + rest
 }
 
 /// Lets mdBook make `book` from `source`.

@@ -1,6 +1,6 @@
 //! The map of claims: its figure, and the same as lists.
 
-use super::context::{Context, verdict};
+use super::context::{Context, sign, verdict};
 use super::error::Fault;
 use super::tables::table;
 use super::text::{count, counted};
@@ -8,21 +8,6 @@ use crate::figures::map::{Node, map};
 use crate::figures::{Figure, FigureError};
 use crate::ledger::{Ledger, Verdict, plain_words};
 use std::collections::{BTreeMap, BTreeSet};
-
-/// The sign of a verdict where there is no room for its name.
-fn sign(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Confirmed => "✓",
-        Verdict::Degenerate => "✓°",
-        Verdict::Conditional => "(✓)",
-        Verdict::Misprint => "✎",
-        Verdict::Misderived => "≠",
-        Verdict::Inherited => "↳",
-        Verdict::Refuted => "✗",
-        Verdict::Definition => "≔",
-        Verdict::Undecided => "?",
-    }
-}
 
 /// The figure.
 pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {

@@ -1,13 +1,13 @@
 //! Formulas: from LaTeX to HTML and MathML, when the book is built.
 
+use super::changes;
 use super::error::Fault;
-use super::plain;
-use super::text::escape;
+use super::text::{escape, scientific};
 use crate::claims::{Claim, Paper};
-use crate::ledger::plain_formula;
+use crate::ledger::{Piece, pieces, plain_formula};
 use katex::macro_expander::MacroMap;
 use katex::macros::MacroDefinition;
-use katex::{KatexContext, Settings, render_to_string};
+use katex::{KatexContext, OutputFormat, Settings, TrustSetting, render_to_string};
 use std::collections::HashMap;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
@@ -29,10 +29,22 @@ struct Setter {
     context: KatexContext,
     inline: Settings,
     display: Settings,
+    folded: Settings,
 }
 
-/// LaTeX, and whether it stands on a line of its own.
-type Key = (String, bool);
+/// Where a formula stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Place {
+    /// Within a line.
+    Inline,
+    /// On a line of its own.
+    Display,
+    /// Behind a fold, where there are many: MathML alone, a fifth of what both take.
+    Folded,
+}
+
+/// LaTeX, and where it stands.
+type Key = (String, Place);
 
 /// A formula as HTML and as plain text.
 type Form = (String, String);
@@ -54,17 +66,25 @@ pub(super) struct Forms(Vec<Form>);
 
 impl Setter {
     fn new() -> Self {
-        let settings = |display| {
+        let settings = |place| {
             let mut macros = MacroMap::default();
             // LaTeX has it, KaTeX does not know it.
             macros.insert(r"\mbox".into(), MacroDefinition::StaticStr(r"\text"));
-            let settings = Settings::builder().macros(macros).display_mode(display);
-            settings.build()
+            let changed = MacroDefinition::StaticStr(r"\htmlClass{changed}{#1}");
+            macros.insert(changes::MARK.into(), changed);
+            let output = match place {
+                Place::Folded => OutputFormat::Mathml,
+                Place::Inline | Place::Display => OutputFormat::HtmlAndMathml,
+            };
+            let settings = Settings::builder().macros(macros).output(output);
+            let settings = settings.trust(TrustSetting::Bool(true));
+            settings.display_mode(place == Place::Display).build()
         };
         Setter {
             context: KatexContext::default(),
-            inline: settings(false),
-            display: settings(true),
+            inline: settings(Place::Inline),
+            display: settings(Place::Display),
+            folded: settings(Place::Folded),
         }
     }
 
@@ -79,7 +99,7 @@ impl Setter {
         Ok(form)
     }
 
-    fn made(&self, latex: &str, display: bool) -> Result<Form, Fault> {
+    fn made(&self, latex: &str, place: Place) -> Result<Form, Fault> {
         let fault = |reason: String| Fault::Formula {
             formula: latex.to_owned(),
             reason,
@@ -87,12 +107,22 @@ impl Setter {
         if latex.trim().is_empty() {
             return Err(fault("there is nothing in it".into()));
         }
-        let settings = if display { &self.display } else { &self.inline };
-        let html = render_to_string(&self.context, &roots_in_braces(latex.trim()), settings)
+        let settings = match place {
+            Place::Inline => &self.inline,
+            Place::Display => &self.display,
+            Place::Folded => &self.folded,
+        };
+        // As large as on a line of its own: there are fractions of fractions.
+        let style = match place {
+            Place::Folded => r"\displaystyle ",
+            Place::Inline | Place::Display => "",
+        };
+        let source = format!("{style}{}", roots_in_braces(latex.trim()));
+        let html = render_to_string(&self.context, &source, settings)
             .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
         Ok((
             tidy(&without_annotation(&html)),
-            escape(&plain_formula(latex)),
+            escape(&plain_formula(&latex.replace(changes::MARK, ""))),
         ))
     }
 }
@@ -115,27 +145,36 @@ impl Maths {
         };
         for (_, claim) in paper.claims() {
             let parts = words(claim).flat_map(|text| text.split('$').skip(1).step_by(2));
-            let inline = parts.map(|latex| (latex, false));
-            let whole = [true, false].map(|display| (claim.latex, display));
+            let inline = parts.map(|latex| (latex, Place::Inline));
+            let whole = [Place::Display, Place::Inline].map(|place| (claim.latex, place));
             let whole = whole.into_iter().filter(|(latex, _)| !latex.contains('$'));
-            for (latex, display) in inline.chain(whole) {
-                let _ = set.setter.form(&(latex.to_owned(), display));
+            for (latex, place) in inline.chain(whole) {
+                let _ = set.setter.form(&(latex.to_owned(), place));
             }
         }
     }
 
     /// A formula within a line.
     pub(super) fn inline(&self, latex: &str) -> Result<String, Fault> {
-        self.set(latex, false)
+        self.set(latex, Place::Inline)
     }
 
     /// A formula on a line of its own.
     pub(super) fn display(&self, latex: &str) -> Result<String, Fault> {
-        self.set(latex, true)
+        self.set(latex, Place::Display)
     }
 
-    /// Words with formulas in `$…$`, as HTML.
+    /// Words with formulas in `$…$` or in our plain notation, as HTML.
     pub(super) fn words(&self, text: &str) -> Result<String, Fault> {
+        self.said(text, Place::Inline)
+    }
+
+    /// The same, for words that stand behind a fold.
+    pub(super) fn folded(&self, text: &str) -> Result<String, Fault> {
+        self.said(text, Place::Folded)
+    }
+
+    fn said(&self, text: &str, place: Place) -> Result<String, Fault> {
         if text.matches('$').count() % 2 == 1 {
             return Err(Fault::Formula {
                 formula: text.to_owned(),
@@ -145,16 +184,29 @@ impl Maths {
         let parts = text.split('$').enumerate();
         parts
             .map(|(i, part)| match i % 2 {
-                0 => Ok(plain::set(part)),
-                _ => self.inline(part),
+                0 => self.plain(part, place),
+                _ => self.set(part, place),
+            })
+            .collect()
+    }
+
+    /// Plain words: formulas and numbers as a printer sets them.
+    fn plain(&self, words: &str, place: Place) -> Result<String, Fault> {
+        let pieces = pieces(words).into_iter();
+        pieces
+            .map(|piece| match piece {
+                Piece::Text(text) => Ok(escape(text)),
+                Piece::Formula(latex) => self.set(&latex, place),
+                Piece::Minus => Ok("−".into()),
+                Piece::Scientific(number) => Ok(scientific(number)),
             })
             .collect()
     }
 
     /// The mark of a formula; sets it if it is new.
-    fn set(&self, latex: &str, display: bool) -> Result<String, Fault> {
+    fn set(&self, latex: &str, place: Place) -> Result<String, Fault> {
         let mark = |number: usize| format!("{}{number}{}", MARK.0, MARK.1);
-        let key = (latex.to_owned(), display);
+        let key = (latex.to_owned(), place);
         let mut set = self.set_so_far();
         if let Some(number) = set.numbers.get(&key) {
             return Ok(mark(*number));
@@ -206,6 +258,16 @@ impl Forms {
         })
     }
 
+    /// Puts MathML alone in place of the marks: a tenth of the text, for what is shown by a script.
+    pub(super) fn with_mathml(&self, html: &str) -> String {
+        self.replaced(html, |(html, plain), _, out| {
+            let from = html.find("<math").zip(html.find("</math>"));
+            let math = from.map(|(start, end)| &html[start..end + "</math>".len()]);
+            out.push_str(math.unwrap_or(plain));
+            0
+        })
+    }
+
     /// Lets `put` write each form, given what follows its mark; it says how much of that it has written, too.
     fn replaced(&self, html: &str, put: impl Fn(&Form, &str, &mut String) -> usize) -> String {
         let mut out = String::with_capacity(html.len() * 8);
@@ -245,7 +307,8 @@ fn roots_in_braces(latex: &str) -> String {
     out
 }
 
-/// Leaves out the LaTeX source within the MathML: it would be read by the search as if it were text.
+/// Leaves out the LaTeX source within the MathML, which the search would read as if it were text, and what stands around
+/// it there, which says nothing without it.
 fn without_annotation(html: &str) -> String {
     let mut rest = html;
     let mut kept = String::with_capacity(html.len());
@@ -254,7 +317,14 @@ fn without_annotation(html: &str) -> String {
         const END: &str = "</annotation>";
         rest = rest[start..].split_once(END).map_or("", |(_, after)| after);
     }
-    kept + rest
+    kept += rest;
+    [
+        "<semantics>",
+        "</semantics>",
+        " xmlns=\"http://www.w3.org/1998/Math/MathML\"",
+    ]
+    .into_iter()
+    .fold(kept, |kept, empty| kept.replace(empty, ""))
 }
 
 /// Puts attributes in order, since KaTeX writes them in any, and joins lines.
@@ -353,6 +423,34 @@ mod tests {
         assert!(html.starts_with("soon <span class=\"whole\">(<span class=\"katex\">"));
         assert!(html.contains("</span>)</span>, or <span class=\"whole\">("));
         assert!(html.ends_with("</span></span> small)"));
+    }
+
+    #[test]
+    fn plain_mathematics_is_set() {
+        let maths = Maths::new();
+        for (plain, said) in [
+            (
+                "dv_x/dt, (q_Y)² & eq20_stop_time, _x",
+                "dv_x/dt, (q_Y)² &amp; eq20_stop_time, _x",
+            ),
+            ("A/t^(3/2): x^2 and x^, y^(z", "A/t^(3/2): x² and x^, y^(z"),
+            (
+                "to 1e-12, 3.20e-3, 3.20e-1, 1.0e0",
+                "to 10<sup>−12</sup>, 3.2\u{a0}×\u{a0}10<sup>−3</sup>, 0.32, 1",
+            ),
+            ("1e5 of them", "10<sup>5</sup> of them"),
+            ("a1e-5, s2-x, 3-4", "a1e-5, s2-x, 3-4"),
+            (
+                "g = 9.81, θ = -2.5 at a rest",
+                "g = 9.81, θ = −2.5 at a rest",
+            ),
+            ("(-1) is -1", "(−1) is −1"),
+        ] {
+            let marked = maths.folded(plain).unwrap();
+            assert_eq!(maths.forms().with_words(&marked), said);
+            let html = maths.forms().with_formulas(&marked);
+            assert!(!html.contains("katex-html"), "{html}");
+        }
     }
 
     #[test]

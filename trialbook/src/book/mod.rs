@@ -8,6 +8,9 @@
 //! | `{{figure fig-1}}` | the figure with its caption, text alternative and data |
 //! | `{{title}}`, `{{authors}}` | of the paper |
 //! | `{{counts}}` | a table of the verdicts with the number of claims |
+//! | `{{errors}}` | the independent errors, a line each with link |
+//! | `{{skeleton}}` | a mark for each numbered equation, by its verdict |
+//! | `{{ask}}` | a field that answers with a claim to a number, a symbol or words |
 //! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
@@ -38,6 +41,7 @@
 //! fills the placeholders: it then reads a tenth of the text, and the rest is put in last.
 
 mod assets;
+mod changes;
 mod claim_box;
 mod code;
 mod context;
@@ -50,8 +54,8 @@ mod frame;
 mod links;
 mod map;
 mod maths;
+mod overview;
 mod pages;
-mod plain;
 mod search;
 mod swap;
 mod symbols;

@@ -3,10 +3,12 @@
 //! mdBook's own index reads a formula twice, as MathML and as HTML, and drops Greek letters and brackets. This one
 //! takes its place, in the form that mdBook's searcher reads.
 
+use super::context::Context;
 use super::text::unescape;
 use elasticlunr::lang::English;
 use elasticlunr::{Index, IndexBuilder, Language, Pipeline};
 use serde_json::json;
+use std::collections::BTreeMap;
 
 /// A stretch of a page, from one heading to the next.
 struct Stretch {
@@ -14,6 +16,8 @@ struct Stretch {
     title: String,
     path: String,
     body: String,
+    /// Words by which it is found though they do not stand in it.
+    aliases: String,
 }
 
 /// What mdBook's searcher reads.
@@ -22,12 +26,18 @@ struct Searched<'a> {
     results_options: serde_json::Value,
     search_options: serde_json::Value,
     doc_urls: &'a [&'a str],
+    /// The verdicts of claims, by the places of their boxes: slug and words.
+    verdicts: &'a BTreeMap<String, [&'static str; 2]>,
     index: &'a Index,
 }
 
 /// The index in the making.
+#[derive(Default)]
 pub(super) struct Search {
     stretches: Vec<Stretch>,
+    /// Words for a place, by its address.
+    aliases: BTreeMap<String, String>,
+    verdicts: BTreeMap<String, [&'static str; 2]>,
 }
 
 /// English without the step that takes Greek letters and brackets off a word; [`words`] does it with care.
@@ -60,10 +70,17 @@ fn words(text: &str) -> Vec<String> {
         let bare = word.trim_matches(['(', ')', '[', ']', '|', '=']).to_owned();
         let flat: String = bare.chars().filter(|c| *c != '_').map(flat_digit).collect();
         let parts = bare.split(['/', '·', '=']).map(str::to_owned);
+        let typed = typed(&bare);
         let mut forms: Vec<_> = [word, bare.clone(), flat]
             .into_iter()
             .chain(parts)
             .collect();
+        if typed != bare {
+            let names = typed.split(|c: char| !c.is_ascii_alphanumeric());
+            forms.extend(names.map(str::to_owned));
+            forms.push(typed.replace('_', ""));
+            forms.push(typed);
+        }
         forms.retain(|form| !form.is_empty() && form.len() <= 80);
         forms.sort();
         forms.dedup();
@@ -71,6 +88,51 @@ fn words(text: &str) -> Vec<String> {
     }
     found
 }
+
+/// A word as it comes from a keyboard without Greek letters: `τ²` is `tau^2`, `λ_c` is `lambda_c`.
+fn typed(word: &str) -> String {
+    let mut out = String::new();
+    for c in word.chars() {
+        match (
+            SMALL_HIGH.find(c),
+            GREEK.iter().find(|(letter, _)| *letter == c),
+        ) {
+            (Some(_), _) => {
+                let digit = SMALL_HIGH.chars().position(|high| high == c).unwrap_or(0);
+                out.push_str(&format!("^{digit}"));
+            }
+            (_, Some((_, name))) => out.push_str(name),
+            _ => out.push(flat_digit(c)),
+        }
+    }
+    out
+}
+
+/// The digits as powers.
+const SMALL_HIGH: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/// Greek letters and their names.
+const GREEK: [(char, &str); 19] = [
+    ('α', "alpha"),
+    ('β', "beta"),
+    ('γ', "gamma"),
+    ('δ', "delta"),
+    ('ζ', "zeta"),
+    ('η', "eta"),
+    ('θ', "theta"),
+    ('κ', "kappa"),
+    ('λ', "lambda"),
+    ('μ', "mu"),
+    ('ξ', "xi"),
+    ('π', "pi"),
+    ('ρ', "rho"),
+    ('σ', "sigma"),
+    ('τ', "tau"),
+    ('φ', "phi"),
+    ('ψ', "psi"),
+    ('ω', "omega"),
+    ('ϖ', "varpi"),
+];
 
 /// A digit of an index as one on the line.
 fn flat_digit(c: char) -> char {
@@ -81,10 +143,37 @@ fn flat_digit(c: char) -> char {
 }
 
 impl Search {
-    pub(super) fn new() -> Self {
-        Search {
-            stretches: Vec::new(),
+    /// An index of nothing yet, for a book with these claims.
+    pub(super) fn new(context: &Context<'_>) -> Self {
+        let mut search = Search::default();
+        let own = context.edition.aliases.iter();
+        for (address, words) in own {
+            let words = (*words).to_owned();
+            search.aliases.insert((*address).to_owned(), words);
         }
+        for entry in &context.ledger.entries {
+            let (claim, verdict) = (entry.claim, entry.judgement.verdict);
+            let address = format!("{}.html#{}", entry.topic.stem, claim.id);
+            let number = claim.equation;
+            let number = number.map(|n| format!("eq eq{n} equation {n} ({n}) right true wrong"));
+            let values = context.ledger.paper.values.iter();
+            let values = values.filter(|value| value.claim == claim.id);
+            // As many digits as one remembers, rounded off or cut.
+            let values = values.filter_map(|value| value.shown().ok()).map(|text| {
+                let lengths = (4..=text.len()).filter(|n| text.is_char_boundary(*n));
+                lengths.map(|n| &text[..n]).collect::<Vec<_>>().join(" ")
+            });
+            let symbols = context.edition.symbols.iter();
+            let symbols = symbols.filter(|symbol| symbol.claim == claim.id);
+            let symbols = symbols.map(|symbol| symbol.plain.to_owned());
+            let words: Vec<_> = number.into_iter().chain(values).chain(symbols).collect();
+            let aliases = search.aliases.entry(address.clone()).or_default();
+            aliases.push_str(&format!(" {} {}", verdict.slug(), words.join(" ")));
+            search
+                .verdicts
+                .insert(address, [verdict.slug(), verdict.words()]);
+        }
+        search
     }
 
     /// Adds a page: its file, and its HTML with words for formulas.
@@ -120,8 +209,10 @@ impl Search {
                     .split_once("id=\"")
                     .and_then(|(_, rest)| rest.split_once('"'));
                 if let (false, Some((id, _))) = (closes, id) {
+                    let address = format!("{file}#{id}");
                     self.stretches.push(Stretch {
-                        address: format!("{file}#{id}"),
+                        aliases: self.aliases.get(&address).cloned().unwrap_or_default(),
+                        address,
                         title: String::new(),
                         path: String::new(),
                         body: String::new(),
@@ -162,12 +253,17 @@ impl Search {
 
     /// The file that mdBook's searcher loads.
     pub(super) fn file(&self) -> Result<String, serde_json::Error> {
-        let fields = ["title", "body", "breadcrumbs"];
+        let fields = ["title", "body", "breadcrumbs", "aliases"];
         let mut index: Index = IndexBuilder::with_language(Box::new(Physics(English::new())))
             .add_fields(fields)
             .build();
         for (i, stretch) in self.stretches.iter().enumerate() {
-            let texts = [&stretch.title, &stretch.body, &stretch.path];
+            let texts = [
+                &stretch.title,
+                &stretch.body,
+                &stretch.path,
+                &stretch.aliases,
+            ];
             index.add_doc(&i.to_string(), texts);
         }
         let addresses: Vec<_> = self.stretches.iter().map(|s| s.address.as_str()).collect();
@@ -177,8 +273,9 @@ impl Search {
             search_options: json!({
                 "bool": "AND",
                 "expand": true,
-                "fields": { "title": { "boost": 4 }, "body": { "boost": 1 }, "breadcrumbs": { "boost": 1 } }
+                "fields": { "title": { "boost": 4 }, "aliases": { "boost": 8 }, "body": { "boost": 1 }, "breadcrumbs": { "boost": 1 } }
             }),
+            verdicts: &self.verdicts,
             doc_urls: &addresses,
             index: &index,
         })?;
@@ -222,6 +319,9 @@ mod tests {
             ("of λ₀", "λ0"),
             ("2/9 of", "2/9"),
             ("Stick-slip", "slip"),
+            ("2τ²/9", "2tau^2/9"),
+            ("τ²", "tau^2"),
+            ("λ_c", "lambda"),
         ] {
             assert!(
                 words(text).iter().any(|found| found == word),
@@ -232,7 +332,7 @@ mod tests {
 
     #[test]
     fn a_page_is_cut_at_its_headings() {
-        let mut search = Search::new();
+        let mut search = Search::default();
         search.add(
             "a.html",
             "<main><h1 id=\"a\"><a href=\"#a\">A page</a></h1><p>first &amp; <em>se</em>cond</p>\

@@ -92,7 +92,7 @@ pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Result<String, 
     let verdicts: Vec<_> = entries.map(|e| e.judgement.verdict).collect();
     let parts = Verdict::ALL.iter().filter_map(|v| {
         let n = verdicts.iter().filter(|found| *found == v).count();
-        (n > 0).then(|| format!("{} {}", count(n), v.words()))
+        (n > 0).then(|| format!("{} {}", count(n), v.of_many(n)))
     });
     Ok(format!(
         "<details class=\"contents\"><summary>{}: {}</summary>{table}</details>\n",

@@ -1,7 +1,7 @@
 //! Text and numbers for HTML.
 
-pub(super) use crate::ledger::count;
 use crate::ledger::decimal;
+pub(super) use crate::ledger::{count, counted};
 
 /// Data as text in HTML, on one line.
 pub fn escape(text: &str) -> String {
@@ -66,12 +66,6 @@ pub(super) fn in_words(n: usize) -> String {
     WORDS
         .get(n)
         .map_or_else(|| count(n), |word| (*word).to_owned())
-}
-
-/// A count with its noun: `1 point`, `20 points`.
-pub(super) fn counted(n: usize, noun: &str) -> String {
-    let plural = if n == 1 { "" } else { "s" };
-    format!("{} {noun}{plural}", count(n))
 }
 
 /// Functions that a phrase may begin with.

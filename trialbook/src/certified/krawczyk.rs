@@ -101,6 +101,16 @@ mod tests {
         let unit = Interval::new(-1.0, 1.0);
         // The image of [−1, 1] is 1 − [0, 2] times it: the box itself. Of 0 x all of the box are roots.
         assert!(stretched(0.0, 2.0, [unit; 2]).is_err());
+        // Each slope alone: the image of the other coordinate lies inside.
+        let number = |lo, hi| Jet::constant(Interval::new(lo, hi));
+        for [a, b, c, d] in [
+            [number(0.0, 2.0), Jet::int(0), Jet::int(0), Jet::int(1)],
+            [Jet::int(1), number(-1.0, 1.0), Jet::int(0), Jet::int(1)],
+            [Jet::int(1), Jet::int(0), number(-1.0, 1.0), Jet::int(1)],
+            [Jet::int(1), Jet::int(0), Jet::int(0), number(0.0, 2.0)],
+        ] {
+            assert!(unique(|[x, y]| [a * x + b * y, c * x + d * y], [unit; 2]).is_err());
+        }
         // A little less, and it lies inside.
         let least = 2.0_f64.powi(-40);
         let [x, y] = stretched(least, 2.0 - least, [unit; 2]).unwrap();

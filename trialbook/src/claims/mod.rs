@@ -3,37 +3,37 @@
 //! A claim is data; a trial is a function that returns [`Evidence`](crate::evidence::Evidence), or a statement that is
 //! proved. Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod attempt;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod by_hand;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod compare;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod enclosed;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod excepted;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod formulas;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod measured;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod points;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod reading;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod runs;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod statement;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod tolerances;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod values;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod variants;
 
 use crate::evidence::{Change, Kind};
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 use {
     attempt::Attempt,
     by_hand::ByHand,
@@ -111,13 +111,13 @@ pub struct Claim {
     /// What replaces it, where it fails.
     pub correction: Option<Correction>,
     /// How it is tried.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub trials: &'static [Attempt],
 }
 
 impl Claim {
     /// What a row need not say: a property without a number, no conditions, no correction, no trials.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub const BLANK: Claim = Claim {
         id: "",
         section: "",
@@ -140,7 +140,7 @@ impl Claim {
     /// const DRAG: Claim = Claim::equation("eq-6", "1", "drag", "F=kv");
     /// assert_eq!((DRAG.equation, DRAG.trials.len()), (Some(6), 0));
     /// ```
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub const fn equation(
         id: &'static str,
         section: &'static str,
@@ -160,13 +160,13 @@ impl Claim {
     }
 
     /// The same, tried so.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub const fn tried(self, trials: &'static [Attempt]) -> Self {
         Claim { trials, ..self }
     }
 
     /// The same, with what is right in its place; the formula serves as plain text too.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub const fn corrected(self, change: Change, latex: &'static str) -> Self {
         let plain = latex;
         let correction = Some(Correction {
@@ -189,7 +189,7 @@ impl Claim {
 }
 
 /// The number of an equation in its id.
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 const fn number_of(id: &str) -> Option<u16> {
     let Some((head, digits)) = id.as_bytes().split_at_checked("eq-".len()) else {
         return None;
@@ -246,40 +246,40 @@ pub struct Paper {
     /// How many wrong variants are rejected, as recorded: a line `id: n of m` for each claim with a formula.
     pub tallies: &'static str,
     /// The record of a deep run; empty if none was made.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub deep: &'static str,
     /// Its formulas.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub formulas: Formulas,
     /// Why claims fail, with cases to check by hand.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub cases: &'static [ByHand],
     /// The numbers by which claims can be found.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub values: &'static [Value],
     /// Why claims have no proof.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub measured: &'static [Measured],
     /// The wrong variants that no trial rejects.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub survivors: &'static [Survivor],
     /// The trials that agree and notice no mistake in a formula.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub idle: &'static [Idle],
     /// The measurements that do not notice a mistake of twice their tolerance.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub coarse: &'static [Coarse],
     /// The mistakes in a corner that no measurement notices.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub cornered: &'static [Survivor],
     /// The formulas of which a proof does not reject every wrong variant.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub spared: &'static [Spared],
 }
 
 impl Paper {
     /// What a paper need not have: all but its title, its topics and its record.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub const BLANK: Paper = Paper {
         title: "",
         authors: "",
@@ -312,19 +312,19 @@ impl Paper {
     }
 
     /// The case by hand of the claim of this id, if it has one.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub fn case(&self, id: &str) -> Option<&'static ByHand> {
         self.cases.iter().find(|case| case.claim == id)
     }
 
     /// The number of this short name.
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     pub fn value(&self, id: &str) -> Option<&'static Value> {
         self.values.iter().find(|value| value.id == id)
     }
 }
 
-#[cfg(all(test, feature = "book"))]
+#[cfg(all(test, feature = "trials"))]
 mod tests {
     use super::*;
 

@@ -6,6 +6,7 @@ pub use search::{Match, NotDecimal, search};
 
 use super::compare::Failure;
 use crate::certified::enclosure::Enclosure;
+use crate::seeded::reading::{self, Read};
 use std::sync::OnceLock;
 
 /// A number, computed when it is first asked for.
@@ -22,7 +23,7 @@ pub struct Value {
     /// How it is enclosed to any number of digits, where that is known.
     pub enclosure: Option<Enclosure>,
     computed: Option<fn() -> Result<f64, Failure>>,
-    number: OnceLock<Result<f64, Failure>>,
+    number: OnceLock<(Result<f64, Failure>, Read)>,
 }
 
 impl Value {
@@ -70,18 +71,18 @@ impl Value {
         self
     }
 
-    /// The number.
+    /// The number; whoever watches notes what it was computed from, now or before.
     ///
     /// # Errors
     /// A motion that cannot be followed, an enclosure that is not proved.
     pub fn number(&self) -> Result<f64, Failure> {
-        let number = self
-            .number
-            .get_or_init(|| match (self.computed, self.enclosure) {
-                (Some(computed), _) => computed(),
-                (None, Some(enclosure)) => Ok(enclosure.interval()?.mid()),
-                (None, None) => Err("nothing computes it".into()),
-            });
+        let compute = || match (self.computed, self.enclosure) {
+            (Some(computed), _) => computed(),
+            (None, Some(enclosure)) => Ok(enclosure.interval()?.mid()),
+            (None, None) => Err("nothing computes it".into()),
+        };
+        let (number, read) = self.number.get_or_init(|| reading::of(compute));
+        reading::also(read);
         number.clone()
     }
 

@@ -68,16 +68,19 @@ pub struct Spared {
 impl Formulas {
     /// Every wrong variant of every formula.
     pub fn variants(&self) -> Vec<Variant> {
-        let (trees, numbers) = ((self.trees)(), (self.numbers)());
-        let both = trees.iter().zip(&numbers);
-        both.flat_map(|(tree, number)| self.of(tree, number))
-            .collect()
+        self.of_those(|_| true)
     }
 
     /// The wrong variants of the formula of this name.
     pub fn variants_of(&self, name: &str) -> Vec<Variant> {
-        let named = self.variants().into_iter();
-        named.filter(|variant| variant.formula == name).collect()
+        self.of_those(|formula| formula == name)
+    }
+
+    fn of_those(&self, wanted: impl Fn(&str) -> bool) -> Vec<Variant> {
+        let (trees, numbers) = ((self.trees)(), (self.numbers)());
+        let both = trees.iter().zip(&numbers).filter(|(_, f)| wanted(f.name));
+        both.flat_map(|(tree, number)| self.of(tree, number))
+            .collect()
     }
 
     /// The wrong variants of one formula, which is given for trees and for numbers.

@@ -167,7 +167,7 @@ fn drawn(node: &Node, i: usize, [x, y]: [f64; 2]) -> String {
     format!(
         "<a href=\"{href}\" class=\"node {class}{shaken}\" data-node=\"{i}\"><title>{title}</title>\
          <rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"6\"/>\
-         <text x=\"{tx}\" y=\"{t1}\">{sign} {first}</text><text font-size=\"{SMALL}\" x=\"{tx}\" y=\"{t2}\">{second}</text></a>\n",
+         <text x=\"{tx}\" y=\"{t1}\">{sign} <tspan class=\"{kind}\">{first}</tspan></text><text font-size=\"{SMALL}\" x=\"{tx}\" y=\"{t2}\">{second}</text></a>\n",
         href = escape(&node.href),
         class = node.class,
         title = escape(&format!("{}: {}", name.trim(), node.words)),
@@ -179,6 +179,11 @@ fn drawn(node: &Node, i: usize, [x, y]: [f64; 2]) -> String {
         t1 = number(y + 18.0),
         t2 = number(y + 34.0),
         sign = node.sign,
+        kind = if node.name.is_empty() {
+            "words"
+        } else {
+            "name"
+        },
         first = escape(first),
         second = escape(&second),
     )

@@ -44,6 +44,7 @@ mod labels;
 pub mod map;
 mod marks;
 mod panel;
+mod panels;
 mod path;
 mod plot;
 mod raster;
@@ -56,6 +57,7 @@ pub use axes::Axis;
 pub use csv::{Cell, Table};
 pub use marks::{Align, Area, Curve, Marker, Note, Points, Rule, Stroke};
 pub use panel::Panel;
+pub use panels::panels;
 pub use plot::Plot;
 pub use raster::{BLANK, Raster};
 

@@ -1,6 +1,7 @@
 //! The page: panels in a grid, their keys, and the finished figure.
 
 use super::axes::{Scale, TEXT_SIZE, text};
+use super::panels;
 use super::svg::{escape, number};
 use super::text::width;
 use super::{Axis, Cell, Curve, Figure, FigureError, Panel, Table};
@@ -153,6 +154,7 @@ impl Plot {
 
         let mut body = String::new();
         let mut top = 4.0;
+        let parted = self.columns == 1 && settled.len() > 1;
         for row in settled.chunks_mut(self.columns) {
             let head = row.iter().map(|s| s.head()).fold(0.0, f64::max);
             let foot = row.iter().map(|s| s.height + s.foot()).fold(0.0, f64::max);
@@ -161,7 +163,11 @@ impl Plot {
                 let y0 = top + head;
                 s.x.pixels = (x0, x0 + inner);
                 s.y.pixels = (y0 + s.height, y0);
-                body.push_str(&s.draw(x0, y0));
+                let drawn = s.draw(x0, y0);
+                body.push_str(&match parted {
+                    true => panels::mark(top, head + foot + 16.0, &drawn),
+                    false => drawn,
+                });
             }
             top += head + foot + 16.0;
         }

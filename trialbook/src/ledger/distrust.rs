@@ -20,6 +20,20 @@ pub struct Reaction {
     pub scale: bool,
 }
 
+impl Reaction {
+    /// What a mistake has changed in the evidence of a trial.
+    fn between(before: &Evidence, after: &Evidence) -> Self {
+        let measured = !after.route.is_proof();
+        let found = |e: &Evidence| (e.sides.found, e.points);
+        Reaction {
+            rejects: after.outcome() != before.outcome(),
+            stated: after.sides.stated != before.sides.stated,
+            found: measured && found(after) != found(before),
+            scale: measured && after.sides.scale != before.sides.scale,
+        }
+    }
+}
+
 /// How many mistakes are seeded in each formula that a trial reads.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Extent {
@@ -68,13 +82,7 @@ impl Entry {
     pub(super) fn reaction(&self, trial: usize, seed: Seed) -> Reaction {
         let before = &self.evidence[trial];
         let after = seeded::with(seed, || self.claim.trials[trial].evidence());
-        Reaction {
-            rejects: after.outcome() != before.outcome(),
-            stated: after.sides.stated != before.sides.stated,
-            found: !after.route.is_proof()
-                && (after.sides.found, after.points) != (before.sides.found, before.points),
-            scale: !after.route.is_proof() && after.sides.scale != before.sides.scale,
-        }
+        Reaction::between(before, &after)
     }
 }
 
@@ -143,5 +151,51 @@ impl Ledger {
             reactions.push(reaction(*other));
         }
         reactions
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::tolerances::NONE;
+    use crate::evidence::{Compared, Route, Sides};
+
+    #[test]
+    fn a_trial_leans_on_what_moves_its_own_side_or_its_units() {
+        let before = |route| Evidence {
+            points: 40,
+            ..Evidence::new(route, Subject::Printed, Compared::one("$a$", "$b$"), NONE)
+        };
+        let sides = |stated, found, scale| Sides {
+            stated,
+            found,
+            scale,
+        };
+        for (points, sides, leans) in [
+            (40, sides(0, 0, 0), false),
+            (40, sides(1, 0, 0), false),
+            (40, sides(1, 1, 0), true),
+            (40, sides(1, 0, 1), true),
+            (39, sides(1, 0, 0), true),
+        ] {
+            for route in [Route::Census, Route::Exact] {
+                let before = before(route);
+                let after = Evidence {
+                    points,
+                    sides,
+                    ..before.clone()
+                };
+                let reaction = Reaction::between(&before, &after);
+                assert_eq!(reaction.stated, sides.stated == 1);
+                let tried = Tried {
+                    entry: 0,
+                    trial: 0,
+                    agrees: true,
+                    reactions: vec![(7, reaction)],
+                };
+                let expected = (leans && route == Route::Census).then_some(7);
+                assert_eq!(tried.leans_on(), expected, "{points} {sides:?}");
+            }
+        }
     }
 }

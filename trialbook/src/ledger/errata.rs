@@ -108,14 +108,21 @@ impl Ledger {
         self.entries.iter().filter(wrong).count()
     }
 
-    /// How many wrong claims have an error of their own, and how many have it from others; misprints are not among them.
-    pub fn roots_and_heirs(&self) -> [usize; 2] {
+    /// The wrong claims with an error of their own, without the misprints.
+    pub fn roots(&self) -> impl Iterator<Item = &Entry> {
         let wrong = self
             .entries
             .iter()
-            .filter(|e| e.judgement.verdict.is_wrong() && e.judgement.verdict != Verdict::Misprint);
-        let (roots, heirs): (Vec<_>, Vec<_>) = wrong.partition(|e| self.inherits(e).is_empty());
-        [roots.len(), heirs.len()]
+            .filter(|e| e.judgement.verdict.is_wrong());
+        let wrong = wrong.filter(|e| e.judgement.verdict != Verdict::Misprint);
+        wrong.filter(|e| self.inherits(e).is_empty())
+    }
+
+    /// How many wrong claims have an error of their own, and how many have it from others; misprints are not among them.
+    pub fn roots_and_heirs(&self) -> [usize; 2] {
+        let roots = self.roots().count();
+        let misprints = self.counts()[&Verdict::Misprint];
+        [roots, self.wrong() - misprints - roots]
     }
 
     fn erratum(&self, entry: &Entry) -> Result<Erratum, ErrataError> {

@@ -3,9 +3,9 @@
 use super::errata::{ErrataError, Erratum};
 use super::pieces::{Piece, decimal, pieces};
 use super::plain::{self, plain_words};
-use super::{Ledger, Verdict};
-use crate::claims::Paper;
-use crate::claims::Sort;
+use super::{Ledger, Verdict, counted};
+use crate::claims::{Paper, Sort};
+use std::collections::BTreeSet;
 
 /// A form of the letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,16 +54,22 @@ impl Ledger {
             wrong.into_iter().partition(|e| e.inherits.is_empty());
         let mut text = style.opening(self.paper, COMMENT);
         text += &style.sender();
+        let conditional = of(errata, &[Verdict::Conditional]);
         text += &style.paragraph(&format!(
-            "All {} numbered equations and statements of the paper were tried {}. Independent errors: {}. Further statements \
-             that suffer from them: {}. Misprints: {}. Statements that need a condition: {}. The rest is right as printed.",
+            "All {} numbered equations and statements of the paper were tried {}. We found {}, from which {} suffer, and {}; \
+             {} a condition. The rest is right as printed.",
             self.entries.len(),
             self.paper.tried,
-            roots.len(),
-            heirs.len(),
-            misprints.len(),
-            of(errata, &[Verdict::Conditional]).len()
+            counted(roots.len(), "independent error"),
+            counted(heirs.len(), "further statement"),
+            counted(misprints.len(), "misprint"),
+            match conditional.len() {
+                1 => "1 statement needs".to_owned(),
+                n => format!("{n} statements need"),
+            }
         ));
+        // What has been told under an earlier error is only named.
+        let mut told = BTreeSet::new();
         text += &style.heading("Corrections");
         for (i, root) in roots.iter().enumerate() {
             let heirs: Vec<_> = heirs
@@ -83,9 +89,10 @@ impl Ledger {
                 }
             }
             if !heirs.is_empty() {
-                let right = heirs
-                    .iter()
-                    .map(|e| format!("{}: {}", self.name(e.id), e.new));
+                let right = heirs.iter().map(|e| match told.insert(e.id) {
+                    true => format!("{}: {}", self.name(e.id), e.new),
+                    false => format!("{}, as above", self.name(e.id)),
+                });
                 text += &style.entry("It passes to", &right.collect::<Vec<_>>().join("; "));
             }
             text.push('\n');
@@ -94,11 +101,15 @@ impl Ledger {
             text += &style.heading("Misprints");
             for misprint in misprints {
                 let (old, new) = (&misprint.old, &misprint.new);
-                text += &style.entry(&self.name(misprint.id), &format!("{old} should be {new}"));
+                let words = match is_formula(old) && is_formula(new) {
+                    true => format!("{old} should be {new}."),
+                    false => format!("{} It should be: {}", closed(old), closed(new)),
+                };
+                text += &style.entry(&self.place(misprint), &words);
             }
             text.push('\n');
         }
-        if errata.iter().any(|e| e.verdict == Verdict::Conditional) {
+        if !conditional.is_empty() {
             text += &style.heading("Conditions");
             text += &style.paragraph(&self.conditions(errata));
         }
@@ -108,6 +119,16 @@ impl Ledger {
              in the supplement and at [link to the code].",
         );
         text + style.closing()
+    }
+
+    /// The name of a claim, behind its section where it has no number, and without what explains it behind a colon.
+    fn place(&self, erratum: &Erratum) -> String {
+        let name = self.name(erratum.id);
+        let name = name.split(':').next().unwrap_or_default();
+        match erratum.equation {
+            Some(_) => name.to_owned(),
+            None => format!("Section {}, {name}", erratum.section),
+        }
     }
 
     /// The missing conditions, each with the claims that need it.
@@ -123,7 +144,7 @@ impl Ledger {
                 .iter()
                 .filter(|c| c.sort == Sort::Substance)
             {
-                let name = self.name(erratum.id);
+                let name = self.place(erratum);
                 match needed.iter_mut().find(|(text, _)| *text == condition.text) {
                     Some((_, names)) => names.push(name),
                     None => needed.push((condition.text, vec![name])),
@@ -133,7 +154,11 @@ impl Ledger {
         let together = needed.chunk_by(|(_, names), (_, next)| names == next);
         let clauses = together.map(|conditions| {
             let texts: Vec<_> = conditions.iter().map(|(text, _)| *text).collect();
-            format!("{}: {}", conditions[0].1.join(", "), texts.join("; "))
+            format!(
+                "{}: only if {}",
+                conditions[0].1.join(", "),
+                texts.join("; and ")
+            )
         });
         clauses.collect::<Vec<_>>().join(". ") + "."
     }
@@ -214,6 +239,11 @@ trait Style {
 /// Sentences with the full stop at their end.
 fn closed(words: &str) -> String {
     format!("{}.", words.trim_end_matches('.'))
+}
+
+/// True for a formula alone.
+fn is_formula(text: &str) -> bool {
+    text.starts_with('$') && text.ends_with('$') && text.matches('$').count() == 2
 }
 
 /// What a claim is about, behind its name; nothing where that says it already.
@@ -371,13 +401,8 @@ fn tex_plain(words: &str) -> String {
     for piece in pieces(words) {
         match piece {
             Piece::Text(text) => out.extend(text.chars().map(tex_char)),
-            Piece::Index(index) => out += &format!("$_{{{}}}$", tex_inside(&index.to_string())),
-            Piece::Power(power) => out += &format!("$^{{{}}}$", tex_inside(power)),
+            Piece::Formula(latex) => out += &format!("${latex}$"),
             Piece::Minus => out += "$-$",
-            Piece::Equals => {
-                out.pop();
-                out += "~=~";
-            }
             Piece::Scientific(number) => {
                 let (mantissa, exponent) = number.split_once('e').unwrap_or((number, "0"));
                 out += &decimal(number).unwrap_or_else(|| match mantissa {
@@ -388,11 +413,6 @@ fn tex_plain(words: &str) -> String {
         }
     }
     out
-}
-
-/// Words as a part of a formula: their own parts are no formulas for themselves.
-fn tex_inside(words: &str) -> String {
-    tex_plain(words).replace('$', " ")
 }
 
 fn tex_char(c: char) -> String {
@@ -415,14 +435,14 @@ mod tests {
     fn words_become_tex() {
         assert_eq!(
             tex_words("λ₀ < 1 & $x_1$: 50 %"),
-            r"$\lambda _0$ $<$ 1 \& $x_1$: 50 \%"
+            r"$\lambda_{0} < 1$ \& $x_1$: 50 \%"
         );
-        assert_eq!(tex_words("√2 − 𝔴"), r"$\surd$2 $-$ $\mathfrak w$");
+        assert_eq!(tex_words("√2 − 𝔴"), r"$\sqrt{2} - \mathfrak w$");
         assert_eq!(
             tex_words("𝔴_y, v_x to 2.3e4 of 1e-8, 2.3e2"),
-            r"$\mathfrak w _{y}$, v$_{x}$ to $2.3\times10^{4}$ of $10^{-8}$, 230"
+            r"$\mathfrak w_{y}$, $v_{x}$ to $2.3\times10^{4}$ of $10^{-8}$, 230"
         );
-        assert_eq!(tex_words("A/τ^(3/2) = -5"), r"A/$\tau ^{3/2}$~=~$-$5");
+        assert_eq!(tex_words("A/τ^(3/2) = -5"), r"$A/\tau^{3/2} = -5$");
     }
 
     #[test]

@@ -1,35 +1,37 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod alone;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod deep;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod distrust;
 #[cfg(feature = "book")]
 mod errata;
 #[cfg(feature = "book")]
 mod letter;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
+mod notation;
+#[cfg(feature = "trials")]
 mod pieces;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod plain;
 mod record;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod row;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod run;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod said;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod sheet;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod short;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod slight;
 mod table;
 mod tally;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 mod variants;
 mod verdict;
 
@@ -37,15 +39,16 @@ mod verdict;
 pub use errata::{ErrataError, Erratum};
 #[cfg(feature = "book")]
 pub use letter::Format;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub use pieces::{Piece, decimal, pieces};
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub use row::{EvidenceRow, Row};
+#[cfg(feature = "trials")]
 #[cfg(feature = "book")]
-pub(crate) use said::count;
+pub(crate) use said::{count, counted};
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 

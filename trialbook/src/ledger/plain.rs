@@ -59,6 +59,7 @@ const SYMBOLS: &[(&str, &str)] = &[
     ("sigma", "σ"),
     ("tau", "τ"),
     ("phi", "φ"),
+    ("chi", "χ"),
     ("psi", "ψ"),
     ("omega", "ω"),
     ("Delta", "Δ"),

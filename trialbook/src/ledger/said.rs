@@ -146,6 +146,18 @@ fn short(size: f64, decimals: usize) -> String {
     decimal(&scientific).unwrap_or(scientific)
 }
 
+/// A bound of one digit on a size.
+pub(super) fn rounded_up(size: f64) -> String {
+    let nearest = format!("{size:.0e}");
+    match nearest.parse::<f64>() {
+        Ok(rounded) if rounded < size => {
+            let unit = 10f64.powf(size.log10().floor());
+            short(rounded + unit, 0)
+        }
+        _ => short(size, 0),
+    }
+}
+
 /// A count, its thousands parted.
 pub(crate) fn count(n: usize) -> String {
     let digits = n.to_string();
@@ -157,4 +169,11 @@ pub(crate) fn count(n: usize) -> String {
         out.push(digit);
     }
     out
+}
+
+/// A count with its noun: `1 point`, `20 points`.
+#[cfg(feature = "book")]
+pub(crate) fn counted(n: usize, noun: &str) -> String {
+    let plural = if n == 1 { "" } else { "s" };
+    format!("{} {noun}{plural}", count(n))
 }

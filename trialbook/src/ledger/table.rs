@@ -57,7 +57,7 @@ impl Ledger {
     pub fn summary(&self) -> String {
         let counts = self.counts();
         let proved = self.entries.iter().filter(|e| e.is_proved()).count();
-        let part = |v: &Verdict| format!("{} {}", counts[v], v.words());
+        let part = |v: &Verdict| format!("{} {}", counts[v], v.of_many(counts[v]));
         let parts: Vec<_> = Verdict::ALL
             .iter()
             .filter(|v| counts[v] > 0)

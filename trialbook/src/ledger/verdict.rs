@@ -58,6 +58,18 @@ impl Verdict {
         }
     }
 
+    /// So many claims have this verdict, as the end of a sentence that names their number.
+    pub fn of_many(self, claims: usize) -> &'static str {
+        match (self, claims) {
+            (_, 1) => self.words(),
+            (Verdict::Conditional, _) => "need a condition",
+            (Verdict::Misprint, _) => "misprints",
+            (Verdict::Inherited, _) => "inherit an error",
+            (Verdict::Definition, _) => "definitions",
+            _ => self.words(),
+        }
+    }
+
     /// A short name without blanks, for records and style sheets.
     pub fn slug(self) -> &'static str {
         match self {

@@ -317,6 +317,13 @@ impl Scalar for Double {
             Scalar::exp(self) - 1.0.into()
         }
     }
+    fn exp_fall(self, k: Self) -> Self {
+        if k.to_f64() == 0.0 {
+            -self
+        } else {
+            -Scalar::exp_m1(k * self) / k
+        }
+    }
     fn ln(self) -> Self {
         if !(self.hi > 0.0 && self.hi.is_finite()) {
             return libm::log(self.hi).into();
@@ -342,7 +349,7 @@ impl Scalar for Double {
     fn pow(self, exponent: Self) -> Self {
         Scalar::exp(exponent * Scalar::ln(self))
     }
-    #[cfg(feature = "book")]
+    #[cfg(feature = "trials")]
     fn nearest(self) -> Option<f64> {
         Some(self.hi)
     }

@@ -16,17 +16,17 @@
 //! Every door returns a typed error instead of a number that is not one, and none of them can run forever.
 
 pub mod batch;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod dop853;
 pub mod double;
 pub mod error;
 pub mod events;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod fit;
 pub mod lanes;
 pub mod number;
 pub mod piecewise;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod quadrature;
 pub mod roots;
 pub mod series;

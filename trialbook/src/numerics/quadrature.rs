@@ -5,6 +5,7 @@
 //! near 0 the numbers are dense, near 1 they are not. So put the end at 0, or use [`between_ends`].
 
 use super::error::{NumericsError, finite};
+#[cfg(not(target_family = "wasm"))]
 use quad_rs::{Integrable, IntegratorConfig, integrate_real};
 
 /// An integral and an estimate of its error.
@@ -17,8 +18,10 @@ pub struct Integral {
 }
 
 /// An integrand in the form that the library wants; the library is compiled once for all of them.
+#[cfg(not(target_family = "wasm"))]
 struct Integrand<'f>(&'f dyn Fn(f64) -> f64);
 
+#[cfg(not(target_family = "wasm"))]
 impl Integrable for Integrand<'_> {
     type Float = f64;
     type Input = f64;
@@ -67,22 +70,67 @@ pub fn integral_within(
     {
         return Ok(integral);
     }
+    adaptive(&f, low, high, absolute)?.checked(high)
+}
+
+/// By the library.
+#[cfg(not(target_family = "wasm"))]
+fn adaptive(
+    f: &dyn Fn(f64) -> f64,
+    low: f64,
+    high: f64,
+    absolute: f64,
+) -> Result<Integral, NumericsError> {
     let config = IntegratorConfig::default()
         .with_minimum_segment_width(1e-300)
         .with_max_function_evalutions(EVALUATIONS)
         .with_relative_tolerance(RELATIVE)
         .with_absolute_tolerance(absolute);
-    let result = integrate_real(Integrand(&f), vec![low, high], config).map_err(|error| {
+    let result = integrate_real(Integrand(f), vec![low, high], config).map_err(|error| {
         NumericsError::Library {
             method: "adaptive quadrature",
             message: error.to_string(),
         }
     })?;
-    Integral {
+    Ok(Integral {
         value: result.integral,
         error: result.error,
+    })
+}
+
+/// In a page of the book, where the library asks for a clock that is not there: by halves of halves.
+#[cfg(target_family = "wasm")]
+fn adaptive(
+    f: &dyn Fn(f64) -> f64,
+    low: f64,
+    high: f64,
+    absolute: f64,
+) -> Result<Integral, NumericsError> {
+    let mut sum = Integral {
+        value: 0.0,
+        error: 0.0,
+    };
+    let mut open = vec![(low, high)];
+    let mut evaluations = 0;
+    while let Some((from, to)) = open.pop() {
+        evaluations += 60;
+        let piece = smooth(f, from, to);
+        let middle = 0.5 * (from + to);
+        let short = (to - from).abs() <= 1e-300 || middle == from || middle == to;
+        let scale = RELATIVE * (piece.value + sum.value).abs();
+        if short || piece.error <= absolute.max(scale) {
+            sum.value += piece.value;
+            sum.error += piece.error;
+        } else if evaluations > EVALUATIONS {
+            return Err(NumericsError::Library {
+                method: "adaptive quadrature",
+                message: "too many evaluations".to_owned(),
+            });
+        } else {
+            open.extend([(from, middle), (middle, to)]);
+        }
     }
-    .checked(high)
+    Ok(sum)
 }
 
 impl Integral {

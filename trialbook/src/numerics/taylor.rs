@@ -352,5 +352,5 @@ pub fn integrate<S: System<f64, D, N>, const D: usize, const N: usize>(
     }
 }
 
-#[cfg(all(test, feature = "book"))]
+#[cfg(all(test, feature = "trials"))]
 mod tests;

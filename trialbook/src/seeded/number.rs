@@ -182,10 +182,10 @@ impl<S: Scalar> Scalar for Seeded<'_, S> {
             Some(&|| x.pow(-n)),
         )
     }
-    fn power_fall(self, k: Self) -> Self {
+    fn exp_fall(self, k: Self) -> Self {
         let (x, n) = (self.read(), k.read());
-        let (more, less) = (|| x.power_fall(n + S::int(1)), || x.power_fall(-n));
-        Self::from(x.power_fall(n), Some(&more), Some(&less))
+        let (more, less) = (|| x.exp_fall(n + S::int(1)), || x.exp_fall(-n));
+        Self::from(x.exp_fall(n), Some(&more), Some(&less))
     }
     fn tan(self) -> Self {
         self.call(S::tan, Some(S::cot))

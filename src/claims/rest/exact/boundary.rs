@@ -23,7 +23,7 @@ const UNKNOWN: [&str; 10] = ["x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x�
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     ring.angle("ψ");
-    for name in ["a", "before"].iter().chain(&UNKNOWN) {
+    for name in ["a", "a′"].iter().chain(&UNKNOWN) {
         ring.symbol(name);
     }
     // For (147), which has √2.
@@ -56,7 +56,7 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
     let ring = p.ring();
     p.note(
         "To be found",
-        "A = 1 + α F₁ + α² F₂ + … with Fₖ = (a + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ, t = tan(ψ/2)",
+        "A = 1 + α F₁ + α² F₂ + … with Fₖ = (a + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ, t = tan(ψ/2); a′ is a of the order before",
     );
     p.note(
         "It consists of motions",
@@ -64,7 +64,7 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
     );
     let t = ring.half_tangent("ψ")?;
     let one_over = ring.divide(&Rational::int(1), &(Rational::int(1) + &t * &t))?;
-    let [free, before] = [ring.named("a")?, ring.named("before")?];
+    let [free, before] = [ring.named("a")?, ring.named("a′")?];
     let mut found = vec![Rational::int(1)];
     // Of the two constants of F₁ that the equations allow.
     let way_in = Rational::int(-1);
@@ -96,7 +96,7 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
         };
         let known: Vec<_> = known.iter().map(|(x, v)| (x, v)).collect();
         let left = ring.put(&ring.normal(&left), &known)?;
-        let unknown: Vec<_> = unknown.iter().copied().chain(["before"]).collect();
+        let unknown: Vec<_> = unknown.iter().copied().chain(["a′"]).collect();
         let solved = p.solve(&says, &[left], Some(&t), &unknown)?;
         let values: Vec<_> = solved.iter().map(|(x, v)| (x, v)).chain(known).collect();
         if let Some(last) = found.last_mut() {

@@ -21,6 +21,6 @@ fn the_boundary_is_told_by_the_coefficients_that_are_stated() {
     // f₂ = 7/6 c⁴ + 2 c³ s − c² s² + 2/3 c s³ − 1/4 s⁴, c and s being the cosine and the sine of ψ/2.
     let second = step("At the order α^1");
     assert_eq!(second, "x₁ = 2, x₂ = −1, x₃ = 2/3, x₄ = −1/4");
-    assert!(step("At the order α^2").ends_with("before = 7/6"));
+    assert!(step("At the order α^2").ends_with("a′ = 7/6"));
     assert_eq!(step("F₁"), "−1/(tan(ψ/2)^2 + 1)");
 }

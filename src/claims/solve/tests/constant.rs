@@ -283,7 +283,7 @@ fn at_the_stop_itself_the_particle_is_at_rest_and_before_it_moves() {
     for lambda in [0.0, 1.0, 3.0].map(Double::from) {
         let formulas = Formulas { lambda, ..formulas };
         let ln_r = -one / (one + lambda);
-        let t = corrected::time_by_log(lambda, one, one, theta0, ln_r);
+        let t = corrected::time(lambda, one, one, theta0, ln_r);
         let theta = f64::from(at(formulas, t).theta);
         let ratio = libm::tan(0.5 * theta) / libm::tan(1.0);
         assert!(

@@ -39,6 +39,10 @@ proptest! {
             prop_assert!(interval.lo() <= exact.interval().hi() && exact.interval().lo() <= interval.hi());
             prop_assert!(interval.hi() <= interval.lo().next_up().next_up());
         }
+        // The bound that an unbounded quotient has is rounded as if there were two.
+        let (a, from_zero) = (Interval::point(x.abs()), Interval::new(0.0, y));
+        prop_assert_eq!((a / from_zero).lo(), (a / b).lo());
+        prop_assert_eq!((-a / from_zero).hi(), (-a / b).hi());
     }
 
     #[test]

@@ -1,0 +1,175 @@
+// A stage on which bodies move: a film of equal times, played, stepped and drawn along by hand.
+'use strict';
+
+window.SlipbookStage = (() => {
+    const PACES = [['0.25', '¼ ×'], ['0.5', '½ ×'], ['1', '1 ×'], ['2', '2 ×'], ['4', '4 ×']];
+
+    // Noise as loud as the slip is fast, once the reader asks for it.
+    class Sound {
+        constructor() {
+            this.context = new AudioContext();
+            const noise = this.context.createBuffer(1, this.context.sampleRate, this.context.sampleRate);
+            noise.getChannelData(0).forEach((_, i, data) => { data[i] = Math.random() * 2 - 1; });
+            const source = new AudioBufferSourceNode(this.context, { buffer: noise, loop: true });
+            const filter = new BiquadFilterNode(this.context, { type: 'bandpass', frequency: 900, Q: 0.7 });
+            this.gain = new GainNode(this.context, { gain: 0 });
+            source.connect(filter).connect(this.gain).connect(this.context.destination);
+            source.start();
+        }
+
+        play(slip) {
+            this.gain.gain.setTargetAtTime(Math.min(0.4, 0.25 * slip), this.context.currentTime, 0.02);
+        }
+    }
+
+    return class Stage {
+        // The point of a film's curve at a picture, between two as well.
+        static at(points, i) {
+            const last = points.length / 2 - 1;
+            const k = Math.min(Math.floor(i), Math.max(0, last - 1)), part = Math.min(i, last) - k;
+            const one = j => points[2 * k + j] + (last ? part * (points[2 * k + 2 + j] - points[2 * k + j]) : 0);
+            return [one(0), one(1)];
+        }
+
+        // `told` hears which picture is shown.
+        constructor(host, told) {
+            this.told = told;
+            this.pace = 1;
+            host.insertAdjacentHTML('beforeend', `<div class="stage"><svg role="img"><g class="scene"></g><g class="hands"></g></svg>
+                <div class="film"><button type="button" class="play"></button>
+                <button type="button" class="back" aria-label="A step back">‹</button><button type="button" class="on" aria-label="A step on">›</button>
+                <input type="range" min="0" step="any" aria-label="time"><output></output>
+                <label class="pace">speed <select>${PACES.map(([value, name]) => `<option value="${value}"${value === '1' ? ' selected' : ''}>${name}</option>`).join('')}</select></label>
+                <button type="button" class="sound" aria-pressed="false">Sound</button></div></div>`);
+            const root = host.lastElementChild, one = selector => root.querySelector(selector);
+            this.svg = one('svg');
+            this.scene = one('.scene');
+            this.hands = one('.hands');
+            this.slider = one('input');
+            this.clock = one('output');
+            this.button = one('.play');
+            this.button.addEventListener('click', () => this.playing ? this.pause() : this.play());
+            one('.back').addEventListener('click', () => this.step(-1));
+            one('.on').addEventListener('click', () => this.step(1));
+            one('select').addEventListener('change', event => { this.pace = Number(event.target.value); });
+            this.slider.addEventListener('input', event => {
+                event.stopPropagation();
+                this.pause();
+                this.show(Number(this.slider.value));
+            });
+            one('.sound').addEventListener('click', event => {
+                const on = event.target.getAttribute('aria-pressed') !== 'true';
+                event.target.setAttribute('aria-pressed', on);
+                this.sound ||= new Sound();
+                this.loud = on;
+                this.sound.play(0);
+            });
+            // What nobody sees need not move.
+            new IntersectionObserver(([entry]) => entry.isIntersecting || this.pause()).observe(this.svg);
+            this.pause();
+        }
+
+        // film: step (time between pictures), count, rate (time a second), unit, box, label, draw(i), slip(i), hands.
+        // A film that is `kept` shows the same motion.
+        load(film, kept) {
+            this.film = film;
+            this.svg.setAttribute('viewBox', film.box.join(' '));
+            this.svg.setAttribute('aria-label', film.label);
+            this.svg.setAttribute('role', film.hands ? 'group' : 'img');
+            this.slider.max = film.count - 1;
+            this.giveHands(film.hands || []);
+            this.show(kept ? this.i : 0);
+        }
+
+        // The hands are made once and keep the focus while the film changes.
+        giveHands(hands) {
+            hands.forEach((hand, k) => {
+                let knob = this.hands.children[k];
+                if (!knob) {
+                    this.hands.insertAdjacentHTML('beforeend', '<g class="hand" tabindex="0" role="slider"><circle class="reach" r="24"/><circle r="9"/></g>');
+                    knob = this.hands.lastElementChild;
+                    const here = event => {
+                        const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
+                        this.film.hands[k].move(x, y);
+                    };
+                    knob.addEventListener('pointerdown', event => {
+                        if (event.button !== 0) return;
+                        knob.setPointerCapture(event.pointerId);
+                        this.pause();
+                        this.held = true;
+                        here(event);
+                        event.preventDefault();
+                        knob.focus({ preventScroll: true });
+                    });
+                    knob.addEventListener('pointermove', event => this.held && here(event));
+                    knob.addEventListener('pointerup', () => {
+                        if (this.held) this.play();
+                        this.held = false;
+                    });
+                    knob.addEventListener('pointercancel', () => { this.held = false; });
+                    knob.addEventListener('keydown', event => {
+                        if (event.key === 'Enter' || event.key === ' ') {
+                            event.preventDefault();
+                            this.play();
+                            return;
+                        }
+                        const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], ArrowUp: [0, 1] }[event.key];
+                        if (!way || event.altKey || event.ctrlKey || event.metaKey) return;
+                        event.preventDefault();
+                        this.pause();
+                        this.film.hands[k].step(...way.map(d => d * (event.shiftKey ? 10 : 1)));
+                    });
+                }
+                const [x, y] = hand.at;
+                knob.setAttribute('transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
+                knob.setAttribute('aria-label', hand.label);
+                knob.setAttribute('aria-valuemin', hand.range[0]);
+                knob.setAttribute('aria-valuemax', hand.range[1]);
+                knob.setAttribute('aria-valuenow', hand.now);
+                knob.setAttribute('aria-valuetext', hand.text);
+            });
+        }
+
+        show(i) {
+            this.i = Math.max(0, Math.min(this.film.count - 1, i));
+            this.scene.innerHTML = this.film.draw(this.i);
+            // A hand sets the start; while the bodies move there is nothing to set.
+            this.hands.style.display = this.i > 0 ? 'none' : '';
+            this.slider.value = this.i;
+            const time = `${SlipbookPlot.fixed(this.i * this.film.step, 1)} ${this.film.unit}`;
+            this.clock.textContent = time;
+            this.slider.setAttribute('aria-valuetext', time);
+            if (this.loud) this.sound.play(this.playing ? this.film.slip(this.i) : 0);
+            this.told(this.i);
+        }
+
+        step(way) {
+            this.pause();
+            this.show(Math.round(this.i) + way * Math.max(1, Math.round(this.film.count / 120)));
+        }
+
+        play() {
+            if (this.i >= this.film.count - 1) this.show(0);
+            this.playing = true;
+            this.button.textContent = '❚❚';
+            this.button.setAttribute('aria-label', 'Pause');
+            let before = performance.now();
+            const next = now => {
+                if (!this.playing) return;
+                const pictures = Math.min(0.1, (now - before) / 1000) * this.film.rate * this.pace / this.film.step;
+                before = now;
+                this.show(this.i + pictures);
+                if (this.i >= this.film.count - 1) this.pause();
+                else requestAnimationFrame(next);
+            };
+            requestAnimationFrame(next);
+        }
+
+        pause() {
+            this.playing = false;
+            this.button.textContent = '▶';
+            this.button.setAttribute('aria-label', 'Play');
+            if (this.loud) this.sound.play(0);
+        }
+    };
+})();

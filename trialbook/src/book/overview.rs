@@ -1,0 +1,145 @@
+//! What the first page shows of the whole: the errors in a line each, a mark for each equation, and a field that answers.
+
+use super::claim_box::is_formula;
+use super::context::{Context, sign, verdict};
+use super::error::Fault;
+use super::text::{escape, sentence};
+use crate::ledger::{Entry, plain_words};
+use serde::Serialize;
+
+/// Where the answers lie within the book.
+pub(super) const ANSWERS: &str = "answers.js";
+
+/// The independent errors, a line each.
+pub(super) fn errors(context: &Context<'_>) -> Result<String, Fault> {
+    let line = |entry: &Entry| {
+        let wrong = entry.in_short().unwrap_or_default();
+        let wrong = wrong
+            .split_once(": ")
+            .map_or(wrong.as_str(), |(_, wrong)| wrong);
+        let words = context.maths.words(&sentence(wrong))?;
+        Ok(format!("<li>{}: {words}.</li>", context.link(entry)?))
+    };
+    let lines: Result<String, Fault> = context.ledger.roots().map(line).collect();
+    Ok(format!("<ul class=\"errors\">{}</ul>\n", lines?))
+}
+
+/// A mark for each numbered equation, by its verdict. One of them can be reached by keyboard; a script leads on from it.
+pub(super) fn skeleton(context: &Context<'_>) -> String {
+    let numbered = context.ledger.entries.iter();
+    let numbered = numbered.filter_map(|entry| Some((entry.claim.equation?, entry)));
+    let mark = |(number, entry): (u16, &Entry)| {
+        let verdict = entry.judgement.verdict;
+        let name = format!(
+            "({number}) {}: {}",
+            plain_words(entry.claim.title),
+            verdict.words()
+        );
+        format!(
+            "<a class=\"{}\" href=\"{}.html#{}\" title=\"{name}\" aria-label=\"{name}\"{}>{}</a>",
+            verdict.slug(),
+            entry.topic.stem,
+            entry.claim.id,
+            if number == 1 { "" } else { " tabindex=\"-1\"" },
+            sign(verdict),
+            name = escape(&name),
+        )
+    };
+    let mut sorted: Vec<_> = numbered.collect();
+    sorted.sort_by_key(|(number, _)| *number);
+    let marks: String = sorted.into_iter().map(mark).collect();
+    format!(
+        "<div class=\"skeleton\" role=\"group\" aria-label=\"The numbered equations, by verdict\">{marks}</div>\n"
+    )
+}
+
+/// The field; a script makes it answer.
+pub(super) fn field() -> String {
+    format!(
+        "<form class=\"ask\" role=\"search\" aria-label=\"Ask for a claim\" data-answers=\"{ANSWERS}\" hidden>\
+         <label>Is it right? <input type=\"search\" autocomplete=\"off\" spellcheck=\"false\" \
+         placeholder=\"13, λc, 0.537, stick slip\"></label>\
+         <div class=\"answers\" role=\"status\"></div></form>\n"
+    )
+}
+
+/// What the field knows of a claim.
+#[derive(Serialize)]
+struct Answer {
+    id: &'static str,
+    at: String,
+    name: String,
+    equation: Option<u16>,
+    title: String,
+    plain: &'static str,
+    verdict: String,
+    /// The verdict in a line.
+    says: String,
+    /// The formula as MathML; where there is none, the words.
+    formula: String,
+}
+
+/// What leads to a claim besides its own words: a symbol or a number.
+#[derive(Serialize)]
+struct Hint {
+    /// The symbol or the number, as plain text.
+    is: String,
+    /// What it means.
+    means: String,
+    /// The claim.
+    id: &'static str,
+}
+
+#[derive(Serialize)]
+struct Answers {
+    claims: Vec<Answer>,
+    symbols: Vec<Hint>,
+    values: Vec<Hint>,
+}
+
+/// The script with all that the field knows.
+pub(super) fn answers(context: &Context<'_>) -> Result<String, Fault> {
+    let entries = &context.ledger.entries;
+    let statement = |entry: &Entry| match is_formula(entry.claim, entry.claim.latex) {
+        true => context.maths.inline(entry.claim.latex),
+        false => context.maths.words(entry.claim.latex),
+    };
+    let statements: Result<Vec<_>, _> = entries.iter().map(statement).collect();
+    let (statements, forms) = (statements?, context.maths.forms());
+    let claim = |(entry, statement): (&Entry, &String)| {
+        let claim = entry.claim;
+        let says = entry.in_short();
+        Answer {
+            id: claim.id,
+            at: format!("{}.html#{}", entry.topic.stem, claim.id),
+            name: plain_words(&claim.name()),
+            equation: claim.equation,
+            title: plain_words(claim.title),
+            plain: claim.plain,
+            verdict: verdict(entry.judgement.verdict),
+            says: plain_words(&says.unwrap_or_else(|| sentence(&entry.brief()))),
+            formula: forms.with_mathml(statement),
+        }
+    };
+    let claims = entries.iter().zip(&statements).map(claim).collect();
+    let symbols = context.edition.symbols.iter().map(|symbol| Hint {
+        is: symbol.plain.to_owned(),
+        means: plain_words(symbol.meaning),
+        id: symbol.claim,
+    });
+    let values = context.ledger.paper.values.iter().filter_map(|value| {
+        Some(Hint {
+            is: value.shown().ok()?,
+            means: plain_words(value.meaning),
+            id: value.claim,
+        })
+    });
+    let all = Answers {
+        claims,
+        symbols: symbols.collect(),
+        values: values.collect(),
+    };
+    let text =
+        serde_json::to_string(&all).map_err(|error| Fault::Placeholder(error.to_string()))?;
+    Ok(format!("window.trialbookAnswers = {text};\n"))
+}
