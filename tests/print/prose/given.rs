@@ -1,5 +1,7 @@
 //! Formulas that hold where something is given: `name=formula`, or `name=@function(arguments)` of the code, parted by
-//! semicolons. Without a name it is what the formula itself is to be.
+//! semicolons. Without a name it is what the formula itself is to be. `left`, `right` and `difference` say what the sides of its
+//! relation, or the left one less the right one, are to be, whatever relates them, and `within` by how much two numbers may differ; a
+//! digit behind them counts the relations of a formula that has several.
 
 use super::formulas::{Found, Given, found, number, read};
 use crate::compare;
@@ -15,6 +17,7 @@ pub const NOT_TRIED: [&str; 4] = ["case", "name", "open", "term"];
 pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String> {
     let mut given = Given::new();
     let mut whole = None;
+    let mut asked = Vec::new();
     for line in givens.split("; ") {
         let (name, right) = line.split_once('=').ok_or("nothing is given")?;
         let value = match right.strip_prefix('@') {
@@ -23,6 +26,7 @@ pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String
         };
         match name {
             "" => whole = Some(value),
+            name if Asked::of(name).is_some() => asked.extend(Asked::of(name).map(|what| (what, value))),
             name => given.push((name.to_owned(), value)),
         }
     }
@@ -33,10 +37,65 @@ pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String
             None => Err("a vector".to_owned()),
         };
     }
+    if !asked.is_empty() {
+        return asked
+            .into_iter()
+            .try_for_each(|(what, value)| what.is(value, formula, &given));
+    }
     // What is given first counts, whatever the formula itself gives.
     match found(formula, &mut Given::with(given)) {
         Some(Found::Holds) => Ok(()),
         other => Err(format!("{other:?}")),
+    }
+}
+
+/// What is asked of a relation.
+struct Asked {
+    what: &'static str,
+    /// Which relation of the formula, from 0.
+    relation: usize,
+}
+
+impl Asked {
+    fn of(name: &str) -> Option<Self> {
+        let what = ["left", "right", "difference", "within"]
+            .into_iter()
+            .find(|what| name.starts_with(what))?;
+        let relation = match &name[what.len()..] {
+            "" => 0,
+            digit => digit.parse::<usize>().ok()?.checked_sub(1)?,
+        };
+        Some(Self { what, relation })
+    }
+
+    fn is(&self, wanted: Value, formula: &str, given: &Given) -> Result<(), String> {
+        // What is left out in the print is left out here, too.
+        let formula = formula.replace(r"+\dots", "");
+        let formula = formula.trim_end_matches([':', ',', '.', ' ']);
+        let statements = statements(formula).map_err(|why| why.to_string())?;
+        let pair = statements
+            .iter()
+            .flat_map(|statement| statement.sides.windows(2))
+            .nth(self.relation)
+            .ok_or("no such relation")?;
+        let side = |i: usize| {
+            let side = read(formula, &pair[i], given).map_err(|why| why.to_string())?;
+            side.number().ok_or("a vector".to_owned())
+        };
+        let wanted = wanted.number().ok_or("a vector")?;
+        let found = match self.what {
+            "left" => side(0)?,
+            "right" => side(1)?,
+            _ => side(0)? - side(1)?,
+        };
+        if self.what == "within" {
+            let numbers = [found, wanted].map(|side| number(Value::Number(side)));
+            return match numbers {
+                [Some(apart), Some(most)] if apart.abs() <= most => Ok(()),
+                numbers => Err(format!("{numbers:?}")),
+            };
+        }
+        compare::same(found, wanted).map(drop)
     }
 }
 
@@ -90,6 +149,12 @@ fn what_is_given_is_put_in() {
         (r"x=3", r"2<x<4", true),
         (r"x=3", r"2<x<3", false),
         (r"x=3", r"y=x", false),
+        (r"right=2x", r"y\to x+x", true),
+        (r"right=3x", r"y\to x+x", false),
+        (r"left=y; right2=y", r"y\le x<y", true),
+        (r"difference=y", r"y+x>x", true),
+        (r"x=1/10; within=10^{-5}", r"\cos x\approx1-x^2/2", true),
+        (r"x=1/10; within=10^{-6}", r"\cos x\approx1-x^2/2", false),
     ] {
         assert_eq!(
             hold(&library, given, formula).is_ok(),
