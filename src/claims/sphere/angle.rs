@@ -37,6 +37,8 @@ pub struct Turn {
 
 /// The share of tan(θ/2) that is left at least: the motion takes a component below 1e-90 of the other for none.
 const LEAST: f64 = 1e-80;
+/// The share that is left at most where less than that was left at first.
+const MOST: f64 = 1e-40;
 
 impl Turn {
     /// A sphere with this friction λ, from slip `u0` at the angle `theta0`, after the time `elapsed` in units of
@@ -75,16 +77,28 @@ impl Turn {
             w / a
         };
         let slip = |t: f64| sphere.run(&plane, &start, t)?.slip(t);
-        let tangent = |theta: f64| libm::tan(theta.abs() / 2.0);
+        let tangent = |[x, y]: [f64; 2]| libm::tan(libm::atan2(y, x).abs() / 2.0);
+        let left = |end| tangent(end) / libm::tan(theta0.abs() / 2.0);
         let mut t = elapsed * long;
         let mut end = slip(t)?;
-        // Where next to no angle is left, the little that is left is lost in rounding: look earlier, until so soon that
-        // something else is wrong.
-        for _ in 0..50 {
-            if tangent(libm::atan2(end[1], end[0])) >= LEAST * tangent(theta0) {
-                break;
+        // Where next to no angle is left, the little that is left is lost in rounding: look earlier, but while the angle is still tiny.
+        let (mut early, mut late) = (0.0, t);
+        // Straight against the force there is no angle to lose: the slip turns round at once.
+        let most = if theta0.abs() == PI {
+            f64::INFINITY
+        } else {
+            MOST
+        };
+        while left(end) < LEAST || (t < elapsed * long && left(end) > most) {
+            if left(end) < LEAST {
+                late = t;
+            } else {
+                early = t;
             }
-            t *= 0.5;
+            t = 0.5 * (early + late);
+            if !(early < t && t < late) {
+                return Err("the angle vanishes all at once".into());
+            }
             end = slip(t)?;
         }
         let [x, y] = end;

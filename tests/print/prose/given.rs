@@ -26,7 +26,9 @@ pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String
         };
         match name {
             "" => whole = Some(value),
-            name if Asked::of(name).is_some() => asked.extend(Asked::of(name).map(|what| (what, value))),
+            name if Asked::of(name).is_some() => {
+                asked.extend(Asked::of(name).map(|what| (what, value)))
+            }
             name => given.push((name.to_owned(), value)),
         }
     }

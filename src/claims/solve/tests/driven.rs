@@ -1,7 +1,9 @@
 //! Periodic drives.
 
 use super::*;
+use crate::claims::anisotropic::simulated::Curves;
 use crate::claims::solve::{anisotropic, periodic, sinusoidal};
+use crate::paper::anisotropic::region;
 use std::f64::consts::{PI, TAU};
 
 #[test]
@@ -198,4 +200,26 @@ fn the_digits_of_a_small_drift_are_its_own() {
         assert_eq!(answer.best.drift_per_period, 0.0, "{lambda0}");
         assert!(answer.digits >= Some(11), "{lambda0} {answer:?}");
     }
+}
+
+#[test]
+fn the_note_says_where_the_printed_list_errs() {
+    let mut random = fastrand::Rng::with_seed(55);
+    let mut erring = 0;
+    for i in 0..300 {
+        let q = 1.0 + 20.0 * random.f64();
+        // Every third point lies between the curve E and C, or close below C.
+        let reach = if i % 3 == 0 { 1.0 } else { 1.3 * q };
+        let lambda0 = (0.01 + reach * random.f64()) / q;
+        let answer = anisotropic::Problem { q, lambda0 }.solve().unwrap();
+        let listed = region(lambda0, &Curves::at(q).unwrap().printed).unwrap();
+        let errs = ["I", "II", "III", "IV", "V"][listed - 1] != answer.best.region;
+        erring += usize::from(errs);
+        assert_eq!(
+            answer.note.contains("printed list"),
+            errs,
+            "q = {q}, λ₀ = {lambda0}"
+        );
+    }
+    assert!(erring > 20, "{erring}");
 }
