@@ -362,6 +362,24 @@ fn the_guesses_have_the_answers_that_are_given() {
         panic!("no late times")
     };
     assert!(y > x && (last / before - 1.0).abs() < 1e-3);
+    // So these are the answers, in the order of the list.
+    let script = include_str!("../book/theme/explorers-list.js");
+    let answers = script.split("options: ['").skip(1).map(|asked| {
+        let (options, rest) = asked.split_once("'],").unwrap();
+        let (_, right) = rest.split_once("right: ").unwrap();
+        let right: usize = right.split(',').next().unwrap().parse().unwrap();
+        options.split("', '").nth(right).unwrap()
+    });
+    assert_eq!(
+        answers.collect::<Vec<_>>(),
+        [
+            "later",
+            "can come to rest even when flicked hard",
+            "τ²",
+            "comes to rest and stays",
+            "disappear"
+        ]
+    );
 }
 
 /// Without scripts the figure that follows takes the explorer's place.
