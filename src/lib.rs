@@ -44,6 +44,8 @@ pub mod corrections;
 #[cfg(feature = "book")]
 pub mod edition;
 #[cfg(feature = "book")]
+pub mod exam;
+#[cfg(feature = "book")]
 pub mod explorers;
 #[cfg(feature = "book")]
 pub mod figures;

@@ -151,7 +151,7 @@ fn numbers_are_found_and_graded() {
 
 #[test]
 fn bad_input_says_what_is_wrong_and_writes_nothing() {
-    let cases: [(&str, &str); 20] = [
+    let cases: [(&str, &str); 21] = [
         (
             "solve constant --lambda -1 --v0 1 --theta0 1 --time 1",
             "lambda = -1 must be",
@@ -177,6 +177,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         ("solve pulse --eta 0.5 --lambda0 0.3 --json --plot", "SVG"),
         ("verify eq-999", "eq-999"),
         ("list --section 9", "9"),
+        ("exam stop-place none", "no such task"),
         ("solve turntable --rho 1 --p 0 --psi 0 --alpha 3", "--alpha"),
         ("solve turntable --A 1 --alpha 1 --psi 0 --p 3", "--p"),
         ("solve turntable --x 1 --y 0 --vx 1 --vy 0 --p 3", "--p"),
@@ -471,6 +472,7 @@ fn an_answer_that_cannot_be_written_is_a_failure() {
         "verify eq-11 --json",
         "solve sinusoidal --lambda0 0.3 --csv",
         "ensemble --rho 0.5 --p 0.3 --psi 1",
+        "exam creep",
         "completions bash",
     ] {
         let full = fs::OpenOptions::new().write(true).open("/dev/full");

@@ -54,6 +54,7 @@ const OF_THE_PAPER: &Rooms = &[
     ("paper", &["scalar", "seeded", "symbols"]),
     ("corrections", &["scalar", "seeded", "symbols"]),
     ("certified", &["numerics", "scalar"]),
+    ("exam", &["certified", "motion", "numerics"]),
     (
         "claims",
         &[
@@ -69,7 +70,7 @@ const OF_THE_PAPER: &Rooms = &[
             "symbols",
         ],
     ),
-    ("figures", &["claims", "motion"]),
+    ("figures", &["claims", "exam", "motion"]),
     (
         "breaks",
         &[
@@ -84,12 +85,12 @@ const OF_THE_PAPER: &Rooms = &[
     ),
     (
         "commands",
-        &["numerics", "claims", "figures", "cli", "edition"],
+        &["numerics", "claims", "exam", "figures", "cli", "edition"],
     ),
     (
         "edition",
         &[
-            "evidence", "claims", "ledger", "figures", "symbols", "book", "commands",
+            "evidence", "claims", "exam", "ledger", "figures", "symbols", "book", "commands",
         ],
     ),
 ];

@@ -1,6 +1,7 @@
-//! The commands of this paper's own: calculators.
+//! The commands of this paper's own: calculators, and the exam.
 
 mod ensemble;
+mod exam;
 mod plot;
 mod solve;
 
@@ -8,7 +9,7 @@ use clap::{Args, FromArgMatches};
 use trialbook::edition::Command;
 
 /// All of them.
-pub const ALL: [Command; 2] = [
+pub const ALL: [Command; 3] = [
     Command {
         command: || {
             solve::Solve::augment_args(clap::Command::new("solve"))
@@ -30,5 +31,13 @@ pub const ALL: [Command; 2] = [
                 )
         },
         run: |matches, format| ensemble::Ensemble::from_arg_matches(matches)?.run(format),
+    },
+    Command {
+        command: || {
+            exam::Exam::augment_args(clap::Command::new("exam"))
+                .about("Put the questions of an exam in dry friction, with answers that can be relied on")
+                .after_help("Example:\n  slipbook exam --json > exam.json\n  slipbook exam stop-place rest-fraction")
+        },
+        run: |matches, format| exam::Exam::from_arg_matches(matches)?.run(format),
     },
 ];

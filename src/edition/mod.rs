@@ -1,5 +1,6 @@
 //! What this paper's book and command have of their own; [`trialbook::book`] and [`trialbook::cli`] bring the rest.
 
+mod exam;
 mod explorer;
 mod pages;
 mod physics;
@@ -48,6 +49,30 @@ pub static EDITION: Edition = Edition {
         Placeholder {
             name: "physics",
             fill: |_| physics::table_of(),
+        },
+        Placeholder {
+            name: "exam",
+            fill: |_| exam::table_of(),
+        },
+        Placeholder {
+            name: "exam-errors",
+            fill: |_| exam::errors(),
+        },
+        Placeholder {
+            name: "exam-runs",
+            fill: |_| exam::runs(),
+        },
+        Placeholder {
+            name: "exam-promises",
+            fill: |_| exam::promises(),
+        },
+        Placeholder {
+            name: "exam-sat-on",
+            fill: |_| exam::sat_on(),
+        },
+        Placeholder {
+            name: "published",
+            fill: |_| exam::published(),
         },
         Placeholder {
             name: "speed",

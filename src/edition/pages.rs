@@ -52,4 +52,5 @@ written!(
     own "Your own paper",
     json "Answers as JSON",
     speed "How fast",
+    exam "An exam in dry friction",
 );

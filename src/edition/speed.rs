@@ -42,7 +42,7 @@ fn read(text: &str) -> Result<Results, Failure> {
 }
 
 /// Microseconds in the unit that reads best, three digits.
-fn time(microseconds: f64) -> String {
+pub(super) fn time(microseconds: f64) -> String {
     let (value, unit) = match microseconds {
         t if t >= 1e6 => (t / 1e6, "s"),
         t if t >= 1e3 => (t / 1e3, "ms"),

@@ -4,6 +4,7 @@ mod anisotropic;
 mod constant;
 mod digits;
 mod escape;
+mod exam;
 mod periodic;
 mod rest;
 mod sinusoidal;
@@ -54,6 +55,7 @@ pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
         escape::figures,
         rest::figures,
         digits::figures,
+        exam::figures,
     ];
     let made: Result<Vec<_>, _> = topics.into_par_iter().map(|figures| figures()).collect();
     Ok(made?.into_iter().flatten().collect())

@@ -10,6 +10,7 @@ pub mod constant;
 pub mod digits;
 pub mod drift;
 pub mod escape;
+pub mod exam;
 pub mod periodic;
 pub mod rest;
 pub mod sinusoidal;

@@ -25,6 +25,7 @@ pub mod onset;
 pub mod particle;
 pub mod signal;
 pub mod sphere;
+pub mod spring;
 pub mod trajectory;
 pub mod turntable;
 

@@ -24,7 +24,7 @@ fn text() -> impl Strategy<Value = String> {
 
 /// A word of the command line: one of its own, or any.
 fn word() -> impl Strategy<Value = String> {
-    let words = "verify show list errata find solve ensemble completions constant sinusoidal pulse anisotropic sphere \
+    let words = "verify show list errata find solve ensemble exam completions constant sinusoidal pulse anisotropic sphere \
                  turntable turntable-boundary --out --json --csv --jobs --verdict --section --format --lambda --v0 --theta0 \
                  --time --theta --plot --rho --p --psi --far --late --help bash 4 eq-13 refuted 1 -1 0:1:3 --";
     let words: Vec<_> = words.split(' ').map(str::to_owned).collect();

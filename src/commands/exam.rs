@@ -1,0 +1,130 @@
+//! `exam`: the tasks of the exam in dry friction with their answers, for the engines of others.
+
+use crate::exam::{Answer, Basis, Sat, TASKS, Task};
+use crate::numerics::error::plain as number;
+use clap::Args;
+use serde_json::{Map, Value, json as object};
+use trialbook::cli::{VERSION, csv, json, say};
+use trialbook::edition::{Failure, Format};
+
+/// Which tasks.
+#[derive(Debug, Args)]
+pub(super) struct Exam {
+    /// Names of tasks; all if none is given
+    #[arg(value_name = "TASK", value_parser = task)]
+    tasks: Vec<&'static Task>,
+}
+
+fn task(name: &str) -> Result<&'static Task, String> {
+    let names: Vec<_> = TASKS.iter().map(|task| task.id).collect();
+    let found = TASKS.iter().find(|task| task.id == name);
+    found.ok_or_else(|| format!("no such task; there are {}", names.join(", ")))
+}
+
+impl Exam {
+    pub(super) fn run(&self, format: Format) -> Result<u8, Failure> {
+        let wanted = match &self.tasks[..] {
+            [] => TASKS.iter().collect(),
+            some => some.to_vec(),
+        };
+        let sat: Result<Vec<_>, Failure> = wanted
+            .into_iter()
+            .map(|task| Ok((task, task.sit()?)))
+            .collect();
+        let sat = sat?;
+        match format {
+            Format::Text => {
+                let parts: Vec<_> = sat.iter().map(|(task, sat)| text(task, sat)).collect();
+                say(&parts.join("\n\n"))?;
+            }
+            Format::Json => {
+                let tasks: Vec<_> = sat.iter().map(|(task, sat)| value(task, sat)).collect();
+                json(&object!({ "version": VERSION, "tasks": tasks }))?;
+            }
+            Format::Csv => {
+                let head = [
+                    "task",
+                    "given",
+                    "question",
+                    "answer",
+                    "error",
+                    "basis",
+                    "by_motion",
+                ];
+                csv(&head, sat.iter().map(|(task, sat)| row(task, sat)))?;
+            }
+        }
+        Ok(0)
+    }
+}
+
+fn basis(basis: Basis) -> &'static str {
+    match basis {
+        Basis::Certified => "certified",
+        Basis::Integrated => "integrated",
+    }
+}
+
+/// The numbers of the set-up.
+fn given(task: &Task) -> String {
+    let given: Vec<_> = task
+        .given
+        .iter()
+        .map(|(name, x)| format!("{name} = {}", number(*x)))
+        .collect();
+    given.join(", ")
+}
+
+fn error(sat: &Sat) -> String {
+    sat.error
+        .map_or(String::new(), |error| format!("{error:.1e}"))
+}
+
+fn text(task: &Task, sat: &Sat) -> String {
+    let within = match sat.error {
+        Some(error) => format!(" within {error:.1e}"),
+        None => String::new(),
+    };
+    format!(
+        "{}\n{}\n{}\n  {}   ({}{within})",
+        task.id,
+        task.setup,
+        task.question,
+        sat.text(),
+        basis(sat.basis)
+    )
+}
+
+fn value(task: &Task, sat: &Sat) -> Value {
+    let given: Map<_, _> = task
+        .given
+        .iter()
+        .map(|(name, x)| ((*name).to_owned(), object!(x)))
+        .collect();
+    object!({
+        "task": task.id,
+        "setup": task.setup,
+        "given": given,
+        "question": task.question,
+        "answer": sat.answer,
+        "error": sat.error,
+        "basis": sat.basis,
+        "by_motion": sat.motion,
+    })
+}
+
+fn row(task: &Task, sat: &Sat) -> Vec<String> {
+    let answer = |answer: &Answer| match answer {
+        Answer::Number(x) => number(*x),
+        Answer::Order(order) => order.clone(),
+    };
+    vec![
+        task.id.to_owned(),
+        given(task),
+        task.question.to_owned(),
+        answer(&sat.answer),
+        error(sat),
+        basis(sat.basis).to_owned(),
+        answer(&sat.motion),
+    ]
+}

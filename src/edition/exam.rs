@@ -1,0 +1,191 @@
+//! The tables of the page on the exam.
+
+use crate::exam::published::{CASES, Standing};
+use crate::exam::results::{self, Mark};
+use crate::exam::{Answer, Basis, TASKS};
+use trialbook::book::{escape, table};
+use trialbook::edition::{Failure, Filled};
+
+/// Every task with its answer.
+pub(super) fn table_of() -> Result<Filled, Failure> {
+    let rows: Result<Vec<_>, Failure> = TASKS
+        .iter()
+        .map(|task| {
+            let sat = task.sit()?;
+            let error = match (sat.error, sat.basis) {
+                (Some(0.0), _) => "exact".to_owned(),
+                (Some(error), Basis::Certified) => format!("certainly below {error:.0e}"),
+                (Some(error), Basis::Integrated) => format!("about {error:.0e}"),
+                (None, _) => "two integrators agree".to_owned(),
+            };
+            Ok([
+                format!("<code>{}</code>", task.id),
+                format!(
+                    "{}<br><strong>{}</strong>",
+                    escape(task.setup),
+                    escape(task.question)
+                ),
+                escape(&sat.text()),
+                error,
+            ])
+        })
+        .collect();
+    let head = ["Task", "Set-up and question", "Answer", "Error"];
+    Ok(Filled::Block(table("exam", head, rows?)))
+}
+
+/// A number with one digit, as `3e-5`; 0 as it is.
+fn digit(x: f64) -> String {
+    match x {
+        0.0 => "0".to_owned(),
+        x => format!("{x:.0e}"),
+    }
+}
+
+/// The smallest error that each candidate keeps on each task, and ours.
+pub(super) fn errors() -> Result<Filled, Failure> {
+    let tasks = results::tasks()?;
+    let mut head = vec!["Candidate".to_owned(), "Settings".to_owned()];
+    head.extend(tasks.iter().map(|(task, _)| format!("<code>{task}</code>")));
+    let mut rows = Vec::new();
+    let mut own = vec![
+        "<strong>ours</strong>".to_owned(),
+        "from event to event".to_owned(),
+    ];
+    for (task, _) in &tasks {
+        own.push(digit(our_error(task)?));
+    }
+    rows.push(own);
+    for candidate in results::candidates()? {
+        let mut row = vec![escape(&candidate.name), escape(&candidate.settings)];
+        for (task, _) in &tasks {
+            let marks = candidate.marks(task)?;
+            let best = results::kept(&marks).map(|mark| mark.error);
+            row.push(best.map_or(String::new(), digit));
+        }
+        rows.push(row);
+    }
+    Ok(Filled::Block(wide(&head, &rows)))
+}
+
+/// A table with as many columns as there are tasks.
+fn wide(head: &[String], rows: &[Vec<String>]) -> String {
+    let cells = |tag: &str, cells: &[String]| -> String {
+        let each = cells.iter().map(|cell| format!("<{tag}>{cell}</{tag}>"));
+        format!("<tr>{}</tr>", each.collect::<String>())
+    };
+    let body: String = rows.iter().map(|row| cells("td", row)).collect();
+    format!(
+        "<div class=\"table-wrapper exam\"><table><thead>{}</thead><tbody>{body}</tbody></table></div>\n",
+        cells("th scope=\"col\"", head).replace("</th scope=\"col\">", "</th>")
+    )
+}
+
+/// How far our motion is from the answer.
+fn our_error(id: &str) -> Result<f64, Failure> {
+    let task = TASKS
+        .iter()
+        .find(|task| task.id == id)
+        .ok_or("no such task")?;
+    Ok(task.sit()?.deviation().ok_or("no number")?)
+}
+
+/// Every candidate on every task: error, order and cost where the error is smallest and keeps so.
+pub(super) fn runs() -> Result<Filled, Failure> {
+    let ours = results::ours()?;
+    let mut rows = Vec::new();
+    for (task, lasts) in results::tasks()? {
+        let name = format!("<code>{task}</code>");
+        let seconds = ours.seconds.get(task).ok_or("a task that was not timed")?;
+        let cost = super::speed::time(1e6 * seconds / lasts);
+        let ours = ["<strong>ours</strong>", "from event to event", ""].map(str::to_owned);
+        let [who, how, none] = ours;
+        rows.push([
+            name.clone(),
+            who,
+            how,
+            none.clone(),
+            digit(our_error(task)?),
+            none,
+            cost,
+        ]);
+        for candidate in results::candidates()? {
+            let marks = candidate.marks(task)?;
+            let Some(Mark { knob, error, cost }) = results::kept(&marks) else {
+                continue;
+            };
+            let order =
+                results::order(&marks).map_or("none".to_owned(), |order| format!("{order:.1}"));
+            rows.push([
+                name.clone(),
+                escape(&candidate.name),
+                escape(&candidate.settings),
+                format!("{} {}", escape(&candidate.knob), digit(knob)),
+                digit(error),
+                order,
+                super::speed::time(1e6 * cost),
+            ]);
+        }
+    }
+    let head = [
+        "Task",
+        "Candidate",
+        "Settings",
+        "Down to",
+        "Error",
+        "Order",
+        "Cost of a unit of time",
+    ];
+    Ok(Filled::Block(table("exam", head, rows)))
+}
+
+/// What each candidate promises.
+pub(super) fn promises() -> Result<Filled, Failure> {
+    let mut rows: Vec<[String; 3]> = Vec::new();
+    for candidate in results::candidates()? {
+        let row =
+            [&candidate.name, &candidate.version, &candidate.promises].map(|cell| escape(cell));
+        if rows.last() != Some(&row) {
+            rows.push(row);
+        }
+    }
+    let head = ["Candidate", "Version", "What it promises, in our words"];
+    Ok(Filled::Block(table("exam", head, rows)))
+}
+
+/// When and on what.
+pub(super) fn sat_on() -> Result<Filled, Failure> {
+    Ok(Filled::Inline(escape(
+        &results::circumstances()?.join("; "),
+    )))
+}
+
+/// The numbers of others beside ours.
+pub(super) fn published() -> Result<Filled, Failure> {
+    let rows: Result<Vec<_>, Failure> = CASES
+        .iter()
+        .map(|case| {
+            let ours = case.ours()?;
+            let standing = match case.standing()? {
+                Standing::Agrees => "agrees".to_owned(),
+                Standing::Rounded => format!("rounded: {}", escape(case.why)),
+                Standing::Wrong => format!("<strong>wrong</strong>: {}", escape(case.why)),
+            };
+            Ok([
+                escape(case.source.title),
+                escape(case.source.read),
+                escape(case.asked),
+                format!("{} {}", escape(&case.printed.to_string()), case.unit),
+                format!("{} {}", Answer::Number(rounded(ours)), case.unit),
+                standing,
+            ])
+        })
+        .collect();
+    let head = ["Source", "Read", "What", "Published", "Ours", "Verdict"];
+    Ok(Filled::Block(table("exam", head, rows?)))
+}
+
+/// A number with eleven digits, as many as our motions promise.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.10e}").parse().unwrap_or(x)
+}
