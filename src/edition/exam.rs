@@ -68,6 +68,40 @@ pub(super) fn errors() -> Result<Filled, Failure> {
     Ok(Filled::Block(wide(&head, &rows)))
 }
 
+/// The accuracy at which costs are compared: what most candidates reach.
+const EQUAL: f64 = 1e-3;
+
+/// What a unit of time costs each candidate where it is within [`EQUAL`] of the answer, and ours.
+pub(super) fn costs() -> Result<Filled, Failure> {
+    let tasks = results::tasks()?;
+    let seconds = results::ours()?.seconds;
+    let mut head = vec!["Candidate".to_owned(), "Settings".to_owned()];
+    head.extend(tasks.iter().map(|(task, _)| format!("<code>{task}</code>")));
+    let mut own = vec![
+        "<strong>ours</strong>".to_owned(),
+        "from event to event".to_owned(),
+    ];
+    for (task, lasts) in &tasks {
+        let seconds = seconds.get(*task).ok_or("a task that was not timed")?;
+        own.push(super::speed::time(1e6 * seconds / lasts));
+    }
+    let mut rows = vec![own];
+    for candidate in results::candidates()? {
+        let mut row = vec![escape(&candidate.name), escape(&candidate.settings)];
+        for (task, _) in &tasks {
+            let cost = results::cost_within(&candidate.marks(task)?, EQUAL);
+            row.push(cost.map_or(String::new(), |cost| super::speed::time(1e6 * cost)));
+        }
+        rows.push(row);
+    }
+    Ok(Filled::Block(wide(&head, &rows)))
+}
+
+/// The accuracy of [`costs`].
+pub(super) fn equal() -> Result<Filled, Failure> {
+    Ok(Filled::Inline(digit(EQUAL)))
+}
+
 /// A table with as many columns as there are tasks.
 fn wide(head: &[String], rows: &[Vec<String>]) -> String {
     let cells = |tag: &str, cells: &[String]| -> String {
@@ -75,9 +109,9 @@ fn wide(head: &[String], rows: &[Vec<String>]) -> String {
         format!("<tr>{}</tr>", each.collect::<String>())
     };
     let body: String = rows.iter().map(|row| cells("td", row)).collect();
+    let head = cells("th", head).replace("<th>", "<th scope=\"col\">");
     format!(
-        "<div class=\"table-wrapper exam\"><table><thead>{}</thead><tbody>{body}</tbody></table></div>\n",
-        cells("th scope=\"col\"", head).replace("</th scope=\"col\">", "</th>")
+        "<div class=\"table-wrapper exam\"><table><thead>{head}</thead><tbody>{body}</tbody></table></div>\n"
     )
 }
 

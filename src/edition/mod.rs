@@ -59,6 +59,14 @@ pub static EDITION: Edition = Edition {
             fill: |_| exam::errors(),
         },
         Placeholder {
+            name: "exam-costs",
+            fill: |_| exam::costs(),
+        },
+        Placeholder {
+            name: "exam-equal",
+            fill: |_| exam::equal(),
+        },
+        Placeholder {
             name: "exam-runs",
             fill: |_| exam::runs(),
         },

@@ -203,6 +203,14 @@ pub fn kept(marks: &[Mark]) -> Option<Mark> {
     best.or(marks.first().copied())
 }
 
+/// What it costs to be within `error`: the cheapest run that is, together with the next finer one if there is one; nothing
+/// where none is.
+pub fn cost_within(marks: &[Mark], error: f64) -> Option<f64> {
+    let within = |n: usize| marks.get(n).is_none_or(|mark| mark.error <= error);
+    let fit = (0..marks.len()).filter(|n| within(*n) && within(n + 1));
+    fit.map(|n| marks[n].cost).min_by(f64::total_cmp)
+}
+
 /// The order at which errors fall: the median of the last three slopes of their logarithm over that of the knob; nothing
 /// where they do not fall, or are at rounding.
 pub fn order(marks: &[Mark]) -> Option<f64> {
@@ -280,6 +288,9 @@ mod tests {
         assert_eq!((best.error, best.cost), (0.1, 0.1));
         assert_eq!(kept(&marks[..1]).unwrap().error, 0.4);
         assert_eq!(kept(&[]), None);
+        assert_eq!(cost_within(&marks, 0.2), Some(1e-9));
+        assert_eq!(cost_within(&marks, 1e-8), None);
+        assert_eq!(cost_within(&marks[..2], 0.3), Some(0.2));
     }
 
     #[test]

@@ -33,23 +33,23 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["task", "candidate", "cost", "error"]);
     let mut plot = Plot::new("exam", "What an answer costs")
         .caption(
-            "The error of the answer against the processor time for a unit of time in the motion, both logarithmic; each candidate with \
-             ever smaller steps, tolerances or velocity scales from left to right, tuned where it was. The black square is our motion, which goes \
-             from event to event. Errors below $10^{-16}$ are drawn there.",
+            "The error of the answer against the processor time, in seconds, for a unit of time in the motion. Each candidate with ever \
+             other steps, tolerances or velocity scales, tuned where it was; the black square is our motion, which goes from event to event. \
+             An error within rounding is drawn at $10^{-16}$.",
         )
         .alt(
-            "Panels with the cost to the right and the error upwards. The lines of the engines fall slowly or become level; those of the \
-             solvers with events fall steeply to rounding; the square of our motion lies at the lower left.",
+            "A panel for each task, with logarithmic axes: cost and error. Each candidate is a line that begins at its coarsest run. The lines of the \
+             engines end far from rounding, those of the solvers with events at it, where the square of our motion is, too.",
         );
     for sat in tasks {
-        let mut panel = Panel::new(Axis::log("'cost, s'"), Axis::log("'error'")).title(sat.task);
+        let mut panel = Panel::new(Axis::log("'cost'"), Axis::log("'error'")).title(sat.task);
         for (n, runs) in sat.runs.iter().enumerate() {
             for [cost, error] in &runs.points {
                 let cells = [
                     sat.task.into(),
                     runs.name.as_str().into(),
                     (*cost).into(),
-                    (*error).into(),
+                    error.max(ROUNDING).into(),
                 ];
                 table.row(cells)?;
             }
@@ -60,7 +60,12 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
             panel = panel.curve(Curve::new(points).series(n).key(runs.name.as_str()));
         }
         let [cost, error] = sat.ours;
-        table.row([sat.task.into(), "ours".into(), cost.into(), error.into()])?;
+        table.row([
+            sat.task.into(),
+            "ours".into(),
+            cost.into(),
+            error.max(ROUNDING).into(),
+        ])?;
         let own = Points::new([[cost, error.max(ROUNDING)]])
             .ink()
             .marker(Marker::Square);

@@ -98,12 +98,13 @@ impl Spring {
                 released = way;
                 continue;
             }
+            let smooth = released.is_some();
             let sign = match released.take() {
                 Some(sign) => sign,
                 None if state.v == 0.0 => net.signum(),
                 None => state.v.signum(),
             };
-            let (after, turned) = self.slide(&series, state, sign, left)?;
+            let (after, turned) = self.slide(&series, state, (sign, smooth), left)?;
             state = if after.t + left * f64::EPSILON >= horizon && !turned {
                 State {
                     t: horizon,
@@ -164,12 +165,12 @@ impl Spring {
         })
     }
 
-    /// Slides in the direction `sign` for at most `left`, or until the velocity is zero.
+    /// Slides in the direction `sign` for at most `left`, or until the velocity is zero; `smooth` if it begins without a force.
     fn slide(
         &self,
         pull: &Coefficients,
         state: State,
-        sign: f64,
+        (sign, smooth): (f64, bool),
         left: f64,
     ) -> Result<(State, bool), MotionError> {
         let stiffness = self.frequency * self.frequency;
@@ -179,7 +180,7 @@ impl Spring {
             let friction = if k == 0 { sign * self.friction } else { 0.0 };
             v[k + 1] = (pull[k] - stiffness * x[k] - friction) / (k + 1) as f64;
             // Let go when the pull has just outgrown friction, it begins without a force.
-            if k == 0 && state.v == 0.0 && v[1].abs() <= HELD * self.friction {
+            if k == 0 && smooth {
                 v[1] = 0.0;
             }
             x[k + 1] = v[k] / (k + 1) as f64;

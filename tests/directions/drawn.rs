@@ -5,6 +5,8 @@ use std::f64::consts::PI;
 
 /// What the words at an axis call the columns of the numbers.
 const AXES: &[(&str, &[&str])] = &[
+    ("cost", &["cost"]),
+    ("error", &["error"]),
     ("digits claimed", &["claimed"]),
     ("digits true", &["true"]),
     ("ϕ", &["phi (rad)"]),

@@ -303,7 +303,8 @@ pub static CASES: [Case; 34] = [
         "a ball of 27 in around, radius of gyration 3.28 in, 20 ft/s, μ = 0.2: way until it rolls",
         Decimal("18.6566"),
         "ft",
-        gyration
+        gyration,
+        "the last digit is cut off instead of rounded"
     ),
     case!(
         JISKHA_BALL,
