@@ -13,9 +13,10 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
         .map(|task| {
             let sat = task.sit()?;
             let error = match (sat.error, sat.basis) {
-                (Some(0.0), _) => "exact".to_owned(),
-                (Some(error), Basis::Certified) => format!("certainly below {error:.0e}"),
-                (Some(error), Basis::Integrated) => format!("about {error:.0e}"),
+                // Of a fraction, the enclosure is as narrow as one asks for.
+                (Some(error), _) if error < 1e-20 => "exact".to_owned(),
+                (Some(error), Basis::Certified) => format!("certainly below {}", digit(error)),
+                (Some(error), Basis::Integrated) => format!("about {}", digit(error)),
                 (None, _) => "two integrators agree".to_owned(),
             };
             Ok([
@@ -34,11 +35,12 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
     Ok(Filled::Block(table("exam", head, rows?)))
 }
 
-/// A number with one digit, as `3e-5`; 0 as it is.
+/// A number with one digit, as `3e‑5`; 0 as it is.
 fn digit(x: f64) -> String {
     match x {
         0.0 => "0".to_owned(),
-        x => format!("{x:.0e}"),
+        // Not torn at the end of a line.
+        x => format!("{x:.0e}").replace('-', "\u{2011}"),
     }
 }
 

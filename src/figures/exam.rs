@@ -16,7 +16,7 @@ pub struct Runs {
 pub struct Sat {
     /// The task's name.
     pub task: &'static str,
-    /// The candidates.
+    /// The candidates, the same for all tasks; without points for one that did not sit.
     pub runs: Vec<Runs>,
     /// Our cost and error.
     pub ours: [f64; 2],
@@ -43,7 +43,13 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
         );
     for sat in tasks {
         let mut panel = Panel::new(Axis::log("'cost'"), Axis::log("'error'")).title(sat.task);
-        for (n, runs) in sat.runs.iter().enumerate() {
+        // Whoever did not sit leaves its colour unused, so that one has the same in all panels.
+        let sitting = sat
+            .runs
+            .iter()
+            .enumerate()
+            .filter(|(_, runs)| !runs.points.is_empty());
+        for (n, runs) in sitting {
             for [cost, error] in &runs.points {
                 let cells = [
                     sat.task.into(),
@@ -57,7 +63,7 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
                 .points
                 .iter()
                 .map(|[cost, error]| [*cost, error.max(ROUNDING)]);
-            panel = panel.curve(Curve::new(points).series(n).key(runs.name.as_str()));
+            panel = panel.curve(Curve::new(points).series(n).key(format!("'{}'", runs.name)));
         }
         let [cost, error] = sat.ours;
         table.row([
@@ -69,7 +75,7 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
         let own = Points::new([[cost, error.max(ROUNDING)]])
             .ink()
             .marker(Marker::Square);
-        plot = plot.panel(panel.points(own.key("ours")));
+        plot = plot.panel(panel.points(own.key("'ours'")));
     }
     plot.figure(table)
 }

@@ -40,10 +40,8 @@ fn sat() -> Result<Vec<Sat>, ResultsError> {
                 .iter()
                 .map(|mark| [mark.cost, mark.error])
                 .collect();
-            if !points.is_empty() {
-                let name = candidate.name.clone();
-                runs.push(Runs { name, points });
-            }
+            let name = candidate.name.clone();
+            runs.push(Runs { name, points });
         }
         let known = TASKS.iter().find(|known| known.id == task);
         let known = known.ok_or_else(|| ResultsError::Task(task.to_owned()))?;
