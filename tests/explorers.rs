@@ -2,7 +2,9 @@
 //! found elsewhere.
 
 use slipbook::claims::anisotropic::simulated::Curves;
-use slipbook::explorers::{Answer, anisotropic, answer, constant, periodic, sphere, turntable};
+use slipbook::explorers::{
+    Answer, anisotropic, answer, constant, periodic, plane, sphere, turntable,
+};
 use slipbook::motion::drive::Sign;
 use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use slipbook::paper;
@@ -43,7 +45,7 @@ impl Page {
 #[test]
 fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
     let mut page = Page::open();
-    let questions: [(u32, &[[f64; 4]]); 13] = [
+    let questions: [(u32, &[[f64; 4]]); 14] = [
         (
             0,
             &[
@@ -88,6 +90,14 @@ fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
         (10, &[[0.8, 0.0, 0.0, 0.0], [1.1, 0.0, 0.0, 0.0]]),
         (11, &[[1.5, 0.08, 1.0, 0.0], [0.0, 0.45, -2.0, 0.0]]),
         (12, &[[1.5, 0.3, 1.0, 0.0]]),
+        (
+            13,
+            &[
+                [0.3, 0.5, 1.0, 0.0],
+                [0.7, -2.0, 2.0, 0.0],
+                [0.3, 0.5, 0.0, 0.0],
+            ],
+        ),
     ];
     for (number, arguments) in questions {
         for given in arguments {
@@ -121,7 +131,9 @@ fn what_has_no_answer_is_an_empty_list_in_the_module_and_a_named_error_in_the_cr
         (11, [f64::NAN, 0.5, 0.0, 0.0], "h"),
         (11, [1.0, -0.5, 0.0, 0.0], "lambda_plus"),
         (12, [1.0, 0.5, f64::NAN, 0.0], "phi"),
-        (13, [0.0; 4], "question 13"),
+        (13, [-1.0, 0.5, 1.0, 0.0], "lambda"),
+        (13, [0.3, 0.5, -1.0, 0.0], "ln_w_y"),
+        (14, [0.0; 4], "question 14"),
     ] {
         let error = answer(number, given).unwrap_err().to_string();
         assert!(error.contains(named), "{number} {given:?}: {error}");
@@ -319,6 +331,37 @@ fn films_show_the_motions_at_equal_times() {
         assert!((gone - mean).abs() < 2.0 * step * step);
     }
 
+    // Nothing across: the same tray. With friction above λ_c what slides across stops; below it, its logarithm grows with each
+    // turning, and faster than that of an exponential.
+    let film = plane::film(0.45, 1.5, 0.0).unwrap();
+    for k in 0..2 {
+        for (found, expected) in film.curves[k].iter().zip(&sine.curves[k]) {
+            assert!((found[0] - expected[0]).abs() < 1e-9 && (found[1] - expected[1]).abs() < 1e-9);
+        }
+    }
+    assert!(
+        film.curves[2]
+            .iter()
+            .all(|[y, depth]| *y == 0.0 && *depth == 1e3)
+    );
+    let stops = plane::film(0.7, 0.5, 1.0).unwrap();
+    assert!(stops.values[1] > 0.0 && last(&stops.curves[2])[1] == 1e3);
+    let falls = plane::film(0.3, 0.5, 1.0).unwrap();
+    assert_eq!(falls.values[1], -1.0);
+    let depths: Vec<f64> = falls.curves[2].iter().map(|point| point[1]).collect();
+    let period = end / 4;
+    assert!(depths.windows(2).all(|two| two[1] >= two[0]));
+    assert!(depths[2 * period] - depths[period] > 2.0 * (depths[period] - depths[0]));
+    // The displacement across is the integral of the velocity.
+    for i in 1..end {
+        let [before, after] = [falls.curves[2][i - 1][0], falls.curves[2][i + 1][0]];
+        let speed = (-depths[i]).exp();
+        assert!(
+            ((after - before) / (2.0 * falls.values[0]) - speed).abs() < 3e-3,
+            "{i}"
+        );
+    }
+
     // Where the ball rolls, its centre advances by what it has turned.
     let film = sphere::film(1.2, 0.4, [0.0, 0.0]).unwrap();
     for ([_, centre], [turned, slip]) in film.curves[0].iter().zip(&film.curves[1]) {
@@ -341,10 +384,10 @@ fn the_guesses_have_the_answers_that_are_given() {
     // Straight across the pull at λ = 2: a third later than the 1/2 on a table at rest.
     let stop = constant::motion(2.0, 90.0).unwrap().values[1];
     assert!((stop / 0.5 - 4.0 / 3.0).abs() < 1e-12);
-    // Friction a little stronger than the drive: rest, for ever.
-    let shaken = anisotropic::motion(1.0, 1.01, 1.5).unwrap();
-    assert_eq!(shaken.values[3], 1.0);
-    assert_eq!(shaken.curves[0].last().unwrap()[1], 0.0);
+    // Across the stroke: the logarithm falls faster from period to period, so that no straight line is below it for ever.
+    let depths = plane::film(0.3, 0.5, 1.0).unwrap().curves[2].clone();
+    let depth = |period: usize| depths[period * (depths.len() - 1) / 4][1];
+    assert!(depth(2) - depth(1) > 2.0 * (depth(1) - depth(0)) && depth(3) > 2.0 * depth(2));
     // A sine with its third harmonic: as friction grows, rests come, go, and come again.
     let rests = |lambda: f64| {
         let values = periodic::motion(1.5, lambda, 1.0).unwrap().values;

@@ -9,6 +9,8 @@ window.slipbookExplorers = (() => {
     const pair = (x, y) => `(${fixed(x)}, ${fixed(y)})`;
     const column = (points, k) => points.filter((_, i) => i % 2 === k);
     const { at } = SlipbookStage;
+    // The end of an axis that begins at 0.
+    const nice = size => [0.5, 1, 1.5, 2, 3, 5, 7, 10, 20, 50, 100, 200].find(n => n >= size) || 500;
     const scenes = slipbookScenes;
     // The speed below which a particle at the distance ρ comes to rest, by the paper's border; 0 beyond it.
     const border = (printed, rho) => {
@@ -17,6 +19,13 @@ window.slipbookExplorers = (() => {
             if ((a - rho) * (b - rho) <= 0 && a !== b) return p + (r - p) * (rho - a) / (b - a);
         }
         return 0;
+    };
+    // What lies between the paper's border C and the motion's, where C is the higher one.
+    const wedge = (printed, found) => {
+        const from = found.findIndex((_, i) => i % 2 === 0 && found[i] > 4.6);
+        const back = i => [printed[i], printed[i + 1]];
+        const upper = Array.from({ length: printed.length / 2 }, (_, i) => back(printed.length - 2 - 2 * i)).filter(([q]) => q > 4.6);
+        return from < 0 ? [] : [...found.slice(from), ...upper.flat()];
     };
     const circle = radius => Array.from({ length: 122 }, (_, i) => radius * (i % 2 ? Math.sin : Math.cos)(Math.floor(i / 2) * Math.PI / 30));
     const FATES = {
@@ -55,6 +64,7 @@ window.slipbookExplorers = (() => {
                 options: ['earlier than on a table at rest', 'at the same time', 'later'],
                 right: 2,
                 says: 'Friction turns with the velocity, and part of it works against the pull: a third later.',
+                at: { lambda: 2, theta: 90 },
             },
             hint: 'Choose the friction and the direction; drag the circle, or focus it and use the arrow keys.',
             inputs: {
@@ -78,7 +88,7 @@ window.slipbookExplorers = (() => {
                 x: { label: 'launch angle, either way', range: [0, 180], ticks: [0, 45, 90, 135, 180].map(t => [t, `${t}°`]) },
                 y: { label: 'AT/v_0' }, height: 234,
             }],
-            film: ({ lambda, theta }, ask) => scenes.constant(ask(7, lambda, theta)),
+            film: ({ lambda, theta }, ask, { narrow }) => scenes.constant(ask(7, lambda, theta), narrow),
             now: ({ lambda, theta }, ask) => {
                 const { curves: [places, velocities] } = ask(7, lambda, theta);
                 return [i => at(velocities, i), i => at(places, i)];
@@ -116,7 +126,7 @@ window.slipbookExplorers = (() => {
             inputs: {
                 q: { label: 'ratio q', range: [1, 7], step: 0.02, start: 2 },
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.45 },
-                w: { label: 'velocity at φ = 0', range: [-2, 2], step: 0.05, start: 1.5 },
+                w: { label: 'velocity at start', range: [-2, 2], step: 0.05, start: 1.5 },
             },
             plots: set => [{
                 title: 'regions, by the motion itself', label: 'The map of the regions I to V, with the chosen point.',
@@ -133,12 +143,12 @@ window.slipbookExplorers = (() => {
                 title: 'one period: + forth, − back, 0 rest', label: 'One period of the periodic motion, with its intervals.',
                 x: { label: 'φ since the first start' }, y: { label: '𝔴' }, height: 240,
             }],
-            film: ({ q, lambda, w }, ask) => scenes.tray(ask(8, q, lambda, w), q > 1),
+            film: ({ q, lambda, w }, ask, { narrow }) => scenes.tray(ask(8, q, lambda, w), narrow, q > 1),
             now: ({ q, lambda, w }, ask) => {
                 const { values: [step], curves: [, velocities] } = ask(8, q, lambda, w);
                 return [null, i => [i * step, at(velocities, i)[1]]];
             },
-            show({ q, lambda, w }, ask, printed) {
+            show({ q, lambda, w }, ask, { printed }) {
                 const { values: [region, mean, largest, rest, count, ...list], curves: [shown, periodic] } = ask(2, q, lambda, w);
                 const borders = ask.later(3, 7).curves;
                 const intervals = Array.from({ length: count }, (_, i) => list.slice(3 * i, 3 * i + 3));
@@ -156,8 +166,9 @@ window.slipbookExplorers = (() => {
                 return {
                     draw: [{
                         marks: [...areas, ...borders.map(points => ({ points })),
+                            { points: wedge(printed, borders[1] || []), fill: 0.7 },
                             { points: printed, dash: true },
-                            { points: [5.6, 0.265], text: 'C, as printed' },
+                            { points: [5.2, 0.29], text: 'black: II in the paper' },
                             ...[[1.3, 0.13, 1], [2.1, 0.31, 2], [1.25, 0.6, 3], [4, 0.6, 4], [4, 1.08, 5]]
                                 .map(([x, y, n]) => ({ points: [x, y], text: REGIONS[n] }))],
                         hand: [q, lambda],
@@ -186,12 +197,13 @@ window.slipbookExplorers = (() => {
                 options: ['always flies off', 'can come to rest even when flicked hard', 'comes to rest only if flicked very gently'],
                 right: 1,
                 says: 'Seen from the laboratory it then hardly moves, and the record drags it along.',
+                at: { rho: 0.5, u: 0, v: -1.2 },
             },
-            hint: 'Drag the velocity in the first plot and the start in the second, or focus a circle and use the arrow keys.',
+            hint: 'Drag the coin or the tip of its velocity on the table, and let go; or focus a circle and use the arrow keys. The small dashed circle is the paper’s border, (147).',
             inputs: {
-                rho: { label: 'distance ρ from the axis', range: [0, 1.6], step: 0.01, start: 0.8 },
+                rho: { label: 'distance ρ', range: [0, 1.6], step: 0.01, start: 0.8 },
                 u: { label: 'velocity outwards', range: [-2, 2], step: 0.01, start: -0.6 },
-                v: { label: 'velocity along the turning', range: [-2.5, 1.5], step: 0.01, start: 0.4 },
+                v: { label: 'along the turning', range: [-2.5, 1.5], step: 0.01, start: 0.4 },
             },
             plots: set => [{
                 title: 'start velocity; inside it rests', equal: true,
@@ -203,37 +215,29 @@ window.slipbookExplorers = (() => {
                     step: (du, dv) => set({ u: [du], v: [dv] }),
                 },
             }, {
-                title: 'on the table', label: 'The path on the table, with the circle inside which friction can hold the particle.', equal: true,
-                x: { label: 'Ω²x/(μg)', range: [-2.5, 2.5] }, y: { label: 'Ω²y/(μg)', range: [-2.5, 2.5] },
-                hand: {
-                    label: 'distance of the start from the axis', range: [0, 1.6],
-                    move: rho => set({ rho }),
-                    step: (dx, dy) => set({ rho: [dx + dy] }),
-                },
-            }, {
-                title: 'in the laboratory', label: 'The path in the laboratory.', equal: true,
-                x: { label: 'Ω²X/(μg)', range: [-2.5, 2.5] }, y: { label: 'Ω²Y/(μg)', range: [-2.5, 2.5] },
+                title: 'distance; friction can hold it below 1', label: 'The distance from the axis against the time, with that within which friction can hold the particle.',
+                x: { label: 'τ' }, y: { label: 'ρ' }, height: 310,
             }],
-            film: ({ rho, u, v }, ask) => scenes.record(ask(4, rho, u, v)),
+            film: ({ rho, u, v }, ask, { printed, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
+                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], set }),
             now: ({ rho, u, v }, ask) => {
-                const { curves: [table, laboratory] } = ask(4, rho, u, v);
-                return [null, i => at(table, i), i => at(laboratory, i)];
+                const { values, curves: [table] } = ask(4, rho, u, v);
+                return [null, i => [i * values.at(-1), Math.hypot(...at(table, i))]];
             },
-            show({ rho, u, v }, ask, printed) {
-                const { values: [fate, sigma, tau], curves: [table, laboratory] } = ask(4, rho, u, v);
-                const [boundary = [], limit = []] = ask.later(5, rho).curves;
+            show({ rho, u, v }, ask, { printed }) {
+                const { values: [fate, sigma, tau, step], curves: [table] } = ask(4, rho, u, v);
+                const [boundary = []] = ask.later(5, rho).curves;
                 const paper = border(printed, rho);
-                const series = fate === 1 ? 1 : 2;
-                const rest = fate === 1 ? [{ points: table.slice(-2), series: 1, dots: 6 }] : [];
-                const axis = { points: [0, 0], dots: 3 };
                 const words = FATES[fate](sigma, tau);
                 const speed = { now: u, text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${words}` };
+                const distance = column(table, 0).flatMap((x, i) => [i * step, Math.hypot(x, table[2 * i + 1])]);
+                const long = nice(distance.at(-2)), far = nice(Math.max(1.2, ...column(distance, 1)));
                 return {
                     draw: [
                         { marks: [{ points: boundary, series: 1, fill: 0.2 }, { points: boundary, series: 1 },
                             ...(paper ? [{ points: circle(paper), dash: true }, { points: [0, paper + 0.06], text: '(147)' }] : [])], hand: [u, v], words: speed },
-                        { marks: [{ points: limit, dash: true, faint: true }, axis, { points: table, series }, ...rest], hand: [rho, 0], words: { now: rho, text: fixed(rho, 2) } },
-                        { marks: [axis, { points: laboratory, series }] },
+                        { x: [0, long], y: [0, far], marks: [{ points: [0, 1, long, 1], dash: true, faint: true }, { points: distance, series: fate === 1 ? 1 : 2 },
+                            ...(fate === 1 ? [{ points: [tau, sigma], series: 1, dots: 6 }] : [])] },
                     ],
                     values: fate === 1 ? { fate: 'rest', 'σ (μg/Ω²)': fixed(sigma), 'τ (1/Ω)': fixed(tau) }
                         : { fate: fates(fate), 'certain at τ (1/Ω)': fixed(tau) },
@@ -244,7 +248,7 @@ window.slipbookExplorers = (() => {
 
         record: {
             name: 'Rest or escape?',
-            hint: 'Drag the coin or the tip of its velocity, and let go. If the tip is in the shaded area, it comes to rest. The paper’s border is the small dashed circle.',
+            hint: 'Drag the coin or the tip of its velocity, and let go. The shaded area has the velocities from which it comes to rest; the paper’s is the small dashed circle.',
             inputs: {
                 rho: { label: 'distance ρ from the axis', range: [0, 1.4], step: 0.01, start: 0.5 },
                 u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01, start: 0.45 },
@@ -252,29 +256,9 @@ window.slipbookExplorers = (() => {
             },
             bare: true,
             plots: () => [],
-            film({ rho, u, v }, ask, printed, set) {
-                const [x, y] = scenes.centre, { scale } = scenes;
-                const from = x + scale * rho, tip = [from + scale * u, y - scale * v];
-                const around = points => points.map((c, i) => i % 2 ? y - scale * c : from + scale * c);
-                const { values: [fate] } = ask(4, rho, u, v), [boundary = []] = ask.later(5, rho).curves;
-                const paper = border(printed, rho);
-                const start = `${boundary.length ? `<path class="border" d="${scenes.line(around(boundary))}Z"/>` : ''}
-                    ${paper ? `<path class="printed" d="${scenes.line(around(circle(paper)))}Z"/>` : ''}${scenes.arrow(from, y, scale * u, -scale * v, 'velocity')}`;
-                return {
-                    ...scenes.record(ask(4, rho, u, v), start),
-                    hands: [{
-                        at: [from, y], label: 'the coin: its distance from the axis', range: [0, 1.4], now: rho, text: fixed(rho, 2),
-                        move: px => set({ rho: (px - x) / scale }),
-                        step: (dx, dy) => set({ rho: [dx + dy] }),
-                    }, {
-                        at: tip, label: 'the velocity at the start', range: [-2.5, 2.5], now: v,
-                        text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${fates(fate)}`,
-                        move: (px, py) => set({ u: (px - from) / scale, v: (y - py) / scale }),
-                        step: (du, dv) => set({ u: [du], v: [dv] }),
-                    }],
-                };
-            },
-            show({ rho, u, v }, ask, printed) {
+            film: ({ rho, u, v }, ask, { printed, set }) => scenes.record(ask(4, rho, u, v), true, true,
+                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], set }),
+            show({ rho, u, v }, ask, { printed }) {
                 const { values: [fate, sigma, tau] } = ask(4, rho, u, v);
                 const paper = Math.hypot(u, v) < border(printed, rho) ? 'rests' : 'escapes';
                 return {
@@ -293,14 +277,15 @@ window.slipbookExplorers = (() => {
                 options: ['τ', 'τ²', 'an exponential of τ'],
                 right: 1,
                 says: 'Friction of constant strength can do no more than a constant acceleration does.',
+                at: {},
             },
             inputs: { rho: { label: 'distance ρ from the axis', range: [0.9, 2], step: 0.01, start: 1.1 } },
             plots: () => [{
                 title: 'ρ/τ²; dashed: 2/9, as printed', label: 'The distance over the square of the time, against the time in powers of ten.',
                 x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y: { label: 'ρ/τ²', range: [0.1, 0.3] }, height: 240,
             }],
-            film: ({ rho }, ask) => scenes.record(ask(4, rho, 0, -rho)),
-            show({ rho }, ask, printed) {
+            film: ({ rho }, ask, { narrow }) => scenes.record(ask(4, rho, 0, -rho), narrow, false),
+            show({ rho }, ask, { printed }) {
                 const { curves: [growth] } = ask(10, rho);
                 const last = growth.at(-1);
                 return {
@@ -314,32 +299,49 @@ window.slipbookExplorers = (() => {
         sinusoidal: {
             name: 'Shake the tray.',
             predict: {
-                asks: 'First your guess: friction is a little stronger than the strongest push of the tray, λ₀ = 1.01. A block that slides at first',
-                options: ['slides for ever', 'rests in part of each stroke', 'comes to rest and stays'],
+                asks: 'First your guess: the block slides across the stroke, too, with the friction λ₀ = 0.3. In the end its velocity across falls',
+                options: ['in proportion to the time', 'exponentially', 'faster than any exponential'],
                 right: 2,
-                says: 'At rest, friction can hold it at every phase.',
+                says: 'Each time the motion along the stroke turns round, all of the friction acts across.',
+                at: { lambda: 0.3, w: 0.5, across: 1 },
             },
             hint: 'Choose the friction and the velocity at the start. From λc on, at 0.537, the block rests in each half period; from 1 on for ever.',
             inputs: {
-                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.45 },
-                w: { label: 'velocity at φ = 0', range: [-2, 2], step: 0.05, start: 1.5 },
+                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.3 },
+                w: { label: 'velocity along', range: [-2, 2], step: 0.05, start: 0.5 },
+                across: { label: 'velocity across', range: [0, 2], step: 0.05, start: 1 },
             },
             plots: () => [{
-                title: '𝔴: from the start, and periodic (dashed)', label: 'Velocity against phase over four periods.',
-                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴', range: [-2, 2] }, height: 240,
+                title: '𝔴 along; periodic motion dashed', label: 'Velocity along the drive against phase over four periods.',
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴' }, height: 240,
+            }, {
+                title: '−ln 𝔴_y across; exponential dashed', label: 'The negative logarithm of the velocity across against phase, and that of an exponential decay, as the paper has it.',
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '−ln 𝔴_y', range: [-1, 60] }, height: 240,
             }],
-            film: ({ lambda, w }, ask) => scenes.tray(ask(8, 1, lambda, w)),
-            now: ({ lambda, w }, ask) => {
-                const { values: [step], curves: [, velocities] } = ask(8, 1, lambda, w);
-                return [i => [i * step, at(velocities, i)[1]]];
+            film: ({ lambda, w, across }, ask, { narrow }) => scenes.plane(ask(13, lambda, w, across), narrow),
+            now: ({ lambda, w, across }, ask) => {
+                const { values: [step], curves: [, velocities, depths] } = ask(13, lambda, w, across);
+                return [i => [i * step, at(velocities, i)[1]], i => [i * step, Math.min(60, at(depths, i)[1])]];
             },
-            show({ lambda, w }, ask) {
-                const { values: [, , largest, rest, count, ...list], curves: [shown, periodic] } = ask(2, 1, lambda, w);
+            show({ lambda, w, across }, ask) {
+                const { values: [, , largest, rest, count, ...list], curves: [, periodic] } = ask(2, 1, lambda, w);
+                const { values: [step, gone], curves: [, velocities, depths] } = ask(13, lambda, w, across);
                 const ways = Array.from({ length: count }, (_, i) => WAYS[list[3 * i]]);
+                const against = curve => column(curve, 1).flatMap((y, i) => [i * step, y]);
+                const along = against(velocities), most = nice(Math.max(...column(along, 1).map(Math.abs)));
+                const depth = across ? against(depths).filter((_, i, all) => all[i | 1] < 1000) : [];
+                // An exponential that agrees with the motion while the velocity falls from e⁻¹ to e⁻⁴.
+                const reached = y => depth.findIndex((v, i) => i % 2 && v >= y);
+                const [one, four] = [reached(1), reached(4)];
+                const line = four > one && one > 0 ? [depth[one - 1], depth[one], ...[8 * Math.PI].flatMap(phi =>
+                    [phi, depth[one] + (phi - depth[one - 1]) * (depth[four] - depth[one]) / (depth[four - 1] - depth[one - 1])])] : [];
+                const end = !across ? 'It does not slide across' : gone >= 0 ? `Its velocity across is exactly 0 from φ = ${fixed(gone, 2)} on`
+                    : `After four periods its velocity across is ${depth.length && depths.at(-1) < 1000 ? `exp(−${fixed(depths.at(-1), 0)})` : 'below exp(−1000)'}`;
                 return {
-                    draw: [{ marks: [{ points: shown, series: 1 }, { points: periodic, series: 2, dash: true }] }],
-                    values: { 'largest |𝔴|': fixed(largest), 'share of rest': fixed(rest) },
-                    says: `λ₀ = ${fixed(lambda, 3)}: in each period ${ways.join(', ')}.`,
+                    draw: [{ y: [-most, most], marks: [{ points: along, series: 1 }, { points: periodic, series: 2, dash: true }] },
+                        { marks: [{ points: depth, series: 3 }, { points: line, dash: true }] }],
+                    values: { 'largest |𝔴|, periodic': fixed(largest), 'share of rest': fixed(rest) },
+                    says: `λ₀ = ${fixed(lambda, 3)}: in the end, in each period ${ways.join(', ')}. ${end}.`,
                 };
             },
         },
@@ -351,12 +353,13 @@ window.slipbookExplorers = (() => {
                 options: ['longer', 'shorter', 'disappear'],
                 right: 2,
                 says: 'Friction lifts the shallow loops of the velocity away from zero. The rests come back later.',
+                at: { third: 1.5, lambda: 0.16 },
             },
             hint: 'Choose how much of the third harmonic is added to the sine, and the friction.',
             inputs: {
                 third: { label: 'third harmonic', range: [0, 2], step: 0.05, start: 1.5 },
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.08 },
-                w: { label: 'velocity at φ = 0', range: [-2, 2], step: 0.05, start: 0.2 },
+                w: { label: 'velocity at start', range: [-2, 2], step: 0.05, start: 0.2 },
             },
             plots: () => [{
                 title: '𝔴: from the start, and periodic (dashed)', label: 'Velocity against phase over four periods.',
@@ -365,7 +368,7 @@ window.slipbookExplorers = (() => {
                 title: 'the drive h', label: 'The inertial force against phase over four periods, and the friction.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'h', range: [-1.2, 1.2] }, height: 240,
             }],
-            film: ({ third, lambda, w }, ask) => scenes.tray(ask(12, third, lambda, w)),
+            film: ({ third, lambda, w }, ask, { narrow }) => scenes.tray(ask(12, third, lambda, w), narrow),
             now: ({ third, lambda, w }, ask) => {
                 const { values: [step], curves: [, velocities] } = ask(12, third, lambda, w);
                 const { curves: [, , drive] } = ask(11, third, lambda, w);
@@ -389,10 +392,10 @@ window.slipbookExplorers = (() => {
 
         sphere: {
             name: 'Shake the ball.',
-            hint: 'Choose the friction and the ball; drag the slip at the start in the second plot, or focus the circle and use the arrow keys.',
+            hint: 'Choose the friction and the ball (κ is 0.4 if it is solid, 0.67 if hollow); drag the slip at the start in the second plot, or focus the circle and use the arrow keys.',
             inputs: {
                 lambda: { label: 'friction λ₀', range: [0.05, 1.5], step: 0.01, start: 0.75 },
-                kappa: { label: 'κ (0.40 solid, 0.67 hollow)', range: [0.05, 0.67], step: 0.01, start: 0.4 },
+                kappa: { label: 'κ (solid 0.40)', range: [0.05, 0.67], step: 0.01, start: 0.4 },
                 u: { label: 'slip along the swing', range: [-2, 2], step: 0.02, start: 0 },
                 v: { label: 'slip across', range: [-2, 2], step: 0.02, start: 1 },
             },
@@ -412,7 +415,7 @@ window.slipbookExplorers = (() => {
                 title: 'path of the centre on the plane', label: 'The path of the centre, as seen from the plane.', equal: true,
                 x: { label: 'x (A_0/ϖ²)' }, y: { label: 'y (A_0/ϖ²)' },
             }],
-            film: ({ lambda, kappa, u, v }, ask) => scenes.ball(ask(9, lambda, kappa, u, v)),
+            film: ({ lambda, kappa, u, v }, ask, { narrow }) => scenes.ball(ask(9, lambda, kappa, u, v), narrow),
             now: ({ lambda, kappa, u, v }, ask) => {
                 const { values: [step], curves: [, turning] } = ask(9, lambda, kappa, u, v);
                 return [i => [i * step, at(turning, i)[1]]];

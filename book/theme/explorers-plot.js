@@ -12,7 +12,7 @@ window.SlipbookPlot = (() => {
     // pass: what has become markup is not read again.
     const letter = c => c === '𝔴' ? '<tspan font-family="KaTeX_Fraktur">w</tspan>' : escape(c);
     const label = text => String(text).replace(/_(.)|./gsu, (c, low) => low === undefined ? letter(c)
-        : `<tspan dy="4" font-size="12">${letter(low)}</tspan><tspan dy="-4">​</tspan>`);
+        : `<tspan dy="4" font-size="13.5">${letter(low)}</tspan><tspan dy="-4">​</tspan>`);
 
     // Round numbers between two ends, about five of them.
     function ticks([from, to]) {

@@ -48,71 +48,99 @@ window.slipbookScenes = (() => {
             <circle class="limit" cx="${x}" cy="${y}" r="${scale}"/><circle cx="${x}" cy="${y}" r="3" fill="currentColor"/>`;
     };
     const coin = (x, y) => `<circle class="body" cx="${n(x)}" cy="${n(y)}" r="9"/>`;
+    const note = (x, y, words) => `<text class="note" x="${n(x)}" y="${n(y)}" text-anchor="middle">${words}</text>`;
+    const circle = (x, y, radius) => `<circle class="printed" cx="${n(x)}" cy="${n(y)}" r="${n(radius)}"/>`;
+    // The stage's width in its own units: text is as large on a phone as on a desk.
+    const width = narrow => narrow ? 380 : 760;
 
     return {
         line,
-        arrow,
         // The pulled table from above. The table stands still in the picture; the ground runs away below it.
-        constant({ values: [step], curves: [places, velocities] }) {
+        constant({ values: [step], curves: [places, velocities] }, narrow) {
+            const wide = width(narrow);
             const xs = places.filter((_, i) => i % 2 === 0), ys = places.filter((_, i) => i % 2);
             const [left, right, low, high] = [Math.min(0, ...xs), Math.max(0, ...xs), Math.min(0, ...ys), Math.max(0, ...ys)];
-            const scale = Math.min(110, 560 / (right - left + 0.4), 120 / (high - low + 0.2));
-            const put = (x, y) => [380 + (x - (left + right) / 2) * scale, 96 - (y - (low + high) / 2) * scale];
+            const scale = Math.min(110, (wide - 200) / (right - left + 0.4), 116 / (high - low + 0.2));
+            const put = (x, y) => [wide / 2 + (x - (left + right) / 2) * scale, 108 - (y - (low + high) / 2) * scale];
             return {
-                step, count: places.length / 2, rate: Math.max(0.4, step * places.length / 2 / 8), unit: 'v₀/A', box: [0, 0, 760, 230],
+                step, count: places.length / 2, rate: Math.max(0.4, step * places.length / 2 / 8), time: t => `t = ${t} v₀/A`, box: [0, 0, wide, 222],
                 label: 'The block on the table, from above; below, the ground from which the table is pulled away.',
                 slip: i => Math.hypot(...at(velocities, i)),
                 draw: i => {
                     const [x, y] = put(...at(places, i)), [u, v] = at(velocities, i), t = i * step;
-                    return `<rect class="disc" x="30" y="6" width="700" height="180" rx="6"/>${floor(t * t / 2 * scale / 60, 200, 760, 60)}
-                        ${arrow(120, 24, -64, 0, 'pull')}<text x="130" y="29">the table is pulled this way</text>
+                    return `<rect class="disc" x="10" y="6" width="${wide - 20}" height="184" rx="6"/>${floor(t * t / 2 * scale / 60, 202, wide, 60)}
+                        ${arrow(80, 24, -52, 0, 'pull')}<text x="90" y="29">the table is pulled this way</text>
                         ${trail(places, i, put)}<rect class="body" x="${n(x - 11)}" y="${n(y - 8)}" width="22" height="16" rx="2"/>
                         ${arrow(x, y, 46 * u, -46 * v, 'velocity')}`;
                 },
             };
         },
         // The shaken tray from the side, in the laboratory.
-        tray({ values: [step], curves: [places, velocities] }, teeth) {
-            const unit = 70, width = 760;
+        tray({ values: [step], curves: [places, velocities] }, narrow, teeth) {
+            const unit = narrow ? 50 : 70, wide = width(narrow);
             return {
-                step, count: places.length / 2, rate: 2.2, unit: 'φ', box: [0, 0, width, 150],
+                step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, 146],
                 label: 'The block on the shaken floor, from the side, in the laboratory.',
                 slip: i => Math.abs(at(velocities, i)[1]),
                 draw: i => {
                     const [tray, x] = at(places, i), w = at(velocities, i)[1], rests = Math.abs(w) < 1e-6;
-                    const centre = wrapped(width / 2 + (tray + x) * unit, width);
-                    return `${floor(tray, 104, width, unit, teeth)}
+                    const centre = wrapped(wide / 2 + (tray + x) * unit, wide);
+                    return `${floor(tray, 104, wide, unit, teeth)}
                         <rect class="body ${rests ? 'still' : ''}" x="${n(centre - 26)}" y="66" width="52" height="38" rx="3"/>
-                        ${rests ? `<text x="${n(centre)}" y="52" text-anchor="middle">rests on the floor</text>` : arrow(centre, 50, 44 * w, 0, 'velocity')}
-                        <text x="12" y="140">floor, shaken</text>`;
+                        ${rests ? `<text x="${n(Math.min(wide - 70, Math.max(70, centre)))}" y="52" text-anchor="middle">rests on the floor</text>` : arrow(centre, 50, 44 * w, 0, 'velocity')}
+                        <text x="4" y="140">floor, shaken</text>`;
+                },
+            };
+        },
+        // The shaken tray from above, with a block that slides across too.
+        plane({ values: [step, gone], curves: [places, velocities, across] }, narrow) {
+            const unit = narrow ? 44 : 62, wide = width(narrow), high = 200;
+            const ys = across.filter((_, i) => i % 2 === 0), spread = Math.max(...ys) - Math.min(...ys);
+            const rise = Math.min(unit, 120 / (spread || 1));
+            const put = (x, y) => [wrapped(wide / 2 + x * unit, wide), high - 44 - (y - Math.min(...ys)) * rise];
+            return {
+                step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, high],
+                label: 'The block on the shaken tray, from above, in the laboratory.',
+                slip: i => Math.hypot(at(velocities, i)[1], Math.exp(-at(across, i)[1])),
+                draw: i => {
+                    const [tray, x] = at(places, i), w = at(velocities, i)[1], [y, depth] = at(across, i), v = Math.exp(-depth);
+                    const [px, py] = put(tray + x, y), rests = Math.abs(w) < 1e-6 && v < 1e-6;
+                    const lines = [], first = ((tray * unit) % unit) - unit;
+                    for (let k = first; k < wide + unit; k += unit) lines.push(`M${n(k)} 6V${high - 8}`);
+                    const over = gone >= 0 && i * step >= gone;
+                    return `<rect class="ground" x="0" y="6" width="${wide}" height="${high - 14}"/><path class="teeth" d="${lines.join('')}"/>
+                        <rect class="body ${rests ? 'still' : ''}" x="${n(px - 17)}" y="${n(py - 17)}" width="34" height="34" rx="3"/>
+                        ${arrow(px, py, 44 * w, 0, 'velocity')}${arrow(px, py, 0, -44 * v, 'velocity')}
+                        ${note(64, 24, '↔ shaken')}${note(wide - 100, 24, over ? 'across: exactly 0' : v < 1e-6 ? 'across: hardly a trace' : rests ? 'rests' : '')}`;
                 },
             };
         },
         // The ball from the side; its spokes show how it turns.
-        ball({ values: [step], curves: [places, turning] }) {
-            const unit = 52, width = 760, radius = unit;
+        ball({ values: [step], curves: [places, turning] }, narrow) {
+            const unit = narrow ? 42 : 52, wide = width(narrow), radius = unit, ground = 2 * radius + 22;
             return {
-                step, count: places.length / 2, rate: 2.2, unit: 'φ', box: [0, 0, width, 170],
+                step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, ground + 44],
                 label: 'The ball on the swinging floor, from the side, in the laboratory.',
                 slip: i => Math.abs(at(turning, i)[1]),
                 draw: i => {
                     const [tray, x] = at(places, i), [turned, slip] = at(turning, i), rolls = Math.abs(slip) < 1e-6;
-                    const centre = wrapped(width / 2 + (tray + x) * unit, width), y = 126 - radius;
+                    const centre = wrapped(wide / 2 + (tray + x) * unit, wide), y = ground - radius;
                     const spokes = [0, 1, 2, 3].map(k => {
                         const turn = turned + k * Math.PI / 2;
                         return `M${n(centre)} ${y}L${n(centre + radius * Math.cos(turn))} ${n(y + radius * Math.sin(turn))}`;
                     });
-                    return `${floor(tray, 126, width, unit)}<circle class="body ${rolls ? 'still' : ''}" cx="${n(centre)}" cy="${y}" r="${radius}"/>
+                    return `${floor(tray, ground, wide, unit)}<circle class="body ${rolls ? 'still' : ''}" cx="${n(centre)}" cy="${y}" r="${radius}"/>
                         <path class="spokes" d="${spokes.join('')}"/><text x="${n(centre)}" y="14" text-anchor="middle">${rolls ? 'rolls' : 'slips'}</text>
-                        ${arrow(centre, 160, 44 * slip, 0, 'velocity')}<text x="12" y="164">slip along the swing</text>`;
+                        ${arrow(centre, ground + 30, 44 * slip, 0, 'velocity')}<text x="4" y="${ground + 38}">slip along the swing</text>`;
                 },
             };
         },
-        // The record from the laboratory, where it turns, and from the table, where it stands still; with `start`, which is drawn
-        // over the coin before it moves, the first alone.
-        record({ values, curves: [table, laboratory] }, start) {
-            const step = values.at(-1), both = start === undefined, count = table.length / 2;
-            const [left, right, y, scale] = both ? [180, 560, 150, 62] : [this.centre[0], 0, this.centre[1], this.scale];
+        // The record from the laboratory, where it turns, and from the table, where it stands still; or the first alone. Before
+        // the coin moves, its velocity is drawn, and the border of those from which it comes to rest: the motion's, and the paper's.
+        record({ values, curves: [table, laboratory] }, narrow, alone, { border = [], paper, velocity, set } = {}) {
+            const step = values.at(-1), count = table.length / 2;
+            const [box, left, right, y, scale] = alone ? [[0, 0, 360, 340], 180, 180, 170, 76]
+                : narrow ? [[0, 0, 380, 224], 94, 286, 98, 42] : [[0, 0, 740, 310], 180, 560, 144, 62];
             const put = x0 => (x, v) => [x0 + scale * x, y - scale * v];
             const slip = i => {
                 const k = Math.min(i, count - 2);
@@ -120,19 +148,39 @@ window.slipbookScenes = (() => {
                 const [a, b] = [at(table, k), at(table, k + 1)];
                 return Math.hypot(a[0] - b[0], a[1] - b[1]) / step;
             };
+            const [rho] = at(table, 0), from = right + scale * rho;
+            let start = '';
+            if (velocity) {
+                const around = border.map((c, i) => i % 2 ? y - scale * c : from + scale * c);
+                const low = Math.max(...around.filter((_, i) => i % 2));
+                const middle = around.filter((_, i) => i % 2 === 0).reduce((sum, x, _, all) => sum + x / all.length, 0);
+                start = `${around.length ? `<path class="border" d="${line(around)}Z"/>` : ''}${paper ? circle(from, y, scale * paper) : ''}
+                    ${arrow(from, y, scale * velocity[0], -scale * velocity[1], 'velocity')}`;
+                if (alone) {
+                    start += `${around.length ? note(middle, Math.min(low - 14, 326), 'rests') : ''}${paper ? note(from, y - scale * paper - 8, 'the paper’s') : ''}
+                        ${note(right, y - RADIUS * scale + 22, 'flies off')}`;
+                }
+            }
+            const hands = set && [{
+                at: [from, y], label: 'the coin: its distance from the axis', range: [0, 1.6], now: rho, text: SlipbookPlot.fixed(rho, 2),
+                move: px => set({ rho: (px - right) / scale }),
+                step: (dx, dy) => set({ rho: [dx + dy] }),
+            }, {
+                at: [from + scale * velocity[0], y - scale * velocity[1]], label: 'the velocity at the start', range: [-2.5, 2.5], now: velocity[1],
+                text: `outwards ${SlipbookPlot.fixed(velocity[0], 2)}, along the turning ${SlipbookPlot.fixed(velocity[1], 2)}`,
+                move: (px, py) => set({ u: (px - from) / scale, v: (y - py) / scale }),
+                step: (du, dv) => set({ u: [du], v: [dv] }),
+            }];
             return {
-                step, count, rate: 1.6, unit: '/Ω', box: both ? [0, 0, 740, 300] : [0, 0, 360, 340], slip,
-                label: `The coin on the turning record, from above, in the laboratory${both ? ' and on the table' : ''}. Inside the dashed circle friction can hold it.`,
+                step, count, rate: 1.6, time: t => `τ = ${t}`, box, slip, hands, alone,
+                label: `The coin on the turning record, from above, in the laboratory${alone ? '' : ' and on the table'}. Inside the dashed circle friction can hold it.`,
                 draw: i => {
                     const view = (x0, points, angle) => `${record(x0, y, angle, scale)}${trail(points, i, put(x0))}${coin(...put(x0)(...at(points, i)))}`;
-                    const shown = view(left, laboratory, i * step);
-                    return both ? `${shown}${view(right, table, 0)}<text x="${left}" y="297" text-anchor="middle">in the laboratory</text>
-                        <text x="${right}" y="297" text-anchor="middle">on the table</text>` : shown + (i > 0 ? '' : start);
+                    const first = i > 0 ? '' : start, foot = box[3] - 6;
+                    return alone ? view(left, laboratory, i * step) + first : `${view(left, laboratory, i * step)}${view(right, table, 0)}${first}
+                        <text x="${left}" y="${foot}" text-anchor="middle">in the laboratory</text><text x="${right}" y="${foot}" text-anchor="middle">on the table</text>`;
                 },
             };
         },
-        // Of the record alone: pixels a unit, and where its axis is.
-        scale: 76,
-        centre: [180, 170],
     };
 })();

@@ -2,6 +2,8 @@
 'use strict';
 
 window.SlipbookStage = (() => {
+    // Below so many pixels a picture is narrow.
+    const NARROW = 520;
     const PACES = [['0.25', '¼ ×'], ['0.5', '½ ×'], ['1', '1 ×'], ['2', '2 ×'], ['4', '4 ×']];
 
     // Noise as loud as the slip is fast, once the reader asks for it.
@@ -31,20 +33,26 @@ window.SlipbookStage = (() => {
             return [one(0), one(1)];
         }
 
-        // `told` hears which picture is shown.
-        constructor(host, told) {
+        // The picture goes into `host`, what one plays it with into `bar`; `told` hears which picture is shown, `fits` when there is
+        // room for a wider or a narrower one.
+        constructor(host, bar, told, fits) {
             this.told = told;
             this.pace = 1;
-            host.insertAdjacentHTML('beforeend', `<div class="stage"><svg role="img"><g class="scene"></g><g class="hands"></g></svg>
-                <div class="film"><button type="button" class="play"></button>
-                <button type="button" class="back" aria-label="A step back">‹</button><button type="button" class="on" aria-label="A step on">›</button>
-                <input type="range" min="0" step="any" aria-label="time"><output></output>
-                <label class="pace">speed <select>${PACES.map(([value, name]) => `<option value="${value}"${value === '1' ? ' selected' : ''}>${name}</option>`).join('')}</select></label>
-                <button type="button" class="sound" aria-pressed="false">Sound</button></div></div>`);
-            const root = host.lastElementChild, one = selector => root.querySelector(selector);
-            this.svg = one('svg');
-            this.scene = one('.scene');
-            this.hands = one('.hands');
+            host.insertAdjacentHTML('beforeend', '<div class="stage"><svg role="img"><g class="scene"></g><g class="hands"></g></svg></div>');
+            bar.insertAdjacentHTML('beforeend', `<div class="film"><button type="button" class="play"></button>
+                <button type="button" class="back" tabindex="-1" aria-label="A step back">‹</button><button type="button" class="on" tabindex="-1" aria-label="A step on">›</button>
+                <input type="range" min="0" step="1" aria-label="time"><output></output>
+                <label class="pace"><span>speed</span> <select aria-label="speed">${PACES.map(([value, name]) => `<option value="${value}"${value === '1' ? ' selected' : ''}>${name}</option>`).join('')}</select></label>
+                <button type="button" class="sound" aria-pressed="false" aria-label="Sound of the slip" title="Sound of the slip">♪</button></div>`);
+            const root = bar.lastElementChild, one = selector => root.querySelector(selector);
+            this.svg = host.querySelector('.stage svg');
+            [this.scene, this.hands] = this.svg.children;
+            this.narrow = host.clientWidth < NARROW;
+            new ResizeObserver(() => {
+                if (!host.clientWidth || this.narrow === host.clientWidth < NARROW) return;
+                this.narrow = !this.narrow;
+                fits();
+            }).observe(host);
             this.slider = one('input');
             this.clock = one('output');
             this.button = one('.play');
@@ -65,12 +73,24 @@ window.SlipbookStage = (() => {
                 this.sound.play(0);
             });
             // What nobody sees need not move.
-            new IntersectionObserver(([entry]) => entry.isIntersecting || this.pause()).observe(this.svg);
+            new IntersectionObserver(([entry]) => {
+                this.seen = entry.isIntersecting;
+                if (!this.seen) this.pause();
+                else this.begin();
+            }).observe(this.svg);
             this.pause();
         }
 
-        // film: step (time between pictures), count, rate (time a second), unit, box, label, draw(i), slip(i), hands.
-        // A film that is `kept` shows the same motion.
+        // Plays a film that begins by itself, once it is there and in view; then its start is shown again.
+        begin() {
+            if (!this.film?.alone || !this.seen || this.begun || matchMedia('(prefers-reduced-motion: reduce)').matches) return;
+            this.begun = true;
+            this.play();
+            this.rewind = true;
+        }
+
+        // film: step (time between pictures), count, rate (time a second), time(i) in words, box, label, draw(i), slip(i), hands,
+        // and alone if it begins by itself. A film that is `kept` shows the same motion.
         load(film, kept) {
             this.film = film;
             this.svg.setAttribute('viewBox', film.box.join(' '));
@@ -79,6 +99,7 @@ window.SlipbookStage = (() => {
             this.slider.max = film.count - 1;
             this.giveHands(film.hands || []);
             this.show(kept ? this.i : 0);
+            this.begin();
         }
 
         // The hands are made once and keep the focus while the film changes.
@@ -97,6 +118,7 @@ window.SlipbookStage = (() => {
                         knob.setPointerCapture(event.pointerId);
                         this.pause();
                         this.held = true;
+                        this.begun = true;
                         here(event);
                         event.preventDefault();
                         knob.focus({ preventScroll: true });
@@ -107,6 +129,13 @@ window.SlipbookStage = (() => {
                         this.held = false;
                     });
                     knob.addEventListener('pointercancel', () => { this.held = false; });
+                    // The keys move the start, so it is the start that one sees.
+                    knob.addEventListener('focus', () => {
+                        this.begun = true;
+                        if (this.held || !this.i) return;
+                        this.pause();
+                        this.show(0);
+                    });
                     knob.addEventListener('keydown', event => {
                         if (event.key === 'Enter' || event.key === ' ') {
                             event.preventDefault();
@@ -133,10 +162,10 @@ window.SlipbookStage = (() => {
         show(i) {
             this.i = Math.max(0, Math.min(this.film.count - 1, i));
             this.scene.innerHTML = this.film.draw(this.i);
-            // A hand sets the start; while the bodies move there is nothing to set.
-            this.hands.style.display = this.i > 0 ? 'none' : '';
+            // A hand sets the start, and is faint while the bodies are elsewhere.
+            this.hands.classList.toggle('gone', this.i > 0);
             this.slider.value = this.i;
-            const time = `${SlipbookPlot.fixed(this.i * this.film.step, 1)} ${this.film.unit}`;
+            const time = this.film.time(SlipbookPlot.fixed(this.i * this.film.step, 1));
             this.clock.textContent = time;
             this.slider.setAttribute('aria-valuetext', time);
             if (this.loud) this.sound.play(this.playing ? this.film.slip(this.i) : 0);
@@ -149,6 +178,7 @@ window.SlipbookStage = (() => {
         }
 
         play() {
+            clearTimeout(this.back);
             if (this.i >= this.film.count - 1) this.show(0);
             this.playing = true;
             this.button.textContent = '❚❚';
@@ -159,14 +189,20 @@ window.SlipbookStage = (() => {
                 const pictures = Math.min(0.1, (now - before) / 1000) * this.film.rate * this.pace / this.film.step;
                 before = now;
                 this.show(this.i + pictures);
-                if (this.i >= this.film.count - 1) this.pause();
-                else requestAnimationFrame(next);
+                if (this.i < this.film.count - 1) {
+                    requestAnimationFrame(next);
+                    return;
+                }
+                const rewind = this.rewind;
+                this.pause();
+                if (rewind) this.back = setTimeout(() => this.show(0), 1500);
             };
             requestAnimationFrame(next);
         }
 
         pause() {
-            this.playing = false;
+            clearTimeout(this.back);
+            this.playing = this.rewind = false;
             this.button.textContent = '▶';
             this.button.setAttribute('aria-label', 'Play');
             if (this.loud) this.sound.play(0);

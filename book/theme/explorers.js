@@ -6,6 +6,8 @@
     const here = document.currentScript.src;
     const fixed = SlipbookPlot.fixed;
 
+    const PENDING = Symbol('the answer is not there yet');
+
     // The door to the crate.
     async function door() {
         await new Promise((loaded, failed) => {
@@ -16,48 +18,67 @@
             document.head.append(script);
         });
         const bytes = Uint8Array.from(atob(slipbookModule), c => c.charCodeAt(0));
-        const put = await opened(bytes);
         const last = [];
         const known = (number, given) => last[number]?.key === given.join() ? last[number].answer : null;
         const keep = (number, given, answer) => { last[number] = { key: given.join(), answer }; };
-        const ask = (number, ...given) => {
-            if (!known(number, given)) keep(number, given, put(number, given));
-            return known(number, given);
-        };
+        const heard = [];
 
-        // What takes longer is asked beside the page's own thread: until the answer is there, the one before it is shown.
-        let worker;
+        // What is asked is answered beside the page's own thread; where there is no worker, by that thread.
+        let worker, put;
         try {
             const work = `${opened}; let put; onmessage = async ({ data }) => {
                 put ||= await opened(data.bytes);
                 postMessage({ ...data, bytes: null, answer: put(data.number, data.given) });
             };`;
             worker = new Worker(URL.createObjectURL(new Blob([work], { type: 'text/javascript' })));
-        } catch { /* Then the page's own thread does it. */ }
+        } catch {
+            put = await opened(bytes);
+        }
         const wanted = [];
-        const send = number => worker.postMessage({ number, given: wanted[number].given, bytes });
+        let first = bytes;
+        const send = number => {
+            worker.postMessage({ number, given: wanted[number].given, bytes: first });
+            first = null;
+        };
         if (worker) {
             worker.onmessage = ({ data: { number, given, answer } }) => {
                 keep(number, given, answer);
                 if (wanted[number].given.join() === given.join()) {
                     wanted[number] = null;
-                    ask.heard.forEach(hear => hear());
+                    heard.forEach(hear => hear());
                 } else {
                     send(number);
                 }
             };
-            worker.onerror = () => { worker = null; ask.heard.forEach(hear => hear()); };
+            worker.onerror = async () => {
+                worker = null;
+                put = await opened(bytes);
+                heard.forEach(hear => hear());
+            };
         }
-        ask.heard = [];
-        ask.later = (number, ...given) => {
-            if (!worker) return ask(number, ...given);
-            if (!known(number, given)) {
+        // The answer, if it is there; else it is sent for, and those who wait hear of it.
+        const answer = (number, given) => {
+            if (!known(number, given) && put) keep(number, given, put(number, given));
+            if (!known(number, given) && worker) {
                 const idle = !wanted[number];
                 wanted[number] = { given };
                 if (idle) send(number);
             }
-            return last[number]?.answer || { values: [], curves: [] };
+            return known(number, given);
         };
+        // Without this answer nothing new is shown.
+        const ask = (number, ...given) => {
+            const found = answer(number, given);
+            if (!found) throw PENDING;
+            return found;
+        };
+        // Without this one, the one before it.
+        ask.later = (number, ...given) => {
+            const found = answer(number, given);
+            ask.whole &&= Boolean(found);
+            return found || last[number]?.answer || { values: [], curves: [] };
+        };
+        ask.heard = heard;
         return ask;
     }
 
@@ -88,10 +109,10 @@
         };
 
         host.innerHTML = `<p><span class="name">${explorer.name}</span> <span class="hint">${explorer.hint}</span></p>
-            <div class="inputs">${keys.map(key => `<label>${inputs[key].label} <output></output>
+            <div class="theatre"></div><div class="plots"></div>
+            <div class="controls"><div class="inputs">${keys.map(key => `<label>${inputs[key].label} <output></output>
                 <input type="range" name="${key}" min="${inputs[key].range[0]}" max="${inputs[key].range[1]}" step="${inputs[key].step}"></label>`).join('')}
-                <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button></div></div>
-            <div class="theatre"></div><div class="plots"></div>`;
+                <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button></div></div></div>`;
         host.classList.toggle('bare', Boolean(explorer.bare));
         const printed = (host.dataset.printed || '').split(/[ ,]+/).filter(Boolean).map(Number);
         const sliders = Object.fromEntries([...host.querySelectorAll('input')].map(slider => [slider.name, slider]));
@@ -114,50 +135,67 @@
 
         // Where an intuition is usually wrong, the reader guesses before the bodies move.
         if (explorer.predict) {
-            const { asks, options, right, says } = explorer.predict;
-            host.querySelector('.inputs').insertAdjacentHTML('beforebegin', `<div class="predict" role="group" aria-label="Your guess"><p>${asks}</p>
-                ${options.map(option => `<button type="button" aria-pressed="false">${option}</button>`).join(' ')} <span role="status"></span></div>`);
+            const { asks, options, right, says, at } = explorer.predict;
+            host.querySelector('.theatre').insertAdjacentHTML('beforebegin', `<div class="predict" role="group" aria-label="Your guess"><p>${asks}</p>
+                <div>${options.map(option => `<button type="button" aria-pressed="false">${option}</button>`).join('')}</div><span role="status"></span></div>`);
             const box = host.querySelector('.predict'), buttons = [...box.querySelectorAll('button')];
             buttons.forEach((button, i) => button.addEventListener('click', () => {
                 buttons.forEach(other => other.setAttribute('aria-pressed', other === button));
                 box.querySelector('[role=status]').textContent = `${i === right ? 'Yes.' : `No: ${options[right]}.`} ${says}`;
-                stage?.play();
+                // What was asked about is what one sees.
+                curtain = true;
+                set(at);
             }));
         }
 
-        let places = [];
-        const stage = explorer.film && new SlipbookStage(host.querySelector('.theatre'),
-            i => panels.forEach((panel, k) => panel.now(places[k] && i > 0 ? places[k](i) : null)));
+        let places = [], curtain = false;
+        const stage = explorer.film && new SlipbookStage(host.querySelector('.theatre'), host.querySelector(explorer.bare ? '.theatre' : '.controls'),
+            i => panels.forEach((panel, k) => panel.now(places[k] && i > 0 ? places[k](i) : null)), () => drawn());
 
         let due = false;
         let anew = false;
         const draw = () => {
             anew = true;
-            drawn();
-        };
-        const drawn = () => {
             // What is shown is no longer what is asked for.
             delete host.dataset.shown;
+            delete host.dataset.whole;
             if (due) return;
             due = true;
             requestAnimationFrame(() => {
                 due = false;
-                const shown = show(state, ask, printed);
-                for (const key of keys) {
-                    sliders[key].value = state[key];
-                    const said = `${fixed(state[key], digits(key))}${inputs[key].unit || ''}`;
-                    sliders[key].previousElementSibling.textContent = said;
-                    sliders[key].setAttribute('aria-valuetext', said);
-                }
-                panels.forEach((panel, i) => panel.draw(shown.draw[i]));
-                places = explorer.now ? explorer.now(state, ask) : [];
-                stage?.load(explorer.film(state, ask, printed, set), !anew);
-                anew = false;
-                host.querySelector('dl').innerHTML = Object.entries(shown.values)
-                    .map(([term, value]) => `<div><dt>${term.replace(/_(.)/g, '<sub>$1</sub>')}</dt><dd>${value}</dd></div>`).join('');
-                host.querySelector('.says').textContent = shown.says;
-                host.dataset.shown = address();
+                drawn();
             });
+        };
+        const drawn = () => {
+            for (const key of keys) {
+                sliders[key].value = state[key];
+                const said = `${fixed(state[key], digits(key))}${inputs[key].unit || ''}`;
+                sliders[key].previousElementSibling.textContent = said;
+                sliders[key].setAttribute('aria-valuetext', said);
+            }
+            ask.whole = true;
+            let shown, film, now;
+            try {
+                shown = show(state, ask, { printed });
+                now = explorer.now ? explorer.now(state, ask) : [];
+                film = stage && explorer.film(state, ask, { printed, set, narrow: stage.narrow });
+            } catch (pending) {
+                if (pending !== PENDING) throw pending;
+                return;
+            }
+            panels.forEach((panel, i) => panel.draw(shown.draw[i]));
+            places = now;
+            stage?.load(film, !anew);
+            anew = false;
+            host.querySelector('dl').innerHTML = Object.entries(shown.values)
+                .map(([term, value]) => `<div><dt>${term.replace(/_(.)/g, '<sub>$1</sub>')}</dt><dd>${value}</dd></div>`).join('');
+            host.querySelector('.says').textContent = shown.says;
+            host.dataset.shown = address();
+            if (ask.whole) host.dataset.whole = address();
+            if (curtain) {
+                curtain = false;
+                stage.play();
+            }
         };
 
         // What the address says of this explorer, and for the rest where it starts.
@@ -204,16 +242,13 @@
         unfold();
     }
 
-    // The page for printing keeps its still figures.
-    if (!location.pathname.endsWith('/print.html')) {
-        const hosts = [...document.querySelectorAll('[data-explorer]')];
-        let opened;
-        const open = () => opened ||= door().then(ask => hosts.forEach(host => start(host, ask)));
-        // The module is loaded when its place comes near, or is linked to.
-        const near = new IntersectionObserver(entries => entries.some(entry => entry.isIntersecting) && open(), { rootMargin: '1200px' });
-        hosts.forEach(host => near.observe(host.nextElementSibling));
-        const linked = () => hosts.some(host => location.hash.startsWith(`#${host.id}`)) && open();
-        addEventListener('hashchange', linked);
-        linked();
-    }
+    const hosts = [...document.querySelectorAll('[data-explorer]')];
+    let opening;
+    const open = () => opening ||= door().then(ask => hosts.forEach(host => start(host, ask)));
+    // The module is loaded when its place comes near, or is linked to.
+    const near = new IntersectionObserver(entries => entries.some(entry => entry.isIntersecting) && open(), { rootMargin: '1200px' });
+    hosts.forEach(host => near.observe(host.nextElementSibling));
+    const linked = () => hosts.some(host => location.hash.startsWith(`#${host.id}`)) && open();
+    addEventListener('hashchange', linked);
+    linked();
 })();

@@ -38,7 +38,7 @@ pub fn motion(q: f64, lambda0: f64, w: f64) -> Result<Answer, ExplorerError> {
 /// As for [`motion`].
 pub fn map(to: f64) -> Result<Answer, ExplorerError> {
     let mut curves = vec![Vec::new(); MANNERS.len() - 1];
-    for q in spread(1.0, to, 120) {
+    for q in spread(1.0, to, 80) {
         let mut least = BOTTOM;
         for (below, curve) in (1..).zip(&mut curves) {
             let mut most = TOP;
@@ -72,7 +72,7 @@ pub fn film(q: f64, lambda0: f64, w: f64) -> Result<Answer, ExplorerError> {
 }
 
 /// The drive sin φ.
-fn drive() -> Result<&'static Drive, DriveError> {
+pub(super) fn drive() -> Result<&'static Drive, DriveError> {
     static DRIVE: LazyLock<Result<Drive, DriveError>> =
         LazyLock::new(|| Drive::new(libm::sin, &[]));
     DRIVE.as_ref().map_err(Clone::clone)

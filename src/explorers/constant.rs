@@ -56,14 +56,14 @@ pub fn motion(lambda: f64, theta: f64) -> Result<Answer, ExplorerError> {
 pub fn portrait(lambda: f64) -> Result<Answer, ExplorerError> {
     let mut times = Vec::new();
     if lambda > 1.0 {
-        for theta in spread(0.0, 180.0, 36) {
+        for theta in spread(0.0, 180.0, 24) {
             times.push([theta, followed(lambda, theta)?.end().t]);
         }
     }
     let mut curves = vec![times];
     for k in 1..=DIRECTIONS {
         let theta = 360.0 * f64::from(k) / f64::from(DIRECTIONS) - 180.0;
-        let states = states(&followed(lambda, theta)?, 100)?;
+        let states = states(&followed(lambda, theta)?, 60)?;
         curves.push(states.iter().map(|s| s.v).collect());
     }
     Ok(Answer {

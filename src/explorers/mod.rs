@@ -10,6 +10,7 @@
 pub mod anisotropic;
 pub mod constant;
 pub mod periodic;
+pub mod plane;
 pub mod sphere;
 pub mod tray;
 pub mod turntable;
@@ -62,7 +63,7 @@ pub enum ExplorerError {
 pub type Question = fn([f64; 4]) -> Result<Answer, ExplorerError>;
 
 /// The questions, by the number under which the browser puts them.
-pub const QUESTIONS: [Question; 13] = [
+pub const QUESTIONS: [Question; 14] = [
     |[lambda, theta, ..]| constant::motion(lambda, theta),
     |[lambda, ..]| constant::portrait(lambda),
     |[q, lambda, w, _]| anisotropic::motion(q, lambda, w),
@@ -76,6 +77,7 @@ pub const QUESTIONS: [Question; 13] = [
     |[rho, ..]| turntable::growth(rho),
     |[third, lambda, w, _]| periodic::motion(third, lambda, w),
     |[third, lambda, w, _]| periodic::film(third, lambda, w),
+    |[lambda, w, across, _]| plane::film(lambda, w, across),
 ];
 
 /// The answer to a question by its number.

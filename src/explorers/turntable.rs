@@ -1,7 +1,8 @@
 //! Section 4: a particle on a turntable. Lengths in units of μg/Ω², times in 1/Ω, speeds in μg/Ω.
 
 use super::{Answer, ExplorerError, spread};
-use crate::motion::turntable::boundary::between;
+use crate::motion::MotionError;
+use crate::motion::turntable::fate::rests;
 use crate::motion::turntable::{Fate, Start, State, Table, fate, intrinsic, rotating};
 use std::f64::consts::TAU;
 
@@ -15,8 +16,11 @@ const AFTER: f64 = 8.0;
 /// To what time the growth of the distance is shown.
 const LATE: f64 = 1e4;
 /// Steps along each side of the first survey of the velocities, and the largest of their components.
-const SURVEY: u32 = 14;
+const SURVEY: u32 = 10;
 const LARGEST: f64 = 3.0;
+/// Points of the boundary, and to what its distance from the middle is found: less than a picture shows.
+const AROUND: u32 = 96;
+const WIDTH: f64 = 2e-3;
 
 /// The motion from the place (ρ, 0) with the given velocity relative to the table.
 ///
@@ -82,7 +86,7 @@ pub fn growth(rho: f64) -> Result<Answer, ExplorerError> {
 
 /// The boundary between rest and escape among the velocities of a particle at the distance ρ from the axis.
 ///
-/// Curves: the boundary, to 10⁻³, as seen from the middle of the velocities that lead to rest, empty if a survey finds
+/// Curves: the boundary, to 2 · 10⁻³, as seen from the middle of the velocities that lead to rest, empty if a survey finds
 /// none with both components below 3; and the circle within which friction holds a particle at rest.
 ///
 /// # Errors
@@ -91,7 +95,7 @@ pub fn boundary(rho: f64) -> Result<Answer, ExplorerError> {
     let (mut middle, mut count) = ([0.0; 2], 0.0);
     for u in spread(-LARGEST, LARGEST, SURVEY) {
         for v in spread(-LARGEST, LARGEST, SURVEY) {
-            if let Fate::Rest { .. } = fate(&start(rho, [u, v])?)? {
+            if rests(&start(rho, [u, v])?)? == Some(true) {
                 middle = [middle[0] + u, middle[1] + v];
                 count += 1.0;
             }
@@ -100,11 +104,15 @@ pub fn boundary(rho: f64) -> Result<Answer, ExplorerError> {
     let mut curve = Vec::new();
     if count > 0.0 {
         let [u, v] = middle.map(|sum| sum / count);
-        for angle in spread(0.0, TAU, 120) {
+        // The distances of the last two points from the middle say where the next will be.
+        let mut last = [f64::NAN; 2];
+        for angle in spread(0.0, TAU, AROUND) {
             let (sine, cosine) = libm::sincos(angle);
             let at = |p: f64| [u + p * cosine, v + p * sine];
-            let from = |p| start(rho, at(p));
-            curve.push(at(between(from, 0.0, 2.0 * LARGEST, 1e-3)?));
+            let rests = |p: f64| Ok(rests(&start(rho, at(p))?)? == Some(true));
+            let distance = edge(rests, 2.0 * last[1] - last[0])?;
+            last = [if last[1].is_nan() { distance } else { last[1] }, distance];
+            curve.push(at(distance));
         }
     }
     let length = Table::default().length();
@@ -118,6 +126,36 @@ pub fn boundary(rho: f64) -> Result<Answer, ExplorerError> {
     })
 }
 
-fn start(rho: f64, v: [f64; 2]) -> Result<Start, crate::motion::MotionError> {
+/// The distance up to which it rests, looked for from the one that is expected, if any is: as far around as it takes, then by
+/// bisection.
+fn edge(
+    rests: impl Fn(f64) -> Result<bool, MotionError>,
+    expected: f64,
+) -> Result<f64, MotionError> {
+    let [mut rest, mut escape] = [0.0, 2.0 * LARGEST];
+    let (mut next, mut away) = (expected, WIDTH);
+    // Without anything to expect, this is no number.
+    while next > rest && next < escape {
+        if rests(next)? {
+            rest = next;
+            next += away;
+        } else {
+            escape = next;
+            next -= away;
+        }
+        away *= 2.0;
+    }
+    while escape - rest > WIDTH {
+        let middle = 0.5 * (rest + escape);
+        if rests(middle)? {
+            rest = middle;
+        } else {
+            escape = middle;
+        }
+    }
+    Ok(0.5 * (rest + escape))
+}
+
+fn start(rho: f64, v: [f64; 2]) -> Result<Start, MotionError> {
     Start::cartesian([rho, 0.0], v)
 }

@@ -50,7 +50,7 @@ pub fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
              corner of large q and small λ₀. In the second the bands of the loss surround a place at q = 1, λ₀ = 0.45.",
         )
         .panel(map(budgets, "mean velocity", 0, &DRIFTS)?)
-        .panel(map(budgets, "loss in a period", 1, &LOSSES)?)
+        .panel(map(budgets, "loss per period", 1, &LOSSES)?)
         .figure(table)
 }
 

@@ -35,7 +35,7 @@ pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> 
     let mut plot = Plot::new("fig-2", "The way to the large-time motion")
         .caption(format!(
             "The velocity $\\mathfrak w$ along the drive against the phase, from $\\mathfrak w=1$ and several velocities \
-             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. Above, without rest; below, with rests. {}",
+             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. First without rest, then with rests. {}",
             super::after("fig-2")
         ))
         .alt(

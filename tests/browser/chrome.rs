@@ -164,6 +164,7 @@ impl Browser {
             "Emulation.setFocusEmulationEnabled",
             json!({ "enabled": true }),
         )?;
+        page.still(true)?;
         page.resize(1400, 1000)?;
         Ok(page)
     }
@@ -190,6 +191,17 @@ pub struct Page<'b> {
 impl Page<'_> {
     pub fn call(&mut self, method: &str, params: Value) -> Result<Value, Failure> {
         self.browser.call(Some(&self.session), method, params)
+    }
+
+    /// Whether nothing may move by itself.
+    pub fn still(&mut self, still: bool) -> Result<(), Failure> {
+        let value = if still { "reduce" } else { "no-preference" };
+        let feature = json!({ "name": "prefers-reduced-motion", "value": value });
+        self.call(
+            "Emulation.setEmulatedMedia",
+            json!({ "features": [feature] }),
+        )
+        .map(drop)
     }
 
     pub fn resize(&mut self, width: u32, height: u32) -> Result<(), Failure> {

@@ -22,12 +22,12 @@ pub const PAGES: [&str; 9] = [
 ];
 
 /// The name of the explorer on a page: the page's, but for the first one.
-fn name_on(page: &'static str) -> &'static str {
+pub fn name_on(page: &'static str) -> &'static str {
     if page == "index" { "record" } else { page }
 }
 
 /// The page of an explorer.
-fn page_of(name: &str) -> &str {
+pub fn page_of(name: &str) -> &str {
     if name == "record" { "index" } else { name }
 }
 
@@ -69,7 +69,14 @@ const STATES: [(&str, &[&str]); 9] = [
     ),
     ("rest", &["rho=0.8&u=-0.6&v=0.4", "rho=1.6&u=2&v=1.5"]),
     ("escape", &["rho=0.9", "rho=2"]),
-    ("sinusoidal", &["lambda=0.01&w=-2", "lambda=1.2&w=2"]),
+    (
+        "sinusoidal",
+        &[
+            "lambda=0.01&w=-2&across=0",
+            "lambda=1.2&w=2&across=2",
+            "lambda=0.3&w=0.5&across=1",
+        ],
+    ),
     (
         "periodic",
         &[
@@ -93,6 +100,7 @@ fn expected(name: &str, state: &[f64]) -> Result<Vec<String>, Failure> {
     let mut given = [0.0; 4];
     given[..state.len()].copy_from_slice(state);
     if name == "sinusoidal" {
+        // What goes across does not matter in the end.
         given = [1.0, given[0], given[1], 0.0];
     }
     let number = match name {
@@ -257,8 +265,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     fn hands(&self) -> &'static [usize] {
         match self.name {
             "sphere" => &[1],
-            "turntable" | "rest" => &[0, 1],
-            "constant" | "anisotropic" => &[0],
+            "turntable" | "rest" | "constant" | "anisotropic" => &[0],
             _ => &[],
         }
     }
@@ -418,7 +425,6 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
         let off = [0, 1].map(|i| (hand[i] - share(0.6, 0.6)[i]).abs());
         let free = match (name, plot) {
             ("constant", _) => true,
-            ("turntable" | "rest", 1) => off[0] < 3.0,
             _ => off[0] < 3.0 && off[1] < 3.0,
         };
         if !free {
@@ -475,13 +481,14 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
         if last == moved {
             return Err(format!("{name}: the time cannot be drawn along"));
         }
+        guess(&mut explorer)?;
         if name == "turntable" {
             let place = explorer.value(
                 "(coin => [Number(coin.getAttribute('cx')), Number(coin.getAttribute('cy'))])(host.querySelector('.scene .body'))",
             )?;
             let found = answer(4, [0.8, -0.6, 0.4, 0.0]).map_err(|error| error.to_string())?;
             let [x, y] = found.curves[1].last().copied().unwrap_or_default();
-            let (there, scale) = ([180.0 + 62.0 * x, 150.0 - 62.0 * y], 0.06);
+            let (there, scale) = ([180.0 + 62.0 * x, 144.0 - 62.0 * y], 0.06);
             let place: [f64; 2] = serde_json::from_value(place).map_err(|e| e.to_string())?;
             if (0..2).any(|i| (place[i] - there[i]).abs() > scale) {
                 return Err(format!(
@@ -504,9 +511,61 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
     if explorer.right()? == before {
         return Err("the coin's velocity does not follow the mouse".into());
     }
-    explorer
-        .page
-        .wait_for("Number(document.querySelector('#explore-record .film input').value) > 1")
+    let time = "Number(document.querySelector('#explore-record .film input').value)";
+    explorer.page.wait_for(&format!("{time} > 1"))?;
+    // For who has nothing against it, the record turns by itself, and the coin is back at its start when it is taken.
+    page.still(false)?;
+    page.open(&book.address("index.html"))?;
+    page.wait_for(&format!("{time} > 1"))?;
+    page.value("document.querySelector('.stage .hand').focus()")?;
+    page.wait_for(&format!("{time} === 0"))?;
+    page.still(true)?;
+    page.open(&book.address("index.html"))?;
+    page.explored()?;
+    page.wait_for("document.querySelector('#explore-record').dataset.whole !== undefined")?;
+    match page.value(&format!(
+        "new Promise(done => setTimeout(() => done({time}), 300))"
+    ))? {
+        zero if zero.as_f64() == Some(0.0) => Ok(()),
+        moved => Err(format!(
+            "the record has turned to {moved} by itself for who does not want it"
+        )),
+    }
+}
+
+/// Where the reader is asked to guess, whatever they say is answered, and what was asked about is shown.
+fn guess(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+    let name = explorer.name;
+    let count = explorer.value("host.querySelectorAll('.predict button').length")?;
+    for i in 0..count.as_u64().unwrap_or(0) {
+        explorer.value(&format!(
+            "host.querySelectorAll('.predict button')[{i}].click()"
+        ))?;
+        let told = explorer.value("host.querySelector('.predict [role=status]').textContent")?;
+        let told = told.as_str().unwrap_or_default();
+        let right = format!(
+            "slipbookExplorers.{name}.predict.options[slipbookExplorers.{name}.predict.right]"
+        );
+        let begins = match explorer.value(&format!("slipbookExplorers.{name}.predict.right"))? {
+            right if right == i => "Yes.".to_owned(),
+            _ => format!(
+                "No: {}.",
+                explorer.value(&right)?.as_str().unwrap_or_default()
+            ),
+        };
+        if !told.starts_with(&begins) {
+            return Err(format!("{name}: the guess {i} is answered with {told}"));
+        }
+        explorer.page.wait_for(&format!(
+            "(host => Number(host.querySelector('.film input').value) > 0 && host.querySelector('.play').ariaLabel === 'Pause'
+                && Object.entries(slipbookExplorers.{name}.predict.at).every(([key, value]) =>
+                    Number(host.querySelector(`.inputs [name=${{key}}]`).value) === value))
+             (document.getElementById('explore-{name}'))"
+        ))?;
+        explorer.right()?;
+    }
+    explorer.value("host.querySelector('.play[aria-label=Pause]')?.click()")?;
+    Ok(())
 }
 
 /// Labels that a careless way to markup would break.

@@ -6,6 +6,7 @@
 mod access;
 mod chrome;
 mod explorers;
+mod measures;
 mod pages;
 mod visit;
 
@@ -29,7 +30,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 19] = [
+const TESTS: [(&str, Test); 24] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -65,6 +66,11 @@ const TESTS: [(&str, Test); 19] = [
         "a_view_can_be_linked_and_fragments_still_work",
         explorers::addresses,
     ),
+    ("every_answer_comes_in_time", measures::answers),
+    ("every_picture_is_drawn_in_time", measures::frames),
+    ("a_phone_shows_all", measures::phone),
+    ("paper_holds_the_findings", measures::paper),
+    ("what_one_points_at_is_said", measures::cards),
     ("pages_are_accessible", access::pages),
     ("themes_are_accessible", access::themes),
 ];

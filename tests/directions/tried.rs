@@ -137,7 +137,7 @@ pub const TRIED: &[Said] = &[
                     .all(|two| rate(&two[0].1) < rate(&two[1].1) && two[0].1[0][0] < two[1].1[0][0])
         },
     ),
-    ("fig-2", "Above, without rest; below, with rests", |data| {
+    ("fig-2", "First without rest, then with rests", |data| {
         let rests = |rows: &[Vec<f64>]| {
             rows.windows(2)
                 .any(|two| two[0][3] == 0.0 && two[1][3] == 0.0)

@@ -35,6 +35,8 @@ pub struct Edition {
     pub description: &'static str,
     /// The icon of its pages, an SVG.
     pub icon: &'static str,
+    /// The picture that stands for the book where a link to it is shared: its name within the book, and its bytes.
+    pub picture: Option<(&'static str, &'static [u8])>,
     /// The paper.
     pub paper: &'static Paper,
     /// The pages: `index` stands first, then those of the topics, whose titles are the topics', then all others in this
@@ -71,6 +73,7 @@ impl Edition {
             title: paper.title,
             description: "The claims of a paper, tried and judged",
             icon: include_str!("../theme/icon.svg"),
+            picture: None,
             paper,
             pages: &[],
             usual: Page::USUAL,

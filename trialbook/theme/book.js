@@ -135,8 +135,9 @@
 
     // Long tables: a field that keeps the rows with all its words, and headings that sort.
     const bars = new Set(['ledger', 'equations', 'values', 'symbols', 'strongest', 'accuracy']);
-    const tables = all('.table-wrapper').filter(box => [...box.classList].some(name => bars.has(name)) && all('tbody tr', box).length > 12);
-    if (tables.length && !document.querySelector('.claim')) {
+    const tables = all('.table-wrapper').filter(box => [...box.classList].some(name => bars.has(name)));
+    const long = tables.some(box => all('tbody tr', box).length > 12);
+    if (long && !document.querySelector('.claim')) {
         const bar = document.createElement('div');
         bar.className = 'filter';
         bar.innerHTML = '<label>Only rows with <input type="search" autocomplete="off" placeholder="inherits, 2.2, τ"></label> <span role="status"></span>';
@@ -157,10 +158,17 @@
                 shown += !row.hidden;
             });
             said.textContent = words.length ? `${shown} of ${rows.length}` : '';
+            // A table of which no row is left goes, with a heading of its own.
+            tables.forEach(box => {
+                box.hidden = all('tbody tr', box).every(row => row.hidden);
+                const above = box.previousElementSibling;
+                if (above?.matches('h2')) above.hidden = box.hidden;
+            });
         };
         field.addEventListener('input', filter);
         field.addEventListener('keydown', event => event.stopPropagation());
-        tables[0].before(bar);
+        const first = tables[0].previousElementSibling;
+        (first?.matches('h2') ? first : tables[0]).before(bar);
         const number = text => Number(text.replace(/[,\s]/g, '').replace('−', '-').match(/^\(?(-?[\d.]+)/)?.[1] ?? NaN);
         tables.forEach(box => all('th', box).forEach((head, k) => {
             const button = document.createElement('button');

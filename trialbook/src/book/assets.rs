@@ -18,6 +18,7 @@ const THEME: &[(&str, &[u8])] = files![
     "theme/access.css",
     "theme/book.js",
     "theme/overview.js",
+    "theme/cards.js",
     "theme/katex/katex.min.css",
     "theme/katex/NOTICE.txt",
     "theme/katex/LICENSE-MIT.txt",

@@ -96,12 +96,24 @@ fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     };
     let [old, new] = forms(context, claim, correction.latex)?;
     Ok(format!(
-        "<div class=\"claim-forms\">\
+        "<div class=\"{}\">\
          <div class=\"printed\"><p class=\"claim-label\">As printed</p>{old}</div>\
          <div class=\"corrected\"><p class=\"claim-label\">As corrected (changed: {changed})</p>{new}</div>\
          </div>{}",
+        side_by_side([&old, &new]),
         by_hand(context, entry)?
     ))
+}
+
+/// The class of two forms that stand side by side; words take as much room as there is.
+pub(super) fn side_by_side(forms: [&String; 2]) -> &'static str {
+    match forms
+        .iter()
+        .any(|form| form.contains("<p class=\"claim-words\""))
+    {
+        true => "claim-forms worded",
+        false => "claim-forms",
+    }
 }
 
 /// What is printed and what is right, with what is changed marked.

@@ -66,13 +66,14 @@ impl<'a> Context<'a> {
     }
 }
 
-/// A verdict, in word and colour.
+/// A verdict, in word and colour. Of the longest, what can be left out where there is no room stands apart.
 pub(super) fn verdict(verdict: Verdict) -> String {
-    format!(
-        "<span class=\"verdict {}\">{}</span>",
-        verdict.slug(),
-        verdict.words()
-    )
+    let words = verdict.words();
+    let words = match verdict {
+        Verdict::Degenerate => words.replacen(' ', "<span class=\"more\"> ", 1) + "</span>",
+        _ => words.to_owned(),
+    };
+    format!("<span class=\"verdict {}\">{words}</span>", verdict.slug())
 }
 
 /// The sign of a verdict where there is no room for its name; `theme/book.css` has the same.

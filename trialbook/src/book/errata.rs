@@ -1,6 +1,6 @@
 //! The page of errata, and the letters beside it.
 
-use super::claim_box::{forms, heading, statement};
+use super::claim_box::{forms, heading, side_by_side, statement};
 use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::sentence;
@@ -32,16 +32,20 @@ fn item(context: &Context<'_>, stem: &str, erratum: &Erratum) -> Result<String, 
     let [old, new] = match (erratum.verdict, entry.claim.correction) {
         (Verdict::Conditional, _) | (_, None) => [
             statement(context, entry.claim, entry.claim.latex)?,
-            format!("<p>{}</p>", maths.words(&erratum.new)?),
+            format!(
+                "<p class=\"claim-words\">{}</p>",
+                maths.words(&erratum.new)?
+            ),
         ],
         (_, Some(correction)) => forms(context, entry.claim, correction.latex)?,
     };
     let mut html = format!(
         "<section class=\"erratum {slug}\" aria-labelledby=\"{stem}-{id}\"><h3 id=\"{stem}-{id}\"><a href=\"{page}.html#{id}\">{title}</a></h3>\
          <p class=\"claim-place\">Section {section} {verdict}</p>\
-         <div class=\"claim-forms\"><div class=\"printed\"><p class=\"claim-label\">Printed</p>{old}</div>\
+         <div class=\"{beside}\"><div class=\"printed\"><p class=\"claim-label\">Printed</p>{old}</div>\
          <div class=\"corrected\"><p class=\"claim-label\">Should be</p>{new}</div></div>",
         slug = erratum.verdict.slug(),
+        beside = side_by_side([&old, &new]),
         id = erratum.id,
         page = entry.topic.stem,
         section = erratum.section,

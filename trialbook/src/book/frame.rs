@@ -10,8 +10,7 @@ use super::maths::{Forms, Maths};
 use super::pages;
 use super::search::Search;
 use super::swap::{Staging, unwritable};
-use super::text::escape;
-use super::{assets, map, overview, put};
+use super::{assets, head, map, overview, put};
 use crate::edition::{Edition, Filled, Page};
 use crate::figures::Figure;
 use crate::ledger::deep::Deep;
@@ -131,6 +130,9 @@ impl<'a> Frame<'a> {
             }
             let answers = overview::answers(&context)?;
             put(&book.join(overview::ANSWERS), answers.as_bytes())?;
+            if let Some((name, bytes)) = self.edition.picture {
+                put(&book.join(name), bytes)?;
+            }
             for (name, text) in (self.edition.files)() {
                 put(&book.join(name), text.as_bytes())?;
             }
@@ -182,7 +184,7 @@ impl<'a> Frame<'a> {
                     Filled::Block(html) => (html, true),
                 };
                 let html = match name.as_str() {
-                    PRINT => self.within_one_page(html),
+                    PRINT => without_samples(&without_scripts(&self.within_one_page(html))),
                     _ => html.clone(),
                 };
                 Some((html, block))
@@ -192,7 +194,10 @@ impl<'a> Frame<'a> {
             let mut topics = self.edition.paper.topics.iter();
             let chapter = name == PRINT || topics.any(|topic| topic.stem == stem);
             let html = if chapter { with_folds(&html) } else { html };
-            (name.clone(), with_head(self.edition, &html, forms))
+            (
+                name.clone(),
+                head::with_head(self.edition, stem, &html, forms),
+            )
         };
         let pages: Vec<_> = self.html.par_iter().map(whole).collect();
         let index = || {
@@ -229,6 +234,26 @@ impl<'a> Frame<'a> {
     }
 }
 
+/// What a page for printing shows of a block: scripts have nothing to do there.
+fn without_scripts(html: &str) -> String {
+    without(html, "<script", "</script>")
+}
+
+/// A block without the values that agree, which paper does not show; those that disagree are unfolded.
+fn without_samples(html: &str) -> String {
+    without(html, "<details class=\"samples\">", "</details>")
+}
+
+/// A text without all that stands between two marks, and without these.
+fn without(text: &str, open: &str, close: &str) -> String {
+    let mut parts = text.split(open);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        out.push_str(part.split_once(close).map_or("", |(_, after)| after));
+    }
+    out
+}
+
 /// A page with something put in the place of each mark, and whether that is a block: a mark that is alone in its
 /// paragraph then stands for all of it.
 fn with_blanks(html: &str, put_in: impl Fn(usize) -> Option<(String, bool)>) -> String {
@@ -248,43 +273,6 @@ fn with_blanks(html: &str, put_in: impl Fn(usize) -> Option<(String, bool)>) -> 
         out.push_str(after);
     }
     out
-}
-
-/// A page with a title of its own and what those need who share a link to it.
-fn with_head(edition: &Edition, html: &str, forms: &Forms) -> String {
-    let Some((before, rest)) = html.split_once("<title>") else {
-        return html.to_owned();
-    };
-    let Some((title, after)) = rest.split_once("</title>") else {
-        return html.to_owned();
-    };
-    let book = escape(edition.title);
-    // What a page adds to the name of the book.
-    let title = match title.strip_suffix(&format!(" - {book}")) {
-        Some(page) if page != book => format!("{page} - {book}"),
-        _ => format!("{book}: {}", escape(edition.description)),
-    };
-    let first = after.split_once("</h1>").map_or("", |(_, rest)| rest);
-    // The line in italics says where a chapter stands in the paper.
-    let mut texts = first
-        .split("<p>")
-        .skip(1)
-        .filter(|text| !text.starts_with("<em>Section"));
-    let text = texts.next().and_then(|text| text.split("</p>").next());
-    let words = forms.with_words(text.unwrap_or_default());
-    let mut plain = String::new();
-    for part in words.split('<') {
-        plain.push_str(part.split_once('>').map_or(part, |(_, text)| text));
-    }
-    let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
-    let plain = match plain.as_str() {
-        "" => escape(edition.description),
-        text => text.replace('"', "&quot;"),
-    };
-    format!(
-        "{before}<title>{title}</title><meta property=\"og:title\" content=\"{title}\">\
-         <meta property=\"og:type\" content=\"article\"><meta property=\"og:description\" content=\"{plain}\">{after}"
-    )
 }
 
 /// A chapter with its listings folded away, but for those in what is folded already.

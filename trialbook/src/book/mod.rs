@@ -8,7 +8,7 @@
 //! | `{{figure fig-1}}` | the figure with its caption, text alternative and data |
 //! | `{{title}}`, `{{authors}}` | of the paper |
 //! | `{{counts}}` | a table of the verdicts with the number of claims |
-//! | `{{errors}}` | the independent errors, a line each with link |
+//! | `{{errors}}`, `{{errors fallen}}` | the independent errors, a line each with link; and with what falls with each |
 //! | `{{skeleton}}` | a mark for each numbered equation, by its verdict |
 //! | `{{ask}}` | a field that answers with a claim to a number, a symbol or words |
 //! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
@@ -51,6 +51,7 @@ mod error;
 mod expand;
 mod fill;
 mod frame;
+mod head;
 mod links;
 mod map;
 mod maths;

@@ -4,30 +4,38 @@ use super::claim_box::is_formula;
 use super::context::{Context, sign, verdict};
 use super::error::Fault;
 use super::text::{escape, sentence};
-use crate::ledger::{Entry, plain_words};
+use crate::claims::Topic;
+use crate::ledger::{Entry, Verdict, plain_words};
 use serde::Serialize;
 
 /// Where the answers lie within the book.
 pub(super) const ANSWERS: &str = "answers.js";
 
-/// The independent errors, a line each.
-pub(super) fn errors(context: &Context<'_>) -> Result<String, Fault> {
+/// The independent errors, a line each; with what falls with each, if that is asked for.
+pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String, Fault> {
     let line = |entry: &Entry| {
         let wrong = entry.in_short().unwrap_or_default();
         let wrong = wrong
             .split_once(": ")
             .map_or(wrong.as_str(), |(_, wrong)| wrong);
         let words = context.maths.words(&sentence(wrong))?;
-        Ok(format!("<li>{}: {words}.</li>", context.link(entry)?))
+        let erratum = context.errata.iter().find(|e| e.id == entry.claim.id);
+        let fallen = erratum.map_or(&[][..], |erratum| &erratum.fallen);
+        let fallen = match fallen {
+            [] => String::new(),
+            _ if !with_fallen => String::new(),
+            ids => format!(" With it {}.", context.links(ids)?),
+        };
+        let link = context.link(entry)?;
+        Ok(format!("<li>{link}: {words}.{fallen}</li>"))
     };
     let lines: Result<String, Fault> = context.ledger.roots().map(line).collect();
     Ok(format!("<ul class=\"errors\">{}</ul>\n", lines?))
 }
 
-/// A mark for each numbered equation, by its verdict. One of them can be reached by keyboard; a script leads on from it.
+/// A mark for each numbered equation, by its verdict, topic by topic. One of them can be reached by keyboard; a script leads on
+/// from it.
 pub(super) fn skeleton(context: &Context<'_>) -> String {
-    let numbered = context.ledger.entries.iter();
-    let numbered = numbered.filter_map(|entry| Some((entry.claim.equation?, entry)));
     let mark = |(number, entry): (u16, &Entry)| {
         let verdict = entry.judgement.verdict;
         let name = format!(
@@ -45,11 +53,32 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
             name = escape(&name),
         )
     };
-    let mut sorted: Vec<_> = numbered.collect();
-    sorted.sort_by_key(|(number, _)| *number);
-    let marks: String = sorted.into_iter().map(mark).collect();
+    let part = |topic: &Topic| {
+        let entries = context.ledger.entries.iter();
+        let entries = entries.filter(|entry| entry.topic.stem == topic.stem);
+        let mut numbered: Vec<_> = entries
+            .filter_map(|entry| Some((entry.claim.equation?, entry)))
+            .collect();
+        numbered.sort_by_key(|(number, _)| *number);
+        let section = topic.claims.first().map_or("", |claim| claim.section);
+        let marks: String = numbered.into_iter().map(mark).collect();
+        match marks.is_empty() {
+            true => marks,
+            false => format!(
+                "<div><abbr title=\"{}\">{}</abbr>{marks}</div>",
+                escape(topic.title),
+                escape(section)
+            ),
+        }
+    };
+    let parts: String = context.ledger.paper.topics.iter().map(part).collect();
+    let counts = context.ledger.counts();
+    let used = Verdict::ALL.into_iter().filter(|v| counts[v] > 0);
+    let key = used.map(|v| format!("<li class=\"{} marked\">{}</li>", v.slug(), v.words()));
     format!(
-        "<div class=\"skeleton\" role=\"group\" aria-label=\"The numbered equations, by verdict\">{marks}</div>\n"
+        "<div class=\"skeleton\" role=\"group\" aria-label=\"The numbered equations, by verdict\">{parts}</div>\
+         <ul class=\"skeleton-key\">{}</ul>\n",
+        key.collect::<String>()
     )
 }
 

@@ -5,6 +5,7 @@
 
 use super::context::Context;
 use super::text::unescape;
+use crate::evidence::Change;
 use elasticlunr::lang::English;
 use elasticlunr::{Index, IndexBuilder, Language, Pipeline};
 use serde_json::json;
@@ -80,6 +81,10 @@ fn words(text: &str) -> Vec<String> {
             forms.extend(names.map(str::to_owned));
             forms.push(typed.replace('_', ""));
             forms.push(typed);
+        }
+        // As one writes it before a number.
+        if bare == "eq" {
+            forms.push("eq.".to_owned());
         }
         forms.retain(|form| !form.is_empty() && form.len() <= 80);
         forms.sort();
@@ -161,12 +166,22 @@ impl Search {
             // As many digits as one remembers, rounded off or cut.
             let values = values.filter_map(|value| value.shown().ok()).map(|text| {
                 let lengths = (4..=text.len()).filter(|n| text.is_char_boundary(*n));
-                lengths.map(|n| &text[..n]).collect::<Vec<_>>().join(" ")
+                let cut = lengths.map(|n| text[..n].to_owned());
+                let number: f64 = text.parse().unwrap_or(f64::NAN);
+                let decimals = text
+                    .split_once('.')
+                    .map_or(0, |(_, decimals)| decimals.len());
+                let rounded = (2..decimals).map(|n| format!("{number:.n$}"));
+                cut.chain(rounded).collect::<Vec<_>>().join(" ")
             });
+            let sign = claim.correction.filter(|_| verdict.is_wrong());
+            let sign = sign.filter(|correction| correction.change == Change::Sign);
+            let sign = sign.map(|_| "sign error wrong sign".to_owned());
             let symbols = context.edition.symbols.iter();
             let symbols = symbols.filter(|symbol| symbol.claim == claim.id);
             let symbols = symbols.map(|symbol| symbol.plain.to_owned());
-            let words: Vec<_> = number.into_iter().chain(values).chain(symbols).collect();
+            let words = number.into_iter().chain(values).chain(symbols).chain(sign);
+            let words: Vec<_> = words.collect();
             let aliases = search.aliases.entry(address.clone()).or_default();
             aliases.push_str(&format!(" {} {}", verdict.slug(), words.join(" ")));
             search

@@ -1,0 +1,74 @@
+//! What a page says of itself: its name, and what those see who share a link to it.
+
+use super::maths::Forms;
+use super::text::escape;
+use crate::edition::Edition;
+
+/// mdBook's highlighter.
+const HIGHLIGHTER: &str = "<script src=\"highlight.js\"></script>";
+/// What mdBook's script asks of it.
+const NO_HIGHLIGHTER: &str =
+    "<script>window.hljs = { configure() {}, highlightBlock() {} };</script>";
+/// The description of the book, which mdBook gives to every page.
+const DESCRIPTION: &str = "<meta name=\"description\" content=\"";
+
+/// A page with its stem for the style sheets, a title and a description of its own, what those need who share a link to it,
+/// and no highlighter where there is no code.
+pub(super) fn with_head(edition: &Edition, stem: &str, html: &str, forms: &Forms) -> String {
+    let html = html.replacen("<html ", &format!("<html data-page=\"{stem}\" "), 1);
+    let html = match html.contains("<pre") {
+        true => html,
+        false => html.replacen(HIGHLIGHTER, NO_HIGHLIGHTER, 1),
+    };
+    let Some((before, rest)) = html.split_once("<title>") else {
+        return html;
+    };
+    let Some((title, after)) = rest.split_once("</title>") else {
+        return html;
+    };
+    let book = escape(edition.title);
+    // What a page adds to the name of the book.
+    let title = match title.strip_suffix(&format!(" - {book}")) {
+        Some(page) if page != book => format!("{page} - {book}"),
+        _ => format!("{book}: {}", escape(edition.description)),
+    };
+    let words = description(edition, after, forms);
+    let after = match after.split_once(DESCRIPTION) {
+        Some((first, rest)) => {
+            let rest = rest.split_once('"').map_or("", |(_, rest)| rest);
+            format!("{first}{DESCRIPTION}{words}\"{rest}")
+        }
+        None => after.to_owned(),
+    };
+    let picture = match edition.picture {
+        Some((name, _)) => format!(
+            "<meta property=\"og:image\" content=\"{name}\"><meta name=\"twitter:card\" content=\"summary_large_image\">"
+        ),
+        None => String::new(),
+    };
+    format!(
+        "{before}<title>{title}</title><meta property=\"og:title\" content=\"{title}\">\
+         <meta property=\"og:type\" content=\"article\"><meta property=\"og:description\" content=\"{words}\">{picture}{after}"
+    )
+}
+
+/// The first words of a page, as the value of an attribute.
+fn description(edition: &Edition, html: &str, forms: &Forms) -> String {
+    let first = html.split_once("</h1>").map_or("", |(_, rest)| rest);
+    // The line in italics says where a chapter stands in the paper.
+    let mut texts = first
+        .split("<p>")
+        .skip(1)
+        .filter(|text| !text.starts_with("<em>Section"));
+    let text = texts.next().and_then(|text| text.split("</p>").next());
+    let words = forms.with_words(text.unwrap_or_default());
+    let mut plain = String::new();
+    for part in words.split('<') {
+        plain.push_str(part.split_once('>').map_or(part, |(_, text)| text));
+    }
+    let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
+    match plain.as_str() {
+        "" => escape(edition.description),
+        text => text.replace('"', "&quot;"),
+    }
+}
