@@ -23,6 +23,12 @@
     // A heading's link to itself is for the mouse; every box has its address in its evidence.
     all('main a.header').forEach(link => { link.tabIndex = -1; });
 
+    // A path or the name of a field is broken between its parts.
+    all('td code').forEach(code => {
+        if (code.childElementCount || code.textContent.length < 12) return;
+        code.replaceChildren(...code.textContent.split(/(?<=[./_\]])(?![.\]])/).flatMap((part, i) => i ? [document.createElement('wbr'), part] : [part]));
+    });
+
     // A formula or table wider than its place scrolls: then it can be reached by keyboard.
     const reachable = box => {
         const scrolls = box.scrollWidth > box.clientWidth + 1;
