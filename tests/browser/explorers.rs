@@ -481,7 +481,6 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
         if last == moved {
             return Err(format!("{name}: the time cannot be drawn along"));
         }
-        guess(&mut explorer)?;
         if name == "turntable" {
             let place = explorer.value(
                 "(coin => [Number(coin.getAttribute('cx')), Number(coin.getAttribute('cy'))])(host.querySelector('.scene .body'))",
@@ -496,6 +495,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
                 ));
             }
         }
+        guess(&mut explorer)?;
         explorer.unharmed()?;
     }
     let mut explorer = Explorer::open(page, book, "record", "")?;

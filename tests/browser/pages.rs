@@ -95,7 +95,7 @@ const SOUGHT: [(&str, usize, &str); 31] = [
     ("4.603", 2, "anisotropic.html#eq-58"),
     ("stick-slip", 1, "sinusoidal.html#sinusoidal"),
     ("figure 5", 1, "anisotropic.html#fig-5"),
-    ("sign error", 1, "sphere.html#eq-75"),
+    ("sign error", 2, "sphere.html#eq-75"),
     ("rest or escape", 2, "rest.html#s4-envelope-is-boundary"),
     ("kappa", 1, "sphere.html#eq-62"),
     ("(147)", 1, "rest.html#eq-147"),

@@ -176,9 +176,15 @@ impl Search {
             });
             let sign = claim.correction.filter(|_| verdict.is_wrong());
             let sign = sign.filter(|correction| correction.change == Change::Sign);
-            let sign = sign.map(|_| "sign error wrong sign".to_owned());
+            let sign = sign.map(|_| "sign error".to_owned());
             let symbols = context.edition.symbols.iter();
+            // A word that is to lead elsewhere does not lead here, whatever its case.
+            let taken = |word: &str| {
+                let mut own = context.edition.aliases.iter();
+                own.any(|(_, words)| words.to_lowercase().split(' ').any(|own| own == word))
+            };
             let symbols = symbols.filter(|symbol| symbol.claim == claim.id);
+            let symbols = symbols.filter(|symbol| !taken(&symbol.plain.to_lowercase()));
             let symbols = symbols.map(|symbol| symbol.plain.to_owned());
             let words = number.into_iter().chain(values).chain(symbols).chain(sign);
             let words: Vec<_> = words.collect();
