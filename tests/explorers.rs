@@ -419,7 +419,7 @@ fn the_guesses_have_the_answers_that_are_given() {
             "later",
             "can come to rest even when flicked hard",
             "τ²",
-            "comes to rest and stays",
+            "faster than any exponential",
             "disappear"
         ]
     );
