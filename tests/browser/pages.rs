@@ -86,7 +86,7 @@ const SOUGHT: [(&str, usize, &str); 31] = [
     ("eq. 13", 1, "constant.html#eq-13"),
     ("is (20) right", 1, "constant.html#eq-20"),
     ("errors", 1, "errata.html#errata"),
-    ("Y", 1, "anisotropic.html#eq-58"),
+    ("Y", 2, "anisotropic.html#eq-58"),
     ("λc", 1, "sinusoidal.html#eq-37"),
     ("lambda c", 1, "sinusoidal.html#eq-37"),
     ("lambda_c", 1, "sinusoidal.html#eq-37"),
