@@ -57,7 +57,7 @@ pub static CASES: [ByHand; 26] = [
         claim: "s23-nonzero-again",
         wrong: "a word; it is the acceleration, not the friction",
         reason: "A word: the acceleration of the table becomes nonzero again, not friction. While the particle slides friction is never zero",
-        case: "Take $\\eta=\\frac12$ and $\\lambda_0=\\frac14$. In the gap between the pulses, at $\\phi=\\frac34\\pi$, the particle still slides forward, so that friction gives it the acceleration $-\\frac14$. What is to become nonzero again at $\\pi$ has to be zero here: it is {stated} as printed, and {found} for the drive",
+        case: "Take $\\eta=\\frac12$ and $\\lambda_0=\\frac14$. In the gap between the pulses, at $\\phi=\\frac34\\pi$, the particle still slides forward, so that friction gives it the acceleration $-\\frac14$. Whatever "becomes nonzero again" at $\\pi$ must be zero here: it is {stated} as printed, and {found} for the drive",
         digits: 2,
         stated: || {
             Ok(periodic::s23_nonzero_again(friction([
@@ -70,7 +70,7 @@ pub static CASES: [ByHand; 26] = [
     },
     ByHand {
         claim: "s24-region-2",
-        wrong: "beyond Y, for $q>q_Y=4.603$, its border is not B but E, where the forward motion ends just when the drive ceases to pull backward",
+        wrong: "beyond Y, for $q>q_Y=4.603$, it does not reach up to C but only to E, where the forward motion ends just when the drive ceases to pull backward",
         reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion. The border of that is E: $\\sqrt{1-\\lambda_0^2}-\\sqrt{1-(q\\lambda_0)^2}=\\lambda_0[2\\pi-\\sin^{-1}(q\\lambda_0)-\\sin^{-1}\\lambda_0]$",
         case: "Take $q=9$, $\\lambda_0=0.1$: below C at $1/9$, and far above A. The drive can pull backward only while $\\sin\\phi<-0.9$, from $\\phi=4.261$ to $5.163$. The forward motion begins at $0.100$, and at $5.163$ its velocity is $0.995-0.436-0.1\\,(5.163-0.100)=0.053$, still positive. Backward intervals in a period: {stated} printed, {found} in the motion",
         digits: 0,
@@ -264,7 +264,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "eq-146",
         wrong: "the surfaces have no envelope",
-        reason: "The derivative of (145) is right. But an envelope needs it to vanish somewhere, and it does not: the surfaces of the motion do not touch. At $\\alpha=\\sqrt2(1-\\sigma)$ the terms left out of (145) are as large as those kept",
+        reason: "The derivative of (145) is right. But an envelope needs it to vanish somewhere, and for the surfaces of the motion it is positive everywhere. At $\\alpha=\\sqrt2(1-\\sigma)$ the terms left out of (145) are as large as those kept",
         case: "With $a=A-1$ and $\\alpha$ small and $\\psi=2\\alpha$, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$, so that $a^2-\\alpha^2$ keeps its value at rest, $(1-\\sigma)^2$: $A=1-\\sqrt{(1-\\sigma)^2+\\alpha^2}$ on the surface of $\\sigma$. At $\\alpha=\\sqrt2(1-\\sigma)$ the slope $\\partial A/\\partial\\sigma$ is $1/\\sqrt3$. Printed: {stated}. In the motion, with $1-\\sigma$ below a hundredth: {found}",
         digits: 2,
         stated: || Ok(rest::eq146_right(0.5, 0.5 * SQRT_2)),
@@ -285,7 +285,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "s4-envelope-is-boundary",
         wrong: "the surfaces have no envelope",
-        reason: "(145) holds for $\\alpha\\ll1-\\sigma$, and its envelope lies at $\\alpha=\\sqrt2(1-\\sigma)$, where (145) does not hold. A state has one future: surfaces of different $\\sigma$ never meet and have no envelope",
+        reason: "(145) holds for $\\alpha\\ll1-\\sigma$, and its envelope lies at $\\alpha=\\sqrt2(1-\\sigma)$, where (145) does not hold. Besides, each point of an envelope lies on one of the surfaces: a start there comes to rest, and so does every start near it. So an envelope of these surfaces cannot be the boundary",
         case: "Take $\\alpha=0.1$, $\\psi=0.2$. With $a=A-1$ small, (113) and (114) are $\\dot a=\\alpha$, $\\dot\\alpha=a$: the states on $a=-\\alpha$ creep towards $\\alpha=0$ for ever, and those below come to rest. So the boundary is near $A=1-\\alpha=0.9$. Printed: {stated}. By bisection on the motion: {found}. According to the print a start with $A=0.88$ escapes; in fact it comes to rest",
         digits: 4,
         stated: || Ok(rest::eq147_a(0.1)),

@@ -395,7 +395,7 @@ const CLAIMS: &[Claim] = &[
         plain: "For λ ≤ 1 friction cannot hold the particle: θ → 0 at large times, and the particle slides along the line of the acceleration.",
         depends_on: &["eq-13"],
         conditions: &[Condition {
-            text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it",
+            text: r"not $\lambda=1$ at rest or with $\theta_0=\pi$: static friction holds a particle at rest, and one with $\theta_0=\pi$ stops first",
             sort: Sort::Degenerate,
         }],
         trials: trials![

@@ -189,7 +189,7 @@ pub fn fan(ways: &[PutDown], critical: f64) -> Result<Figure, FigureError> {
     }
     Plot::new("escape-fan", "Put down on a turning record")
         .caption(
-            "Particles put down at rest on a turning table, along twelve rays, and the paths that they follow on it. \
+            "Particles put down, at rest in the laboratory, on a turning table, along twelve rays, and the paths that they follow on it. \
              Friction carries the inner ones along: where the dots are they rest. The outer ones slide off. Next to \
              the critical radius a hair's breadth decides. Lengths in units of $\\mu g/\\Omega^2$.",
         )

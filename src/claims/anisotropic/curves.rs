@@ -123,7 +123,7 @@ fn motion(row: &Row) -> f64 {
 }
 
 const SIDES: Compared = Compared::one(
-    "the order of slips and rests in a period by the printed list (a digit each: 3 forward, 2 rest, 1 backward)",
+    "the order of slips and rests in a period by the printed list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
     "that of the simulated motion",
 )
 .over("$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of where the order changes");
@@ -189,7 +189,7 @@ pub fn e_root() -> Evidence {
 /// B and E on both sides, with the corrected list, over the whole range of q.
 pub fn e_census() -> Evidence {
     let compared = Compared::one(
-        "the order of slips and rests in a period by the corrected list (a digit each: 3 forward, 2 rest, 1 backward)",
+        "the order of slips and rests in a period by the corrected list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     )
     .over("$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of where direct reversals end");
@@ -235,7 +235,7 @@ pub fn eq55_census() -> Evidence {
 /// (55) on both sides, beyond Y: where friction backwards is as strong as the drive.
 pub fn eq55_census_outside() -> Evidence {
     let compared = Compared::one(
-        "the order of slips and rests in a period by the printed list (a digit each: 3 forward, 2 rest, 1 backward)",
+        "the order of slips and rests in a period by the printed list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     )
     .over(r"$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of $q\lambda_0=1$");

@@ -69,7 +69,7 @@ pub fn integration() -> Evidence {
 /// The intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
 pub fn census() -> Evidence {
     let compared = Compared::one(
-        r"the order of slips and rests in a period by the corrected list at $(1/q,q\lambda_0)$ (a digit each: 3 forward, 2 rest, 1 backward)",
+        r"the order of slips and rests in a period by the corrected list at $(1/q,q\lambda_0)$ (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         r"that of the simulated motion at $(q,\lambda_0)$, forward and backward exchanged",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);

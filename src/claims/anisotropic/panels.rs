@@ -145,7 +145,7 @@ pub fn motion(panel: usize, start: State) -> Result<Attractor<'static>, Failure>
 /// The intervals in each panel, and whether the motion stays on the axes, from several starts.
 pub fn census() -> Evidence {
     let compared = Compared::many(
-        r"the order of slips and rests in a period by the words of the panel's region (a digit each: 3 forward, 2 rest, 1 backward), and $\lvert\mathfrak w\rvert$, but not more than 1,",
+        r"the order of slips and rests in a period by the words of the panel's region (3 for a forward slip, 2 for a rest, 1 for a backward slip), and $\lvert\mathfrak w\rvert$, but not more than 1,",
         r"those of the simulated motion, and the largest $\lvert\mathfrak w\rvert$, from eight starts",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);

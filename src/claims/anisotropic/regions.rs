@@ -71,15 +71,15 @@ const fn by_census(subject: Subject, compared: Compared) -> Trial {
 }
 
 const BY_REGION: Compared = Compared::one(
-    "the order of slips and rests in a period by the claim (a digit each: 3 forward, 2 rest, 1 backward)",
+    "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
     "that of the simulated motion",
 )
-.over("wherever that is the region's or next to it and the printed list has this region; where it has another, this claim says nothing");
+.over("in the region as printed and next to it");
 const BY_CORRECTED_REGION: Compared = Compared::one(
-    "the order of slips and rests in a period by the claim (a digit each: 3 forward, 2 rest, 1 backward)",
+    "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
     "that of the simulated motion",
 )
-.over("wherever that is the region's or next to it and the corrected list has this region; where it has another, this claim says nothing");
+.over("in the region as corrected and next to it");
 
 /// What the words of one region say where a list has it.
 fn words_of(region: usize, list: Regions) -> Says {
@@ -242,7 +242,7 @@ pub fn second_corrected_ends() -> Evidence {
 /// What is new in region IV: between E and C.
 pub fn between_e_and_c() -> Evidence {
     let compared = Compared::one(
-        "the order of slips and rests in a period by the words of IV (a digit each: 3 forward, 2 rest, 1 backward)",
+        "the order of slips and rests in a period by the words of IV (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     )
     .over("between E and C; elsewhere beyond Y this says nothing");
@@ -324,7 +324,7 @@ pub const LARGEST_Q: f64 = 7.0;
 /// The printed diagram at the points of the census.
 pub fn diagram() -> Evidence {
     let compared = Compared::one(
-        "the order of slips and rests in a period by the printed diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "the order of slips and rests in a period by the printed diagram (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     )
     .over("all over the diagram's axes");
@@ -356,7 +356,7 @@ pub fn diagram_step() -> Evidence {
 /// The corrected diagram at all points of the census.
 pub fn corrected_diagram() -> Evidence {
     let compared = Compared::one(
-        "the order of slips and rests in a period by the corrected diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "the order of slips and rests in a period by the corrected diagram (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     )
     .over("$q$ from 1 to 12");
@@ -368,7 +368,7 @@ pub fn corrected_diagram() -> Evidence {
 /// The corrected diagram farther out.
 pub fn far() -> Evidence {
     let compared = Compared::one(
-        "the order of slips and rests in a period by the corrected diagram (a digit each: 3 forward, 2 rest, 1 backward)",
+        "the order of slips and rests in a period by the corrected diagram (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     );
     let trial = by_census(Subject::Corrected, compared);

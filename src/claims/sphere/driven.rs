@@ -519,7 +519,7 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 /// The order of forward slip, backward slip and rolling in a period, as the particle has it.
 pub fn anisotropic_census() -> Evidence {
     let compared = Compared::one(
-        r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (a digit each: 3 forward, 2 rest, 1 backward),",
+        r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (3 for a forward slip, 2 for a rest, 1 for a backward slip),",
         "that of the sphere's slip",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);

@@ -67,7 +67,7 @@ fn meaning(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Confirmed => "every trial agrees, by two independent routes or by a proof",
         Verdict::Degenerate => {
-            "the same, but for points where the statement has no value or that fill no stretch, such as a particle at rest"
+            "the same, but for points where the statement has no value, or that fill no interval, such as a particle at rest"
         }
         Verdict::Conditional => "true, but only under a condition that the paper does not state",
         Verdict::Misprint => {

@@ -70,7 +70,7 @@ impl Sort {
     pub fn words(self) -> &'static str {
         match self {
             Sort::Stated => "stated in the paper",
-            Sort::Degenerate => "not stated in the paper; what it excepts is degenerate",
+            Sort::Degenerate => "not stated in the paper; it excepts degenerate points only",
             Sort::Substance => "not stated in the paper",
         }
     }

@@ -155,7 +155,7 @@ impl Ledger {
         let clauses = together.map(|conditions| {
             let texts: Vec<_> = conditions.iter().map(|(text, _)| *text).collect();
             format!(
-                "{}: only if {}",
+                "{}: holds if {}",
                 conditions[0].1.join(", "),
                 texts.join("; and ")
             )
