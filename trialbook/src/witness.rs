@@ -4,7 +4,10 @@
 
 mod data;
 
-pub use data::{Element, Equal, Generator, Identity, Inverse, Part, Polynomial, Power, Tree, Witness};
+pub use data::{
+    Condition, Cover, Element, Equal, Generator, Identity, Interval, Inverse, Motion, Number, Part,
+    Polynomial, Power, Root, Step, Tree, Where, Witness,
+};
 
 use std::cell::{Cell, RefCell};
 
@@ -48,6 +51,15 @@ pub fn leave(witness: impl FnOnce() -> Witness) {
     }
 }
 
+/// Leaves a witness that speaks of the root that was left last, if there is one.
+pub fn last_root(witness: impl FnOnce(usize) -> Witness) {
+    let is_root = |witness: &Witness| matches!(witness, Witness::Root(_));
+    let last = LEFT.with_borrow(|left| left.iter().rposition(is_root));
+    if let Some(root) = last {
+        leave(|| witness(root));
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -71,7 +83,9 @@ mod tests {
         });
         assert_eq!((inner, left.len()), (1, 1));
         assert!(of(|| ()).1.is_empty());
-        let Witness::Identity(identity) = &left[0];
+        let Witness::Identity(identity) = &left[0] else {
+            panic!("{left:?}");
+        };
         // The formula is there, and the product with what it is compared to.
         assert_eq!(identity.equal.len(), 1);
         assert!(matches!(identity.parts[..], [Part::Read(..), Part::Element(..), Part::Product(..)]));

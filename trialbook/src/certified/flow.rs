@@ -8,9 +8,11 @@
 
 use super::error::CertifiedError;
 use super::interval::Interval;
+use super::written::{dyadic, ends};
 use crate::numerics::number::Number;
 use crate::numerics::series::Series;
 use crate::numerics::taylor::{Control, Integrator, Step, System};
+use crate::witness;
 
 /// Coefficients of a series; the last one is that of the remainder.
 pub const TERMS: usize = 18;
@@ -48,11 +50,50 @@ pub fn step<S: System<Interval, 12, TERMS>>(
     state: &[Interval; 3],
     h: &mut f64,
 ) -> Result<[Interval; 3], CertifiedError> {
+    Ok(step_within(system, state, h)?.state)
+}
+
+/// A step, with what makes it certain.
+#[derive(Debug, Clone, Copy)]
+pub struct Taken {
+    /// Its length.
+    pub length: f64,
+    /// What no motion leaves meanwhile.
+    pub walls: Extended,
+    /// The state after it.
+    pub state: [Interval; 3],
+}
+
+impl Taken {
+    /// As a witness has it.
+    pub fn written(&self) -> witness::Step {
+        witness::Step {
+            length: dyadic(self.length),
+            walls: self.walls.map(ends).to_vec(),
+            state: self.state.map(ends).to_vec(),
+        }
+    }
+}
+
+/// As [`step`], with what makes it certain.
+///
+/// # Errors
+/// As [`step`].
+pub fn step_within<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    state: &[Interval; 3],
+    h: &mut f64,
+) -> Result<Taken, CertifiedError> {
     *h = h.min(LONGEST);
     while *h > SHORTEST {
-        if let Some(next) = attempt(system, state, *h) {
+        if let Some((state, walls)) = attempt(system, state, *h) {
+            let length = *h;
             *h *= GROW;
-            return Ok(next);
+            return Ok(Taken {
+                length,
+                walls,
+                state,
+            });
         }
         *h *= SHRINK;
     }
@@ -66,7 +107,7 @@ fn attempt<S: System<Interval, 12, TERMS>>(
     system: &S,
     state: &[Interval; 3],
     h: f64,
-) -> Option<[Interval; 3]> {
+) -> Option<([Interval; 3], Extended)> {
     let start = extended(*state);
     let walls = walls(system, &start, h)?;
     let rest = series(system, &walls)?;
@@ -93,7 +134,7 @@ fn attempt<S: System<Interval, 12, TERMS>>(
         }
         next[i] = value.meet(all[i])?;
     }
-    Some(next)
+    Some((next, walls))
 }
 
 /// Coefficients of the series about each start of a box.
@@ -241,7 +282,7 @@ mod tests {
         let start = Interval::point(libm::ldexp(1.0, -20));
         let factor = Interval::point(libm::ldexp(0.2, 20));
         let zero = Interval::point(0.0);
-        let [_, _, z] = attempt(&Growing { factor }, &[zero, zero, start], 1.0).unwrap();
+        let ([_, _, z], _) = attempt(&Growing { factor }, &[zero, zero, start], 1.0).unwrap();
         let expected = start / (Interval::int(1) - factor * start);
         assert!(z.meet(expected).is_some(), "{z} {expected}");
         assert!(z.width() < 1e-8 * z.hi(), "{z}");

@@ -8,6 +8,116 @@ use serde::Serialize;
 pub enum Witness {
     /// Differences that are zero in a ring.
     Identity(Identity),
+    /// One common root of functions in a box.
+    Root(Root),
+    /// Two numbers that agree.
+    Number(Number),
+    /// A statement on a whole range.
+    Range(Cover),
+    /// A motion and its end.
+    Motion(Motion),
+}
+
+/// From a number to another: `["m*2^e", "m*2^e"]`, exactly.
+pub type Interval = (String, String);
+
+/// That functions have exactly one common root in a box, and where it is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Root {
+    /// The variables' names.
+    pub variables: Vec<String>,
+    /// The functions, as many as there are variables.
+    pub functions: Vec<Tree>,
+    /// The box in which the root exists and is the only one.
+    pub within: Vec<Interval>,
+    /// A matrix that is about the inverse of that of the slopes.
+    pub preconditioner: Vec<Vec<String>>,
+    /// A smaller box that holds the root.
+    pub root: Vec<Interval>,
+}
+
+/// Two numbers that differ by `within` at most, where the variables have the values of a root.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Number {
+    /// The place of the root in the list of witnesses.
+    pub root: usize,
+    /// What is stated.
+    pub stated: Tree,
+    /// What is found.
+    pub found: Tree,
+    /// The most by which they differ.
+    pub within: Tree,
+}
+
+/// What is asked of a part of a range.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Condition {
+    /// The value of a function has this sign, 1 or −1, everywhere.
+    Sign(Tree, i32),
+    /// Its derivative by the variable of this number has.
+    Slope(Tree, usize, i32),
+    /// The coefficient of this power in its Taylor series about every point has; for one variable.
+    Coefficient(Tree, usize, i32),
+    /// All of these.
+    All(Vec<Condition>),
+    /// One of these, whichever it is.
+    Any(Vec<Condition>),
+}
+
+/// To which parts of a range a condition is put.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Where {
+    /// To all that are left.
+    Rest,
+    /// To those that begin there, in the variable of this number.
+    From(usize, String),
+    /// To those that end below, in the variable of this number.
+    Below(usize, String),
+}
+
+/// That each part of a range fulfils a condition; the parts leave no gap.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Cover {
+    /// The variables' names.
+    pub variables: Vec<String>,
+    /// The range.
+    pub within: Vec<Interval>,
+    /// The conditions: to each part is put the first of those that go with it.
+    pub cases: Vec<(Where, Condition)>,
+    /// The parts.
+    pub parts: Vec<Vec<Interval>>,
+}
+
+/// A step of a motion.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Step {
+    /// Its length.
+    pub length: String,
+    /// What the motion does not leave meanwhile: the state, and its derivatives by each part of the state before.
+    pub walls: Vec<Interval>,
+    /// Where it is in the end.
+    pub state: Vec<Interval>,
+}
+
+/// All motions from a box of starts, and what becomes of them.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Motion {
+    /// The names of the parts of the state.
+    pub variables: Vec<String>,
+    /// Their rates.
+    pub law: Vec<Tree>,
+    /// Where the motions begin, as formulas.
+    pub from: Vec<Tree>,
+    /// Where they begin, enclosed.
+    pub start: Vec<Interval>,
+    /// The steps.
+    pub steps: Vec<Step>,
+    /// What becomes of them: a name.
+    pub end: String,
+    /// Of which functions of the last state that is the consequence: each list of signs is enough.
+    pub decides: Vec<(Tree, i32)>,
 }
 
 /// A formula as a nested list: `["+", "x", ["sin", "y"]]`. A leaf is a whole number, `π`, or the name of a quantity.
