@@ -149,7 +149,9 @@ fn written(from: [Tree; 3], start: [Interval; 3], taken: &[Taken], fate: Fate) -
     let last = taken.last().map_or(start, |step| step.state);
     Motion {
         variables: names.map(str::to_owned).to_vec(),
-        law: [-(p * w), -(zeta * zeta), w * zeta - p - zeta].map(tree).to_vec(),
+        law: [-(p * w), -(zeta * zeta), w * zeta - p - zeta]
+            .map(tree)
+            .to_vec(),
         from: from.to_vec(),
         start: start.map(ends).to_vec(),
         steps: taken.iter().map(Taken::written).collect(),

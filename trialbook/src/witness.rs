@@ -59,35 +59,3 @@ pub fn last_root(witness: impl FnOnce(usize) -> Witness) {
         leave(|| witness(root));
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::exact::{Expr, Proof, Ring};
-
-    fn proof() -> Proof {
-        let mut ring = Ring::new();
-        let x = ring.symbol("x");
-        Proof::of("x² − x² = 0", &ring, |p| {
-            let square = p.read("x²", Expr::symbol("x") * Expr::symbol("x"))?;
-            p.equal("The two", &square, &(&x * &x))
-        })
-    }
-
-    #[test]
-    fn only_what_runs_inside_leaves_a_witness() {
-        assert!(proof().holds());
-        let (inner, left) = of(|| {
-            assert!(proof().holds());
-            of(proof).1.len()
-        });
-        assert_eq!((inner, left.len()), (1, 1));
-        assert!(of(|| ()).1.is_empty());
-        let Witness::Identity(identity) = &left[0] else {
-            panic!("{left:?}");
-        };
-        // The formula is there, and the product with what it is compared to.
-        assert_eq!(identity.equal.len(), 1);
-        assert!(matches!(identity.parts[..], [Part::Read(..), Part::Element(..), Part::Product(..)]));
-    }
-}

@@ -124,7 +124,10 @@ fn prove_corner(critical: Interval) -> Outcome {
     let written = || {
         let crossing = |way: f64| Condition::Any(vec![sign(c(), way), slope(c(), 0, 1.0)]);
         let before = Where::Below(0, dyadic(critical.lo()));
-        (["q"], vec![(before, crossing(-1.0)), (Where::Rest, crossing(1.0))])
+        (
+            ["q"],
+            vec![(before, crossing(-1.0)), (Where::Rest, crossing(1.0))],
+        )
     };
     let once = everywhere_written(written, [ratios()], |cell| {
         let jet = over(|[q]| corner(q), cell);
@@ -210,7 +213,10 @@ fn prove_a(sides: fn(Two, Two) -> [Two; 2]) -> Outcome {
     // At its ends, the lower one standing for all below.
     let written = || {
         // 1/1000 stands for all below: the left side is larger there.
-        let both = [sign(apart(Expr::int(1) / Expr::int(1000)), 1.0), sign(apart(Expr::int(1)), -1.0)];
+        let both = [
+            sign(apart(Expr::int(1) / Expr::int(1000)), 1.0),
+            sign(apart(Expr::int(1)), -1.0),
+        ];
         (["q"], vec![(Where::Rest, Condition::All(both.to_vec()))])
     };
     let ends = everywhere_written(written, [ratios()], |cell| {
@@ -257,7 +263,10 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
     let written = || {
         let arc = written_arc(Edge::Beginning);
         let first = Where::From(0, dyadic(1.0));
-        (["q"], vec![(first, slope(arc, 0, 1.0)), (Where::Rest, sign(arc, 1.0))])
+        (
+            ["q"],
+            vec![(first, slope(arc, 0, 1.0)), (Where::Rest, sign(arc, 1.0))],
+        )
     };
     let before = everywhere_written(written, [Interval::new(1.0, y.hi())], |cell| {
         let jet = over(on(Edge::Beginning), cell);
@@ -268,7 +277,12 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
             Said::of_sign(jet.value, 1.0)
         }
     })?;
-    let written = || (["q"], vec![(Where::Rest, sign(written_arc(Edge::End), -1.0))]);
+    let written = || {
+        (
+            ["q"],
+            vec![(Where::Rest, sign(written_arc(Edge::End), -1.0))],
+        )
+    };
     let beyond = everywhere_written(written, [Interval::new(y.lo(), 12.0)], |cell| {
         Said::of_sign(over(on(Edge::End), cell).value, -1.0)
     })?;

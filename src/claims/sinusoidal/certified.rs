@@ -249,7 +249,11 @@ pub fn lambda_c() -> Evidence {
         compared,
         |bits| [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)],
     );
-    agree(printed::eq37_lambda_c(), Expr::symbol("x").sin(), last_digit());
+    agree(
+        printed::eq37_lambda_c(),
+        Expr::symbol("x").sin(),
+        last_digit(),
+    );
     evidence
 }
 

@@ -14,6 +14,7 @@
 //! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
+//! | `{{certified}}` | how many proofs a second engine has checked |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
 //! | `{{strongest}}` | a table of all claims with the strongest route of each |
 //! | `{{measured}}` | a table of the claims without a proof, by the reason |
@@ -42,6 +43,7 @@
 
 mod assets;
 mod changes;
+mod checked;
 mod claim_box;
 mod code;
 mod context;

@@ -8,7 +8,7 @@
 
 use super::error::CertifiedError;
 use super::interval::Interval;
-use super::written::{dyadic, ends};
+use super::written::{dyadic, ends, short_box};
 use crate::numerics::number::Number;
 use crate::numerics::series::Series;
 use crate::numerics::taylor::{Control, Integrator, Step, System};
@@ -69,7 +69,7 @@ impl Taken {
     pub fn written(&self) -> witness::Step {
         witness::Step {
             length: dyadic(self.length),
-            walls: self.walls.map(ends).to_vec(),
+            walls: self.walls[..3].iter().map(|x| ends(*x)).collect(),
             state: self.state.map(ends).to_vec(),
         }
     }
@@ -81,25 +81,29 @@ impl Taken {
 /// As [`step`].
 pub fn step_within<S: System<Interval, 12, TERMS>>(
     system: &S,
-    state: &[Interval; 3],
+    start: &[Interval; 3],
     h: &mut f64,
 ) -> Result<Taken, CertifiedError> {
     *h = h.min(LONGEST);
     while *h > SHORTEST {
-        if let Some((state, walls)) = attempt(system, state, *h) {
+        if let Some((next, walls)) = attempt(system, start, *h) {
             let length = *h;
             *h *= GROW;
+            let walls = match witness::recording() {
+                0 => walls,
+                _ => short_walls(system, &extended(*start), length, walls),
+            };
             return Ok(Taken {
                 length,
                 walls,
-                state,
+                state: next,
             });
         }
         *h *= SHRINK;
     }
     Err(CertifiedError::unproved(
         "no step encloses the motion",
-        state,
+        start,
     ))
 }
 
@@ -149,20 +153,44 @@ fn series<S: System<Interval, 12, TERMS>>(
     Some(step.series)
 }
 
+/// Walls with so few digits that each counts, as close as that allows.
+fn short_walls<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    start: &Extended,
+    h: f64,
+    mut walls: Extended,
+) -> Extended {
+    for _ in 0..64 {
+        let next = reached(system, start, h, &walls).map(short_box);
+        if next == walls {
+            break;
+        }
+        walls = next;
+    }
+    walls
+}
+
+/// Where motions from `start` are after times up to `h`, while they do not leave the walls.
+fn reached<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    start: &Extended,
+    h: f64,
+    walls: &Extended,
+) -> Extended {
+    let time = Interval::new(0.0, h);
+    let mut work = S::Work::default();
+    system.begin(&Interval::point(0.0), walls, &mut work);
+    let zero = Interval::point(0.0);
+    let constant = walls.map(|x| std::array::from_fn(|k| if k == 0 { x } else { zero }));
+    let slope = system.derivative(0, &constant, &mut work);
+    std::array::from_fn(|i| start[i] + time * slope[i])
+}
+
 /// A box that no motion from `start` leaves within the time `h`.
 fn walls<S: System<Interval, 12, TERMS>>(system: &S, start: &Extended, h: f64) -> Option<Extended> {
-    let time = Interval::new(0.0, h);
-    let reached = |walls: &Extended| -> Extended {
-        let mut work = S::Work::default();
-        system.begin(&Interval::point(0.0), walls, &mut work);
-        let zero = Interval::point(0.0);
-        let constant = walls.map(|x| std::array::from_fn(|k| if k == 0 { x } else { zero }));
-        let slope = system.derivative(0, &constant, &mut work);
-        std::array::from_fn(|i| start[i] + time * slope[i])
-    };
     let mut walls = *start;
     for _ in 0..8 {
-        let next = reached(&walls);
+        let next = reached(system, start, h, &walls);
         if next.iter().zip(&walls).all(|(a, b)| a.within(*b)) {
             return Some(next);
         }

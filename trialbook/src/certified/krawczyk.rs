@@ -3,7 +3,7 @@
 use super::error::CertifiedError;
 use super::interval::Interval;
 use super::jet::Jet;
-use super::written::{dyadic, ends};
+use super::written::{dyadic, ends, short};
 use crate::exact::{Expr, tree};
 use crate::witness::{self, Root, Witness};
 
@@ -77,7 +77,10 @@ pub fn unique_written(
             variables: names.map(str::to_owned).to_vec(),
             functions: written(names.map(Expr::symbol)).map(tree).to_vec(),
             within: start.map(ends).to_vec(),
-            preconditioner: rows.iter().map(|row| row.map(|x| dyadic(x.mid())).to_vec()).collect(),
+            preconditioner: rows
+                .iter()
+                .map(|row| row.map(|x| dyadic(short(x.mid()))).to_vec())
+                .collect(),
             // Apart from its ends, which the last step may touch.
             root: root.map(|x| ends(x.widened(1e-15))).to_vec(),
         })

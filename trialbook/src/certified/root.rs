@@ -3,7 +3,7 @@
 use super::ball::Ball;
 use super::error::CertifiedError;
 use super::interval::Interval;
-use super::written::{dyadic, ends, ends_of_ball};
+use super::written::{dyadic, ends, ends_of_ball, short};
 use crate::exact::{Expr, tree};
 use crate::witness::{self, Witness};
 
@@ -96,12 +96,14 @@ pub fn refine_written(
 ) -> Result<Root, CertifiedError> {
     let root = refine(&f, start, bits)?;
     witness::leave(|| {
-        let slope = f(&root.value).map_or(1.0, |[_, slope]| slope.interval().mid());
+        let middle = Ball::enclosing(Interval::point(start.mid()), FIRST);
+        let slope = middle.and_then(|middle| f(&middle));
+        let slope = slope.map_or(1.0, |[_, slope]| slope.interval().mid());
         Witness::Root(witness::Root {
             variables: vec!["x".into()],
             functions: vec![tree(written(Expr::symbol("x")))],
             within: vec![ends(start)],
-            preconditioner: vec![vec![dyadic(1.0 / slope)]],
+            preconditioner: vec![vec![dyadic(short(1.0 / slope))]],
             root: vec![ends_of_ball(&root.value)],
         })
     });

@@ -20,6 +20,22 @@ pub fn dyadic(x: f64) -> String {
     format!("{whole}*2^{exponent}")
 }
 
+/// A number of so few digits that each counts: a multiple of 2⁻²⁰.
+pub fn short(x: f64) -> f64 {
+    (x * GRID).round() / GRID
+}
+
+/// A box about another whose ends have as few digits.
+pub fn short_box(x: Interval) -> Interval {
+    Interval::new(
+        (x.lo() * GRID).floor() / GRID,
+        (x.hi() * GRID).ceil() / GRID,
+    )
+}
+
+/// Steps of short numbers in 1.
+const GRID: f64 = 1_048_576.0;
+
 /// Both ends of an interval.
 pub fn ends(x: Interval) -> witness::Interval {
     (dyadic(x.lo()), dyadic(x.hi()))

@@ -77,7 +77,11 @@ pub(super) fn certify(
             files.push((file, text));
         }
         rows.push(Row {
-            file: if empty { String::new() } else { row.file.clone() },
+            file: if empty {
+                String::new()
+            } else {
+                row.file.clone()
+            },
             ..row
         });
     }
@@ -86,7 +90,9 @@ pub(super) fn certify(
     match format {
         Format::Text => {
             let without = rows.iter().filter(|row| row.witnesses == 0);
-            let names: Vec<_> = without.map(|row| format!("  {} {}\n", row.claim, row.trial)).collect();
+            let names: Vec<_> = without
+                .map(|row| format!("  {} {}\n", row.claim, row.trial))
+                .collect();
             say(&format!(
                 "{} certificates in {}; {bare} proofs have none\n{}",
                 files.len(),
@@ -109,7 +115,10 @@ pub(super) fn certify(
                     row.bytes.to_string(),
                 ]
             };
-            csv(&["claim", "trial", "file", "witnesses", "bytes"], rows.iter().map(cells))?;
+            csv(
+                &["claim", "trial", "file", "witnesses", "bytes"],
+                rows.iter().map(cells),
+            )?;
         }
     }
     Ok(0)

@@ -88,7 +88,11 @@ enum Command {
         #[arg(value_name = "ID")]
         ids: Vec<String>,
         /// Folder to write them into; what an earlier run wrote there is replaced as a whole
-        #[arg(long = "out", value_name = "FOLDER", default_value = "target/certificates")]
+        #[arg(
+            long = "out",
+            value_name = "FOLDER",
+            default_value = "target/certificates"
+        )]
         into: PathBuf,
     },
     /// Try one claim and show all that is known of it

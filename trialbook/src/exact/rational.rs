@@ -320,7 +320,8 @@ impl Rational {
 impl Add for &Rational {
     type Output = Rational;
     fn add(self, other: Self) -> Rational {
-        self.plus(other).formed(tape::joined(Part::Sum, self, other))
+        self.plus(other)
+            .formed(tape::joined(Part::Sum, self, other))
     }
 }
 

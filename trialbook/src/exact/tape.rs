@@ -5,11 +5,13 @@ use super::error::ExactError;
 use super::expr::{Binary, Expr, Node};
 use super::polynomial::Polynomial;
 use super::rational::Rational;
-use super::ring::{Ring, Rule};
+use super::ring::{KnownPower, PI, Ring, Rule};
 use super::series::Series;
-use crate::witness::{self, Element, Equal, Generator, Identity, Inverse, Part, Power, Tree, Witness};
+use crate::witness::{
+    self, Element, Equal, Generator, Identity, Inverse, Part, Power, Tree, Witness,
+};
 use std::cell::{Cell, RefCell};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Where an element comes from: its place in the tape of a recording.
 #[derive(Debug, Clone, Copy, Default)]
@@ -29,6 +31,8 @@ struct Frame {
 struct Tape {
     recording: u32,
     parts: Vec<Part>,
+    /// The generators in what was given or formed at each place.
+    generators: Vec<BTreeSet<usize>>,
     frames: Vec<Frame>,
     /// What was demanded outside of any proof: it goes to the next one.
     loose: Vec<Equal>,
@@ -60,8 +64,13 @@ fn with<T>(f: impl FnOnce(&mut Tape) -> T) -> T {
 }
 
 fn push(part: Part) -> usize {
+    push_with(part, BTreeSet::new())
+}
+
+fn push_with(part: Part, generators: BTreeSet<usize>) -> usize {
     with(|tape| {
         tape.parts.push(part);
+        tape.generators.push(generators);
         tape.parts.len() - 1
     })
 }
@@ -71,7 +80,7 @@ fn place(x: &Rational) -> usize {
     if x.origin().recording == witness::recording() {
         x.origin().place
     } else {
-        push(Part::Element(element(x)))
+        push_with(Part::Element(element(x)), x.generators().collect())
     }
 }
 
@@ -80,6 +89,15 @@ fn pushed(part: Part) -> Origin {
         recording: witness::recording(),
         place: push(part),
     }
+}
+
+/// What an operation has formed, with its origin.
+fn noted(part: Part, x: Rational) -> Rational {
+    let origin = Origin {
+        recording: witness::recording(),
+        place: push_with(part, x.generators().collect()),
+    };
+    x.formed(origin)
 }
 
 /// What comes of two elements by an operator.
@@ -127,7 +145,7 @@ pub(super) fn formed(
     let quiet = Quiet::new();
     let element = operation()?;
     drop(quiet);
-    Ok(element.formed(pushed(part)))
+    Ok(noted(part, element))
 }
 
 /// Forms another shape of the same element.
@@ -188,7 +206,7 @@ pub(super) fn expanded(
     let expanded = operation()?;
     drop(quiet);
     let whole = push(part);
-    Ok(expanded.mapped(|power, c| c.formed(pushed(Part::Coefficient(whole, power)))))
+    Ok(expanded.mapped(|power, c| noted(Part::Coefficient(whole, power), c)))
 }
 
 /// Solves equations; what is noted is that the solution fulfils them.
@@ -203,7 +221,10 @@ pub(super) fn solved(
     let solved = operation()?;
     drop(quiet);
     let given = |x: &Rational| x.clone().formed(Origin::default());
-    let solved: Vec<_> = solved.iter().map(|(x, value)| (given(x), given(value))).collect();
+    let solved: Vec<_> = solved
+        .iter()
+        .map(|(x, value)| (given(x), given(value)))
+        .collect();
     let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
     for equation in equations {
         let put = push(put(equation, &values));
@@ -263,40 +284,121 @@ pub(super) fn end(title: &str, ring: &Ring, holds: bool) {
     if !holds {
         return;
     }
-    let (parts, equal) = with(|tape| {
+    let (parts, equal, generators) = with(|tape| {
         let mut equal = std::mem::take(&mut tape.loose);
         equal.extend(frame.equal);
-        used(&tape.parts, equal)
+        used(tape, equal)
     });
     witness::leave(|| {
+        let names = names(&parts);
+        let needed = needed(ring, generators, &names);
+        let of = |g| match needed.contains(&g) {
+            true => generator(ring, g),
+            false => Generator::None,
+        };
+        let known = ring.powers.iter().filter(|known| !is_own(ring, known));
+        let known = known.filter(|known| known.base.generators().all(|g| needed.contains(&g)));
+        let symbols = ring.symbols().filter(|(name, _)| {
+            let itself = ring.free_index(name).is_ok();
+            names.contains(*name) && !itself
+        });
+        let inverses = ring.inverses.iter();
+        let inverses =
+            inverses.filter(|known| known.angle.generators().all(|g| needed.contains(&g)));
         Witness::Identity(Identity {
             title: title.to_owned(),
             given: frame.given,
-            generators: (0..ring.rules.len()).map(|g| generator(ring, g)).collect(),
-            symbols: ring
-                .symbols()
+            generators: (0..ring.rules.len()).map(of).collect(),
+            symbols: symbols
                 .map(|(name, x)| (name.to_owned(), element(x)))
                 .collect(),
-            powers: ring.powers.iter().map(|known| Power {
-                of: element(&known.base),
-                to: element(&known.exponent),
-                is: element(&known.value),
-            })
-            .collect(),
-            inverses: ring.inverses.iter().map(|known| Inverse {
-                function: known.function.name().to_owned(),
-                of: element(&known.of),
-                is: element(&known.angle),
-            })
-            .collect(),
+            powers: known
+                .map(|known| Power {
+                    of: element(&known.base),
+                    to: element(&known.exponent),
+                    is: element(&known.value),
+                })
+                .collect(),
+            inverses: inverses
+                .map(|known| Inverse {
+                    function: known.function.name().to_owned(),
+                    of: element(&known.of),
+                    is: element(&known.angle),
+                })
+                .collect(),
             parts,
             equal,
         })
     });
 }
 
+/// Whether a power is known from the rule of its own generator.
+fn is_own(ring: &Ring, known: &KnownPower) -> bool {
+    let mut generators = known.value.generators();
+    let (Some(g), None) = (generators.next(), generators.next()) else {
+        return false;
+    };
+    let own = matches!(ring.rules[g], Rule::Power { .. } | Rule::Root { .. });
+    own && (&known.value - &Rational::generator(g)).is_literally_zero()
+        && match &ring.rules[g] {
+            Rule::Root { radicand, .. } => (radicand - &known.base).is_literally_zero(),
+            _ => true,
+        }
+}
+
+/// The names in the formulas that are read.
+fn names(parts: &[Part]) -> BTreeSet<String> {
+    fn of(tree: &Tree, names: &mut BTreeSet<String>) {
+        match tree {
+            Tree::Leaf(name) => {
+                names.insert(name.clone());
+            }
+            Tree::Node(parts) => parts.iter().for_each(|part| of(part, names)),
+        }
+    }
+    let mut names = BTreeSet::new();
+    for part in parts {
+        if let Part::Read(tree) | Part::Series(tree, ..) = part {
+            of(tree, &mut names);
+        }
+    }
+    names
+}
+
+/// The generators that a checker meets: those of the elements and names, with all that hangs together with them.
+fn needed(ring: &Ring, mut needed: BTreeSet<usize>, names: &BTreeSet<String>) -> BTreeSet<usize> {
+    needed.insert(PI);
+    let named = ring.symbols().filter(|(name, _)| names.contains(*name));
+    needed.extend(named.flat_map(|(_, x)| x.generators()));
+    loop {
+        let before = needed.len();
+        for (g, rule) in ring.rules.iter().enumerate() {
+            let below: BTreeSet<usize> = match rule {
+                Rule::Constant | Rule::Free => continue,
+                Rule::HalfTangent { angle: of } | Rule::HalfExponential { argument: of } => {
+                    [*of].into()
+                }
+                Rule::Power { base, exponent } => {
+                    base.generators().chain(exponent.generators()).collect()
+                }
+                Rule::Root { radicand, .. } => radicand.generators().collect(),
+                Rule::Logarithm { of } => of.generators().collect(),
+            };
+            if needed.contains(&g) {
+                needed.extend(below);
+            } else if below.is_subset(&needed) {
+                needed.insert(g);
+            }
+        }
+        if needed.len() == before {
+            return needed;
+        }
+    }
+}
+
 /// The parts that what is demanded is made of, numbered anew.
-fn used(all: &[Part], mut equal: Vec<Equal>) -> (Vec<Part>, Vec<Equal>) {
+fn used(tape: &Tape, mut equal: Vec<Equal>) -> (Vec<Part>, Vec<Equal>, BTreeSet<usize>) {
+    let all = &tape.parts;
     let mut wanted = vec![false; all.len()];
     for one in &equal {
         wanted[one.left] = true;
@@ -311,18 +413,21 @@ fn used(all: &[Part], mut equal: Vec<Equal>) -> (Vec<Part>, Vec<Equal>) {
         }
     }
     let mut numbers = BTreeMap::new();
-    let mut parts = Vec::new();
+    let (mut parts, mut generators) = (Vec::new(), BTreeSet::new());
     for i in (0..all.len()).filter(|i| wanted[*i]) {
         let mut part = all[i].clone();
-        each(&mut part, &mut |j| *j = numbers.get(j).copied().unwrap_or(*j));
+        each(&mut part, &mut |j| {
+            *j = numbers.get(j).copied().unwrap_or(*j)
+        });
         numbers.insert(i, parts.len());
         parts.push(part);
+        generators.extend(&tape.generators[i]);
     }
     for one in &mut equal {
         one.left = numbers[&one.left];
         one.right = one.right.map(|right| numbers[&right]);
     }
-    (parts, equal)
+    (parts, equal, generators)
 }
 
 /// Calls `f` with each place that a part names.
@@ -371,14 +476,20 @@ fn generator(ring: &Ring, g: usize) -> Generator {
 
 fn polynomial(p: &Polynomial) -> witness::Polynomial {
     let terms = p.terms();
-    terms.map(|(exponents, c)| (c.to_string(), exponents.to_vec())).collect()
+    terms
+        .map(|(exponents, c)| (c.to_string(), exponents.to_vec()))
+        .collect()
 }
 
 fn element(x: &Rational) -> Element {
     Element {
         above: polynomial(x.numerator()),
         number: x.number().to_string(),
-        below: x.factors().iter().map(|(f, k)| (polynomial(f), *k)).collect(),
+        below: x
+            .factors()
+            .iter()
+            .map(|(f, k)| (polynomial(f), *k))
+            .collect(),
     }
 }
 
@@ -404,5 +515,41 @@ pub fn tree(formula: Expr) -> Tree {
             node(sign, &[x, y])
         }
         Node::Call(function, x) => node(function.name(), &[x]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Proof;
+    use crate::witness::of;
+
+    fn proof() -> Proof {
+        let mut ring = Ring::new();
+        let x = ring.symbol("x");
+        Proof::of("x² − x² = 0", &ring, |p| {
+            let square = p.read("x²", Expr::symbol("x") * Expr::symbol("x"))?;
+            p.equal("The two", &square, &(&x * &x))
+        })
+    }
+
+    #[test]
+    fn only_what_runs_inside_leaves_a_witness() {
+        assert!(proof().holds());
+        let (inner, left) = of(|| {
+            assert!(proof().holds());
+            of(proof).1.len()
+        });
+        assert_eq!((inner, left.len()), (1, 1));
+        assert!(of(|| ()).1.is_empty());
+        let Witness::Identity(identity) = &left[0] else {
+            panic!("{left:?}");
+        };
+        // The formula is there, and the product with what it is compared to.
+        assert_eq!(identity.equal.len(), 1);
+        assert!(matches!(
+            identity.parts[..],
+            [Part::Read(..), Part::Element(..), Part::Product(..)]
+        ));
     }
 }

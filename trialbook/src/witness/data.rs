@@ -150,6 +150,8 @@ pub struct Element {
 pub enum Generator {
     /// π, the generator 0.
     Pi,
+    /// One that the proof does not need.
+    None,
     /// A free quantity.
     Free {
         /// Its name.
