@@ -382,7 +382,10 @@ impl Checker<'_> {
         let number = match name.as_str() {
             "element" => self.element(of, &self.worlds[world], self.size(world))?,
             "read" => self.read(of, world)?,
-            "negative" => plain(self.neg(&self.part(place(of), world)?.value)),
+            "negative" => {
+                let x = self.part(place(of), world)?;
+                plain(self.neg(&x.value))
+            }
             "sum" | "difference" | "product" | "quotient" | "raised" => {
                 let [x, y] = [0, 1].map(|side| self.part(place(&of[side]), world));
                 let sign = match name.as_str() {
@@ -517,8 +520,8 @@ fn the_equations_hold_for_numbers_modulo_a_prime_and_no_others_do() {
             let left = place(&wrong["equal"][i]["left"]);
             let parts = wrong["parts"].as_array_mut().unwrap();
             parts.push(serde_json::json!({"read": "7"}));
-            parts.push(serde_json::json!({"sum": [left, parts.len() - 1]}));
-            let last = parts.len() - 1;
+            let last = parts.len();
+            parts.push(serde_json::json!({"sum": [left, last - 1]}));
             wrong["equal"][i]["left"] = last.into();
             spoilt += 1;
             if holds(&wrong, &mut random).unwrap_or(false) {
