@@ -2,6 +2,7 @@
 """Checks certificates with python-flint alone; nothing of it is shared with what wrote them.
 
     python3 check.py FOLDER [DATE]     all files of a folder; with a date, the result is recorded
+    python3 check.py FOLDER --list     writes ties.csv anew
 
 The format is described in the book, on the page "Certificates". Exit code 0 if every file is accepted.
 """
@@ -1154,9 +1155,21 @@ def record(path, date, accepted):
         out.write(f"{date},{versions}\n" + "".join(f"{claim},{trial},{tie}\n" for claim, trial, tie in accepted))
 
 
+def listed(folder, files):
+    """The table of what each file has to be about: to be read before it is committed."""
+    for name in files:
+        with open(os.path.join(folder, name), encoding="utf-8") as file:
+            c = json.load(file)
+        yield f"{name},{tied(c['statement'], c['witnesses'])},{c['sha256'][:16]},{outline(c['witnesses'])}\n"
+
+
 def main(folder, date=None):
     prints = Prints(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
     files = sorted(name for name in os.listdir(folder) if name.endswith(".json"))
+    if date == "--list":
+        with open(os.path.join(prints.root, "certificates/ties.csv"), "w", encoding="utf-8") as out:
+            out.writelines(listed(folder, files))
+        return 0
     accepted, rejected = [], []
     for name in files:
         try:
