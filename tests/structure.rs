@@ -13,8 +13,9 @@ const ENGINE: &Rooms = &[
     ("seeded", &["scalar"]),
     ("evidence", &[]),
     ("numerics", &["scalar"]),
-    ("exact", &["scalar", "seeded"]),
-    ("certified", &["numerics", "scalar"]),
+    ("witness", &[]),
+    ("exact", &["scalar", "seeded", "witness"]),
+    ("certified", &["exact", "numerics", "scalar", "witness"]),
     (
         "claims",
         &[
@@ -24,6 +25,7 @@ const ENGINE: &Rooms = &[
             "exact",
             "certified",
             "seeded",
+            "witness",
         ],
     ),
     ("ledger", &["evidence", "claims", "seeded"]),
@@ -42,7 +44,9 @@ const ENGINE: &Rooms = &[
     ),
     (
         "cli",
-        &["claims", "ledger", "figures", "numerics", "book", "edition"],
+        &[
+            "claims", "evidence", "ledger", "figures", "numerics", "book", "edition", "witness",
+        ],
     ),
 ];
 
@@ -53,7 +57,7 @@ const OF_THE_PAPER: &Rooms = &[
     ("symbols", &["seeded"]),
     ("paper", &["scalar", "seeded", "symbols"]),
     ("corrections", &["scalar", "seeded", "symbols"]),
-    ("certified", &["numerics", "scalar"]),
+    ("certified", &["exact", "numerics", "scalar", "witness"]),
     ("exam", &["certified", "motion", "numerics"]),
     (
         "claims",
@@ -68,6 +72,7 @@ const OF_THE_PAPER: &Rooms = &[
             "certified",
             "seeded",
             "symbols",
+            "witness",
         ],
     ),
     ("figures", &["claims", "exam", "motion"]),

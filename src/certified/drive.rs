@@ -7,7 +7,8 @@
 use super::ball::Ball;
 use super::error::CertifiedError;
 use super::interval::Interval;
-use super::root::{Root, refine};
+use super::root::{Root, refine, refine_written};
+use crate::exact::Expr;
 use crate::scalar::Scalar;
 
 /// Bits beyond those asked for that what follows a root may cost.
@@ -34,7 +35,8 @@ pub fn critical_phase(bits: usize) -> Result<Root, CertifiedError> {
         let pi = pi.with_bits(phi.bits());
         Some([&c + &c - &pi * &s, -(&s + &s + &pi * &c)])
     };
-    refine(arc, Interval::new(0.5, 0.6), bits)
+    let written = |x: Expr| Expr::int(2) * x.cos() - Expr::pi() * x.sin();
+    refine_written(written, arc, Interval::new(0.5, 0.6), bits)
 }
 
 /// The critical friction λ_c = sin φ₁, above which the large-time motion rests.
@@ -76,7 +78,8 @@ pub fn touching_length(bits: usize) -> Result<Root, CertifiedError> {
         let [s, c] = x.sin_cos();
         Some([x * c - &s, -(x * s)])
     };
-    refine(arc, Interval::new(4.4, 4.6), bits)
+    let written = |x: Expr| x * x.cos() - x.sin();
+    refine_written(written, arc, Interval::new(4.4, 4.6), bits)
 }
 
 /// The point Y as (q, λ₀), with q = √(1 + x²) = 1/λ₀.

@@ -20,11 +20,14 @@
 //! place, where the pull would have to be balanced for good.
 
 use super::error::CertifiedError;
-use super::flow::{TERMS, step};
+use super::flow::{TERMS, Taken, step_within};
 use super::interval::Interval;
+use super::written::{ends, number};
+use crate::exact::{Expr, tree};
 use crate::numerics::series::{product, square};
 use crate::numerics::taylor::System;
 use crate::scalar::Scalar;
+use trialbook::witness::{self, Motion, Tree, Witness};
 
 /// What becomes of a particle, proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +83,18 @@ impl System<Interval, 12, TERMS> for Law {
 pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
     let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
     let w = Interval::int(1) - rho * psi.cos();
-    follow([p, w, p - rho * psi.sin()], width)
+    let from = || {
+        let [a, alpha, psi] = [a, alpha, psi].map(|x| number(x.mid()));
+        let leaf = |name: &str| Tree::Leaf(name.to_owned());
+        let call = |name: &str, x: &Tree| Tree::Node(vec![leaf(name), x.clone()]);
+        let join = |name: &str, x: Tree, y: Tree| Tree::Node(vec![leaf(name), x, y]);
+        let p = join("*", a.clone(), call("sinh", &alpha));
+        let rho = join("*", a, call("cosh", &alpha));
+        let along = join("*", rho.clone(), call("cos", &psi));
+        let across = join("*", rho, call("sin", &psi));
+        [p.clone(), join("-", leaf("1"), along), join("-", p, across)]
+    };
+    follow(from, [p, w, p - rho * psi.sin()], width)
 }
 
 /// The fate of a particle put down at rest in the laboratory at the distance `r` from the axis, with the
@@ -90,7 +104,11 @@ pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, Certifie
 /// As [`fate`].
 pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
     // Against the table it moves across the radius with the speed r.
-    follow([r, Interval::int(1), Interval::int(0)], width)
+    let from = || {
+        let [one, zero] = ["1", "0"].map(|n| Tree::Leaf(n.to_owned()));
+        [number(r.mid()), one, zero]
+    };
+    follow(from, [r, Interval::int(1), Interval::int(0)], width)
 }
 
 /// The fate of a particle launched from the axis with the speed `u`, with the radius at rest as for [`fate`].
@@ -99,10 +117,79 @@ pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
 /// As [`fate`].
 pub fn fate_launched(u: Interval, width: f64) -> Result<Fate, CertifiedError> {
     // On the axis the table does not move.
-    follow([u, Interval::int(1), u], width)
+    let from = || [number(u.mid()), Tree::Leaf("1".to_owned()), number(u.mid())];
+    follow(from, [u, Interval::int(1), u], width)
 }
 
-fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
+/// Follows all motions from a box until their fate is certain; `from` gives the start as formulas.
+fn follow(
+    from: impl FnOnce() -> [Tree; 3],
+    start: [Interval; 3],
+    width: f64,
+) -> Result<Fate, CertifiedError> {
+    let mut taken = Vec::new();
+    let fate = settled(start, width, |step| {
+        if witness::recording() != 0 {
+            taken.push(step);
+        }
+    })?;
+    witness::leave(|| Witness::Motion(written(from(), start, &taken, fate)));
+    Ok(fate)
+}
+
+/// A motion and its fate, as a witness has them.
+fn written(from: [Tree; 3], start: [Interval; 3], taken: &[Taken], fate: Fate) -> Motion {
+    let names = ["p", "w", "ζ"];
+    let [p, w, zeta] = Expr::symbols(names);
+    let (rests, steps) = match fate {
+        Fate::Rest { steps, .. } => (true, steps),
+        Fate::Escape { steps } => (false, steps),
+    };
+    let taken = &taken[..steps.min(taken.len())];
+    let last = taken.last().map_or(start, |step| step.state);
+    Motion {
+        variables: names.map(str::to_owned).to_vec(),
+        law: [-(p * w), -(zeta * zeta), w * zeta - p - zeta]
+            .map(tree)
+            .to_vec(),
+        from: from.to_vec(),
+        start: start.map(ends).to_vec(),
+        steps: taken.iter().map(Taken::written).collect(),
+        end: if rests { "rest" } else { "escape" }.to_owned(),
+        decides: deciding(rests, &last),
+    }
+}
+
+/// Which signs at a last state decide; see the head of this file.
+fn deciding(rests: bool, state: &[Interval; 3]) -> Vec<(Tree, i32)> {
+    let one = Expr::int(1);
+    let [p, w, zeta] = Expr::symbols(["p", "w", "ζ"]);
+    let xi = one - w;
+    let positive = (tree(p), 1);
+    if rests {
+        // p + ρ < 1, for p < 1 by the squares: 1 − 2p + p² > ρ².
+        let rho = xi * xi + (p - zeta) * (p - zeta);
+        let room = (one - p) * (one - p) - rho;
+        return vec![positive, (tree(one - p), 1), (tree(room), 1)];
+    }
+    let energy = (tree(xi * xi + zeta * (zeta - p - p) - one), 1);
+    let ahead = [(tree(zeta + p), -1), (tree(p - w), 1)];
+    let [p, w, zeta] = *state;
+    let decided = if w.sign() == Some(-1.0) {
+        vec![(tree(Expr::symbol("w")), -1)]
+    } else if zeta.below(-p) && w.below(p) {
+        ahead.to_vec()
+    } else {
+        vec![energy]
+    };
+    std::iter::once(positive).chain(decided).collect()
+}
+
+fn settled(
+    start: [Interval; 3],
+    width: f64,
+    mut done: impl FnMut(Taken),
+) -> Result<Fate, CertifiedError> {
     let mut state = start;
     let (mut rest, mut h) = (None, 1.0);
     let resting = |sigma, steps| Fate::Rest { sigma, steps };
@@ -120,8 +207,11 @@ fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
             }
             None => {}
         }
-        state = match (step(&Law, &state, &mut h), rest) {
-            (Ok(next), _) => next,
+        state = match (step_within(&Law, &state, &mut h), rest) {
+            (Ok(step), _) => {
+                done(step);
+                step.state
+            }
             (Err(_), Some(sigma)) => return Ok(resting(sigma, steps)),
             (Err(error), None) => return Err(error),
         };

@@ -75,6 +75,7 @@ pub static PAPER: Paper = Paper {
     record: include_str!("../../snapshots/verdicts.snap"),
     tallies: include_str!("../../snapshots/variants.snap"),
     deep: include_str!("../../snapshots/deep.tsv"),
+    certified: include_str!("../../snapshots/certificates.csv"),
     formulas: formulas::FORMULAS,
     cases: &by_hand::CASES,
     values: &values::VALUES,

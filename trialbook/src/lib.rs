@@ -32,3 +32,5 @@ pub mod numerics;
 pub mod prelude;
 pub mod scalar;
 pub mod seeded;
+#[cfg(feature = "trials")]
+pub mod witness;

@@ -14,18 +14,20 @@
 pub mod points;
 
 use super::exact;
-use crate::certified::cover::{Said, everywhere};
+use crate::certified::cover::{Said, everywhere_written};
 use crate::certified::drive::{self, Edge, arc};
 use crate::certified::error::CertifiedError;
 use crate::certified::interval::{Interval, PI};
 use crate::certified::jet::{Jet, over};
+use crate::certified::written::{dyadic, sign, slope};
 use crate::claims::compare::Compared;
 use crate::claims::enclosed::certified;
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Subject};
-use crate::exact::Proof;
+use crate::exact::{Expr, Proof};
 use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
+use trialbook::witness::{Condition, Where};
 
 type Two = Jet<2>;
 type Outcome = Result<usize, CertifiedError>;
@@ -82,7 +84,17 @@ fn is_arc(sides: Sides, edge: Edge, cell: &[Interval; 2]) -> Said {
 /// That the equation has one root β at most for each q, and that it is crossed in the direction of `way`.
 fn prove_single_root(sides: Sides, edge: Edge, way: f64) -> Outcome {
     let range = [ratios(), Interval::new(0.0, (PI / Interval::int(2)).hi())];
-    everywhere(range, |cell| {
+    let written = || {
+        let names = ["q", "β"];
+        let arc = arc_to(edge, names.map(Expr::symbol));
+        let crosses = [slope(arc, 1, way), sign(arc, 1.0), sign(arc, -1.0)];
+        let mut cases = vec![(Where::Rest, Condition::Any(crosses.to_vec()))];
+        if edge == Edge::End {
+            cases.insert(0, (Where::From(1, "0".into()), slope(arc, 1, -1.0)));
+        }
+        (names, cases)
+    };
+    everywhere_written(written, range, |cell| {
         let jet = over(|x| arc_to(edge, x), cell);
         let falls = Said::of_sign(jet.slope[1], -1.0);
         if edge == Edge::End && cell[1].lo() == 0.0 {
@@ -99,30 +111,48 @@ fn prove_single_root(sides: Sides, edge: Edge, way: f64) -> Outcome {
 /// How far from q_Y its sides are looked at.
 const NEAR_Y: f64 = 1e-13;
 
-/// That c, the arc at β = π/2 by q, has its one zero at q_Y, where it changes from negative to positive.
+/// c, the arc at β = π/2 by q.
+fn corner<S: Scalar>(q: S) -> S {
+    let lambda0 = S::int(1) / q;
+    let end = S::int(3) * S::pi() / S::int(2);
+    arc(lambda0.asin(), end, lambda0)
+}
+
+/// That c has its one zero at q_Y, where it changes from negative to positive.
 fn prove_corner(critical: Interval) -> Outcome {
-    let corner = |[q]: [Jet<1>; 1]| {
-        let lambda0 = Jet::int(1) / q;
-        let end = Jet::int(3) * Jet::pi() / Jet::int(2);
-        arc(lambda0.asin(), end, lambda0)
+    let c = || corner(Expr::symbol("q"));
+    let written = || {
+        let crossing = |way: f64| Condition::Any(vec![sign(c(), way), slope(c(), 0, 1.0)]);
+        let before = Where::Below(0, dyadic(critical.lo()));
+        (
+            ["q"],
+            vec![(before, crossing(-1.0)), (Where::Rest, crossing(1.0))],
+        )
     };
-    let once = everywhere([ratios()], |cell| {
-        let jet = over(corner, cell);
+    let once = everywhere_written(written, [ratios()], |cell| {
+        let jet = over(|[q]| corner(q), cell);
         let before = cell[0].below(critical);
         let sign = Said::of_sign(jet.value, if before { -1.0 } else { 1.0 });
         Said::any([sign, Said::of_sign(jet.slope[0], 1.0)])
     })?;
     let mut parts = once;
-    for sign in [-1.0, 1.0] {
-        let q = critical + Interval::point(sign * NEAR_Y);
-        parts += everywhere([q], |cell| Said::of_sign(over(corner, cell).value, sign))?;
+    for way in [-1.0, 1.0] {
+        let q = critical + Interval::point(way * NEAR_Y);
+        let written = || (["q"], vec![(Where::Rest, sign(c(), way))]);
+        parts += everywhere_written(written, [q], |cell| {
+            Said::of_sign(over(|[q]| corner(q), cell).value, way)
+        })?;
     }
     Ok(parts)
 }
 
 /// That B's arc is positive at β = 0: (54) has a root only where c is negative.
 fn prove_beginning() -> Outcome {
-    everywhere([ratios()], |cell| {
+    let written = || {
+        let arc = arc_to(Edge::Beginning, [Expr::symbol("q"), Expr::int(0)]);
+        (["q"], vec![(Where::Rest, sign(arc, 1.0))])
+    };
+    everywhere_written(written, [ratios()], |cell| {
         Said::of_sign(arc_to(Edge::Beginning, [cell[0], Interval::int(0)]), 1.0)
     })
 }
@@ -165,14 +195,31 @@ fn on_a<S: Scalar>(q: S) -> S {
 fn prove_a(sides: fn(Two, Two) -> [Two; 2]) -> Outcome {
     let by = |[q, lambda0]: [Two; 2]| sides(printed::eq53_k(q), lambda0);
     let range = [ratios(), Interval::new(1e-3, 1.0)];
-    let falls = everywhere(range, |cell| {
+    let apart = |lambda0: Expr| {
+        let [left, right] = printed::eq53_sides(printed::eq53_k(Expr::symbol("q")), lambda0);
+        left - right
+    };
+    let written = || {
+        let f = apart(Expr::symbol("λ₀"));
+        let either = Condition::Any(vec![sign(f, -1.0), slope(f, 1, -1.0)]);
+        (["q", "λ₀"], vec![(Where::Rest, either)])
+    };
+    let falls = everywhere_written(written, range, |cell| {
         let [left, right] = by(Jet::variables(cell));
         let difference = left - right;
         let below = Said::of_sign(difference.value, -1.0);
         Said::any([below, Said::of_sign(difference.slope[1], -1.0)])
     })?;
     // At its ends, the lower one standing for all below.
-    let ends = everywhere([ratios()], |cell| {
+    let written = || {
+        // 1/1000 stands for all below: the left side is larger there.
+        let both = [
+            sign(apart(Expr::int(1) / Expr::int(1000)), 1.0),
+            sign(apart(Expr::int(1)), -1.0),
+        ];
+        (["q"], vec![(Where::Rest, Condition::All(both.to_vec()))])
+    };
+    let ends = everywhere_written(written, [ratios()], |cell| {
         let difference = |lambda0| {
             let [left, right] = by([cell[0], lambda0].map(Jet::constant));
             (left - right).value
@@ -208,7 +255,20 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
         }
     };
     // At q = 1, where A and B meet, the arc is 0, as far as can be seen (and exactly so, by the proof of (57)).
-    let before = everywhere([Interval::new(1.0, y.hi())], |cell| {
+    let written_arc = |edge| {
+        let q = Expr::symbol("q");
+        let lambda0 = self::on_a(q);
+        arc_to(edge, [q, (q * lambda0).asin()])
+    };
+    let written = || {
+        let arc = written_arc(Edge::Beginning);
+        let first = Where::From(0, dyadic(1.0));
+        (
+            ["q"],
+            vec![(first, slope(arc, 0, 1.0)), (Where::Rest, sign(arc, 1.0))],
+        )
+    };
+    let before = everywhere_written(written, [Interval::new(1.0, y.hi())], |cell| {
         let jet = over(on(Edge::Beginning), cell);
         if cell[0].lo() == 1.0 {
             let corner = over(on(Edge::Beginning), &[Interval::int(1)]).value;
@@ -217,7 +277,13 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
             Said::of_sign(jet.value, 1.0)
         }
     })?;
-    let beyond = everywhere([Interval::new(y.lo(), 12.0)], |cell| {
+    let written = || {
+        (
+            ["q"],
+            vec![(Where::Rest, sign(written_arc(Edge::End), -1.0))],
+        )
+    };
+    let beyond = everywhere_written(written, [Interval::new(y.lo(), 12.0)], |cell| {
         Said::of_sign(over(on(Edge::End), cell).value, -1.0)
     })?;
     Ok(before + beyond)
@@ -225,7 +291,13 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
 
 fn prove_order(on_a: fn(Jet<1>) -> Jet<1>, on_c: fn(Jet<1>) -> Jet<1>) -> Outcome {
     // C falls from 1, where D is; and on A, where the right side of (53) is positive, the sides are equal.
-    let c = everywhere([ratios()], |cell| {
+    let written = || {
+        let q = Expr::symbol("q");
+        let [_, right] = printed::eq53_sides(printed::eq53_k(q), Expr::int(1));
+        let both = [sign(right, 1.0), slope(printed::eq55_lambda0(q), 0, -1.0)];
+        (["q"], vec![(Where::Rest, Condition::All(both.to_vec()))])
+    };
+    let c = everywhere_written(written, [ratios()], |cell| {
         let q = Jet::constant(Interval::point(cell[0].mid()));
         let [left, right] = printed::eq53_sides(printed::eq53_k(q), on_a(q));
         let [_, all] = printed::eq53_sides(printed::eq53_k(cell[0]), Interval::int(1));

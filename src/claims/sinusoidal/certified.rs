@@ -12,20 +12,22 @@
 
 mod premises;
 
-use crate::certified::cover::{Said, everywhere};
+use crate::certified::cover::{Said, everywhere_written};
 use crate::certified::error::CertifiedError;
 use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
 use crate::certified::numbers::LAMBDA_C;
 use crate::certified::taylor::Taylor;
+use crate::certified::written::{agree, coefficient, sign, slope};
 use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::enclosed::{certified, numbers, on_balls};
+use crate::claims::enclosed::{certified, last_digit, numbers, on_balls};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{Expr, Obstacle, Proof, Step};
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use premises::by_phi1;
+use trialbook::witness::Where;
 
 type One = Jet<1>;
 type Outcome = Result<usize, CertifiedError>;
@@ -76,7 +78,15 @@ fn prove_sign(f: Expr, order: usize, wanted: f64) -> Outcome {
     fn at<S: Scalar>(f: Expr, b: S, unknown: S) -> S {
         f.evaluate(&|_| Some(b)).unwrap_or(unknown)
     }
-    everywhere([angles()], |cell| {
+    let written = || {
+        let first = Where::From(0, "0".into());
+        let cases = vec![
+            (first, coefficient(f, order, wanted)),
+            (Where::Rest, sign(f, wanted)),
+        ];
+        (["b"], cases)
+    };
+    everywhere_written(written, [angles()], |cell| {
         let quantity = if cell[0].lo() == 0.0 {
             let b = Taylor::<4>::variable(cell[0]);
             at(f, b, Taylor::UNKNOWN).coefficients()[order]
@@ -160,18 +170,20 @@ pub fn one_end() -> Evidence {
 }
 
 /// That `f` has slopes of the sign of `way` on `range`.
-fn prove_slope(f: impl Fn(One) -> One, way: f64, range: Interval) -> Outcome {
-    everywhere([range], |cell| {
+fn prove_slope(f: impl Fn(One) -> One, written: Expr, way: f64, range: Interval) -> Outcome {
+    let written = || (["x"], vec![(Where::Rest, slope(written, 0, way))]);
+    everywhere_written(written, [range], |cell| {
         Said::of_sign(f(Jet::variables(cell)[0]).slope[0], way)
     })
 }
 
 /// That `f` changes from positive to negative within [`NEAR_CRITICAL`] of `critical`.
-fn prove_change(f: fn(One) -> One, critical: Interval) -> Outcome {
+fn prove_change(f: fn(One) -> One, written: Expr, critical: Interval) -> Outcome {
     let mut parts = 0;
     for (off, wanted) in [(-NEAR_CRITICAL, 1.0), (NEAR_CRITICAL, -1.0)] {
         let at = critical + Interval::point(off);
-        parts += everywhere([at], |cell| {
+        let written = || (["x"], vec![(Where::Rest, sign(written, wanted))]);
+        parts += everywhere_written(written, [at], |cell| {
             Said::of_sign(over(|[x]| f(x), cell).value, wanted)
         })?;
     }
@@ -179,7 +191,9 @@ fn prove_change(f: fn(One) -> One, critical: Interval) -> Outcome {
 }
 
 fn prove_threshold(left: fn(One) -> One, critical: Interval) -> Outcome {
-    Ok(prove_slope(left, -1.0, Interval::new(0.0, 1.0))? + prove_change(left, critical)?)
+    let written = printed::eq35_left(Expr::symbol("x"));
+    let falls = prove_slope(left, written, -1.0, Interval::new(0.0, 1.0))?;
+    Ok(falls + prove_change(left, written, critical)?)
 }
 
 /// (35) changes its sign once, at λ_c of (37).
@@ -192,21 +206,25 @@ pub fn threshold() -> Evidence {
 }
 
 /// φ̃₁ − φ₁.
-fn turn(lambda0: One) -> One {
+fn turn<S: Scalar>(lambda0: S) -> S {
     let [later, earlier] =
         printed::eq41_sides(printed::eq39_phi_t1(lambda0), printed::eq27_phi1(lambda0));
     later - earlier
 }
 
 /// The same by φ̃₁.
-fn turn_by_itself(phi_t1: One) -> One {
-    let lambda0 = One::int(2) * phi_t1.cos() / One::pi();
+fn turn_by_itself<S: Scalar>(phi_t1: S) -> S {
+    let lambda0 = S::int(2) * phi_t1.cos() / S::pi();
     let [later, earlier] = printed::eq41_sides(phi_t1, printed::eq27_phi1(lambda0));
     later - earlier
 }
 
 fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence {
-    let change = || Ok(prove_slope(turn_by_itself, 1.0, angles())? + prove_change(turn, critical)?);
+    let change = || {
+        let x = Expr::symbol("x");
+        let falls = prove_slope(turn_by_itself::<One>, turn_by_itself(x), 1.0, angles())?;
+        Ok(falls + prove_change(turn, turn(x), critical)?)
+    };
     resting_on(&[premises::turn(phi_t1)], change, compared)
 }
 
@@ -225,12 +243,18 @@ pub fn lambda_c() -> Evidence {
         "(37), to 50 digits,",
         "the enclosure of the one friction in $(0.48,0.56)$ under which an arc of Newton's law ends half a period after it began",
     );
-    numbers(
+    let evidence = numbers(
         [("lambda-c", LAMBDA_C)],
         Subject::Printed,
         compared,
         |bits| [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)],
-    )
+    );
+    agree(
+        printed::eq37_lambda_c(),
+        Expr::symbol("x").sin(),
+        last_digit(),
+    );
+    evidence
 }
 
 #[cfg(test)]

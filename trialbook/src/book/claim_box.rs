@@ -1,6 +1,7 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
 use super::changes;
+use super::checked;
 use super::code::Place;
 use super::context::{Context, verdict};
 use super::deep;
@@ -206,7 +207,10 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let items: Result<String, Fault> = proofs
         .into_iter()
         .chain(others)
-        .map(|(i, e)| trial(context.maths, e, conditional, code(i).as_ref()))
+        .map(|(i, e)| {
+            let checked = checked::line(context, entry.claim, e);
+            trial(context.maths, e, (conditional, &checked), code(i).as_ref())
+        })
         .collect();
     let Tally { rejected, tried } = entry.tally();
     let variants = match tried {
@@ -227,7 +231,7 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
 fn trial(
     maths: &Maths,
     evidence: &Evidence,
-    conditional: bool,
+    (conditional, checked): (bool, &str),
     code: Option<&Place>,
 ) -> Result<String, Fault> {
     let (class, outcome) = match evidence.outcome() {
@@ -250,7 +254,7 @@ fn trial(
     };
     Ok(format!(
         "<li class=\"{class}\"><p><strong>{route}</strong>, {about}: <span class=\"outcome\">{outcome}</span>. \
-         {compared}{code}</p><p class=\"measure\">{measured}{reason}</p>{proof}{samples}</li>",
+         {compared}{code}</p><p class=\"measure\">{measured}{reason}</p>{checked}{proof}{samples}</li>",
         route = evidence.route.name(),
         about = evidence.about(conditional),
         outcome = proved.unwrap_or(outcome),

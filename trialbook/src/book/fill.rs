@@ -4,7 +4,7 @@ use super::claim_box;
 use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::{count, escape, in_words, size};
-use super::{deep, errata, map, overview, symbols, tables, values};
+use super::{checked, deep, errata, map, overview, symbols, tables, values};
 use crate::edition::Filled;
 use crate::evidence::Kind;
 use crate::figures::{Figure, panels};
@@ -67,6 +67,7 @@ impl<'a> Filler<'a> {
             ["strongest"] => block(tables::strongest(context)?),
             ["measured"] => block(tables::measured(context)?),
             ["accuracy"] => block(tables::accuracy(context)?),
+            ["certified"] => block(checked::summary(context)?),
             ["deep"] => block(deep::table_of(context)?),
             ["deep", what] => inline(deep::number(context, what)?),
             ["survivors"] => block(tables::survivors(context, ledger.paper.survivors)?),

@@ -14,6 +14,7 @@
 //! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
+//! | `{{certified}}` | how many proofs a second engine has checked |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
 //! | `{{strongest}}` | a table of all claims with the strongest route of each |
 //! | `{{measured}}` | a table of the claims without a proof, by the reason |
@@ -42,6 +43,7 @@
 
 mod assets;
 mod changes;
+mod checked;
 mod claim_box;
 mod code;
 mod context;
@@ -103,6 +105,25 @@ pub fn write(
 /// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
 pub fn check(edition: &Edition, out: &Path) -> Result<(), BookError> {
     Staging::beside(out, edition.name).map(drop)
+}
+
+/// Puts a folder of these files in the place of an earlier one that the program wrote there; returns where that is.
+///
+/// # Errors
+/// [`BookError`] where something else is there, or it cannot be written.
+pub(crate) fn replace(
+    out: &Path,
+    name: &'static str,
+    kind: &str,
+    files: &[(String, Vec<u8>)],
+) -> Result<PathBuf, BookError> {
+    let staging = swap::Staging::beside(out, name)?;
+    let folder = staging.path(kind);
+    for (file, bytes) in files {
+        put(&folder.join(file), bytes)?;
+    }
+    staging.mark(&folder)?;
+    staging.swap(&folder)
 }
 
 /// Writes one file, with its folders.

@@ -51,7 +51,7 @@ impl Staging {
     /// Marks a folder as a book of the program.
     pub(super) fn mark(&self, book: &Path) -> Result<(), BookError> {
         let text = format!(
-            "A book written by {}. The next run replaces this folder as a whole.\n",
+            "Written by {}. The next run replaces this folder as a whole.\n",
             self.name
         );
         super::put(&book.join(marker(self.name)), text.as_bytes())

@@ -77,7 +77,7 @@ impl Ball {
     }
 
     /// Lower and upper bound, in units.
-    fn bounds(&self) -> [IBig; 2] {
+    pub(super) fn bounds(&self) -> [IBig; 2] {
         [&self.mid - &self.rad, &self.mid + &self.rad]
     }
 

@@ -2,6 +2,8 @@
 
 use super::error::CertifiedError;
 use super::interval::Interval;
+use super::written::ends;
+use crate::witness::{self, Condition, Cover, Where, Witness};
 use std::collections::VecDeque;
 
 /// What a part of the range says about the statement.
@@ -75,12 +77,52 @@ pub fn everywhere<const N: usize>(
     range: [Interval; N],
     said: impl Fn(&[Interval; N]) -> Said,
 ) -> Result<usize, CertifiedError> {
+    plain(range, said, |_| {})
+}
+
+/// The same, where what is said is written too, for a witness: the names of the variables, and conditions for some parts
+/// and for the rest.
+///
+/// # Errors
+/// As [`everywhere`].
+pub fn everywhere_written<const N: usize>(
+    written: impl FnOnce() -> ([&'static str; N], Vec<(Where, Condition)>),
+    range: [Interval; N],
+    said: impl Fn(&[Interval; N]) -> Said,
+) -> Result<usize, CertifiedError> {
+    let mut kept = Vec::new();
+    let recorded = witness::recording() != 0;
+    let parts = plain(range, said, |cell| {
+        if recorded {
+            kept.push(cell.map(ends).to_vec());
+        }
+    })?;
+    witness::leave(|| {
+        let (names, cases) = written();
+        Witness::Range(Cover {
+            variables: names.map(str::to_owned).to_vec(),
+            within: range.map(ends).to_vec(),
+            cases,
+            parts: kept,
+        })
+    });
+    Ok(parts)
+}
+
+fn plain<const N: usize>(
+    range: [Interval; N],
+    said: impl Fn(&[Interval; N]) -> Said,
+    mut holds: impl FnMut(&[Interval; N]),
+) -> Result<usize, CertifiedError> {
     // In order of size, so that a part on which it fails is met before one that no bisection settles.
     let mut open = VecDeque::from([range]);
     let mut parts = 0;
     while let Some(cell) = open.pop_front() {
         match said(&cell) {
-            Said::Holds => parts += 1,
+            Said::Holds => {
+                holds(&cell);
+                parts += 1;
+            }
             Said::Fails => return Err(CertifiedError::failing(&cell)),
             Said::Nothing => {
                 // A side without width, of which there is no part, is the last to be halved.

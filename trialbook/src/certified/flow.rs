@@ -8,9 +8,11 @@
 
 use super::error::CertifiedError;
 use super::interval::Interval;
+use super::written::{dyadic, ends, short_box};
 use crate::numerics::number::Number;
 use crate::numerics::series::Series;
 use crate::numerics::taylor::{Control, Integrator, Step, System};
+use crate::witness;
 
 /// Coefficients of a series; the last one is that of the remainder.
 pub const TERMS: usize = 18;
@@ -48,17 +50,60 @@ pub fn step<S: System<Interval, 12, TERMS>>(
     state: &[Interval; 3],
     h: &mut f64,
 ) -> Result<[Interval; 3], CertifiedError> {
+    Ok(step_within(system, state, h)?.state)
+}
+
+/// A step, with what makes it certain.
+#[derive(Debug, Clone, Copy)]
+pub struct Taken {
+    /// Its length.
+    pub length: f64,
+    /// What no motion leaves meanwhile.
+    pub walls: Extended,
+    /// The state after it.
+    pub state: [Interval; 3],
+}
+
+impl Taken {
+    /// As a witness has it.
+    pub fn written(&self) -> witness::Step {
+        witness::Step {
+            length: dyadic(self.length),
+            walls: self.walls[..3].iter().map(|x| ends(*x)).collect(),
+            state: self.state.map(ends).to_vec(),
+        }
+    }
+}
+
+/// As [`step`], with what makes it certain.
+///
+/// # Errors
+/// As [`step`].
+pub fn step_within<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    start: &[Interval; 3],
+    h: &mut f64,
+) -> Result<Taken, CertifiedError> {
     *h = h.min(LONGEST);
     while *h > SHORTEST {
-        if let Some(next) = attempt(system, state, *h) {
+        if let Some((next, walls)) = attempt(system, start, *h) {
+            let length = *h;
             *h *= GROW;
-            return Ok(next);
+            let walls = match witness::recording() {
+                0 => walls,
+                _ => short_walls(system, &extended(*start), length, walls),
+            };
+            return Ok(Taken {
+                length,
+                walls,
+                state: next,
+            });
         }
         *h *= SHRINK;
     }
     Err(CertifiedError::unproved(
         "no step encloses the motion",
-        state,
+        start,
     ))
 }
 
@@ -66,7 +111,7 @@ fn attempt<S: System<Interval, 12, TERMS>>(
     system: &S,
     state: &[Interval; 3],
     h: f64,
-) -> Option<[Interval; 3]> {
+) -> Option<([Interval; 3], Extended)> {
     let start = extended(*state);
     let walls = walls(system, &start, h)?;
     let rest = series(system, &walls)?;
@@ -93,7 +138,7 @@ fn attempt<S: System<Interval, 12, TERMS>>(
         }
         next[i] = value.meet(all[i])?;
     }
-    Some(next)
+    Some((next, walls))
 }
 
 /// Coefficients of the series about each start of a box.
@@ -108,20 +153,44 @@ fn series<S: System<Interval, 12, TERMS>>(
     Some(step.series)
 }
 
+/// Walls with so few digits that each counts, as close as that allows.
+fn short_walls<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    start: &Extended,
+    h: f64,
+    mut walls: Extended,
+) -> Extended {
+    for _ in 0..64 {
+        let next = reached(system, start, h, &walls).map(short_box);
+        if next == walls {
+            break;
+        }
+        walls = next;
+    }
+    walls
+}
+
+/// Where motions from `start` are after times up to `h`, while they do not leave the walls.
+fn reached<S: System<Interval, 12, TERMS>>(
+    system: &S,
+    start: &Extended,
+    h: f64,
+    walls: &Extended,
+) -> Extended {
+    let time = Interval::new(0.0, h);
+    let mut work = S::Work::default();
+    system.begin(&Interval::point(0.0), walls, &mut work);
+    let zero = Interval::point(0.0);
+    let constant = walls.map(|x| std::array::from_fn(|k| if k == 0 { x } else { zero }));
+    let slope = system.derivative(0, &constant, &mut work);
+    std::array::from_fn(|i| start[i] + time * slope[i])
+}
+
 /// A box that no motion from `start` leaves within the time `h`.
 fn walls<S: System<Interval, 12, TERMS>>(system: &S, start: &Extended, h: f64) -> Option<Extended> {
-    let time = Interval::new(0.0, h);
-    let reached = |walls: &Extended| -> Extended {
-        let mut work = S::Work::default();
-        system.begin(&Interval::point(0.0), walls, &mut work);
-        let zero = Interval::point(0.0);
-        let constant = walls.map(|x| std::array::from_fn(|k| if k == 0 { x } else { zero }));
-        let slope = system.derivative(0, &constant, &mut work);
-        std::array::from_fn(|i| start[i] + time * slope[i])
-    };
     let mut walls = *start;
     for _ in 0..8 {
-        let next = reached(&walls);
+        let next = reached(system, start, h, &walls);
         if next.iter().zip(&walls).all(|(a, b)| a.within(*b)) {
             return Some(next);
         }
@@ -241,7 +310,7 @@ mod tests {
         let start = Interval::point(libm::ldexp(1.0, -20));
         let factor = Interval::point(libm::ldexp(0.2, 20));
         let zero = Interval::point(0.0);
-        let [_, _, z] = attempt(&Growing { factor }, &[zero, zero, start], 1.0).unwrap();
+        let ([_, _, z], _) = attempt(&Growing { factor }, &[zero, zero, start], 1.0).unwrap();
         let expected = start / (Interval::int(1) - factor * start);
         assert!(z.meet(expected).is_some(), "{z} {expected}");
         assert!(z.width() < 1e-8 * z.hi(), "{z}");

@@ -3,6 +3,9 @@
 use super::error::CertifiedError;
 use super::interval::Interval;
 use super::jet::Jet;
+use super::written::{dyadic, ends, short};
+use crate::exact::{Expr, tree};
+use crate::witness::{self, Root, Witness};
 
 /// Steps after which a box has shrunk as far as f64 allow.
 const STEPS: usize = 20;
@@ -53,6 +56,36 @@ pub fn unique(
         x = [a, b];
     }
     Ok(x)
+}
+
+/// The same, of functions that are written in two variables of these names too, for a witness.
+///
+/// # Errors
+/// As [`unique`].
+pub fn unique_written(
+    names: [&'static str; 2],
+    written: impl FnOnce([Expr; 2]) -> [Expr; 2],
+    f: impl Fn([Jet<2>; 2]) -> [Jet<2>; 2],
+    start: [Interval; 2],
+) -> Result<[Interval; 2], CertifiedError> {
+    let root = unique(&f, start)?;
+    witness::leave(|| {
+        let middle = start.map(|x| Interval::point(x.mid()));
+        let slopes = f(Jet::variables(&middle)).map(|jet| jet.slope.map(Interval::mid));
+        let rows = inverse(slopes).map_or(Vec::new(), |rows| rows.to_vec());
+        Witness::Root(Root {
+            variables: names.map(str::to_owned).to_vec(),
+            functions: written(names.map(Expr::symbol)).map(tree).to_vec(),
+            within: start.map(ends).to_vec(),
+            preconditioner: rows
+                .iter()
+                .map(|row| row.map(|x| dyadic(short(x.mid()))).to_vec())
+                .collect(),
+            // Apart from its ends, which the last step may touch.
+            root: root.map(|x| ends(x.widened(1e-15))).to_vec(),
+        })
+    });
+    Ok(root)
 }
 
 /// The inverse of a matrix, as point intervals; rounding does not matter.

@@ -23,3 +23,4 @@ pub mod jet;
 pub mod krawczyk;
 pub mod root;
 pub mod taylor;
+pub mod written;

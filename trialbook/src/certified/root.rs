@@ -3,6 +3,9 @@
 use super::ball::Ball;
 use super::error::CertifiedError;
 use super::interval::Interval;
+use super::written::{dyadic, ends, ends_of_ball, short};
+use crate::exact::{Expr, tree};
+use crate::witness::{self, Witness};
 
 /// An enclosed root.
 #[derive(Debug, Clone)]
@@ -79,6 +82,32 @@ pub fn refine(
         unique_in: start,
         value: x.with_bits(bits),
     })
+}
+
+/// The same, of a function that is written in the variable `x` too, for a witness.
+///
+/// # Errors
+/// As [`refine`].
+pub fn refine_written(
+    written: impl FnOnce(Expr) -> Expr,
+    f: impl Fn(&Ball) -> Option<[Ball; 2]>,
+    start: Interval,
+    bits: usize,
+) -> Result<Root, CertifiedError> {
+    let root = refine(&f, start, bits)?;
+    witness::leave(|| {
+        let middle = Ball::enclosing(Interval::point(start.mid()), FIRST);
+        let slope = middle.and_then(|middle| f(&middle));
+        let slope = slope.map_or(1.0, |[_, slope]| slope.interval().mid());
+        Witness::Root(witness::Root {
+            variables: vec!["x".into()],
+            functions: vec![tree(written(Expr::symbol("x")))],
+            within: vec![ends(start)],
+            preconditioner: vec![vec![dyadic(short(1.0 / slope))]],
+            root: vec![ends_of_ball(&root.value)],
+        })
+    });
+    Ok(root)
 }
 
 #[cfg(test)]

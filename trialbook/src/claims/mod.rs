@@ -248,6 +248,9 @@ pub struct Paper {
     /// The record of a deep run; empty if none was made.
     #[cfg(feature = "trials")]
     pub deep: &'static str,
+    /// The record of a check of its certificates by another engine; empty if there was none.
+    #[cfg(feature = "trials")]
+    pub certified: &'static str,
     /// Its formulas.
     #[cfg(feature = "trials")]
     pub formulas: Formulas,
@@ -289,6 +292,7 @@ impl Paper {
         record: "",
         tallies: "",
         deep: "",
+        certified: "",
         formulas: Formulas::NONE,
         cases: &[],
         values: &[],

@@ -4,6 +4,7 @@
 //! bad input or a failure. After a failure there is nothing on standard output, unless a command of the paper's own writes
 //! as it goes.
 
+mod certify;
 mod deep;
 mod distrust;
 mod find;
@@ -81,6 +82,19 @@ enum Command {
         #[arg(value_name = "ID")]
         ids: Vec<String>,
     },
+    /// Write for each proof a certificate that a stranger's program can check
+    Certify {
+        /// Ids of claims, as `list` prints them
+        #[arg(value_name = "ID")]
+        ids: Vec<String>,
+        /// Folder to write them into; what an earlier run wrote there is replaced as a whole
+        #[arg(
+            long = "out",
+            value_name = "FOLDER",
+            default_value = "target/certificates"
+        )]
+        into: PathBuf,
+    },
     /// Try one claim and show all that is known of it
     Show {
         /// Id of the claim
@@ -145,6 +159,7 @@ pub fn command(edition: &Edition) -> clap::Command {
         (3, "errata", "--format latex"),
         (4, "find", "0.5"),
         (5, "distrust", first),
+        (6, "certify", first),
         (900, "completions", &bash),
     ] {
         let mut examples = edition.examples.iter();
@@ -164,8 +179,8 @@ pub fn command(edition: &Edition) -> clap::Command {
     ))
 }
 
-/// Where the commands of the paper's own stand in the help: behind `distrust`.
-const OWN: usize = 6;
+/// Where the commands of the paper's own stand in the help: behind `certify`.
+const OWN: usize = 7;
 
 /// Runs the command line of this process.
 pub fn run(edition: &Edition) -> ExitCode {
@@ -226,6 +241,10 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
         Command::Distrust { ids } => {
             let ids = ledger::known_all(edition, &ids)?;
             distrust::distrust(edition, &ids, format)
+        }
+        Command::Certify { ids, into } => {
+            let ids = ledger::known_all(edition, &ids)?;
+            certify::certify(edition, &ids, &into, format)
         }
         Command::Show { id } => ledger::show(edition, &id, depth, format),
         Command::List { verdict, section } => {

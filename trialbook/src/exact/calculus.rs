@@ -4,6 +4,7 @@ use super::error::ExactError;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
 use super::ring::{Ring, Rule};
+use super::tape;
 use std::collections::BTreeMap;
 
 /// The rates of the free symbols along a motion, or with respect to one of them; 0 for all others.
@@ -12,9 +13,20 @@ pub struct Derivation {
     rates: BTreeMap<usize, Rational>,
 }
 
+impl Derivation {
+    /// The generators whose rates are given, with these.
+    pub(super) fn rates(&self) -> impl Iterator<Item = (usize, &Rational)> {
+        self.rates.iter().map(|(g, rate)| (*g, rate))
+    }
+}
+
 impl Ring {
     /// The normal form: powers of roots below their degree above the line, and as bare factors below it.
     pub fn normal(&self, x: &Rational) -> Rational {
+        tape::kept(x, || self.reduced(x))
+    }
+
+    fn reduced(&self, x: &Rational) -> Rational {
         let mut x = x.clone();
         for (g, rule) in self.rules.iter().enumerate().rev() {
             let Rule::Root { radicand, degree } = rule else {
@@ -72,11 +84,14 @@ impl Ring {
     /// # Errors
     /// [`ExactError::DivisionByZero`] if the divisor is zero in the ring.
     pub fn divide(&self, x: &Rational, y: &Rational) -> Result<Rational, ExactError> {
-        let inverse = self.normal(y).reciprocal();
-        let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero {
-            divisor: self.text(y),
-        })?;
-        Ok(self.normal(&(x * &inverse)))
+        let divide = || {
+            let inverse = self.normal(y).reciprocal();
+            let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero {
+                divisor: self.text(y),
+            })?;
+            Ok(self.normal(&(x * &inverse)))
+        };
+        tape::formed(|| tape::quotient(x, y), divide)
     }
 
     /// The derivation with respect to a free symbol, all others fixed.
@@ -103,6 +118,10 @@ impl Ring {
     /// # Errors
     /// [`ExactError::VaryingExponent`] for b^e with varying e, unless ln b is declared.
     pub fn derivative(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
+        tape::formed(|| tape::derivative(x, by), || self.slope(x, by))
+    }
+
+    fn slope(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
         let mut slope = self.of_polynomial(x.numerator(), by)? * x.denominator_inverse();
         for (factor, k) in x.factors() {
             let factor_slope = self.of_polynomial(factor, by)?;
@@ -163,6 +182,14 @@ impl Ring {
     /// # Errors
     /// [`ExactError::DivisionByZero`] if that makes a divisor zero.
     pub fn put(
+        &self,
+        x: &Rational,
+        values: &[(&Rational, &Rational)],
+    ) -> Result<Rational, ExactError> {
+        tape::formed(|| tape::put(x, values), || self.replaced(x, values))
+    }
+
+    fn replaced(
         &self,
         x: &Rational,
         values: &[(&Rational, &Rational)],

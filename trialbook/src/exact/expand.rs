@@ -5,6 +5,7 @@ use super::expr::{Binary, Expr, Function, Node};
 use super::rational::Rational;
 use super::ring::Ring;
 use super::series::Series;
+use super::tape;
 
 impl Ring {
     /// Reads a formula in which some symbols stand for series; what else occurs is read as by [`Ring::read`] and does
@@ -13,6 +14,17 @@ impl Ring {
     /// # Errors
     /// As [`Ring::read`], and [`ExactError::NoSeries`] where the formula has no series in whole powers.
     pub fn expand(
+        &self,
+        formula: Expr,
+        series: &[(&str, &Series)],
+        order: i64,
+    ) -> Result<Series, ExactError> {
+        tape::expanded((formula, series, order), || {
+            self.expanded(formula, series, order)
+        })
+    }
+
+    fn expanded(
         &self,
         formula: Expr,
         series: &[(&str, &Series)],

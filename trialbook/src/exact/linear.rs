@@ -3,6 +3,7 @@
 use super::error::ExactError;
 use super::rational::Rational;
 use super::ring::Ring;
+use super::tape;
 
 impl Ring {
     /// Solves equations that are linear in free symbols, each with the coefficients of the powers of `monomials`
@@ -11,6 +12,15 @@ impl Ring {
     /// # Errors
     /// [`ExactError::Unsolvable`] if they contradict each other; as [`Ring::derivative`] and [`Ring::divide`].
     pub fn solve(
+        &self,
+        equations: &[Rational],
+        powers_of: Option<&Rational>,
+        unknowns: &[&str],
+    ) -> Result<Vec<(Rational, Rational)>, ExactError> {
+        tape::solved(equations, || self.solved(equations, powers_of, unknowns))
+    }
+
+    fn solved(
         &self,
         equations: &[Rational],
         powers_of: Option<&Rational>,

@@ -33,6 +33,7 @@ mod rational;
 mod read;
 mod ring;
 mod series;
+mod tape;
 
 pub use calculus::Derivation;
 pub use error::ExactError;
@@ -42,3 +43,4 @@ pub use proof::{Obstacle, Proof, Prover, Step};
 pub use rational::Rational;
 pub use ring::Ring;
 pub use series::Series;
+pub use tape::tree;

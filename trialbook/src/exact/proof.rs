@@ -6,6 +6,7 @@ use super::expr::Expr;
 use super::rational::Rational;
 use super::ring::Ring;
 use super::series::Series;
+use super::tape;
 use std::fmt;
 
 /// The longest text of a step in characters: more than that nobody reads.
@@ -71,13 +72,16 @@ impl Proof {
             steps: Vec::new(),
             compared: false,
         };
+        tape::begin();
         let outcome = steps(&mut prover);
         let empty = (!prover.compared).then_some(Obstacle::Empty);
-        Proof {
+        let proof = Proof {
             title: title.into(),
             steps: prover.steps,
             obstacle: outcome.err().or(empty),
-        }
+        };
+        tape::end(&proof.title, ring, proof.holds());
+        proof
     }
 
     /// Carries out steps that find something, for other proofs to start from; nothing is found where they fail.
@@ -180,6 +184,7 @@ impl<'a> Prover<'a> {
                 title: other.title.clone(),
             });
         }
+        tape::given(&other.title);
         self.note("Proved before", other.title.clone());
         Ok(())
     }
@@ -189,6 +194,7 @@ impl<'a> Prover<'a> {
     /// # Errors
     /// [`Obstacle`] of the other proof, if that does not hold.
     pub fn carry_on(&mut self, other: &Proof) -> Result<(), Obstacle> {
+        tape::given(&other.title);
         self.steps.extend_from_slice(&other.steps);
         match &other.obstacle {
             Some(obstacle) => Err(obstacle.clone()),
@@ -281,6 +287,7 @@ impl<'a> Prover<'a> {
         let difference = x - y;
         self.compared = true;
         if self.ring.is_zero(&difference)? {
+            tape::compared(says, x, y);
             self.note(says, "the difference is 0");
             Ok(())
         } else {

@@ -5,6 +5,8 @@
 //! divisor of polynomials, and zero is zero, because it has the numerator 0.
 
 use super::polynomial::Polynomial;
+use super::tape::{self, Origin};
+use crate::witness::Part;
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -20,6 +22,8 @@ pub struct Rational {
     number: IBig,
     /// Not constant, primitive, leading coefficient positive, powers at least 1.
     factors: Vec<(Polynomial, u32)>,
+    /// How it was formed, where a proof is recorded.
+    origin: Origin,
 }
 
 impl Rational {
@@ -41,6 +45,21 @@ impl Rational {
     /// The factors below the line with their powers, without the number.
     pub fn factors(&self) -> &[(Polynomial, u32)] {
         &self.factors
+    }
+
+    /// The number below the line.
+    pub(super) fn number(&self) -> &IBig {
+        &self.number
+    }
+
+    /// How it was formed.
+    pub(super) fn origin(&self) -> Origin {
+        self.origin
+    }
+
+    /// The same, formed so.
+    pub(super) fn formed(self, origin: Origin) -> Self {
+        Rational { origin, ..self }
     }
 
     /// True if the numerator is 0. Says nothing about relations among generators.
@@ -122,6 +141,7 @@ impl Rational {
             numerator,
             number: content,
             factors,
+            origin: Origin::default(),
         };
         inverse.cancel();
         Some(inverse)
@@ -131,6 +151,7 @@ impl Rational {
     pub(super) fn denominator_inverse(&self) -> Self {
         Rational {
             numerator: Polynomial::one(),
+            origin: Origin::default(),
             ..self.clone()
         }
     }
@@ -141,6 +162,7 @@ impl Rational {
             numerator: Polynomial::one(),
             number: self.number.clone(),
             factors: Vec::new(),
+            origin: Origin::default(),
         }
     }
 
@@ -159,7 +181,8 @@ impl Rational {
 
     fn cancel(&mut self) {
         if self.numerator.is_zero() {
-            *self = Rational::from(Polynomial::zero());
+            let origin = self.origin;
+            *self = Rational::from(Polynomial::zero()).formed(origin);
             return;
         }
         for (factor, k) in &mut self.factors {
@@ -237,13 +260,13 @@ impl From<Polynomial> for Rational {
             numerator,
             number: IBig::ONE,
             factors: Vec::new(),
+            origin: Origin::default(),
         }
     }
 }
 
-impl Add for &Rational {
-    type Output = Rational;
-    fn add(self, other: Self) -> Rational {
+impl Rational {
+    fn plus(&self, other: &Self) -> Self {
         if self.numerator.is_zero() {
             return other.clone();
         }
@@ -280,15 +303,13 @@ impl Add for &Rational {
             numerator: &left + &right,
             number: &self.number / &gcd * &other.number,
             factors,
+            origin: Origin::default(),
         };
         sum.cancel();
         sum
     }
-}
 
-impl Neg for &Rational {
-    type Output = Rational;
-    fn neg(self) -> Rational {
+    fn negated(&self) -> Self {
         Rational {
             numerator: -&self.numerator,
             ..self.clone()
@@ -296,10 +317,26 @@ impl Neg for &Rational {
     }
 }
 
+impl Add for &Rational {
+    type Output = Rational;
+    fn add(self, other: Self) -> Rational {
+        self.plus(other)
+            .formed(tape::joined(Part::Sum, self, other))
+    }
+}
+
+impl Neg for &Rational {
+    type Output = Rational;
+    fn neg(self) -> Rational {
+        self.negated().formed(tape::negative(self))
+    }
+}
+
 impl Sub for &Rational {
     type Output = Rational;
     fn sub(self, other: Self) -> Rational {
-        self + &-other
+        let difference = self.plus(&other.negated());
+        difference.formed(tape::joined(Part::Difference, self, other))
     }
 }
 
@@ -317,6 +354,7 @@ impl Mul for &Rational {
             numerator: &self.numerator * &other.numerator,
             number: &self.number * &other.number,
             factors,
+            origin: tape::joined(Part::Product, self, other),
         };
         product.cancel();
         product

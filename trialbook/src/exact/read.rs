@@ -4,6 +4,7 @@ use super::error::ExactError;
 use super::expr::{Binary, Expr, Function, Node};
 use super::rational::Rational;
 use super::ring::{PI, Ring};
+use super::tape;
 use dashu_int::IBig;
 
 /// The largest whole exponent that is multiplied out.
@@ -20,6 +21,10 @@ impl Ring {
     /// [`ExactError`] for a symbol, an angle, a power, a logarithm that is not declared, and for a division
     /// by zero.
     pub fn read(&self, formula: Expr) -> Result<Rational, ExactError> {
+        tape::formed(|| tape::read(formula), || self.understood(formula))
+    }
+
+    fn understood(&self, formula: Expr) -> Result<Rational, ExactError> {
         match formula.node() {
             Node::Int(n) => Ok(Rational::int(n)),
             Node::Pi => Ok(Rational::generator(PI)),
@@ -158,6 +163,13 @@ impl Ring {
         base: &Rational,
         exponent: &Rational,
     ) -> Result<Rational, ExactError> {
+        tape::formed(
+            || tape::raised(base, exponent),
+            || self.raised(base, exponent),
+        )
+    }
+
+    fn raised(&self, base: &Rational, exponent: &Rational) -> Result<Rational, ExactError> {
         let error = || ExactError::NoPower {
             base: self.text(base),
             exponent: self.text(exponent),

@@ -6,8 +6,9 @@ use crate::certified::error::CertifiedError;
 use crate::certified::interval::{Interval, PI};
 use crate::certified::krawczyk;
 use crate::certified::numbers::{LAMBDA_Y, Q_Y};
+use crate::certified::written::agree;
 use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::enclosed::{DIGITS, certified, numbers, on_balls};
+use crate::claims::enclosed::{DIGITS, certified, last_digit, numbers, on_balls};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::Expr;
@@ -22,6 +23,10 @@ pub fn x_unique() -> Evidence {
     );
     let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
     let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
+    let near = || Expr::int(1) / Expr::int(10).pow(Expr::int(14));
+    for (stated, name) in printed::eq57_x::<Expr>().into_iter().zip(["q", "λ₀"]) {
+        agree(stated, Expr::symbol(name), near());
+    }
     certified(proof, Subject::Printed, compared)
 }
 
@@ -45,10 +50,22 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
         let [up, down] = b(lambda0, q * lambda0);
         [left - right, up - down]
     };
-    krawczyk::unique(
+    let written = |[q, lambda0]: [Expr; 2]| {
+        let [left, right] = printed::eq53_sides(printed::eq53_k(q), lambda0);
+        let [up, down] = printed::eq54_sides(lambda0, q * lambda0);
+        [left - right, up - down]
+    };
+    krawczyk::unique_written(
+        ["q", "λ₀"],
+        written,
         curves,
         [Interval::new(0.97, 1.03), Interval::new(0.525, 0.55)],
     )
+}
+
+/// q of Y by the length x of its forward motion.
+fn length_to_q() -> Expr {
+    (Expr::int(1) + Expr::symbol("x").squared()).sqrt()
 }
 
 /// The decimals of (58), to the last one.
@@ -58,14 +75,20 @@ pub fn y_rounding() -> Evidence {
     let points = [("q of Y", Q_Y), ("λ₀ of Y", LAMBDA_Y)]
         .into_iter()
         .zip(printed::eq58_y());
-    trial.over(points, |((name, value), stated)| {
+    let rounded = trial.over(points, |((name, value), stated)| {
         Ok(Pair {
             at: format!("{name}, rounded"),
             stated,
             found: value.decimal(3)?.parse()?,
             scale: 1.0,
         })
-    })
+    });
+    let q = length_to_q();
+    let half = Expr::int(1) / Expr::int(2000);
+    let [stated_q, stated_lambda0] = printed::eq58_y();
+    agree(stated_q, q, half);
+    agree(stated_lambda0, Expr::int(1) / q, half);
+    rounded
 }
 
 /// (54) and (55) at Y.
@@ -74,13 +97,17 @@ pub fn y_digits() -> Evidence {
         "the sum of $q$ and the difference of the sides of (54) on (55), to 50 digits,",
         r"$q=\sqrt{1+x^2}$, for the one $x$ in $(4.4,4.6)$ with $\tan x=x$",
     );
-    numbers([("q of Y", Q_Y)], Subject::Printed, compared, |bits| {
+    let evidence = numbers([("q of Y", Q_Y)], Subject::Printed, compared, |bits| {
         let spare = bits + 32;
         let y = Q_Y.ball(DIGITS + 8).ok();
         let q = Expr::symbol("q");
         let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), Expr::int(1));
         [on_balls(q + left - right, spare, &|_| y.clone()).map(|ball| ball.with_bits(bits))]
-    })
+    });
+    let q = length_to_q();
+    let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), Expr::int(1));
+    agree(left, right, last_digit());
+    evidence
 }
 
 /// That a point lies in the printed region II: above A, below C, beyond q_Y.

@@ -1,0 +1,166 @@
+//! Certificates: for each proof a file that a stranger's program can check.
+
+use super::output::{VERSION, csv, json, say};
+use crate::book;
+use crate::claims::attempt::Attempt;
+use crate::claims::{Claim, Paper};
+use crate::edition::{Edition, Failure, Format};
+use crate::evidence::{Evidence, Subject};
+use crate::witness::{self, Witness};
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+use serde::Serialize;
+use sha2::{Digest, Sha256};
+use std::path::Path;
+
+/// The version of the files' format.
+const FORMAT: u32 = 1;
+
+/// What stands in a file.
+#[derive(Serialize)]
+struct Certificate {
+    format: u32,
+    claim: &'static str,
+    /// The LaTeX of what is proved: the claim's, or that of what replaces it.
+    statement: &'static str,
+    /// Its hash, SHA-256 of the text in UTF-8.
+    sha256: String,
+    /// About what form of the claim it speaks.
+    about: String,
+    trial: &'static str,
+    /// What was compared with what.
+    says: String,
+    witnesses: Vec<Witness>,
+}
+
+/// A proof and its file.
+#[derive(Serialize)]
+struct Row {
+    claim: &'static str,
+    trial: &'static str,
+    /// The file's name; empty for a proof that leaves nothing.
+    file: String,
+    witnesses: usize,
+    bytes: usize,
+}
+
+/// All proofs and their files.
+#[derive(Serialize)]
+struct List<'a> {
+    version: u32,
+    folder: String,
+    proofs: &'a [Row],
+}
+
+/// Writes the certificates of these claims, or of all, into a folder.
+pub(super) fn certify(
+    edition: &Edition,
+    ids: &[&str],
+    out: &Path,
+    format: Format,
+) -> Result<u8, Failure> {
+    let proofs = made(edition.paper, ids);
+    let (mut rows, mut files) = (Vec::new(), Vec::new());
+    for certificate in proofs {
+        let stem = certificate.trial.replace("::", "-");
+        let file = format!("{}-{stem}.json", certificate.claim);
+        let text = serde_json::to_vec(&certificate)?;
+        let row = Row {
+            claim: certificate.claim,
+            trial: certificate.trial,
+            file: file.clone(),
+            witnesses: certificate.witnesses.len(),
+            bytes: text.len(),
+        };
+        let empty = certificate.witnesses.is_empty();
+        if !empty {
+            files.push((file, text));
+        }
+        rows.push(Row {
+            file: if empty {
+                String::new()
+            } else {
+                row.file.clone()
+            },
+            ..row
+        });
+    }
+    let folder = book::replace(out, edition.name, "certificates", &files)?;
+    let bare = rows.iter().filter(|row| row.witnesses == 0).count();
+    match format {
+        Format::Text => {
+            let without = rows.iter().filter(|row| row.witnesses == 0);
+            let names: Vec<_> = without
+                .map(|row| format!("  {} {}\n", row.claim, row.trial))
+                .collect();
+            say(&format!(
+                "{} certificates in {}; {bare} proofs have none\n{}",
+                files.len(),
+                folder.display(),
+                names.concat()
+            ))?;
+        }
+        Format::Json => json(&List {
+            version: VERSION,
+            folder: folder.display().to_string(),
+            proofs: &rows,
+        })?,
+        Format::Csv => {
+            let cells = |row: &Row| {
+                vec![
+                    row.claim.to_owned(),
+                    row.trial.to_owned(),
+                    row.file.clone(),
+                    row.witnesses.to_string(),
+                    row.bytes.to_string(),
+                ]
+            };
+            csv(
+                &["claim", "trial", "file", "witnesses", "bytes"],
+                rows.iter().map(cells),
+            )?;
+        }
+    }
+    Ok(0)
+}
+
+/// Carries out all proofs of these claims, or of all claims, in the order of the paper.
+fn made(paper: &'static Paper, ids: &[&str]) -> Vec<Certificate> {
+    let wanted = |claim: &Claim| ids.is_empty() || ids.contains(&claim.id);
+    let attempts: Vec<_> = paper
+        .claims()
+        .filter(|(_, claim)| wanted(claim))
+        .flat_map(|(_, claim)| claim.trials.iter().map(move |attempt| (claim, attempt)))
+        .collect();
+    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} trials  {eta} left");
+    let bar = ProgressBar::new(attempts.len() as u64)
+        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let one = |(claim, attempt): &(&'static Claim, &'static Attempt)| {
+        let (evidence, witnesses) = witness::of(|| attempt.evidence());
+        bar.inc(1);
+        evidence
+            .proof_words()
+            .map(|_| certificate(claim, &evidence, witnesses))
+    };
+    let made = attempts.par_iter().filter_map(one).collect();
+    bar.finish_and_clear();
+    made
+}
+
+fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> Certificate {
+    let corrected = claim
+        .correction
+        .filter(|_| evidence.subject == Subject::Corrected);
+    let statement = corrected.map_or(claim.latex, |correction| correction.latex);
+    let hash = Sha256::digest(statement.as_bytes());
+    Certificate {
+        format: FORMAT,
+        claim: claim.id,
+        statement,
+        sha256: hash.iter().map(|byte| format!("{byte:02x}")).collect(),
+        about: evidence.about(claim.correction.is_none()),
+        trial: evidence.trial,
+        says: evidence.comparison(),
+        witnesses,
+    }
+}

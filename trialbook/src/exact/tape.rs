@@ -1,0 +1,555 @@
+//! Where the elements of a proof come from, noted while they are formed: what its witness is made of.
+
+use super::calculus::Derivation;
+use super::error::ExactError;
+use super::expr::{Binary, Expr, Node};
+use super::polynomial::Polynomial;
+use super::rational::Rational;
+use super::ring::{KnownPower, PI, Ring, Rule};
+use super::series::Series;
+use crate::witness::{
+    self, Element, Equal, Generator, Identity, Inverse, Part, Power, Tree, Witness,
+};
+use std::cell::{Cell, RefCell};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Where an element comes from: its place in the tape of a recording.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Origin {
+    recording: u32,
+    place: usize,
+}
+
+/// What is demanded in a proof that is being carried out.
+#[derive(Default)]
+struct Frame {
+    equal: Vec<Equal>,
+    given: Vec<String>,
+}
+
+#[derive(Default)]
+struct Tape {
+    recording: u32,
+    parts: Vec<Part>,
+    /// The generators in what was given or formed at each place.
+    generators: Vec<BTreeSet<usize>>,
+    frames: Vec<Frame>,
+    /// What was demanded outside of any proof: it goes to the next one.
+    loose: Vec<Equal>,
+}
+
+thread_local! {
+    static TAPE: RefCell<Tape> = RefCell::default();
+    /// How many operations are under way, whose own steps are not noted.
+    static UNDER_WAY: Cell<u32> = const { Cell::new(0) };
+}
+
+/// Whether what is formed now is noted.
+#[inline]
+fn is_on() -> bool {
+    witness::recording() != 0 && UNDER_WAY.get() == 0
+}
+
+fn with<T>(f: impl FnOnce(&mut Tape) -> T) -> T {
+    TAPE.with_borrow_mut(|tape| {
+        let recording = witness::recording();
+        if tape.recording != recording {
+            *tape = Tape {
+                recording,
+                ..Tape::default()
+            };
+        }
+        f(tape)
+    })
+}
+
+fn push(part: Part) -> usize {
+    push_with(part, BTreeSet::new())
+}
+
+fn push_with(part: Part, generators: BTreeSet<usize>) -> usize {
+    with(|tape| {
+        tape.parts.push(part);
+        tape.generators.push(generators);
+        tape.parts.len() - 1
+    })
+}
+
+/// The place of an element; one that comes from nowhere is given as it is.
+fn place(x: &Rational) -> usize {
+    if x.origin().recording == witness::recording() {
+        x.origin().place
+    } else {
+        push_with(Part::Element(element(x)), x.generators().collect())
+    }
+}
+
+fn pushed(part: Part) -> Origin {
+    Origin {
+        recording: witness::recording(),
+        place: push(part),
+    }
+}
+
+/// What an operation has formed, with its origin.
+fn noted(part: Part, x: Rational) -> Rational {
+    let origin = Origin {
+        recording: witness::recording(),
+        place: push_with(part, x.generators().collect()),
+    };
+    x.formed(origin)
+}
+
+/// What comes of two elements by an operator.
+pub(super) fn joined(by: fn(usize, usize) -> Part, x: &Rational, y: &Rational) -> Origin {
+    if !is_on() {
+        return Origin::default();
+    }
+    let (x, y) = (place(x), place(y));
+    pushed(by(x, y))
+}
+
+/// The negative of an element.
+pub(super) fn negative(x: &Rational) -> Origin {
+    if !is_on() {
+        return Origin::default();
+    }
+    pushed(Part::Negative(place(x)))
+}
+
+/// Keeps the steps of an operation out of the tape while it lives.
+struct Quiet;
+
+impl Quiet {
+    fn new() -> Self {
+        UNDER_WAY.set(UNDER_WAY.get() + 1);
+        Quiet
+    }
+}
+
+impl Drop for Quiet {
+    fn drop(&mut self) {
+        UNDER_WAY.set(UNDER_WAY.get() - 1);
+    }
+}
+
+/// Forms an element by an operation that is noted as one.
+pub(super) fn formed(
+    part: impl FnOnce() -> Part,
+    operation: impl FnOnce() -> Result<Rational, ExactError>,
+) -> Result<Rational, ExactError> {
+    if !is_on() {
+        return operation();
+    }
+    let part = part();
+    let quiet = Quiet::new();
+    let element = operation()?;
+    drop(quiet);
+    Ok(noted(part, element))
+}
+
+/// Forms another shape of the same element.
+pub(super) fn kept(x: &Rational, operation: impl FnOnce() -> Rational) -> Rational {
+    if !is_on() {
+        return operation();
+    }
+    let quiet = Quiet::new();
+    let shape = operation();
+    drop(quiet);
+    shape.formed(x.origin())
+}
+
+/// A formula, read.
+pub(super) fn read(formula: Expr) -> Part {
+    Part::Read(tree(formula))
+}
+
+/// One element over another.
+pub(super) fn quotient(x: &Rational, y: &Rational) -> Part {
+    Part::Quotient(place(x), place(y))
+}
+
+/// One element to the power of another.
+pub(super) fn raised(x: &Rational, y: &Rational) -> Part {
+    Part::Raised(place(x), place(y))
+}
+
+/// A derivative.
+pub(super) fn derivative(x: &Rational, by: &Derivation) -> Part {
+    let rates = by.rates().map(|(g, rate)| (g, place(rate))).collect();
+    Part::Derivative(place(x), rates)
+}
+
+/// Values, put in.
+pub(super) fn put(x: &Rational, values: &[(&Rational, &Rational)]) -> Part {
+    let values = values
+        .iter()
+        .filter_map(|(g, value)| Some((g.generators().next()?, place(value))));
+    let values = values.collect();
+    Part::Put(place(x), values)
+}
+
+/// Expands a formula into a series, noted as one operation with its coefficients.
+pub(super) fn expanded(
+    (formula, series, order): (Expr, &[(&str, &Series)], i64),
+    operation: impl FnOnce() -> Result<Series, ExactError>,
+) -> Result<Series, ExactError> {
+    if !is_on() {
+        return operation();
+    }
+    let of = |(name, series): &(&str, &Series)| {
+        let places = series.coefficients().iter().map(place).collect();
+        ((*name).to_owned(), series.start(), places)
+    };
+    let part = Part::Series(tree(formula), series.iter().map(of).collect(), order);
+    let quiet = Quiet::new();
+    let expanded = operation()?;
+    drop(quiet);
+    let whole = push(part);
+    Ok(expanded.mapped(|power, c| noted(Part::Coefficient(whole, power), c)))
+}
+
+/// Solves equations; what is noted is that the solution fulfils them.
+pub(super) fn solved(
+    equations: &[Rational],
+    operation: impl FnOnce() -> Result<Vec<(Rational, Rational)>, ExactError>,
+) -> Result<Vec<(Rational, Rational)>, ExactError> {
+    if !is_on() {
+        return operation();
+    }
+    let quiet = Quiet::new();
+    let solved = operation()?;
+    drop(quiet);
+    let given = |x: &Rational| x.clone().formed(Origin::default());
+    let solved: Vec<_> = solved
+        .iter()
+        .map(|(x, value)| (given(x), given(value)))
+        .collect();
+    let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
+    for equation in equations {
+        let put = push(put(equation, &values));
+        demand("The solution, put into its equation", put, None);
+    }
+    Ok(solved)
+}
+
+fn demand(says: &str, left: usize, right: Option<usize>) {
+    with(|tape| {
+        let equal = Equal {
+            says: says.to_owned(),
+            left,
+            right,
+        };
+        match tape.frames.last_mut() {
+            Some(frame) => frame.equal.push(equal),
+            None => tape.loose.push(equal),
+        }
+    });
+}
+
+/// Notes that two elements were compared.
+pub(super) fn compared(says: &str, x: &Rational, y: &Rational) {
+    if is_on() {
+        let (x, y) = (place(x), place(y));
+        demand(says, x, Some(y));
+    }
+}
+
+/// Notes that another proof is made use of.
+pub(super) fn given(title: &str) {
+    if is_on() {
+        with(|tape| {
+            if let Some(frame) = tape.frames.last_mut() {
+                frame.given.push(title.to_owned());
+            }
+        });
+    }
+}
+
+/// A proof begins.
+pub(super) fn begin() {
+    if is_on() {
+        with(|tape| tape.frames.push(Frame::default()));
+    }
+}
+
+/// A proof in a ring ends; it leaves a witness if it holds.
+pub(super) fn end(title: &str, ring: &Ring, holds: bool) {
+    if !is_on() {
+        return;
+    }
+    let Some(frame) = with(|tape| tape.frames.pop()) else {
+        return;
+    };
+    if !holds {
+        return;
+    }
+    let (parts, equal, generators) = with(|tape| {
+        let mut equal = std::mem::take(&mut tape.loose);
+        equal.extend(frame.equal);
+        used(tape, equal)
+    });
+    witness::leave(|| {
+        let names = names(&parts);
+        let needed = needed(ring, generators, &names);
+        let of = |g| match needed.contains(&g) {
+            true => generator(ring, g),
+            false => Generator::None,
+        };
+        let known = ring.powers.iter().filter(|known| !is_own(ring, known));
+        let known = known.filter(|known| known.base.generators().all(|g| needed.contains(&g)));
+        let symbols = ring.symbols().filter(|(name, _)| {
+            let itself = ring.free_index(name).is_ok();
+            names.contains(*name) && !itself
+        });
+        let inverses = ring.inverses.iter();
+        let inverses =
+            inverses.filter(|known| known.angle.generators().all(|g| needed.contains(&g)));
+        Witness::Identity(Identity {
+            title: title.to_owned(),
+            given: frame.given,
+            generators: (0..ring.rules.len()).map(of).collect(),
+            symbols: symbols
+                .map(|(name, x)| (name.to_owned(), element(x)))
+                .collect(),
+            powers: known
+                .map(|known| Power {
+                    of: element(&known.base),
+                    to: element(&known.exponent),
+                    is: element(&known.value),
+                })
+                .collect(),
+            inverses: inverses
+                .map(|known| Inverse {
+                    function: known.function.name().to_owned(),
+                    of: element(&known.of),
+                    is: element(&known.angle),
+                })
+                .collect(),
+            parts,
+            equal,
+        })
+    });
+}
+
+/// Whether a power is known from the rule of its own generator.
+fn is_own(ring: &Ring, known: &KnownPower) -> bool {
+    let mut generators = known.value.generators();
+    let (Some(g), None) = (generators.next(), generators.next()) else {
+        return false;
+    };
+    let own = matches!(ring.rules[g], Rule::Power { .. } | Rule::Root { .. });
+    own && (&known.value - &Rational::generator(g)).is_literally_zero()
+        && match &ring.rules[g] {
+            Rule::Root { radicand, .. } => (radicand - &known.base).is_literally_zero(),
+            _ => true,
+        }
+}
+
+/// The names in the formulas that are read.
+fn names(parts: &[Part]) -> BTreeSet<String> {
+    fn of(tree: &Tree, names: &mut BTreeSet<String>) {
+        match tree {
+            Tree::Leaf(name) => {
+                names.insert(name.clone());
+            }
+            Tree::Node(parts) => parts.iter().for_each(|part| of(part, names)),
+        }
+    }
+    let mut names = BTreeSet::new();
+    for part in parts {
+        if let Part::Read(tree) | Part::Series(tree, ..) = part {
+            of(tree, &mut names);
+        }
+    }
+    names
+}
+
+/// The generators that a checker meets: those of the elements and names, with all that hangs together with them.
+fn needed(ring: &Ring, mut needed: BTreeSet<usize>, names: &BTreeSet<String>) -> BTreeSet<usize> {
+    needed.insert(PI);
+    let named = ring.symbols().filter(|(name, _)| names.contains(*name));
+    needed.extend(named.flat_map(|(_, x)| x.generators()));
+    loop {
+        let before = needed.len();
+        for (g, rule) in ring.rules.iter().enumerate() {
+            let below: BTreeSet<usize> = match rule {
+                Rule::Constant | Rule::Free => continue,
+                Rule::HalfTangent { angle: of } | Rule::HalfExponential { argument: of } => {
+                    [*of].into()
+                }
+                Rule::Power { base, exponent } => {
+                    base.generators().chain(exponent.generators()).collect()
+                }
+                Rule::Root { radicand, .. } => radicand.generators().collect(),
+                Rule::Logarithm { of } => of.generators().collect(),
+            };
+            if needed.contains(&g) {
+                needed.extend(below);
+            } else if below.is_subset(&needed) {
+                needed.insert(g);
+            }
+        }
+        if needed.len() == before {
+            return needed;
+        }
+    }
+}
+
+/// The parts that what is demanded is made of, numbered anew.
+fn used(tape: &Tape, mut equal: Vec<Equal>) -> (Vec<Part>, Vec<Equal>, BTreeSet<usize>) {
+    let all = &tape.parts;
+    let mut wanted = vec![false; all.len()];
+    for one in &equal {
+        wanted[one.left] = true;
+        if let Some(right) = one.right {
+            wanted[right] = true;
+        }
+    }
+    // Each is made of earlier ones.
+    for i in (0..all.len()).rev() {
+        if wanted[i] {
+            each(&mut all[i].clone(), &mut |j| wanted[*j] = true);
+        }
+    }
+    let mut numbers = BTreeMap::new();
+    let (mut parts, mut generators) = (Vec::new(), BTreeSet::new());
+    for i in (0..all.len()).filter(|i| wanted[*i]) {
+        let mut part = all[i].clone();
+        each(&mut part, &mut |j| {
+            *j = numbers.get(j).copied().unwrap_or(*j)
+        });
+        numbers.insert(i, parts.len());
+        parts.push(part);
+        generators.extend(&tape.generators[i]);
+    }
+    for one in &mut equal {
+        one.left = numbers[&one.left];
+        one.right = one.right.map(|right| numbers[&right]);
+    }
+    (parts, equal, generators)
+}
+
+/// Calls `f` with each place that a part names.
+fn each(part: &mut Part, f: &mut impl FnMut(&mut usize)) {
+    match part {
+        Part::Element(_) | Part::Read(_) => {}
+        Part::Sum(x, y)
+        | Part::Difference(x, y)
+        | Part::Product(x, y)
+        | Part::Quotient(x, y)
+        | Part::Raised(x, y) => {
+            f(x);
+            f(y);
+        }
+        Part::Negative(x) | Part::Coefficient(x, _) => f(x),
+        Part::Derivative(x, values) | Part::Put(x, values) => {
+            f(x);
+            values.iter_mut().for_each(|(_, value)| f(value));
+        }
+        Part::Series(_, series, _) => {
+            let places = series.iter_mut().flat_map(|(_, _, places)| places);
+            places.for_each(f);
+        }
+    }
+}
+
+fn generator(ring: &Ring, g: usize) -> Generator {
+    match &ring.rules[g] {
+        Rule::Constant => Generator::Pi,
+        Rule::Free => Generator::Free {
+            name: ring.names[g].clone(),
+        },
+        Rule::HalfTangent { angle } => Generator::HalfTangent { of: *angle },
+        Rule::HalfExponential { argument } => Generator::HalfExponential { of: *argument },
+        Rule::Power { base, exponent } => Generator::Power {
+            of: element(base),
+            to: element(exponent),
+        },
+        Rule::Root { radicand, degree } => Generator::Root {
+            of: element(radicand),
+            degree: *degree,
+        },
+        Rule::Logarithm { of } => Generator::Logarithm { of: element(of) },
+    }
+}
+
+fn polynomial(p: &Polynomial) -> witness::Polynomial {
+    let terms = p.terms();
+    terms
+        .map(|(exponents, c)| (c.to_string(), exponents.to_vec()))
+        .collect()
+}
+
+fn element(x: &Rational) -> Element {
+    Element {
+        above: polynomial(x.numerator()),
+        number: x.number().to_string(),
+        below: x
+            .factors()
+            .iter()
+            .map(|(f, k)| (polynomial(f), *k))
+            .collect(),
+    }
+}
+
+/// A formula as a nested list.
+pub fn tree(formula: Expr) -> Tree {
+    let node = |name: &str, of: &[Expr]| {
+        let name = std::iter::once(Tree::Leaf(name.to_owned()));
+        Tree::Node(name.chain(of.iter().map(|x| tree(*x))).collect())
+    };
+    match formula.node() {
+        Node::Int(n) => Tree::Leaf(n.to_string()),
+        Node::Pi => Tree::Leaf("π".to_owned()),
+        Node::Symbol(name) => Tree::Leaf(name.to_owned()),
+        Node::Neg(x) => node("-", &[x]),
+        Node::Binary(op, x, y) => {
+            let sign = match op {
+                Binary::Add => "+",
+                Binary::Sub => "-",
+                Binary::Mul => "*",
+                Binary::Div => "/",
+                Binary::Pow => "^",
+            };
+            node(sign, &[x, y])
+        }
+        Node::Call(function, x) => node(function.name(), &[x]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::exact::Proof;
+    use crate::witness::of;
+
+    fn proof() -> Proof {
+        let mut ring = Ring::new();
+        let x = ring.symbol("x");
+        Proof::of("x² − x² = 0", &ring, |p| {
+            let square = p.read("x²", Expr::symbol("x") * Expr::symbol("x"))?;
+            p.equal("The two", &square, &(&x * &x))
+        })
+    }
+
+    #[test]
+    fn only_what_runs_inside_leaves_a_witness() {
+        assert!(proof().holds());
+        let (inner, left) = of(|| {
+            assert!(proof().holds());
+            of(proof).1.len()
+        });
+        assert_eq!((inner, left.len()), (1, 1));
+        assert!(of(|| ()).1.is_empty());
+        let Witness::Identity(identity) = &left[0] else {
+            panic!("{left:?}");
+        };
+        // The formula is there, and the product with what it is compared to.
+        assert_eq!(identity.equal.len(), 1);
+        assert!(matches!(
+            identity.parts[..],
+            [Part::Read(..), Part::Element(..), Part::Product(..)]
+        ));
+    }
+}

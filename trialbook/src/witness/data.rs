@@ -1,0 +1,274 @@
+//! The shapes of witnesses, as they are written.
+
+use serde::Serialize;
+
+/// What one proof leaves.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(tag = "kind", rename_all = "lowercase")]
+pub enum Witness {
+    /// Differences that are zero in a ring.
+    Identity(Identity),
+    /// One common root of functions in a box.
+    Root(Root),
+    /// Two numbers that agree.
+    Number(Number),
+    /// A statement on a whole range.
+    Range(Cover),
+    /// A motion and its end.
+    Motion(Motion),
+}
+
+/// From a number to another: `["m*2^e", "m*2^e"]`, exactly.
+pub type Interval = (String, String);
+
+/// That functions have exactly one common root in a box, and where it is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Root {
+    /// The variables' names.
+    pub variables: Vec<String>,
+    /// The functions, as many as there are variables.
+    pub functions: Vec<Tree>,
+    /// The box in which the root exists and is the only one.
+    pub within: Vec<Interval>,
+    /// A matrix that is about the inverse of that of the slopes.
+    pub preconditioner: Vec<Vec<String>>,
+    /// A smaller box that holds the root.
+    pub root: Vec<Interval>,
+}
+
+/// Two numbers that differ by `within` at most, where the variables have the values of a root.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Number {
+    /// The place of the root in the list of witnesses.
+    pub root: usize,
+    /// What is stated.
+    pub stated: Tree,
+    /// What is found.
+    pub found: Tree,
+    /// The most by which they differ.
+    pub within: Tree,
+}
+
+/// What is asked of a part of a range.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Condition {
+    /// The value of a function has this sign, 1 or −1, everywhere.
+    Sign(Tree, i32),
+    /// Its derivative by the variable of this number has.
+    Slope(Tree, usize, i32),
+    /// The coefficient of this power in its Taylor series about every point has; for one variable.
+    Coefficient(Tree, usize, i32),
+    /// All of these.
+    All(Vec<Condition>),
+    /// One of these, whichever it is.
+    Any(Vec<Condition>),
+}
+
+/// To which parts of a range a condition is put.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Where {
+    /// To all that are left.
+    Rest,
+    /// To those that begin there, in the variable of this number.
+    From(usize, String),
+    /// To those that end below, in the variable of this number.
+    Below(usize, String),
+}
+
+/// That each part of a range fulfils a condition; the parts leave no gap.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Cover {
+    /// The variables' names.
+    pub variables: Vec<String>,
+    /// The range.
+    pub within: Vec<Interval>,
+    /// The conditions: to each part is put the first of those that go with it.
+    pub cases: Vec<(Where, Condition)>,
+    /// The parts.
+    pub parts: Vec<Vec<Interval>>,
+}
+
+/// A step of a motion.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Step {
+    /// Its length.
+    pub length: String,
+    /// What the motion does not leave meanwhile: the state, and its derivatives by each part of the state before.
+    pub walls: Vec<Interval>,
+    /// Where it is in the end.
+    pub state: Vec<Interval>,
+}
+
+/// All motions from a box of starts, and what becomes of them.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Motion {
+    /// The names of the parts of the state.
+    pub variables: Vec<String>,
+    /// Their rates.
+    pub law: Vec<Tree>,
+    /// Where the motions begin, as formulas.
+    pub from: Vec<Tree>,
+    /// Where they begin, enclosed.
+    pub start: Vec<Interval>,
+    /// The steps.
+    pub steps: Vec<Step>,
+    /// What becomes of them: a name.
+    pub end: String,
+    /// Of which functions of the last state that is the consequence: each list of signs is enough.
+    pub decides: Vec<(Tree, i32)>,
+}
+
+/// A formula as a nested list: `["+", "x", ["sin", "y"]]`. A leaf is a whole number, `π`, or the name of a quantity.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(untagged)]
+pub enum Tree {
+    /// A number or a name.
+    Leaf(String),
+    /// An operation and what it is done to.
+    Node(Vec<Tree>),
+}
+
+/// Terms: each a whole coefficient, and the exponents of the generators 0, 1, 2, …
+pub type Polynomial = Vec<(String, Vec<u32>)>;
+
+/// An element of a ring: a polynomial over a whole number and powers of polynomials.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Element {
+    /// What stands above the line.
+    pub above: Polynomial,
+    /// The number below it.
+    pub number: String,
+    /// The factors below it, with their powers.
+    pub below: Vec<(Polynomial, u32)>,
+}
+
+/// What a generator is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(tag = "rule", rename_all = "kebab-case")]
+pub enum Generator {
+    /// π, the generator 0.
+    Pi,
+    /// One that the proof does not need.
+    None,
+    /// A free quantity.
+    Free {
+        /// Its name.
+        name: String,
+    },
+    /// tan(θ/2).
+    HalfTangent {
+        /// The generator θ.
+        of: usize,
+    },
+    /// exp(α/2).
+    HalfExponential {
+        /// The generator α.
+        of: usize,
+    },
+    /// A power with an exponent that is no number.
+    Power {
+        /// What is raised; positive.
+        of: Element,
+        /// The exponent.
+        to: Element,
+    },
+    /// A positive root.
+    Root {
+        /// The radicand; positive.
+        of: Element,
+        /// The degree.
+        degree: u32,
+    },
+    /// A natural logarithm.
+    Logarithm {
+        /// What it is taken of; positive.
+        of: Element,
+    },
+}
+
+/// of^to = is, for positive values.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Power {
+    /// What is raised.
+    pub of: Element,
+    /// The exponent.
+    pub to: Element,
+    /// The power.
+    pub is: Element,
+}
+
+/// function(of) = is.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Inverse {
+    /// `arcsin` or `arccos`.
+    pub function: String,
+    /// Its argument.
+    pub of: Element,
+    /// The angle.
+    pub is: Element,
+}
+
+/// How one of a proof's elements came about, from those before it in the list.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Part {
+    /// Given as it is.
+    Element(Element),
+    /// A formula, read.
+    Read(Tree),
+    /// Two, added.
+    Sum(usize, usize),
+    /// The second taken from the first.
+    Difference(usize, usize),
+    /// Two, multiplied.
+    Product(usize, usize),
+    /// The first over the second.
+    Quotient(usize, usize),
+    /// The negative of one.
+    Negative(usize),
+    /// The first to the power of the second.
+    Raised(usize, usize),
+    /// The derivative of one, where free generators have these rates and all others of them none.
+    Derivative(usize, Vec<(usize, usize)>),
+    /// One with values put in for generators.
+    Put(usize, Vec<(usize, usize)>),
+    /// A formula's power series: the series of some of its symbols, each with the lowest power and its coefficients; and
+    /// the highest power that is kept.
+    Series(Tree, Vec<(String, i64, Vec<usize>)>, i64),
+    /// The coefficient of a power in a series.
+    Coefficient(usize, i64),
+}
+
+/// Two elements that are equal.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Equal {
+    /// What is compared.
+    pub says: String,
+    /// One of them.
+    pub left: usize,
+    /// The other; `None` for zero.
+    pub right: Option<usize>,
+}
+
+/// A proof in a ring.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Identity {
+    /// What is proved.
+    pub title: String,
+    /// The titles of the proofs that it rests on.
+    pub given: Vec<String>,
+    /// The ring's generators.
+    pub generators: Vec<Generator>,
+    /// What each name in a formula stands for.
+    pub symbols: Vec<(String, Element)>,
+    /// Powers that are known.
+    pub powers: Vec<Power>,
+    /// Inverse functions that are known.
+    pub inverses: Vec<Inverse>,
+    /// The elements that the proof forms.
+    pub parts: Vec<Part>,
+    /// What it demands.
+    pub equal: Vec<Equal>,
+}
