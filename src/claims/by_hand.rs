@@ -57,7 +57,7 @@ pub static CASES: [ByHand; 26] = [
         claim: "s23-nonzero-again",
         wrong: "a word; it is the acceleration, not the friction",
         reason: "A word: the acceleration of the table becomes nonzero again, not friction. While the particle slides friction is never zero",
-        case: "Take $\\eta=\\frac12$ and $\\lambda_0=\\frac14$. In the gap between the pulses, at $\\phi=\\frac34\\pi$, the particle still slides forward, so that friction gives it the acceleration $-\\frac14$. Whatever "becomes nonzero again" at $\\pi$ must be zero here: it is {stated} as printed, and {found} for the drive",
+        case: "Take $\\eta=\\frac12$ and $\\lambda_0=\\frac14$. In the gap between the pulses, at $\\phi=\\frac34\\pi$, the particle still slides forward, so that friction gives it the acceleration $-\\frac14$. Whatever \"becomes nonzero again\" at $\\pi$ must be zero here: it is {stated} as printed, and {found} for the drive",
         digits: 2,
         stated: || {
             Ok(periodic::s23_nonzero_again(friction([

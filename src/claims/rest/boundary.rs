@@ -243,7 +243,8 @@ pub fn printed_census() -> Evidence {
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
-    let small = |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.start[1] < 0.3);
+    let small =
+        |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.start[1] < 0.3);
     trial.over(census().filter(small), |case| {
         let case = case?;
         Ok(counted(case, rests_as_printed(case.start)))
