@@ -156,7 +156,7 @@ fn numbers_are_found_and_graded() {
     assert_eq!(slipbook(&["find", "1"]).status.code(), Some(1));
     assert_eq!(first("0.4")["name"], "kappa-solid");
     assert!(graded("7/6").contains("= 1.1666666666666666667\nboundary-curvature"));
-    assert!(graded("2/sqrt(4+pi^2)").contains("lambda-c = 0.537029272149"));
+    assert!(graded("2/sqrt(4+pi^2)").contains("lambda-c = 0.537029272146"));
     assert!(graded("exp(pi*sqrt(2))").contains("turn = 85.019695223 = exp(sqrt(2)*pi)"));
     let refused = slipbook(&["find", "0,537"]);
     assert!(text(&refused.stderr).contains("a point, not a comma"));
@@ -165,7 +165,7 @@ fn numbers_are_found_and_graded() {
         all["values"].as_array().unwrap().len(),
         slipbook::claims::PAPER.values.len()
     );
-    assert!(text(&slipbook(&["find"]).stdout).contains("lambda-c = 0.537029272149"));
+    assert!(text(&slipbook(&["find"]).stdout).contains("lambda-c = 0.537029272146"));
 }
 
 #[test]
@@ -357,6 +357,8 @@ fn a_plot_is_a_file_that_is_replaced_whole() {
         assert_eq!(plot(&file).status.code(), Some(0));
         assert!(fs::read_to_string(&file).unwrap().starts_with("<svg"));
     }
+    // The folder of this test has such a name itself.
+    let own = |complaint: &str| complaint.replace(folder.path().to_str().unwrap(), "");
     for (nowhere, why) in [
         (file.join("below.svg"), "below.svg"),
         (folder.path().join("none").join("path.svg"), "none"),
@@ -367,7 +369,7 @@ fn a_plot_is_a_file_that_is_replaced_whole() {
         assert_eq!(nowhere.status.code(), Some(2));
         assert!(nowhere.stdout.is_empty());
         assert!(
-            complaint.contains(why) && !complaint.contains(".tmp"),
+            complaint.contains(why) && !own(&complaint).contains(".tmp"),
             "{complaint}"
         );
     }
