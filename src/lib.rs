@@ -18,6 +18,37 @@
 //!
 //! What knows no paper is a crate of its own, [`trialbook`]; its rooms stand here under their names.
 //!
+//! # Physics
+//!
+//! A particle on a plane that is shaken, by the values of a function; how fast it is, and when it first stops:
+//!
+//! ```
+//! use slipbook::motion::{Fitted, State, run};
+//!
+//! let plane = Fitted::from_fn(|t| [(3.0 * t).sin(), 0.3 * t.cos()], [0.0, 10.0], &[])?;
+//! assert!(plane.error() < 1e-13);
+//! let start = State { t: 0.0, v: [1.0, 0.5], x: [0.0; 2] };
+//! let motion = run(&plane, 0.4, start, 10.0)?;
+//! assert!(motion.at(1.0)?.speed() < start.speed());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! A census of particles on a turntable, in the paper's units, on all cores with the feature `parallel`:
+//!
+//! ```
+//! use slipbook::motion::turntable::Start;
+//! use slipbook::motion::turntable::ensemble::{End, Horizon};
+//!
+//! let starts = (0..100).map(|i| Start::polar(0.5, 0.015 * f64::from(i), 1.0));
+//! let starts = starts.collect::<Result<Vec<_>, _>>()?;
+//! let ends = Horizon { rho: 100.0, tau: 50.0 }.follow(&starts)?;
+//! let rests = ends.iter().filter(|end| matches!(end, End::Rest { .. })).count();
+//! assert!(0 < rests && rests < 100);
+//! # Ok::<(), slipbook::motion::MotionError>(())
+//! ```
+//!
+//! # Judging
+//!
 //! With `default-features = false` there are the formulas, the motions, the calculators and the ledger's types
 //! alone, and a handful of dependencies; the feature `trials` brings the trials, `book` all that rests on them.
 //!

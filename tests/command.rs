@@ -60,6 +60,7 @@ fn json(arguments: &[&str]) -> Value {
 
 #[test]
 fn some_claims_are_verified_shown_and_listed() {
+    assert!(text(&slipbook(&["verify", "eq-11"]).stdout).contains("\n1 claim: "));
     let said = text(&slipbook(&["verify", "eq-11", "eq-82"]).stdout);
     for words in [
         "eq-11 ",
@@ -141,12 +142,83 @@ fn numbers_are_found_and_graded() {
     let graded = |number: &str| text(&slipbook(&["find", number]).stdout);
     assert!(graded("0.537").contains("all digits given are right"));
     assert!(
-        graded("0.53702927214999")
+        graded("0.87204385604999")
             .contains("the first 11 digits are right; no more are known here")
     );
+    assert!(graded("0.53702").contains("cut off: rounded, the last is one more"));
     assert_eq!(first("5.37029e-1")["name"], "lambda-c");
-    assert_eq!(json(&["find", "77.7"])["matches"], Value::Array(Vec::new()));
+    let none = slipbook(&["find", "77.7", "--json"]);
+    assert_eq!(none.status.code(), Some(1));
+    let none: Value = serde_json::from_slice(&none.stdout).unwrap();
+    assert_eq!(none["matches"], Value::Array(Vec::new()));
     assert_eq!(slipbook(&["find", "twelve"]).status.code(), Some(2));
+    // A single digit is a number of its own, not the beginning of others.
+    assert_eq!(slipbook(&["find", "1"]).status.code(), Some(1));
+    assert_eq!(first("0.4")["name"], "kappa-solid");
+    assert!(graded("7/6").contains("= 1.1666666666666666667\nboundary-curvature"));
+    assert!(graded("2/sqrt(4+pi^2)").contains("lambda-c = 0.537029272146"));
+    assert!(graded("exp(pi*sqrt(2))").contains("turn = 85.019695223 = exp(sqrt(2)*pi)"));
+    let refused = slipbook(&["find", "0,537"]);
+    assert!(text(&refused.stderr).contains("a point, not a comma"));
+    let all = json(&["find"]);
+    assert_eq!(
+        all["values"].as_array().unwrap().len(),
+        slipbook::claims::PAPER.values.len()
+    );
+    assert!(text(&slipbook(&["find"]).stdout).contains("lambda-c = 0.537029272146"));
+}
+
+#[test]
+fn ids_are_taken_as_people_write_them() {
+    let id = |word: &str| {
+        let output = slipbook(&["show", word, "--json"]);
+        let shown: Value = serde_json::from_slice(&output.stdout)
+            .unwrap_or_else(|_| panic!("{word}: {}", text(&output.stderr)));
+        shown["claims"][0]["id"].as_str().unwrap().to_owned()
+    };
+    for word in ["13", "(13)", "EQ-13", "eq13", "Eq. (13)", "eq_13", "013"] {
+        assert_eq!(id(word), "eq-13", "{word}");
+    }
+    for (word, meant) in [
+        ("Figure 3", "fig-3"),
+        ("s24-y", "s24-Y"),
+        ("s2-stops", "s2-stops-if-weak"),
+        ("parabola", "s21-frictionless-parabola"),
+    ] {
+        assert_eq!(id(word), meant, "{word}");
+    }
+    let several = json(&["verify", "11", "eq-11", "82"]);
+    assert_eq!(several["claims"].as_array().unwrap().len(), 2);
+    let sheets = text(&slipbook(&["show", "11", "75"]).stdout);
+    assert!(sheets.contains("eq-11: ") && sheets.contains("\neq-75: "));
+    for (word, hint) in [
+        (
+            "s21-portrait-consistant",
+            "did you mean `s21-portrait-consistent`?",
+        ),
+        ("s24-region", "may be s24-region-1, s24-region-2"),
+        ("148", "there is no claim `148`"),
+        ("", "there is no claim ``"),
+    ] {
+        let output = slipbook(&["show", word]);
+        let complaint = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{word}");
+        assert!(complaint.contains(hint), "{complaint}");
+    }
+    assert!(text(&slipbook(&["completions", "bash"]).stdout).contains("s21-frictionless-parabola"));
+    assert!(!text(&slipbook(&["show", "--help"]).stdout).contains("s21-frictionless-parabola"));
+}
+
+#[test]
+fn a_book_is_not_written_where_nobody_looks_for_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("--out FOLDER"));
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
 #[test]
@@ -175,6 +247,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         ("solve turntable --rho 1 --x 1 --y 1 --vx 1 --vy 1", "--rho"),
         ("solve turntable --rho -1 --p 1 --psi 0", "rho"),
         ("solve pulse --eta 0.5 --lambda0 0.3 --json --plot", "SVG"),
+        ("solve --plot pulse --eta 0.5 --lambda0 0.3", "--plot"),
         ("verify eq-999", "eq-999"),
         ("list --section 9", "9"),
         ("exam stop-place none", "no such task"),
@@ -284,9 +357,23 @@ fn a_plot_is_a_file_that_is_replaced_whole() {
         assert_eq!(plot(&file).status.code(), Some(0));
         assert!(fs::read_to_string(&file).unwrap().starts_with("<svg"));
     }
-    let nowhere = plot(&file.join("below"));
-    assert_eq!(nowhere.status.code(), Some(2));
-    assert!(nowhere.stdout.is_empty());
+    // The folder of this test has such a name itself.
+    let own = |complaint: &str| complaint.replace(folder.path().to_str().unwrap(), "");
+    for (nowhere, why) in [
+        (file.join("below.svg"), "below.svg"),
+        (folder.path().join("none").join("path.svg"), "none"),
+        (folder.path().join("path.png"), "it draws SVG"),
+    ] {
+        let nowhere = plot(&nowhere);
+        let complaint = text(&nowhere.stderr);
+        assert_eq!(nowhere.status.code(), Some(2));
+        assert!(nowhere.stdout.is_empty());
+        assert!(
+            complaint.contains(why) && !own(&complaint).contains(".tmp"),
+            "{complaint}"
+        );
+    }
+    assert!(text(&plot(Path::new("-")).stdout).starts_with("<svg"));
     assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
 }
 
@@ -320,14 +407,14 @@ fn a_plot_follows_a_link_keeps_the_rights_of_a_file_and_replaces_nothing_else() 
     assert_eq!(mode("new.svg"), mode("any"));
     symlink("nowhere", place("lost.svg")).unwrap();
     assert_eq!(plot("lost.svg").0, Some(2));
-    let _end = std::os::unix::net::UnixListener::bind(place("socket")).unwrap();
-    let (code, complaint) = plot("socket");
+    let _end = std::os::unix::net::UnixListener::bind(place("socket.svg")).unwrap();
+    let (code, complaint) = plot("socket.svg");
     assert!(
         code == Some(2) && complaint.contains("no ordinary file"),
         "{complaint}"
     );
     assert!(
-        place("socket")
+        place("socket.svg")
             .symlink_metadata()
             .unwrap()
             .file_type()
@@ -345,6 +432,8 @@ fn every_command_has_help_with_an_example() {
         "find",
         "solve",
         "completions",
+        "man",
+        "schema",
     ]
     .map(|command| vec![command])
     .into();
@@ -371,6 +460,42 @@ fn shells_get_their_completions() {
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         assert!(text(&slipbook(&["completions", shell]).stdout).contains("slipbook"));
     }
+}
+
+#[test]
+fn the_manual_and_the_schema_come_from_what_they_describe() {
+    let page = text(&slipbook(&["man"]).stdout);
+    assert!(page.contains(".TH slipbook 1"), "{page}");
+    for name in [
+        "SLIPBOOK VERIFY",
+        "SLIPBOOK SOLVE TURNTABLE-BOUNDARY",
+        "SLIPBOOK ENSEMBLE",
+    ] {
+        assert!(page.contains(&format!(".SH \"{name}\"")), "{name}");
+    }
+    let schema: Value = serde_json::from_slice(&slipbook(&["schema"]).stdout).unwrap();
+    let find = &schema["$defs"]["find"]["properties"];
+    assert_eq!(
+        find["matches"]["items"]["properties"]["first_wrong"]["type"],
+        serde_json::json!(["number", "null"])
+    );
+    let answers = schema["anyOf"].as_array().unwrap();
+    assert!(answers.len() > 12, "{answers:?}");
+}
+
+#[test]
+fn the_errata_are_a_register() {
+    let register = text(&slipbook(&["errata", "--csv"]).stdout);
+    let mut rows = register.lines();
+    assert_eq!(
+        rows.next().unwrap(),
+        "id,section,equation,verdict,printed,corrected,reason,evidence,inherits,check"
+    );
+    let misprint = rows.find(|row| row.starts_with("eq-75,")).unwrap();
+    assert!(
+        misprint.contains(",misprint,") && misprint.ends_with(",slipbook verify eq-75"),
+        "{misprint}"
+    );
 }
 
 /// A file system without room: no file may grow beyond a few kilobytes.
@@ -460,6 +585,17 @@ fn the_main_job_prints_the_ledger_and_writes_the_book() {
     }
     let page = fs::read_to_string(out.join("index.html")).unwrap();
     assert!(page.contains("Slipbook"));
+    // What the record names is there.
+    let record = include_str!("../codecheck.yml");
+    let files = record
+        .lines()
+        .filter_map(|line| line.strip_prefix("  - file: "));
+    let files: Vec<_> = files.collect();
+    assert!(files.len() > 4);
+    for file in files {
+        let name = file.strip_prefix("target/book/").unwrap();
+        assert!(out.join(name).is_file(), "{name}");
+    }
     assert!(out.join("errata.html").exists() && out.join(".slipbook").exists());
     assert_eq!(fs::read_dir(&parent).unwrap().count(), 1);
 }
@@ -483,7 +619,10 @@ fn an_answer_that_cannot_be_written_is_a_failure() {
             .unwrap();
         assert_eq!(output.status.code(), Some(2), "{command}");
         let complaint = text(&output.stderr);
-        assert!(complaint.contains("slipbook: No space left"), "{complaint}");
+        assert!(
+            complaint.contains("slipbook: standard output: No space left"),
+            "{complaint}"
+        );
     }
 }
 
@@ -503,7 +642,7 @@ fn an_ensemble_ends_as_its_particles_do() {
     let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split(',').collect()).collect();
     let head = ["rho", "p", "psi", "outcome", "sigma", "tau"];
     assert_eq!(rows[0][..6], head);
-    assert_eq!(rows[0][6..], ["sigma_digits", "tau_digits"]);
+    assert_eq!(rows[0][6..], ["sigma_digits", "tau_digits", "note"]);
     assert_eq!(rows.len(), 7);
     for row in &rows[1..] {
         let single = slipbook(&[
@@ -544,9 +683,11 @@ fn an_ensemble_names_what_is_out_of_range() {
     for (option, wrong, named) in [
         ("--rho", "-1", "rho"),
         ("--rho", "1:2", "LOW:HIGH:COUNT"),
-        ("--rho", "1:1e10:5", "rho"),
-        ("--far", "-1", "rho"),
-        ("--late", "-1", "tau"),
+        ("--rho", "0,5", "a point, not a comma"),
+        ("--far", "-1", "--far = -1 must be positive"),
+        ("--far", "0", "--far = 0 must be positive"),
+        ("--late", "-1", "--late = -1 must be positive"),
+        ("--shard", "1/2", "--csv or --json"),
         ("--jobs", "-1", "1..=1024"),
     ] {
         let rho = if option == "--rho" { wrong } else { "1" };
@@ -563,6 +704,177 @@ fn an_ensemble_names_what_is_out_of_range() {
         );
         assert!(output.stdout.is_empty());
     }
+}
+
+#[test]
+fn an_answer_fits_the_screen() {
+    let said = |line: &str, columns: usize, more: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+            .args(line.split(' '))
+            .args(more)
+            .env("COLUMNS", columns.to_string())
+            .output()
+            .unwrap();
+        text(&output.stdout)
+    };
+    for line in [
+        "verify eq-13 eq-47 eq-58 s24-region-2 eq-82",
+        "show eq-58 eq-82",
+        "list --section 2",
+        "find 0.53701",
+        "solve constant --lambda 0.5 --v0 1 --theta0 -1 --time 2",
+    ] {
+        for columns in [60, 80, 120, 200] {
+            let wide: Vec<_> = said(line, columns, &[])
+                .lines()
+                .filter(|line| line.chars().count() > columns)
+                .map(str::to_owned)
+                .collect();
+            assert!(wide.is_empty(), "{columns}: {wide:#?}");
+        }
+    }
+    let table = |columns| said("verify eq-47 eq-58", columns, &[]);
+    assert!(table(200).lines().count() < table(80).lines().count());
+    let painted = said("verify eq-82", 80, &["--color", "always"]);
+    assert!(painted.contains("\u{1b}[31m"), "{painted}");
+    assert!(!said("verify eq-82", 80, &[]).contains('\u{1b}'));
+    assert_eq!(
+        said("verify eq-11 -q -j 1", 80, &[]),
+        "1 of 1 verdicts as recorded\n"
+    );
+}
+
+#[test]
+fn a_bad_point_of_a_grid_is_a_row_that_says_why() {
+    let line = "ensemble --rho 0:2:3 --p 0:1.5:4 --psi -1:1:2 --csv";
+    let rows = text(&slipbook(&line.split(' ').collect::<Vec<_>>()).stdout);
+    assert_eq!(rows.lines().count(), 25);
+    let refused: Vec<_> = rows.lines().filter(|row| row.contains("refused")).collect();
+    assert_eq!(
+        refused,
+        ["2,0,-1", "2,0,1"]
+            .map(|at| format!("{at},refused,,,,,\"p = 0 must be positive where rho > 1\""))
+    );
+    let said = text(&slipbook(&line[..line.len() - 6].split(' ').collect::<Vec<_>>()).stdout);
+    assert!(said.contains("2 are out of range"), "{said}");
+    let line = "solve sinusoidal --lambda0 -0.1:0.8:10";
+    let rows = text(&slipbook(&line.split(' ').collect::<Vec<_>>()).stdout);
+    assert_eq!(rows.matches("must be between").count(), 2, "{rows}");
+}
+
+#[test]
+fn a_sweep_has_a_row_for_each_point_as_asked_alone() {
+    let said = |line: &str| {
+        let output = slipbook(&line.split(' ').collect::<Vec<_>>());
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        text(&output.stdout)
+    };
+    let rows =
+        said("solve constant --lambda 0.5:1.5:3 --v0 1 --theta0 60deg:1.5:2 --time 0.25 --csv");
+    assert!(
+        rows.starts_with("lambda,theta0,v,theta,t,vx,vy,stop_time,digits,note\n"),
+        "{rows}"
+    );
+    let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split(',').collect()).collect();
+    assert_eq!(rows.len(), 7);
+    for row in &rows[1..] {
+        let (lambda, theta0) = (row[0], row[1]);
+        let line =
+            format!("solve constant --lambda {lambda} --v0 1 --theta0 {theta0} --time 0.25 --json");
+        let alone: Value = serde_json::from_str(&said(&line)).unwrap();
+        assert_eq!(
+            row[2].parse::<f64>().unwrap(),
+            alone["v"].as_f64().unwrap(),
+            "{row:?}"
+        );
+        assert_eq!(row[8], alone["digits"].to_string());
+    }
+    let json: Value = serde_json::from_str(&said(
+        "solve turntable --rho 0.5 --p 0.1:0.3:3 --psi pi/2 --json",
+    ))
+    .unwrap();
+    assert_eq!(json["answers"][1]["given"]["p"], 0.2);
+    assert_eq!(json["answers"][1]["answer"]["outcome"], "rest");
+    for problem in [
+        "sinusoidal --lambda0 0.3:0.5:2",
+        "pulse --eta 0.5 --lambda0 0.3:0.4:2",
+        "anisotropic --q 2:3:2 --lambda0 0.45",
+        "sphere --gamma 2:3:2 --u0 1 --theta0 1 --time 0.3",
+        "turntable --x 0.5 --y 0 --vx -0.1:0.1:2 --vy 0.2 --time 0.4",
+        "turntable-boundary --alpha 0.1:0.5:2 --psi 1",
+    ] {
+        let rows = said(&format!("solve {problem} --csv"));
+        let head = rows.lines().next().unwrap();
+        assert!(
+            rows.lines().count() == 3 && head.ends_with(",digits,note"),
+            "{rows}"
+        );
+        assert!(said(&format!("solve {problem}")).lines().count() > 3);
+    }
+    let refused = slipbook(&["solve", "sinusoidal", "--lambda0", "0.3:0.5:2", "--plot"]);
+    assert_eq!(refused.status.code(), Some(2));
+}
+
+#[test]
+fn the_parts_of_a_grid_make_the_whole() {
+    for line in [
+        "ensemble --rho 0.5 --p 0:1.4:5 --psi -1:2:3 --csv",
+        "ensemble --rho 0.5 --p 0:1.4:5 --psi -1:2:3 --json",
+        "solve turntable --rho 0.5 --p 0:1.4:5 --psi 1 --csv",
+        "solve turntable --rho 0.5 --p 0:1.4:5 --psi 1 --json",
+    ] {
+        let said = |more: &str| {
+            text(&slipbook(&format!("{line}{more}").split(' ').collect::<Vec<_>>()).stdout)
+        };
+        for of in [3, 7] {
+            let parts = (1..=of).map(|part| said(&format!(" --shard {part}/{of}")));
+            assert_eq!(parts.collect::<String>(), said(""), "{line}");
+        }
+    }
+}
+
+#[test]
+fn units_are_those_that_are_named() {
+    let said = |line: &str| -> Value {
+        serde_json::from_slice(&slipbook(&line.split(' ').collect::<Vec<_>>()).stdout).unwrap()
+    };
+    for (si, paper) in [
+        (
+            "constant --mu 0.3 --g 10 --accel 2 --v0 1 --theta0 90deg --time 0.1",
+            "constant --lambda 1.5 --accel 2 --v0 1 --theta0 pi/2 --time 0.1",
+        ),
+        (
+            "sinusoidal --mu 0.3 --g 10 --a0 5",
+            "sinusoidal --lambda0 0.6",
+        ),
+        (
+            "sphere --mu 0.1 --g 10 --accel 2 --u0 1 --theta0 1 --time 0.3",
+            "sphere --gamma 2 --u0 1 --theta0 1 --time 0.3",
+        ),
+        // μg/Ω² = 1 m, μg/Ω = 2 m/s.
+        (
+            "turntable --mu 0.4 --g 10 --omega 2 --r 0.5 --speed 0.6 --psi 1",
+            "turntable --rho 0.5 --p 0.3 --psi 1",
+        ),
+    ] {
+        assert_eq!(
+            said(&format!("solve {si} --json")),
+            said(&format!("solve {paper} --json"))
+        );
+    }
+    let refused = slipbook(
+        &"solve constant --lambda 1 --v0 1 --theta0 120 --time 1"
+            .split(' ')
+            .collect::<Vec<_>>(),
+    );
+    assert!(text(&refused.stderr).contains("120deg would be degrees"));
+    let warned = slipbook(
+        &"solve turntable --rho 0.5 --p 0.3 --psi 720"
+            .split(' ')
+            .collect::<Vec<_>>(),
+    );
+    assert_eq!(warned.status.code(), Some(0));
+    assert!(text(&warned.stderr).contains("720deg is in degrees"));
 }
 
 /// Ctrl-C is a signal only where there are signals.

@@ -36,6 +36,7 @@ fn the_values_are_those_of_pencil_and_paper() {
         ("y-q", q),
         ("y-lambda", 1.0 / q),
         ("contact", (q - 1.0) / (2.0 * q * q * q * (q + 1.0))),
+        ("kappa-solid", 0.4),
         ("b-solid", 7.0 / 2.0),
         ("b-hollow", 5.0 / 2.0),
         ("slip-end", 14.0 / 33.0),
@@ -129,8 +130,13 @@ fn a_number_is_found_by_its_digits_sign_and_size() {
     }
     // Digits beyond those that are known are neither right nor wrong.
     assert_eq!(found("0.537029272149999")[0].0, "lambda-c");
-    // A number with few digits may belong to several.
-    assert!(found("0.2").len() > 3);
+    // A number with few digits may belong to several; one digit has to be all of it.
+    assert!(found("0.22").len() > 1);
+    assert!(found("0.2").is_empty() && found("1").is_empty());
+    assert_eq!(found("0.5"), [("boundary-slope", 1, None, None)]);
+    // Closed forms have no end.
+    let digits = "0.0785674201318386138223";
+    assert_eq!(found(digits), [("s", 21, None, None)]);
     for no_number in [
         "",
         "x",

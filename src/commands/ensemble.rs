@@ -1,17 +1,17 @@
 //! `ensemble`: where many particles on the turntable end, one line each, written while the others are still on
 //! their way.
 
-use crate::claims::solve::turntable::{End, Horizon, Start};
+use super::axis::{Axis, Point, Shard, is_it_degrees};
+use crate::claims::solve::turntable::{End, Horizon, MotionError, Start};
 use crate::claims::solve::{Double, known};
 use crate::numerics::error::plain as number;
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
 use serde_json::json;
 use std::io::{self, BufWriter, ErrorKind, Write};
-use std::str::FromStr;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use trialbook::cli::{VERSION, complain};
+use trialbook::cli::{VERSION, complain, progress, unwritten};
 use trialbook::edition::{Failure, Format};
 
 /// Exit code after Ctrl-C, as shells have it.
@@ -20,65 +20,18 @@ const STOPPED: u8 = 130;
 /// Starts that are followed together; after each such piece the rows are written.
 const PIECE: u64 = 1 << 16;
 
-/// Equally spaced numbers.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Range {
-    low: f64,
-    high: f64,
-    count: u64,
-}
-
-impl FromStr for Range {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let number = |part: &str| {
-            let value: f64 = part.parse().map_err(|_| format!("`{part}` is no number"))?;
-            let fit = value.is_finite();
-            fit.then_some(value)
-                .ok_or_else(|| format!("`{part}` is not finite"))
-        };
-        match text.split(':').collect::<Vec<_>>()[..] {
-            [one] => Ok(Self {
-                low: number(one)?,
-                high: number(one)?,
-                count: 1,
-            }),
-            [low, high, count] => {
-                let count: u64 = count.parse().unwrap_or(0);
-                if !(2..=1_000_000_000).contains(&count) {
-                    return Err("COUNT must be a whole number from 2 to 10⁹".into());
-                }
-                Ok(Self {
-                    low: number(low)?,
-                    high: number(high)?,
-                    count,
-                })
-            }
-            _ => Err("a number, or LOW:HIGH:COUNT".into()),
-        }
-    }
-}
-
-impl Range {
-    fn at(&self, i: u64) -> f64 {
-        let share = i as f64 / (self.count - 1).max(1) as f64;
-        self.low * (1.0 - share) + self.high * share
-    }
-}
-
 /// The starts, and how far they are followed.
 #[derive(Debug, Args)]
 pub(super) struct Ensemble {
     /// Distances ρ of the starts from the axis, in units of μg/Ω²: one, or LOW:HIGH:COUNT
-    #[arg(long, value_name = "RANGE", allow_negative_numbers = true)]
-    rho: Range,
-    /// Speeds p relative to the table, in units of μg/Ω
-    #[arg(long, value_name = "RANGE", allow_negative_numbers = true)]
-    p: Range,
-    /// Angles ψ from the velocity to the position, in radians
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
-    psi: Range,
+    rho: Axis,
+    /// Speeds p relative to the table, in units of μg/Ω
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    p: Axis,
+    /// Angles ψ from the velocity to the position, in radians; `120deg` are degrees
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    psi: Axis,
     /// Distance at which a particle counts as gone
     #[arg(
         long,
@@ -95,6 +48,9 @@ pub(super) struct Ensemble {
         allow_negative_numbers = true
     )]
     late: f64,
+    /// Only the K-th of N equal parts of the grid; all N, one behind the other, are the whole, byte for byte
+    #[arg(long, value_name = "K/N")]
+    shard: Option<Shard>,
 }
 
 /// How many ended how.
@@ -103,23 +59,38 @@ struct Counts {
     done: u64,
     rest: u64,
     far: u64,
+    bad: u64,
 }
 
 impl Ensemble {
     pub(super) fn run(&self, format: Format) -> Result<u8, Failure> {
-        let total = [self.p.count, self.psi.count]
+        let total = [self.p.count(), self.psi.count()]
             .iter()
-            .try_fold(self.rho.count, |n, m| n.checked_mul(*m))
+            .try_fold(self.rho.count(), |n, m| n.checked_mul(*m))
             .ok_or("rho, p and psi: more than 2⁶⁴ starts together")?;
+        let shard = self.shard.unwrap_or(Shard::WHOLE);
+        if self.shard.is_some() && format == Format::Text {
+            return Err("--shard goes with --csv or --json, whose parts can be joined".into());
+        }
+        for (name, value) in [("--far", self.far), ("--late", self.late)] {
+            if !(value > 0.0 && value <= 1e6) {
+                let value = number(value);
+                return Err(format!("{name} = {value} must be positive, at most 1e6").into());
+            }
+        }
         let horizon = Horizon {
             rho: self.far,
             tau: self.late,
         };
-        // What is out of range is said before anything is written: ranges are widest at their ends.
-        for corner in 0..8 {
-            let end = |range: &Range, bit: u64| range.at((range.count - 1) * (corner >> bit & 1));
-            let corner = [end(&self.rho, 0), end(&self.p, 1), end(&self.psi, 2)];
-            horizon.follow_alone(&[start(corner)?])?;
+        // What is out of range is a row that says so; where there is no other row, a failure.
+        if total == 1 {
+            start(&horizon, self.place(0))?;
+        }
+        for end in [0, self.psi.count() - 1] {
+            if let Some(warning) = is_it_degrees("psi", self.psi.at(end).into()) {
+                complain("slipbook", &warning);
+                break;
+            }
         }
         let stop = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&stop);
@@ -129,19 +100,22 @@ impl Ensemble {
                 std::process::exit(i32::from(STOPPED));
             }
         })?;
-        let mut writer = Writer::new(format);
+        let mut writer = Writer {
+            format,
+            out: BufWriter::new(io::stdout()),
+            shard,
+        };
         match self.follow(total, &horizon, &stop, &mut writer) {
             Err(Stop::Pipe) => Ok(0),
             Err(Stop::Failure(error)) => Err(error),
             Ok(counts) => {
-                if counts.done == total {
+                let range = shard.range(total);
+                let of = range.end - range.start;
+                if counts.done == of {
                     return Ok(0);
                 }
-                let Counts { done, .. } = counts;
-                complain(
-                    "slipbook",
-                    &format!("stopped after {done} of {total} starts"),
-                );
+                let done = counts.done;
+                complain("slipbook", &format!("stopped after {done} of {of} starts"));
                 Ok(STOPPED)
             }
         }
@@ -154,45 +128,74 @@ impl Ensemble {
         stop: &AtomicBool,
         writer: &mut Writer,
     ) -> Result<Counts, Stop> {
-        let style = ProgressStyle::with_template("{bar:40} {pos}/{len} starts  {eta} left");
-        let bar = ProgressBar::new(total)
-            .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+        let range = writer.shard.range(total);
+        let bar = progress(
+            range.end - range.start,
+            "{bar:40} {pos}/{len} starts  {eta} left",
+        );
         writer.begin()?;
         let mut counts = Counts::default();
-        while counts.done < total && !stop.load(Ordering::Relaxed) {
-            let piece = counts.done..total.min(counts.done + PIECE);
-            let places: Vec<_> = piece.map(|i| self.place(i)).collect();
-            let starts: Result<Vec<_>, _> = places.iter().map(|&place| start(place)).collect();
-            let ends = horizon.follow(&starts?).map_err(Failure::from)?;
-            for (place, end) in places.iter().zip(ends) {
-                let end = if is_rough(&end) {
-                    exactly(horizon, place)?
-                } else {
-                    end
-                };
-                counts.rest += u64::from(matches!(end, End::Rest { .. }));
-                counts.far += u64::from(matches!(end, End::Far { .. }));
-                writer.row(place, &end)?;
+        let mut next = range.start;
+        while next < range.end && !stop.load(Ordering::Relaxed) {
+            let piece = next..range.end.min(next + PIECE);
+            let places: Vec<_> = piece
+                .clone()
+                .into_par_iter()
+                .map(|i| self.place(i))
+                .collect();
+            let starts = places.par_iter().map(|place| start(horizon, *place));
+            let starts: Vec<_> = starts
+                .map(|start| start.map_err(|e| e.to_string()))
+                .collect();
+            let good: Vec<_> = starts
+                .iter()
+                .filter_map(|start| start.as_ref().ok().copied())
+                .collect();
+            let mut ends = horizon.follow(&good).map_err(Failure::from)?.into_iter();
+            let none = || "there is no end".to_owned();
+            let ends: Vec<_> = starts
+                .into_iter()
+                .map(|start| start.and_then(|_| ends.next().ok_or_else(none)))
+                .collect();
+            let first = next;
+            let rows: Vec<_> = (places.par_iter().zip(ends).enumerate())
+                .map(|(n, (place, end))| {
+                    let end = match end {
+                        Ok(end) if is_rough(&end) => exactly(horizon, place),
+                        other => other,
+                    };
+                    (writer.row(first + n as u64, place, &end), end)
+                })
+                .collect();
+            for (row, end) in rows {
+                counts.rest += u64::from(matches!(end, Ok(End::Rest { .. })));
+                counts.far += u64::from(matches!(end, Ok(End::Far { .. })));
+                counts.bad += u64::from(end.is_err());
+                writer.out.write_all(row.as_bytes())?;
             }
             counts.done += places.len() as u64;
-            writer.flush()?;
+            next = piece.end;
+            writer.out.flush()?;
             bar.set_position(counts.done);
         }
         bar.finish_and_clear();
-        writer.end(&counts, total)?;
+        writer.end(&counts, next, total)?;
         Ok(counts)
     }
 
     /// ρ, p and ψ of a start, ψ running fastest.
     fn place(&self, i: u64) -> [f64; 3] {
-        let (psi, rest) = (i % self.psi.count, i / self.psi.count);
-        let (p, rho) = (rest % self.p.count, rest / self.p.count);
-        [self.rho.at(rho), self.p.at(p), self.psi.at(psi)]
+        let mut point = Point::new(i);
+        let psi = point.on("psi", &self.psi);
+        let p = point.on("p", &self.p);
+        [point.on("rho", &self.rho), p, psi].map(f64::from)
     }
 }
 
-fn start([rho, p, psi]: [f64; 3]) -> Result<Start, Failure> {
-    Ok(Start::polar(rho, p, psi)?)
+fn start(horizon: &Horizon, [rho, p, psi]: [f64; 3]) -> Result<Start, MotionError> {
+    let start = Start::polar(rho, p, psi)?;
+    horizon.accepts(&[start])?;
+    Ok(start)
 }
 
 /// An end whose time is less well known than this part of it is found again, exactly.
@@ -207,9 +210,10 @@ fn is_rough(end: &End) -> bool {
 }
 
 /// The end of the way from a place as its row shows it.
-fn exactly(horizon: &Horizon, place: &[f64; 3]) -> Result<End, Failure> {
-    let [rho, p, psi] = place.map(|x| number(x).parse::<Double>());
-    Ok(horizon.follow_exactly(rho?, p?, psi?)?)
+fn exactly(horizon: &Horizon, place: &[f64; 3]) -> Result<End, String> {
+    let [rho, p, psi] = place.map(|x| number(x).parse::<Double>().unwrap_or_else(|_| x.into()));
+    let end = horizon.follow_exactly(rho, p, psi);
+    end.map_err(|error| error.to_string())
 }
 
 /// Why the work ends early.
@@ -223,7 +227,7 @@ impl From<io::Error> for Stop {
     fn from(error: io::Error) -> Self {
         match error.kind() {
             ErrorKind::BrokenPipe => Self::Pipe,
-            _ => Self::Failure(error.into()),
+            _ => Self::Failure(unwritten(error).into()),
         }
     }
 }
@@ -238,111 +242,98 @@ impl From<Failure> for Stop {
 struct Writer {
     format: Format,
     out: BufWriter<io::Stdout>,
-    first: bool,
+    shard: Shard,
 }
 
 impl Writer {
-    fn new(format: Format) -> Self {
-        Self {
-            format,
-            out: BufWriter::new(io::stdout()),
-            first: true,
-        }
-    }
-
     fn begin(&mut self) -> io::Result<()> {
         match self.format {
+            _ if !self.shard.is_first() => Ok(()),
             Format::Text => Ok(()),
             Format::Csv => writeln!(
                 self.out,
-                "rho,p,psi,outcome,sigma,tau,sigma_digits,tau_digits"
+                "rho,p,psi,outcome,sigma,tau,sigma_digits,tau_digits,note"
             ),
             Format::Json => write!(self.out, "{{\n  \"version\": {VERSION},\n  \"ends\": ["),
         }
     }
 
-    fn row(&mut self, &[rho, p, psi]: &[f64; 3], end: &End) -> io::Result<()> {
+    /// The row of this index.
+    fn row(&self, index: u64, &[rho, p, psi]: &[f64; 3], end: &Result<End, String>) -> String {
         let (outcome, sigma, tau) = match *end {
-            End::Rest {
+            Ok(End::Rest {
                 sigma,
                 sigma_error,
                 tau,
                 tau_error,
-            } => (
+            }) => (
                 "rest",
                 Some(known(sigma, sigma_error)),
                 Some(known(tau, tau_error)),
             ),
-            End::Far { tau, tau_error } => ("far", None, Some(known(tau, tau_error))),
-            End::Late(_) => ("late", None, None),
-            End::Unfinished(_) => ("unfinished", None, None),
+            Ok(End::Far { tau, tau_error }) => ("far", None, Some(known(tau, tau_error))),
+            Ok(End::Late(_)) => ("late", None, None),
+            Ok(End::Unfinished(_)) => ("unfinished", None, None),
+            Err(_) => ("refused", None, None),
         };
+        let note = end.as_ref().err();
         let ([sigma, tau], digits) = (
             [sigma, tau].map(|known| known.map(|(value, _)| value)),
             [sigma, tau].map(|known| known.map(|(_, digits)| digits)),
         );
         match self.format {
-            Format::Text => Ok(()),
+            Format::Text => String::new(),
             Format::Csv => {
                 let text = |x: Option<f64>| x.map(number).unwrap_or_default();
                 let [rho, p, psi] = [rho, p, psi].map(number);
                 let (sigma, tau) = (text(sigma), text(tau));
                 let [of_sigma, of_tau] = digits.map(|n| n.map_or(String::new(), |n| n.to_string()));
-                writeln!(
-                    self.out,
-                    "{rho},{p},{psi},{outcome},{sigma},{tau},{of_sigma},{of_tau}"
-                )
+                let note = note.map_or(String::new(), |note| {
+                    format!("\"{}\"", note.replace('"', "'"))
+                });
+                format!("{rho},{p},{psi},{outcome},{sigma},{tau},{of_sigma},{of_tau},{note}\n")
             }
             Format::Json => {
-                let separator = if self.first { "\n    " } else { ",\n    " };
-                self.first = false;
+                let separator = if index == 0 { "\n    " } else { ",\n    " };
                 let [of_sigma, of_tau] = digits;
                 let row = json!({
                     "rho": rho, "p": p, "psi": psi, "outcome": outcome, "sigma": sigma, "tau": tau,
-                    "sigma_digits": of_sigma, "tau_digits": of_tau,
+                    "sigma_digits": of_sigma, "tau_digits": of_tau, "note": note,
                 });
-                write!(self.out, "{separator}{row}")
+                format!("{separator}{row}")
             }
         }
     }
 
-    fn flush(&mut self) -> io::Result<()> {
-        self.out.flush()
-    }
-
-    fn end(&mut self, counts: &Counts, total: u64) -> io::Result<()> {
-        let Counts { done, rest, far } = *counts;
+    /// The end, after all rows before that of the index `next`.
+    fn end(&mut self, counts: &Counts, next: u64, total: u64) -> io::Result<()> {
+        let Counts {
+            done,
+            rest,
+            far,
+            bad,
+        } = *counts;
         match self.format {
             Format::Text => {
-                let other = done - rest - far;
+                let other = done - rest - far - bad;
+                let starts = if done == 1 { "start" } else { "starts" };
+                let refused = match bad {
+                    0 => String::new(),
+                    bad => format!(", {bad} are out of range"),
+                };
                 writeln!(
                     self.out,
-                    "{done} starts: {rest} come to rest, {far} go away, {other} are still under way"
+                    "{done} {starts}: {rest} come to rest, {far} go away, {other} are still under way{refused}"
                 )?;
             }
             Format::Csv => {}
-            Format::Json => writeln!(
+            // A part that was stopped ends the list too, so that what is there can be read.
+            Format::Json if self.shard.is_last() || next < self.shard.range(total).end => writeln!(
                 self.out,
-                "\n  ],\n  \"done\": {done},\n  \"of\": {total}\n}}"
+                "\n  ],\n  \"done\": {next},\n  \"of\": {total}\n}}"
             )?,
+            Format::Json => {}
         }
-        self.flush()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_range_is_a_number_or_two_ends_and_a_count() {
-        let range: Range = "-1:2:4".parse().unwrap();
-        for (i, expected) in [(0, -1.0), (1, 0.0), (2, 1.0), (3, 2.0)] {
-            assert!((range.at(i) - expected).abs() < 1e-15);
-        }
-        assert_eq!("0.5".parse::<Range>().unwrap().at(0), 0.5);
-        for wrong in ["", "1:2", "1:2:1", "1:2:x", "nan", "1:inf:3", "1:2:3:4"] {
-            assert!(wrong.parse::<Range>().is_err(), "{wrong}");
-        }
+        self.out.flush()
     }
 }

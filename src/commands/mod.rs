@@ -1,9 +1,12 @@
 //! The commands of this paper's own: calculators, and the exam.
 
+mod axis;
 mod ensemble;
 mod exam;
 mod plot;
+mod question;
 mod solve;
+mod sweep;
 
 use clap::{Args, FromArgMatches};
 use trialbook::edition::Command;
@@ -12,14 +15,16 @@ use trialbook::edition::Command;
 pub const ALL: [Command; 3] = [
     Command {
         command: || {
-            solve::Solve::augment_args(clap::Command::new("solve"))
+            solve::command()
                 .about("Calculate at parameters of your own, by formula and by motion")
                 .after_help(
-                    "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot\n\n\
+                    "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot\n  slipbook solve sinusoidal --lambda0 0.1:1:10 --csv\n\n\
+                     A number may be an expression: pi/2, 120deg, 2/sqrt(4+pi^2). LOW:HIGH:COUNT in the place of a number asks at COUNT\n\
+                     equally spaced ones; several such make a grid, the last one running fastest.\n\n\
                      A number of up to 15 digits is taken as it stands, a longer one as the floating-point number next to it.",
                 )
         },
-        run: |matches, format| solve::Solve::from_arg_matches(matches)?.run(format),
+        run: solve::run,
     },
     Command {
         command: || {
@@ -27,6 +32,7 @@ pub const ALL: [Command; 3] = [
                 .about("Follow many particles on a turntable and say where each ends; rows come while the work goes on")
                 .after_help(
                     "Example:\n  slipbook ensemble --rho 0.5 --p 0:1.5:1000 --psi=-3.14:3.14:1000 --csv > ends.csv\n\n\
+                     With --shard 3/16 a job does its part of sixteen. A start out of range is a row that says why.\n\n\
                      Ctrl-C ends it after the present piece of work: the rows so far are whole, the exit code is 130.",
                 )
         },

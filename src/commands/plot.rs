@@ -3,14 +3,46 @@
 use crate::claims::solve::Curve;
 use crate::figures;
 use crate::numerics::error::plain as number;
+use std::ffi::OsStr;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use trialbook::edition::Failure;
 
-/// Writes the plot into a file, which is replaced whole; a link is followed. What is there and no file is left alone.
-pub(super) fn to_file(curve: &Curve, file: &Path) -> Result<(), Failure> {
-    let figure = figures::solve::figure(curve)?;
-    let failed = |error: io::Error| format!("cannot write `{}`: {error}", file.display());
+/// Where an SVG goes: a file, or `-` for standard output.
+///
+/// # Errors
+/// A name that does not end in `.svg`: other pictures are not drawn, and a name without it is most likely a word of the
+/// command line that was meant otherwise.
+pub(super) fn place(name: &str) -> Result<PathBuf, String> {
+    let path = PathBuf::from(name);
+    let svg = |end: &OsStr| end.eq_ignore_ascii_case("svg");
+    match name == STDOUT || path.extension().is_some_and(svg) {
+        true => Ok(path),
+        false => Err(
+            "it draws SVG: FILE.svg, `-` for standard output, or no name for a plot in text"
+                .to_owned(),
+        ),
+    }
+}
+
+/// Standard output by its name as a file.
+pub(super) const STDOUT: &str = "-";
+
+/// The plot as SVG.
+pub(super) fn svg(curve: &Curve) -> Result<String, Failure> {
+    Ok(figures::solve::figure(curve)?.svg)
+}
+
+/// Writes a plot into a file, which is replaced whole; a link is followed. What is there and no file is left alone.
+pub(super) fn to_file(svg: &str, file: &Path) -> Result<(), Failure> {
+    let failed = |error: io::Error| {
+        // The system's own words, without the temporary name.
+        let error = match error.raw_os_error() {
+            Some(_) => error,
+            None => io::Error::from(error.kind()),
+        };
+        format!("cannot write `{}`: {error}", file.display())
+    };
     let mut making = tempfile::Builder::new();
     let place = if file.symlink_metadata().is_ok() {
         let old = file.metadata().map_err(failed)?;
@@ -32,7 +64,7 @@ pub(super) fn to_file(curve: &Curve, file: &Path) -> Result<(), Failure> {
         None => return Err(format!("`{}` is no name of a file", file.display()).into()),
     };
     let mut new = making.tempfile_in(folder).map_err(failed)?;
-    new.write_all(figure.svg.as_bytes()).map_err(failed)?;
+    new.write_all(svg.as_bytes()).map_err(failed)?;
     new.persist(&place).map_err(|error| failed(error.error))?;
     Ok(())
 }

@@ -1,28 +1,49 @@
 //! The command `solve`: the calculators of [`crate::claims::solve`].
 
-use super::plot;
-use crate::claims::solve::Double;
+use super::axis::{Axis, Point, Shard, is_it_degrees};
+use super::question::Question;
+use super::{plot, sweep};
 use crate::claims::solve::constant::At;
 use crate::claims::solve::{
-    Curve, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest, sinusoidal,
+    Double, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest, sinusoidal,
     sphere, turntable,
 };
 use crate::numerics::error::plain as number;
-use clap::{Args, Subcommand};
+use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;
-use trialbook::cli::{csv, json, say};
+use trialbook::cli::{complain, csv, json, say, show};
 use trialbook::edition::{Failure, Format};
 
-/// A calculator and whether to plot.
+/// A calculator.
 #[derive(Args)]
 pub(super) struct Solve {
     #[command(subcommand)]
     problem: Problem,
-    /// Plot too: into an SVG file, or as text if no file is named
-    #[arg(long, global = true, value_name = "FILE", num_args = 0..=1)]
+}
+
+/// What is asked behind the name of any problem.
+#[derive(Args)]
+struct Also {
+    /// Plot too: into a file of the name FILE.svg, as text if no file is named; `-` writes the SVG alone
+    #[arg(long, value_name = "FILE", num_args = 0..=1, value_parser = plot::place)]
     #[allow(clippy::option_option)]
     plot: Option<Option<PathBuf>>,
+    /// Only the K-th of N equal parts of the grid; all N, one behind the other, are the whole, byte for byte
+    #[arg(long, value_name = "K/N")]
+    shard: Option<Shard>,
+}
+
+/// The command `solve` with its problems.
+pub(super) fn command() -> clap::Command {
+    Solve::augment_args(clap::Command::new("solve")).mut_subcommands(Also::augment_args)
+}
+
+/// Answers, and plots if that is wanted.
+pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
+    let (_, problem) = matches.subcommand().ok_or("no problem is named")?;
+    let also = Also::from_arg_matches(problem)?;
+    Solve::from_arg_matches(matches)?.run(&also, format)
 }
 
 #[derive(Subcommand)]
@@ -30,34 +51,31 @@ enum Problem {
     /// A particle launched on a plane of constant acceleration
     #[command(after_help = "Examples:
   slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2
+  slipbook solve constant --mu 0.3 --accel 2 --v0 1 --theta0 120deg --time 0:2:21 --csv
   slipbook solve constant --lambda 1.5 --v0 1 --theta0 2 --theta 0.3 --json")]
     Constant(Constant),
     /// The large-time motion under a sinusoidal drive
-    #[command(after_help = "Example:\n  slipbook solve sinusoidal --lambda0 0.7 --plot")]
-    Sinusoidal {
-        /// λ₀ = μg/A₀, friction over the drive's amplitude
-        #[arg(long, allow_negative_numbers = true)]
-        lambda0: Double,
-    },
+    #[command(after_help = "Examples:
+  slipbook solve sinusoidal --lambda0 0.7 --plot
+  slipbook solve sinusoidal --mu 0.3 --a0 5 --json")]
+    Sinusoidal(Friction),
     /// The large-time motion under a train of pulses
     #[command(after_help = "Example:\n  slipbook solve pulse --eta 0.5 --lambda0 0.3")]
     Pulse {
         /// η, the share of a half period that a pulse fills, from 0 to 1
-        #[arg(long, allow_negative_numbers = true)]
-        eta: Double,
-        /// λ₀ = μg/A₀, friction over the drive's amplitude
-        #[arg(long, allow_negative_numbers = true)]
-        lambda0: Double,
+        #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+        eta: Axis,
+        #[command(flatten)]
+        friction: Friction,
     },
     /// The large-time motion with a friction that depends on the direction
     #[command(after_help = "Example:\n  slipbook solve anisotropic --q 2 --lambda0 0.45")]
     Anisotropic {
         /// q, backward friction over forward friction
-        #[arg(long, allow_negative_numbers = true)]
-        q: Double,
-        /// λ₀, forward friction over the drive's amplitude
-        #[arg(long, allow_negative_numbers = true)]
-        lambda0: Double,
+        #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+        q: Axis,
+        #[command(flatten)]
+        friction: Friction,
     },
     /// A sphere that starts without spin on a plane of constant acceleration
     #[command(
@@ -68,34 +86,101 @@ enum Problem {
     #[command(after_help = "Examples:
   slipbook solve turntable --rho 0.5 --p 0.3 --psi 1
   slipbook solve turntable --A 0.8 --alpha 0.1 --psi 0.2 --plot path.svg
-  slipbook solve turntable --x 0.5 --y 0 --vx 0.1 --vy -0.2 --time 0.4")]
+  slipbook solve turntable --x 0.5 --y 0 --vx 0.1 --vy -0.2 --time 0.4
+  slipbook solve turntable --mu 0.4 --omega 3.5 --r 0.1 --speed 0.05 --psi 30deg")]
     Turntable(Turntable),
     /// Where rest and escape meet on a turntable
     #[command(after_help = "Example:\n  slipbook solve turntable-boundary --alpha 0.5 --psi 1")]
     TurntableBoundary {
         /// α, with p = A sinh α and ρ = A cosh α
-        #[arg(long, allow_negative_numbers = true)]
-        alpha: Double,
-        /// ψ, the angle from the velocity to the position (radians)
-        #[arg(long, allow_hyphen_values = true)]
-        psi: Double,
+        #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+        alpha: Axis,
+        /// ψ, the angle from the velocity to the position (radians; `120deg` are degrees)
+        #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+        psi: Axis,
     },
+}
+
+/// The acceleration of gravity where nobody says another, in m/s².
+const GRAVITY: &str = "9.80665";
+
+/// Friction over the drive's amplitude: as it is, or by both in SI units.
+#[derive(Args)]
+struct Friction {
+    /// λ₀ = μg/A₀, friction over the drive's amplitude; with anisotropic friction, the forward one
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        required_unless_present = "mu",
+        conflicts_with = "mu"
+    )]
+    lambda0: Option<Axis>,
+    /// The coefficient of friction μ instead, with --a0
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "a0"
+    )]
+    mu: Option<Axis>,
+    /// The drive's amplitude A₀ in m/s²
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "mu"
+    )]
+    a0: Option<Axis>,
+    /// The acceleration of gravity g in m/s²
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
+    g: Axis,
+}
+
+impl Friction {
+    fn on(&self, point: &mut Point) -> Double {
+        match (self.mu, self.a0, self.lambda0) {
+            (Some(mu), Some(a0), _) => {
+                let g = point.on("g", &self.g);
+                let a0 = point.on("a0", &a0);
+                point.on("mu", &mu) * g / a0
+            }
+            (_, _, lambda0) => point.on("lambda0", &lambda0.unwrap_or_default()),
+        }
+    }
 }
 
 #[derive(Args)]
 struct Constant {
     /// λ = μg/A, friction over acceleration
-    #[arg(long, allow_negative_numbers = true)]
-    lambda: Double,
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        required_unless_present = "mu",
+        conflicts_with = "mu"
+    )]
+    lambda: Option<Axis>,
+    /// The coefficient of friction μ instead, with --accel; all in SI units
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "accel"
+    )]
+    mu: Option<Axis>,
+    /// The acceleration of gravity g in m/s², beside --mu
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
+    g: Axis,
     /// Initial speed
-    #[arg(long, allow_negative_numbers = true)]
-    v0: Double,
-    /// Initial angle of the velocity with the x axis, in (−π, π]
-    #[arg(long, allow_hyphen_values = true)]
-    theta0: Double,
-    /// The plane's acceleration A
-    #[arg(long, allow_negative_numbers = true, default_value = "1")]
-    accel: Double,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    v0: Axis,
+    /// Initial angle of the velocity with the x axis, in (−π, π]; `120deg` are degrees
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    theta0: Axis,
+    /// The plane's acceleration A [default: 1]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    accel: Option<Axis>,
     #[command(flatten)]
     moment: Moment,
 }
@@ -103,17 +188,47 @@ struct Constant {
 #[derive(Args)]
 struct Sphere {
     /// γ = A/(μg)
-    #[arg(long, allow_negative_numbers = true)]
-    gamma: Double,
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        required_unless_present = "mu",
+        conflicts_with = "mu"
+    )]
+    gamma: Option<Axis>,
+    /// The coefficient of friction μ instead, with --accel
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "accel"
+    )]
+    mu: Option<Axis>,
+    /// The plane's acceleration A in m/s², beside --mu
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "mu"
+    )]
+    accel: Option<Axis>,
+    /// The acceleration of gravity g in m/s², beside --mu
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
+    g: Axis,
     /// Initial slip
-    #[arg(long, allow_negative_numbers = true)]
-    u0: Double,
-    /// Initial angle of the slip with the x axis, in (−π, π]
-    #[arg(long, allow_hyphen_values = true)]
-    theta0: Double,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    u0: Axis,
+    /// Initial angle of the slip with the x axis, in (−π, π]; `120deg` are degrees
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    theta0: Axis,
     /// κ = I/(mR²): 0.4 for a solid sphere
-    #[arg(long, allow_negative_numbers = true, default_value = "0.4")]
-    kappa: Double,
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        default_value = "0.4"
+    )]
+    kappa: Axis,
     #[command(flatten)]
     moment: Moment,
 }
@@ -123,18 +238,18 @@ struct Sphere {
 #[group(required = true, multiple = false)]
 struct Moment {
     /// When the angle has fallen to this (radians)
-    #[arg(long, allow_hyphen_values = true)]
-    theta: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    theta: Option<Axis>,
     /// At this time
-    #[arg(long, allow_negative_numbers = true)]
-    time: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    time: Option<Axis>,
 }
 
 impl Moment {
-    fn at(&self) -> At<Double> {
+    fn at(&self, point: &mut Point) -> At<Double> {
         match (self.theta, self.time) {
-            (Some(theta), _) => At::Theta(theta),
-            (None, time) => At::Time(time.unwrap_or_default()),
+            (Some(theta), _) => At::Theta(point.on("theta", &theta)),
+            (None, time) => At::Time(point.on("time", &time.unwrap_or_default())),
         }
     }
 }
@@ -143,27 +258,39 @@ impl Moment {
 struct Turntable {
     #[command(flatten)]
     start: Start,
-    /// ψ, the angle from the velocity to the position, counterclockwise (radians)
-    #[arg(long, allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
-    psi: Option<Double>,
+    /// ψ, the angle from the velocity to the position, counterclockwise (radians; `120deg` are degrees)
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
+    psi: Option<Axis>,
     /// Speed p of a start by --rho
-    #[arg(long, allow_negative_numbers = true, requires = "rho", conflicts_with_all = ["A", "x"])]
-    p: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "rho", conflicts_with_all = ["A", "x"])]
+    p: Option<Axis>,
     /// α of a start by --A
-    #[arg(long, allow_negative_numbers = true, requires = "A", conflicts_with_all = ["rho", "x"])]
-    alpha: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "A", conflicts_with_all = ["rho", "x"])]
+    alpha: Option<Axis>,
     /// Position y of a start by --x
-    #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
-    y: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
+    y: Option<Axis>,
     /// Velocity along x, relative to the table
-    #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
-    vx: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
+    vx: Option<Axis>,
     /// Velocity along y, relative to the table
-    #[arg(long, allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
-    vy: Option<Double>,
-    /// Ask for the state at this time
-    #[arg(long, allow_negative_numbers = true)]
-    time: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
+    vy: Option<Axis>,
+    /// Speed relative to the table in m/s, of a start by --r
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r")]
+    speed: Option<Axis>,
+    /// The coefficient of friction μ, of a start by --r
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r")]
+    mu: Option<Axis>,
+    /// The table's angular velocity Ω in 1/s, of a start by --r
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r")]
+    omega: Option<Axis>,
+    /// The acceleration of gravity g in m/s², of a start by --r
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
+    g: Axis,
+    /// Ask for the state at this time, in units of 1/Ω
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    time: Option<Axis>,
 }
 
 /// The first coordinate of a start says how it is given.
@@ -171,136 +298,180 @@ struct Turntable {
 #[group(required = true, multiple = false)]
 struct Start {
     /// Distance ρ from the axis, with --p and --psi
-    #[arg(long, allow_negative_numbers = true, requires_all = ["p", "psi"])]
-    rho: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["p", "psi"])]
+    rho: Option<Axis>,
     /// A, with --alpha and --psi
-    #[arg(id = "A", long = "A", value_name = "A", allow_negative_numbers = true, requires_all = ["alpha", "psi"])]
-    a: Option<Double>,
+    #[arg(id = "A", long = "A", value_name = "RANGE", allow_hyphen_values = true, requires_all = ["alpha", "psi"])]
+    a: Option<Axis>,
     /// Position x in the table's axes, with --y, --vx and --vy
-    #[arg(long, allow_hyphen_values = true, requires_all = ["y", "vx", "vy"])]
-    x: Option<Double>,
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["y", "vx", "vy"])]
+    x: Option<Axis>,
+    /// Distance from the axis in m, with --speed, --psi, --mu and --omega; the answer is in units of μg/Ω², μg/Ω and 1/Ω
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["speed", "psi", "mu", "omega"])]
+    r: Option<Axis>,
 }
 
 impl Turntable {
-    fn problem(&self) -> turntable::Problem<Double> {
+    fn problem(&self, point: &mut Point) -> turntable::Problem<Double> {
         // The options require one another: none is missing here.
-        let given = Option::unwrap_or_default;
+        let mut on = |name, axis: Option<Axis>| point.on(name, &axis.unwrap_or_default());
         match self.start {
-            Start { rho: Some(rho), .. } => turntable::Problem::Polar {
-                rho,
-                p: given(self.p),
-                psi: given(self.psi),
-            },
-            Start { a: Some(a), .. } => turntable::Problem::Hyperbolic {
-                a,
-                alpha: given(self.alpha),
-                psi: given(self.psi),
-            },
-            Start { x, .. } => turntable::Problem::Cartesian {
-                position: [given(x), given(self.y)],
-                velocity: [given(self.vx), given(self.vy)],
-            },
-        }
-    }
-}
-
-impl Problem {
-    fn report(&self) -> Result<Report, SolveError> {
-        Ok(match self {
-            Problem::Constant(given) => given.problem().solve()?.report("constant"),
-            Problem::Sinusoidal { lambda0 } => {
-                let lambda0 = *lambda0;
-                sinusoidal::Problem { lambda0 }
-                    .solve()?
-                    .report("sinusoidal")
+            Start { rho: Some(rho), .. } => {
+                let (psi, p) = (on("psi", self.psi), on("p", self.p));
+                let rho = on("rho", Some(rho));
+                turntable::Problem::Polar { rho, p, psi }
             }
-            Problem::Pulse { eta, lambda0 } => {
-                let (eta, lambda0) = (*eta, *lambda0);
-                periodic::Problem { eta, lambda0 }.solve()?.report("pulse")
+            Start { a: Some(a), .. } => {
+                let (psi, alpha) = (on("psi", self.psi), on("alpha", self.alpha));
+                let a = on("A", Some(a));
+                turntable::Problem::Hyperbolic { a, alpha, psi }
             }
-            Problem::Anisotropic { q, lambda0 } => {
-                let (q, lambda0) = (*q, *lambda0);
-                anisotropic::Problem { q, lambda0 }
-                    .solve()?
-                    .report("anisotropic")
+            Start { r: Some(r), .. } => {
+                let (psi, speed) = (on("psi", self.psi), on("speed", self.speed));
+                let (r, g) = (on("r", Some(r)), on("g", Some(self.g)));
+                let (omega, mu) = (on("omega", self.omega), on("mu", self.mu));
+                let unit = mu * g / omega;
+                let (rho, p) = (r * omega / unit, speed / unit);
+                turntable::Problem::Polar { rho, p, psi }
             }
-            Problem::Sphere(given) => given.problem().solve()?.report("sphere"),
-            Problem::Turntable(given) => match given.time {
-                Some(time) => given.problem().at(time)?.report("turntable"),
-                None => given.problem().fate()?.report("turntable"),
-            },
-            Problem::TurntableBoundary { alpha, psi } => {
-                let (alpha, psi) = (*alpha, *psi);
-                let boundary = rest::Problem { alpha, psi };
-                boundary.solve()?.report("turntable-boundary")
-            }
-        })
-    }
-
-    fn curve(&self) -> Result<Curve, SolveError> {
-        match self {
-            Problem::Constant(given) => given.problem().curve(),
-            Problem::Sinusoidal { lambda0 } => {
-                let lambda0 = *lambda0;
-                sinusoidal::Problem { lambda0 }.curve()
-            }
-            Problem::Pulse { eta, lambda0 } => {
-                let (eta, lambda0) = (*eta, *lambda0);
-                periodic::Problem { eta, lambda0 }.curve()
-            }
-            Problem::Anisotropic { q, lambda0 } => {
-                let (q, lambda0) = (*q, *lambda0);
-                anisotropic::Problem { q, lambda0 }.curve()
-            }
-            Problem::Sphere(given) => given.problem().curve(),
-            Problem::Turntable(given) => given.problem().curve(given.time.map(f64::from)),
-            Problem::TurntableBoundary { alpha, psi } => {
-                let (alpha, psi) = (*alpha, *psi);
-                rest::Problem { alpha, psi }.curve()
+            Start { x, .. } => {
+                let velocity = [on("vy", self.vy), on("vx", self.vx)];
+                let position = [on("y", self.y), on("x", x)];
+                turntable::Problem::Cartesian {
+                    position: [position[1], position[0]],
+                    velocity: [velocity[1], velocity[0]],
+                }
             }
         }
     }
 }
 
 impl Constant {
-    fn problem(&self) -> constant::Problem<Double> {
+    fn problem(&self, point: &mut Point) -> constant::Problem<Double> {
+        let at = self.moment.at(point);
+        let accel = self.accel.unwrap_or_else(|| Axis::from(Double::from(1.0)));
+        let accel = point.on("accel", &accel);
+        let theta0 = point.on("theta0", &self.theta0);
+        let v0 = point.on("v0", &self.v0);
+        let lambda = match self.mu {
+            Some(mu) => {
+                let g = point.on("g", &self.g);
+                point.on("mu", &mu) * g / accel
+            }
+            None => point.on("lambda", &self.lambda.unwrap_or_default()),
+        };
         constant::Problem {
-            lambda: self.lambda,
-            v0: self.v0,
-            theta0: self.theta0,
-            accel: self.accel,
-            at: self.moment.at(),
+            lambda,
+            v0,
+            theta0,
+            accel,
+            at,
         }
     }
 }
 
 impl Sphere {
-    fn problem(&self) -> sphere::Problem<Double> {
+    fn problem(&self, point: &mut Point) -> sphere::Problem<Double> {
+        let at = self.moment.at(point);
+        let kappa = point.on("kappa", &self.kappa);
+        let theta0 = point.on("theta0", &self.theta0);
+        let u0 = point.on("u0", &self.u0);
+        let gamma = match (self.mu, self.accel) {
+            (Some(mu), Some(accel)) => {
+                let g = point.on("g", &self.g);
+                let accel = point.on("accel", &accel);
+                accel / (point.on("mu", &mu) * g)
+            }
+            _ => point.on("gamma", &self.gamma.unwrap_or_default()),
+        };
         sphere::Problem {
-            gamma: self.gamma,
-            u0: self.u0,
-            theta0: self.theta0,
-            kappa: self.kappa,
-            at: self.moment.at(),
+            gamma,
+            u0,
+            theta0,
+            kappa,
+            at,
+        }
+    }
+}
+
+impl Problem {
+    /// What is asked at a point of the grid; the last option runs fastest.
+    fn question(&self, point: &mut Point) -> Question {
+        match self {
+            Problem::Constant(given) => Question::Constant(given.problem(point)),
+            Problem::Sinusoidal(friction) => {
+                let lambda0 = friction.on(point);
+                Question::Sinusoidal(sinusoidal::Problem { lambda0 })
+            }
+            Problem::Pulse { eta, friction } => {
+                let lambda0 = friction.on(point);
+                let eta = point.on("eta", eta);
+                Question::Pulse(periodic::Problem { eta, lambda0 })
+            }
+            Problem::Anisotropic { q, friction } => {
+                let lambda0 = friction.on(point);
+                let q = point.on("q", q);
+                Question::Anisotropic(anisotropic::Problem { q, lambda0 })
+            }
+            Problem::Sphere(given) => Question::Sphere(given.problem(point)),
+            Problem::Turntable(given) => match given.time {
+                Some(time) => {
+                    let time = point.on("time", &time);
+                    Question::Moment(given.problem(point), time)
+                }
+                None => Question::Fate(given.problem(point)),
+            },
+            Problem::TurntableBoundary { alpha, psi } => {
+                let psi = point.on("psi", psi);
+                let alpha = point.on("alpha", alpha);
+                Question::Boundary(rest::Problem { alpha, psi })
+            }
+        }
+    }
+
+    /// The angles that may be of any size.
+    fn angle(&self) -> Option<&Axis> {
+        match self {
+            Problem::Turntable(given) => given.psi.as_ref(),
+            Problem::TurntableBoundary { psi, .. } => Some(psi),
+            _ => None,
         }
     }
 }
 
 impl Solve {
-    /// Answers, and plots if that is wanted.
-    pub(super) fn run(&self, format: Format) -> Result<u8, Failure> {
-        let report = self.problem.report()?;
-        let drawn = match &self.plot {
+    fn run(&self, also: &Also, format: Format) -> Result<u8, Failure> {
+        let mut point = Point::new(0);
+        let question = self.problem.question(&mut point);
+        let total = point.total.ok_or("more than 2⁶⁴ points together")?;
+        if let Some(angle) = self.problem.angle() {
+            let warning = is_it_degrees("psi", angle.at(angle.count() - 1).into());
+            warning.map(|warning| complain("slipbook", &warning));
+        }
+        if total > 1 || also.shard.is_some() {
+            if also.plot.is_some() {
+                return Err("--plot: it draws one answer, and here are several".into());
+            }
+            let ask = |point: &mut Point| self.problem.question(point);
+            return sweep::run(&ask, total, also.shard, format);
+        }
+        let report = question.report().map_err(in_degrees)?;
+        let drawn = match &also.plot {
             None => None,
             Some(Some(file)) => {
-                plot::to_file(&self.problem.curve()?, file)?;
+                let svg = plot::svg(&question.curve()?)?;
+                if file.as_os_str() == plot::STDOUT {
+                    say(&svg)?;
+                    return Ok(0);
+                }
+                plot::to_file(&svg, file)?;
                 None
             }
-            Some(None) if format == Format::Text => Some(plot::as_text(&self.problem.curve()?)),
+            Some(None) if format == Format::Text => Some(plot::as_text(&question.curve()?)),
             Some(None) => return Err("--plot: beside JSON or CSV, name an SVG file".into()),
         };
         match format {
-            Format::Text => say(&(text(&report) + "\n" + &drawn.unwrap_or_default()))?,
+            Format::Text => show(&(text(&report) + "\n" + &drawn.unwrap_or_default()))?,
             Format::Json => json(&report)?,
             Format::Csv => table(&report)?,
         }
@@ -308,7 +479,23 @@ impl Solve {
     }
 }
 
-fn word(value: Value) -> String {
+/// An angle out of range was most likely meant in degrees.
+fn in_degrees(error: SolveError) -> Failure {
+    match error {
+        SolveError::Parameter { name, value, .. }
+            if name.starts_with("theta") && value.abs() > std::f64::consts::PI =>
+        {
+            format!(
+                "{error}; it is in radians, {}deg would be degrees",
+                number(value)
+            )
+            .into()
+        }
+        other => other.into(),
+    }
+}
+
+pub(super) fn word(value: Value) -> String {
     match value {
         Value::Number(x) => number(x),
         Value::Word(word) => word.to_owned(),
@@ -331,26 +518,31 @@ fn ways(report: &Report) -> impl Iterator<Item = (&'static str, &[Field])> {
 }
 
 fn text(report: &Report) -> String {
-    let mut lines = vec![format!("{:<20}", "")];
-    lines.extend(
-        report
-            .fields
-            .iter()
-            .map(|field| format!("{:<20}", field.name)),
-    );
+    let names = ["", "digits", "note"].into_iter();
+    let names: Vec<_> = names
+        .chain(report.fields.iter().map(|field| field.name))
+        .collect();
+    let first = names.iter().map(|name| name.len()).max().unwrap_or(0);
+    let mut lines = vec![format!("{:<first$}", "")];
+    let fields = report.fields.iter();
+    lines.extend(fields.map(|field| format!("{:<first$}", field.name)));
     for (head, fields) in ways(report) {
-        let words = fields.iter().map(|field| word(field.value));
-        for (line, word) in lines
-            .iter_mut()
-            .zip(std::iter::once(head.to_owned()).chain(words))
-        {
-            let _ = write!(line, "  {word:<22}");
+        let words: Vec<_> = std::iter::once(head.to_owned())
+            .chain(fields.iter().map(|field| word(field.value)))
+            .collect();
+        let width = words
+            .iter()
+            .map(|word| word.chars().count())
+            .max()
+            .unwrap_or(0);
+        for (line, word) in lines.iter_mut().zip(words) {
+            let _ = write!(line, "  {word:<width$}");
         }
     }
     if let Some(digits) = report.digits {
-        lines.push(format!("{:<20}  {digits}", "digits"));
+        lines.push(format!("{:<first$}  {digits}", "digits"));
     }
-    lines.push(format!("{:<20}  {}", "note", report.note));
+    lines.push(format!("{:<first$}  {}", "note", report.note));
     let lines: Vec<_> = lines.iter().map(|line| line.trim_end()).collect();
     lines.join("\n")
 }

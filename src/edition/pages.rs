@@ -52,6 +52,7 @@ written!(
     adding "How to add a claim",
     own "Your own paper",
     json "Answers as JSON",
+    python "From Python",
     speed "How fast",
     exam "An exam in dry friction",
 );

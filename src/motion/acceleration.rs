@@ -1,5 +1,6 @@
 //! The acceleration of the plane, as the integrator wants it: by its Taylor series about any time.
 
+use super::error::MotionError;
 use super::signal::Signal;
 use crate::numerics::taylor::TERMS;
 
@@ -8,7 +9,8 @@ pub type Coefficients = [f64; TERMS];
 
 /// The acceleration A(t) of the plane, in length/time².
 ///
-/// Any function or closure from the time to the coefficients of (A_x, A_y) is one, without breaks.
+/// [`Plane`] makes one of signals, [`Fitted`](super::Fitted) one of a function's values or of a table, [`Series`] one of a
+/// function's Taylor coefficients.
 pub trait Acceleration: Sync {
     /// Taylor coefficients of A_x and A_y about `t`; where A jumps, those of what comes after.
     fn coefficients(&self, t: f64) -> [Coefficients; 2];
@@ -19,9 +21,47 @@ pub trait Acceleration: Sync {
     }
 }
 
-impl<F: Fn(f64) -> [Coefficients; 2] + Sync> Acceleration for F {
+/// An acceleration by a function from the time to the Taylor coefficients of (A_x, A_y), without breaks. The coefficients
+/// are tried: values alone are refused.
+#[derive(Debug, Clone, Copy)]
+pub struct Series<F>(F);
+
+/// Places at which coefficients are tried, and the part of the range by which a series is followed there.
+const TRIED: u32 = 16;
+const SHARE: f64 = 1e-3;
+/// What may be missing, as a part of the largest change on the way.
+const MISSING: f64 = 1e-6;
+
+impl<F: Fn(f64) -> [Coefficients; 2] + Sync> Series<F> {
+    /// From the coefficients about any time in `[from, to]`.
+    ///
+    /// # Errors
+    /// [`MotionError::Argument`] for a time after which the series of a component does not lead to the value that it has a
+    /// thousandth of the range later: those of a constant, where the function is none.
+    pub fn new(function: F, [from, to]: [f64; 2]) -> Result<Self, MotionError> {
+        for k in 0..TRIED {
+            let t = from + (to - from) * (f64::from(k) + 0.5) / f64::from(TRIED);
+            let h = SHARE * (to - from);
+            let (here, there) = (function(t), function(t + h));
+            for (here, there) in here.iter().zip(&there) {
+                let led = here.iter().rev().fold(0.0, |sum, c| sum * h + c);
+                let change = (there[0] - here[0]).abs().max(1e-6 * there[0].abs());
+                if !((led - there[0]).abs() <= MISSING * change) {
+                    return Err(MotionError::Argument {
+                        name: "the series after t",
+                        value: t,
+                        range: "that of the function, to all orders: `Fitted::from_fn` takes values alone",
+                    });
+                }
+            }
+        }
+        Ok(Self(function))
+    }
+}
+
+impl<F: Fn(f64) -> [Coefficients; 2] + Sync> Acceleration for Series<F> {
     fn coefficients(&self, t: f64) -> [Coefficients; 2] {
-        self(t)
+        (self.0)(t)
     }
 }
 
@@ -72,5 +112,34 @@ impl Acceleration for Plane {
             (Some(a), Some(b)) => Some(a.min(b)),
             (a, b) => a.or(b),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_value_alone_is_not_taken_for_a_series() {
+        let sine = Signal::Sine {
+            frequency: 1.0,
+            phase: 0.0,
+        };
+        let whole = |t: f64| [sine.coefficients(t), [0.0; TERMS]];
+        let value = |t: f64| {
+            let mut c = [[0.0; TERMS]; 2];
+            c[0][0] = libm::sin(t);
+            c
+        };
+        assert!(Series::new(whole, [0.0, 10.0]).is_ok());
+        let refused = Series::new(value, [0.0, 10.0]).err().unwrap().to_string();
+        assert!(refused.contains("Fitted::from_fn"), "{refused}");
+        let constant = |_: f64| {
+            let mut c = [[0.0; TERMS]; 2];
+            c[1][0] = -3.0;
+            c
+        };
+        assert!(Series::new(constant, [0.0, 10.0]).is_ok());
+        assert!(Series::new(whole, [0.0, f64::NAN]).is_err());
     }
 }

@@ -20,6 +20,7 @@ pub mod acceleration;
 pub mod clock;
 pub mod drive;
 pub mod error;
+pub mod fitted;
 pub mod launch;
 pub mod onset;
 pub mod particle;
@@ -29,8 +30,9 @@ pub mod spring;
 pub mod trajectory;
 pub mod turntable;
 
-pub use acceleration::{Acceleration, Coefficients, Plane};
+pub use acceleration::{Acceleration, Coefficients, Plane, Series};
 pub use error::MotionError;
+pub use fitted::{FitError, Fitted};
 pub use launch::Launch;
 pub use particle::{run, run_to_stop};
 pub use signal::Signal;

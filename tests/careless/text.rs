@@ -4,7 +4,7 @@
 use crate::config;
 use proptest::prelude::*;
 use slipbook::claims::PAPER;
-use slipbook::claims::values::search;
+use slipbook::claims::values::{decimal_of, search};
 use slipbook::cli;
 use slipbook::edition::EDITION;
 use slipbook::figures::{Cell, Table};
@@ -96,6 +96,13 @@ proptest! {
         prop_assert_eq!(read, expected);
         let digits: f64 = last[0].parse().unwrap_or(f64::NAN);
         prop_assert!(!number.is_finite() || (digits - number).abs() <= 1e-11 * number.abs(), "{number} {last:?}");
+    }
+
+    #[test]
+    fn any_expression_is_a_number_or_refused(expression in prop_oneof![text(), "([-+*/^()]|sqrt\\(|sin\\(|ln\\(|pi|deg|[0-9]{1,3}|[.]| ){0,12}"]) {
+        if let Ok(number) = decimal_of(&expression) {
+            prop_assert!(number.parse::<f64>().is_ok_and(|x| x.is_finite() && x != 0.0), "{expression} = {number}");
+        }
     }
 
     #[test]

@@ -4,13 +4,14 @@
 //! components along and across the velocity, in numbers of twice the width, and in the table's axes or in the
 //! laboratory's in `f64`.
 
+/// Why a start cannot be followed.
+pub use crate::motion::MotionError;
 /// Where a particle of an ensemble starts.
 pub use crate::motion::turntable::Start;
 /// An ensemble of particles, by the motion alone.
 pub use crate::motion::turntable::ensemble::{End, Horizon};
 
 use super::{Answer, Curve, Field, Fields, Quantity, SolveError, check, steps};
-use crate::motion::MotionError;
 use crate::motion::turntable::fate::{Certain, Ending, Rest, follow};
 use crate::motion::turntable::intrinsic::Exact;
 use crate::motion::turntable::moment::{Moment as Parts, moment};

@@ -1,7 +1,7 @@
 //! Motions whose course is known without this integrator.
 
 use super::*;
-use crate::motion::{Plane, Signal};
+use crate::motion::{Plane, Series, Signal};
 use crate::numerics::dop853;
 use crate::numerics::taylor::TERMS;
 use proptest::prelude::*;
@@ -446,6 +446,7 @@ fn a_user_function_is_an_acceleration() {
         (a[0][0], a[0][1]) = (-t, -1.0);
         a
     };
+    let given = Series::new(given, [0.0, 3.0]).unwrap();
     let motion = run(&given, 0.0, moving([0.0, 1.0]), 3.0).unwrap();
     near(motion.end().v[0], 4.5, 1e-14);
 }

@@ -15,7 +15,7 @@ use crate::numerics::lanes::{Lanes, Wide, widest};
 use crate::numerics::number::Real;
 use crate::numerics::series::{arrival, value};
 use crate::numerics::taylor::{Control, Integrator, Step};
-#[cfg(feature = "trials")]
+#[cfg(feature = "parallel")]
 use rayon::prelude::*;
 use std::sync::LazyLock;
 
@@ -98,18 +98,18 @@ const BRINK: f64 = 0.001;
 const PIECE: usize = 1024;
 
 impl Horizon {
-    /// The ends of these particles' ways, in their order. With the feature `trials` all cores share the work; the result does
+    /// The ends of these particles' ways, in their order. With the feature `parallel` all cores share the work; the result does
     /// not depend on how.
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a horizon that is not positive and finite, a start that no constructor of
     /// [`Start`] gives, or one at rest beyond ρ = 1 (it starts by itself, and this time is not that of the ensemble).
     pub fn follow(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
-        self.check(starts)?;
+        self.accepts(starts)?;
         let ends = |piece| self.piece(piece);
-        #[cfg(feature = "trials")]
+        #[cfg(feature = "parallel")]
         let pieces = starts.par_chunks(PIECE).flat_map_iter(ends);
-        #[cfg(not(feature = "trials"))]
+        #[cfg(not(feature = "parallel"))]
         let pieces = starts.chunks(PIECE).flat_map(ends);
         Ok(pieces.collect())
     }
@@ -119,7 +119,7 @@ impl Horizon {
     /// # Errors
     /// As for [`follow`](Self::follow).
     pub fn follow_alone(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
-        self.check(starts)?;
+        self.accepts(starts)?;
         Ok(self.piece(starts))
     }
 
@@ -131,13 +131,17 @@ impl Horizon {
     /// As for [`follow`](Self::follow) and [`Start::polar`].
     pub fn follow_exactly(&self, rho: Double, p: Double, psi: Double) -> Result<End, MotionError> {
         let near = Start::polar(rho.to_f64(), p.to_f64(), psi.to_f64())?;
-        self.check(&[near])?;
+        self.accepts(&[near])?;
         let exact = Exact::polar(rho, p, psi);
         let end = self.closely::<_, EXACTLY>(exact, &WIDE);
         Ok(end.unwrap_or(End::Unfinished(near)))
     }
 
-    fn check(&self, starts: &[Start]) -> Result<(), MotionError> {
+    /// Whether these starts can be followed, before it is done.
+    ///
+    /// # Errors
+    /// As for [`follow`](Self::follow).
+    pub fn accepts(&self, starts: &[Start]) -> Result<(), MotionError> {
         for (name, value) in [("rho", self.rho), ("tau", self.tau)] {
             let allowed = value > 0.0 && value <= 1e6;
             super::argument(name, value, allowed, "positive, at most 1e6")?;

@@ -125,6 +125,8 @@ impl<'a> Frame<'a> {
                 put(&book.join(format!("errata.{end}")), letter.as_bytes())?;
                 put(&book.join(format!("supplement.{end}")), all.as_bytes())?;
             }
+            let register = super::register(self.edition, &errata)?;
+            put(&book.join("errata.csv"), register.as_bytes())?;
             for figure in &figures {
                 put(&book.join(fill::data_file(figure)), figure.csv.as_bytes())?;
             }

@@ -59,6 +59,7 @@ mod map;
 mod maths;
 mod overview;
 mod pages;
+mod register;
 mod search;
 mod swap;
 mod symbols;
@@ -69,6 +70,7 @@ mod values;
 pub use error::BookError;
 pub use frame::Frame;
 pub use links::dead_links;
+pub use register::register;
 pub use tables::table;
 pub use text::escape;
 

@@ -151,7 +151,13 @@ fn bare(error: io::Error) -> io::Error {
 fn resolve(out: &Path) -> io::Result<PathBuf> {
     // Not asked for first: another run may take it away between the question and the answer.
     match out.canonicalize() {
-        Err(error) if error.kind() == ErrorKind::NotFound => std::path::absolute(out),
+        Err(error) if error.kind() == ErrorKind::NotFound => match out.is_symlink() {
+            true => Err(io::Error::new(
+                error.kind(),
+                "it is a link that leads nowhere",
+            )),
+            false => std::path::absolute(out),
+        },
         found => found,
     }
 }
@@ -208,6 +214,18 @@ mod tests {
         next.swap(&book).unwrap();
         drop(alive);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_that_leads_nowhere_is_left_alone() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        std::os::unix::fs::symlink("nowhere", &out).unwrap();
+        let refused = Staging::beside(&out, "paper").err().unwrap().to_string();
+        assert!(refused.contains("leads nowhere"), "{refused}");
+        assert!(out.is_symlink());
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 
     #[test]

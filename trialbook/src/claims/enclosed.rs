@@ -108,9 +108,12 @@ pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball
     })
 }
 
-/// xⁿ for n ≥ 0.
+/// The largest power that is multiplied out.
+const LARGEST_POWER: usize = 1000;
+
+/// xⁿ for n from 0 to [`LARGEST_POWER`].
 fn whole_power(x: &Ball, n: i64, bits: usize) -> Option<Ball> {
-    let factors = usize::try_from(n).ok()?;
+    let factors = usize::try_from(n).ok().filter(|n| *n <= LARGEST_POWER)?;
     Some(std::iter::repeat_n(x, factors).fold(Ball::int(1, bits), |power, x| &power * x))
 }
 

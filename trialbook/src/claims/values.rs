@@ -2,10 +2,15 @@
 
 mod search;
 
-pub use search::{Match, NotDecimal, search};
+pub use search::{Form, Match, NotDecimal, decimal_of, search};
 
 use super::compare::Failure;
+use super::enclosed::on_balls;
+use crate::certified::ball::bits_for;
 use crate::certified::enclosure::Enclosure;
+use crate::exact::Expr;
+use crate::numerics::expression::expression;
+use crate::scalar::Scalar;
 use crate::seeded::reading::{self, Read};
 use std::sync::OnceLock;
 
@@ -22,6 +27,8 @@ pub struct Value {
     pub decimals: usize,
     /// How it is enclosed to any number of digits, where that is known.
     pub enclosure: Option<Enclosure>,
+    /// Its closed form, as [`expression`] reads it, where there is one.
+    pub closed: Option<&'static str>,
     computed: Option<fn() -> Result<f64, Failure>>,
     number: OnceLock<(Result<f64, Failure>, Read)>,
 }
@@ -41,6 +48,7 @@ impl Value {
             claim,
             decimals,
             enclosure: None,
+            closed: None,
             computed: Some(number),
             number: OnceLock::new(),
         }
@@ -60,6 +68,7 @@ impl Value {
             claim,
             decimals,
             enclosure: Some(enclosure),
+            closed: None,
             computed: None,
             number: OnceLock::new(),
         }
@@ -68,6 +77,12 @@ impl Value {
     /// The same number, which can be enclosed too.
     pub const fn within(mut self, enclosure: Enclosure) -> Self {
         self.enclosure = Some(enclosure);
+        self
+    }
+
+    /// The same number, with its closed form.
+    pub const fn closed(mut self, form: &'static str) -> Self {
+        self.closed = Some(form);
         self
     }
 
@@ -103,20 +118,91 @@ impl Value {
         Ok(format!("{:.*}", self.decimals, self.number()?))
     }
 
-    /// The number to [`KNOWN`] significant digits, cut off and not rounded.
+    /// How many significant digits are known: more than [`KNOWN`] of a number that is enclosed to any number of digits.
+    pub fn known(&self) -> usize {
+        match self.exactly(0) {
+            Some(_) => ENCLOSED,
+            None => KNOWN,
+        }
+    }
+
+    /// The number to all [known](Self::known) digits, rounded.
+    ///
+    /// # Errors
+    /// A motion that cannot be followed.
+    pub fn rounded(&self) -> Result<String, Failure> {
+        let value = self.number()?;
+        let places = places(value, self.known());
+        Ok(match self.exactly(places) {
+            Some(exact) => exact,
+            None => format!("{value:.places$}"),
+        })
+    }
+
+    /// The number to all [known](Self::known) digits, cut off and not rounded.
     ///
     /// # Errors
     /// A motion that cannot be followed.
     pub fn digits(&self) -> Result<String, Failure> {
+        self.cut(self.known())
+    }
+
+    /// The number to so many significant digits if they can be had, and at least to all [known](Self::known) ones; cut off.
+    fn cut(&self, significant: usize) -> Result<String, Failure> {
         let value = self.number()?;
-        let power = libm::floor(libm::log10(value.abs())) as i32;
-        let places = (KNOWN as i32 - 1 - power).max(0) as usize;
-        // Five digits more, so that rounding does not reach those that are kept.
-        let mut text = format!("{value:.*}", places + 5);
+        // Some digits more, so that rounding does not reach those that are kept.
+        for more in [5, 7] {
+            let all = places(value, significant.max(ENCLOSED)) + more;
+            if let Some(mut exact) = self.exactly(all) {
+                exact.truncate(exact.len() - more);
+                return Ok(exact);
+            }
+        }
+        let mut text = format!("{value:.*}", places(value, KNOWN) + 5);
         text.truncate(text.len() - 5);
         Ok(text)
+    }
+
+    /// Its decimals to so many places after the point, correctly rounded, where they can be had.
+    fn exactly(&self, places: usize) -> Option<String> {
+        match (self.enclosure, self.closed) {
+            (Some(enclosure), _) => enclosure.decimal(places).ok(),
+            (None, Some(form)) => decimal(form, places),
+            (None, None) => None,
+        }
+    }
+}
+
+/// Places after the point at which a number has so many significant digits.
+fn places(value: f64, significant: usize) -> usize {
+    let power = libm::floor(libm::log10(value.abs())) as i64;
+    usize::try_from(significant as i64 - 1 - power).unwrap_or(0)
+}
+
+/// An expression's decimals to so many places after the point, correctly rounded; nothing where it cannot be enclosed.
+fn decimal(form: &str, places: usize) -> Option<String> {
+    let formula = expression(form, fraction).ok()?;
+    let bits = bits_for(places) + 16;
+    on_balls(formula, bits, &|_| None)?.decimal(places)
+}
+
+/// A decimal number as the fraction that it is; nothing for a very long one.
+fn fraction(text: &str) -> Option<Expr> {
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
+    let digits = Expr::int([whole, decimals].concat().parse().ok()?);
+    let power = exponent.parse::<i64>().ok()? - i64::try_from(decimals.len()).ok()?;
+    let ten = || Expr::int(10).pow(Expr::int(power.abs()));
+    match power {
+        -40..0 => Some(digits / ten()),
+        0 => Some(digits),
+        1..=40 => Some(digits * ten()),
+        _ => None,
     }
 }
 
 /// Significant digits that every value is good for: the least come from a bisection on a motion.
 pub const KNOWN: usize = 11;
+
+/// Significant digits that are shown of a number that can be enclosed to any number of them.
+pub const ENCLOSED: usize = 20;

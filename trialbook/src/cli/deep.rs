@@ -1,8 +1,8 @@
 //! A run in depth: the trials at ever other points, each round in a process of its own.
 
+use super::screen::progress;
 use crate::edition::Failure;
 use crate::ledger::Ledger;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::env;
 use std::process::{Command, Output, Stdio};
 use std::sync::Arc;
@@ -19,9 +19,10 @@ pub(super) fn deepened(
     let stop = Arc::new(AtomicBool::new(false));
     let asked = Arc::clone(&stop);
     ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed))?;
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} rounds  {eta} left  {msg}");
-    let bar = ProgressBar::new(depth.into())
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let bar = progress(
+        depth.into(),
+        "{bar:40} {pos}/{len} rounds  {eta} left  {msg}",
+    );
     bar.inc(1);
     let mut rounds = 1;
     while rounds < depth && !stop.load(Ordering::Relaxed) {

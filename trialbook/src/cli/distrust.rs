@@ -1,13 +1,13 @@
 //! Mistakes that are seeded in the formulas, and which trial notices which.
 
 use super::output::{VERSION, csv, json, say};
+use super::screen::progress;
 use crate::claims::Paper;
 use crate::claims::variants::Variant;
 use crate::edition::{Edition, Failure, Format};
 use crate::ledger::Ledger;
 use crate::ledger::distrust::{Extent, Tried};
 use crate::ledger::slight::Slight;
-use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -78,9 +78,7 @@ pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Resul
     };
     let variants = paper.formulas.variants();
     let trials: usize = ledger.entries.iter().map(|e| e.evidence.len()).sum();
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} trials  {eta} left");
-    let bar = ProgressBar::new(trials as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let bar = progress(trials as u64, "{bar:40} {pos}/{len} trials  {eta} left");
     let tried = ledger.distrust(&variants, Extent::Every, || bar.inc(1));
     bar.finish_and_clear();
     let rows: Vec<_> = tried.iter().map(|tried| row(&ledger, tried)).collect();

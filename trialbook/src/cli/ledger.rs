@@ -1,7 +1,10 @@
 //! The commands that try claims: the main job, `verify`, `show`, `list` and `errata`.
 
 use super::deep::deepened;
-use super::output::{VERSION, csv, json, say};
+use super::ids::known_all;
+use super::output::{VERSION, csv, json, say, show as shown};
+use super::screen::{progress, screen};
+use super::table as columns;
 use crate::book;
 use crate::claims::points::set_round;
 use crate::claims::{Claim, Paper};
@@ -10,7 +13,6 @@ use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
 use crate::numerics::error::plain;
 use clap::ValueEnum;
 use clap::builder::PossibleValuesParser;
-use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -114,15 +116,21 @@ impl Tried {
         self.ledger.entries.iter().collect()
     }
 
-    /// Table, differences and summary as text.
+    /// Table, differences and summary as text; where quiet is wanted, the differences alone.
     fn text(&self) -> String {
         let words = |v: Option<Verdict>| v.map_or("no such claim", Verdict::words);
-        let mut text = self.ledger.table();
+        let quiet = screen().quiet;
+        let mut text = match quiet {
+            true => String::new(),
+            false => columns::table(&self.ledger.entries, &screen()),
+        };
         for d in &self.differences {
             let (recorded, found) = (words(d.recorded), words(d.found));
             let _ = writeln!(text, "{}: recorded as {recorded}, found {found}", d.id);
         }
-        let _ = writeln!(text, "\n{}", self.ledger.summary());
+        if !quiet {
+            let _ = writeln!(text, "\n{}", self.ledger.summary());
+        }
         text
     }
 
@@ -162,7 +170,10 @@ pub(super) fn main_job(
     let (tried, (figures, frame)) = (tried?, drawn?);
     let first_page = frame.fill(&tried.ledger, &figures)?;
     match format {
-        Format::Text => say(&format!(
+        Format::Text if screen().quiet => {
+            say(&format!("{}{}", tried.text(), first_page.display()))?
+        }
+        Format::Text => shown(&format!(
             "{}{} comparisons in {:.1} s; {}\nThe book: {}",
             tried.text(),
             tried.ledger.points(),
@@ -186,7 +197,7 @@ pub(super) fn verify(
     let known = known_all(edition, ids)?;
     let tried = Tried::new(edition.paper, (!ids.is_empty()).then_some(&known), depth)?;
     match format {
-        Format::Text => say(&format!("{}{}", tried.text(), tried.as_recorded()))?,
+        Format::Text => shown(&format!("{}{}", tried.text(), tried.as_recorded()))?,
         Format::Json => json(&tried.rows(&tried.all(), None))?,
         Format::Csv => table(&tried.all())?,
     }
@@ -212,18 +223,18 @@ pub(super) fn record(paper: &'static Paper, date: &str, depth: Depth) -> Result<
     Ok(tried.code())
 }
 
-/// Shows one claim.
+/// Shows claims.
 pub(super) fn show(
     edition: &Edition,
-    id: &str,
+    ids: &[String],
     depth: Depth,
     format: Format,
 ) -> Result<u8, Failure> {
-    let tried = Tried::new(edition.paper, Some(&[known(edition, id)?]), depth)?;
+    let tried = Tried::new(edition.paper, Some(&known_all(edition, ids)?), depth)?;
     match format {
         Format::Text => {
-            let sheets = tried.ledger.entries.iter().map(Entry::sheet);
-            say(&sheets.collect::<String>())?;
+            let sheets: Vec<_> = tried.ledger.entries.iter().map(Entry::sheet).collect();
+            shown(&sheets.join("\n\n"))?;
         }
         Format::Json => json(&tried.rows(&tried.all(), None))?,
         Format::Csv => table(&tried.all())?,
@@ -245,24 +256,24 @@ pub(super) fn list(
     });
     let tried = Tried::new(paper, of_section.as_deref(), depth)?;
     let fits = |e: &&Entry| verdict.is_none_or(|v| e.judgement.verdict.slug() == v);
-    let shown: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
+    let listed: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
     match format {
-        Format::Text if shown.is_empty() => say("there is no such claim")?,
-        Format::Text => say(&shown.iter().map(|e| line(e)).collect::<String>())?,
-        Format::Json => json(&tried.rows(&shown, None))?,
-        Format::Csv => table(&shown)?,
+        Format::Text if listed.is_empty() => say("there is no such claim")?,
+        Format::Text => shown(&columns::list(&listed, &screen()))?,
+        Format::Json => json(&tried.rows(&listed, None))?,
+        Format::Csv => table(&listed)?,
     }
     Ok(tried.code())
 }
 
 /// Prints the errata.
 pub(super) fn print_errata(
-    paper: &'static Paper,
+    edition: &Edition,
     (kind, supplement): (ErrataFormat, bool),
     depth: Depth,
     format: Format,
 ) -> Result<u8, Failure> {
-    let tried = Tried::new(paper, None, depth)?;
+    let tried = Tried::new(edition.paper, None, depth)?;
     let letter = |format| match supplement {
         true => tried.ledger.supplement(format),
         false => tried.ledger.letter(format),
@@ -273,38 +284,13 @@ pub(super) fn print_errata(
             "errata": tried.ledger.errata()?,
         }))?,
         (_, Format::Csv) => {
-            let row = |e: ledger::Erratum| vec![e.id.to_owned(), e.section.into(), e.old, e.new];
-            let rows = tried.ledger.errata()?.into_iter().map(row);
-            csv(&["id", "section", "printed", "corrected"], rows)?;
+            let errata = tried.ledger.errata()?;
+            say(&book::register(edition, &errata)?)?;
         }
         (ErrataFormat::Latex, _) => say(&letter(ledger::Format::Latex)?)?,
-        (ErrataFormat::Text, _) => say(&letter(ledger::Format::Text)?)?,
+        (ErrataFormat::Text, _) => shown(&letter(ledger::Format::Text)?)?,
     }
     Ok(tried.code())
-}
-
-/// The ids of these claims.
-pub(super) fn known_all(edition: &Edition, ids: &[String]) -> Result<Vec<&'static str>, Failure> {
-    ids.iter().map(|id| known(edition, id)).collect()
-}
-
-/// The id of a claim, if there is one of this name.
-fn known(edition: &Edition, id: &str) -> Result<&'static str, Failure> {
-    match edition.paper.find(id) {
-        Some((_, claim)) => Ok(claim.id),
-        None => {
-            let name = edition.name;
-            Err(format!("there is no claim `{id}`: `{name} list` names all").into())
-        }
-    }
-}
-
-fn line(entry: &Entry) -> String {
-    let Claim {
-        id, section, title, ..
-    } = entry.claim;
-    let verdict = entry.judgement.verdict.words();
-    format!("{id:<31} {section:<4} {verdict:<26} {title}\n")
 }
 
 fn table(entries: &[&Entry]) -> Result<(), Failure> {
@@ -347,9 +333,8 @@ fn table(entries: &[&Entry]) -> Result<(), Failure> {
 /// Tries claims with a progress bar, which shows on a terminal only.
 fn with_progress(paper: &'static Paper, ids: Option<&[&str]>) -> Ledger {
     let all = || paper.topics.iter().map(|topic| topic.claims.len()).sum();
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} claims  {msg}");
-    let bar = ProgressBar::new(ids.map_or_else(all, <[_]>::len) as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let length = ids.map_or_else(all, <[_]>::len) as u64;
+    let bar = progress(length, "{bar:40} {pos}/{len} claims  {msg}");
     let done = |claim: &Claim| {
         bar.set_message(claim.id);
         bar.inc(1);

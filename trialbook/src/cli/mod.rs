@@ -8,15 +8,20 @@ mod certify;
 mod deep;
 mod distrust;
 mod find;
+mod ids;
 mod ledger;
 mod output;
+mod schema;
+mod screen;
+mod table;
 
-pub use output::{VERSION, complain, csv, json, no_table, say};
+pub use output::{VERSION, complain, csv, json, no_table, say, show, unwritten};
+pub use screen::{Screen, progress, screen};
 
 use crate::edition::{Edition, Failure, Format};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 /// Tries every claim of the paper, prints what each is worth, and writes the book.
@@ -26,7 +31,7 @@ use std::process::ExitCode;
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
-    /// Folder to write the book into; an earlier book there is replaced as a whole [default: target/book]
+    /// Folder to write the book into; an earlier book there is replaced as a whole [default: target/book, in a crate's folder]
     #[arg(long, value_name = "FOLDER")]
     out: Option<PathBuf>,
     #[command(flatten)]
@@ -43,8 +48,14 @@ struct Common {
     #[arg(long, global = true)]
     csv: bool,
     /// How many threads may work [default: one per core]
-    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, short, global = true, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
+    /// Show no progress, and of the ledger only what is not as recorded
+    #[arg(long, short, global = true)]
+    quiet: bool,
+    /// Colours
+    #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
+    color: screen::Color,
     /// How often the trials are made, each time at other points; for the main job, verify, show, list and errata [default: 1]
     #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     depth: Option<u32>,
@@ -95,10 +106,11 @@ enum Command {
         )]
         into: PathBuf,
     },
-    /// Try one claim and show all that is known of it
+    /// Try claims and show all that is known of them
     Show {
-        /// Id of the claim
-        id: String,
+        /// Ids of claims: `13`, `(13)` and `eq13` are `eq-13`; the beginning of an id will do if no other begins so
+        #[arg(value_name = "ID", required = true)]
+        ids: Vec<String>,
     },
     /// Try claims and list them with their verdicts
     List {
@@ -119,11 +131,17 @@ enum Command {
         supplement: bool,
     },
     /// Find the claims that carry a number, to the digits given, and mark its first wrong digit
+    ///
+    /// Exit code 1 if there is none. A single digit has to be all of the number.
     Find {
-        /// The number, as it is printed somewhere
+        /// The number, as it is printed somewhere, or an expression such as `2/sqrt(4+pi^2)`; all numbers if none is given
         #[arg(allow_negative_numbers = true)]
-        number: String,
+        number: Option<String>,
     },
+    /// Print the manual page
+    Man,
+    /// Print the JSON Schema of what the commands write with --json
+    Schema,
     /// Print a script that completes the command line in a shell
     Completions {
         /// The shell
@@ -139,6 +157,10 @@ pub fn command(edition: &Edition) -> clap::Command {
     command = command.mut_subcommand("list", |list| {
         list.mut_arg("section", |section| section.value_parser(sections))
     });
+    for of in ["verify", "show", "distrust", "certify"] {
+        let ids = |ids: clap::Arg| ids.value_parser(ids::Ids(paper)).hide_possible_values(true);
+        command = command.mut_subcommand(of, |of| of.mut_arg("ids", ids));
+    }
     for (i, own) in edition.commands.iter().enumerate() {
         command = command.subcommand((own.command)().display_order(OWN + i));
     }
@@ -152,6 +174,7 @@ pub fn command(edition: &Edition) -> clap::Command {
     }
     let first = paper.claims().next().map_or("", |(_, claim)| claim.id);
     let bash = format!("bash > {name}.bash");
+    let page = format!("> {name}.1");
     for (order, of, usual) in [
         (0, "verify", first),
         (1, "show", first),
@@ -161,6 +184,8 @@ pub fn command(edition: &Edition) -> clap::Command {
         (5, "distrust", first),
         (6, "certify", first),
         (900, "completions", &bash),
+        (901, "man", &page),
+        (902, "schema", "> schema.json"),
     ] {
         let mut examples = edition.examples.iter();
         let arguments = examples.find(|example| example.0 == of);
@@ -175,7 +200,8 @@ pub fn command(edition: &Edition) -> clap::Command {
     let there = format!("{name} --out book --jobs 2");
     let width = there.len() + 2;
     command.after_help(format!(
-        "Examples:\n  {name:<width$}{one}\n  {there:<width$}{two}"
+        "Examples:\n  {name:<width$}{one}\n  {there:<width$}{two}\n\n\
+         COLUMNS sets the width of tables, PAGER what shows long answers on a terminal, NO_COLOR takes the colours."
     ))
 }
 
@@ -202,6 +228,7 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.into());
         pool.build_global()?;
     }
+    screen::settle(common.color, common.quiet);
     let format = common.format();
     let depth = ledger::Depth {
         rounds: common.depth.unwrap_or(1),
@@ -209,8 +236,9 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
     };
     let out = matches.get_one::<PathBuf>("out");
     let Some((name, of_command)) = matches.subcommand() else {
-        let usual = PathBuf::from("target/book");
-        return ledger::main_job(edition, out.unwrap_or(&usual), depth, format);
+        let usual = usual_folder(edition, Path::new("."));
+        let out = out.map_or_else(|| usual, |out| Ok(out.clone()))?;
+        return ledger::main_job(edition, &out, depth, format);
     };
     if out.is_some() {
         return Err("--out goes without a command: it says where the book is written".into());
@@ -239,24 +267,74 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
         } => ledger::record(paper, &date, depth),
         Command::Verify { ids, .. } => ledger::verify(edition, &ids, depth, format),
         Command::Distrust { ids } => {
-            let ids = ledger::known_all(edition, &ids)?;
+            let ids = ids::known_all(edition, &ids)?;
             distrust::distrust(edition, &ids, format)
         }
         Command::Certify { ids, into } => {
-            let ids = ledger::known_all(edition, &ids)?;
+            let ids = ids::known_all(edition, &ids)?;
             certify::certify(edition, &ids, &into, format)
         }
-        Command::Show { id } => ledger::show(edition, &id, depth, format),
+        Command::Show { ids } => ledger::show(edition, &ids, depth, format),
         Command::List { verdict, section } => {
             ledger::list(paper, verdict.as_deref(), section.as_deref(), depth, format)
         }
         Command::Errata {
             format: kind,
             supplement,
-        } => ledger::print_errata(paper, (kind, supplement), depth, format),
-        Command::Find { number } => find::find(paper, &number, format),
+        } => ledger::print_errata(edition, (kind, supplement), depth, format),
+        Command::Find { number: None } => find::all(paper, format),
+        Command::Find {
+            number: Some(number),
+        } => find::find(paper, &number, format),
+        Command::Man => man(edition, format),
+        Command::Schema => schema::schema(edition, format),
         Command::Completions { shell } => completions(edition, shell, format),
     }
+}
+
+/// Where the book goes if nobody says: `target/book`, in a crate's own folder only.
+fn usual_folder(edition: &Edition, here: &Path) -> Result<PathBuf, Failure> {
+    let name = edition.name;
+    match here.join("Cargo.toml").is_file() {
+        true => Ok(here.join("target").join("book")),
+        false => Err(format!(
+            "where shall the book go? `{name} --out FOLDER` says so; without it, it goes to target/book in the folder of a \
+             crate only. `{name} verify` writes none"
+        )
+        .into()),
+    }
+}
+
+/// The manual page: all commands with their options, and their commands with theirs.
+fn man(edition: &Edition, format: Format) -> Result<u8, Failure> {
+    if format != Format::Text {
+        return Err("--json, --csv: a manual page is neither".into());
+    }
+    let mut command = command(edition);
+    command.build();
+    let mut page = Vec::new();
+    clap_mangen::Man::new(command.clone()).render(&mut page)?;
+    let mut open: Vec<_> = command.get_subcommands().cloned().collect();
+    open.reverse();
+    while let Some(command) = open.pop() {
+        if command.get_name() == "help" {
+            continue;
+        }
+        let name = command.get_bin_name().unwrap_or_default().to_owned();
+        let (title, man) = (
+            format!(".SH \"{}\"\n", name.to_uppercase()),
+            clap_mangen::Man::new(command.clone()),
+        );
+        page.extend(title.as_bytes());
+        man.render_description_section(&mut page)?;
+        man.render_synopsis_section(&mut page)?;
+        man.render_options_section(&mut page)?;
+        let mut below: Vec<_> = command.get_subcommands().cloned().collect();
+        below.reverse();
+        open.append(&mut below);
+    }
+    say(&String::from_utf8(page)?)?;
+    Ok(0)
 }
 
 fn completions(edition: &Edition, shell: Shell, format: Format) -> Result<u8, Failure> {

@@ -1,9 +1,11 @@
 //! Printing: text, JSON and CSV, on standard output and whole.
 
+use super::screen::{screen, wrapped};
 use crate::edition::Failure;
 use crate::figures::{Cell, Table};
 use serde::Serialize;
 use std::io::{self, ErrorKind, Write};
+use std::{env, process};
 
 /// The version of the JSON that is written: it changes when a field changes its meaning or goes.
 pub const VERSION: u32 = 1;
@@ -17,8 +19,51 @@ pub fn say(text: &str) -> io::Result<()> {
     let mut out = io::stdout().lock();
     match write!(out, "{text}{end}").and_then(|()| out.flush()) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
-        other => other,
+        other => other.map_err(unwritten),
     }
+}
+
+/// What the system says of standard output, with its name.
+pub fn unwritten(error: io::Error) -> io::Error {
+    io::Error::new(error.kind(), format!("standard output: {error}"))
+}
+
+/// Prints text for people: wrapped where a width is known, and through a pager where it is longer than the terminal.
+///
+/// # Errors
+/// What the system says where standard output cannot be written.
+pub fn show(text: &str) -> io::Result<()> {
+    let screen = screen();
+    let text = screen
+        .width
+        .map_or(text.to_owned(), |width| wrapped(text, width));
+    match screen.rows.is_some_and(|rows| text.lines().count() >= rows) && paged(&text) {
+        true => Ok(()),
+        false => say(&text),
+    }
+}
+
+/// Whether a pager has shown it: `PAGER`, or `less`; there is none where that is empty.
+fn paged(text: &str) -> bool {
+    let pager = env::var("PAGER").unwrap_or_else(|_| "less".to_owned());
+    let mut words = pager.split_whitespace();
+    let Some(program) = words.next() else {
+        return false;
+    };
+    let mut command = process::Command::new(program);
+    command.args(words).stdin(process::Stdio::piped());
+    if env::var_os("LESS").is_none() {
+        // Ends by itself on one screen, and leaves colours as they are.
+        command.env("LESS", "FRX");
+    }
+    let Ok(mut child) = command.spawn() else {
+        return false;
+    };
+    if let Some(mut input) = child.stdin.take() {
+        // A reader who has seen enough closes it.
+        let _ = input.write_all(text.as_bytes());
+    }
+    child.wait().is_ok()
 }
 
 /// Says on standard error what is wrong, by the name of the program; where that is closed or full, nobody hears it.

@@ -153,6 +153,8 @@ pub trait Wide {
 
 /// Does the work in code that is compiled for the widest registers of this machine. The result has the same bits on
 /// all: products are not contracted with sums.
+// The only place: the compiler cannot know what the machine has.
+#[allow(unsafe_code)]
 pub fn widest<W: Wide>(work: W) -> W::Output {
     #[cfg(target_arch = "x86_64")]
     {

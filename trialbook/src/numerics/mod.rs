@@ -21,6 +21,7 @@ pub mod dop853;
 pub mod double;
 pub mod error;
 pub mod events;
+pub mod expression;
 #[cfg(feature = "trials")]
 pub mod fit;
 pub mod lanes;

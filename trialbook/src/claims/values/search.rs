@@ -1,7 +1,8 @@
 //! The search for a number among the known ones, digit by digit.
 
-use super::Value;
+use super::{ENCLOSED, Value, decimal, places};
 use crate::claims::compare::Failure;
+use crate::numerics::expression::expression;
 use serde::Serialize;
 
 /// A number found among those of the claims.
@@ -9,8 +10,10 @@ use serde::Serialize;
 pub struct Match {
     /// Its short name.
     pub name: &'static str,
-    /// Its value, to as many digits as are known.
+    /// Its value, to as many digits as are known, rounded.
     pub value: String,
+    /// Its closed form, where there is one.
+    pub closed: Option<&'static str>,
     /// What it is; formulas in `$…$`.
     pub meaning: &'static str,
     /// Id of the claim that carries it.
@@ -22,6 +25,20 @@ pub struct Match {
     pub first_wrong: Option<usize>,
     /// Where that digit stands in the number as it was given, counted from 0.
     pub column: Option<usize>,
+    /// How the number given comes from the value; nothing if a digit is wrong, or if it goes beyond what is known.
+    pub form: Option<Form>,
+}
+
+/// How a number with right digits comes from a longer one.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Form {
+    /// The longer one ends there.
+    Exact,
+    /// The nearest with so many digits.
+    Rounded,
+    /// The first digits of it, though the next one would have to be rounded up.
+    Cut,
 }
 
 /// What cannot be searched for.
@@ -29,11 +46,37 @@ pub struct Match {
 #[error("`{0}` is no decimal number such as 0.537 or -4.6e0")]
 pub struct NotDecimal(String);
 
+/// Digits given beyond so many are not looked at.
+const LONGEST: usize = 1000;
+
 /// Wrong numbers are graded if at least so many of their first digits are right.
 const ENOUGH: usize = 3;
 
+/// Digits that are asked of an expression which cannot be enclosed.
+const COMPUTED: usize = 14;
+
+/// The decimal number that a text is: itself, or the value of an expression such as `2/sqrt(4+pi^2)` to as many digits
+/// as can be had.
+///
+/// # Errors
+/// A text that is neither, and an expression that is 0 or no finite number.
+pub fn decimal_of(given: &str) -> Result<String, Failure> {
+    if Digits::read(given).is_some() {
+        return Ok(given.to_owned());
+    }
+    let value: f64 = expression(given, |digits| digits.parse().ok()).map_err(|e| e.to_string())?;
+    if !value.is_finite() || value == 0.0 {
+        return Err(NotDecimal(given.to_owned()).into());
+    }
+    let small = (1e-30..1e30).contains(&value.abs());
+    let exact = small.then(|| decimal(given, places(value, ENCLOSED)));
+    Ok(exact
+        .flatten()
+        .unwrap_or_else(|| format!("{value:.*e}", COMPUTED - 1)))
+}
+
 /// Of `values`, those that agree with `given` to all of its digits; if there is none, those that begin like it, with the
-/// first wrong digit. The last digit given may be rounded or cut off.
+/// first wrong digit. The last digit given may be rounded or cut off; a single digit has to be all of the number.
 ///
 /// # Errors
 /// A text that is no decimal number, and a value that cannot be computed.
@@ -93,12 +136,16 @@ impl Digits {
 
     /// How far a value has these digits; nothing if not even sign and size are the same.
     fn grade(&self, value: &Value) -> Result<Option<Match>, Failure> {
-        let decimals = value.digits()?;
+        let decimals = value.cut(self.digits.len().min(LONGEST) + 1)?;
         let known = Digits::read(&decimals).ok_or_else(|| NotDecimal(decimals.clone()))?;
         if known.negative != self.negative || known.power != self.power {
             return Ok(None);
         }
         let given = self.digits.len();
+        let ends = |from: usize| known.digits.iter().skip(from).all(|digit| *digit == 0);
+        if given == 1 && !(self.digits[0] == known.digits[0] && ends(1)) {
+            return Ok(None);
+        }
         let same = self
             .digits
             .iter()
@@ -106,7 +153,14 @@ impl Digits {
             .take_while(|(a, b)| a == b)
             .count();
         // A number that ends, such as 7/2, is known to any length.
-        let settled = same == given.min(known.digits.len()) || self.rounds(&known.digits);
+        let whole = same == given.min(known.digits.len());
+        let settled = whole || self.rounds(&known.digits);
+        let form = match known.digits.get(given) {
+            _ if !settled => None,
+            Some(_) if whole && ends(given) => Some(Form::Exact),
+            Some(5..) if whole => Some(Form::Cut),
+            next => next.map(|_| Form::Rounded),
+        };
         let right = if settled {
             given.min(known.digits.len())
         } else {
@@ -114,12 +168,14 @@ impl Digits {
         };
         Ok(Some(Match {
             name: value.id,
-            value: decimals,
+            value: value.rounded()?,
+            closed: value.closed,
             meaning: value.meaning,
             claim: value.claim,
             right,
             first_wrong: (!settled).then_some(same + 1),
             column: (!settled).then(|| self.columns[same]),
+            form,
         }))
     }
 

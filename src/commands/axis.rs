@@ -1,0 +1,221 @@
+//! Numbers of the command line: one, or equally spaced ones; and the grid that several such make.
+
+use crate::claims::solve::Double;
+use crate::numerics::error::plain;
+use crate::numerics::expression::expression;
+use std::str::FromStr;
+
+/// One number, or equally spaced ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Axis {
+    low: Double,
+    high: Double,
+    count: u64,
+}
+
+/// A decimal number, as it stands, or an expression.
+pub(super) fn number(text: &str) -> Result<Double, String> {
+    if let Ok(number) = text.parse::<Double>() {
+        return Ok(number);
+    }
+    expression(text, |digits| digits.parse().ok()).map_err(|error| error.to_string())
+}
+
+impl FromStr for Axis {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let end = |part: &str| {
+            let end = number(part)?;
+            let fit = f64::from(end).is_finite();
+            fit.then_some(end)
+                .ok_or_else(|| format!("`{part}` is not finite"))
+        };
+        match text.split(':').collect::<Vec<_>>()[..] {
+            [one] => Ok(number(one)?.into()),
+            [low, high, count] => {
+                let count: u64 = count.parse().unwrap_or(0);
+                if !(2..=1_000_000_000).contains(&count) {
+                    return Err("COUNT must be a whole number from 2 to 10⁹".into());
+                }
+                Ok(Self {
+                    low: end(low)?,
+                    high: end(high)?,
+                    count,
+                })
+            }
+            _ => Err("a number, or LOW:HIGH:COUNT".into()),
+        }
+    }
+}
+
+impl From<Double> for Axis {
+    fn from(one: Double) -> Self {
+        Self {
+            low: one,
+            high: one,
+            count: 1,
+        }
+    }
+}
+
+impl Default for Axis {
+    fn default() -> Self {
+        Double::default().into()
+    }
+}
+
+impl Axis {
+    /// How many numbers these are.
+    pub(super) fn count(&self) -> u64 {
+        self.count
+    }
+
+    /// The number of this index. One between the ends is a decimal fraction of fifteen digits, so that what is shown is what is
+    /// calculated.
+    pub(super) fn at(&self, i: u64) -> Double {
+        if i == 0 {
+            return self.low;
+        }
+        if i + 1 >= self.count {
+            return self.high;
+        }
+        let share = i as f64 / (self.count - 1) as f64;
+        let [low, high] = [self.low, self.high].map(f64::from);
+        let between = low * (1.0 - share) + high * share;
+        let text = format!("{between:.14e}");
+        text.parse().unwrap_or_else(|_| between.into())
+    }
+}
+
+/// A place in a grid while it is taken apart: the first axis asked runs fastest.
+pub(super) struct Point {
+    index: u64,
+    /// How many points the axes asked so far have together; nothing if more than 2⁶⁴.
+    pub(super) total: Option<u64>,
+    /// Names and numbers of the axes that have more than one.
+    pub(super) swept: Vec<(&'static str, f64)>,
+}
+
+impl Point {
+    pub(super) fn new(index: u64) -> Self {
+        Self {
+            index,
+            total: Some(1),
+            swept: Vec::new(),
+        }
+    }
+
+    /// This axis's number at the place.
+    pub(super) fn on(&mut self, name: &'static str, axis: &Axis) -> Double {
+        let number = axis.at(self.index % axis.count);
+        self.index /= axis.count;
+        self.total = self.total.and_then(|total| total.checked_mul(axis.count));
+        if axis.count > 1 {
+            self.swept.push((name, number.into()));
+        }
+        number
+    }
+}
+
+/// A part of work that several share: the K-th of N.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Shard {
+    part: u64,
+    of: u64,
+}
+
+impl FromStr for Shard {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = text.split_once('/');
+        let parts = parts.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
+        match parts {
+            Some((part, of)) if 1 <= part && part <= of && of <= 1_000_000 => Ok(Self { part, of }),
+            _ => Err("K/N, with K from 1 to N and N up to 10⁶".into()),
+        }
+    }
+}
+
+impl Shard {
+    /// All of it.
+    pub(super) const WHOLE: Self = Self { part: 1, of: 1 };
+
+    /// The indices of `total` that are this part's.
+    pub(super) fn range(self, total: u64) -> std::ops::Range<u64> {
+        let bound = |part: u64| (u128::from(total) * u128::from(part) / u128::from(self.of)) as u64;
+        bound(self.part - 1)..bound(self.part)
+    }
+
+    pub(super) fn is_first(self) -> bool {
+        self.part == 1
+    }
+
+    pub(super) fn is_last(self) -> bool {
+        self.part == self.of
+    }
+}
+
+/// A warning for an angle that is more than a turn.
+pub(super) fn is_it_degrees(name: &str, angle: f64) -> Option<String> {
+    let turns = angle.is_finite() && angle.abs() > std::f64::consts::TAU;
+    turns.then(|| {
+        let angle = plain(angle);
+        format!("{name} = {angle} is in radians, more than a turn; {angle}deg is in degrees")
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_axis_is_a_number_or_two_ends_and_a_count() {
+        let axis: Axis = "-1:2:4".parse().unwrap();
+        for (i, expected) in [(0, -1.0), (1, 0.0), (2, 1.0), (3, 2.0)] {
+            assert!((f64::from(axis.at(i)) - expected).abs() < 1e-15);
+        }
+        let axis: Axis = "0:1:11".parse().unwrap();
+        assert_eq!(axis.at(3), "0.3".parse().unwrap());
+        assert_eq!("0.5".parse::<Axis>().unwrap().at(0), 0.5.into());
+        let axis: Axis = "-pi:180deg:3".parse().unwrap();
+        assert!(f64::from(axis.at(2)) == std::f64::consts::PI && f64::from(axis.at(1)) == 0.0);
+        for wrong in [
+            "", "1:2", "1:2:1", "1:2:x", "nan:1:2", "1:inf:3", "1:2:3:4", "0,5",
+        ] {
+            assert!(wrong.parse::<Axis>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn parts_are_all_of_it_and_none_twice() {
+        for total in [0, 1, 7, 100, u64::MAX] {
+            let mut next = 0;
+            for part in 1..=16 {
+                let range = Shard { part, of: 16 }.range(total);
+                assert_eq!(range.start, next);
+                next = range.end;
+            }
+            assert_eq!(next, total);
+        }
+        for wrong in ["", "1", "0/3", "4/3", "1/0", "a/b", "1/2/3"] {
+            assert!(wrong.parse::<Shard>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn a_point_of_a_grid_has_a_number_of_each_axis() {
+        let [a, b]: [Axis; 2] = ["0:1:2", "5:7:3"].map(|axis| axis.parse().unwrap());
+        let mut seen = Vec::new();
+        for index in 0..6 {
+            let mut point = Point::new(index);
+            let (b, a) = (point.on("b", &b), point.on("a", &a));
+            assert_eq!(point.total, Some(6));
+            seen.push([f64::from(a), f64::from(b)]);
+        }
+        assert_eq!(seen[0], [0.0, 5.0]);
+        assert_eq!(seen[1], [0.0, 6.0]);
+        assert_eq!(seen[5], [1.0, 7.0]);
+    }
+}

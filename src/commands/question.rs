@@ -1,0 +1,108 @@
+//! What is asked of a calculator at one point of a grid.
+
+use crate::claims::solve::{
+    Curve, Double, Report, SolveError, anisotropic, constant, periodic, rest, sinusoidal, sphere,
+    turntable,
+};
+
+/// A calculator with its parameters.
+pub(super) enum Question {
+    Constant(constant::Problem<Double>),
+    Sinusoidal(sinusoidal::Problem<Double>),
+    Pulse(periodic::Problem<Double>),
+    Anisotropic(anisotropic::Problem<Double>),
+    Sphere(sphere::Problem<Double>),
+    /// What becomes of a start.
+    Fate(turntable::Problem<Double>),
+    /// Its state at a time.
+    Moment(turntable::Problem<Double>, Double),
+    Boundary(rest::Problem<Double>),
+}
+
+impl Question {
+    /// Its name on the command line.
+    pub(super) fn name(&self) -> &'static str {
+        match self {
+            Self::Constant(_) => "constant",
+            Self::Sinusoidal(_) => "sinusoidal",
+            Self::Pulse(_) => "pulse",
+            Self::Anisotropic(_) => "anisotropic",
+            Self::Sphere(_) => "sphere",
+            Self::Fate(_) | Self::Moment(..) => "turntable",
+            Self::Boundary(_) => "turntable-boundary",
+        }
+    }
+
+    pub(super) fn report(&self) -> Result<Report, SolveError> {
+        let name = self.name();
+        Ok(match self {
+            Self::Constant(given) => given.solve()?.report(name),
+            Self::Sinusoidal(given) => given.solve()?.report(name),
+            Self::Pulse(given) => given.solve()?.report(name),
+            Self::Anisotropic(given) => given.solve()?.report(name),
+            Self::Sphere(given) => given.solve()?.report(name),
+            Self::Fate(given) => given.fate()?.report(name),
+            Self::Moment(given, time) => given.at(*time)?.report(name),
+            Self::Boundary(given) => given.solve()?.report(name),
+        })
+    }
+
+    pub(super) fn curve(&self) -> Result<Curve, SolveError> {
+        match self {
+            Self::Constant(given) => given.curve(),
+            Self::Sinusoidal(given) => given.curve(),
+            Self::Pulse(given) => given.curve(),
+            Self::Anisotropic(given) => given.curve(),
+            Self::Sphere(given) => given.curve(),
+            Self::Fate(given) => given.curve(None),
+            Self::Moment(given, time) => given.curve(Some((*time).into())),
+            Self::Boundary(given) => given.curve(),
+        }
+    }
+
+    /// The names of the quantities that it asks for; they do not depend on the parameters.
+    ///
+    /// # Errors
+    /// None: the parameters at which it looks are in range.
+    pub(super) fn quantities(&self) -> Result<Vec<&'static str>, SolveError> {
+        let [half, one] = [0.5, 1.0].map(Double::from);
+        let start = turntable::Problem::Polar {
+            rho: half,
+            p: half,
+            psi: one,
+        };
+        let easy = match self {
+            Self::Constant(_) => Self::Constant(constant::Problem {
+                lambda: half,
+                v0: one,
+                theta0: one,
+                accel: one,
+                at: constant::At::Time(one),
+            }),
+            Self::Sinusoidal(_) => Self::Sinusoidal(sinusoidal::Problem { lambda0: half }),
+            Self::Pulse(_) => Self::Pulse(periodic::Problem {
+                eta: half,
+                lambda0: half,
+            }),
+            Self::Anisotropic(_) => Self::Anisotropic(anisotropic::Problem {
+                q: Double::from(2.0),
+                lambda0: half,
+            }),
+            Self::Sphere(_) => Self::Sphere(sphere::Problem {
+                gamma: one + one,
+                u0: one,
+                theta0: one,
+                kappa: half,
+                at: constant::At::Time(half),
+            }),
+            Self::Fate(_) => Self::Fate(start),
+            Self::Moment(..) => Self::Moment(start, half),
+            Self::Boundary(_) => Self::Boundary(rest::Problem {
+                alpha: half,
+                psi: one,
+            }),
+        };
+        let fields = easy.report()?.fields;
+        Ok(fields.iter().map(|field| field.name).collect())
+    }
+}

@@ -1,0 +1,42 @@
+//! The register of errata: a row for each claim that does not stand, for programs and for the record.
+
+use crate::edition::Edition;
+use crate::figures::{Cell, FigureError, Table};
+use crate::ledger::{Erratum, plain_words};
+
+/// The register as CSV: where it stands, what is printed, what is right, why, on what evidence, and by which command that is
+/// tried again.
+///
+/// # Errors
+/// None: every row has a cell for each column.
+pub fn register(edition: &Edition, errata: &[Erratum]) -> Result<String, FigureError> {
+    let mut table = Table::new(&[
+        "id",
+        "section",
+        "equation",
+        "verdict",
+        "printed",
+        "corrected",
+        "reason",
+        "evidence",
+        "inherits",
+        "check",
+    ]);
+    for erratum in errata {
+        let evidence: Vec<_> = erratum.evidence.iter().map(|e| plain_words(e)).collect();
+        let cells = [
+            erratum.id.to_owned(),
+            erratum.section.to_owned(),
+            erratum.equation.map_or(String::new(), |n| n.to_string()),
+            erratum.verdict.slug().to_owned(),
+            plain_words(&erratum.old),
+            plain_words(&erratum.new),
+            plain_words(&erratum.reason),
+            evidence.join(" "),
+            erratum.inherits.join(" "),
+            format!("{} verify {}", edition.name, erratum.id),
+        ];
+        table.row(cells.map(Cell::Text))?;
+    }
+    Ok(table.into_text())
+}

@@ -1,0 +1,111 @@
+//! Claims by their ids, as people write them.
+
+use crate::claims::{Claim, Paper};
+use crate::edition::{Edition, Failure};
+use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
+use clap::error::Error;
+use clap::{Arg, Command};
+use std::ffi::OsStr;
+
+/// Takes any word, and tells the shells the ids that there are.
+#[derive(Clone)]
+pub(super) struct Ids(pub(super) &'static Paper);
+
+impl TypedValueParser for Ids {
+    type Value = String;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<String, Error> {
+        StringValueParser::new().parse_ref(command, arg, value)
+    }
+
+    fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
+        let ids = self.0.claims().map(|(_, claim)| claim.id);
+        Some(Box::new(ids.map(PossibleValue::new)))
+    }
+}
+
+/// The ids of these claims, each once.
+pub(super) fn known_all(edition: &Edition, words: &[String]) -> Result<Vec<&'static str>, Failure> {
+    let mut ids = Vec::new();
+    for word in words {
+        let id = known(edition, word)?;
+        if !ids.contains(&id) {
+            ids.push(id);
+        }
+    }
+    Ok(ids)
+}
+
+/// Ids that are named where a word fits several or none.
+const NAMED: usize = 6;
+
+/// The id that is meant: one as it stands, an equation by its number as in `13`, `(13)`, `EQ-13` or `eq13`, a figure in the
+/// same way, or the one id that begins like that or has it within.
+fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
+    let ids = || edition.paper.claims().map(|(_, Claim { id, .. })| *id);
+    let plain = plain(word);
+    let is = |id: &&str| id.to_lowercase() == plain;
+    if let Some(id) = ids().find(|id| *id == word).or_else(|| ids().find(is)) {
+        return Ok(id);
+    }
+    let begins = |id: &&str| id.to_lowercase().starts_with(&plain);
+    let within = |id: &&str| id.to_lowercase().contains(&plain);
+    let mut some: Vec<_> = ids().filter(begins).collect();
+    if some.is_empty() {
+        some = ids().filter(within).collect();
+    }
+    let name = edition.name;
+    match &some[..] {
+        // Digits alone are a number, not a part of one.
+        [id] if !plain.ends_with(|c: char| c.is_ascii_digit()) => Ok(id),
+        several if several.len() > 1 && plain.len() > 2 && !is_numbered(&plain) => {
+            let shown: Vec<_> = several.iter().take(NAMED).copied().collect();
+            let more = if several.len() > NAMED { ", …" } else { "" };
+            Err(format!("`{word}` may be {}{more}", shown.join(", ")).into())
+        }
+        _ => {
+            let near = |id: &&str| (strsim::jaro_winkler(&id.to_lowercase(), &plain) * 1e6) as u32;
+            let best = ids().max_by_key(near).filter(|id| near(id) > 850_000);
+            let hint = best.map_or(String::new(), |id| format!("did you mean `{id}`? "));
+            Err(format!("there is no claim `{word}`: {hint}`{name} list` names all").into())
+        }
+    }
+}
+
+/// Whether an id is that of an equation or a figure by its number.
+fn is_numbered(plain: &str) -> bool {
+    let number = plain
+        .strip_prefix("eq-")
+        .or_else(|| plain.strip_prefix("fig-"));
+    number.is_some_and(|number| number.parse::<u32>().is_ok())
+}
+
+/// A word in the form of the ids: `eq-13` for `13`, `(13)`, `Eq. (13)`, `EQ-13`, `eq13`; `fig-3` for `Figure 3`.
+fn plain(word: &str) -> String {
+    let lower = word.trim().to_lowercase();
+    let kept: String = lower
+        .chars()
+        .filter(|c| !matches!(c, '(' | ')' | '.' | '$' | '`'))
+        .map(|c| {
+            if c.is_whitespace() || c == '_' {
+                '-'
+            } else {
+                c
+            }
+        })
+        .collect();
+    let letters = kept.trim_end_matches(|c: char| c.is_ascii_digit());
+    let digits = kept[letters.len()..].trim_start_matches('0');
+    let prefix = match letters.trim_end_matches('-') {
+        _ if digits.is_empty() => return kept,
+        "" | "eq" | "eqn" | "equation" => "eq",
+        "fig" | "figure" => "fig",
+        _ => return kept,
+    };
+    format!("{prefix}-{digits}")
+}

@@ -1,0 +1,270 @@
+//! A number as people type it: a decimal number, or an expression such as `2/sqrt(4+pi^2)` or `120deg`.
+
+use crate::scalar::Scalar;
+
+/// Why a text is no number.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum ExpressionError {
+    /// A comma where a point should be.
+    #[error("`{0}`: the decimal sign is a point, not a comma")]
+    Comma(String),
+    /// A word that is neither a number nor a function.
+    #[error("`{0}` is no number: numbers, + - * / ^ ( ), pi, deg and {FUNCTIONS} are known")]
+    Word(String),
+    /// Something else than what has to come.
+    #[error("`{text}` is no number: {wanted} is missing before `{rest}`")]
+    Missing {
+        /// The whole text.
+        text: String,
+        /// What is missing.
+        wanted: &'static str,
+        /// What stands there instead.
+        rest: String,
+    },
+    /// Too many brackets or signs within one another.
+    #[error("more than {DEEPEST} brackets and signs within one another")]
+    Deep,
+}
+
+const FUNCTIONS: &str = "sqrt, sin, cos, tan, asin, acos, sinh, cosh, tanh, exp, ln";
+
+/// The most brackets, signs and powers within one another.
+const DEEPEST: u32 = 64;
+
+/// The value of an expression over any [`Scalar`]; `number` reads a decimal number without a sign.
+///
+/// There are `+ - * / ^ ( )`, `pi` or `π`, the functions by their usual names, and `deg` or `°` behind a number of
+/// degrees. A division by zero gives what the scalar makes of it.
+///
+/// # Errors
+/// [`ExpressionError`] where the text is no expression.
+pub fn expression<S: Scalar>(
+    text: &str,
+    number: impl Fn(&str) -> Option<S>,
+) -> Result<S, ExpressionError> {
+    let letters = |c: char| c.is_ascii_digit() || c.is_whitespace();
+    let halves = |(a, b): (&str, &str)| a.ends_with(letters) && b.starts_with(letters);
+    if text.split_once(',').is_some_and(halves) {
+        return Err(ExpressionError::Comma(text.to_owned()));
+    }
+    let mut reader = Reader {
+        text,
+        rest: text.trim(),
+        number,
+        depth: 0,
+    };
+    let value = reader.sum()?;
+    match reader.rest {
+        "" => Ok(value),
+        _ => Err(reader.missing("an operator")),
+    }
+}
+
+struct Reader<'a, N> {
+    text: &'a str,
+    rest: &'a str,
+    number: N,
+    depth: u32,
+}
+
+impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
+    fn missing(&self, wanted: &'static str) -> ExpressionError {
+        ExpressionError::Missing {
+            text: self.text.to_owned(),
+            wanted,
+            rest: match self.rest {
+                "" => "the end".to_owned(),
+                rest => rest.to_owned(),
+            },
+        }
+    }
+
+    /// Takes one of these signs if it is next, and the space behind it.
+    fn take(&mut self, signs: &[char]) -> Option<char> {
+        let sign = self.rest.chars().next().filter(|c| signs.contains(c))?;
+        self.rest = self.rest[sign.len_utf8()..].trim_start();
+        Some(sign)
+    }
+
+    fn sum(&mut self) -> Result<S, ExpressionError> {
+        let mut sum = self.product()?;
+        while let Some(sign) = self.take(&['+', '-', '−']) {
+            let next = self.product()?;
+            sum = if sign == '+' { sum + next } else { sum - next };
+        }
+        Ok(sum)
+    }
+
+    fn product(&mut self) -> Result<S, ExpressionError> {
+        let mut product = self.signed()?;
+        while let Some(sign) = self.take(&['*', '·', '/']) {
+            let next = self.signed()?;
+            product = if sign == '/' {
+                product / next
+            } else {
+                product * next
+            };
+        }
+        Ok(product)
+    }
+
+    /// A power with signs before it: −2² is −4.
+    fn signed(&mut self) -> Result<S, ExpressionError> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(ExpressionError::Deep);
+        }
+        let value = match self.take(&['+', '-', '−']) {
+            Some('+') => self.signed()?,
+            Some(_) => -self.signed()?,
+            None => {
+                let base = self.atom()?;
+                match self.take(&['^']) {
+                    Some(_) => base.pow(self.signed()?),
+                    None => base,
+                }
+            }
+        };
+        self.depth -= 1;
+        Ok(value)
+    }
+
+    fn atom(&mut self) -> Result<S, ExpressionError> {
+        let value = if self.rest.starts_with('(') {
+            self.bracket()?
+        } else if self
+            .rest
+            .starts_with(|c: char| c.is_ascii_digit() || c == '.')
+        {
+            let digits = self.rest;
+            self.rest = &digits[decimal(digits)..];
+            let digits = &digits[..digits.len() - self.rest.len()];
+            (self.number)(digits).ok_or_else(|| ExpressionError::Word(digits.to_owned()))?
+        } else {
+            self.word()?
+        };
+        self.rest = self.rest.trim_start();
+        match ["deg", "°"].iter().find_map(|d| self.rest.strip_prefix(d)) {
+            Some(rest) => {
+                self.rest = rest.trim_start();
+                Ok(value * S::pi() / S::int(180))
+            }
+            None => Ok(value),
+        }
+    }
+
+    fn bracket(&mut self) -> Result<S, ExpressionError> {
+        self.take(&['(']).ok_or_else(|| self.missing("`(`"))?;
+        let value = self.sum()?;
+        self.take(&[')']).ok_or_else(|| self.missing("`)`"))?;
+        Ok(value)
+    }
+
+    fn word(&mut self) -> Result<S, ExpressionError> {
+        let end = |c: char| !(c.is_alphabetic() || c == '√');
+        let length = self.rest.find(end).unwrap_or(self.rest.len());
+        let (word, rest) = self.rest.split_at(length);
+        if word.is_empty() {
+            return Err(self.missing("a number"));
+        }
+        self.rest = rest.trim_start();
+        let function = match word {
+            "pi" | "π" => return Ok(S::pi()),
+            "sqrt" | "√" => S::sqrt,
+            "sin" => S::sin,
+            "cos" => S::cos,
+            "tan" => S::tan,
+            "asin" | "arcsin" => S::asin,
+            "acos" | "arccos" => S::acos,
+            "sinh" => S::sinh,
+            "cosh" => S::cosh,
+            "tanh" => S::tanh,
+            "exp" => S::exp,
+            "ln" | "log" => S::ln,
+            _ => return Err(ExpressionError::Word(word.to_owned())),
+        };
+        Ok(function(self.bracket()?))
+    }
+}
+
+/// The length of the decimal number that a text begins with.
+fn decimal(text: &str) -> usize {
+    let digits =
+        |text: &str| text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let mut length = digits(text);
+    if text[length..].starts_with('.') {
+        length += 1 + digits(&text[length + 1..]);
+    }
+    if text[length..].starts_with(['e', 'E']) {
+        let power = &text[length + 1..];
+        let sign = usize::from(power.starts_with(['+', '-']));
+        match digits(&power[sign..]) {
+            0 => {}
+            digits => length += 1 + sign + digits,
+        }
+    }
+    length
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::double::Double;
+    use std::f64::consts::PI;
+
+    fn value(text: &str) -> Result<f64, ExpressionError> {
+        expression(text, |digits| digits.parse().ok())
+    }
+
+    #[test]
+    fn expressions_have_the_value_that_they_have_on_paper() {
+        for (text, expected) in [
+            ("0.5", 0.5),
+            ("-.5e1", -5.0),
+            ("2e", f64::NAN),
+            ("1 + 2*3", 7.0),
+            ("8/2/2", 2.0),
+            ("7-2-1", 4.0),
+            ("-2^2", -4.0),
+            ("2^-1", 0.5),
+            ("2^3^2", 512.0),
+            ("2/sqrt(4+pi^2)", 2.0 / (4.0 + PI * PI).sqrt()),
+            ("√(2)*sin(π/6)", 0.5 * 2.0_f64.sqrt()),
+            ("120deg", 2.0 * PI / 3.0),
+            ("-(30+60)°", -PI / 2.0),
+            ("exp(ln(3)) - tan(45 deg)", 2.0),
+            ("acos(-1)−asin(1)", PI / 2.0),
+        ] {
+            match value(text) {
+                Ok(found) => assert!(
+                    (found - expected).abs() < 1e-14 * expected.abs(),
+                    "{text}: {found}"
+                ),
+                Err(error) => assert!(expected.is_nan(), "{error}"),
+            }
+        }
+        let third: Double = expression("1/3", |digits| digits.parse().ok()).unwrap();
+        assert_eq!(third * Double::int(3), Double::int(1));
+    }
+
+    #[test]
+    fn what_is_none_says_why() {
+        for (text, why) in [
+            ("", "a number is missing before `the end`"),
+            ("0,5", "a point, not a comma"),
+            ("1+", "a number is missing before `the end`"),
+            ("(1", "`)` is missing before `the end`"),
+            ("1 2", "an operator is missing before `2`"),
+            ("sin 1", "`(` is missing before `1`"),
+            ("lambda", "`lambda` is no number"),
+            ("0x1", "an operator is missing before `x1`"),
+            ("nan", "`nan` is no number"),
+        ] {
+            let error = value(text).unwrap_err().to_string();
+            assert!(error.contains(why), "{text}: {error}");
+        }
+        assert_eq!(value(&"(".repeat(100_000)), Err(ExpressionError::Deep));
+        assert_eq!(value(&"-".repeat(100_000)), Err(ExpressionError::Deep));
+        assert_eq!(value(&"2^".repeat(100_000)), Err(ExpressionError::Deep));
+    }
+}
