@@ -145,6 +145,7 @@ fn numbers_are_found_and_graded() {
         graded("0.87204385604999")
             .contains("the first 11 digits are right; no more are known here")
     );
+    assert!(!graded("0.872043856049").contains("all digits given are right"));
     assert!(graded("0.53702").contains("cut off: rounded, the last is one more"));
     assert_eq!(first("5.37029e-1")["name"], "lambda-c");
     let none = slipbook(&["find", "77.7", "--json"]);
@@ -483,6 +484,35 @@ fn the_manual_and_the_schema_come_from_what_they_describe() {
     assert!(answers.len() > 12, "{answers:?}");
 }
 
+/// The counts of errors on the first page and in the letter, and what the register says of each.
+#[test]
+fn errors_are_counted_alike_everywhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("book");
+    let made = slipbook(&["--out", out.to_str().unwrap()]);
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+    let read = |file: &str| fs::read_to_string(out.join(file)).unwrap();
+    let errata = json(&["errata"]);
+    let count = |verdicts: &[&str]| {
+        let entries = errata["errata"].as_array().unwrap();
+        let of = |entry: &&Value| verdicts.contains(&entry["verdict"].as_str().unwrap());
+        entries.iter().filter(of).count()
+    };
+    let (own, heirs) = (count(&["misderived", "refuted"]), count(&["inherited"]));
+    let letter = read("errata.txt")
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    let said = format!("{own} independent errors, from which {heirs} further statements suffer");
+    assert!(letter.contains(&said), "{said}");
+    let page = read("index.html")
+        .split_whitespace()
+        .collect::<Vec<_>>()
+        .join(" ");
+    let said = format!("{own} independent errors, which spoil {heirs} further statements");
+    assert!(page.contains(&said), "{said}");
+}
+
 #[test]
 fn the_errata_are_a_register() {
     let register = text(&slipbook(&["errata", "--csv"]).stdout);
@@ -672,6 +702,14 @@ fn an_ensemble_ends_as_its_particles_do() {
         }
     }
     assert!(rows.iter().any(|row| row[3] == "rest") && rows.iter().any(|row| row[3] == "far"));
+    let some = [&grid[..], &["--late", "0.7"]].concat();
+    let rows = text(&slipbook(&[&some[..], &["--csv"]].concat()).stdout);
+    let ended = |how: &str| rows.matches(&format!(",{how},")).count();
+    let [rest, far, late] = ["rest", "far", "late"].map(ended);
+    assert!(rest > 0 && late > 0 && rest + far + late == 6, "{rows}");
+    let said = text(&slipbook(&some).stdout);
+    let summary = format!("{rest} come to rest, {far} go away, {late} are still under way");
+    assert!(said.contains(&summary), "{said}");
     let output = slipbook(&[&grid[..], &["--json"]].concat());
     let whole: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(whole["ends"].as_array().unwrap().len(), 6);

@@ -183,6 +183,13 @@ mod tests {
             assert_eq!(signs, [Said::Nothing; 2], "{quantity}");
             assert_eq!(Said::of_zero(quantity), Said::Nothing, "{quantity}");
         }
+        // Bounded on one side only it may be anything there.
+        for half in [
+            Interval::new(0.0, f64::INFINITY),
+            Interval::new(f64::NEG_INFINITY, 0.0),
+        ] {
+            assert_eq!(Said::of_zero(half), Said::Nothing, "{half}");
+        }
         let zero = [-1.0, 0.0, 1.0].map(|at| Said::of_zero(Interval::new(at, 2.0)));
         assert_eq!(zero, [Said::Holds, Said::Holds, Said::Fails]);
     }

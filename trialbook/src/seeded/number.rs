@@ -302,6 +302,7 @@ mod tests {
         assert_eq!(wrong(true, 0.9), f64::pi() - angle(0.9));
         assert_eq!(wrong(true, 0.5), angle(0.5));
         assert_eq!(wrong(false, 0.5), f64::pi() - angle(0.5));
+        assert_eq!(wrong(false, -0.5), f64::pi() - angle(-0.5));
     }
 
     #[test]

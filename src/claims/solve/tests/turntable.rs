@@ -89,6 +89,34 @@ fn moments_on_the_table() {
 }
 
 #[test]
+fn a_start_from_rest_goes_straight_out_wherever_it_is() {
+    for angle in [0.3, 1.7, 3.0, -2.2_f64] {
+        let out = [angle.cos(), angle.sin()];
+        let start = Problem::Cartesian {
+            position: out.map(|c| 2.0 * c),
+            velocity: [0.0; 2],
+        };
+        for tau in [1e-25, 1e-6] {
+            let soon = start.at(tau).unwrap().best;
+            // ρ − 1 is what the centrifugal force has to spare.
+            assert!(
+                (soon.p / tau - 1.0).abs() < 1e-5,
+                "{angle} {tau}: {}",
+                soon.p
+            );
+            for i in 0..2 {
+                let along = soon.velocity[i] - soon.p * out[i];
+                assert!(
+                    along.abs() < 1e-5 * soon.p,
+                    "{angle} {tau}: {:?}",
+                    soon.velocity
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn rest_has_no_angle_whatever_the_signs_of_its_zeros() {
     for (x, y) in [(-0.5, -0.3), (0.5, 0.0), (-0.5, 0.0), (0.0, 0.0)] {
         for zero in [0.0, -0.0] {
