@@ -58,11 +58,125 @@ fn the_figures_are_the_recorded_ones() {
     let lines = figures
         .iter()
         .map(|f| line(f.id, "csv", &f.csv) + &line(f.id, "svg", &f.svg));
+    recorded("figures", &lines.collect::<String>());
+}
+
+/// What is said to a reader is what was read before it was recorded: each section of a page, and in each file the sentences among its
+/// strings; of formulas what their documentation says, of explorers whatever they say. A lie that no calculation notices shows here.
+#[test]
+fn the_sentences_are_the_recorded_ones() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = BTreeMap::new();
+    for folder in ["book/src", "src", "trialbook/src"] {
+        read(&root.join(folder), folder, &mut files);
+    }
+    for file in [
+        "README.md",
+        "book/theme/explorers-list.js",
+        "book/theme/explorers-scenes.js",
+    ] {
+        files.insert(file.to_owned(), fs::read(root.join(file)).unwrap());
+    }
+    let mut lines = String::new();
+    for (file, bytes) in &files {
+        let text = String::from_utf8_lossy(bytes).replace("\r\n", "\n");
+        let said: Vec<(&str, String)> = match file.rsplit('.').next() {
+            Some("md") => sections(&text),
+            Some("rs") if file.contains("/tests") => continue,
+            Some("rs") => {
+                let code = text.split("#[cfg(test)]\nmod").next().unwrap();
+                let mut said = sentences(code);
+                if file.starts_with("src/paper") || file.starts_with("src/corrections") {
+                    let documented = code
+                        .lines()
+                        .map(str::trim_start)
+                        .filter(|line| line.starts_with("///") || line.starts_with("//!"));
+                    said.extend(documented.map(str::to_owned));
+                }
+                vec![("", said.join("\n"))]
+            }
+            _ => vec![("", text.clone())],
+        };
+        for (heading, said) in said.into_iter().filter(|(_, said)| !said.is_empty()) {
+            lines += &format!("{:016x} {file} {heading}\n", fnv1a(&said));
+        }
+    }
+    recorded("sentences", &lines);
+}
+
+/// The sections of a page by their headings, without the code, which is tested.
+fn sections(text: &str) -> Vec<(&str, String)> {
+    let mut sections = vec![("", String::new())];
+    let mut code = false;
+    for line in text.lines() {
+        if line.starts_with("```") {
+            code = !code;
+        } else if !code {
+            if line.starts_with('#') {
+                sections.push((line, String::new()));
+            }
+            let (_, said) = sections.last_mut().unwrap();
+            *said += line;
+            said.push('\n');
+        }
+    }
+    sections
+}
+
+/// The strings in code that have a blank in them.
+fn sentences(code: &str) -> Vec<String> {
+    let mut said = Vec::new();
+    let mut rest = code;
+    while let Some(at) = rest.find(['"', '/', '\'']) {
+        let before = &rest[..at];
+        rest = &rest[at..];
+        if rest.starts_with("//") {
+            rest = rest.find('\n').map_or("", |end| &rest[end..]);
+        } else if let Some(next) = rest.strip_prefix("'\"'") {
+            rest = next;
+        } else if rest.starts_with('"') {
+            let marks = before.len() - before.trim_end_matches('#').len();
+            let raw = before.trim_end_matches('#').ends_with('r');
+            let close = format!("\"{}", "#".repeat(if raw { marks } else { 0 }));
+            let mut end = 1;
+            while !rest[end..].starts_with(&close) {
+                let escaped = !raw && rest[end..].starts_with('\\');
+                end += usize::from(escaped);
+                end += rest[end..].chars().next().map_or(0, char::len_utf8);
+                assert!(end < rest.len(), "a string without an end");
+            }
+            if rest[..end].contains(' ') {
+                said.push(rest[1..end].to_owned());
+            }
+            rest = &rest[end + close.len()..];
+        } else {
+            rest = &rest[1..];
+        }
+    }
+    said
+}
+
+#[test]
+fn a_sentence_is_found_in_any_string() {
+    let code = r##"f("a b", 'c', '"', "no", r"d \", r#"e "f" g"#); // "h i""##;
+    assert_eq!(
+        sentences(code),
+        ["a b", r"d \", "e \"f\" g"].map(str::to_owned)
+    );
+    assert_eq!(sentences(r#"g("a \" b")"#), [r#"a \" b"#]);
+    let page = sections("a\n# B\nc\n```rust\n# d\n```\n");
+    assert_eq!(
+        page,
+        [("", "a\n".to_owned()), ("# B", "# B\nc\n".to_owned())]
+    );
+}
+
+fn recorded(name: &str, lines: &str) {
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    settings.bind(|| insta::assert_snapshot!("figures", lines.collect::<String>()));
+    settings.bind(|| insta::assert_snapshot!(name, lines));
 }
 
 /// The Fowler–Noll–Vo hash of 64 bits: enough to see a change, and the same in every version of Rust.
