@@ -83,6 +83,10 @@ impl Axis {
         let share = i as f64 / (self.count - 1) as f64;
         let [low, high] = [self.low, self.high].map(f64::from);
         let between = low * (1.0 - share) + high * share;
+        // What is nothing beside both ends is rounding.
+        if between.abs() < 1e-15 * low.abs().max(high.abs()) {
+            return Double::default();
+        }
         let text = format!("{between:.14e}");
         text.parse().unwrap_or_else(|_| between.into())
     }

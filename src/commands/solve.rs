@@ -53,7 +53,7 @@ enum Problem {
   slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2
   slipbook solve constant --mu 0.3 --accel 2 --v0 1 --theta0 120deg --time 0:2:21 --csv
   slipbook solve constant --lambda 1.5 --v0 1 --theta0 2 --theta 0.3 --json")]
-    Constant(Constant),
+    Constant(Box<Constant>),
     /// The large-time motion under a sinusoidal drive
     #[command(after_help = "Examples:
   slipbook solve sinusoidal --lambda0 0.7 --plot
@@ -81,14 +81,14 @@ enum Problem {
     #[command(
         after_help = "Example:\n  slipbook solve sphere --gamma 2 --u0 1 --theta0 1 --time 0.3"
     )]
-    Sphere(Sphere),
+    Sphere(Box<Sphere>),
     /// A particle on a turntable: rest or escape, or its state at a time
     #[command(after_help = "Examples:
   slipbook solve turntable --rho 0.5 --p 0.3 --psi 1
   slipbook solve turntable --A 0.8 --alpha 0.1 --psi 0.2 --plot path.svg
   slipbook solve turntable --x 0.5 --y 0 --vx 0.1 --vy -0.2 --time 0.4
   slipbook solve turntable --mu 0.4 --omega 3.5 --r 0.1 --speed 0.05 --psi 30deg")]
-    Turntable(Turntable),
+    Turntable(Box<Turntable>),
     /// Where rest and escape meet on a turntable
     #[command(after_help = "Example:\n  slipbook solve turntable-boundary --alpha 0.5 --psi 1")]
     TurntableBoundary {
@@ -445,8 +445,10 @@ impl Solve {
         let question = self.problem.question(&mut point);
         let total = point.total.ok_or("more than 2⁶⁴ points together")?;
         if let Some(angle) = self.problem.angle() {
-            let warning = is_it_degrees("psi", angle.at(angle.count() - 1).into());
-            warning.map(|warning| complain("slipbook", &warning));
+            let last = angle.at(angle.count() - 1).into();
+            if let Some(warning) = is_it_degrees("psi", last) {
+                complain("slipbook", &warning);
+            }
         }
         if total > 1 || also.shard.is_some() {
             if also.plot.is_some() {

@@ -46,7 +46,8 @@ impl<F: Fn(f64) -> [Coefficients; 2] + Sync> Series<F> {
             for (here, there) in here.iter().zip(&there) {
                 let led = here.iter().rev().fold(0.0, |sum, c| sum * h + c);
                 let change = (there[0] - here[0]).abs().max(1e-6 * there[0].abs());
-                if !((led - there[0]).abs() <= MISSING * change) {
+                let missing = (led - there[0]).abs();
+                if missing.is_nan() || missing > MISSING * change {
                     return Err(MotionError::Argument {
                         name: "the series after t",
                         value: t,

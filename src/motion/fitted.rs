@@ -177,12 +177,12 @@ impl Fitted {
             rise(pair[0].0, pair[1].0)?;
         }
         for (t, values) in rows {
-            if let Some(&value) = values.iter().find(|x| !(x.abs() <= LARGEST)) {
+            if let Some(&value) = values.iter().find(|x| x.is_nan() || x.abs() > LARGEST) {
                 return Err(FitError::Value { t: *t, value });
             }
         }
         let mut half: Vec<_> = rows.iter().copied().step_by(2).collect();
-        if rows.len() % 2 == 0 {
+        if rows.len().is_multiple_of(2) {
             half.extend(rows.last());
         }
         let (mut fitted, half) = (Self::spline(rows), Self::spline(&half));
