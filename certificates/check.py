@@ -538,8 +538,8 @@ class Series:
 
 
 def identity(w, before):
-    kind, title, given, generators, symbols, powers, inverses, parts, equal = keys(
-        w, "kind", "title", "given", "generators", "symbols", "powers", "inverses", "parts", "equal")
+    kind, title, given, generators, symbols, powers, inverses, parts, gives, equal = keys(
+        w, "kind", "title", "given", "generators", "symbols", "powers", "inverses", "parts", "gives", "equal")
     demand(equal, "nothing is compared")
     demand(all(other in before for other in given), "it rests on a proof that is not there")
     f = Field(generators)
@@ -559,8 +559,10 @@ def identity(w, before):
         demand(f.same(f.turn(is_)[function == "arcsin"], of), "an inverse that is none")
         f.inverses.append((function, of, is_))
     made = []
-    for part in parts:
+    demand(len(gives) == len(parts), "not as many results as parts")
+    for part, result in zip(parts, gives):
         made.append(step(f, made, part))
+        demand(result is None or f.same(made[-1], f.element(result)), f"{title}: a part is something else")
     for demanded in equal:
         says, left, right = keys(demanded, "says", "left", "right")
         x = made[index(left, len(made))]
