@@ -104,13 +104,14 @@ class Field:
         known = {}
         for c, exponents in terms:
             demand(all(type(k) is int and 0 <= k < 10000 for k in exponents), "no exponents")
-            demand(len(exponents) <= below and tuple(exponents) not in known, "no term")
+            demand(len(exponents) <= below and tuple(exponents) not in known and exponents[-1:] != [0], "no term")
             known[tuple(exponents)] = whole(c)
         return self.ctx.from_dict({m + (0,) * (self.n - len(m)): c for m, c in known.items()})
 
     def element(self, x, below=None):
         below = self.n if below is None else below
         above, number, factors = keys(x, "above", "number", "below")
+        demand(whole(number) > 0 and (above or (number, factors) == ("1", [])), "no element as it is written")
         under = self.ctx.constant(whole(number))
         for factor, k in factors:
             demand(type(k) is int and 0 < k < 10000, "no power")
