@@ -104,13 +104,14 @@ class Field:
         known = {}
         for c, exponents in terms:
             demand(all(type(k) is int and 0 <= k < 10000 for k in exponents), "no exponents")
-            demand(len(exponents) <= below and tuple(exponents) not in known, "no term")
+            demand(len(exponents) <= below and tuple(exponents) not in known and exponents[-1:] != [0], "no term")
             known[tuple(exponents)] = whole(c)
         return self.ctx.from_dict({m + (0,) * (self.n - len(m)): c for m, c in known.items()})
 
     def element(self, x, below=None):
         below = self.n if below is None else below
         above, number, factors = keys(x, "above", "number", "below")
+        demand(whole(number) > 0 and (above or (number, factors) == ("1", [])), "no element as it is written")
         under = self.ctx.constant(whole(number))
         for factor, k in factors:
             demand(type(k) is int and 0 < k < 10000, "no power")
@@ -538,8 +539,8 @@ class Series:
 
 
 def identity(w, before):
-    kind, title, given, generators, symbols, powers, inverses, parts, equal = keys(
-        w, "kind", "title", "given", "generators", "symbols", "powers", "inverses", "parts", "equal")
+    kind, title, given, generators, symbols, powers, inverses, parts, gives, equal = keys(
+        w, "kind", "title", "given", "generators", "symbols", "powers", "inverses", "parts", "gives", "equal")
     demand(equal, "nothing is compared")
     demand(all(other in before for other in given), "it rests on a proof that is not there")
     f = Field(generators)
@@ -559,8 +560,10 @@ def identity(w, before):
         demand(f.same(f.turn(is_)[function == "arcsin"], of), "an inverse that is none")
         f.inverses.append((function, of, is_))
     made = []
-    for part in parts:
+    demand(len(gives) == len(parts), "not as many results as parts")
+    for part, result in zip(parts, gives):
         made.append(step(f, made, part))
+        demand(result is None or f.same(made[-1], f.element(result)), f"{title}: a part is something else")
     for demanded in equal:
         says, left, right = keys(demanded, "says", "left", "right")
         x = made[index(left, len(made))]

@@ -320,15 +320,14 @@ impl Rational {
 impl Add for &Rational {
     type Output = Rational;
     fn add(self, other: Self) -> Rational {
-        self.plus(other)
-            .formed(tape::joined(Part::Sum, self, other))
+        tape::joined(Part::Sum, self, other, self.plus(other))
     }
 }
 
 impl Neg for &Rational {
     type Output = Rational;
     fn neg(self) -> Rational {
-        self.negated().formed(tape::negative(self))
+        tape::negative(self, self.negated())
     }
 }
 
@@ -336,7 +335,7 @@ impl Sub for &Rational {
     type Output = Rational;
     fn sub(self, other: Self) -> Rational {
         let difference = self.plus(&other.negated());
-        difference.formed(tape::joined(Part::Difference, self, other))
+        tape::joined(Part::Difference, self, other, difference)
     }
 }
 
@@ -354,10 +353,10 @@ impl Mul for &Rational {
             numerator: &self.numerator * &other.numerator,
             number: &self.number * &other.number,
             factors,
-            origin: tape::joined(Part::Product, self, other),
+            origin: Origin::default(),
         };
         product.cancel();
-        product
+        tape::joined(Part::Product, self, other, product)
     }
 }
 

@@ -33,6 +33,8 @@ struct Tape {
     parts: Vec<Part>,
     /// The generators in what was given or formed at each place.
     generators: Vec<BTreeSet<usize>>,
+    /// What was formed there.
+    gives: Vec<Option<Element>>,
     frames: Vec<Frame>,
     /// What was demanded outside of any proof: it goes to the next one.
     loose: Vec<Equal>,
@@ -63,14 +65,11 @@ fn with<T>(f: impl FnOnce(&mut Tape) -> T) -> T {
     })
 }
 
-fn push(part: Part) -> usize {
-    push_with(part, BTreeSet::new())
-}
-
-fn push_with(part: Part, generators: BTreeSet<usize>) -> usize {
+fn push(part: Part, generators: BTreeSet<usize>, gives: Option<Element>) -> usize {
     with(|tape| {
         tape.parts.push(part);
         tape.generators.push(generators);
+        tape.gives.push(gives);
         tape.parts.len() - 1
     })
 }
@@ -80,41 +79,44 @@ fn place(x: &Rational) -> usize {
     if x.origin().recording == witness::recording() {
         x.origin().place
     } else {
-        push_with(Part::Element(element(x)), x.generators().collect())
+        push(Part::Element(element(x)), x.generators().collect(), None)
     }
 }
 
-fn pushed(part: Part) -> Origin {
+/// The origin of what was formed so.
+fn origin(part: Part, formed: &Rational) -> Origin {
     Origin {
         recording: witness::recording(),
-        place: push(part),
+        place: push(part, formed.generators().collect(), Some(element(formed))),
     }
 }
 
 /// What an operation has formed, with its origin.
 fn noted(part: Part, x: Rational) -> Rational {
-    let origin = Origin {
-        recording: witness::recording(),
-        place: push_with(part, x.generators().collect()),
-    };
+    let origin = origin(part, &x);
     x.formed(origin)
 }
 
 /// What comes of two elements by an operator.
-pub(super) fn joined(by: fn(usize, usize) -> Part, x: &Rational, y: &Rational) -> Origin {
+pub(super) fn joined(
+    by: fn(usize, usize) -> Part,
+    x: &Rational,
+    y: &Rational,
+    formed: Rational,
+) -> Rational {
     if !is_on() {
-        return Origin::default();
+        return formed.formed(Origin::default());
     }
     let (x, y) = (place(x), place(y));
-    pushed(by(x, y))
+    noted(by(x, y), formed)
 }
 
 /// The negative of an element.
-pub(super) fn negative(x: &Rational) -> Origin {
+pub(super) fn negative(x: &Rational, formed: Rational) -> Rational {
     if !is_on() {
-        return Origin::default();
+        return formed.formed(Origin::default());
     }
-    pushed(Part::Negative(place(x)))
+    noted(Part::Negative(place(x)), formed)
 }
 
 /// Keeps the steps of an operation out of the tape while it lives.
@@ -205,7 +207,7 @@ pub(super) fn expanded(
     let quiet = Quiet::new();
     let expanded = operation()?;
     drop(quiet);
-    let whole = push(part);
+    let whole = push(part, BTreeSet::new(), None);
     Ok(expanded.mapped(|power, c| noted(Part::Coefficient(whole, power), c)))
 }
 
@@ -227,7 +229,7 @@ pub(super) fn solved(
         .collect();
     let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
     for equation in equations {
-        let put = push(put(equation, &values));
+        let put = push(put(equation, &values), BTreeSet::new(), None);
         demand("The solution, put into its equation", put, None);
     }
     Ok(solved)
@@ -284,7 +286,7 @@ pub(super) fn end(title: &str, ring: &Ring, holds: bool) {
     if !holds {
         return;
     }
-    let (parts, equal, generators) = with(|tape| {
+    let (parts, gives, equal, generators) = with(|tape| {
         let mut equal = std::mem::take(&mut tape.loose);
         equal.extend(frame.equal);
         used(tape, equal)
@@ -327,6 +329,7 @@ pub(super) fn end(title: &str, ring: &Ring, holds: bool) {
                 })
                 .collect(),
             parts,
+            gives,
             equal,
         })
     });
@@ -396,8 +399,11 @@ fn needed(ring: &Ring, mut needed: BTreeSet<usize>, names: &BTreeSet<String>) ->
     }
 }
 
+/// Parts, what they give, what is demanded of them, and the generators in them.
+type Used = (Vec<Part>, Vec<Option<Element>>, Vec<Equal>, BTreeSet<usize>);
+
 /// The parts that what is demanded is made of, numbered anew.
-fn used(tape: &Tape, mut equal: Vec<Equal>) -> (Vec<Part>, Vec<Equal>, BTreeSet<usize>) {
+fn used(tape: &Tape, mut equal: Vec<Equal>) -> Used {
     let all = &tape.parts;
     let mut wanted = vec![false; all.len()];
     for one in &equal {
@@ -413,7 +419,7 @@ fn used(tape: &Tape, mut equal: Vec<Equal>) -> (Vec<Part>, Vec<Equal>, BTreeSet<
         }
     }
     let mut numbers = BTreeMap::new();
-    let (mut parts, mut generators) = (Vec::new(), BTreeSet::new());
+    let (mut parts, mut gives, mut generators) = (Vec::new(), Vec::new(), BTreeSet::new());
     for i in (0..all.len()).filter(|i| wanted[*i]) {
         let mut part = all[i].clone();
         each(&mut part, &mut |j| {
@@ -421,13 +427,14 @@ fn used(tape: &Tape, mut equal: Vec<Equal>) -> (Vec<Part>, Vec<Equal>, BTreeSet<
         });
         numbers.insert(i, parts.len());
         parts.push(part);
+        gives.push(tape.gives[i].clone());
         generators.extend(&tape.generators[i]);
     }
     for one in &mut equal {
         one.left = numbers[&one.left];
         one.right = one.right.map(|right| numbers[&right]);
     }
-    (parts, equal, generators)
+    (parts, gives, equal, generators)
 }
 
 /// Calls `f` with each place that a part names.

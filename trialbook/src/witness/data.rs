@@ -269,6 +269,8 @@ pub struct Identity {
     pub inverses: Vec<Inverse>,
     /// The elements that the proof forms.
     pub parts: Vec<Part>,
+    /// What each of them is, worked out; `None` for what is given as it is, for series, and for what was not worked out.
+    pub gives: Vec<Option<Element>>,
     /// What it demands.
     pub equal: Vec<Equal>,
 }
