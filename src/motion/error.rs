@@ -5,6 +5,7 @@ use crate::numerics::error::plain;
 
 /// Why a motion cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum MotionError {
     /// A parameter lies outside its range.
     #[error("{name} = {} must be {range}", plain(*value))]

@@ -12,6 +12,9 @@
 //! Nothing here knows which paper is on trial. With `default-features = false` there are the formulas, the numerics that
 //! a motion needs, and the judge alone; the feature `trials` brings the trials, `book` all that rests on them.
 
+// Where a room is not built, its name is no link.
+#![cfg_attr(not(feature = "book"), allow(rustdoc::broken_intra_doc_links))]
+
 #[cfg(feature = "book")]
 pub mod book;
 #[cfg(feature = "trials")]

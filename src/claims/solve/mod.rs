@@ -38,6 +38,7 @@ pub(crate) use crate::numerics::error::plain;
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum SolveError {
     /// A parameter lies outside its range.
     #[error("{name} = {} must be {allowed}", plain(*value))]

@@ -38,6 +38,7 @@ use std::f64::consts::TAU;
 
 /// Why a motion could not be followed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum DriveError {
     /// The drive is no bounded, piecewise smooth function.
     #[error("the drive h: {0}")]

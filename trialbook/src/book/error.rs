@@ -9,6 +9,7 @@ use std::path::PathBuf;
 /// Why no book was written. The folder that was to receive it is as it was before, unless the error says
 /// otherwise.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum BookError {
     /// A file or folder cannot be written.
     #[error("cannot write the book to `{}`: {reason}", path.display())]

@@ -11,6 +11,7 @@ pub fn plain(x: f64) -> String {
 
 /// Why a numerical method has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum NumericsError {
     /// An argument lies outside its range.
     #[error("{name} = {} must be {range}", plain(*value))]

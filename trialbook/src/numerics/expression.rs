@@ -4,6 +4,7 @@ use crate::scalar::Scalar;
 
 /// Why a text is no number.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExpressionError {
     /// A comma where a point should be.
     #[error("`{0}`: the decimal sign is a point, not a comma")]
