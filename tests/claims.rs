@@ -185,6 +185,7 @@ const VALUES_BY_HAND: &[(&str, &str)] = &[
     ("fig-3-largest", "fig-3"),
     ("fig-4-largest", "fig-4"),
     ("slip-end", "eq-82"),
+    ("kappa-solid", "eq-67"),
     ("turn", "eq-136"),
     ("critical-radius", "s4-rest-radius"),
     ("critical-speed", "s4-rest-radius"),

@@ -249,7 +249,7 @@ impl Acceleration for Fitted {
         [0, 1].map(|i| {
             let parts = &self.components[i];
             match parts.partition_point(|part| part.from <= t).checked_sub(1) {
-                Some(k) if t <= self.until => parts[k].about(t),
+                Some(k) if t < self.until => parts[k].about(t),
                 _ => [f64::NAN; TERMS],
             }
         })
@@ -261,10 +261,9 @@ impl Acceleration for Fitted {
             parts.get(k).map(|part| part.from)
         };
         let [x, y] = [0, 1].map(|i| next(&self.components[i]));
-        match (x, y) {
-            (Some(x), Some(y)) => Some(x.min(y)),
-            (x, y) => x.or(y),
-        }
+        // The end of all times is a break too: a step that passed it would trust the last polynomial beyond.
+        let end = (t < self.until).then_some(self.until);
+        [x, y, end].into_iter().flatten().reduce(f64::min)
     }
 }
 

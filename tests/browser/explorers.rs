@@ -517,7 +517,8 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
     page.still(false)?;
     page.open(&book.address("index.html"))?;
     page.wait_for(&format!("{time} > 1"))?;
-    page.value("document.querySelector('.stage .hand').focus()")?;
+    page.wait_for("document.querySelector('#explore-record .stage .hand') !== null")?;
+    page.value("document.querySelector('#explore-record .stage .hand').focus()")?;
     page.wait_for(&format!("{time} === 0"))?;
     page.still(true)?;
     page.open(&book.address("index.html"))?;

@@ -120,7 +120,8 @@ impl Value {
 
     /// How many significant digits are known: more than [`KNOWN`] of a number that is enclosed to any number of digits.
     pub fn known(&self) -> usize {
-        match self.exactly(0) {
+        // With few decimals a number such as 7/2 lies half-way between two, and no bounds tell which is nearer.
+        match self.exactly(ENCLOSED) {
             Some(_) => ENCLOSED,
             None => KNOWN,
         }

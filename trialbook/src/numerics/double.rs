@@ -255,7 +255,10 @@ impl FromStr for Double {
         let significant = digits
             .trim_start_matches(['+', '-', '0'])
             .trim_end_matches('0');
-        let power = exponent.parse::<i32>().ok().filter(|e| e.abs() < 250);
+        let power = exponent
+            .parse::<i32>()
+            .ok()
+            .filter(|e| (-249..250).contains(e));
         let (Ok(digits), Some(power), true) =
             (digits.parse::<i64>(), power, significant.len() <= 15)
         else {

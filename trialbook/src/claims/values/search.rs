@@ -61,7 +61,10 @@ const COMPUTED: usize = 14;
 /// # Errors
 /// A text that is neither, and an expression that is 0 or no finite number.
 pub fn decimal_of(given: &str) -> Result<String, Failure> {
-    if Digits::read(given).is_some() {
+    let fits = given
+        .parse::<f64>()
+        .is_ok_and(|x| x.is_finite() && x != 0.0);
+    if fits && Digits::read(given).is_some() {
         return Ok(given.to_owned());
     }
     let value: f64 = expression(given, |digits| digits.parse().ok()).map_err(|e| e.to_string())?;
