@@ -140,7 +140,7 @@ fn follow(
 /// A motion and its fate, as a witness has them.
 fn written(from: [Tree; 3], start: [Interval; 3], taken: &[Taken], fate: Fate) -> Motion {
     let names = ["p", "w", "ζ"];
-    let [p, w, zeta] = Expr::symbols(names);
+    let [p, w, zeta] = names.map(Expr::symbol);
     let (rests, steps) = match fate {
         Fate::Rest { steps, .. } => (true, steps),
         Fate::Escape { steps } => (false, steps),
@@ -163,7 +163,7 @@ fn written(from: [Tree; 3], start: [Interval; 3], taken: &[Taken], fate: Fate) -
 /// Which signs at a last state decide; see the head of this file.
 fn deciding(rests: bool, state: &[Interval; 3]) -> Vec<(Tree, i32)> {
     let one = Expr::int(1);
-    let [p, w, zeta] = Expr::symbols(["p", "w", "ζ"]);
+    let [p, w, zeta] = ["p", "w", "ζ"].map(Expr::symbol);
     let xi = one - w;
     let positive = (tree(p), 1);
     if rests {

@@ -164,7 +164,7 @@ pub const SAID: &[Said] = &[
     ),
     (
         "anisotropic",
-        "In this unit the drift is the faster the weaker the friction and the larger §",
+        "In this unit the drift is faster for weaker friction and for larger §",
         || {
             let drift = |q: f64, lambda0: f64| budget(q, lambda0).unwrap().drift;
             falls(along(0.01, 0.97).map(|lambda0| drift(2.6, lambda0)))
@@ -199,7 +199,7 @@ pub const SAID: &[Said] = &[
     ),
     (
         "turntable",
-        "has the axis straight behind it, and from then on § grows at the rate 1",
+        "has the axis straight behind it, and at first § grows at the rate 1",
         || {
             let moment = soon(0.0, 1.0, 0.0);
             (moment.psi - 1e-2).abs() < 1e-4
@@ -233,7 +233,7 @@ pub const SAID: &[Said] = &[
     ),
     (
         "rest",
-        "when put down farther out than the critical radius it slides beyond that",
+        "a coin put down beyond the critical radius slides past that distance before it can stop",
         || {
             let critical = critical_radius().unwrap();
             let ends = |rho: f64| {

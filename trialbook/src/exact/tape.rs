@@ -554,9 +554,13 @@ mod tests {
         };
         // The formula is there, and the product with what it is compared to.
         assert_eq!(identity.equal.len(), 1);
-        assert!(matches!(
-            identity.parts[..],
-            [Part::Read(..), Part::Element(..), Part::Product(..)]
-        ));
+        let read = |part: &&Part| matches!(part, Part::Read(..));
+        let product = |part: &&Part| matches!(part, Part::Product(..));
+        let parts = identity.parts.iter();
+        let counts = (
+            parts.clone().filter(read).count(),
+            parts.filter(product).count(),
+        );
+        assert_eq!(counts, (1, 1), "{:?}", identity.parts);
     }
 }
