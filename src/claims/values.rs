@@ -488,7 +488,7 @@ mod tests {
                 "0.42424242424242424242",
                 "0.42424242424242424242",
             ),
-            ("critical-speed", "1.1653079258", "1.1653079259"),
+            ("critical-speed", "1.1653079259", "1.1653079259"),
         ] {
             let value = PAPER.value(id).unwrap();
             assert_eq!(value.digits().unwrap(), cut);
