@@ -590,7 +590,7 @@ def step(f, made, part):
         values = {index(g, f.n): get(i) for g, i in values}
         if name == "put":
             return f.put(get(x), values)
-        demand(all(f.rules[g] == ("free",) for g in values), "a rate of what is not free")
+        demand(all(f.rules[g] in (("free",), ("none",)) for g in values), "a rate of what is not free")
         return f.derivative(get(x), values)
     if name == "series":
         tree, series, order = of
