@@ -2,6 +2,7 @@
 
 use slipbook::motion::turntable::Start;
 use slipbook::motion::turntable::ensemble::{End, Horizon};
+use std::f64::consts::PI;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     // Distances in units of μg/Ω², times in units of 1/Ω.
@@ -12,7 +13,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let mut starts = Vec::new();
     for i in 0..100 {
         for j in 0..100 {
-            let (p, psi) = (0.015 * f64::from(i), -3.14 + 0.0628 * f64::from(j));
+            let (p, psi) = (0.015 * f64::from(i), PI * (0.02 * f64::from(j) - 1.0));
             starts.push(Start::polar(0.5, p, psi)?);
         }
     }

@@ -104,13 +104,9 @@ fn a_start_from_rest_goes_straight_out_wherever_it_is() {
                 "{angle} {tau}: {}",
                 soon.p
             );
-            for i in 0..2 {
-                let along = soon.velocity[i] - soon.p * out[i];
-                assert!(
-                    along.abs() < 1e-5 * soon.p,
-                    "{angle} {tau}: {:?}",
-                    soon.velocity
-                );
+            for (found, out) in soon.velocity.iter().zip(out) {
+                let off = (found - soon.p * out).abs();
+                assert!(off < 1e-5 * soon.p, "{angle} {tau}: {:?}", soon.velocity);
             }
         }
     }
