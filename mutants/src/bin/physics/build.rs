@@ -10,7 +10,13 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What the crate is built from, from the top of the repository.
-const PARTS: [&str; 4] = ["src", "book", "snapshots", "benches/results.json"];
+const PARTS: [&str; 5] = [
+    "src",
+    "book",
+    "snapshots",
+    "benches/results.json",
+    "benches/exam",
+];
 
 /// A mistake that cannot be made.
 pub struct Lost {
