@@ -303,3 +303,19 @@ fn without_comments(code: &str) -> String {
     }
     out
 }
+
+/// What trials share counts as a run that they have read, unless it is a setting; so a setting is nothing that moves.
+#[test]
+fn settings_are_drives_and_the_onset_of_rest() {
+    let mut settings = Vec::new();
+    for path in files_below(root().join("src/claims")) {
+        let code = fs::read_to_string(&path).unwrap();
+        let made = code.lines().filter(|line| line.contains("Runs::setting("));
+        settings.extend(made.map(|line| line.trim().to_owned()));
+    }
+    settings.sort();
+    settings.dedup();
+    let drive = "static DRIVE: Runs<Drive> = Runs::setting(|| Ok(Drive::new(libm::sin, &[])?));";
+    let onset = "static ONSET: Runs<f64> = Runs::setting(|| Ok(root(excess_length, 0.2, 0.9)?));";
+    assert_eq!(settings, [drive, onset]);
+}

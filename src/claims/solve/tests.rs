@@ -150,3 +150,21 @@ fn zero_has_no_sign_and_differs_from_nothing_but_other_values() {
     assert_eq!(field(two).difference(&wide), 0.1);
     assert_eq!(wide.difference(&field(two)), 0.1);
 }
+
+#[test]
+fn what_is_known_is_within_a_unit_of_its_last_digit() {
+    let mut random = fastrand::Rng::with_seed(9);
+    for _ in 0..20_000 {
+        let value = libm::exp10(6.0 * random.f64() - 3.0);
+        let error = value * libm::exp10(-13.0 * random.f64());
+        let (shown, digits) = known(value, error);
+        let unit = libm::exp10((power_of_ten(value) + 1 - i64::from(digits)) as f64);
+        for truth in [value - error, value + error] {
+            let off = (shown - truth).abs();
+            assert!(
+                digits == 0 || off < unit * (1.0 + 1e-6),
+                "{value} {error} {shown}"
+            );
+        }
+    }
+}
