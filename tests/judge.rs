@@ -338,6 +338,43 @@ fn a_condition_that_is_added_has_to_be_tried_without() {
 }
 
 #[test]
+fn a_reading_has_no_effect_and_a_remark_has_to_be_tried() {
+    let holds = [
+        evidence(Route::Integration, Subject::Printed, GOOD),
+        evidence(Route::Quadrature, Subject::Printed, GOOD),
+    ];
+    let fails = [evidence(Route::Integration, Subject::Printed, BAD)];
+    let with = |sort, e: &[Evidence]| {
+        let text = "x is small";
+        judge(Kind::Equation, None, &[Condition { text, sort }], e).verdict
+    };
+    let remark = |worst| evidence(Route::Limit, Subject::Remark, worst);
+    let beside = |e: &[Evidence], worst| [e, &[remark(worst)]].concat();
+    assert_eq!(with(Sort::Reading, &holds), Verdict::Confirmed);
+    assert_eq!(with(Sort::Reading, &fails), Verdict::Undecided);
+    assert_eq!(with(Sort::Remark, &holds), Verdict::Undecided);
+    assert_eq!(
+        with(Sort::Remark, &beside(&holds, GOOD)),
+        Verdict::Confirmed
+    );
+    assert_eq!(with(Sort::Remark, &beside(&holds, BAD)), Verdict::Undecided);
+    // It speaks for nothing but itself.
+    assert_eq!(
+        with(Sort::Remark, &beside(&holds[..1], GOOD)),
+        Verdict::Undecided
+    );
+}
+
+#[test]
+fn what_is_tried_in_part_is_undecided() {
+    let parts = [Route::Integration, Route::Quadrature]
+        .map(|route| evidence(route, Subject::Printed, GOOD).of_a_part());
+    let judged = judge(Kind::Property, None, &[], &parts);
+    assert_eq!(judged.verdict, Verdict::Undecided);
+    assert!(judged.ground.contains("a part"), "{}", judged.ground);
+}
+
+#[test]
 fn a_proof_of_a_part_proves_no_claim() {
     let part = evidence(Route::Certified, Subject::Printed, 0.0).of_a_part();
     let census = evidence(Route::Census, Subject::Printed, 0.0);

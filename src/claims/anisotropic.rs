@@ -15,6 +15,8 @@ pub mod rows;
 pub mod simulated;
 
 use super::attempt::trials;
+use super::sinusoidal::SOME_FRICTION;
+use super::sinusoidal::excepted::no_friction;
 use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -25,25 +27,18 @@ pub const TOPIC: Topic = Topic {
     claims: CLAIMS,
 };
 
-/// (54) beyond Y.
-const CURVE_E: Correction = Correction {
+/// (55), as far as it is a border.
+const CURVE_C: Correction = Correction {
     change: Change::Statement,
-    latex: r"\text{B for }q\leq q_Y\text{, and E for }q\geq q_Y\text{:}\quad\sqrt{1-\lambda_0^2}-\sqrt{1-(q\lambda_0)^2}=\lambda_0[2\pi-\sin^{-1}(q\lambda_0)-\sin^{-1}(\lambda_0)]",
-    plain: "B for q ≤ q_Y, and E for q ≥ q_Y: √(1 − λ₀²) − √(1 − (q λ₀)²) = λ₀ [2π − asin(q λ₀) − asin(λ₀)]",
+    latex: r"\text{C for }q\leq q_Y\text{:}\quad\lambda_0=\frac{1}{q}",
+    plain: "C for q ≤ q_Y: λ₀ = 1/q",
 };
 
 /// Region II, with E.
 const SECOND_REGION: Correction = Correction {
     change: Change::Statement,
-    latex: r"Above A, below B for $q\leq q_Y$ and below E for $q\geq q_Y$, each period has an interval with $\mathfrak{w}>0$, at once one with $\mathfrak{w}<0$, then a rest. Between E and C there is no backward motion: each period has an interval with $\mathfrak{w}>0$ and a rest, as in IV.",
-    plain: "Above A, below B for q ≤ q_Y and below E for q ≥ q_Y, each period has an interval with w > 0, at once one with w < 0, then a rest. Between E and C there is no backward motion: each period has an interval with w > 0 and a rest, as in IV.",
-};
-
-/// Region IV, with E.
-const FOURTH_REGION: Correction = Correction {
-    change: Change::Statement,
-    latex: r"Above C for $q\leq q_Y$, above E for $q\geq q_Y$, and below D, each period has an interval with $\mathfrak{w}>0$ and a rest.",
-    plain: "Above C for q ≤ q_Y, above E for q ≥ q_Y, and below D, each period has an interval with w > 0 and a rest.",
+    latex: r"Above A, below B for $q\leq q_Y$ and below E for $q\geq q_Y$, each period has an interval with $\mathfrak{w}>0$, at once one with $\mathfrak{w}<0$, then a rest. Between E and C there is no backward motion: each period has an interval with $\mathfrak{w}>0$ and a rest, as in IV. E is $\sqrt{1-\lambda_0^2}-\sqrt{1-(q\lambda_0)^2}=\lambda_0[2\pi-\sin^{-1}(q\lambda_0)-\sin^{-1}(\lambda_0)]$.",
+    plain: "Above A, below B for q ≤ q_Y and below E for q ≥ q_Y, each period has an interval with w > 0, at once one with w < 0, then a rest. Between E and C there is no backward motion: each period has an interval with w > 0 and a rest, as in IV. E is √(1 − λ₀²) − √(1 − (q λ₀)²) = λ₀ [2π − asin(q λ₀) − asin(λ₀)].",
 };
 
 /// The diagram, with E.
@@ -178,8 +173,8 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Stated,
             },
             Condition {
-                text: r"$q\leq q_Y$, the $q$ of $Y$: beyond, (54) has no solution, and E takes its place",
-                sort: Sort::Substance,
+                text: r"for $q>q_Y$, the $q$ of $Y$, (54) has no solution: B ends there",
+                sort: Sort::Remark,
             },
         ],
         depends_on: &["eq-51", "eq-52"],
@@ -187,15 +182,10 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ54,
             curves::eq54_root,
             curves::eq54_census,
-            curves::eq54_outside,
-            &exact::E,
-            curves::e_root,
-            curves::e_census,
-            curves::e_limit,
-            certified::b_once,
-            certified::e_once
+            curves::eq54_ends,
+            certified::b_once
         ],
-        correction: Some(CURVE_E),
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-55",
@@ -205,25 +195,19 @@ const CLAIMS: &[Claim] = &[
         title: "curve C",
         latex: r"\text{C:}\quad \lambda_0=\frac{1}{q}",
         plain: "C: λ₀ = 1/q",
-        conditions: &[
-            Condition {
-                text: r"$q\geq1$",
-                sort: Sort::Stated,
-            },
-            Condition {
-                text: r"$q\leq q_Y$, the $q$ of $Y$: beyond, the motion is the same on both sides of C",
-                sort: Sort::Substance,
-            },
-        ],
-        depends_on: &["eq-52"],
+        conditions: &[Condition {
+            text: r"$q\geq1$",
+            sort: Sort::Stated,
+        }],
+        depends_on: &["eq-52", "s24-region-2"],
         trials: trials![
             &exact::EQ55,
             curves::eq55_root,
             curves::eq55_census,
-            curves::eq55_outside,
-            curves::eq55_census_outside
+            curves::eq55_corrected_root,
+            curves::eq55_corrected_census
         ],
-        ..Claim::BLANK
+        correction: Some(CURVE_C),
     },
     Claim {
         id: "eq-56",
@@ -285,12 +269,20 @@ const CLAIMS: &[Claim] = &[
         title: "region I: no rest",
         latex: r"Below A, each period has an interval with $\mathfrak{w}>0$ and one with $\mathfrak{w}<0$, and no rest.",
         plain: "Below A, each period has an interval with w > 0 and one with w < 0, and no rest.",
-        conditions: &[Condition {
-            text: r"$q\geq1$",
-            sort: Sort::Stated,
-        }],
+        conditions: &[
+            Condition {
+                text: r"$q\geq1$",
+                sort: Sort::Stated,
+            },
+            SOME_FRICTION,
+        ],
         depends_on: &["eq-51", "eq-52", "eq-53"],
-        trials: trials![regions::first_census, regions::first_ends],
+        trials: trials![
+            regions::first_census,
+            regions::first_ends,
+            regions::first_outside,
+            no_friction
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -303,10 +295,15 @@ const CLAIMS: &[Claim] = &[
             text: r"$q\geq1$",
             sort: Sort::Stated,
         }],
-        depends_on: &["eq-51", "eq-52", "eq-53", "eq-54", "eq-55"],
+        depends_on: &["eq-51", "eq-52", "eq-53", "eq-54"],
         trials: trials![
             regions::second_census,
             regions::second_ends,
+            &exact::E,
+            curves::e_root,
+            curves::e_census,
+            curves::e_limit,
+            certified::e_once,
             regions::second_corrected_census,
             regions::second_corrected_ends,
             regions::between_e_and_c,
@@ -342,19 +339,17 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Stated,
             },
             Condition {
-                text: r"$q\leq q_Y$: beyond, IV begins at E, below C",
-                sort: Sort::Substance,
+                text: r"beyond Y, for $q>q_Y$, the same motion is found down to E",
+                sort: Sort::Remark,
             },
         ],
         depends_on: &["eq-51", "eq-52", "eq-55", "eq-56"],
         trials: trials![
             regions::fourth_census,
             regions::fourth_ends,
-            regions::fourth_ends_beyond,
-            regions::between_e_and_c,
-            regions::fourth_corrected_ends
+            regions::down_to_e,
+            regions::fourth_ends_beyond
         ],
-        correction: Some(FOURTH_REGION),
         ..Claim::BLANK
     },
     Claim {
@@ -438,8 +433,8 @@ const CLAIMS: &[Claim] = &[
         section: "2.4",
         kind: Kind::Figure,
         title: "large-time motion in each region",
-        latex: r"$\mathfrak{w}(\phi)$ over two periods, one panel for each of the regions I to V; axes $0$ to $4\pi$ and $\pm1$.",
-        plain: "w(φ) over two periods, one panel for each of the regions I to V; axes 0 to 4π and ±1.",
+        latex: r"$\mathfrak{w}(\phi)$ over two periods, one panel for each of the regions I to V, for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $1$.",
+        plain: "w(φ) over two periods, one panel for each of the regions I to V, for φ from 0 to 4π; the axis of w bears the mark 1.",
         depends_on: &[
             "s24-region-1",
             "s24-region-2",

@@ -25,11 +25,11 @@ use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 pub use trialbook::claims::by_hand::ByHand;
 
 /// All cases, in the paper's order.
-pub static CASES: [ByHand; 26] = [
+pub static CASES: [ByHand; 27] = [
     ByHand {
         claim: "s21-along-acceleration",
-        wrong: "the sense; it slides against the acceleration",
-        reason: "The sense. The table leaves the particle behind: in the table's frame it is the inertial force $-\\bm A$ that pulls",
+        wrong: "the sense, if \"along\" means it; it slides against the acceleration",
+        reason: "The table leaves the particle behind: in the table's frame it is the inertial force $-\\bm A$ that pulls",
         case: "Let $\\bm A=-A\\hat{\\bm x}$, as in (3), $\\lambda=\\frac12$, and let the particle move along $+\\hat{\\bm x}$. The inertial force gives it the acceleration $+A$, friction $-\\frac12A$: it goes on along $+\\hat{\\bm x}$, faster and faster. The cosine of the angle between its velocity and $\\bm A$ is {stated} as printed, {found} in the motion",
         digits: 0,
         stated: || Ok(constant::s21_late_sense()),
@@ -71,7 +71,7 @@ pub static CASES: [ByHand; 26] = [
     ByHand {
         claim: "s24-region-2",
         wrong: "beyond Y, for $q>q_Y=4.603$, it does not reach up to C but only to E, where the forward motion ends just when the drive ceases to pull backward",
-        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion. The border of that is E: $\\sqrt{1-\\lambda_0^2}-\\sqrt{1-(q\\lambda_0)^2}=\\lambda_0[2\\pi-\\sin^{-1}(q\\lambda_0)-\\sin^{-1}\\lambda_0]$",
+        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion. The border of that is E",
         case: "Take $q=9$, $\\lambda_0=0.1$: below C at $1/9$, and far above A. The drive can pull backward only while $\\sin\\phi<-0.9$, from $\\phi=4.261$ to $5.163$. The forward motion begins at $0.100$, and at $5.163$ its velocity is $0.995-0.436-0.1\\,(5.163-0.100)=0.053$, still positive. Backward intervals in a period: {stated} printed, {found} in the motion",
         digits: 0,
         stated: || {
@@ -84,6 +84,15 @@ pub static CASES: [ByHand; 26] = [
             let signs = motion.intervals().iter().map(|i| i.sign.factor());
             Ok(backward(&signs.collect::<Vec<_>>()))
         },
+    },
+    ByHand {
+        claim: "eq-55",
+        wrong: "beyond $Y$, for $q>q_Y$, C is no border",
+        reason: "The drive can pull backward only below C. But beyond $Y$ the forward motion outlasts that time already from E on, which lies lower: on both sides of C the motion is that of region IV",
+        case: "Take $q=9$. By (55) backward motion ends at $\\lambda_0=\\frac19={stated}$; at $\\lambda_0=0.1$, below that, there is none, as shown for region II. In the simulation it ends at {found}, on E",
+        digits: 4,
+        stated: || Ok(anisotropic::eq55_lambda0(9.0)),
+        found: || drift::last_backward(9.0),
     },
     ByHand {
         claim: "fig-5",
@@ -139,18 +148,18 @@ pub static CASES: [ByHand; 26] = [
         claim: "s4-projection-azimuthal",
         wrong: "a letter; it is the rate of $p$",
         reason: "A letter: section 4 has no $u$. The rate that is needed is that of $p$, (99)",
-        case: "Take $p=1$, $\\ell=1$, $\\xi=2$. By (91) $p\\ell$ changes at the rate $-2p\\xi-\\ell=-5$, and by (99) $\\dot p=1$, so that $\\dot\\ell=(-5-1)/1$, as (100) has it. The $u$ of section 3, on a plane at rest and with $b=1$, has $\\dot u=-1$, which would give $\\dot\\ell={stated}$. In the motion $\\dot\\ell={found}$",
+        case: "Take $p=1$, $\\ell=1$, $\\xi=2$. By (91) $p\\ell$ changes at the rate $-2p\\xi-\\ell={stated}$; that alone does not give $\\dot\\ell$. With the rate of $p$, by (99) $\\dot p=1$, it is $\\dot\\ell=(-5-1)/1$, as (100) has it. In the motion $\\dot\\ell={found}$",
         digits: 3,
-        stated: || Ok(table::s4_azimuthal_rate(1.0, 1.0, 2.0, -1.0)),
+        stated: || Ok(table::s4_azimuthal_rate(1.0, 1.0, 2.0, 0.0)),
         found: || projections::in_the_motion(|v| v.ell),
     },
     ByHand {
         claim: "s4-projection-radial",
         wrong: "a letter; it is the rate of $p$",
         reason: "The same letter: the rate of $p$ is meant",
-        case: "Take the same state, $p=1$, $\\ell=1$, $\\xi=2$. By (92) $p\\xi$ changes at the rate $(p+\\ell)^2+\\xi^2-\\xi=6$. With $\\dot p=1$ that is $\\dot\\xi=(6-2)/1$, as (101) has it; with $\\dot u=-1$ it would be $\\dot\\xi={stated}$. In the motion $\\dot\\xi={found}$",
+        case: "Take the same state, $p=1$, $\\ell=1$, $\\xi=2$. By (92) $p\\xi$ changes at the rate $(p+\\ell)^2+\\xi^2-\\xi={stated}$. With the rate of $p$, $\\dot p=1$, it is $\\dot\\xi=(6-2)/1$, as (101) has it. In the motion $\\dot\\xi={found}$",
         digits: 3,
-        stated: || Ok(table::s4_radial_rate(1.0, 1.0, 2.0, -1.0)),
+        stated: || Ok(table::s4_radial_rate(1.0, 1.0, 2.0, 0.0)),
         found: || projections::in_the_motion(|v| v.xi),
     },
     ByHand {
@@ -403,9 +412,10 @@ mod tests {
             ("s22-vy-two-stages", 1.0, passage * passage),
             ("s22-rest-of-period", 2.5 * PI, PI / 6.0 + TAU),
             ("s23-nonzero-again", -0.25, 0.0),
-            ("s4-projection-azimuthal", -5.0 + 1.0, -5.0 - 1.0),
-            ("s4-projection-radial", 6.0 + 2.0, 6.0 - 2.0),
+            ("s4-projection-azimuthal", -5.0, -5.0 - 1.0),
+            ("s4-projection-radial", 6.0, 6.0 - 2.0),
             ("s24-region-2", 1.0, 0.0),
+            ("eq-55", 1.0 / 9.0, 0.085),
             ("fig-5", 2.0, 4.0),
             ("eq-75", -1.0, 1.0),
             ("eq-82", 28.0 / 33.0, 14.0 / 33.0),

@@ -448,8 +448,12 @@ const CLAIMS: &[Claim] = &[
         id: "s21-along-acceleration",
         section: "2.1",
         title: "the sense of the sliding",
-        latex: r"For $\lambda\leq1$ the particle slides, at large times, along the plane's acceleration: $\bm v/v\to\bm A/A$.",
-        plain: "For λ ≤ 1 the particle slides, at large times, along the plane's acceleration: 𝐯/v → 𝐀/A.",
+        latex: r"For $\lambda\leq1$, at large times, the particle slides along the plane's acceleration: $\bm v/\lvert\bm v\rvert\to\bm A/\lvert\bm A\rvert$.",
+        plain: "For λ ≤ 1, at large times, the particle slides along the plane's acceleration: 𝐯/|𝐯| → 𝐀/|𝐀|.",
+        conditions: &[Condition {
+            text: r"“along” is read as in the sense of the acceleration, not merely on its line; the formula is ours",
+            sort: Sort::Reading,
+        }],
         depends_on: &["eq-1", "eq-3", "s21-small-friction-aligns"],
         trials: trials![
             sense::along,
@@ -458,8 +462,8 @@ const CLAIMS: &[Claim] = &[
         ],
         correction: Some(Correction {
             change: Change::Sign,
-            latex: r"For $\lambda\leq1$ the particle slides, at large times, against the plane's acceleration: $\bm v/v\to-\bm A/A$.",
-            plain: "For λ ≤ 1 the particle slides, at large times, against the plane's acceleration: 𝐯/v → −𝐀/A.",
+            latex: r"For $\lambda\leq1$, at large times, the particle slides against the plane's acceleration: $\bm v/\lvert\bm v\rvert\to-\bm A/\lvert\bm A\rvert$.",
+            plain: "For λ ≤ 1, at large times, the particle slides against the plane's acceleration: 𝐯/|𝐯| → −𝐀/|𝐀|.",
         }),
         ..Claim::BLANK
     },

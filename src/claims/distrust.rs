@@ -192,7 +192,7 @@ pub const CORNERED: &[Survivor] = &[
         "where one case ends, the next begins with the same value, and both are small there",
     ),
     cornered(
-        "eq-54",
+        "s24-region-2",
         "e_sides with inverse function 2 on the other branch over the upper half of its range",
         BELOW,
     ),

@@ -104,7 +104,7 @@ const EQ130: &[Condition] = &[
     ESCAPING_LARGE_A[2],
     Condition {
         text: r"read with the constant that it gives, $\alpha-\frac13\ln4A\to0$, as (131) takes it over; the ratio of the sides tends to $1$ with any constant",
-        sort: Sort::Stated,
+        sort: Sort::Reading,
     },
 ];
 
@@ -115,7 +115,7 @@ const EQ133: &[Condition] = &[
     ESCAPING_LATE[2],
     Condition {
         text: r"read with the constant that it gives, $\alpha-\frac12\ln\frac{4\tau}3\to0$, as (135) and (136) take it over; the ratio of the sides tends to $1$ with any constant",
-        sort: Sort::Stated,
+        sort: Sort::Reading,
     },
 ];
 
@@ -126,7 +126,7 @@ const EQ134: &[Condition] = &[
     ESCAPING_LATE[2],
     Condition {
         text: r"read by the term that it gives, $\frac\pi2-\psi\sim(3/\tau)^{1/2}$; that $\psi\to\frac\pi2$ holds without it",
-        sort: Sort::Stated,
+        sort: Sort::Reading,
     },
 ];
 
@@ -135,8 +135,12 @@ const SMALL_ALPHA_ALONE: &[Condition] = &[
     INNER_NOT_STRAIGHT[0],
     INNER_NOT_STRAIGHT[1],
     Condition {
-        text: r"it is read as $\psi-\psi_1\to0$, which is what (126) needs: unless $A=1$ the ratio of the two does not tend to $1$",
-        sort: Sort::Substance,
+        text: r"read as $\psi-\psi_1\to0$, which is what (126) needs",
+        sort: Sort::Reading,
+    },
+    Condition {
+        text: r"for $A>\frac12$ the ratio of the two small angles tends to $\frac{\psi}{\psi_1}=\frac{A}{2A-1}$",
+        sort: Sort::Remark,
     },
 ];
 
@@ -441,16 +445,10 @@ const CLAIMS: &[Claim] = &[
             onset::small_alpha_angle,
             onset::small_alpha_rate,
             onset::small_alpha_straight,
-            onset::small_alpha_ratio,
-            onset::corrected_small_alpha_ratio,
-            onset::corrected_small_alpha_rate,
+            onset::relaxed_ratio,
+            onset::relaxed_ratio_rate,
             excepted::small_alpha
         ],
-        correction: Some(Correction {
-            change: Change::Statement,
-            latex: r"Near $\alpha=0$ the angle $\psi$ goes rapidly to zero, and then (126) holds; for $A>\frac12$, $\frac{\psi}{\psi_1}\to\frac{A}{2A-1}$.",
-            plain: "Near α = 0 the angle ψ goes rapidly to zero, and then (126) holds; for A > ½, ψ/ψ₁ → A/(2A − 1).",
-        }),
         ..Claim::BLANK
     },
     Claim {

@@ -140,16 +140,16 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Stated,
             },
             Condition {
-                text: r"the mean of $h$ is $0$: below $\lambda_0=\lvert m\rvert$ a mean $m$ drives the particle away for ever",
-                sort: Sort::Substance,
+                text: r"generic is a drive with $\lvert h\rvert<1$ for some time in each period, and $h\neq0$ wherever the antiderivative of $h$ is at its median",
+                sort: Sort::Reading,
             },
             Condition {
-                text: r"$h$ is generic: $\lvert h\rvert<1$ for some time in each period, else no $\lambda_0<1$ lets it rest",
-                sort: Sort::Stated,
+                text: r"a mean $m$ of $h$ drives the particle away for ever below $\lambda_0=\lvert m\rvert$: without rest, but not periodically",
+                sort: Sort::Remark,
             },
             Condition {
-                text: r"$h$ is generic: $h\neq0$ wherever the antiderivative of $h$ is at its median, else it may rest at every $\lambda_0$",
-                sort: Sort::Stated,
+                text: r"with $\lvert h\rvert=1$ at all times no $\lambda_0<1$ lets it rest, and with $h=0$ at the median it may rest at every $\lambda_0$",
+                sort: Sort::Remark,
             },
         ],
         depends_on: &["eq-26"],
@@ -158,6 +158,7 @@ const CLAIMS: &[Claim] = &[
             threshold::two_zeros_root,
             threshold::again_and_again,
             threshold::with_mean,
+            threshold::with_mean_drift,
             threshold::with_mean_close,
             threshold::two_valued,
             threshold::level
@@ -209,7 +210,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"For the pulses of (42), (43): $\eta=1$ has no large-friction phase, $\eta=0$ has no small-friction phase.",
         plain: "For the pulses of (42), (43): η = 1 has no large-friction phase, η = 0 has no small-friction phase.",
         depends_on: &["eq-43", "eq-46"],
-        trials: trials![pulses::extremes_census, pulses::extremes_limit],
+        conditions: &[Condition {
+            text: r"not $\eta=0$ with $\lambda_0=0$: whatever moves goes on then",
+            sort: Sort::Degenerate,
+        }],
+        trials: trials![
+            pulses::extremes_census,
+            pulses::extremes_limit,
+            pulses::extremes_outside,
+            pulses::neither
+        ],
         ..Claim::BLANK
     },
 ];

@@ -34,7 +34,7 @@ const DECAY: Correction = Correction {
 };
 
 /// Without friction every start keeps its own motion.
-const SOME_FRICTION: Condition = Condition {
+pub(super) const SOME_FRICTION: Condition = Condition {
     text: r"$\lambda_0>0$: without friction no start is forgotten",
     sort: Sort::Degenerate,
 };
@@ -385,12 +385,20 @@ const CLAIMS: &[Claim] = &[
         title: "phase at which the velocity turns positive",
         latex: r"\tilde\phi_1=\cos^{-1}\frac{\pi \lambda_0}{2}",
         plain: "φ̃₁ = acos(π λ₀ / 2)",
-        conditions: &[Condition {
-            text: "(36) does not hold",
-            sort: Sort::Stated,
-        }],
+        conditions: &[
+            SOME_FRICTION,
+            Condition {
+                text: "(36) does not hold",
+                sort: Sort::Stated,
+            },
+        ],
         depends_on: &["eq-38"],
-        trials: trials![&exact::EQ39, periodic::eq39_motion],
+        trials: trials![
+            &exact::EQ39,
+            periodic::eq39_motion,
+            periodic::eq39_outside,
+            excepted::no_friction
+        ],
         ..Claim::BLANK
     },
     Claim {

@@ -81,10 +81,6 @@ GAINED = 2e-13,
 GONE = 0.0,
     "it falls as the exponential of an exponential and below every number, or is zero after a finite time";
 
-/// An angle that is to follow another one, in units of what that one has left.
-LAG = 1e-4,
-    "the integration is good to 1e-12; an angle that does not follow is off by a part of order one";
-
 /// A time to leading order in a small velocity.
 LAST_STAGE = 2e-5,
     "what the drive changes by within the last stage, over what friction exceeds it by: at most 2e-5 at the points tried";

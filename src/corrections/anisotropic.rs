@@ -34,7 +34,7 @@ symbols crate::symbols::SYMBOLS;
 
 /// Curve E: the two sides, equal on the curve, from λ₀ and the product qλ₀. For q ≥ q_Y, 0 < λ₀ ≤ 1/q; λ₀ = 0
 /// solves it too and is no part of E.
-claim "eq-54";
+claim "s24-region-2";
 pub fn e_sides<S: Scalar>(lambda0: S, q_lambda0: S) -> [S; 2] {
     let one = S::int(1);
     [
@@ -65,7 +65,7 @@ pub fn a_far<S: Scalar>(q: S) -> S {
 }
 
 /// Curve E far out: λ₀, up to a relative error of order q⁻⁴.
-claim "eq-54";
+claim "s24-region-2";
 pub fn e_far<S: Scalar>(q: S) -> S {
     let two_pi = S::int(2) * S::pi();
     let correction = (two_pi / (q + S::int(7) / S::int(3))).squared();

@@ -123,7 +123,14 @@ pub const OTHER_WORDS: &[(&str, &str)] = &[
 pub const CORRECTED: &[Line] = &[
     ("eq-11", 0, Side(0, 1), "constant::speed", NONE),
     ("eq-13", 0, Side(0, 1), "constant::time_of_ln_r", NONE),
-    ("eq-54", 0, Sides(0), "anisotropic::e_sides", NONE),
+    ("eq-55", 0, Side(0, 1), "eq55_lambda0", NONE),
+    (
+        "s24-region-2",
+        6,
+        Sides(0),
+        "anisotropic::e_sides",
+        NONE,
+    ),
     ("eq-75", 0, Side(0, 1), "sphere::spin", NONE),
     ("eq-81", 0, Side(0, 1), "constant::speed", SLIP_SPEED),
     ("eq-82", 0, Side(0, 1), "sphere::time", NONE),
@@ -148,13 +155,6 @@ pub const CORRECTED: &[Line] = &[
         2,
         Side(0, 0),
         "sinusoidal::rest_of_period_end",
-        NONE,
-    ),
-    (
-        "s4-small-alpha",
-        4,
-        Side(0, 1),
-        "escape::relaxed_ratio",
         NONE,
     ),
     (
@@ -210,14 +210,6 @@ pub const WORDS_ONLY: &[(&str, &str)] = &[
         "it says in words whose rate is put in",
     ),
     (
-        "s24-region-2",
-        "it says in words which motion lies between which curves",
-    ),
-    (
-        "s24-region-4",
-        "it says in words which motion lies between which curves",
-    ),
-    (
         "fig-5",
         "it says in words which curve is to be drawn how far",
     ),
@@ -246,6 +238,7 @@ pub const NOT_PRINTED: &[&str] = &[
     "anisotropic::loss_without_rest",
     "turntable::azimuthal_rate",
     "turntable::radial_rate",
+    "escape::relaxed_ratio",
     "escape::winding",
     "rest::alpha_rate_straight_in",
     "rest::angle_straight_in",

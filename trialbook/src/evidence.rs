@@ -124,6 +124,8 @@ pub enum Subject {
     Step,
     /// What a condition excepts: that it has no inside, or that the claim has no value there.
     Excepted,
+    /// What we remark beside the claim: it decides nothing, but has to hold.
+    Remark,
 }
 
 impl Subject {
@@ -138,6 +140,7 @@ impl Subject {
             Subject::Corrected => "as corrected",
             Subject::Step => "the step from what it rests on",
             Subject::Excepted => "what the condition excepts",
+            Subject::Remark => "our remark",
         }
     }
 }

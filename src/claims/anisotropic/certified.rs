@@ -173,7 +173,7 @@ pub fn b_once() -> Evidence {
         r"(54) has one root for every $1\le q<q_Y$ and none for $q_Y<q\le12$, by the signs and slopes of the arc that ends at $\pi+\sin^{-1}(q\lambda_0)$",
     );
     let proof = given(&exact::EQ54.proof(), prove_b(printed::eq54_sides));
-    certified(proof, Subject::Within, compared)
+    certified(proof, Subject::Printed, compared)
 }
 
 /// E has no root before q_Y and one beyond.

@@ -156,25 +156,29 @@ pub fn eq53_limit() -> Evidence {
 
 /// (54) up to Y with the end of direct reversals.
 pub fn eq54_root() -> Evidence {
-    eq54(Subject::Within, before_y)
-}
-
-/// (54) beyond Y, where direct reversals end too.
-pub fn eq54_outside() -> Evidence {
-    eq54(Subject::Outside, beyond_y)
-}
-
-fn eq54(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
     let compared = Compared::one(
         "the root of (54)",
         r"the $\lambda_0$ at which forward motion ceases to turn straight into backward motion",
     );
-    change(subject, compared, wanted, on_b, reversal)
+    change(Subject::Printed, compared, before_y, on_b, reversal)
 }
 
 /// (54) on both sides, up to Y.
 pub fn eq54_census() -> Evidence {
-    sides(Subject::Within, SIDES, before_y, reversal, printed_list)
+    sides(Subject::Printed, SIDES, before_y, reversal, printed_list)
+}
+
+/// Where (54) ends.
+pub fn eq54_ends() -> Evidence {
+    let compared = Compared::one(
+        "whether (54) has a root (1 if so)",
+        "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
+    );
+    let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
+    let has_root = |q| f64::from(u8::from(!on_b(q).is_nan()));
+    over(&trial, rows(), everywhere, &[has_root], |row| {
+        f64::from(u8::from(row.before_y))
+    })
 }
 
 /// E with the end of direct reversals, beyond Y.
@@ -209,14 +213,14 @@ pub fn e_limit() -> Evidence {
     over(&trial, far_rows(), everywhere, &both, reversal)
 }
 
-/// (55) up to Y with the end of backward motion.
+/// (55) with the end of backward motion.
 pub fn eq55_root() -> Evidence {
-    eq55(Subject::Within, before_y)
+    eq55(Subject::Printed, everywhere)
 }
 
-/// (55) beyond Y, where backward motion ends too.
-pub fn eq55_outside() -> Evidence {
-    eq55(Subject::Outside, beyond_y)
+/// The same up to Y.
+pub fn eq55_corrected_root() -> Evidence {
+    eq55(Subject::Corrected, before_y)
 }
 
 fn eq55(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
@@ -227,26 +231,25 @@ fn eq55(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
     change(subject, compared, wanted, printed::eq55_lambda0, backward)
 }
 
-/// (55) on both sides, up to Y.
+/// The printed list on both sides of (55).
 pub fn eq55_census() -> Evidence {
-    sides(Subject::Within, SIDES, before_y, backward, printed_list)
-}
-
-/// (55) on both sides, beyond Y: where friction backwards is as strong as the drive.
-pub fn eq55_census_outside() -> Evidence {
     let compared = Compared::one(
         "the order of slips and rests in a period by the printed list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     )
-    .over(r"$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of $q\lambda_0=1$");
-    let as_strong = |row: &Row| 1.0 / row.q;
-    sides(
-        Subject::Outside,
-        compared,
-        beyond_y,
-        as_strong,
-        printed_list,
-    )
+    .over(r"$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of (55)");
+    let on_c = |row: &Row| printed::eq55_lambda0(row.q);
+    sides(Subject::Printed, compared, off_one, on_c, printed_list)
+}
+
+/// The same up to Y, by where backward motion ends.
+pub fn eq55_corrected_census() -> Evidence {
+    sides(Subject::Corrected, SIDES, before_y, backward, printed_list)
+}
+
+/// At q = 1, C and D are one.
+fn off_one(row: &Row) -> bool {
+    row.q > 1.01
 }
 
 /// (56) with the end of all motion.

@@ -360,7 +360,7 @@ fn prove_eq56(curve: Expr) -> Proof {
 
 /// (55).
 pub const EQ55: Statement = Statement::new(
-    Subject::Within,
+    Subject::Step,
     Compared::one(
         "(52)",
         r"$q$ times the difference of $\lambda_0$ and (55), plus a square that vanishes at $\phi=3\pi/2$",
@@ -453,7 +453,7 @@ pub const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
 
 /// (54), as the condition that a forward arc ends at π + asin(qλ₀).
 pub const EQ54: Statement<[Expr; 2]> = Statement::new(
-    Subject::Within,
+    Subject::Printed,
     Compared::one(
         "(54)",
         r"the forward arc from $\sin^{-1}\lambda_0$ to $\pi+\sin^{-1}(q\lambda_0)$",

@@ -11,7 +11,7 @@ use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::{PI, TAU};
 
-/// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays on the axes.
+/// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
 pub const PANELS: [(f64, f64); 5] = [
     (1.2, 0.35),
     (2.0, 0.38),
@@ -20,7 +20,7 @@ pub const PANELS: [(f64, f64); 5] = [
     (2.0, 1.1),
 ];
 
-/// The end of the panels' vertical axis.
+/// The mark that the panels' vertical axis bears.
 pub const TOP: f64 = 1.0;
 
 /// An interval of the motion as the printed words and rates have it.
@@ -142,7 +142,7 @@ pub fn motion(panel: usize, start: State) -> Result<Attractor<'static>, Failure>
     attractor_from(start, Friction::new(lambda0, q * lambda0)?)
 }
 
-/// The intervals in each panel, and whether the motion stays on the axes, from several starts.
+/// The intervals in each panel, and whether the motion stays within the mark, from several starts.
 pub fn census() -> Evidence {
     let compared = Compared::many(
         r"the order of slips and rests in a period by the words of the panel's region (3 for a forward slip, 2 for a rest, 1 for a backward slip), and $\lvert\mathfrak w\rvert$, but not more than 1,",

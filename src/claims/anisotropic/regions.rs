@@ -3,13 +3,14 @@
 use super::census;
 use super::rows::{Row, rows};
 use super::simulated::{
-    Regions, corrected_list, curves_as_corrected, curves_as_printed, listed_digits, own_y,
-    printed_list, simulated,
+    Regions, attractor_from, corrected_list, curves_as_corrected, curves_as_printed, listed_digits,
+    own_digits, own_y, printed_list, simulated,
 };
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Friction, State};
 use crate::paper::anisotropic as printed;
 
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
@@ -186,17 +187,12 @@ fn has_third(row: &Row) -> bool {
     row.before_y && row.changes.backward - row.changes.reversal > 1e-9
 }
 
-/// Where IV is: not at q = 1.
-fn has_fourth(row: &Row) -> bool {
-    row.q > 1.0
-}
-
-/// Where IV is and C is its lower end.
+/// Where IV is, not at q = 1, and C is its lower end.
 fn begins_at_c(row: &Row) -> bool {
-    has_fourth(row) && row.before_y
+    row.q > 1.0 && row.before_y
 }
 
-/// Where IV begins below C.
+/// Where the motion of IV begins below C.
 fn begins_below_c(row: &Row) -> bool {
     !row.before_y
 }
@@ -209,6 +205,20 @@ pub fn first_census() -> Evidence {
 /// Region I by its ends.
 pub fn first_ends() -> Evidence {
     ends(1, Subject::Printed, BY_ENDS, printed_bounds, everywhere)
+}
+
+/// Region I without friction.
+pub fn first_outside() -> Evidence {
+    let compared = Compared::one(
+        "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
+        "that of the motion without friction that begins with $1<\\mathfrak w<3$ at $\\phi=0$",
+    );
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let starts = Points::stream(719).within(24, [[1.0, 3.0]]);
+    trial.at(["𝔴"], starts, 1.0, |[w]| {
+        let motion = attractor_from(State { phi: 0.0, w }, Friction::new(0.0, 0.0)?)?;
+        Ok([listed_digits()[0], own_digits(motion.intervals())])
+    })
 }
 
 /// Region II at the points of the census.
@@ -239,14 +249,23 @@ pub fn second_corrected_ends() -> Evidence {
     )
 }
 
-/// What is new in region IV: between E and C.
+/// What region II has too much: between E and C.
 pub fn between_e_and_c() -> Evidence {
+    beyond_e(Subject::Corrected)
+}
+
+/// The same, as what is remarked beside region IV.
+pub fn down_to_e() -> Evidence {
+    beyond_e(Subject::Remark)
+}
+
+fn beyond_e(subject: Subject) -> Evidence {
     let compared = Compared::one(
         "the order of slips and rests in a period by the words of IV (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     )
     .over("between E and C; elsewhere beyond Y this says nothing");
-    let trial = by_census(Subject::Corrected, compared);
+    let trial = by_census(subject, compared);
     let y = match own_y() {
         Ok(y) => y,
         Err(error) => return trial.over([error], Err),
@@ -279,32 +298,22 @@ pub fn third_ends() -> Evidence {
 
 /// Region IV at the points of the census.
 pub fn fourth_census() -> Evidence {
-    let trial = by_census(Subject::Within, BY_REGION);
-    census(
-        &trial,
-        |_, _, found| found == 32.0,
-        |q| words_of(4, printed_list(q)),
-    )
+    printed_census(4, 32.0)
 }
 
-/// Region IV by its ends, up to Y.
+/// Region IV by its upper end, and by its lower one where other motion is next to it.
 pub fn fourth_ends() -> Evidence {
-    ends(4, Subject::Within, BY_ENDS, printed_bounds, begins_at_c)
+    ends(4, Subject::Printed, BY_ENDS, printed_bounds, begins_at_c)
 }
 
-/// Region IV by its ends, beyond Y.
+/// The same motion by its ends, beyond Y.
 pub fn fourth_ends_beyond() -> Evidence {
-    ends(4, Subject::Outside, BY_ENDS, printed_bounds, begins_below_c)
-}
-
-/// Region IV of the corrected list by its ends.
-pub fn fourth_corrected_ends() -> Evidence {
     ends(
         4,
-        Subject::Corrected,
+        Subject::Remark,
         BY_CORRECTED_ENDS,
         corrected_bounds,
-        has_fourth,
+        begins_below_c,
     )
 }
 

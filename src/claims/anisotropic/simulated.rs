@@ -239,7 +239,6 @@ impl Changes {
     /// # Errors
     /// As [`attractor_from`].
     pub fn at(q: f64, low: f64, start: State) -> Result<Self, Failure> {
-        let backward = |list: &[Interval]| list.iter().any(|i| i.sign == Sign::Negative);
         let moves = |list: &[Interval]| list.iter().any(|i| i.sign != Sign::Rest);
         Ok(Changes {
             rest: change(q, low, start, restless)?,
@@ -248,6 +247,19 @@ impl Changes {
             motion: change(q, low, start, moves)?,
         })
     }
+}
+
+/// The largest λ₀ with backward motion at this q.
+///
+/// # Errors
+/// As [`attractor_from`].
+pub fn last_backward(q: f64) -> Result<f64, Failure> {
+    change(q, 1e-9, START, backward)
+}
+
+/// Whether there is backward motion.
+fn backward(list: &[Interval]) -> bool {
+    list.iter().any(|i| i.sign == Sign::Negative)
 }
 
 /// The λ₀ between `low` and 1.4 at which `holds` changes, by bisection on the list of intervals, to neighbouring

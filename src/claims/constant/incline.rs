@@ -1,5 +1,6 @@
 //! The inclined plane, in three dimensions: weight, normal force and friction. It is the case A = g sin β,
-//! λ = μ cot β of section 2.1.
+//! λ = μ cot β of section 2.1. Of the claim that the article on the inclined plane agrees it is a part: that its formulas
+//! are right too is not known here.
 
 use super::launches::Turn;
 use crate::claims::compare::{Compared, Pair, Trial};
@@ -131,6 +132,7 @@ fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)
         let (stated, found, scale) = pair(at, &turn);
         Ok(Pair::wide(incline.at(), stated, found).within(scale))
     })
+    .of_a_part()
 }
 
 /// (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
@@ -212,4 +214,5 @@ pub fn forces() -> Evidence {
             scale: a * (1.0 + lambda),
         })
     })
+    .of_a_part()
 }

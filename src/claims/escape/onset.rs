@@ -225,25 +225,12 @@ pub fn small_alpha_angle() -> Evidence {
 }
 
 /// ψ over ψ₁, which both vanish.
-pub fn small_alpha_ratio() -> Evidence {
-    let compared = Compared::one(
-        r"$\psi_1$",
-        r"$\psi$ of a motion in which their ratio has relaxed, $\alpha$ below a millionth",
-    );
-    ratio(Subject::Outside, compared, |_| 1.0)
-}
-
-/// What that ratio is.
-pub fn corrected_small_alpha_ratio() -> Evidence {
+pub fn relaxed_ratio() -> Evidence {
     let compared = Compared::one(
         r"$\psi_1A/(2A-1)$",
         r"$\psi$ of a motion in which the ratio $\psi/\psi_1$ has relaxed, $\alpha$ below a millionth",
     );
-    ratio(Subject::Corrected, compared, corrected::relaxed_ratio)
-}
-
-fn ratio(subject: Subject, compared: Compared, stated: fn(f64) -> f64) -> Evidence {
-    let trial = Trial::by(Route::Limit, subject, compared, RELAXED);
+    let trial = Trial::by(Route::Limit, Subject::Remark, compared, RELAXED);
     trial.over(relaxed_ratios(), |relaxed| {
         let relaxed = relaxed?;
         let (found, psi1) = (
@@ -252,7 +239,7 @@ fn ratio(subject: Subject, compared: Compared, stated: fn(f64) -> f64) -> Eviden
         );
         Ok(Pair {
             at: relaxed.launch.at(),
-            stated: stated(a(&relaxed.state)) * psi1,
+            stated: corrected::relaxed_ratio(a(&relaxed.state)) * psi1,
             found,
             scale: found,
         })
@@ -260,12 +247,12 @@ fn ratio(subject: Subject, compared: Compared, stated: fn(f64) -> f64) -> Eviden
 }
 
 /// That ratio by the equations of motion: with it, ψ and α fall or grow alike.
-pub fn corrected_small_alpha_rate() -> Evidence {
+pub fn relaxed_ratio_rate() -> Evidence {
     let compared = Compared::one(
         r"the relative rate of $\psi$ by (115) at $\psi=\psi_1A/(2A-1)$ over that of $\alpha$ by (126)",
         "the expected 1",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Corrected, compared, RELAXED);
+    let trial = Trial::by(Route::Consistency, Subject::Remark, compared, RELAXED);
     let points = Points::stream(706).within(40, [[1.2, 5.0], [-8.0, -4.0]]);
     trial.at(["A", "lg α"], points, 1.0, |[size, power]| {
         let small = libm::exp10(power);

@@ -2,6 +2,7 @@
 
 use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::excepted::no_inside;
 use crate::claims::points::Points;
 use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
 use crate::corrections::periodic as supplied;
@@ -360,6 +361,44 @@ pub fn extremes_census() -> Evidence {
                 scale: 1.0,
             })
         },
+    )
+}
+
+/// No pulses and no friction.
+pub fn extremes_outside() -> Evidence {
+    let compared = Compared::one(
+        "the stated 1",
+        "the number of rests in a period",
+    )
+    .over(r"$\eta=0$ and $\lambda_0=0$");
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let starts = Points::stream(227).within(24, [[0.1, 3.0]]);
+    trial.at(["𝔴"], starts, 1.0, |[w]| {
+        let drive = pulses(0.0)?;
+        let start = State { phi: 0.0, w };
+        let motion = drive.attractor(Friction::new(0.0, 0.0)?, start, 100)?;
+        let small = 0.0 < printed::eq46_lambda_c(0.0);
+        let rests = match motion.settled().map(|m| phase_of(&m)) {
+            Some(Phase::Rests(rests)) => rests as f64,
+            Some(Phase::Still) => 1.0,
+            Some(Phase::Drifts) | None => return Err("the motion drifts".into()),
+        };
+        Ok([if small { 0.0 } else { 1.0 }, rests])
+    })
+}
+
+/// What is excepted.
+pub fn neither() -> Evidence {
+    no_inside(
+        Compared::one(
+            "whether pulses and friction meet the condition (1 if so)",
+            r"the expectation that only $\eta=0$ with $\lambda_0=0$ does not",
+        )
+        .over("random ones, that one, and some close to it"),
+        ["η", "λ₀"],
+        [[0.0, 1.0]; 2],
+        &[[0.0, 0.0]],
+        |[eta, lambda0]| eta > 0.0 || lambda0 > 0.0,
     )
 }
 

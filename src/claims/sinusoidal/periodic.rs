@@ -190,6 +190,21 @@ pub fn eq39_motion() -> Evidence {
     })
 }
 
+/// (39) without friction.
+pub fn eq39_outside() -> Evidence {
+    let compared = Compared::one(
+        "(39)",
+        r"the phase at which the motion without friction turns positive, from any start with $-2<\mathfrak w<0$ at $\phi=0$",
+    );
+    let trial = Trial::motion(Subject::Outside, compared);
+    let starts = Points::stream(720).within(24, [[-1.9, -0.1]]);
+    trial.at(["𝔴"], starts, 1.0, |[w]| {
+        let motion = settled(0.0, State { phi: 0.0, w })?;
+        let found = interval(&motion, Sign::Positive)?.start;
+        Ok([printed::eq39_phi_t1(0.0), found])
+    })
+}
+
 /// Where the rests lie: [φ̃₂, φ₃], and half a period later.
 pub fn rest_interval_root() -> Evidence {
     let compared = Compared::many(

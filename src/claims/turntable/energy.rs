@@ -1,6 +1,6 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::stretches::{ANY, Launch, Stretch, launches, stretches, sum};
+use super::stretches::{ANY, Launch, Stretch, View, launches, stretches, sum};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::FRAMES;
@@ -32,42 +32,49 @@ pub fn eq104() -> Evidence {
 }
 
 /// (104) with the length of the path, in the words that call it a constant of motion.
-pub fn eq104_within() -> Evidence {
+pub fn eq104_kept() -> Evidence {
     let compared = Compared::one(
         "the change of (104), with $s$, over a stretch of motion",
         "the expected 0",
     );
-    balance(Subject::Within, compared, |stretch, tau| {
-        let part = stretch.part(tau)?;
-        Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
+    let trial = Trial::motion(Subject::Printed, compared);
+    balance(&trial, |stretch| {
+        let value = |tau| -> Result<f64, Failure> {
+            let part = stretch.part(tau)?;
+            Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
+        };
+        Ok([value(stretch.to)? - value(stretch.from)?, 0.0])
     })
 }
 
-/// Without it.
+/// What p, ℓ and ξ give alone.
 pub fn eq104_without_s() -> Evidence {
     let compared = Compared::one(
-        r"the change of (104) without $s$, as $p$, $\ell$ and $\xi$ give it, over a stretch of motion",
-        "the expected 0",
+        r"the integral of $-p$ over a stretch of motion",
+        r"the change of (104) without $s$, as $p$, $\ell$ and $\xi$ give it",
     );
-    balance(Subject::Outside, compared, |stretch, tau| {
-        let part = stretch.part(tau)?;
-        Ok(printed::eq104_constant(part.p(), part.rho(), 0.0))
+    let trial = Trial::quadrature(Subject::Remark, compared);
+    balance(&trial, |stretch| {
+        let view = |tau| stretch.view(tau);
+        let [begin, end] = [view(stretch.from)?, view(stretch.to)?];
+        let value = |v: &View| printed::eq104_constant(v.p, libm::hypot(v.ell, v.xi), 0.0);
+        let rate = |tau| view(tau).map_or(f64::NAN, |v| -printed::eq105_arc_rate(v.p));
+        Ok([
+            sum(rate, stretch.from, stretch.to, 1e-13),
+            value(&end) - value(&begin),
+        ])
     })
 }
 
-fn balance(
-    subject: Subject,
-    compared: Compared,
-    value: impl Fn(&Stretch, f64) -> Result<f64, Failure>,
-) -> Evidence {
-    let trial = Trial::motion(subject, compared);
+fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) -> Evidence {
     trial.over(stretches(ANY), |stretch| {
         let stretch = stretch?;
         let size = 0.5 * stretch.part(stretch.to)?.rho().powi(2);
+        let [stated, found] = pair(stretch)?;
         Ok(Pair {
             at: stretch.at(),
-            stated: value(stretch, stretch.to)? - value(stretch, stretch.from)?,
-            found: 0.0,
+            stated,
+            found,
             scale: size.max(1.0),
         })
     })

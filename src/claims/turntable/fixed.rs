@@ -1,9 +1,9 @@
-//! Trials of the quasi-fixed points (124) and (125): where ψ stands still, what deviations do, and how well ψ
-//! follows ψ₁ when α moves.
+//! Trials of the quasi-fixed points (124) and (125): where ψ stands still, and what deviations do. And how well ψ follows
+//! ψ₁ when α moves, for a figure.
 
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
-use crate::claims::tolerances::{FOREIGN, LAG, NONE, STANDS_STILL};
+use crate::claims::tolerances::{FOREIGN, NONE, STANDS_STILL};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
@@ -99,7 +99,7 @@ pub fn separation() -> Evidence {
         r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
         r"the sign of the rate at which two motions with the same $A$, $\alpha$, and with $\psi$ less and greater than there by $10^{-4}$, part",
     );
-    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(532);
     trial.over(0..40, |i| {
         let (a, alpha) = state(&mut points);
@@ -130,7 +130,7 @@ pub fn frozen() -> Evidence {
         r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
         r"the angles below and above $\pi/2$ at which forces turn velocity and position equally fast",
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, FOREIGN);
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(533);
     trial.over(0..40, |i| {
         let (alpha, start) = (points.log_uniform(0.1, 1.5), points.uniform(-3.1, 3.1));
@@ -194,38 +194,6 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
         })
     };
     (0..=80).map(moment).collect()
-}
-
-/// Along an escape, where α grows: the angle that ψ lacks of π/2 is not the one that ψ₁ lacks.
-pub fn escape() -> Evidence {
-    let compared = Compared::one(
-        r"$\pi/2-\psi_1$",
-        r"$\pi/2-\psi$ late in an escape, relative to it",
-    );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, LAG);
-    let late = ESCAPES
-        .into_iter()
-        .flat_map(|start| match following(start) {
-            Ok(all) => all
-                .into_iter()
-                .filter(|m| m.tau > 99.0)
-                .map(|m| Ok((start, m)))
-                .collect(),
-            Err(error) => vec![Err(error)],
-        });
-    trial.over(late, |point| {
-        let ([a, alpha, psi], moment) = point?;
-        Ok(Pair {
-            at: format!(
-                "{}, ψ = {psi:.6}, then for τ = {:.6}",
-                at(a, alpha),
-                moment.tau
-            ),
-            stated: FRAC_PI_2 - moment.psi1,
-            found: moment.lag,
-            scale: moment.lag,
-        })
-    })
 }
 
 #[cfg(test)]

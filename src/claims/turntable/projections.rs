@@ -6,7 +6,7 @@ use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::corrections::turntable as corrected;
 use crate::evidence::{Evidence, Subject};
 use crate::motion::turntable::{State, Table};
-use crate::paper::{sphere, turntable as printed};
+use crate::paper::turntable as printed;
 
 /// ∫ rate dτ along stretches of motion with the change of the quantity.
 fn change(
@@ -29,22 +29,20 @@ fn change(
     })
 }
 
-/// The rate of u, as section 3 has it: that of the slip of something that does not turn, b = 1, on a plane at rest.
-fn u_rate(view: &View) -> f64 {
-    sphere::eq74_slip_rate(1.0, [0.0; 3], [view.p, 0.0, 0.0])[0]
-}
+/// The rate of u: section 4 has no u, and so no value for it.
+const U_RATE: f64 = f64::NAN;
 
 /// (100), as described.
 pub fn azimuthal() -> Evidence {
     let compared = Compared::one(
-        r"the integral of $\mathrm d\ell/\mathrm d\tau$ by the law of the angular momentum and $\mathrm du/\mathrm d\tau$ of (74), along the motion,",
+        r"the integral of $\mathrm d\ell/\mathrm d\tau$ by the law of the angular momentum and $\mathrm du/\mathrm d\tau$, along the motion,",
         r"the change of $\ell$",
     );
     change(
         Subject::Printed,
         compared,
         |v| v.ell,
-        |v| printed::s4_azimuthal_rate(v.p, v.ell, v.xi, u_rate(v)),
+        |v| printed::s4_azimuthal_rate(v.p, v.ell, v.xi, U_RATE),
     )
 }
 
@@ -65,14 +63,14 @@ pub fn azimuthal_corrected() -> Evidence {
 /// (101), as described.
 pub fn radial() -> Evidence {
     let compared = Compared::one(
-        r"the integral of $\mathrm d\xi/\mathrm d\tau$ by the law along the radius and $\mathrm du/\mathrm d\tau$ of (74), along the motion,",
+        r"the integral of $\mathrm d\xi/\mathrm d\tau$ by the law along the radius and $\mathrm du/\mathrm d\tau$, along the motion,",
         r"the change of $\xi$",
     );
     change(
         Subject::Printed,
         compared,
         |v| v.xi,
-        |v| printed::s4_radial_rate(v.p, v.ell, v.xi, u_rate(v)),
+        |v| printed::s4_radial_rate(v.p, v.ell, v.xi, U_RATE),
     )
 }
 

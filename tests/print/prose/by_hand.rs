@@ -40,6 +40,7 @@ fn by_hand(claim: &str) -> Vec<f64> {
             ];
             [&taken[..], &[cosine, other, lambda, end, begin, speed]].concat()
         }
+        "eq-55" => vec![0.9 / 9.0],
         "fig-5" => {
             let q = 6.5;
             let [cosine, other, lambda, end, begin, speed, _] = wedge(q, 0.15);

@@ -185,6 +185,7 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
         let class = match condition.sort {
             Sort::Stated => "stated",
             Sort::Degenerate | Sort::Substance => "unstated",
+            Sort::Reading | Sort::Remark => "ours",
         };
         let stated = condition.sort.words();
         let words = context.maths.words(condition.text)?;

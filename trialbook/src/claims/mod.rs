@@ -43,7 +43,7 @@ use {
     variants::{Coarse, Idle, Spared, Survivor},
 };
 
-/// A condition under which a claim is tried.
+/// A condition under which a claim is tried, or what else has to be known beside it: how it is read, what we remark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Condition {
     /// The condition, as LaTeX inside `$…$` and plain words.
@@ -63,6 +63,11 @@ pub enum Sort {
     Degenerate,
     /// The paper does not, and what it excepts has an inside.
     Substance,
+    /// How we read words that can be read in more than one way. It is no condition, and has no effect on the verdict.
+    Reading,
+    /// What we add beside the claim. It is no condition either; a trial on
+    /// [`Subject::Remark`](crate::evidence::Subject::Remark) has to find it so.
+    Remark,
 }
 
 impl Sort {
@@ -72,7 +77,14 @@ impl Sort {
             Sort::Stated => "stated in the paper",
             Sort::Degenerate => "not stated in the paper; it excepts degenerate points only",
             Sort::Substance => "not stated in the paper",
+            Sort::Reading => "our reading",
+            Sort::Remark => "our remark",
         }
+    }
+
+    /// True if the claim needs it, and the paper does not state it.
+    pub fn is_added(self) -> bool {
+        matches!(self, Sort::Degenerate | Sort::Substance)
     }
 }
 

@@ -21,9 +21,12 @@ impl Formulas {
         if evidence.subject == Subject::Excepted {
             return false;
         }
+        // A remark may rest on either.
+        let either = evidence.subject == Subject::Remark;
         let printed = evidence.subject != Subject::Corrected;
+        let is_meant = |path| either || self.is_printed(path) == printed;
         let mut own = (self.numbers)();
-        own.retain(|f| self.is_printed(f.path) == printed && f.claim().as_deref() == Some(id));
+        own.retain(|f| is_meant(f.path) && f.claim().as_deref() == Some(id));
         !own.is_empty() && !own.iter().any(|f| evidence.read.contains(f.path))
     }
 }

@@ -87,7 +87,7 @@ impl Entry {
         let counts = |e: &&Evidence| match e.subject {
             Subject::Printed | Subject::Within => !corrected,
             Subject::Corrected => corrected,
-            Subject::Outside | Subject::Step | Subject::Excepted => false,
+            Subject::Outside | Subject::Step | Subject::Excepted | Subject::Remark => false,
         };
         let evidence = self.evidence.iter().filter(counts).filter(|e| !e.partial);
         let agrees = evidence.filter(|e| e.outcome() == Outcome::Agrees);

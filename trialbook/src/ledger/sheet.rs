@@ -32,11 +32,13 @@ impl Entry {
         }
         for condition in claim.conditions {
             let by = match condition.sort {
-                Sort::Stated => "stated",
-                Sort::Degenerate => "added, degenerate points",
-                Sort::Substance => "added",
+                Sort::Stated => "condition (stated)",
+                Sort::Degenerate => "condition (added, degenerate points)",
+                Sort::Substance => "condition (added)",
+                Sort::Reading => "our reading",
+                Sort::Remark => "our remark",
             };
-            let _ = writeln!(text, "condition ({by}): {}", condition.text);
+            let _ = writeln!(text, "{by}: {}", condition.text);
         }
         let _ = writeln!(text, "verdict: {}", self.judgement.verdict.words());
         if let Some(words) = self.in_short() {

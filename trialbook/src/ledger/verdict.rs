@@ -155,6 +155,13 @@ pub fn judge(
         }
     }
     let of = |subject| Weighed::new(evidence, subject);
+    let remark = of(Subject::Remark);
+    if let Some(e) = remark.against.first() {
+        return undecided(format!("what is remarked beside it fails at {}", e.at));
+    }
+    if remark.agree.is_empty() && conditions.iter().any(|c| c.sort == Sort::Remark) {
+        return undecided("what is remarked beside it is not tried".into());
+    }
     let (printed, within, outside, corrected) = (
         of(Subject::Printed),
         of(Subject::Within),
@@ -207,7 +214,7 @@ pub fn judge(
             e.at
         ));
     }
-    let added = || conditions.iter().filter(|c| c.sort != Sort::Stated);
+    let added = || conditions.iter().filter(|c| c.sort.is_added());
     if !outside.is_empty() {
         if added().next().is_none() {
             return undecided("it is tried outside a condition that is not named".into());
@@ -257,10 +264,11 @@ pub fn judge(
     if held.enough() {
         judgement(Verdict::Confirmed, held.standing())
     } else {
-        undecided(format!(
-            "{} alone: one more independent route is needed",
-            held.standing()
-        ))
+        let standing = held.standing();
+        undecided(match held.distinct().is_empty() {
+            true => format!("{standing}: what is tried is a part of it"),
+            false => format!("{standing} alone: one more independent route is needed"),
+        })
     }
 }
 
