@@ -62,7 +62,7 @@ pub const MEASURED: &[Measured] = &[
     },
     Measured {
         reason: "A part of it is proved: the order of the curves between which the regions lie, and that between E and C nothing moves backward. Which motion belongs to which region is counted at many points.",
-        claims: &["s24-region-2", "fig-5"],
+        claims: &["eq-55", "s24-region-2", "fig-5"],
     },
     Measured {
         reason: "The step to it from (145) is proved; that the surfaces on which the motion comes to rest are others is measured.",
@@ -73,7 +73,7 @@ pub const MEASURED: &[Measured] = &[
         claims: &["s32-rolling-trichotomy", "s33-pulse", "s34-anisotropic"],
     },
     Measured {
-        reason: "It compares with another publication, whose formulas are not entered here.",
+        reason: "It compares with an article that was not read.",
         claims: &["s21-portrait-consistent"],
     },
     Measured {

@@ -2,6 +2,8 @@
 
 pub use trialbook::claims::reading::Elsewhere;
 
+const AT_WHICH: &str =
+    "at which friction rests appear, and how often; that there are some, or none, others try";
 const IN_WORDS: &str = "the claim in words: where the motion ends, whatever the formula says";
 const PARTS: &str = "(15) and (16) are what the parabola is made of";
 const DELAY: &str =
@@ -63,6 +65,16 @@ pub const ELSEWHERE: &[Elsewhere] = &[
         claim: "s22-vy-two-stages",
         trial: "decay::finite_end",
         reason: IN_WORDS,
+    },
+    Elsewhere {
+        claim: "s23-threshold-exists",
+        trial: "threshold::two_zeros_root",
+        reason: AT_WHICH,
+    },
+    Elsewhere {
+        claim: "s23-threshold-exists",
+        trial: "threshold::again_and_again",
+        reason: AT_WHICH,
     },
     Elsewhere {
         claim: "eq-46",

@@ -52,6 +52,12 @@ pub fn s23_rest_sides<S: Scalar>(lambda: S) -> [S; 2] {
     [S::int(1), lambda]
 }
 
+/// Before (42): whether there are rests (1 if so) with little friction, and with much.
+claim "s23-threshold-exists";
+pub fn s23_rests<S: Scalar>() -> [S; 2] {
+    [S::int(0), S::int(1)]
+}
+
 /// (46): λ_c.
 pub fn eq46_lambda_c<S: Scalar>(eta: S) -> S {
     eta

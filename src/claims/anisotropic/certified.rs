@@ -182,7 +182,7 @@ pub fn e_once() -> Evidence {
         r"E has no root but $\lambda_0=0$ for $1\le q<q_Y$ and one for every $q_Y<q\le12$, by the signs and slopes of the arc that ends at $2\pi-\sin^{-1}(q\lambda_0)$",
     );
     let proof = given(&exact::E.proof(), prove_e(corrected::e_sides));
-    certified(proof, Subject::Corrected, compared)
+    certified(proof, Subject::Corrected, compared).of_a_part()
 }
 
 /// λ₀ on A by (53): its left side is the cotangent of asin λ₀, so that λ₀ = 1/√(1 + r²) if its right side r is positive.

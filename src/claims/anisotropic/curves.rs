@@ -175,9 +175,18 @@ pub fn eq54_ends() -> Evidence {
         "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
     );
     let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
-    let has_root = |q| f64::from(u8::from(!on_b(q).is_nan()));
-    over(&trial, rows(), everywhere, &[has_root], |row| {
-        f64::from(u8::from(row.before_y))
+    let rows = match rows() {
+        Ok(rows) => rows,
+        Err(error) => return trial.over([error], Err),
+    };
+    let yes = |yes: bool| f64::from(u8::from(yes));
+    trial.over(rows, |row| {
+        Ok(Pair {
+            at: format!("q = {:.6}", row.q),
+            stated: yes(!on_b(row.q).is_nan()),
+            found: yes(row.before_y),
+            scale: 1.0,
+        })
     })
 }
 
@@ -231,15 +240,15 @@ fn eq55(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
     change(subject, compared, wanted, printed::eq55_lambda0, backward)
 }
 
-/// The printed list on both sides of (55).
+/// The printed list on both sides of where friction backwards is as strong as the drive.
 pub fn eq55_census() -> Evidence {
     let compared = Compared::one(
         "the order of slips and rests in a period by the printed list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
     )
-    .over(r"$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of (55)");
-    let on_c = |row: &Row| printed::eq55_lambda0(row.q);
-    sides(Subject::Printed, compared, off_one, on_c, printed_list)
+    .over(r"$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of $q\lambda_0=1$");
+    let as_strong = |row: &Row| 1.0 / row.q;
+    sides(Subject::Printed, compared, off_one, as_strong, printed_list)
 }
 
 /// The same up to Y, by where backward motion ends.

@@ -471,7 +471,8 @@ pub const E: Statement<[Expr; 2]> = Statement::new(
     ),
     sides_of_e,
     prove_e,
-);
+)
+.of_a_part();
 
 /// (57).
 pub const X: Statement<[Expr; 2]> = Statement::new(

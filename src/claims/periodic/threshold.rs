@@ -10,6 +10,7 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, DriveError};
 use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
+use crate::paper::periodic as printed;
 use std::f64::consts::{PI, TAU};
 
 /// Samples of a drive over its period.
@@ -55,12 +56,12 @@ fn number(truth: bool) -> f64 {
     f64::from(u8::from(truth))
 }
 
-/// A drive at a friction: whether rests are expected, and whether they are there.
-fn rests(name: &str, drive: &Drive, lambda: f64, expected: bool) -> Result<Pair, Failure> {
+/// A drive at a friction, which is much or little: whether rests are stated, and whether they are there.
+fn rests(name: &str, drive: &Drive, lambda: f64, much: bool) -> Result<Pair, Failure> {
     let found = phase(drive, lambda)?;
     Ok(Pair {
         at: format!("{name}: λ₀ = {lambda:.6}"),
-        stated: number(expected),
+        stated: printed::s23_rests()[usize::from(much)],
         // Neither rests nor none: at rest for ever, or never periodic.
         found: match found {
             Phase::Rests(rests) => number(rests > 0),
@@ -203,16 +204,12 @@ pub fn with_mean() -> Evidence {
             true => high + (1.0 - high) * share,
             false => drive.mean().abs() * share,
         };
-        let drifts = matches!(phase(&drive, lambda)?, Phase::Drifts);
-        match drifts {
-            true => Ok(Pair {
-                at: format!("sine with a mean: λ₀ = {lambda:.6}"),
-                stated: number(large),
-                found: 0.0,
-                scale: 1.0,
-            }),
-            false => rests("sine with a mean", &drive, lambda, large),
-        }
+        let pair = rests("sine with a mean", &drive, lambda, large)?;
+        Ok(Pair {
+            // What drifts has no rest.
+            found: pair.found.max(0.0),
+            ..pair
+        })
     })
 }
 

@@ -51,13 +51,13 @@ pub fn eq104_kept() -> Evidence {
 pub fn eq104_without_s() -> Evidence {
     let compared = Compared::one(
         r"the integral of $-p$ over a stretch of motion",
-        r"the change of (104) without $s$, as $p$, $\ell$ and $\xi$ give it",
+        r"the change of $\frac12(p^2-\ell^2-\xi^2)$",
     );
     let trial = Trial::quadrature(Subject::Remark, compared);
     balance(&trial, |stretch| {
         let view = |tau| stretch.view(tau);
         let [begin, end] = [view(stretch.from)?, view(stretch.to)?];
-        let value = |v: &View| printed::eq104_constant(v.p, libm::hypot(v.ell, v.xi), 0.0);
+        let value = |v: &View| 0.5 * (v.p * v.p - v.ell * v.ell - v.xi * v.xi);
         let rate = |tau| view(tau).map_or(f64::NAN, |v| -printed::eq105_arc_rate(v.p));
         Ok([
             sum(rate, stretch.from, stretch.to, 1e-13),

@@ -16,6 +16,8 @@ pub struct Statement<F = crate::exact::Expr> {
     pub formulas: fn() -> F,
     /// Tries to prove what is said, of formulas that stand in their place.
     pub prove: fn(F) -> Proof,
+    /// True if it says a part of the claim only, as in [`Evidence::partial`].
+    pub partial: bool,
     /// Where it is written.
     pub place: &'static Location<'static>,
 }
@@ -34,6 +36,7 @@ impl<F> Statement<F> {
             compared,
             formulas,
             prove,
+            partial: false,
             place: Location::caller(),
         }
     }
@@ -41,6 +44,14 @@ impl<F> Statement<F> {
     /// The same for a claim of which it says this.
     pub const fn about(self, subject: Subject) -> Self {
         Self { subject, ..self }
+    }
+
+    /// The same for a claim of which it is a part.
+    pub const fn of_a_part(self) -> Self {
+        Self {
+            partial: true,
+            ..self
+        }
     }
 
     /// The proof of the formulas as they stand.
@@ -67,7 +78,11 @@ impl<F> Proved for Statement<F> {
     }
 
     fn evidence(&self) -> Evidence {
-        proved(&Statement::proof(self), self.subject, self.compared)
+        let evidence = proved(&Statement::proof(self), self.subject, self.compared);
+        match self.partial {
+            true => evidence.of_a_part(),
+            false => evidence,
+        }
     }
 
     fn place(&self) -> &'static Location<'static> {
