@@ -227,6 +227,16 @@ fn sources_of(sources: &str, room: &str) -> Vec<PathBuf> {
     sources
 }
 
+/// What stands between the first braces.
+fn body(function: &str) -> &str {
+    let mut depth = 0;
+    let end = function.char_indices().find(|(_, c)| {
+        depth += i32::from(*c == '{') - i32::from(*c == '}');
+        *c == '}' && depth == 0
+    });
+    end.map_or(function, |(end, _)| &function[..end])
+}
+
 /// All files in a folder and in those within it.
 fn files_below(folder: PathBuf) -> Vec<PathBuf> {
     let mut files = Vec::new();
@@ -318,4 +328,36 @@ fn settings_are_drives_and_the_onset_of_rest() {
     let drive = "static DRIVE: Runs<Drive> = Runs::setting(|| Ok(Drive::new(libm::sin, &[])?));";
     let onset = "static ONSET: Runs<f64> = Runs::setting(|| Ok(root(excess_length, 0.2, 0.9)?));";
     assert_eq!(settings, [drive, onset]);
+}
+
+/// A function of [`Scalar`](trialbook::scalar::Scalar) has no way to ask how large a number is but `nearest`. Without that it is one
+/// analytic expression, and cannot be right at the points of its trials and wrong between them or beyond. What does distinguish
+/// cases is no such expression, and is named here; its cases are all tried.
+#[test]
+fn no_formula_is_another_one_elsewhere() {
+    // A number that can be compared, and what follows from it.
+    const BRANCHES: [&str; 6] = ["f64", "nearest", "if", "match", "while", "for"];
+    let mut found = BTreeSet::new();
+    for room in ["paper", "corrections"] {
+        for file in sources_of("src", room) {
+            let code = without_comments(&fs::read_to_string(&file).unwrap());
+            let code = code.split("#[cfg(test)]\nmod").next().unwrap();
+            for function in code.split("fn ").skip(1) {
+                let name = function.split(['<', '(']).next().unwrap();
+                let mut words = body(function).split(|c: char| !(c.is_alphanumeric() || c == '_'));
+                if words.any(|word| BRANCHES.contains(&word)) {
+                    found.insert(format!("{room}::{name}"));
+                }
+            }
+        }
+    }
+    let cases = [
+        "corrections::region",
+        "corrections::small_friction_case",
+        "paper::eq42_h",
+        "paper::eq44_case",
+        "paper::region",
+        "paper::signs",
+    ];
+    assert!(found.iter().eq(&cases), "{found:#?}");
 }
