@@ -1,7 +1,8 @@
 //! Tries the ledger with the mistake of the given number made, 0 for none. On a line each: a claim's id, its verdict, and
-//! its trials with what they say.
+//! its trials: name, what they say, route, points, worst disagreement, and all that was found in one number.
 
 use slipbook_wrong::claims::PAPER;
+use slipbook_wrong::evidence::Evidence;
 use slipbook_wrong::ledger::Ledger;
 
 fn main() {
@@ -11,7 +12,11 @@ fn main() {
     for entry in &ledger.entries {
         let trials = entry.evidence.iter();
         let trials: String = trials
-            .map(|e| format!("\t{} {:?} {:e}", e.trial, e.outcome(), e.worst))
+            .map(|e| {
+                let (says, route, found) = (e.outcome(), e.route.name(), e.sides.found);
+                let Evidence { trial, points, worst, .. } = e;
+                format!("\t{trial} {says:?} {route} {points} {worst:e} {found:016x}")
+            })
             .collect();
         let verdict = entry.judgement.verdict.slug();
         println!("{}\t{verdict}{trials}", entry.claim.id);

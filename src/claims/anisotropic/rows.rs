@@ -58,6 +58,7 @@ fn ratios() -> Vec<f64> {
     ];
     list.extend((0..22).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 22.0));
     list.extend((0..12).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 12.0));
+    list.extend([14.0, 20.0, 35.0]);
     list
 }
 

@@ -365,7 +365,11 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
             points.log_uniform(0.1, 10.0),
             theta0,
         );
-        let t = points.uniform(0.1, 5.0) * launch.v0 / launch.a;
+        let late = match i % 4 {
+            0 => points.log_uniform(5.0, 1e5),
+            _ => points.uniform(0.1, 5.0),
+        };
+        let t = late * launch.v0 / launch.a;
         Ok((launch, launch.motion(t)?.at(t)?))
     })
 }
@@ -424,7 +428,7 @@ fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
             0 => 1.0 + points.log_uniform(1e-9, 1e-1),
             1 => points.uniform(1.1, 3.0),
             2 => points.uniform(3.0, 30.0),
-            _ => points.log_uniform(30.0, 1e3),
+            _ => points.log_uniform(30.0, 1e5),
         };
         let theta0 = match i % 20 {
             0 => 0.0,
@@ -485,14 +489,17 @@ fn all_aligned(stream: u64) -> Result<Vec<Aligned>, Failure> {
 
 /// The steps on which the angle grows, and the phases of rest.
 fn unlike_aligning(motion: &Motion) -> usize {
-    // The last digit of an angle near π is not a growth.
     let angles: Vec<_> = motion.nodes().map(|s| s.direction().abs()).collect();
-    let grows = |w: &&[f64]| w[1] > w[0] * (1.0 + 1e-14);
     let rests = motion
         .phases()
         .iter()
         .filter(|p| p.kind == PhaseKind::Stick);
-    angles.windows(2).filter(grows).count() + rests.count()
+    angles.windows(2).filter(|w| grows(w[0], w[1])).count() + rests.count()
+}
+
+/// Whether an angle has grown by more than its rounding.
+fn grows(before: f64, after: f64) -> bool {
+    after > before * (1.0 + 1e-14)
 }
 
 fn launches_below_critical(stream: u64) -> impl Iterator<Item = Turn> {
@@ -539,6 +546,14 @@ mod tests {
     #[test]
     fn times_are_counted_in_units_of_the_launch() {
         assert_eq!(Turn::launch(1.0, 0.5, 10.0, 0.0).time(40.0), 800.0);
+    }
+
+    /// The last digit of an angle is no growth; the third last is.
+    #[test]
+    fn an_angle_grows_if_it_does_so_beyond_rounding() {
+        let grown = [1e-15, 2e-14].map(|by| grows(3.0, 3.0 * (1.0 + by)));
+        assert_eq!(grown, [false, true]);
+        assert!(!grows(3.0, 2.0));
     }
 
     /// Pushed backwards, the velocity turns away on every step; with λ > 1 it turns in, and the particle stops.

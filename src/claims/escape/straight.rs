@@ -91,14 +91,14 @@ pub fn beyond_one() -> impl Iterator<Item = Result<&'static StraightIn, Failure>
 
 /// Starts that come straight in and stay at rest.
 pub fn within_one() -> impl Iterator<Item = Result<&'static StraightIn, Failure>> {
-    static WITHIN: Runs<Vec<StraightIn>> = Runs::new(|| from(606, 0.3, 0.95));
+    static WITHIN: Runs<Vec<StraightIn>> = Runs::new(|| from(606, 0.02, 0.95));
     WITHIN.each()
 }
 
 fn from(stream: u64, nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, Failure> {
     let mut points = Points::stream(stream);
     every((0..20).map(|_| {
-        let rho = points.uniform(nearest, farthest);
+        let rho = points.log_uniform(nearest, farthest);
         straight_in(rho, rho * points.uniform(0.05, 0.3))
     }))
 }

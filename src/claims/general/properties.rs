@@ -317,18 +317,22 @@ pub fn across_outside() -> Evidence {
     census(Subject::Outside, compared).over(fixed_direction(29), |case| {
         let end = run(&case.plane, 0.0, case.start, 10.0)?.end();
         let (before, after) = (case.across(&case.start), case.across(&end));
-        let change = if (after - before).abs() < 1e-12 * (1.0 + end.speed()) {
-            0.0
-        } else {
-            (after - before).signum()
-        };
         Ok(Pair {
             at: case.name,
             stated: printed::s2_across_trend(),
-            found: change,
+            found: sense(after - before, end.speed()),
             scale: 1.0,
         })
     })
+}
+
+/// The sign of a change of a component of a velocity; 0 within the rounding of one that becomes this fast.
+fn sense(change: f64, speed: f64) -> f64 {
+    if change.abs() < 1e-12 * (1.0 + speed) {
+        0.0
+    } else {
+        change.signum()
+    }
 }
 
 /// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
@@ -498,6 +502,11 @@ mod tests {
         let all = steps(&pulled.plane, pulled.start, 20.0 * (1.0 + 1e-9));
         assert!(all > 1);
         assert_eq!(broken(pulled), all + 1);
+    }
+
+    #[test]
+    fn a_change_beyond_rounding_has_a_sense() {
+        assert_eq!([-3e-12, -1e-12, 3e-12].map(|by| sense(by, 1.0)), [-1.0, 0.0, 1.0]);
     }
 
     #[test]

@@ -93,18 +93,18 @@ pub fn first_stage_correction() -> Evidence {
     let mut points = Points::stream(176);
     trial.over(0..30, |_| {
         let lambda = points.uniform(0.2, 1.4);
-        let w_x = points.uniform(-1.0, 1.0);
+        let w_x = points.uniform(-3.0, 3.0);
         let w_y = points.log_uniform(500.0, 2000.0);
         let states = strobed(lambda, w_x, w_y, 1)?;
         let [first, last] = [0, 1].map(|k: usize| Scalar::exp(states[k].ln_w_y));
         let slope = (last - first) / TAU;
         let middle = 0.5 * (first + last);
-        let stated = corrected::first_stage_lean(w_x);
+        let found = (slope / -lambda - 1.0) * middle * middle;
         Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}"),
-            stated,
-            found: (slope / -lambda - 1.0) * middle * middle,
-            scale: 2.0,
+            stated: corrected::first_stage_lean(w_x),
+            found,
+            scale: found.abs().max(2.0),
         })
     })
 }

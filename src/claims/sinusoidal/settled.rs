@@ -90,6 +90,7 @@ pub fn all() -> Vec<f64> {
     for near in [1e-9, 1e-6, 1e-3] {
         list.extend([near, 1.0 - near, lambda_c() - near, lambda_c() + near]);
     }
+    list.extend([1e-2, 1e-4, 1e-5].map(|near| 1.0 - near));
     list
 }
 

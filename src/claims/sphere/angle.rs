@@ -189,9 +189,9 @@ fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
             let lambda = match i {
                 160..180 => 1.0,
                 _ if i.is_multiple_of(2) => points.uniform(0.05, 1.0),
-                _ => points.uniform(1.0, 6.0),
+                _ => points.uniform(1.0, 12.0),
             };
-            let theta0 = points.sign() * points.uniform(0.2, 3.0);
+            let theta0 = points.sign() * points.uniform(0.2, 3.1);
             let (lambda, theta0) = match i {
                 180..200 => (
                     -libm::cos(1.6 + 0.07 * (i - 180) as f64),

@@ -32,7 +32,7 @@ fn state(points: &mut Points) -> (f64, f64) {
 
 /// Large and small α, for which ψ stands still as well.
 fn far_states(points: &mut Points) -> Vec<(f64, f64)> {
-    let [large, small] = [[3.0, 4.0], [1e-3, 1e-2]];
+    let [large, small] = [[3.0, 8.0], [1e-3, 1e-2]];
     let of = |[low, high]: [f64; 2]| {
         let mut one = || (points.log_uniform(0.3, 3.0), points.log_uniform(low, high));
         [one(), one(), one(), one(), one()]
