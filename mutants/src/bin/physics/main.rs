@@ -4,7 +4,7 @@
 //! has to come to the recorded verdicts; then the ledger is tried once for each mistake, in a process of its own.
 //!
 //! The copy is kept in `target/physics`; what it depends on is shared with the crate's own build for release. The table
-//! goes to `snapshots/physics.csv`. Names of mistakes may follow: then only these are tried and no table is written.
+//! goes to `snapshots/physics.csv`, and which trial reacts to how many of them to `snapshots/reactions.csv`. Names of mistakes may follow: then only these are tried and no table is written.
 
 mod build;
 mod list;
@@ -21,6 +21,8 @@ use std::{env, fs};
 const LIST: &str = "mutants/physics";
 /// The result.
 const TABLE: &str = "snapshots/physics.csv";
+/// Which trials react to how many of them.
+const REACTIONS: &str = "snapshots/reactions.csv";
 /// The verdicts without a mistake.
 const RECORD: &str = "snapshots/verdicts.snap";
 
@@ -51,6 +53,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let unnoticed: Vec<_> = unnoticed.map(|(m, _)| m.name.as_str()).collect();
     if named.is_empty() {
         fs::write(TABLE, table::csv(&found))?;
+        fs::write(REACTIONS, run::reactions(&right, &found))?;
     } else {
         print!("{}", table::csv(&found));
     }

@@ -17,7 +17,28 @@ const LIMIT: Duration = Duration::from_secs(60);
 #[derive(Debug, Clone, PartialEq)]
 pub struct Judged {
     verdict: String,
-    trials: Vec<[String; 2]>,
+    trials: Vec<Said>,
+}
+
+/// What a trial says.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Said {
+    name: String,
+    outcome: String,
+    route: String,
+    points: usize,
+    /// Whether our own side gave a number everywhere.
+    whole: bool,
+    /// All that was found, in one number.
+    found: String,
+}
+
+impl Said {
+    /// Whether it comes to something else, or finds something else where it looked.
+    fn reacts(&self, wrong: &Said) -> bool {
+        let looked = wrong.whole && wrong.points == self.points;
+        wrong.outcome != self.outcome || looked && wrong.found != self.found
+    }
 }
 
 /// What a run of the ledger came to, by claim, in the paper's order.
@@ -31,6 +52,8 @@ pub enum Found {
         claims: Vec<String>,
         /// Names, in the same order, each once.
         trials: Vec<String>,
+        /// Of every trial of the ledger, whether it reacts.
+        reactions: Vec<bool>,
     },
     /// There are no verdicts, and why.
     Fails(String),
@@ -83,7 +106,14 @@ fn judged(line: &str) -> Option<(String, Judged)> {
     let trial = |cell: &str| {
         let mut words = cell.split(' ');
         let mut word = || words.next().unwrap_or("").to_owned();
-        [word(), word()]
+        Said {
+            name: word(),
+            outcome: word(),
+            route: word(),
+            points: word().parse().unwrap_or(0),
+            whole: word() != "NaN",
+            found: word(),
+        }
     };
     let trials = cells.map(trial).collect();
     Some((id, Judged { verdict, trials }))
@@ -158,18 +188,47 @@ pub fn all<'a>(
 
 fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
     let (mut claims, mut trials) = (Vec::new(), Vec::new());
+    let mut reactions = Vec::new();
     for ((id, right), (_, wrong)) in right.iter().zip(wrong) {
+        let pairs = || right.trials.iter().zip(&wrong.trials);
+        reactions.extend(pairs().map(|(right, wrong)| right.reacts(wrong)));
         if right.verdict == wrong.verdict {
             continue;
         }
         claims.push(id.clone());
-        let pairs = right.trials.iter().zip(&wrong.trials);
-        let others = pairs.filter(|(right, wrong)| right != wrong);
-        for ([name, _], _) in others {
+        for (Said { name, .. }, _) in pairs().filter(|(a, b)| a.outcome != b.outcome) {
             if !trials.contains(name) {
                 trials.push(name.clone());
             }
         }
     }
-    Found::Changed { claims, trials }
+    Found::Changed {
+        claims,
+        trials,
+        reactions,
+    }
+}
+
+/// A line for each measured trial: its claim, its name, its route, all that was found, and to how many mistakes it reacts.
+pub fn reactions(right: &Verdicts, found: &[(&Mistake, Found)]) -> String {
+    let mut counts = vec![0; right.iter().map(|(_, j)| j.trials.len()).sum()];
+    for (_, found) in found {
+        if let Found::Changed { reactions, .. } = found {
+            let reacting = counts.iter_mut().zip(reactions).filter(|(_, r)| **r);
+            reacting.for_each(|(count, _)| *count += 1);
+        }
+    }
+    let trials = right
+        .iter()
+        .flat_map(|(id, judged)| judged.trials.iter().map(move |said| (id, said)));
+    let mut out = "claim,trial,route,found,mistakes\n".to_owned();
+    for ((id, said), count) in trials.zip(counts) {
+        let Said {
+            name, route, found, ..
+        } = said;
+        if !["exact", "certified"].contains(&route.as_str()) {
+            out += &format!("{id},{name},{route},{found},{count}\n");
+        }
+    }
+    out
 }

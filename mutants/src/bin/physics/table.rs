@@ -12,7 +12,7 @@ pub fn csv(found: &[(&Mistake, Found)]) -> String {
     let mut out = "mistake,physics,file,verdicts,claims,trials\n".to_owned();
     for (mistake, found) in found {
         let (count, claims, trials) = match found {
-            Found::Changed { claims, trials } => (claims.len(), first(claims), first(trials)),
+            Found::Changed { claims, trials, .. } => (claims.len(), first(claims), first(trials)),
             Found::Fails(why) => (0, why.clone(), String::new()),
         };
         let (name, physics) = (&mistake.name, quoted(&mistake.physics));
