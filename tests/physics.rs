@@ -44,7 +44,9 @@ fn every_trial_reads_the_motion_or_says_what_else() {
         .collect();
     let excuse = |trial: &str| {
         let room = trial.split_once("::").map_or("", |(room, _)| room);
-        [trial, room].into_iter().find(|name| excuses.contains_key(name))
+        [trial, room]
+            .into_iter()
+            .find(|name| excuses.contains_key(name))
     };
     let mut used = BTreeSet::new();
     let mut recorded = Vec::new();
@@ -69,7 +71,8 @@ fn every_trial_reads_the_motion_or_says_what_else() {
             format!("{id} {} {route} {found:016x}", e.trial)
         })
     });
-    let (there, recorded): (BTreeSet<_>, BTreeSet<_>) = (trials.collect(), recorded.into_iter().collect());
+    let (there, recorded): (BTreeSet<_>, BTreeSet<_>) =
+        (trials.collect(), recorded.into_iter().collect());
     let other: Vec<_> = there.symmetric_difference(&recorded).collect();
     assert!(
         other.is_empty(),

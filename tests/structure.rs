@@ -361,3 +361,46 @@ fn no_formula_is_another_one_elsewhere() {
     ];
     assert!(found.iter().eq(&cases), "{found:#?}");
 }
+
+/// A run that fails makes its trial fail. So what takes failures out of sight in the trials is listed: where there may be no value.
+#[test]
+fn no_trial_leaves_out_what_could_not_be_followed() {
+    let mut found = BTreeSet::new();
+    for file in sources_of("src", "claims") {
+        let path = file.strip_prefix(root().join("src")).unwrap();
+        let path = path.display().to_string().replace('\\', "/");
+        if path.contains("/solve") || path.contains("/tests") {
+            continue;
+        }
+        let code = without_comments(&fs::read_to_string(&file).unwrap());
+        let code = code.split("#[cfg(test)]\nmod").next().unwrap();
+        for hides in [
+            "is_ok",
+            "is_err",
+            "Result::ok",
+            ".ok()",
+            ".flatten()",
+            "if let Ok",
+            "Ok(_)",
+        ] {
+            let times = code.matches(hides).count();
+            if times > 0 {
+                found.insert(format!("{path}: {times} {hides}"));
+            }
+        }
+    }
+    // Printed curves without a value, a proof's subdivision, a rate that is zero as it stands, flattened lists.
+    let known = [
+        "claims/anisotropic/certified/points.rs: 1 .ok()",
+        "claims/anisotropic/curves.rs: 1 .flatten()",
+        "claims/anisotropic/curves.rs: 1 .ok()",
+        "claims/anisotropic/regions.rs: 1 .ok()",
+        "claims/anisotropic/simulated.rs: 2 .ok()",
+        "claims/constant/exact/sliding.rs: 1 is_ok",
+        "claims/escape/exact/late.rs: 1 .flatten()",
+        "claims/formulas.rs: 1 .flatten()",
+        "claims/sinusoidal/certified.rs: 1 if let Ok",
+        "claims/sinusoidal/drawn.rs: 1 .flatten()",
+    ];
+    assert!(found.iter().eq(&known), "{found:#?}");
+}

@@ -26,16 +26,8 @@ pub const IDLE: &[Idle] = &[
         "threshold::again_and_again",
         NO_NUMBER,
     ),
-    idle(
-        "s23-threshold-exists",
-        "threshold::with_mean_drift",
-        BESIDE,
-    ),
-    idle(
-        "s23-threshold-exists",
-        "threshold::with_mean_close",
-        BESIDE,
-    ),
+    idle("s23-threshold-exists", "threshold::with_mean_drift", BESIDE),
+    idle("s23-threshold-exists", "threshold::with_mean_close", BESIDE),
 ];
 
 const ONE_MOTION: &str = "motions are compared with each other: what is said of them, that they end alike, has no formula";

@@ -337,3 +337,30 @@ impl Writer {
         self.out.flush()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_end_whose_time_is_hardly_known_is_found_again() {
+        let rest = |tau_error| End::Rest {
+            sigma: 0.5,
+            sigma_error: 0.0,
+            tau: 3.0,
+            tau_error,
+        };
+        let far = |tau_error| End::Far {
+            tau: 3.0,
+            tau_error,
+        };
+        for (part, expected) in [(2e-5, true), (5e-6, false)] {
+            assert_eq!(
+                [rest(3.0 * part), far(3.0 * part)].map(|end| is_rough(&end)),
+                [expected; 2]
+            );
+        }
+        let start = Start::polar(0.5, 0.1, 0.2).unwrap();
+        assert!(is_rough(&End::Unfinished(start)) && !is_rough(&End::Late(start)));
+    }
+}

@@ -106,33 +106,34 @@ pub fn time() -> Evidence {
 fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(12);
-    trial.over(0..300, |_| {
-        let incline = Incline::any(&mut points);
-        let duration =
-            points.uniform(0.1, 0.5) * incline.v0 / (incline.a() * (1.0 + incline.lambda()));
-        let start = incline.velocity(incline.v0, incline.theta0);
-        let rate = |_: f64, v: &[f64; 3]| incline.acceleration(&Vector3::from(*v)).into();
-        let end = Vector3::from(dop853::end(
-            rate,
-            0.0,
-            start.into(),
-            duration,
-            1e-14,
-            1e-16,
-        )?);
-        let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
-        let Incline { v0, theta0, .. } = incline;
-        let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Double::from);
-        let turn = Turn {
-            theta,
-            t: duration,
-            v: end.norm(),
-            ..Turn::launch(incline.lambda(), incline.a(), v0, theta0)
-        };
-        let (stated, found, scale) = pair(at, &turn);
-        Ok(Pair::wide(incline.at(), stated, found).within(scale))
-    })
-    .of_a_part()
+    trial
+        .over(0..300, |_| {
+            let incline = Incline::any(&mut points);
+            let duration =
+                points.uniform(0.1, 0.5) * incline.v0 / (incline.a() * (1.0 + incline.lambda()));
+            let start = incline.velocity(incline.v0, incline.theta0);
+            let rate = |_: f64, v: &[f64; 3]| incline.acceleration(&Vector3::from(*v)).into();
+            let end = Vector3::from(dop853::end(
+                rate,
+                0.0,
+                start.into(),
+                duration,
+                1e-14,
+                1e-16,
+            )?);
+            let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
+            let Incline { v0, theta0, .. } = incline;
+            let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Double::from);
+            let turn = Turn {
+                theta,
+                t: duration,
+                v: end.norm(),
+                ..Turn::launch(incline.lambda(), incline.a(), v0, theta0)
+            };
+            let (stated, found, scale) = pair(at, &turn);
+            Ok(Pair::wide(incline.at(), stated, found).within(scale))
+        })
+        .of_a_part()
 }
 
 /// (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
@@ -202,17 +203,18 @@ pub fn forces() -> Evidence {
     );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(13);
-    trial.over(0..1000, |_| {
-        let incline = Incline::any(&mut points);
-        let (lambda, a, theta) = (incline.lambda(), incline.a(), incline.theta0);
-        let force = incline.acceleration(&incline.velocity(incline.v0, theta));
-        Ok(Pair {
-            at: incline.at(),
-            stated: printed::eq6_vx_rate(lambda, a, theta)
-                + 2.0 * printed::eq7_vy_rate(lambda, a, theta),
-            found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
-            scale: a * (1.0 + lambda),
+    trial
+        .over(0..1000, |_| {
+            let incline = Incline::any(&mut points);
+            let (lambda, a, theta) = (incline.lambda(), incline.a(), incline.theta0);
+            let force = incline.acceleration(&incline.velocity(incline.v0, theta));
+            Ok(Pair {
+                at: incline.at(),
+                stated: printed::eq6_vx_rate(lambda, a, theta)
+                    + 2.0 * printed::eq7_vy_rate(lambda, a, theta),
+                found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
+                scale: a * (1.0 + lambda),
+            })
         })
-    })
-    .of_a_part()
+        .of_a_part()
 }

@@ -496,7 +496,10 @@ mod tests {
     #[test]
     fn a_fall_and_an_odd_end_are_noticed() {
         let (rest, escape, odd) = ([1e-30, 1e-26, 0.5], [1e5, 5.0, 2e4], [0.1, 0.2, 0.5]);
-        let (grows, falls) = ([1.0, 2.0, 2.0 * (1.0 - 1e-15), 3.0], [1.0, 2.0, 2.0 * (1.0 - 2e-14), 3.0]);
+        let (grows, falls) = (
+            [1.0, 2.0, 2.0 * (1.0 - 1e-15), 3.0],
+            [1.0, 2.0, 2.0 * (1.0 - 2e-14), 3.0],
+        );
         assert_eq!(
             [rest, escape, odd].map(|end| trend(&grows, end)),
             [1.0, 1.0, 0.0]

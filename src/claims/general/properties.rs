@@ -506,7 +506,10 @@ mod tests {
 
     #[test]
     fn a_change_beyond_rounding_has_a_sense() {
-        assert_eq!([-3e-12, -1e-12, 3e-12].map(|by| sense(by, 1.0)), [-1.0, 0.0, 1.0]);
+        assert_eq!(
+            [-3e-12, -1e-12, 3e-12].map(|by| sense(by, 1.0)),
+            [-1.0, 0.0, 1.0]
+        );
     }
 
     #[test]

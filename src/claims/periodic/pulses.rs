@@ -366,11 +366,8 @@ pub fn extremes_census() -> Evidence {
 
 /// No pulses and no friction.
 pub fn extremes_outside() -> Evidence {
-    let compared = Compared::one(
-        "the stated 1",
-        "the number of rests in a period",
-    )
-    .over(r"$\eta=0$ and $\lambda_0=0$");
+    let compared = Compared::one("the stated 1", "the number of rests in a period")
+        .over(r"$\eta=0$ and $\lambda_0=0$");
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let starts = Points::stream(227).within(24, [[0.1, 3.0]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {

@@ -270,6 +270,25 @@ mod tests {
         }
     }
 
+    /// What rolling takes of friction is A/(bμg) of it, b = 7/2: the sphere rolls where that is all of it to the last digits, and slides where it is
+    /// a part in 10¹¹ more.
+    #[test]
+    fn rolling_needs_no_more_than_friction_gives() {
+        let directed = Directed {
+            sphere: Sphere::with_kappa(0.4),
+            mu_minus: 1.0,
+        };
+        let way = |beyond: f64| {
+            let pulled = Plane::constant([-3.5 * (1.0 + beyond), 0.0]);
+            directed
+                .run(&pulled, [0.0, 0.0], 0.0, 1.0)
+                .unwrap()
+                .stretches[0]
+                .way
+        };
+        assert_eq!([-1e-11, 0.0, 1e-14, 1e-11].map(way), [0, 0, 0, 1]);
+    }
+
     /// In the limit of rolling the plane gains nothing; with less friction forwards it drags the sphere forwards.
     #[test]
     fn each_way_has_its_own_friction() {
