@@ -42,7 +42,7 @@ fn every_trial_reads_the_motion_or_says_what_else() {
         .filter(|line| !line.starts_with('#'))
         .map(|line| line.split_once(": ").unwrap())
         .collect();
-    let excuse = |trial: &str| {
+    let excuse = |trial: &'static str| {
         let room = trial.split_once("::").map_or("", |(room, _)| room);
         [trial, room]
             .into_iter()

@@ -15,6 +15,7 @@ mod failure;
 pub mod formulas;
 #[cfg(feature = "trials")]
 pub mod laid_over;
+#[cfg(feature = "trials")]
 pub mod measured;
 #[cfg(feature = "trials")]
 pub mod reading;

@@ -18,7 +18,7 @@ const BOTTOM: f64 = 1e-3;
 
 /// The motion with λ₊ = λ₀, λ₋ = qλ₀ from the velocity `w` at φ = 0.
 ///
-/// Values: the region, 1 to 5 (0 for none), then those of [`tray::motion`](super::tray::motion), whose curves they are.
+/// Values: the region, 1 to 5 (0 for none), then those of [`tray::motion`], whose curves they are.
 ///
 /// # Errors
 /// A friction that is negative or not finite or none at all, `w` not finite or above 10⁹.
@@ -61,7 +61,7 @@ pub fn map(to: f64) -> Result<Answer, ExplorerError> {
     })
 }
 
-/// Four periods from the given velocity at φ = 0, as [`tray::film`](super::tray::film) shows them.
+/// Four periods from the given velocity at φ = 0, as [`tray::film`] shows them.
 ///
 /// # Errors
 /// As for [`motion`].

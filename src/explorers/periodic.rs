@@ -14,7 +14,7 @@ fn drive(third: f64) -> Result<(Drive, f64), DriveError> {
 
 /// The motion from the velocity `w` at φ = 0, with `third` times as much of the third harmonic as of the sine.
 ///
-/// Values: those of [`tray::motion`](super::tray::motion). Curves: its own, then the drive over four periods.
+/// Values: those of [`tray::motion`]. Curves: its own, then the drive over four periods.
 ///
 /// # Errors
 /// A friction that is not positive and finite, `third` not finite, `w` not finite or above 10⁹.
@@ -27,7 +27,7 @@ pub fn motion(third: f64, lambda0: f64, w: f64) -> Result<Answer, ExplorerError>
     Ok(answer)
 }
 
-/// Four periods of it, as [`tray::film`](super::tray::film) shows them.
+/// Four periods of it, as [`tray::film`] shows them.
 ///
 /// # Errors
 /// As for [`motion`].

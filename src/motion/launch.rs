@@ -68,7 +68,7 @@ impl Launch {
         self.lambda > 1.0 || self.lambda == 1.0 && self.theta0 == PI
     }
 
-    /// The motion until the particle stops.
+    /// The motion until the particle stops; its cost is that of [`run_to_stop`].
     ///
     /// # Errors
     /// [`MotionError::Argument`] if it does not [come to rest](Self::comes_to_rest); else as for [`run_to_stop`].

@@ -33,7 +33,7 @@ pub fn run(
     Run::new(plane, friction, start, until)?.finish(false)
 }
 
-/// As [`run`], but ends with the first stop. If there is none before `until`, [`Motion::first_stop`] is empty.
+/// As [`run`], in cost too, but ends with the first stop. If there is none before `until`, [`Motion::first_stop`] is empty.
 ///
 /// # Errors
 /// As for [`run`].

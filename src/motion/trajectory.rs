@@ -6,7 +6,7 @@ use crate::numerics::events::roots;
 use crate::numerics::series::{arrival, change, value};
 use crate::numerics::taylor::{Step, TERMS};
 
-/// State of a particle in the frame of the plane.
+/// State of a particle: on a plane in its frame, on a turntable in the frame that is named.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct State {
     /// Time.
@@ -21,6 +21,11 @@ impl State {
     /// |v|.
     pub fn speed(&self) -> f64 {
         libm::hypot(self.v[0], self.v[1])
+    }
+
+    /// Distance |x| from the origin: on a turntable, from the axis.
+    pub fn radius(&self) -> f64 {
+        libm::hypot(self.x[0], self.x[1])
     }
 
     /// Angle of v with the x axis in (−π, π]; 0 at rest.
@@ -281,6 +286,8 @@ impl Motion {
     /// The first state whose velocity points along `direction` (of any length), the start included; nothing if
     /// there is none until the end. Where it sets out from rest in that direction, the state of rest. A velocity
     /// component below 10⁻⁹⁰ of the other counts as zero.
+    ///
+    /// Cost: looks at each step of the motion once, until it is found.
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a direction that is zero or not finite.

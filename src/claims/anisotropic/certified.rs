@@ -2,7 +2,7 @@
 //!
 //! B and E are parametrised by β = asin(qλ₀) between 0 and π/2, in which the arcs of Newton's law have slopes
 //! everywhere: from α = asin λ₀ to π + β for B, to 2π − β for E. That these arcs are the differences of the sides of
-//! (54) and of E is proved in [`exact`](super::exact), which every certificate asks first; the numbers are looked at again
+//! (54) and of E is proved in [`exact`](mod@super::exact), which every certificate asks first; the numbers are looked at again
 //! in the middle of every part of a range.
 //! Where each root of a function crosses zero downwards, there is one at most; for that a part of the range needs a
 //! sign of the function, or a negative slope.

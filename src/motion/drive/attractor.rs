@@ -78,6 +78,8 @@ impl Drive {
     /// Follows the motion from `start` until it is periodic: until w after one more period agrees with
     /// itself to 1e-12 (in units of the largest |h|).
     ///
+    /// Cost: at most `max_periods` periods, in each of which every piece of the drive is visited.
+    ///
     /// # Errors
     /// A bad start; a motion that is not periodic after integrating `max_periods` periods. Sliding that
     /// goes on in one direction is skipped and slow contraction is accelerated, so a few dozen are enough.
@@ -180,6 +182,8 @@ impl Drive {
     }
 
     /// Whether all `starts` lead to the same periodic motion. Motions that drift agree if all do.
+    ///
+    /// Cost: [`Drive::attractor`] for each start, and 64 values of each motion.
     ///
     /// # Errors
     /// As [`Drive::attractor`].

@@ -35,7 +35,8 @@ struct Stretch {
 const ROUNDED: f64 = 1e-14;
 
 impl Attractor<'_> {
-    /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0.
+    /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0. Visits every piece of the
+    /// drive once.
     pub fn largest(&self) -> State {
         let mut best = State { phi: 0.0, w: 0.0 };
         self.walk(|interval, stretch| {
@@ -98,7 +99,7 @@ impl Attractor<'_> {
         [forward, backward]
     }
 
-    /// How near this motion is to one of another kind.
+    /// How near this motion is to one of another kind. Visits every piece of the drive once.
     pub fn margins(&self) -> Margins {
         let mut margins = Margins {
             shortest: f64::INFINITY,

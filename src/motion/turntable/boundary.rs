@@ -8,6 +8,8 @@ use std::sync::LazyLock;
 /// Bisects `start` between a value from which the particle rests and one from which it escapes, until they are
 /// neighbours to `width`, or rounding decides.
 ///
+/// Cost: at most 130 fates, each of at most [`STEPS`](super::fate::STEPS) steps.
+///
 /// # Errors
 /// [`MotionError::Argument`] when the particle does not rest at `rest` or does not escape at `escape`, or the width
 /// is not positive; and the errors of `start`.

@@ -26,6 +26,9 @@ pub use fate::{Escaping, Fate, fate};
 pub use intrinsic::{Intrinsic, Start};
 pub use path::Path;
 
+/// Where a particle is and how it moves, in one of the two frames. Both have their origin on the axis and coincide at t = 0.
+pub use super::State;
+
 #[cfg(all(test, feature = "trials"))]
 mod tests;
 
@@ -51,30 +54,6 @@ impl Default for Table {
             g: 1.0,
             mass: 1.0,
         }
-    }
-}
-
-/// Where a particle is and how it moves, in one of the two frames. Both frames have their origin on the axis and
-/// coincide at t = 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
-    /// Time.
-    pub t: f64,
-    /// Position, in length.
-    pub x: [f64; 2],
-    /// Velocity, in length/time.
-    pub v: [f64; 2],
-}
-
-impl State {
-    /// |v|.
-    pub fn speed(&self) -> f64 {
-        libm::hypot(self.v[0], self.v[1])
-    }
-
-    /// Distance from the axis.
-    pub fn radius(&self) -> f64 {
-        libm::hypot(self.x[0], self.x[1])
     }
 }
 

@@ -33,6 +33,8 @@ impl Integrable for Integrand<'_> {
 
 /// The integral of `f` from `low` to `high` (either order), to about 10⁻¹⁴ of ∫|f|. `f` is not called at the ends.
 ///
+/// Cost: at most 200,000 evaluations of `f`.
+///
 /// # Errors
 /// [`NumericsError::Argument`] for an end that is not finite, [`NumericsError::Library`] when the rule gives up
 /// (an integrand that is not finite inside, or 200,000 evaluations).

@@ -10,6 +10,8 @@ use super::error::{NumericsError, finite};
 /// A root of `f` between `low` and `high`, to two units in the last place of the root, or of the smallest
 /// normal number. Where `f` jumps across zero, the place of the jump.
 ///
+/// Cost: at most 4,224 evaluations of `f`, twice what bisection of the whole range of numbers takes.
+///
 /// # Errors
 /// [`NumericsError::Argument`] for an end that is not finite, [`NumericsError::NoSignChange`] when `f` has the
 /// same sign at both ends, [`NumericsError::NotFinite`] when `f` is NaN somewhere on the way.
