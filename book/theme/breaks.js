@@ -7,7 +7,7 @@
     const host = document.getElementById('broken');
     host.hidden = false;
     host.innerHTML = `<p>Two sections take part, 2.1 and 3, with all the trials of their claims.
-        <button type="button">Load the trials</button> <span role="status"></span></p>`;
+        <button type="button">Load the trials (${host.dataset.size})</button> <span role="status"></span></p>`;
     host.querySelector('button').addEventListener('click', load, { once: true });
 
     async function load() {
@@ -52,10 +52,13 @@
     }
 
     const escaped = text => text.replace(/[&<>]/g, c => ({ '&': '&amp;', '<': '&lt;', '>': '&gt;' })[c]);
-    const parts = text => text.match(/[\p{L}₀₁₂'′]+|\d+|./gu) || [];
+    // The parts of a formula in plain text: a derivative and a logarithm that are symbols, functions, symbols, numbers, signs.
+    const PARTS = /\(d\(tan θ\/2\)\^λ\/dθ\)|ln r|(?:arc)?(?:sin|cos|tan|cot)h?(?=\()|(?:exp|ln|√)(?=\()|\p{L}[\p{L}\p{M}₀-₉ₓ₊₋]*(?:_\p{L})?|\d+| [+−] |; |./gu;
+    const parts = text => text.match(PARTS) || [];
 
-    // The wrong formula, with what is not in the right one marked: all but their longest common parts.
-    function marked(right, wrong) {
+    // The parts of the wrong formula; marked are those that are not in the right one, all but their longest common parts, and
+    // cut are those before which something is missing.
+    function compared(right, wrong) {
         const [a, b] = [parts(right), parts(wrong)];
         const common = Array.from({ length: a.length + 1 }, () => new Uint16Array(b.length + 1));
         for (let i = a.length; i-- > 0;) {
@@ -63,15 +66,90 @@
                 common[i][k] = a[i] === b[k] ? common[i + 1][k + 1] + 1 : Math.max(common[i + 1][k], common[i][k + 1]);
             }
         }
-        const out = [];
+        const out = b.map(text => ({ text }));
+        const silent = text => /^[() ]$/.test(text);
         let i = 0, k = 0;
         while (i < a.length || k < b.length) {
-            if (a[i] === b[k]) { out.push(escaped(b[k])); i++; k++; }
-            else if (k < b.length && (i === a.length || common[i][k + 1] >= common[i + 1][k])) out.push(`<mark>${escaped(b[k++])}</mark>`);
-            else { if (out.at(-1) !== '<s></s>') out.push('<s></s>'); i++; }
+            if (a[i] === b[k]) { i++; k++; }
+            else if (k < b.length && (i === a.length || common[i][k + 1] >= common[i + 1][k])) { out[k].marked = true; k++; }
+            else { if (!silent(a[i]) && out.length) out[Math.min(k, out.length - 1)].cut = true; i++; }
         }
-        return out.join('').replaceAll('</mark><s></s>', '</mark>').replaceAll('<s></s><mark>', '<mark>').replaceAll('</mark><mark>', '');
+        // What has another thing in its place lacks nothing.
+        out.forEach((part, n) => { part.cut &&= !part.marked && !out[n - 1]?.marked; });
+        return out;
     }
+
+    // A formula as MathML, from its parts. Sums, products, powers and what stands in brackets, as the crate writes them.
+    function typeset(list) {
+        let at = 0;
+        const is = text => list[at]?.text === text;
+        const dressed = (html, ...own) => {
+            const kind = own.some(part => part?.marked) ? 'wrong' : own.some(part => part?.cut) ? 'cut' : '';
+            return kind ? `<mrow class="${kind}">${html}</mrow>` : html;
+        };
+        const row = html => `<mrow>${html}</mrow>`;
+        const sign = part => dressed(`<mo>${part.text.trim()}</mo>`, part);
+        function symbol(part) {
+            const [, letters, low] = part.text.match(/^(.*?)((?:[₀-₉ₓ₊₋]+\p{L}*|_\p{L})?)$/u);
+            const plain = [...low].map(c => ({ 'ₓ': 'x', '_': '', '₊': '+', '₋': '−' })[c] ?? ('₀₁₂₃₄₅₆₇₈₉'.includes(c) ? '₀₁₂₃₄₅₆₇₈₉'.indexOf(c) : c)).join('');
+            const letter = `<mi>${escaped(letters)}</mi>`;
+            return plain ? `<msub>${letter}${/^\d+$/.test(plain) ? `<mn>${plain}</mn>` : `<mi>${plain}</mi>`}</msub>` : letter;
+        }
+        // Each of these gives the MathML of what it reads, and `bare`, the same without brackets around it.
+        function atom() {
+            const part = list[at++];
+            if (part.text === '(') {
+                let { html } = sum();
+                // A vector that is multiplied as a whole.
+                while (is('; ')) html += sign(list[at++]) + sum().html;
+                const end = list[at++];
+                return { html: row(`${dressed('<mo>(</mo>', part)}${html}${dressed('<mo>)</mo>', end)}`), bare: dressed(row(html), part, end) };
+            }
+            if (part.text.startsWith('(d')) {
+                const html = dressed('<mfrac><mrow><mi>d</mi><msup><mrow><mo>(</mo><mi>tan</mi><mfrac><mi>θ</mi><mn>2</mn></mfrac><mo>)</mo></mrow><mi>λ</mi></msup></mrow><mrow><mi>d</mi><mi>θ</mi></mrow></mfrac>', part);
+                return { html: row(html), bare: row(html) };
+            }
+            let html = part.text === 'ln r' ? '<mi>ln</mi><mi>r</mi>' : /^\d/.test(part.text) ? `<mn>${part.text}</mn>` : symbol(part);
+            if (is('(') && /^(arc|sin|cos|tan|cot|exp|ln|√)/.test(part.text)) {
+                const argument = atom();
+                html = part.text === '√' ? `<msqrt>${argument.bare}</msqrt>` : `<mi>${part.text}</mi><mo>&#x2061;</mo>${argument.html}`;
+            }
+            html = row(dressed(html, part));
+            return { html, bare: html };
+        }
+        function power() {
+            const base = atom();
+            if (!is('^')) return base;
+            const raised = list[at++];
+            const html = dressed(`<msup>${base.html}${atom().bare}</msup>`, raised);
+            return { html, bare: html };
+        }
+        function product() {
+            let left = power();
+            while (is(' ') || is('/')) {
+                const joint = list[at++], right = power();
+                const html = joint.text === '/' ? dressed(`<mfrac>${left.bare}${right.bare}</mfrac>`, joint)
+                    : row(`${left.html}${dressed('<mo>&#x2062;</mo>', joint)}${right.html}`);
+                left = { html, bare: html };
+            }
+            return left;
+        }
+        const term = () => /^[−-]$/.test(list[at]?.text) ? { html: `${sign(list[at++])}${product().html}` } : product();
+        function sum() {
+            let { html } = term();
+            while (/^ [+−] $/.test(list[at]?.text)) html += sign(list[at++]) + term().html;
+            return { html: row(html) };
+        }
+        const components = [];
+        do components.push(sum().html); while (list[at++]?.text === '; ');
+        const plain = list.map(part => part.text).join('');
+        return components.map((html, i) => `<math display="block"${i ? '' : ` alttext="${escaped(plain)}"`}>${html}</math>`).join('');
+    }
+
+    // A sentence of the trials: powers of ten as such, and of a place as many digits as one looks at.
+    const said = text => escaped(text).replace(/\d+\.\d{6}/g, number => Number(Number(number).toPrecision(3)))
+        .replace(/(\d)e(-?)(\d+)/g, (_, digit, minus, power) => `${digit} × 10<sup>${minus && '−'}${power}</sup>`)
+        .replace(/(^|[\s(])-(?=\d)/g, '$1−');
 
     async function start(bytes) {
         const ask = await door(bytes);
@@ -84,7 +162,7 @@
                 options.filter(([own]) => own === section).map(([, html]) => html).join('')}</optgroup>`).join('')}</select></label>
             <label>Mistake <output></output><input type="range" name="way" min="0" step="1"></label>
             <div><button type="button">One at random</button></div></div>
-            <dl><dt>As it stands</dt><dd><code class="right"></code></dd><dt>Broken</dt><dd><code class="wrong"></code></dd></dl>
+            <dl><div><dt>As it stands</dt><dd class="stands"></dd></div><div><dt>Broken; what is changed is marked</dt><dd class="broken"></dd></div></dl>
             <p class="says" role="status"></p><ul class="said"></ul>`;
         const claim = host.querySelector('select'), way = host.querySelector('input');
         const find = name => host.querySelector(name);
@@ -106,8 +184,8 @@
             const { right, wrong } = ways[way.value];
             find('output').textContent = `${Number(way.value) + 1} of ${ways.length}`;
             way.setAttribute('aria-valuetext', wrong);
-            find('.right').textContent = right;
-            find('.wrong').innerHTML = marked(right, wrong);
+            find('.stands').innerHTML = typeset(compared(right, right));
+            find('.broken').innerHTML = typeset(compared(right, wrong));
             find('.says').textContent = 'The trials run…';
             // Only the last of many mistakes that are passed over.
             await new Promise(rest => setTimeout(rest, 120));
@@ -122,7 +200,7 @@
             find('.said').innerHTML = trials.map(({ trial, compared, reads, agrees, measured }) => {
                 const [mark, word, kind] = !reads ? ['–', 'does not read it', 'idle'] : agrees[1] ? ['✓', 'agrees', 'green']
                     : agrees[0] ? ['✗', 'turns red', 'red'] : ['✗', 'disagrees, as before', 'idle'];
-                return `<li class="${kind}"><b>${mark} ${word}</b> <code>${escaped(trial)}</code> ${escaped(compared)} <em>${escaped(measured[reads ? 1 : 0])}</em></li>`;
+                return `<li class="${kind}"><b>${mark} ${word}</b> <code>${escaped(trial)}</code> ${said(compared)} <em>${said(measured[reads ? 1 : 0])}</em></li>`;
             }).join('');
             host.dataset.shown = way.value;
         }

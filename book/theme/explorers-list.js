@@ -122,6 +122,13 @@ window.slipbookExplorers = (() => {
 
         anisotropic: {
             name: 'Move through the map.',
+            predict: {
+                asks: 'First your guess: friction is twice as strong backwards as forwards. Shaken to and fro, the block in the end drifts fastest where friction is',
+                options: ['weak', 'of medium strength', 'just weak enough to let it move'],
+                right: 0,
+                says: 'However weak, friction in the end balances over a period: two thirds of it forwards, one third backwards. Only the way there takes longer.',
+                at: { q: 2, lambda: 0.02, w: -0.5 },
+            },
             hint: 'Drag the circle on the map, or focus it and use the arrow keys; the start velocity shows how the periodic motion is approached.',
             inputs: {
                 q: { label: 'ratio q', range: [1, 7], step: 0.02, start: 2 },
@@ -392,6 +399,13 @@ window.slipbookExplorers = (() => {
 
         sphere: {
             name: 'Shake the ball.',
+            predict: {
+                asks: 'First your guess: a solid ball rests in the laboratory when the floor under it begins to swing, and soon it rolls. Seen from the laboratory it then swings',
+                options: ['as far as the floor', 'less far, with the floor', 'less far, against the floor'],
+                right: 1,
+                says: 'The friction that pushes the ball also turns it, so that it lags behind: 2/7 as far as the floor.',
+                at: { lambda: 1.5, kappa: 0.4, u: -1, v: 0 },
+            },
             hint: 'Choose the friction and the ball (κ is 0.4 if it is solid, 0.67 if hollow); drag the slip at the start in the second plot, or focus the circle and use the arrow keys.',
             inputs: {
                 lambda: { label: 'friction λ₀', range: [0.05, 1.5], step: 0.01, start: 0.75 },

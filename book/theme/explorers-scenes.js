@@ -35,6 +35,8 @@ window.slipbookScenes = (() => {
     };
     // Something that drifts comes back on the other side.
     const wrapped = (x, width) => ((x % width) + width) % width;
+    // Near a side, what is drawn at a place stands at the other side too.
+    const around = (x, width, drawn) => drawn(x) + (x < 80 ? drawn(x + width) : x > width - 80 ? drawn(x - width) : '');
 
     // The record, seen from above; `angle` in radians, the radius in units of the circle within which friction can hold a coin.
     const RADIUS = 2.2;
@@ -86,8 +88,9 @@ window.slipbookScenes = (() => {
                     const [tray, x] = at(places, i), w = at(velocities, i)[1], rests = Math.abs(w) < 1e-6;
                     const centre = wrapped(wide / 2 + (tray + x) * unit, wide);
                     return `${floor(tray, 104, wide, unit, teeth)}
-                        <rect class="body ${rests ? 'still' : ''}" x="${n(centre - 26)}" y="66" width="52" height="38" rx="3"/>
-                        ${rests ? `<text x="${n(Math.min(wide - 70, Math.max(70, centre)))}" y="52" text-anchor="middle">rests on the floor</text>` : arrow(centre, 50, 44 * w, 0, 'velocity')}
+                        ${around(centre, wide, x => `<rect class="body ${rests ? 'still' : ''}" x="${n(x - 26)}" y="66" width="52" height="38" rx="3"/>
+                            ${rests ? '' : arrow(x, 50, 44 * w, 0, 'velocity')}`)}
+                        ${rests ? `<text x="${n(Math.min(wide - 70, Math.max(70, centre)))}" y="52" text-anchor="middle">rests on the floor</text>` : ''}
                         <text x="4" y="140">floor, shaken</text>`;
                 },
             };
@@ -99,7 +102,7 @@ window.slipbookScenes = (() => {
             const rise = Math.min(unit, 120 / (spread || 1));
             const put = (x, y) => [wrapped(wide / 2 + x * unit, wide), high - 44 - (y - Math.min(...ys)) * rise];
             return {
-                step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, high],
+                step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, high + 14],
                 label: 'The block on the shaken tray, from above, in the laboratory.',
                 slip: i => Math.hypot(at(velocities, i)[1], Math.exp(-at(across, i)[1])),
                 draw: i => {
@@ -109,9 +112,10 @@ window.slipbookScenes = (() => {
                     for (let k = first; k < wide + unit; k += unit) lines.push(`M${n(k)} 6V${high - 8}`);
                     const over = gone >= 0 && i * step >= gone;
                     return `<rect class="ground" x="0" y="6" width="${wide}" height="${high - 14}"/><path class="teeth" d="${lines.join('')}"/>
-                        <rect class="body ${rests ? 'still' : ''}" x="${n(px - 17)}" y="${n(py - 17)}" width="34" height="34" rx="3"/>
-                        ${arrow(px, py, 44 * w, 0, 'velocity')}${arrow(px, py, 0, -44 * v, 'velocity')}
-                        ${note(64, 24, '↔ shaken')}${note(wide - 100, 24, over ? 'across: exactly 0' : v < 1e-6 ? 'across: hardly a trace' : rests ? 'rests' : '')}`;
+                        ${around(px, wide, x => `<rect class="body ${rests ? 'still' : ''}" x="${n(x - 17)}" y="${n(py - 17)}" width="34" height="34" rx="3"/>
+                            ${arrow(x, py, 44 * w, 0, 'velocity')}${arrow(x, py, 0, -44 * v, 'velocity')}`)}
+                        <text x="4" y="${high + 9}">tray, shaken ↔</text>
+                        <text x="${wide - 4}" y="${high + 9}" text-anchor="end">${over ? 'velocity across: exactly 0' : v < 1e-6 ? 'velocity across: hardly a trace' : ''}</text>`;
                 },
             };
         },
@@ -125,13 +129,15 @@ window.slipbookScenes = (() => {
                 draw: i => {
                     const [tray, x] = at(places, i), [turned, slip] = at(turning, i), rolls = Math.abs(slip) < 1e-6;
                     const centre = wrapped(wide / 2 + (tray + x) * unit, wide), y = ground - radius;
-                    const spokes = [0, 1, 2, 3].map(k => {
+                    const spokes = x => [0, 1, 2, 3].map(k => {
                         const turn = turned + k * Math.PI / 2;
-                        return `M${n(centre)} ${y}L${n(centre + radius * Math.cos(turn))} ${n(y + radius * Math.sin(turn))}`;
+                        return `M${n(x)} ${y}L${n(x + radius * Math.cos(turn))} ${n(y + radius * Math.sin(turn))}`;
                     });
-                    return `${floor(tray, ground, wide, unit)}<circle class="body ${rolls ? 'still' : ''}" cx="${n(centre)}" cy="${y}" r="${radius}"/>
-                        <path class="spokes" d="${spokes.join('')}"/><text x="${n(centre)}" y="14" text-anchor="middle">${rolls ? 'rolls' : 'slips'}</text>
-                        ${arrow(centre, ground + 30, 44 * slip, 0, 'velocity')}<text x="4" y="${ground + 38}">slip along the swing</text>`;
+                    return `${floor(tray, ground, wide, unit)}
+                        ${around(centre, wide, x => `<circle class="body ${rolls ? 'still' : ''}" cx="${n(x)}" cy="${y}" r="${radius}"/>
+                            <path class="spokes" d="${spokes(x).join('')}"/>${arrow(x, ground + 30, 44 * slip, 0, 'velocity')}`)}
+                        <text x="${n(Math.min(wide - 24, Math.max(24, centre)))}" y="14" text-anchor="middle">${rolls ? 'rolls' : 'slips'}</text>
+                        <text x="4" y="${ground + 38}">slip along the swing</text>`;
                 },
             };
         },

@@ -72,11 +72,11 @@ window.SlipbookStage = (() => {
                 this.loud = on;
                 this.sound.play(0);
             });
-            // What nobody sees need not move.
+            // What nobody sees any more need not move.
             new IntersectionObserver(([entry]) => {
+                if (this.seen && !entry.isIntersecting) this.pause();
                 this.seen = entry.isIntersecting;
-                if (!this.seen) this.pause();
-                else this.begin();
+                if (this.seen) this.begin();
             }).observe(this.svg);
             this.pause();
         }

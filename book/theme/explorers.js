@@ -27,8 +27,10 @@
         let worker, put;
         try {
             const work = `${opened}; let put; onmessage = async ({ data }) => {
-                put ||= await opened(data.bytes);
-                postMessage({ ...data, bytes: null, answer: put(data.number, data.given) });
+                // Questions that come while it opens wait for the same module.
+                put ||= opened(data.bytes);
+                const list = (await put)(data.number, data.given);
+                postMessage({ ...data, bytes: null, list }, [list.buffer]);
             };`;
             worker = new Worker(URL.createObjectURL(new Blob([work], { type: 'text/javascript' })));
         } catch {
@@ -41,14 +43,12 @@
             first = null;
         };
         if (worker) {
-            worker.onmessage = ({ data: { number, given, answer } }) => {
-                keep(number, given, answer);
-                if (wanted[number].given.join() === given.join()) {
-                    wanted[number] = null;
-                    heard.forEach(hear => hear());
-                } else {
-                    send(number);
-                }
+            worker.onmessage = ({ data: { number, given, list } }) => {
+                keep(number, given, apart(list));
+                if (wanted[number].given.join() === given.join()) wanted[number] = null;
+                else send(number);
+                // What waits for several answers is drawn once.
+                if (!wanted.some(want => want?.needed)) heard.forEach(hear => hear());
             };
             worker.onerror = async () => {
                 worker = null;
@@ -57,24 +57,24 @@
             };
         }
         // The answer, if it is there; else it is sent for, and those who wait hear of it.
-        const answer = (number, given) => {
-            if (!known(number, given) && put) keep(number, given, put(number, given));
+        const answer = (number, given, needed) => {
+            if (!known(number, given) && put) keep(number, given, apart(put(number, given)));
             if (!known(number, given) && worker) {
                 const idle = !wanted[number];
-                wanted[number] = { given };
+                wanted[number] = { given, needed };
                 if (idle) send(number);
             }
             return known(number, given);
         };
         // Without this answer nothing new is shown.
         const ask = (number, ...given) => {
-            const found = answer(number, given);
+            const found = answer(number, given, true);
             if (!found) throw PENDING;
             return found;
         };
         // Without this one, the one before it.
         ask.later = (number, ...given) => {
-            const found = answer(number, given);
+            const found = answer(number, given, false);
             ask.whole &&= Boolean(found);
             return found || last[number]?.answer || { values: [], curves: [] };
         };
@@ -82,18 +82,22 @@
         return ask;
     }
 
-    // Opens the module: its one function, with the list that it returns taken apart: values, then curves.
+    // An answer from its list: values, then curves.
+    function apart(list) {
+        let at = 0;
+        const take = n => Array.from(list.subarray(at, at += n));
+        const [count] = take(1), values = take(count), [many] = take(1);
+        return { values, curves: Array.from({ length: many }, () => take(2 * take(1)[0])) };
+    }
+
+    // Opens the module: its one function, which returns a list.
     async function opened(bytes) {
         const { exports } = (await WebAssembly.instantiate(bytes)).instance;
         return (number, given) => {
             const start = exports.ask(number, ...[...given, 0, 0, 0, 0].slice(0, 4));
             const length = new Float64Array(exports.memory.buffer, start, 1)[0];
-            const list = new Float64Array(exports.memory.buffer, start + 8, length);
             if (!length) throw new Error(`question ${number} has no answer at ${given}`);
-            let at = 0;
-            const take = n => Array.from(list.subarray(at, at += n));
-            const [count] = take(1), values = take(count), [many] = take(1);
-            return { values, curves: Array.from({ length: many }, () => take(2 * take(1)[0])) };
+            return new Float64Array(exports.memory.buffer, start + 8, length).slice();
         };
     }
 
@@ -174,15 +178,21 @@
                 sliders[key].setAttribute('aria-valuetext', said);
             }
             ask.whole = true;
-            let shown, film, now;
-            try {
-                shown = show(state, ask, { printed });
-                now = explorer.now ? explorer.now(state, ask) : [];
-                film = stage && explorer.film(state, ask, { printed, set, narrow: stage.narrow });
-            } catch (pending) {
-                if (pending !== PENDING) throw pending;
-                return;
-            }
+            // All parts send for their answers before any waits.
+            const made = [
+                () => show(state, ask, { printed }),
+                () => explorer.now ? explorer.now(state, ask) : [],
+                () => stage && explorer.film(state, ask, { printed, set, narrow: stage.narrow }),
+            ].map(part => {
+                try {
+                    return part();
+                } catch (pending) {
+                    if (pending !== PENDING) throw pending;
+                    return PENDING;
+                }
+            });
+            if (made.includes(PENDING)) return;
+            const [shown, now, film] = made;
             panels.forEach((panel, i) => panel.draw(shown.draw[i]));
             places = now;
             stage?.load(film, !anew);

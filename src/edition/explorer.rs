@@ -88,12 +88,14 @@ pub(super) fn place(page: &str) -> Result<Filled, Failure> {
 /// The place where the reader breaks a formula: empty and hidden until a script fills it.
 #[allow(clippy::unnecessary_wraps)]
 pub(super) fn breakable(_: &str) -> Result<Filled, Failure> {
-    Ok(Filled::Block(
+    // As text it is a third longer.
+    let size = include_bytes!("../../book/theme/breaks.wasm").len() as f64 * 4.0 / 3.0;
+    Ok(Filled::Block(format!(
         "<link rel=\"stylesheet\" href=\"theme/explorers.css\"><link rel=\"stylesheet\" href=\"theme/breaks.css\"><div \
-         class=\"explorer\" id=\"broken\" role=\"group\" aria-label=\"Break it yourself\" hidden></div><script defer \
-         src=\"theme/breaks.js\"></script>\n"
-            .to_owned(),
-    ))
+         class=\"explorer\" id=\"broken\" data-size=\"{:.1} MB\" role=\"group\" aria-label=\"Break it yourself\" hidden></div>\
+         <noscript><p>This needs scripts.</p></noscript><script defer src=\"theme/breaks.js\"></script>\n",
+        size / 1e6
+    )))
 }
 
 /// Pairs of numbers as the scripts read them.

@@ -20,6 +20,9 @@ pub static EDITION: Edition = Edition {
     description: "Every claim of the paper \"Slipping and rolling on a rough accelerating surface\", tried and judged",
     icon: include_str!("../../book/theme/favicon.svg"),
     picture: Some(("share.png", include_bytes!("../../book/theme/share.png"))),
+    // Once the book is published: `Some("https://…/")`, and where the sources are.
+    address: None,
+    repository: None,
     pages: pages::WRITTEN,
     usual: &[],
     figures: || Ok(figures::all()?),

@@ -4,8 +4,7 @@
 //! of backward to forward friction, φ the phase and 𝔴 the velocity.
 
 use super::{
-    Area, Axis, BLANK, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Raster,
-    Stroke, Table,
+    Area, Axis, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Stroke, Table,
 };
 use std::f64::consts::PI;
 
@@ -27,8 +26,10 @@ pub struct Heights {
 }
 
 /// One simulated point of the plane; regions as 1 to 5, 0 for none.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Cell {
+    /// q and λ₀.
+    pub at: [f64; 2],
     /// The region that the motion fits.
     pub found: u8,
     /// The region of the printed list.
@@ -40,13 +41,11 @@ pub struct Cell {
 pub struct Map {
     /// The curves, in order of q.
     pub curves: Vec<Heights>,
-    /// The cells' number along q and along λ₀.
-    pub shape: (usize, usize),
     /// The ends along q.
     pub q: (f64, f64),
     /// The ends along λ₀.
     pub lambda0: (f64, f64),
-    /// The cells, row by row from the lowest λ₀.
+    /// The points that were simulated.
     pub cells: Vec<Cell>,
     /// The points X and Y, as (q, λ₀).
     pub corners: [[f64; 2]; 2],
@@ -60,16 +59,10 @@ impl Map {
         self.curves.iter().filter_map(point).collect()
     }
 
-    /// The cells as a raster of the classes that `class` gives.
-    fn raster(&self, class: impl Fn(&Cell) -> u8) -> Result<Raster, FigureError> {
-        let (columns, rows) = self.shape;
-        Raster::new(
-            columns,
-            rows,
-            self.q,
-            self.lambda0,
-            self.cells.iter().map(class).collect(),
-        )
+    /// The points at which the printed list is wrong.
+    fn wrong(&self) -> impl Iterator<Item = [f64; 2]> {
+        let wrong = self.cells.iter().filter(|cell| cell.found != cell.printed);
+        wrong.map(|cell| cell.at)
     }
 
     /// The region between two curves, tinted.
@@ -107,20 +100,12 @@ impl Map {
         for (name, [q, lambda0]) in ["point X", "point Y"].into_iter().zip(self.corners) {
             table.row([name.into(), q.into(), lambda0.into()])?;
         }
-        let (columns, rows) = self.shape;
-        let centre = |(from, to): (f64, f64), i: usize, n: usize| {
-            from + (to - from) * (i as f64 + 0.5) / n as f64
-        };
-        for (k, cell) in self.cells.iter().enumerate() {
-            if cell.found != cell.printed {
-                let q = centre(self.q, k % columns, columns);
-                let lambda0 = centre(self.lambda0, k / columns, rows);
-                table.row([
-                    "cell where the printed list is wrong".into(),
-                    q.into(),
-                    lambda0.into(),
-                ])?;
-            }
+        for [q, lambda0] in self.wrong() {
+            table.row([
+                "point where the printed list is wrong".into(),
+                q.into(),
+                lambda0.into(),
+            ])?;
         }
         Ok(table)
     }
@@ -257,17 +242,9 @@ fn wedge(map: &Map) -> Result<Panel, FigureError> {
 /// As [`Plot::figure`].
 pub fn census(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
-    let class = |cell: &Cell| match cell {
-        cell if cell.found != cell.printed => 4,
-        cell => cell.found.checked_sub(1).unwrap_or(BLANK),
-    };
-    let raster = map
-        .raster(class)?
-        .class("'I'", 0, 0.3)
-        .class("'II'", 1, 0.3)
-        .class("'III'", 2, 0.4)
-        .class("'IV'", 3, 0.2)
-        .ink_class("'IV' where the list has 'II'", 0.55);
+    let y = map.corners[1][0];
+    // Where region II ends, as corrected.
+    let upper = |h: &Heights| if h.q <= y { h.b } else { h.e };
     let panel = Panel::new(
         Axis::linear("q").range(map.q.0, map.q.1).without_grid(),
         Axis::linear("λ_0")
@@ -275,7 +252,12 @@ pub fn census(map: &Map) -> Result<Figure, FigureError> {
             .without_grid(),
     )
     .height(380.0)
-    .raster(raster)
+    .area(map.region(|_| Some(0.0), |h| Some(h.a), 0).opacity(0.3))
+    .area(map.region(|h| Some(h.a), upper, 1).opacity(0.3))
+    .area(map.region(upper, |_| Some(1.0), 3).opacity(0.2))
+    .note(Note::new([5.0, 0.03], "'I'"))
+    .note(Note::new([6.0, 0.11], "'II'"))
+    .note(Note::new([9.5, 0.2], "'IV'"))
     .curve(
         Curve::new(map.height(|h| Some(h.a)))
             .ink()
@@ -301,16 +283,23 @@ pub fn census(map: &Map) -> Result<Figure, FigureError> {
             .width(1.2)
             .label_at("'E'", 0.6),
     )
+    .points(
+        Points::new(map.wrong())
+            .ink()
+            .size(1.4)
+            .key("wrong in the printed list"),
+    )
     .points(Points::new([map.corners[1]]).ink().label("Y"));
     Plot::new("anisotropic-census", "Where the printed list of regions fails")
         .caption(format!(
-            "The motion at points of the plane, by simulation alone; the curves are drawn over it. Of {points} points \
-             with $1\\le q\\le12$ and $0<\\lambda_0\\le1.4$ the printed list is wrong at {printed_wrong}, all between \
-             E and C; with E it is wrong at {corrected_wrong}.",
+            "The motion at points of the plane, by simulation alone. Of {points} points with $1\\le q\\le12$ and \
+             $0<\\lambda_0\\le1.4$ the printed list is wrong at {printed_wrong}, which are drawn where they lie: all between \
+             E and C. With E for the missing border it is wrong at {corrected_wrong}: at all other points the motion is that of \
+             the region drawn.",
         ))
         .alt(
             "A map with q from 4 to 12 to the right and λ₀ from 0 to 0.28 upwards. From below: region I, region II, \
-             and above them region IV. A dark wedge that opens to the right of the point Y separates II from IV: \
+             and above them region IV. A wedge full of dots that opens to the right of the point Y separates II from IV: \
              there the motion is that of IV although the printed list has II.",
         )
         .panel(panel)

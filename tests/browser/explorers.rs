@@ -703,9 +703,31 @@ pub fn broken(page: &mut Page, book: &Book) -> Result<(), Failure> {
         if red.is_empty() || seen != red {
             wrong.push(format!("{}: {seen:?} turn red, not {red:?}", way.wrong));
         }
-        let formula = page.value("document.querySelector('#broken .wrong').textContent")?;
-        if formula != way.wrong.as_str() {
-            wrong.push(format!("{formula} is shown for {}", way.wrong));
+        // It is set as a formula; what is told to those who do not see it is its text, and what is seen are the letters of that.
+        let told =
+            page.value("document.querySelector('#broken .broken math').getAttribute('alttext')")?;
+        let seen = page.value(
+            "[...document.querySelectorAll('#broken .broken :is(mi, mn, mo)')].map(part => part.textContent).join('')",
+        )?;
+        let seen: String = seen
+            .as_str()
+            .unwrap_or_default()
+            .chars()
+            .filter(|c| !"()\u{2061}\u{2062}".contains(*c))
+            .collect();
+        let letters: String = way
+            .wrong
+            .chars()
+            .filter(|c| !"() /^".contains(*c))
+            .map(|c| if c == '₀' { '0' } else { c })
+            .collect();
+        if told != way.wrong.as_str() || seen != letters {
+            wrong.push(format!("{told} and {seen} are shown for {}", way.wrong));
+        }
+        let marks =
+            page.value("document.querySelectorAll('#broken .broken :is(.wrong, .cut)').length")?;
+        if marks.as_u64().is_none_or(|marks| marks == 0) {
+            wrong.push(format!("nothing is marked in {}", way.wrong));
         }
         page.value("document.querySelector('#broken input').focus()")?;
         page.press("ArrowRight")?;

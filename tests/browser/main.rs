@@ -8,6 +8,7 @@ mod chrome;
 mod explorers;
 mod measures;
 mod pages;
+mod scenes;
 mod visit;
 
 use chrome::{Browser, Failure, Page};
@@ -30,7 +31,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 24] = [
+const TESTS: [(&str, Test); 26] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -57,6 +58,7 @@ const TESTS: [(&str, Test); 24] = [
     ),
     ("explorers_move_by_touch", explorers::touch),
     ("bodies_move_on_every_stage", explorers::stages),
+    ("pictures_are_those_of_the_crate", scenes::pictures),
     ("boxes_fold_and_unfold", pages::folds),
     ("the_first_page_answers", pages::front),
     ("a_formula_can_be_broken", explorers::broken),
@@ -67,6 +69,7 @@ const TESTS: [(&str, Test); 24] = [
         explorers::addresses,
     ),
     ("every_answer_comes_in_time", measures::answers),
+    ("every_slider_shows_its_picture_in_time", measures::sliders),
     ("every_picture_is_drawn_in_time", measures::frames),
     ("a_phone_shows_all", measures::phone),
     ("paper_holds_the_findings", measures::paper),

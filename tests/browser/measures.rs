@@ -80,6 +80,42 @@ pub fn answers(page: &mut Page, book: &Book) -> Result<(), Failure> {
     none(found?)
 }
 
+/// From the slider to the picture: all that is computed and drawn for it, by one thread that is slowed down.
+pub fn sliders(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    // Without workers the page's own thread answers; those would not be slowed down.
+    let alone = json!({ "source": "window.Worker = undefined;" });
+    page.call("Page.addScriptToEvaluateOnNewDocument", alone)?;
+    let mut late = Vec::new();
+    for name in PAGES.map(crate::explorers::name_on) {
+        page.open(&book.address(&format!("{}.html", page_of(name))))?;
+        page.explored()?;
+        slow(page, SLOWER)?;
+        let found = page.texts(&format!(
+            "(async host => {{
+                const found = [];
+                for (const slider of host.querySelectorAll('.inputs input')) {{
+                    let least = Infinity;
+                    // Once without other work in between is enough.
+                    for (let i = 0; i < 24 && !(least < {ANSWER}); i++) {{
+                        const [low, high, step] = ['min', 'max', 'step'].map(end => Number(slider[end]));
+                        await new Promise(rest => setTimeout(rest, 20));
+                        const before = performance.now();
+                        slider.value = low + step * Math.round((high - low) * ((0.11 + 0.37 * i) % 1) / step);
+                        slider.dispatchEvent(new Event('input', {{ bubbles: true }}));
+                        while (!host.dataset.whole) await new Promise(requestAnimationFrame);
+                        least = Math.min(least, performance.now() - before);
+                    }}
+                    if (!(least < {ANSWER})) found.push(`{name}, ${{slider.name}}: ${{least.toFixed(0)}} ms`);
+                }}
+                return found;
+            }})(document.querySelector('[data-explorer]'))"
+        ));
+        slow(page, 1.0)?;
+        late.extend(found?);
+    }
+    none(late)
+}
+
 /// Every picture of a film is drawn in less than the time that it is shown.
 pub fn frames(page: &mut Page, book: &Book) -> Result<(), Failure> {
     let mut late = Vec::new();

@@ -234,6 +234,22 @@ pub fn front(page: &mut Page, book: &Book) -> Result<(), Failure> {
             wrong.push(format!("\"{asked}\" is answered without a formula"));
         }
     }
+    // On a usual screen nothing of it has to be scrolled to, and no two parts of the strip are called the same.
+    page.resize(1400, 900)?;
+    page.open(&book.address("index.html"))?;
+    page.explored()?;
+    let below = page.value("scrollY + document.querySelector('.front').getBoundingClientRect().bottom")?;
+    if below.as_f64().is_none_or(|below| below > 900.0) {
+        wrong.push(format!("the first page ends at {below}"));
+    }
+    let twice = page.texts(
+        "[...document.querySelectorAll('.skeleton abbr')].map(part => part.textContent).filter((name, i, all) => all.indexOf(name) !== i)",
+    )?;
+    wrong.extend(
+        twice
+            .into_iter()
+            .map(|name| format!("two parts of the strip are called {name}")),
+    );
     let marks = page.value("document.querySelectorAll('.skeleton a').length")?;
     if marks != 147 {
         wrong.push(format!("{marks} marks"));

@@ -37,6 +37,11 @@ pub struct Edition {
     pub icon: &'static str,
     /// The picture that stands for the book where a link to it is shared: its name within the book, and its bytes.
     pub picture: Option<(&'static str, &'static [u8])>,
+    /// Where the book stands on the web, with a slash at its end: who shares a link sees the picture only by a whole
+    /// address. Without it the addresses are relative.
+    pub address: Option<&'static str>,
+    /// Where the program that makes the book is kept. Without it, it is named and not linked.
+    pub repository: Option<&'static str>,
     /// The paper.
     pub paper: &'static Paper,
     /// The pages: `index` stands first, then those of the topics, whose titles are the topics', then all others in this
@@ -74,6 +79,8 @@ impl Edition {
             description: "The claims of a paper, tried and judged",
             icon: include_str!("../theme/icon.svg"),
             picture: None,
+            address: None,
+            repository: None,
             paper,
             pages: &[],
             usual: Page::USUAL,

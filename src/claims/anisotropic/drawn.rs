@@ -9,21 +9,19 @@ use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 
-/// One point of the census in a map: found and printed region.
-pub type Cell = (usize, Option<usize>);
+/// One point of the census in a map: q and λ₀, found and printed region.
+pub type Cell = ([f64; 2], usize, Option<usize>);
 
 /// A part of the plane.
 #[derive(Debug, Clone)]
 pub struct Map {
     /// The curves, in order of q.
     pub curves: Vec<Curves>,
-    /// Cells along q and along λ₀.
-    pub shape: (usize, usize),
     /// The ends along q.
     pub q: (f64, f64),
     /// The ends along λ₀.
     pub lambda0: (f64, f64),
-    /// The cells, row by row from the lowest λ₀.
+    /// The points, one in each cell, row by row from the lowest λ₀.
     pub cells: Vec<Cell>,
 }
 
@@ -41,7 +39,7 @@ pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure>
     let lists: Vec<_> = chosen.iter().map(|column| printed_list(column.q)).collect();
     let cell = |i: usize, j: usize| {
         let (lambda0, found) = chosen[i].cells[j];
-        (fits(found), lists[i](lambda0))
+        ([chosen[i].q, lambda0], fits(found), lists[i](lambda0))
     };
     let rows = rows.min(census::ROWS);
     let end = |(from, to): (f64, f64), i: usize, n: usize| from + (to - from) * i as f64 / n as f64;
@@ -61,7 +59,6 @@ pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure>
             .into_iter()
             .map(Curves::at)
             .collect::<Result<_, _>>()?,
-        shape: (chosen.len(), rows),
         q,
         lambda0: (LAMBDA0.0, end(LAMBDA0, rows, census::ROWS)),
         cells: (0..rows)

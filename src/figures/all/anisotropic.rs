@@ -36,13 +36,13 @@ fn region_map(
     let map = anisotropic_drawn::map(columns, rows)?;
     let count = census::count(largest_q)?;
     // A region is at most 5.
-    let cell = |&(found, printed): &anisotropic_drawn::Cell| anisotropic_figures::Cell {
+    let cell = |&(at, found, printed): &anisotropic_drawn::Cell| anisotropic_figures::Cell {
+        at,
         found: found as u8,
         printed: printed.unwrap_or(0) as u8,
     };
     Ok(anisotropic_figures::Map {
         curves: map.curves.iter().map(heights).collect(),
-        shape: map.shape,
         q: map.q,
         lambda0: map.lambda0,
         cells: map.cells.iter().map(cell).collect(),

@@ -25,6 +25,19 @@ pub(super) fn list(
     })
 }
 
+/// The number under which an erratum can be found on paper: errors come first, then slips in print, then conditions, each in
+/// the paper's order.
+pub(super) fn number(context: &Context<'_>, id: &str) -> usize {
+    let rank = |erratum: &&Erratum| match erratum.verdict {
+        Verdict::Misprint => 1,
+        Verdict::Conditional => 2,
+        _ => 0,
+    };
+    let mut all: Vec<_> = context.errata.iter().collect();
+    all.sort_by_key(rank);
+    1 + all.iter().take_while(|erratum| erratum.id != id).count()
+}
+
 fn item(context: &Context<'_>, stem: &str, erratum: &Erratum) -> Result<String, Fault> {
     let maths = context.maths;
     let entry = context.entry(erratum.id)?;
@@ -41,13 +54,14 @@ fn item(context: &Context<'_>, stem: &str, erratum: &Erratum) -> Result<String, 
     };
     let mut html = format!(
         "<section class=\"erratum {slug}\" aria-labelledby=\"{stem}-{id}\"><h3 id=\"{stem}-{id}\"><a href=\"{page}.html#{id}\">{title}</a></h3>\
-         <p class=\"claim-place\">Section {section} {verdict}</p>\
+         <p class=\"claim-place\">No. {number}, section {section} {verdict}</p>\
          <div class=\"{beside}\"><div class=\"printed\"><p class=\"claim-label\">Printed</p>{old}</div>\
          <div class=\"corrected\"><p class=\"claim-label\">Should be</p>{new}</div></div>",
         slug = erratum.verdict.slug(),
         beside = side_by_side([&old, &new]),
         id = erratum.id,
         page = entry.topic.stem,
+        number = number(context, erratum.id),
         section = erratum.section,
         verdict = verdict(erratum.verdict),
     );

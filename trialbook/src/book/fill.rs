@@ -56,6 +56,7 @@ impl<'a> Filler<'a> {
             ["contents"] => inline(self.contents(page)?),
             ["title"] => inline(escape(ledger.paper.title)),
             ["authors"] => inline(escape(ledger.paper.authors)),
+            ["repository"] => inline(overview::repository(context.edition)),
             ["counts"] => block(tables::counts(ledger)),
             ["errors"] => block(overview::errors(context, false)?),
             ["errors", "fallen"] => block(overview::errors(context, true)?),

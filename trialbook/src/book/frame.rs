@@ -305,13 +305,16 @@ fn with_folds(html: &str) -> String {
 
 /// Lets mdBook make `book` from `source`.
 fn render(edition: &Edition, source: &Path, book: &Path) -> Result<(), BookError> {
-    let mut config: Config = assets::settings(edition)
-        .parse()
-        .map_err(|error| BookError::Render(format!("{error:#}")))?;
+    let failed = |error| BookError::Render(format!("{error:#}"));
+    let mut config: Config = assets::settings(edition).parse().map_err(failed)?;
     config.book.title = Some(edition.title.to_owned());
     config.book.description = Some(edition.description.to_owned());
+    if let Some(repository) = edition.repository {
+        let name = "output.html.git-repository-url";
+        config.set(name, repository).map_err(failed)?;
+    }
     config.build.build_dir = book.to_owned();
     MDBook::load_with_config(source, config)
         .and_then(|mdbook| mdbook.build())
-        .map_err(|error| BookError::Render(format!("{error:#}")))
+        .map_err(failed)
 }

@@ -40,15 +40,22 @@ pub(super) fn with_head(edition: &Edition, stem: &str, html: &str, forms: &Forms
         }
         None => after.to_owned(),
     };
+    let base = edition.address.unwrap_or_default();
     let picture = match edition.picture {
         Some((name, _)) => format!(
-            "<meta property=\"og:image\" content=\"{name}\"><meta name=\"twitter:card\" content=\"summary_large_image\">"
+            "<meta property=\"og:image\" content=\"{base}{name}\"><meta name=\"twitter:card\" content=\"summary_large_image\">"
+        ),
+        None => String::new(),
+    };
+    let place = match edition.address {
+        Some(base) => format!(
+            "<link rel=\"canonical\" href=\"{base}{stem}.html\"><meta property=\"og:url\" content=\"{base}{stem}.html\">"
         ),
         None => String::new(),
     };
     format!(
         "{before}<title>{title}</title><meta property=\"og:title\" content=\"{title}\">\
-         <meta property=\"og:type\" content=\"article\"><meta property=\"og:description\" content=\"{words}\">{picture}{after}"
+         <meta property=\"og:type\" content=\"article\"><meta property=\"og:description\" content=\"{words}\">{picture}{place}{after}"
     )
 }
 
@@ -70,5 +77,39 @@ fn description(edition: &Edition, html: &str, forms: &Forms) -> String {
     match plain.as_str() {
         "" => escape(edition.description),
         text => text.replace('"', "&quot;"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::Paper;
+
+    static PAPER: Paper = Paper {
+        title: "Stones",
+        ..Paper::BLANK
+    };
+
+    #[test]
+    fn who_shares_a_link_gets_whole_addresses_where_the_book_has_one() {
+        let page = "<html lang=\"en\"><head><title>Fall - Stones</title></head><h1>Fall</h1><p>They \"fall\".</p></html>";
+        let edition = Edition {
+            picture: Some(("share.png", &[])),
+            ..Edition::of("stones", &PAPER)
+        };
+        let head = with_head(&edition, "fall", page, &Forms::default());
+        assert!(head.contains("\"og:image\" content=\"share.png\"") && !head.contains("og:url"));
+        assert!(head.contains("\"og:description\" content=\"They &quot;fall&quot;.\""));
+        let edition = Edition {
+            address: Some("https://stones.example/"),
+            ..edition
+        };
+        let head = with_head(&edition, "fall", page, &Forms::default());
+        for part in [
+            "\"og:image\" content=\"https://stones.example/share.png\"",
+            "\"og:url\" content=\"https://stones.example/fall.html\"",
+        ] {
+            assert!(head.contains(part), "{head}");
+        }
     }
 }

@@ -7,6 +7,7 @@
 //! | `{{claim eq-11}}` | the claim's box; every claim has one, on the page of its topic |
 //! | `{{figure fig-1}}` | the figure with its caption, text alternative and data |
 //! | `{{title}}`, `{{authors}}` | of the paper |
+//! | `{{repository}}` | "this repository", with a link where the edition has its address |
 //! | `{{counts}}` | a table of the verdicts with the number of claims |
 //! | `{{errors}}`, `{{errors fallen}}` | the independent errors, a line each with link; and with what falls with each |
 //! | `{{skeleton}}` | a mark for each numbered equation, by its verdict |

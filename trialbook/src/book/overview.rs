@@ -2,9 +2,11 @@
 
 use super::claim_box::is_formula;
 use super::context::{Context, sign, verdict};
+use super::errata;
 use super::error::Fault;
 use super::text::{escape, sentence};
 use crate::claims::Topic;
+use crate::edition::Edition;
 use crate::ledger::{Entry, Verdict, plain_words};
 use serde::Serialize;
 
@@ -27,7 +29,11 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String,
             ids => format!(" With it {}.", context.links(ids)?),
         };
         let link = context.link(entry)?;
-        Ok(format!("<li>{link}: {words}.{fallen}</li>"))
+        let number = match with_fallen {
+            true => format!("No. {}, ", errata::number(context, entry.claim.id)),
+            false => String::new(),
+        };
+        Ok(format!("<li>{number}{link}: {words}.{fallen}</li>"))
     };
     let lines: Result<String, Fault> = context.ledger.roots().map(line).collect();
     Ok(format!("<ul class=\"errors\">{}</ul>\n", lines?))
@@ -60,14 +66,26 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
             .filter_map(|entry| Some((entry.claim.equation?, entry)))
             .collect();
         numbered.sort_by_key(|(number, _)| *number);
-        let section = topic.claims.first().map_or("", |claim| claim.section);
+        let section = first_section(topic);
+        // Where topics share a section, what the title has after its colon tells them apart.
+        let topics = context.ledger.paper.topics;
+        let shared = topics
+            .iter()
+            .filter(|t| first_section(t) == section)
+            .count()
+            > 1;
+        let part = topic.title.split_once(": ").filter(|_| shared);
+        let label = part.map_or_else(
+            || section.to_owned(),
+            |(_, part)| format!("{section} {part}"),
+        );
         let marks: String = numbered.into_iter().map(mark).collect();
         match marks.is_empty() {
             true => marks,
             false => format!(
-                "<div><abbr title=\"{}\">{}</abbr>{marks}</div>",
-                escape(topic.title),
-                escape(section)
+                "<div role=\"group\" aria-label=\"{title}\"><abbr title=\"{title}\">{}</abbr>{marks}</div>",
+                escape(&label),
+                title = escape(topic.title)
             ),
         }
     };
@@ -80,6 +98,19 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
          <ul class=\"skeleton-key\">{}</ul>\n",
         key.collect::<String>()
     )
+}
+
+/// The section in which a topic begins.
+fn first_section(topic: &Topic) -> &'static str {
+    topic.claims.first().map_or("", |claim| claim.section)
+}
+
+/// What the program is kept in, with a link where that is known.
+pub(super) fn repository(edition: &Edition) -> String {
+    match edition.repository {
+        Some(address) => format!("<a href=\"{}\">this repository</a>", escape(address)),
+        None => "this repository".to_owned(),
+    }
 }
 
 /// The field; a script makes it answer.

@@ -39,6 +39,9 @@ const LANE_HEAD: f64 = 34.0;
 /// Size of the small type, and the room for type in a box.
 const SMALL: f64 = 12.0;
 const ROOM: f64 = 136.0;
+/// Size of the type where the whole map is seen, and the room for the sign there.
+const WHOLE: f64 = 30.0;
+const WHOLE_SIGN: f64 = 34.0;
 
 /// Draws the map; lanes by their titles.
 ///
@@ -163,11 +166,19 @@ fn drawn(node: &Node, i: usize, [x, y]: [f64; 2]) -> String {
         _ => cut(rest, ROOM - SMALL, SMALL).0.to_owned() + "…",
     };
     let shaken = if node.shaken { " shaken" } else { "" };
+    // What stands for the words where the whole map is seen.
+    let short = match node.name.as_str() {
+        "" => format!(
+            "<tspan class=\"short\" display=\"none\">{}</tspan>",
+            escape(&begun(&node.title))
+        ),
+        _ => String::new(),
+    };
     let name = [node.name.as_str(), node.title.as_str()].join(" ");
     format!(
         "<a href=\"{href}\" class=\"node {class}{shaken}\" data-node=\"{i}\"><title>{title}</title>\
          <rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"6\"/>\
-         <text x=\"{tx}\" y=\"{t1}\">{sign} <tspan class=\"{kind}\">{first}</tspan></text><text font-size=\"{SMALL}\" x=\"{tx}\" y=\"{t2}\">{second}</text></a>\n",
+         <text x=\"{tx}\" y=\"{t1}\">{sign} <tspan class=\"{kind}\">{first}</tspan>{short}</text><text font-size=\"{SMALL}\" x=\"{tx}\" y=\"{t2}\">{second}</text></a>\n",
         href = escape(&node.href),
         class = node.class,
         title = escape(&format!("{}: {}", name.trim(), node.words)),
@@ -187,6 +198,28 @@ fn drawn(node: &Node, i: usize, [x, y]: [f64; 2]) -> String {
         first = escape(first),
         second = escape(&second),
     )
+}
+
+/// The beginning of a title, without its article, as far as a box has room for it in the type of the whole map.
+fn begun(title: &str) -> String {
+    let plain = ["The ", "the ", "A ", "a "];
+    let plain = plain.iter().find_map(|article| title.strip_prefix(article));
+    let plain = plain.unwrap_or(title);
+    let mut ends = plain.char_indices().map(|(at, _)| at);
+    let long = |end: &usize| width(&plain[..*end], WHOLE) > ROOM - WHOLE_SIGN;
+    match ends.find(long) {
+        None => plain.to_owned(),
+        Some(end) => {
+            let short: String = plain[..end].chars().rev().skip(2).collect();
+            short
+                .chars()
+                .rev()
+                .collect::<String>()
+                .trim_end()
+                .to_owned()
+                + "…"
+        }
+    }
 }
 
 /// As many words as fit, at least one, and the rest.
@@ -227,5 +260,17 @@ mod tests {
         assert_eq!(figure.csv.lines().count(), 6);
         assert_eq!(figure.svg.matches("class=\"step far\"").count(), 2);
         assert!(!figure.svg.contains("\n\n") && figure.svg.contains('…'));
+    }
+
+    #[test]
+    fn a_name_on_the_whole_map_fits_its_box() {
+        for (title, short) in [
+            ("the mirror", "mirror"),
+            ("rest", "rest"),
+            ("the boundary between rest and escape", "boun…"),
+        ] {
+            assert_eq!(begun(title), short);
+            assert!(width(&begun(title), WHOLE) <= ROOM - WHOLE_SIGN);
+        }
     }
 }

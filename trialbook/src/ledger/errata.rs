@@ -216,7 +216,7 @@ fn reason_of_condition(entry: &Entry) -> String {
         .filter(|e| e.subject == Subject::Outside);
     let fails = outside
         .filter(|e| e.outcome() == Outcome::Disagrees)
-        .map(|e| format!("{} {}", e.comparison(), e.measured()));
+        .map(Evidence::failure);
     let fails: Vec<_> = fails.collect();
     format!("Without the condition it fails. {}", fails.join(" "))
 }
