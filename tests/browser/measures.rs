@@ -176,6 +176,17 @@ pub fn phone(page: &mut Page, book: &Book) -> Result<(), Failure> {
                     .map(([size, words]) => `${words.closest('figure, .explorer').id}: ${words.textContent} is ${size.toFixed(1)} px`);
             })()",
         )?);
+        // Nothing around a figure cuts its labels off.
+        wrong.extend(page.texts(
+            "[...document.querySelectorAll('figure.plot > div:not(.map-window) svg')].filter(svg => {
+                const { left, right } = svg.getBoundingClientRect();
+                for (let box = svg.parentElement; box; box = box.parentElement) {
+                    const seen = box.getBoundingClientRect();
+                    if (getComputedStyle(box).overflowX !== 'visible' && (seen.left > left + 1 || seen.right < right - 1)) return true;
+                }
+                return false;
+            }).map(svg => `${svg.closest('figure').id} is cut off`)",
+        )?);
         // It has all in one picture.
         if name == "record" {
             continue;

@@ -238,7 +238,8 @@ pub fn front(page: &mut Page, book: &Book) -> Result<(), Failure> {
     page.resize(1400, 900)?;
     page.open(&book.address("index.html"))?;
     page.explored()?;
-    let below = page.value("scrollY + document.querySelector('.front').getBoundingClientRect().bottom")?;
+    let below =
+        page.value("scrollY + document.querySelector('.front').getBoundingClientRect().bottom")?;
     if below.as_f64().is_none_or(|below| below > 900.0) {
         wrong.push(format!("the first page ends at {below}"));
     }

@@ -242,6 +242,10 @@
             event.target.setAttribute('aria-pressed', on);
         });
         view.before(bar);
+        // Where the boxes are small, the whole name of the one that is pointed at.
+        const says = document.createElement('p');
+        says.className = 'map-says';
+        view.before(says);
         view.addEventListener('wheel', event => {
             if (!event.ctrlKey && !event.metaKey) return;
             event.preventDefault();
@@ -272,6 +276,7 @@
                 steps.forEach(step => lit.has(step.dataset.from) && lit.add(step.dataset.to));
             }
             map.classList.add('chosen');
+            says.textContent = nodes.find(node => node.dataset.node === start).querySelector('title').textContent;
             nodes.forEach(node => node.classList.toggle('lit', lit.has(node.dataset.node)));
             steps.forEach(step => step.classList.toggle('lit', lit.has(step.dataset.from)));
         };
