@@ -150,7 +150,7 @@ window.slipbookExplorers = (() => {
                 title: 'one period: + forth, − back, 0 rest', label: 'One period of the periodic motion, with its intervals.',
                 x: { label: 'φ since the first start' }, y: { label: '𝔴' }, height: 240,
             }],
-            film: ({ q, lambda, w }, ask, { narrow }) => scenes.tray(ask(8, q, lambda, w), narrow, q > 1),
+            film: ({ q, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(8, q, lambda, w), narrow, q > 1, set),
             now: ({ q, lambda, w }, ask) => {
                 const { values: [step], curves: [, velocities] } = ask(8, q, lambda, w);
                 return [null, i => [i * step, at(velocities, i)[1]]];
@@ -278,7 +278,7 @@ window.slipbookExplorers = (() => {
 
         escape: {
             name: 'How fast does it go?',
-            hint: 'Put the coin down at rest in the laboratory, at the distance that you choose, and let the record drag it.',
+            hint: 'Put the coin down at rest in the laboratory, at the distance that you choose by hand or below, and let the record drag it.',
             predict: {
                 asks: 'First your guess: once friction has lost it, its distance grows in the end as',
                 options: ['τ', 'τ²', 'an exponential of τ'],
@@ -291,7 +291,7 @@ window.slipbookExplorers = (() => {
                 title: 'ρ/τ²; dashed: 2/9, as printed', label: 'The distance over the square of the time, against the time in powers of ten.',
                 x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y: { label: 'ρ/τ²', range: [0.1, 0.3] }, height: 240,
             }],
-            film: ({ rho }, ask, { narrow }) => scenes.record(ask(4, rho, 0, -rho), narrow, false),
+            film: ({ rho }, ask, { narrow, set }) => scenes.record(ask(4, rho, 0, -rho), narrow, false, { set }),
             show({ rho }, ask, { printed }) {
                 const { curves: [growth] } = ask(10, rho);
                 const last = growth.at(-1);
@@ -312,7 +312,7 @@ window.slipbookExplorers = (() => {
                 says: 'Each time the motion along the stroke turns round, all of the friction acts across.',
                 at: { lambda: 0.3, w: 0.5, across: 1 },
             },
-            hint: 'Choose the friction and the velocity at the start. From λc on, at 0.537, the block rests in each half period; from 1 on for ever.',
+            hint: 'Choose the friction, and drag the tip of the velocity. From λc on, at 0.537, the block rests in each half period; from 1 on for ever.',
             inputs: {
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.3 },
                 w: { label: 'velocity along', range: [-2, 2], step: 0.05, start: 0.5 },
@@ -325,7 +325,7 @@ window.slipbookExplorers = (() => {
                 title: '−ln 𝔴_y across; exponential dashed', label: 'The negative logarithm of the velocity across against phase, and that of an exponential decay, as the paper has it.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '−ln 𝔴_y', range: [-1, 60] }, height: 240,
             }],
-            film: ({ lambda, w, across }, ask, { narrow }) => scenes.plane(ask(13, lambda, w, across), narrow),
+            film: ({ lambda, w, across }, ask, { narrow, set }) => scenes.plane(ask(13, lambda, w, across), narrow, set),
             now: ({ lambda, w, across }, ask) => {
                 const { values: [step], curves: [, velocities, depths] } = ask(13, lambda, w, across);
                 return [i => [i * step, at(velocities, i)[1]], i => [i * step, Math.min(60, at(depths, i)[1])]];
@@ -362,7 +362,7 @@ window.slipbookExplorers = (() => {
                 says: 'Friction lifts the shallow loops of the velocity away from zero. The rests come back later.',
                 at: { third: 1.5, lambda: 0.16 },
             },
-            hint: 'Choose how much of the third harmonic is added to the sine, and the friction.',
+            hint: 'Choose how much of the third harmonic is added to the sine, and the friction; drag the tip of the velocity.',
             inputs: {
                 third: { label: 'third harmonic', range: [0, 2], step: 0.05, start: 1.5 },
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.08 },
@@ -375,7 +375,7 @@ window.slipbookExplorers = (() => {
                 title: 'the drive h', label: 'The inertial force against phase over four periods, and the friction.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'h', range: [-1.2, 1.2] }, height: 240,
             }],
-            film: ({ third, lambda, w }, ask, { narrow }) => scenes.tray(ask(12, third, lambda, w), narrow),
+            film: ({ third, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(12, third, lambda, w), narrow, false, set),
             now: ({ third, lambda, w }, ask) => {
                 const { values: [step], curves: [, velocities] } = ask(12, third, lambda, w);
                 const { curves: [, , drive] } = ask(11, third, lambda, w);

@@ -78,9 +78,10 @@ window.slipbookScenes = (() => {
             };
         },
         // The shaken tray from the side, in the laboratory.
-        tray({ values: [step], curves: [places, velocities] }, narrow, teeth) {
-            const unit = narrow ? 50 : 70, wide = width(narrow);
+        tray({ values: [step], curves: [places, velocities] }, narrow, teeth, set) {
+            const unit = narrow ? 50 : 70, wide = width(narrow), [begin, start] = [wide / 2 + places[0] * unit, velocities[1]];
             return {
+                hands: [{ at: [begin + 44 * start, 50], slid: true, move: x => set({ w: (x - begin) / 44 }) }],
                 step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, 146],
                 label: 'The block on the shaken floor, from the side, in the laboratory.',
                 slip: i => Math.abs(at(velocities, i)[1]),
@@ -96,12 +97,14 @@ window.slipbookScenes = (() => {
             };
         },
         // The shaken tray from above, with a block that slides across too.
-        plane({ values: [step, gone], curves: [places, velocities, across] }, narrow) {
+        plane({ values: [step, gone], curves: [places, velocities, across] }, narrow, set) {
             const unit = narrow ? 44 : 62, wide = width(narrow), high = 200;
             const ys = across.filter((_, i) => i % 2 === 0), spread = Math.max(...ys) - Math.min(...ys);
             const rise = Math.min(unit, 120 / (spread || 1));
             const put = (x, y) => [wrapped(wide / 2 + x * unit, wide), high - 44 - (y - Math.min(...ys)) * rise];
+            const [bx, by] = put(places[0] + places[1], ys[0]), tip = [bx + 44 * velocities[1], by - 44 * Math.exp(-across[1])];
             return {
+                hands: [{ at: tip, slid: true, move: (x, y) => set({ w: (x - bx) / 44, across: (by - y) / 44 }) }],
                 step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, high + 14],
                 label: 'The block on the shaken tray, from above, in the laboratory.',
                 slip: i => Math.hypot(at(velocities, i)[1], Math.exp(-at(across, i)[1])),
@@ -168,15 +171,15 @@ window.slipbookScenes = (() => {
                 }
             }
             const hands = set && [{
-                at: [from, y], label: 'the coin: its distance from the axis', range: [0, 1.6], now: rho, text: SlipbookPlot.fixed(rho, 2),
+                at: [from, y], label: 'the coin: its distance from the axis', range: [0, 1.6], now: rho, text: SlipbookPlot.fixed(rho, 2), slid: !velocity,
                 move: px => set({ rho: (px - right) / scale }),
                 step: (dx, dy) => set({ rho: [dx + dy] }),
-            }, {
+            }, ...(velocity ? [{
                 at: [from + scale * velocity[0], y - scale * velocity[1]], label: 'the velocity at the start', range: [-2.5, 2.5], now: velocity[1],
                 text: `outwards ${SlipbookPlot.fixed(velocity[0], 2)}, along the turning ${SlipbookPlot.fixed(velocity[1], 2)}`,
                 move: (px, py) => set({ u: (px - from) / scale, v: (y - py) / scale }),
                 step: (du, dv) => set({ u: [du], v: [dv] }),
-            }];
+            }] : [])];
             return {
                 step, count, rate: 1.6, time: t => `τ = ${t}`, box, slip, hands, alone,
                 label: `The coin on the turning record, from above, in the laboratory${alone ? '' : ' and on the table'}. Inside the dashed circle friction can hold it.`,

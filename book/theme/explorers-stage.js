@@ -95,7 +95,7 @@ window.SlipbookStage = (() => {
             this.film = film;
             this.svg.setAttribute('viewBox', film.box.join(' '));
             this.svg.setAttribute('aria-label', film.label);
-            this.svg.setAttribute('role', film.hands ? 'group' : 'img');
+            this.svg.setAttribute('role', film.hands?.some(hand => !hand.slid) ? 'group' : 'img');
             this.slider.max = film.count - 1;
             this.giveHands(film.hands || []);
             this.show(kept ? this.i : 0);
@@ -107,7 +107,8 @@ window.SlipbookStage = (() => {
             hands.forEach((hand, k) => {
                 let knob = this.hands.children[k];
                 if (!knob) {
-                    this.hands.insertAdjacentHTML('beforeend', '<g class="hand" tabindex="0" role="slider"><circle class="reach" r="24"/><circle r="9"/></g>');
+                    // What the sliders do as well is for the mouse and the finger alone.
+                    this.hands.insertAdjacentHTML('beforeend', `<g class="hand" ${hand.slid ? 'aria-hidden="true"' : 'tabindex="0" role="slider"'}><circle class="reach" r="24"/><circle r="9"/></g>`);
                     knob = this.hands.lastElementChild;
                     const here = event => {
                         const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
@@ -151,6 +152,7 @@ window.SlipbookStage = (() => {
                 }
                 const [x, y] = hand.at;
                 knob.setAttribute('transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
+                if (hand.slid) return;
                 knob.setAttribute('aria-label', hand.label);
                 knob.setAttribute('aria-valuemin', hand.range[0]);
                 knob.setAttribute('aria-valuemax', hand.range[1]);
