@@ -70,8 +70,8 @@ pub fn paths(launches: &[Launch]) -> Result<Figure, FigureError> {
              on the table, the slower one is carried round in a circle.",
         )
         .alt(
-            "Two panels with equal axes. Above, on the table, both curves leave the axis to the right and bend \
-             clockwise; the short one ends in a disc, the long one winds outwards. Below, in the laboratory, \
+            "Two panels with equal axes. In the first, on the table, both curves leave the axis to the right and bend \
+             clockwise; the short one ends in a disc, the long one winds outwards. In the second, in the laboratory, \
              the short one runs into a circle about the axis, the long one winds outwards \
              counterclockwise.",
         )
@@ -177,8 +177,8 @@ pub fn following(escapes: &[Following]) -> Result<Figure, FigureError> {
              Were $\\psi_1$ followed, this ratio would tend to 1 (dotted line).",
         )
         .alt(
-            "Two panels against time on a logarithmic axis. Above, thick and thin curves rise together to \
-             a quarter turn. Below, all three ratios settle at about 1.41, above the dotted line at 1.",
+            "Two panels against time on a logarithmic axis. In the first, thick and thin curves rise together to \
+             a quarter turn. In the second, all three ratios settle at about 1.41, above the dotted line at 1.",
         )
         .panel(angles)
         .panel(ratios.rule(follows.label("followed")))

@@ -464,6 +464,13 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         let picture = "host.querySelector('.scene').innerHTML";
+        // What goes out of view pauses.
+        explorer.value(
+            "host.querySelector('.stage').scrollIntoView({ block: 'center', behavior: 'instant' })",
+        )?;
+        explorer.value(
+            "new Promise(seen => requestAnimationFrame(() => requestAnimationFrame(seen)))",
+        )?;
         let first = explorer.value(picture)?;
         explorer.value("host.querySelector('.play').click()")?;
         let time = format!("Number(document.querySelector('#explore-{name} .film input').value)");

@@ -180,7 +180,7 @@ pub fn phone(page: &mut Page, book: &Book) -> Result<(), Failure> {
         wrong.extend(page.texts(
             "[...document.querySelectorAll('figure.plot > div:not(.map-window) svg')].filter(svg => {
                 const { left, right } = svg.getBoundingClientRect();
-                for (let box = svg.parentElement; box; box = box.parentElement) {
+                for (let box = svg.parentElement; !box.matches('.page'); box = box.parentElement) {
                     const seen = box.getBoundingClientRect();
                     if (getComputedStyle(box).overflowX !== 'visible' && (seen.left > left + 1 || seen.right < right - 1)) return true;
                 }
