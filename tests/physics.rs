@@ -4,6 +4,7 @@
 //! that each mistake in it changes a verdict, and that each trial reacts to one.
 
 use slipbook::claims::PAPER;
+use slipbook::evidence::Sides;
 use slipbook::ledger::Ledger;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -33,8 +34,8 @@ fn every_mistake_of_the_list_changes_a_verdict() {
 }
 
 /// Every measured trial reacts to a mistake in the motion: it comes to another result, or finds something else where it looked. One
-/// that does not might have its found side typed by hand. What it finds is that of the recorded run of the mistakes to the last bit, so
-/// that none can be changed afterwards.
+/// that does not might have its found side typed by hand, or its stated side taken from what is found. Both, and the scales, are those of the
+/// recorded run of the mistakes to the last bit, so that none can be changed afterwards.
 #[test]
 fn every_trial_reads_the_motion_or_says_what_else() {
     let excuses: BTreeMap<&str, &str> = EXCUSES
@@ -51,10 +52,9 @@ fn every_trial_reads_the_motion_or_says_what_else() {
     let mut used = BTreeSet::new();
     let mut recorded = Vec::new();
     for line in REACTIONS.lines().skip(1) {
-        let [id, trial, route, found, mistakes] = line.split(',').collect::<Vec<_>>()[..] else {
-            panic!("{line}");
-        };
-        recorded.push(format!("{id} {trial} {route} {found}"));
+        let (there, mistakes) = line.rsplit_once(',').unwrap();
+        let [id, trial] = [0, 1].map(|n| line.split(',').nth(n).unwrap());
+        recorded.push(there.to_owned());
         if mistakes == "0" {
             let excuse = excuse(trial);
             assert!(excuse.is_some(), "{id}: {trial} reacts to no mistake");
@@ -67,8 +67,16 @@ fn every_trial_reads_the_motion_or_says_what_else() {
     let trials = ledger.entries.iter().flat_map(|entry| {
         let measured = entry.evidence.iter().filter(|e| !e.route.is_proof());
         measured.map(|e| {
-            let (id, route, found) = (entry.claim.id, e.route.name(), e.sides.found);
-            format!("{id} {} {route} {found:016x}", e.trial)
+            let (id, route) = (entry.claim.id, e.route.name());
+            let Sides {
+                found,
+                stated,
+                scale,
+            } = e.sides;
+            format!(
+                "{id},{},{route},{found:016x},{stated:016x},{scale:016x}",
+                e.trial
+            )
         })
     });
     let (there, recorded): (BTreeSet<_>, BTreeSet<_>) =

@@ -1,8 +1,9 @@
 //! Tries the ledger with the mistake of the given number made, 0 for none. On a line each: a claim's id, its verdict, and
-//! its trials: name, what they say, route, points, worst disagreement, and all that was found in one number.
+//! its trials: name, what they say, route, points, worst disagreement, and in a number each all that was found, stated and taken
+//! for a scale.
 
 use slipbook_wrong::claims::PAPER;
-use slipbook_wrong::evidence::Evidence;
+use slipbook_wrong::evidence::{Evidence, Sides};
 use slipbook_wrong::ledger::Ledger;
 
 fn main() {
@@ -13,9 +14,12 @@ fn main() {
         let trials = entry.evidence.iter();
         let trials: String = trials
             .map(|e| {
-                let (says, route, found) = (e.outcome(), e.route.name(), e.sides.found);
+                let (says, route) = (e.outcome(), e.route.name());
                 let Evidence { trial, points, worst, .. } = e;
-                format!("\t{trial} {says:?} {route} {points} {worst:e} {found:016x}")
+                let Sides { stated, found, scale } = e.sides;
+                format!(
+                    "\t{trial} {says:?} {route} {points} {worst:e} {found:016x} {stated:016x} {scale:016x}"
+                )
             })
             .collect();
         let verdict = entry.judgement.verdict.slug();

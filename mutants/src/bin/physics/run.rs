@@ -29,8 +29,10 @@ pub struct Said {
     points: usize,
     /// Whether our own side gave a number everywhere.
     whole: bool,
-    /// All that was found, in one number.
+    /// All that was found, in one number; so of what was stated and of the scales.
     found: String,
+    stated: String,
+    scale: String,
 }
 
 impl Said {
@@ -113,6 +115,8 @@ fn judged(line: &str) -> Option<(String, Judged)> {
             points: word().parse().unwrap_or(0),
             whole: word() != "NaN",
             found: word(),
+            stated: word(),
+            scale: word(),
         }
     };
     let trials = cells.map(trial).collect();
@@ -209,7 +213,8 @@ fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
     }
 }
 
-/// A line for each measured trial: its claim, its name, its route, all that was found, and to how many mistakes it reacts.
+/// A line for each measured trial: its claim, its name, its route, all that was found, that was stated and that was a scale, and to how
+/// many mistakes it reacts.
 pub fn reactions(right: &Verdicts, found: &[(&Mistake, Found)]) -> String {
     let mut counts = vec![0; right.iter().map(|(_, j)| j.trials.len()).sum()];
     for (_, found) in found {
@@ -221,13 +226,18 @@ pub fn reactions(right: &Verdicts, found: &[(&Mistake, Found)]) -> String {
     let trials = right
         .iter()
         .flat_map(|(id, judged)| judged.trials.iter().map(move |said| (id, said)));
-    let mut out = "claim,trial,route,found,mistakes\n".to_owned();
+    let mut out = "claim,trial,route,found,stated,scale,mistakes\n".to_owned();
     for ((id, said), count) in trials.zip(counts) {
         let Said {
-            name, route, found, ..
+            name,
+            route,
+            found,
+            stated,
+            scale,
+            ..
         } = said;
         if !["exact", "certified"].contains(&route.as_str()) {
-            out += &format!("{id},{name},{route},{found},{count}\n");
+            out += &format!("{id},{name},{route},{found},{stated},{scale},{count}\n");
         }
     }
     out
