@@ -135,6 +135,13 @@ mod tests {
         assert!(Series::new(whole, [0.0, 10.0]).is_ok());
         let refused = Series::new(value, [0.0, 10.0]).err().unwrap().to_string();
         assert!(refused.contains("Fitted::from_fn"), "{refused}");
+        // Nor are value and slope.
+        let slope = |t: f64| {
+            let mut c = value(t);
+            c[0][1] = libm::cos(t);
+            c
+        };
+        assert!(Series::new(slope, [0.0, 10.0]).is_err());
         let constant = |_: f64| {
             let mut c = [[0.0; TERMS]; 2];
             c[1][0] = -3.0;

@@ -314,6 +314,22 @@ mod tests {
         assert!(run(&listed, 0.1, start(), 4.0).is_err());
     }
 
+    /// Where the rows lie unevenly too, slope and curvature of the spline are continuous.
+    #[test]
+    fn a_spline_is_smooth() {
+        let times = [0.0, 0.1, 0.5, 0.6, 1.7, 2.0, 3.1, 3.2, 4.0];
+        let rows = times.map(|t| (t, [libm::sin(2.0 * t), libm::cos(t)]));
+        let fitted = Fitted::from_table(&rows).unwrap();
+        for t in &times[1..8] {
+            let [before, after] = [t - 1e-9, *t].map(|t| fitted.coefficients(t));
+            for i in 0..2 {
+                for k in 0..3 {
+                    assert!((before[i][k] - after[i][k]).abs() < 1e-7, "{t}: {i}, {k}");
+                }
+            }
+        }
+    }
+
     /// The stated error is no smaller than the true one, and falls as a spline's does.
     #[test]
     fn a_table_states_its_error() {

@@ -172,6 +172,17 @@ fn edge(t: f64, start: f64, half: f64) -> f64 {
 mod tests {
     use super::*;
 
+    /// eᵗ · e²ᵗ = e³ᵗ, to the last order.
+    #[test]
+    fn products_have_all_orders() {
+        let product = [1.0, 2.0].map(|rate| Signal::Exponential { rate });
+        let product = Signal::Product(product.to_vec()).coefficients(0.2);
+        let whole = Signal::Exponential { rate: 3.0 }.coefficients(0.2);
+        for (found, right) in product.iter().zip(whole) {
+            assert!((found - right).abs() < 1e-13 * right, "{found} {right}");
+        }
+    }
+
     #[test]
     fn series_continue_to_the_value_nearby() {
         let signals = [

@@ -362,6 +362,44 @@ mod tests {
         }
     }
 
+    /// A region ends on its curves, of which no list says anything, and the next begins at the number beside.
+    #[test]
+    fn the_regions_end_where_their_curves_are() {
+        let (a, b, c, d) = (0.1, 0.2, 0.3, 0.4);
+        let printed = printed::Curves {
+            a,
+            b: Some(b),
+            c,
+            d,
+        };
+        let corrected = corrected::Curves {
+            a,
+            b_or_e: b,
+            c: Some(c),
+            d,
+        };
+        for (below, curve) in [(1, a), (2, b), (3, c), (4, d)] {
+            let beside = [curve.next_down(), curve, curve.next_up()];
+            let regions = [Some(below), None, Some(below + 1)];
+            assert_eq!(
+                beside.map(|x| printed::region(x, &printed)),
+                regions,
+                "{curve}"
+            );
+            assert_eq!(
+                beside.map(|x| corrected::region(x, &corrected)),
+                regions,
+                "{curve}"
+            );
+        }
+        // Beyond Y there is no B, and the list has no III.
+        let beyond = printed::Curves { b: None, ..printed };
+        assert_eq!(
+            [b, c.next_down()].map(|x| printed::region(x, &beyond)),
+            [Some(2); 2]
+        );
+    }
+
     #[test]
     fn orders_are_the_same_wherever_they_begin() {
         let orders = [

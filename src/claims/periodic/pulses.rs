@@ -428,3 +428,24 @@ pub fn extremes_limit() -> Evidence {
         },
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// At the end of a case the next one begins.
+    #[test]
+    fn the_cases_end_at_their_ends() {
+        let (lambda, eta) = (0.3, 0.4);
+        for (case, end) in printed::eq44_ends(lambda, eta).into_iter().enumerate() {
+            let beside = [end.next_down(), end];
+            let cases = beside.map(|phi| printed::eq44_case(lambda, eta, phi));
+            assert_eq!(cases, [case, case + 1]);
+        }
+        for (case, end) in supplied::small_friction_ends(eta).into_iter().enumerate() {
+            let beside = [end.next_down(), end];
+            let cases = beside.map(|phi| supplied::small_friction_case(eta, phi));
+            assert_eq!(cases, [case, case + 1]);
+        }
+    }
+}

@@ -130,3 +130,27 @@ pub(super) fn canonical(mut list: Vec<Interval>) -> Vec<Interval> {
     }
     list
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two rests before forward motion in a period: the list begins behind the one that ends first in [0, 2π).
+    #[test]
+    fn of_several_beginnings_the_first_is_taken() {
+        let interval = |sign, start, end| Interval { sign, start, end };
+        let list = vec![
+            interval(Sign::Positive, 4.0, 5.0),
+            interval(Sign::Rest, 5.0, 7.0),
+            interval(Sign::Positive, 7.0, 8.0),
+            interval(Sign::Rest, 8.0, 4.0 + TAU),
+        ];
+        let list = canonical(list);
+        assert!((list[0].start - (7.0 - TAU)).abs() < 1e-15, "{list:?}");
+        assert_eq!(list[0].sign, Sign::Positive);
+        assert!(
+            (list[3].end - list[0].start - TAU).abs() < 1e-14,
+            "{list:?}"
+        );
+    }
+}

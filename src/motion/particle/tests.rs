@@ -630,3 +630,35 @@ fn a_velocity_across_that_is_next_to_nothing_is_nothing() {
         }
     }
 }
+
+/// At rest on the threshold: a pull that grows ever so slowly sets the particle in motion, one that falls does not.
+#[test]
+fn the_slowest_growth_releases() {
+    for rate in [1e-9, 1e-12] {
+        let pull = |rate: f64| Plane::along([-1.0, 0.0], Signal::Polynomial(vec![1.0, rate]));
+        let end = run(&pull(rate), 1.0, moving([0.0; 2]), 2.0).unwrap().end();
+        near(end.v[0], 2.0 * rate, 1e-3);
+        let held = run(&pull(-rate), 1.0, moving([0.0; 2]), 2.0).unwrap().end();
+        assert_eq!(held.v, [0.0; 2]);
+    }
+}
+
+/// A pull from the threshold that turns ever so slowly turns the velocity in proportion.
+#[test]
+fn the_slowest_turning_shows() {
+    let across = |rate: f64| {
+        let turning = |t: f64| {
+            let mut a = [[0.0; TERMS]; 2];
+            (a[0][0], a[0][1]) = (-1.0 - t, -1.0);
+            (a[1][0], a[1][1]) = (-rate * t, -rate);
+            a
+        };
+        let plane = Series::new(turning, [0.0, 2.0]).unwrap();
+        run(&plane, 1.0, moving([0.0; 2]), 1.0).unwrap().end().v[1] / rate
+    };
+    let plain = across(1e-4);
+    assert!(plain > 0.0);
+    for rate in [1e-8, 1e-11] {
+        near(across(rate), plain, 1e-6);
+    }
+}
