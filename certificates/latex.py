@@ -2,11 +2,12 @@
 import re
 import unicodedata
 
-GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi psi omega Omega varpi".split(),
-                 "αβγδεζηθκλμνξπρστφψωΩϖ"))
+GREEK = dict(zip("alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi psi omega Omega varpi ell".split(),
+                 "αβγδεζηθκλμνξπρστφψωΩϖℓ"))
 FUNCTIONS = {"sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "coth", "exp", "ln"}
 RELATIONS = {"=", "<", ">", r"\le", r"\leq", r"\ge", r"\geq", r"\sim", r"\approx", r"\simeq", r"\ll", r"\gg", r"\to", r"\ne", r"\neq"}
 SKIP = {r"\left", r"\right", r"\,", r"\;", r"\:", r"\!", r"\ ", r"\quad", r"\qquad", r"\bigl", r"\bigr", r"\Bigl", r"\Bigr"}
+DOTS = {r"\dot": "\u0307", r"\ddot": "\u0308"}
 OPEN, CLOSE = {"(": ")", "[": "]", "{": "}", r"\{": r"\}"}, {")", "]", "}", r"\}"}
 
 
@@ -21,7 +22,16 @@ def name(text):
     return re.sub(r"[_{}\s]", "", text)
 
 
+def statements(latex):
+    """The formulas of a statement: the rows of cases, without labels, remarks, and what is left out."""
+    latex = re.sub(r"^.*\\text\{[^{}]*:\}", "", latex.replace(r"\mbox", r"\text"))
+    latex = re.sub(r"\\text\{ ?(at|for|of)[^{}]*\}.*$|[+-]\s*\\cdots|\+\s*[oO]\((\\[a-z]+|[^()])*\)", "", latex)
+    cases = re.search(r"\\begin\{cases\}(.*)\\end\{cases\}", latex)
+    return [row.split("&")[0].strip().rstrip(",") for row in cases[1].split(r"\\")] if cases else [latex]
+
+
 def tokens(latex):
+    latex = latex.replace(r"\left\vert", r"\lvert").replace(r"\right\vert", r"\rvert")
     latex = re.sub(r"\\(?:text|mbox|mathrm)\{([^{}]*)\}", lambda m: "\\text{" + m[1] + "}", latex)
     for token in re.findall(r"\\text\{[^{}]*\}|\\[A-Za-z]+|\\.|\d+|\S", latex):
         if token not in SKIP:
@@ -74,15 +84,18 @@ class Reader:
         return x
 
     def product(self):
-        x = self.power()
+        x = self.cross()
         while self.peek() is not None and self.peek() not in RELATIONS | CLOSE | {"+", "-", ",", ".", "|", r"\vert", r"\rvert", "&", r"\\"}:
-            if self.peek() in ("/", r"\over"):
-                self.next()
-                x = ["/", x, self.power()]
-            else:
-                if self.peek() in (r"\cdot", r"\times"):
-                    self.next()
-                x = ["*", x, self.power()]
+            sign = self.next() if self.peek() in ("/", r"\over", r"\cdot") else "*"
+            x = [{r"\over": "/", r"\cdot": "·"}.get(sign, sign), x, self.cross()]
+        return x
+
+    def cross(self):
+        """A vector product binds closer than others."""
+        x = self.power()
+        while self.peek() == r"\times":
+            self.next()
+            x = ["×", x, self.power()]
         return x
 
     def power(self):
@@ -133,15 +146,20 @@ class Reader:
                 raise Unread("a bracket")
             return x
         if token in (r"\frac", r"\tfrac", r"\dfrac"):
-            return ["/", self.group(), self.group()]
+            return self.derivative() or ["/", self.group(), self.group()]
+        if token in (r"\vert", r"\lvert"):
+            x = self.sum()
+            if self.next() != token.replace("l", "r"):
+                raise Unread("a bar")
+            return ["| |", x]
+        if token in DOTS or token in (r"\bm", r"\hat"):
+            return self.dotted(token)
         if token == r"\sqrt":
             return ["√", self.group()]
         if token[1:] in FUNCTIONS and token[0] == "\\":
             return self.function(token[1:])
         accent = ""
-        if token in (r"\tilde", r"\mathfrak", r"\bm"):
-            if token == r"\bm":
-                raise Unread(token)
+        if token in (r"\tilde", r"\mathfrak"):
             inner = self.next()
             if inner == "{":
                 inner = self.next()
@@ -156,6 +174,32 @@ class Reader:
             self.next()
             letter += self.text()
         return name(letter)
+
+    def dotted(self, token):
+        """A vector, or the rate of a letter or vector."""
+        begin = self.i
+        x = self.group()
+        if token == r"\bm" and isinstance(x, str):
+            return ["vector", x]
+        if token == r"\hat" and x[0] == "vector":
+            return ["unit", x[1]]
+        dot = DOTS.get(token)
+        if dot and isinstance(x, str):
+            return name(x + dot)
+        if dot and x[0] == "vector":
+            return ["vector", name(x[1] + dot)]
+        self.i = begin
+        raise Unread(token)
+
+    def derivative(self):
+        """dx/dt as the rate of x, if that is what comes."""
+        found = re.match(r"\{ \\text\{d\} (\^ (?:\{ 2 \}|2) )?(.*?) \} \{ \\text\{d\} (t|\\tau|\\phi) (?:\^ (?:\{ 2 \}|2) )?\}", " ".join(self.t[self.i:]))
+        if not found or re.search(r"[+*/=]|frac", found[2]):
+            return None
+        dot = r"\ddot" if found[1] else r"\dot"
+        x = Reader(f"{dot}{{{found[2]}}}").atom()
+        self.i += len(found[0].split(" "))
+        return x
 
     def back(self, n):
         """Leaves all digits but the first of the last token to be read."""

@@ -22,7 +22,7 @@
 use super::error::CertifiedError;
 use super::flow::{TERMS, Taken, step_within};
 use super::interval::Interval;
-use super::written::{ends, number};
+use super::written::{close_box, ends, number};
 use crate::exact::{Expr, tree};
 use crate::numerics::series::{product, square};
 use crate::numerics::taylor::System;
@@ -84,15 +84,12 @@ pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, Certifie
     let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
     let w = Interval::int(1) - rho * psi.cos();
     let from = || {
-        let [a, alpha, psi] = [a, alpha, psi].map(|x| number(x.mid()));
-        let leaf = |name: &str| Tree::Leaf(name.to_owned());
-        let call = |name: &str, x: &Tree| Tree::Node(vec![leaf(name), x.clone()]);
-        let join = |name: &str, x: Tree, y: Tree| Tree::Node(vec![leaf(name), x, y]);
-        let p = join("*", a.clone(), call("sinh", &alpha));
-        let rho = join("*", a, call("cosh", &alpha));
-        let along = join("*", rho.clone(), call("cos", &psi));
-        let across = join("*", rho, call("sin", &psi));
-        [p.clone(), join("-", leaf("1"), along), join("-", p, across)]
+        let names = ["A", "α", "ψ"];
+        let [a_, alpha_, psi_] = names.map(Expr::symbol);
+        let (p, rho) = (a_ * alpha_.sinh(), a_ * alpha_.cosh());
+        let formulas = [p, Expr::int(1) - rho * psi_.cos(), p - rho * psi_.sin()];
+        let numbers = names.into_iter().zip([a, alpha, psi]);
+        From::new(numbers.collect(), formulas)
     };
     follow(from, [p, w, p - rho * psi.sin()], width)
 }
@@ -104,10 +101,8 @@ pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, Certifie
 /// As [`fate`].
 pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
     // Against the table it moves across the radius with the speed r.
-    let from = || {
-        let [one, zero] = ["1", "0"].map(|n| Tree::Leaf(n.to_owned()));
-        [number(r.mid()), one, zero]
-    };
+    let formulas = || [Expr::symbol("r"), Expr::int(1), Expr::int(0)];
+    let from = || From::new(vec![("r", r)], formulas());
     follow(from, [r, Interval::int(1), Interval::int(0)], width)
 }
 
@@ -117,16 +112,21 @@ pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
 /// As [`fate`].
 pub fn fate_launched(u: Interval, width: f64) -> Result<Fate, CertifiedError> {
     // On the axis the table does not move.
-    let from = || [number(u.mid()), Tree::Leaf("1".to_owned()), number(u.mid())];
+    let formulas = || [Expr::symbol("u"), Expr::int(1), Expr::symbol("u")];
+    let from = || From::new(vec![("u", u)], formulas());
     follow(from, [u, Interval::int(1), u], width)
 }
 
 /// Follows all motions from a box until their fate is certain; `from` gives the start as formulas.
 fn follow(
-    from: impl FnOnce() -> [Tree; 3],
+    from: impl FnOnce() -> From,
     start: [Interval; 3],
     width: f64,
 ) -> Result<Fate, CertifiedError> {
+    let start = match witness::recording() {
+        0 => start,
+        _ => start.map(close_box),
+    };
     let mut taken = Vec::new();
     let fate = settled(start, width, |step| {
         if witness::recording() != 0 {
@@ -137,8 +137,26 @@ fn follow(
     Ok(fate)
 }
 
+/// A start: numbers, and its p, w and ζ by them.
+struct From {
+    numbers: Vec<(String, Tree)>,
+    formulas: [Tree; 3],
+}
+
+impl From {
+    fn new(numbers: Vec<(&str, Interval)>, formulas: [Expr; 3]) -> Self {
+        let numbers = numbers.into_iter();
+        From {
+            numbers: numbers
+                .map(|(name, x)| (name.to_owned(), number(x)))
+                .collect(),
+            formulas: formulas.map(tree),
+        }
+    }
+}
+
 /// A motion and its fate, as a witness has them.
-fn written(from: [Tree; 3], start: [Interval; 3], taken: &[Taken], fate: Fate) -> Motion {
+fn written(from: From, start: [Interval; 3], taken: &[Taken], fate: Fate) -> Motion {
     let names = ["p", "w", "ζ"];
     let [p, w, zeta] = names.map(Expr::symbol);
     let (rests, steps) = match fate {
@@ -152,7 +170,8 @@ fn written(from: [Tree; 3], start: [Interval; 3], taken: &[Taken], fate: Fate) -
         law: [-(p * w), -(zeta * zeta), w * zeta - p - zeta]
             .map(tree)
             .to_vec(),
-        from: from.to_vec(),
+        numbers: from.numbers,
+        from: from.formulas.to_vec(),
         start: start.map(ends).to_vec(),
         steps: taken.iter().map(Taken::written).collect(),
         end: if rests { "rest" } else { "escape" }.to_owned(),

@@ -430,7 +430,11 @@ const CLAIMS: &[Claim] = &[
         plain: "A never decreases, and grows without end unless α → 0.",
         conditions: INNER,
         depends_on: &["eq-113"],
-        trials: trials![onset::never_decreases_way, onset::never_decreases_census],
+        trials: trials![
+            &exact::NEVER_DECREASES,
+            onset::never_decreases_way,
+            onset::never_decreases_census
+        ],
         ..Claim::BLANK
     },
     Claim {

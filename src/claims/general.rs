@@ -1,5 +1,6 @@
 //! Sliding on an accelerating plane: the claims.
 
+pub mod chains;
 mod examples;
 pub mod excepted;
 pub mod law;
@@ -71,7 +72,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"If the largest value of $\lvert\bm{A}\rvert$ is below $\mu g$, the speed falls and the particle is at rest after a finite time.",
         plain: "If the largest value of |𝐀| is below μ g, the speed falls and the particle is at rest after a finite time.",
         depends_on: &["eq-2"],
-        trials: trials![properties::stops_census, properties::stops_integration],
+        trials: trials![
+            &chains::STOPS,
+            properties::stops_census,
+            properties::stops_integration
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -119,6 +124,7 @@ const CLAIMS: &[Claim] = &[
         plain: "If 𝐀 has a fixed direction, the part 𝐯⊥ of the velocity across it shrinks; if |𝐀| is bounded as well, 𝐯⊥ → 0 at large times.",
         depends_on: &["eq-1"],
         trials: trials![
+            &chains::ACROSS,
             properties::across_census,
             properties::across_quadrature,
             properties::across_limit,

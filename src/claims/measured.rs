@@ -27,10 +27,8 @@ pub const MEASURED: &[Measured] = &[
     Measured {
         reason: "It speaks about every acceleration of the plane as a function of time, or of every drive: there is no formula for the motion.",
         claims: &[
-            "s2-stops-if-weak",
             "s2-no-permanent-rest",
             "s2-speeds-up-if-strong",
-            "s2-perpendicular-decays",
             "s23-rest-above-one",
             "s23-threshold-exists",
             "s23-pulse-phases",
@@ -80,7 +78,6 @@ pub const MEASURED: &[Measured] = &[
         reason: "It speaks about every motion on the turntable from a region of starts. Power series show motions of that kind; that there are no others they cannot show.",
         claims: &[
             "eq-127",
-            "s4-A-never-decreases",
             "s4-small-alpha",
             "s4-escape-if-A-above-1",
             "s4-alpha-unbounded",

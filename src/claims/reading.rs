@@ -9,8 +9,25 @@ const PARTS: &str = "(15) and (16) are what the parabola is made of";
 const DELAY: &str =
     "the first correction of every late law is the delay of the law's own time, times its power";
 
+const BY_THE_LAW: &str = "a theorem about every motion, by the law that is proved elsewhere";
+
 /// All such trials. A test holds the list against what is read.
 pub const ELSEWHERE: &[Elsewhere] = &[
+    Elsewhere {
+        claim: "s2-stops-if-weak",
+        trial: "chains::STOPS",
+        reason: BY_THE_LAW,
+    },
+    Elsewhere {
+        claim: "s2-perpendicular-decays",
+        trial: "chains::ACROSS",
+        reason: BY_THE_LAW,
+    },
+    Elsewhere {
+        claim: "s4-A-never-decreases",
+        trial: "exact::NEVER_DECREASES",
+        reason: BY_THE_LAW,
+    },
     Elsewhere {
         claim: "s21-frictionless-parabola",
         trial: "exact::EQ15",

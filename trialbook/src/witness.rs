@@ -5,8 +5,8 @@
 mod data;
 
 pub use data::{
-    Condition, Cover, Element, Equal, Generator, Identity, Interval, Inverse, Motion, Number, Part,
-    Polynomial, Power, Root, Step, Tree, Where, Witness,
+    Case, Condition, Cover, Element, Equal, Generator, Identity, Interval, Inverse, Motion, Number,
+    Part, Piece, Polynomial, Power, Root, Step, Tree, Where, Witness,
 };
 
 use std::cell::{Cell, RefCell};

@@ -13,7 +13,7 @@ use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
 
 /// A ring with the friction of forward motion as sin α and that of backward motion as sin β.
-fn frictions() -> Result<Ring, ExactError> {
+pub(super) fn frictions() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     for (angle, friction) in [("α", "λ₀"), ("β", "qλ₀")] {
         let value = ring.angle(angle);
@@ -30,7 +30,7 @@ fn frictions() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-fn prove(
+pub(super) fn prove(
     title: &str,
     ring: Result<Ring, ExactError>,
     steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
@@ -42,7 +42,7 @@ fn prove(
 }
 
 /// 𝔴 after an arc from rest at `from` to `to`, with the deceleration `friction` (its sign included).
-fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
+pub(super) fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
     from.cos() - to.cos() - friction * (to - from)
 }
 
@@ -155,7 +155,7 @@ fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
 }
 
 /// (54): forward motion from α ends where backward motion could begin, at π + β.
-fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
+pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     prove("(54): curve B", frictions(), |p| {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         let end = p.read("𝔴 at π + β", arc(alpha, Expr::pi() + beta, lambda0))?;
@@ -165,7 +165,7 @@ fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
 }
 
 /// E: forward motion from α ends where backward motion could begin for the last time, at 2π − β.
-fn prove_e([left, right]: [Expr; 2]) -> Proof {
+pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
     prove("Curve E", frictions(), |p| {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         let late = Expr::int(2) * Expr::pi() - beta;
@@ -175,17 +175,17 @@ fn prove_e([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-fn sides_of_b() -> [Expr; 2] {
+pub(super) fn sides_of_b() -> [Expr; 2] {
     let [lambda0, q_lambda0] = Expr::symbols(["λ₀", "qλ₀"]);
     printed::eq54_sides(lambda0, q_lambda0)
 }
 
-fn sides_of_a() -> [Expr; 2] {
+pub(super) fn sides_of_a() -> [Expr; 2] {
     let [k, lambda0] = Expr::symbols(["K", "λ₀"]);
     printed::eq53_sides(k, lambda0)
 }
 
-fn sides_of_e() -> [Expr; 2] {
+pub(super) fn sides_of_e() -> [Expr; 2] {
     let [lambda0, q_lambda0] = Expr::symbols(["λ₀", "qλ₀"]);
     corrected::e_sides(lambda0, q_lambda0)
 }

@@ -210,6 +210,60 @@ pub const EQ138: Statement = Statement::new(
     eq138,
 );
 
+/// A never decreases: its rate is a product of factors that are not negative; and α cannot fall faster back in time than the
+/// time itself, so that A grows by a fixed amount whenever α comes to a given value.
+fn never_decreases(formula: Expr) -> Proof {
+    let mut ring = Ring::new();
+    ring.symbol("A");
+    ring.angle("ψ");
+    ring.hyperbolic("α");
+    ring.hyperbolic("s");
+    Proof::of("A never decreases", &ring, |p| {
+        given(p, &[&turntable::EQ113, &turntable::EQ114])?;
+        let [a, alpha, psi, s] = Expr::symbols(["A", "α", "ψ", "s"]);
+        let (one, two) = (int(1), int(2));
+        let rate = p.read("dA/dτ by (113)", formula)?;
+        let half = (alpha / two).exp();
+        let factors = (half - one) * (half + one) * (half.squared() + one);
+        let factors = p.read(
+            "(h − 1)(h + 1)(h² + 1)/2h² with h = exp(α/2) ≥ 1, of which no factor is negative",
+            factors / (two * half.squared()),
+        )?;
+        p.equal("The two", &rate, &factors)?;
+        let slow = one - motion::eq114_alpha_rate(a, alpha, psi);
+        let slow = p.read("1 − dα/dτ by (114)", slow)?;
+        let terms = two * (psi / two).sin().squared() + alpha.cosh() / a;
+        let terms = p.read(
+            "2 sin²(ψ/2) + cosh α/A, of which no term is negative",
+            terms,
+        )?;
+        p.equal("The two", &slow, &terms)?;
+        p.note(
+            "So",
+            "if α is b at a time, it was at least b − s at the time s before, and A has grown by ∫ sinh(b − s) ds since s = b",
+        );
+        let grown = p.read("cosh s − 1, which is 0 at s = 0", s.cosh() - one)?;
+        let slope = p.derivative("Its rate", &grown, &p.ring().by("s")?)?;
+        let stated = p.read("sinh s", s.sinh())?;
+        p.equal("The two", &slope, &stated)?;
+        p.note(
+            "So",
+            "A grows by cosh b − 1 or more each time: without end, unless α stays below every b from some time on",
+        );
+        Ok(())
+    })
+}
+
+/// A never decreases, and grows without end unless α → 0.
+pub const NEVER_DECREASES: Statement = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"by (113) $\dot A=\sinh\alpha\ge0$; by (114) $\dot\alpha<1$, so that $A$ grows by $\cosh b-1$ or more each time that $\alpha$ comes to a $b>0$",
+    ),
+    || motion::eq113_a_rate(Expr::symbol("α")),
+    never_decreases,
+);
+
 #[cfg(test)]
 mod tests {
     use super::*;

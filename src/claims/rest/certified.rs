@@ -1,8 +1,8 @@
 //! Fates by validated integration: where (147) says one thing and Newton's law the other.
 
 use super::boundary::{border, corrected_a, printed_a};
-use crate::certified::interval::Interval;
 use crate::certified::turntable::{Fate, fate};
+use crate::certified::written::decimal;
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -15,7 +15,7 @@ const ANY: f64 = 1.0;
 
 /// Whether a start comes to rest (1) or escapes (0), proved.
 fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
-    let found = match fate([a, alpha, psi].map(Interval::point), ANY)? {
+    let found = match fate([a, alpha, psi].map(decimal), ANY)? {
         Fate::Rest { .. } => 1.0,
         Fate::Escape { .. } => 0.0,
     };
@@ -61,6 +61,7 @@ pub fn corrected() -> Evidence {
 mod tests {
     use super::*;
     use crate::certified::error::CertifiedError;
+    use crate::certified::interval::Interval;
     use crate::certified::turntable::{fate_launched, fate_put_down};
     use crate::claims::rest::boundary::resting_place;
     use crate::motion::turntable::{critical_radius, critical_speed};

@@ -18,16 +18,15 @@ use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
 use crate::certified::numbers::LAMBDA_C;
 use crate::certified::taylor::Taylor;
-use crate::certified::written::{agree, coefficient, sign, slope};
+use crate::certified::written::{Of, agree, coefficient, sign, slope};
 use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::enclosed::{certified, last_digit, numbers, on_balls};
+use crate::claims::enclosed::{certified, numbers, on_balls};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{Expr, Obstacle, Proof, Step};
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use premises::by_phi1;
-use trialbook::witness::Where;
 
 type One = Jet<1>;
 type Outcome = Result<usize, CertifiedError>;
@@ -79,10 +78,10 @@ fn prove_sign(f: Expr, order: usize, wanted: f64) -> Outcome {
         f.evaluate(&|_| Some(b)).unwrap_or(unknown)
     }
     let written = || {
-        let first = Where::From(0, "0".into());
+        let first = Of::From(0, 0.0);
         let cases = vec![
-            (first, coefficient(f, order, wanted)),
-            (Where::Rest, sign(f, wanted)),
+            (first, coefficient(f, order, wanted).into()),
+            (Of::Rest, sign(f, wanted).into()),
         ];
         (["b"], cases)
     };
@@ -149,13 +148,14 @@ pub fn bracket_outside() -> Evidence {
     )
     .over(r"$\lambda_0=0$");
     let trial = Trial::by(Route::Certified, Subject::Outside, compared, NONE);
-    trial.over([Interval::int(0)], |lambda0| {
-        let end = printed::eq30_phi4(lambda0);
-        let left = printed::eq32_left(lambda0, printed::eq27_phi1(lambda0), end);
+    let zero = Expr::int(0);
+    let end = printed::eq30_phi4(zero);
+    let left = printed::eq32_left(zero, printed::eq27_phi1(zero), end);
+    trial.over([premises::solution(left)], |proof| {
         Ok(Pair {
             at: "λ₀ = 0".into(),
             stated: 1.0,
-            found: f64::from(u8::from(!left.contains(0.0))),
+            found: f64::from(u8::from(!proof.holds())),
             scale: 1.0,
         })
     })
@@ -169,20 +169,25 @@ pub fn one_end() -> Evidence {
     prove_bracket(phases(), left(), compared)
 }
 
-/// That `f` has slopes of the sign of `way` on `range`.
-fn prove_slope(f: impl Fn(One) -> One, written: Expr, way: f64, range: Interval) -> Outcome {
-    let written = || (["x"], vec![(Where::Rest, slope(written, 0, way))]);
+/// That a function, which is written in the variable of this name too, has slopes of the sign of `way` on `range`.
+fn prove_slope(
+    f: impl Fn(One) -> One,
+    (name, written): (&'static str, Expr),
+    way: f64,
+    range: Interval,
+) -> Outcome {
+    let written = || ([name], vec![(Of::Rest, slope(written, 0, way).into())]);
     everywhere_written(written, [range], |cell| {
         Said::of_sign(f(Jet::variables(cell)[0]).slope[0], way)
     })
 }
 
-/// That `f` changes from positive to negative within [`NEAR_CRITICAL`] of `critical`.
+/// That a function of λ₀ changes from positive to negative within [`NEAR_CRITICAL`] of `critical`.
 fn prove_change(f: fn(One) -> One, written: Expr, critical: Interval) -> Outcome {
     let mut parts = 0;
     for (off, wanted) in [(-NEAR_CRITICAL, 1.0), (NEAR_CRITICAL, -1.0)] {
         let at = critical + Interval::point(off);
-        let written = || (["x"], vec![(Where::Rest, sign(written, wanted))]);
+        let written = || (["λ₀"], vec![(Of::Rest, sign(written, wanted).into())]);
         parts += everywhere_written(written, [at], |cell| {
             Said::of_sign(over(|[x]| f(x), cell).value, wanted)
         })?;
@@ -191,8 +196,8 @@ fn prove_change(f: fn(One) -> One, written: Expr, critical: Interval) -> Outcome
 }
 
 fn prove_threshold(left: fn(One) -> One, critical: Interval) -> Outcome {
-    let written = printed::eq35_left(Expr::symbol("x"));
-    let falls = prove_slope(left, written, -1.0, Interval::new(0.0, 1.0))?;
+    let written = printed::eq35_left(Expr::symbol("λ₀"));
+    let falls = prove_slope(left, ("λ₀", written), -1.0, Interval::new(0.0, 1.0))?;
     Ok(falls + prove_change(left, written, critical)?)
 }
 
@@ -221,9 +226,10 @@ fn turn_by_itself<S: Scalar>(phi_t1: S) -> S {
 
 fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence {
     let change = || {
-        let x = Expr::symbol("x");
-        let falls = prove_slope(turn_by_itself::<One>, turn_by_itself(x), 1.0, angles())?;
-        Ok(falls + prove_change(turn, turn(x), critical)?)
+        let [by, lambda0] = Expr::symbols(["φ̃₁", "λ₀"]);
+        let written = ("φ̃₁", turn_by_itself(by));
+        let falls = prove_slope(turn_by_itself::<One>, written, 1.0, angles())?;
+        Ok(falls + prove_change(turn, turn(lambda0), critical)?)
     };
     resting_on(&[premises::turn(phi_t1)], change, compared)
 }
@@ -241,7 +247,7 @@ pub fn turns() -> Evidence {
 pub fn lambda_c() -> Evidence {
     let compared = Compared::one(
         "(37), to 50 digits,",
-        "the enclosure of the one friction in $(0.48,0.56)$ under which an arc of Newton's law ends half a period after it began",
+        r"the enclosure of $\sin\phi_1$ for the one $\phi_1$ in $(0.5,0.6)$ from which an arc of Newton's law ends half a period later",
     );
     let evidence = numbers(
         [("lambda-c", LAMBDA_C)],
@@ -249,11 +255,7 @@ pub fn lambda_c() -> Evidence {
         compared,
         |bits| [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)],
     );
-    agree(
-        printed::eq37_lambda_c(),
-        Expr::symbol("x").sin(),
-        last_digit(),
-    );
+    agree(printed::eq37_lambda_c(), Expr::symbol("x").sin());
     evidence
 }
 

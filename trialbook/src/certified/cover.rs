@@ -2,8 +2,8 @@
 
 use super::error::CertifiedError;
 use super::interval::Interval;
-use super::written::ends;
-use crate::witness::{self, Condition, Cover, Where, Witness};
+use super::written::{Asked, Condition, Of, ends};
+use crate::witness::{self, Case, Cover, Piece, Witness};
 use std::collections::VecDeque;
 
 /// What a part of the range says about the statement.
@@ -86,7 +86,7 @@ pub fn everywhere<const N: usize>(
 /// # Errors
 /// As [`everywhere`].
 pub fn everywhere_written<const N: usize>(
-    written: impl FnOnce() -> ([&'static str; N], Vec<(Where, Condition)>),
+    written: impl FnOnce() -> ([&'static str; N], Vec<(Of, Condition)>),
     range: [Interval; N],
     said: impl Fn(&[Interval; N]) -> Said,
 ) -> Result<usize, CertifiedError> {
@@ -94,19 +94,61 @@ pub fn everywhere_written<const N: usize>(
     let recorded = witness::recording() != 0;
     let parts = plain(range, said, |cell| {
         if recorded {
-            kept.push(cell.map(ends).to_vec());
+            kept.push(*cell);
         }
     })?;
     witness::leave(|| {
         let (names, cases) = written();
+        let (cases, parts) = asked(&names, cases, &kept);
         Witness::Range(Cover {
             variables: names.map(str::to_owned).to_vec(),
             within: range.map(ends).to_vec(),
             cases,
-            parts: kept,
+            parts,
         })
     });
     Ok(parts)
+}
+
+/// The conditions that decide, and by which of them each part does.
+fn asked<const N: usize>(
+    names: &[&str; N],
+    cases: Vec<(Of, Condition)>,
+    parts: &[[Interval; N]],
+) -> (Vec<Case>, Vec<Piece>) {
+    let mut met: Vec<Vec<(Asked, witness::Condition)>> = vec![Vec::new(); cases.len()];
+    let mut cells = Vec::new();
+    for part in parts {
+        let case = cases.iter().position(|(of, _)| of.holds(part));
+        let mut by = None;
+        if let Some(i) = case {
+            let known = &mut met[i];
+            let mut number = |asked: &Asked| {
+                let same = |(other, _): &(Asked, _)| other == asked;
+                known.iter().position(same).unwrap_or_else(|| {
+                    known.push((*asked, asked.written(names, part)));
+                    known.len() - 1
+                })
+            };
+            match &cases[i].1 {
+                Condition::All(all) => all.iter().for_each(|one| _ = number(one)),
+                Condition::Any(any) => {
+                    by = any.iter().find(|one| one.holds(names, part)).map(number);
+                }
+            }
+        }
+        let at = part.map(ends).to_vec();
+        cells.push(Piece { at, by });
+    }
+    let cases = cases.iter().zip(met);
+    let cases = cases.filter(|(_, conditions)| !conditions.is_empty());
+    let case =
+        |((of, condition), conditions): (&(Of, Condition), Vec<(_, witness::Condition)>)| Case {
+            of: of.written(),
+            choice: matches!(condition, Condition::Any(_)),
+            conditions: conditions.into_iter().map(|(_, one)| one).collect(),
+        };
+    (cases.map(case).collect(), cells)
 }
 
 fn plain<const N: usize>(

@@ -8,7 +8,7 @@
 
 use super::error::CertifiedError;
 use super::interval::Interval;
-use super::written::{dyadic, ends, short_box};
+use super::written::{close_box, dyadic, ends, short, short_box};
 use crate::numerics::number::Number;
 use crate::numerics::series::Series;
 use crate::numerics::taylor::{Control, Integrator, Step, System};
@@ -84,20 +84,23 @@ pub fn step_within<S: System<Interval, 12, TERMS>>(
     start: &[Interval; 3],
     h: &mut f64,
 ) -> Result<Taken, CertifiedError> {
+    let recorded = witness::recording() != 0;
     *h = h.min(LONGEST);
     while *h > SHORTEST {
-        if let Some((next, walls)) = attempt(system, start, *h) {
-            let length = *h;
-            *h *= GROW;
-            let walls = match witness::recording() {
-                0 => walls,
-                _ => short_walls(system, &extended(*start), length, walls),
-            };
-            return Ok(Taken {
+        // In a witness all numbers are short, so that each digit counts.
+        let length = if recorded { short(*h) } else { *h };
+        if let Some((state, walls)) = attempt(system, start, length) {
+            *h = length * GROW;
+            let mut taken = Taken {
                 length,
                 walls,
-                state: next,
-            });
+                state,
+            };
+            if recorded {
+                taken.walls = short_walls(system, &extended(*start), length, walls);
+                taken.state = state.map(close_box);
+            }
+            return Ok(taken);
         }
         *h *= SHRINK;
     }

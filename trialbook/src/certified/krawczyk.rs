@@ -3,8 +3,8 @@
 use super::error::CertifiedError;
 use super::interval::Interval;
 use super::jet::Jet;
-use super::written::{dyadic, ends, short};
-use crate::exact::{Expr, tree};
+use super::written::{dyadic, ends, rounded, short, short_box, units};
+use crate::exact::{Expr, folded, tree};
 use crate::witness::{self, Root, Witness};
 
 /// Steps after which a box has shrunk as far as f64 allow.
@@ -70,19 +70,25 @@ pub fn unique_written(
 ) -> Result<[Interval; 2], CertifiedError> {
     let root = unique(&f, start)?;
     witness::leave(|| {
-        let middle = start.map(|x| Interval::point(x.mid()));
+        let within = start.map(short_box);
+        let middle = within.map(|x| Interval::point(x.mid()));
         let slopes = f(Jet::variables(&middle)).map(|jet| jet.slope.map(Interval::mid));
         let rows = inverse(slopes).map_or(Vec::new(), |rows| rows.to_vec());
+        let functions = written(names.map(Expr::symbol)).map(|f| folded(f, &|_| None));
+        let corner = |end: fn(Interval) -> f64| {
+            let at = f(within.map(|x| Jet::constant(Interval::point(end(x)))));
+            at.map(|jet| units(jet.value.mid())).to_vec()
+        };
         Witness::Root(Root {
             variables: names.map(str::to_owned).to_vec(),
-            functions: written(names.map(Expr::symbol)).map(tree).to_vec(),
-            within: start.map(ends).to_vec(),
+            functions: functions.map(tree).to_vec(),
+            within: within.map(ends).to_vec(),
+            corners: [corner(Interval::lo), corner(Interval::hi)],
             preconditioner: rows
                 .iter()
                 .map(|row| row.map(|x| dyadic(short(x.mid()))).to_vec())
                 .collect(),
-            // Apart from its ends, which the last step may touch.
-            root: root.map(|x| ends(x.widened(1e-15))).to_vec(),
+            root: root.map(rounded).to_vec(),
         })
     });
     Ok(root)

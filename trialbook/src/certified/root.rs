@@ -3,7 +3,7 @@
 use super::ball::Ball;
 use super::error::CertifiedError;
 use super::interval::Interval;
-use super::written::{dyadic, ends, ends_of_ball, short};
+use super::written::{dyadic, ends, rounded_ball, short, short_box, units};
 use crate::exact::{Expr, tree};
 use crate::witness::{self, Witness};
 
@@ -96,15 +96,19 @@ pub fn refine_written(
 ) -> Result<Root, CertifiedError> {
     let root = refine(&f, start, bits)?;
     witness::leave(|| {
-        let middle = Ball::enclosing(Interval::point(start.mid()), FIRST);
+        let within = short_box(start);
+        let middle = Ball::enclosing(Interval::point(within.mid()), FIRST);
         let slope = middle.and_then(|middle| f(&middle));
         let slope = slope.map_or(1.0, |[_, slope]| slope.interval().mid());
+        let function = written(Expr::symbol("x"));
+        let value = |x| function.evaluate(&|_| Some(x)).unwrap_or(f64::NAN);
         Witness::Root(witness::Root {
             variables: vec!["x".into()],
-            functions: vec![tree(written(Expr::symbol("x")))],
-            within: vec![ends(start)],
+            functions: vec![tree(function)],
+            within: vec![ends(within)],
+            corners: [within.lo(), within.hi()].map(|x| vec![units(value(x))]),
             preconditioner: vec![vec![dyadic(short(1.0 / slope))]],
-            root: vec![ends_of_ball(&root.value)],
+            root: vec![rounded_ball(&root.value)],
         })
     });
     Ok(root)

@@ -7,15 +7,9 @@ use crate::certified::enclosure::Enclosure;
 use crate::certified::error::CertifiedError;
 use crate::evidence::{Compared, Evidence, Route, Sample, Subject};
 use crate::exact::{Binary, Expr, Function, Node};
-use crate::scalar::Scalar;
 
 /// Decimals to which a stated number is held against an enclosure.
 pub const DIGITS: usize = 50;
-
-/// A unit of the last of [`DIGITS`] decimals.
-pub fn last_digit() -> Expr {
-    Expr::int(1) / Expr::int(10).pow(Expr::int(DIGITS as i64))
-}
 
 /// Evidence from a certificate, given as the number of parts that it took. What was proved false disagrees; what
 /// was not proved gives no number.
@@ -120,6 +114,7 @@ fn whole_power(x: &Ball, n: i64, bits: usize) -> Option<Ball> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Scalar;
 
     #[test]
     fn signs_are_kept_on_balls() {

@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use std::path::Path;
 
 /// The version of the files' format.
-const FORMAT: u32 = 1;
+const FORMAT: u32 = 2;
 
 /// What stands in a file.
 #[derive(Serialize)]

@@ -80,7 +80,11 @@ impl Proof {
             steps: prover.steps,
             obstacle: outcome.err().or(empty),
         };
-        tape::end(&proof.title, ring, proof.holds());
+        match proof.obstacle {
+            None => tape::end(&proof.title, ring, tape::Outcome::Holds),
+            Some(Obstacle::NotZero { .. }) => tape::end(&proof.title, ring, tape::Outcome::Fails),
+            Some(_) => tape::end(&proof.title, ring, tape::Outcome::Open),
+        }
         proof
     }
 
@@ -286,8 +290,8 @@ impl<'a> Prover<'a> {
     pub fn equal(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<(), Obstacle> {
         let difference = x - y;
         self.compared = true;
+        tape::compared(says, x, y);
         if self.ring.is_zero(&difference)? {
-            tape::compared(says, x, y);
             self.note(says, "the difference is 0");
             Ok(())
         } else {

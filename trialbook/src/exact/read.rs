@@ -21,7 +21,7 @@ impl Ring {
     /// [`ExactError`] for a symbol, an angle, a power, a logarithm that is not declared, and for a division
     /// by zero.
     pub fn read(&self, formula: Expr) -> Result<Rational, ExactError> {
-        tape::formed(|| tape::read(formula), || self.understood(formula))
+        tape::formed(|| tape::read(formula, self), || self.understood(formula))
     }
 
     fn understood(&self, formula: Expr) -> Result<Rational, ExactError> {
@@ -73,8 +73,10 @@ impl Ring {
                 self.raise(x, &half)
             }
             Function::Asin | Function::Acos => {
-                for known in self.inverses.iter().filter(|k| k.function == function) {
+                let known = self.inverses.iter().enumerate();
+                for (i, known) in known.filter(|(_, k)| k.function == function) {
                     if self.is_zero(&(&known.of - x))? {
+                        tape::met(tape::Known::Inverse(i));
                         return Ok(known.angle.clone());
                     }
                 }
@@ -207,16 +209,17 @@ impl Ring {
         let mut rest = base.clone();
         let mut product = Rational::int(1);
         let mut numbers = Vec::new();
-        for known in &self.powers {
+        for (i, known) in self.powers.iter().enumerate() {
             if !(&known.exponent - e).is_literally_zero() {
                 continue;
             }
             let Some(prime) = &known.prime else {
-                numbers.push(known);
+                numbers.push((i, known));
                 continue;
             };
             let k = rest.valuation(prime);
             if k != 0 {
+                tape::met(tape::Known::Power(i));
                 rest = self.divide(&rest, &self.whole_power(&known.base, k)?)?;
                 product = product * self.whole_power(&known.value, k)?;
             }
@@ -228,8 +231,9 @@ impl Ring {
         if let Some(root) = whole_root(&rest) {
             return Ok(Some(product * root));
         }
-        for known in numbers {
+        for (i, known) in numbers {
             if let Some(root) = whole_root(&self.divide(&rest, &known.base)?) {
+                tape::met(tape::Known::Power(i));
                 return Ok(Some(product * &known.value * root));
             }
         }

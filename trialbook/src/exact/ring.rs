@@ -18,6 +18,7 @@ use super::error::ExactError;
 use super::expr::Function;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
+use super::tape;
 use std::collections::BTreeMap;
 
 /// How a generator behaves.
@@ -211,9 +212,9 @@ impl Ring {
         if self.is_zero(radicand)? {
             return Err(ExactError::BadDeclaration { what: name });
         }
-        let value = Rational::generator(self.generator(name, rule));
-        self.push_power(radicand, exponent, value.clone());
-        Ok(value)
+        let own = Rational::generator(self.generator(name, rule));
+        self.push_power(radicand, exponent.clone(), own.clone());
+        tape::formed(|| tape::raised(radicand, &exponent), || Ok(own))
     }
 
     /// Says which element of the ring is the positive root of a radicand.

@@ -3,6 +3,7 @@
 use super::calculus::Derivation;
 use super::error::ExactError;
 use super::expr::{Binary, Expr, Node};
+use super::folded::folded;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
 use super::ring::{KnownPower, PI, Ring, Rule};
@@ -27,6 +28,33 @@ struct Frame {
     given: Vec<String>,
 }
 
+/// A formula that was expanded, the series in it, and the order.
+struct Expanded {
+    formula: Expr,
+    series: Vec<(String, Series)>,
+    order: i64,
+}
+
+/// What a ring knows, by its place in the ring's list.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Known {
+    /// A power.
+    Power(usize),
+    /// An inverse function.
+    Inverse(usize),
+}
+
+/// How a proof ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Outcome {
+    /// All that was compared is equal.
+    Holds,
+    /// What was compared last is not.
+    Fails,
+    /// It could not be carried out.
+    Open,
+}
+
 #[derive(Default)]
 struct Tape {
     recording: u32,
@@ -36,6 +64,12 @@ struct Tape {
     /// What was formed there.
     gives: Vec<Option<Element>>,
     frames: Vec<Frame>,
+    /// What was expanded at a place.
+    expanded: BTreeMap<usize, Expanded>,
+    /// What is known of powers and inverse functions and is made use of in the operation that is under way.
+    met: BTreeSet<Known>,
+    /// The same at each place.
+    met_at: Vec<BTreeSet<Known>>,
     /// What was demanded outside of any proof: it goes to the next one.
     loose: Vec<Equal>,
 }
@@ -70,6 +104,7 @@ fn push(part: Part, generators: BTreeSet<usize>, gives: Option<Element>) -> usiz
         tape.parts.push(part);
         tape.generators.push(generators);
         tape.gives.push(gives);
+        tape.met_at.push(std::mem::take(&mut tape.met));
         tape.parts.len() - 1
     })
 }
@@ -144,6 +179,7 @@ pub(super) fn formed(
         return operation();
     }
     let part = part();
+    with(|tape| tape.met.clear());
     let quiet = Quiet::new();
     let element = operation()?;
     drop(quiet);
@@ -161,9 +197,23 @@ pub(super) fn kept(x: &Rational, operation: impl FnOnce() -> Rational) -> Ration
     shape.formed(x.origin())
 }
 
-/// A formula, read.
-pub(super) fn read(formula: Expr) -> Part {
-    Part::Read(tree(formula))
+/// A formula, read in a ring: with whole numbers for the symbols that stand for such, and without idle parts.
+pub(super) fn read(formula: Expr, ring: &Ring) -> Part {
+    Part::Read(tree(named(formula, ring)))
+}
+
+fn named(formula: Expr, ring: &Ring) -> Expr {
+    folded(formula, &|name| {
+        let value = ring.named(name).ok()?.as_integer()?;
+        i64::try_from(value).ok()
+    })
+}
+
+/// Notes that something known was made use of.
+pub(super) fn met(known: Known) {
+    if witness::recording() != 0 {
+        with(|tape| tape.met.insert(known));
+    }
 }
 
 /// One element over another.
@@ -203,12 +253,53 @@ pub(super) fn expanded(
         let places = series.coefficients().iter().map(place).collect();
         ((*name).to_owned(), series.start(), places)
     };
-    let part = Part::Series(tree(formula), series.iter().map(of).collect(), order);
+    let part = Part::Series(tree(formula), series.iter().map(of).collect());
+    with(|tape| tape.met.clear());
     let quiet = Quiet::new();
-    let expanded = operation()?;
+    let result = operation()?;
     drop(quiet);
     let whole = push(part, BTreeSet::new(), None);
-    Ok(expanded.mapped(|power, c| noted(Part::Coefficient(whole, power), c)))
+    let series = series
+        .iter()
+        .map(|(name, series)| ((*name).to_owned(), (*series).clone()));
+    let expanded = Expanded {
+        formula,
+        series: series.collect(),
+        order,
+    };
+    with(|tape| tape.expanded.insert(whole, expanded));
+    Ok(result.mapped(|power, c| noted(Part::Coefficient(whole, power), c)))
+}
+
+impl Expanded {
+    /// How many coefficients of each series are needed for that of the power `asked`.
+    fn needed(&self, asked: i64, ring: &Ring) -> Vec<usize> {
+        let _quiet = Quiet::new();
+        let all = self.series.iter().map(|(_, s)| s.coefficients().len());
+        let mut lengths: Vec<_> = all.collect();
+        let enough = |lengths: &[usize]| {
+            let cut = |((_, s), n): (&(String, Series), &usize)| {
+                Series::new(s.start(), s.coefficients()[..*n].to_vec())
+            };
+            let cut: Vec<_> = self.series.iter().zip(lengths).map(cut).collect();
+            let names = self.series.iter().map(|(name, _)| name.as_str());
+            let series: Vec<_> = names.zip(&cut).collect();
+            let expansion = ring.expand(self.formula, &series, self.order);
+            expansion.is_ok_and(|expansion| expansion.order() >= asked)
+        };
+        for i in 0..lengths.len() {
+            let (mut few, mut many) = (0, lengths[i]);
+            while few < many {
+                lengths[i] = few.midpoint(many);
+                match enough(&lengths) {
+                    true => many = lengths[i],
+                    false => few = lengths[i] + 1,
+                }
+            }
+            lengths[i] = many;
+        }
+        lengths
+    }
 }
 
 /// Solves equations; what is noted is that the solution fulfils them.
@@ -275,54 +366,48 @@ pub(super) fn begin() {
     }
 }
 
-/// A proof in a ring ends; it leaves a witness if it holds.
-pub(super) fn end(title: &str, ring: &Ring, holds: bool) {
+/// A proof in a ring ends; it leaves a witness if it is settled.
+pub(super) fn end(title: &str, ring: &Ring, outcome: Outcome) {
     if !is_on() {
         return;
     }
     let Some(frame) = with(|tape| tape.frames.pop()) else {
         return;
     };
-    if !holds {
+    if outcome == Outcome::Open {
         return;
     }
-    let (parts, gives, equal, generators) = with(|tape| {
-        let mut equal = std::mem::take(&mut tape.loose);
-        equal.extend(frame.equal);
-        used(tape, equal)
-    });
+    let mut equal = with(|tape| std::mem::take(&mut tape.loose));
+    equal.extend(frame.equal);
+    let (parts, gives, equal, generators, met) = used(equal, ring);
     witness::leave(|| {
         let names = names(&parts);
         let needed = needed(ring, generators, &names);
-        let of = |g| match needed.contains(&g) {
-            true => generator(ring, g),
-            false => Generator::None,
-        };
-        let known = ring.powers.iter().filter(|known| !is_own(ring, known));
-        let known = known.filter(|known| known.base.generators().all(|g| needed.contains(&g)));
         let symbols = ring.symbols().filter(|(name, _)| {
             let itself = ring.free_index(name).is_ok();
             names.contains(*name) && !itself
         });
-        let inverses = ring.inverses.iter();
-        let inverses =
-            inverses.filter(|known| known.angle.generators().all(|g| needed.contains(&g)));
-        Witness::Identity(Identity {
+        let powers = (0..).zip(&ring.powers);
+        let powers =
+            powers.filter(|(i, known)| met.contains(&Known::Power(*i)) && !is_own(ring, known));
+        let inverses = (0..).zip(&ring.inverses);
+        let inverses = inverses.filter(|(i, _)| met.contains(&Known::Inverse(*i)));
+        let mut identity = Identity {
             title: title.to_owned(),
             given: frame.given,
-            generators: (0..ring.rules.len()).map(of).collect(),
+            generators: needed.iter().map(|g| generator(ring, *g)).collect(),
             symbols: symbols
                 .map(|(name, x)| (name.to_owned(), element(x)))
                 .collect(),
-            powers: known
-                .map(|known| Power {
+            powers: powers
+                .map(|(_, known)| Power {
                     of: element(&known.base),
                     to: element(&known.exponent),
                     is: element(&known.value),
                 })
                 .collect(),
             inverses: inverses
-                .map(|known| Inverse {
+                .map(|(_, known)| Inverse {
                     function: known.function.name().to_owned(),
                     of: element(&known.of),
                     is: element(&known.angle),
@@ -331,8 +416,57 @@ pub(super) fn end(title: &str, ring: &Ring, holds: bool) {
             parts,
             gives,
             equal,
-        })
+            fails: outcome == Outcome::Fails,
+        };
+        numbered(&mut identity, &needed);
+        Witness::Identity(identity)
     });
+}
+
+/// Numbers the generators anew: those that are needed, in order.
+fn numbered(identity: &mut Identity, needed: &BTreeSet<usize>) {
+    let numbers: BTreeMap<usize, usize> = needed.iter().copied().zip(0..).collect();
+    let polynomial = |p: &mut witness::Polynomial| {
+        for (_, exponents) in p {
+            let highest = exponents.iter().rposition(|k| *k > 0);
+            let mut short = vec![0; highest.map_or(0, |g| numbers[&g] + 1)];
+            for (g, k) in exponents.iter().enumerate().filter(|(_, k)| **k > 0) {
+                short[numbers[&g]] = *k;
+            }
+            *exponents = short;
+        }
+    };
+    let element = |x: &mut Element| {
+        polynomial(&mut x.above);
+        x.below.iter_mut().for_each(|(f, _)| polynomial(f));
+    };
+    for rule in &mut identity.generators {
+        match rule {
+            Generator::Pi | Generator::Free { .. } => {}
+            Generator::HalfTangent { of } | Generator::HalfExponential { of } => *of = numbers[of],
+            Generator::Power { of, to } => [of, to].into_iter().for_each(element),
+            Generator::Root { of, .. } | Generator::Logarithm { of } => element(of),
+        }
+    }
+    identity.symbols.iter_mut().for_each(|(_, x)| element(x));
+    for known in &mut identity.powers {
+        [&mut known.of, &mut known.to, &mut known.is]
+            .into_iter()
+            .for_each(element);
+    }
+    for known in &mut identity.inverses {
+        [&mut known.of, &mut known.is].into_iter().for_each(element);
+    }
+    for part in &mut identity.parts {
+        match part {
+            Part::Element(x) => element(x),
+            Part::Derivative(_, values) | Part::Put(_, values) => {
+                values.iter_mut().for_each(|(g, _)| *g = numbers[g]);
+            }
+            _ => {}
+        }
+    }
+    identity.gives.iter_mut().flatten().for_each(element);
 }
 
 /// Whether a power is known from the rule of its own generator.
@@ -368,43 +502,61 @@ fn names(parts: &[Part]) -> BTreeSet<String> {
     names
 }
 
-/// The generators that a checker meets: those of the elements and names, with all that hangs together with them.
+/// The generators that a generator is made of.
+fn below(rule: &Rule) -> BTreeSet<usize> {
+    match rule {
+        Rule::Constant | Rule::Free => BTreeSet::new(),
+        Rule::HalfTangent { angle: of } | Rule::HalfExponential { argument: of } => [*of].into(),
+        Rule::Power { base, exponent } => base.generators().chain(exponent.generators()).collect(),
+        Rule::Root { radicand, .. } => radicand.generators().collect(),
+        Rule::Logarithm { of } => of.generators().collect(),
+    }
+}
+
+/// The generators that these are made of, with these.
+fn made_of(ring: &Ring, mut these: BTreeSet<usize>) -> BTreeSet<usize> {
+    for g in (0..ring.rules.len()).rev() {
+        if these.contains(&g) {
+            these.extend(below(&ring.rules[g]));
+        }
+    }
+    these
+}
+
+/// The generators that a checker meets: those of the elements and names, with all that these are made of; the half of an
+/// angle, and of a hyperbolic argument, too.
 fn needed(ring: &Ring, mut needed: BTreeSet<usize>, names: &BTreeSet<String>) -> BTreeSet<usize> {
     needed.insert(PI);
     let named = ring.symbols().filter(|(name, _)| names.contains(*name));
     needed.extend(named.flat_map(|(_, x)| x.generators()));
-    loop {
-        let before = needed.len();
-        for (g, rule) in ring.rules.iter().enumerate() {
-            let below: BTreeSet<usize> = match rule {
-                Rule::Constant | Rule::Free => continue,
-                Rule::HalfTangent { angle: of } | Rule::HalfExponential { argument: of } => {
-                    [*of].into()
-                }
-                Rule::Power { base, exponent } => {
-                    base.generators().chain(exponent.generators()).collect()
-                }
-                Rule::Root { radicand, .. } => radicand.generators().collect(),
-                Rule::Logarithm { of } => of.generators().collect(),
-            };
-            if needed.contains(&g) {
-                needed.extend(below);
-            } else if below.is_subset(&needed) {
-                needed.insert(g);
-            }
-        }
-        if needed.len() == before {
-            return needed;
+    let mut needed = made_of(ring, needed);
+    let angles = ring.angles.iter().map(|all| all.as_slice());
+    for halves in angles.chain(ring.arguments.iter().map(|all| all.as_slice())) {
+        if needed.contains(&halves[0]) {
+            needed.extend(halves);
         }
     }
+    needed
 }
 
-/// Parts, what they give, what is demanded of them, and the generators in them.
-type Used = (Vec<Part>, Vec<Option<Element>>, Vec<Equal>, BTreeSet<usize>);
+/// Parts, what they give, what is demanded of them, the generators in them, and what is made use of.
+type Used = (
+    Vec<Part>,
+    Vec<Option<Element>>,
+    Vec<Equal>,
+    BTreeSet<usize>,
+    BTreeSet<Known>,
+);
 
 /// The parts that what is demanded is made of, numbered anew.
-fn used(tape: &Tape, mut equal: Vec<Equal>) -> Used {
-    let all = &tape.parts;
+fn used(mut equal: Vec<Equal>, ring: &Ring) -> Used {
+    let (mut all, all_gives, met) = with(|tape| {
+        (
+            tape.parts.clone(),
+            tape.gives.clone(),
+            tape.generators.clone(),
+        )
+    });
     let mut wanted = vec![false; all.len()];
     for one in &equal {
         wanted[one.left] = true;
@@ -412,29 +564,109 @@ fn used(tape: &Tape, mut equal: Vec<Equal>) -> Used {
             wanted[right] = true;
         }
     }
+    let mut asked = BTreeMap::new();
     // Each is made of earlier ones.
     for i in (0..all.len()).rev() {
         if wanted[i] {
+            if let Part::Coefficient(whole, power) = all[i] {
+                let most = asked.entry(whole).or_insert(power);
+                *most = power.max(*most);
+            }
+            shortened(&mut all[i], i, &asked, &met, ring);
             each(&mut all[i].clone(), &mut |j| wanted[*j] = true);
         }
     }
     let mut numbers = BTreeMap::new();
     let (mut parts, mut gives, mut generators) = (Vec::new(), Vec::new(), BTreeSet::new());
+    let mut known = BTreeSet::new();
+    let met_at = with(|tape| tape.met_at.clone());
     for i in (0..all.len()).filter(|i| wanted[*i]) {
         let mut part = all[i].clone();
         each(&mut part, &mut |j| {
             *j = numbers.get(j).copied().unwrap_or(*j)
         });
-        numbers.insert(i, parts.len());
-        parts.push(part);
-        gives.push(tape.gives[i].clone());
-        generators.extend(&tape.generators[i]);
+        generators.extend(&met[i]);
+        known.extend(&met_at[i]);
+        let alike = match &part {
+            // With nothing put in it is what it was.
+            Part::Put(x, values) if values.is_empty() => Some(*x),
+            _ => None,
+        };
+        numbers.insert(i, alike.unwrap_or(parts.len()));
+        if alike.is_none() {
+            parts.push(part);
+            gives.push(all_gives[i].clone());
+        }
+    }
+    for known in &known {
+        generators.extend(match known {
+            Known::Power(i) => {
+                let known = &ring.powers[*i];
+                known
+                    .value
+                    .generators()
+                    .chain(known.base.generators())
+                    .collect::<Vec<_>>()
+            }
+            Known::Inverse(i) => ring.inverses[*i].angle.generators().collect(),
+        });
     }
     for one in &mut equal {
         one.left = numbers[&one.left];
         one.right = one.right.map(|right| numbers[&right]);
     }
-    (parts, gives, equal, generators)
+    (parts, gives, equal, generators, known)
+}
+
+/// Takes from a part what does not count: rates and values of generators that do not occur, coefficients beyond those that
+/// are asked for; and names a generator or a number.
+fn shortened(
+    part: &mut Part,
+    place: usize,
+    asked: &BTreeMap<usize, i64>,
+    met: &[BTreeSet<usize>],
+    ring: &Ring,
+) {
+    match part {
+        Part::Element(x) => {
+            if let Some(name) = bare(x, ring) {
+                *part = Part::Read(Tree::Leaf(name));
+            }
+        }
+        Part::Derivative(x, rates) => {
+            let occurring = made_of(ring, met[*x].clone());
+            rates.retain(|(g, _)| occurring.contains(g));
+        }
+        Part::Put(x, values) => values.retain(|(g, _)| met[*x].contains(g)),
+        Part::Series(formula, series) => {
+            let expanded = with(|tape| tape.expanded.remove(&place));
+            if let (Some(expanded), Some(asked)) = (expanded, asked.get(&place)) {
+                let lengths = expanded.needed(*asked, ring);
+                for ((_, _, places), length) in series.iter_mut().zip(lengths) {
+                    places.truncate(length);
+                }
+                *formula = tree(folded(expanded.formula, &|_| None));
+                with(|tape| tape.expanded.insert(place, expanded));
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The name of a free generator, or the digits of a whole number.
+fn bare(x: &Element, ring: &Ring) -> Option<String> {
+    if x.number != "1" || !x.below.is_empty() {
+        return None;
+    }
+    match x.above.as_slice() {
+        [] => Some("0".to_owned()),
+        [(c, exponents)] if exponents.iter().all(|k| *k == 0) => Some(c.clone()),
+        [(c, exponents)] if c == "1" && exponents.iter().sum::<u32>() == 1 => {
+            let g = exponents.iter().position(|k| *k == 1)?;
+            matches!(ring.rules[g], Rule::Free).then(|| ring.names[g].clone())
+        }
+        _ => None,
+    }
 }
 
 /// Calls `f` with each place that a part names.
@@ -454,7 +686,7 @@ fn each(part: &mut Part, f: &mut impl FnMut(&mut usize)) {
             f(x);
             values.iter_mut().for_each(|(_, value)| f(value));
         }
-        Part::Series(_, series, _) => {
+        Part::Series(_, series) => {
             let places = series.iter_mut().flat_map(|(_, _, places)| places);
             places.for_each(f);
         }
@@ -554,7 +786,7 @@ mod tests {
         };
         // The formula is there, and the product with what it is compared to.
         assert_eq!(identity.equal.len(), 1);
-        let read = |part: &&Part| matches!(part, Part::Read(..));
+        let read = |part: &&Part| matches!(part, Part::Read(Tree::Node(_)));
         let product = |part: &&Part| matches!(part, Part::Product(..));
         let parts = identity.parts.iter();
         let counts = (

@@ -30,13 +30,17 @@ pub struct Root {
     pub functions: Vec<Tree>,
     /// The box in which the root exists and is the only one.
     pub within: Vec<Interval>,
+    /// The functions' values at the box's corners where all variables are least, and greatest: the nearest whole multiples of
+    /// 2⁻³⁰.
+    pub corners: [Vec<String>; 2],
     /// A matrix that is about the inverse of that of the slopes.
     pub preconditioner: Vec<Vec<String>>,
-    /// A smaller box that holds the root.
-    pub root: Vec<Interval>,
+    /// The root, to the nearest whole multiple of the power of two that is written.
+    pub root: Vec<String>,
 }
 
-/// Two numbers that differ by `within` at most, where the variables have the values of a root.
+/// Two numbers that are the same, or a decimal and the number it is rounded from, where the variables have the values of a
+/// root.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Number {
     /// The place of the root in the list of witnesses.
@@ -45,27 +49,24 @@ pub struct Number {
     pub stated: Tree,
     /// What is found.
     pub found: Tree,
-    /// The most by which they differ.
-    pub within: Tree,
 }
 
-/// What is asked of a part of a range.
+/// What is asked of a part of a range: that a coefficient of a formula's Taylor series about every point has a sign.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Condition {
-    /// The value of a function has this sign, 1 or −1, everywhere.
-    Sign(Tree, i32),
-    /// Its derivative by the variable of this number has.
-    Slope(Tree, usize, i32),
-    /// The coefficient of this power in its Taylor series about every point has; for one variable.
-    Coefficient(Tree, usize, i32),
-    /// All of these.
-    All(Vec<Condition>),
-    /// One of these, whichever it is.
-    Any(Vec<Condition>),
+pub struct Condition {
+    /// The formula.
+    pub formula: Tree,
+    /// The number of the variable that the series goes by; 0 for the power 0.
+    pub by: usize,
+    /// The power: 0 for the value, 1 for the slope.
+    pub power: usize,
+    /// The sign, 1 or −1.
+    pub sign: i32,
+    /// The coefficients up to that power in the middle of the first part that is asked: the nearest whole multiples of 2⁻³⁰.
+    pub middle: Vec<String>,
 }
 
-/// To which parts of a range a condition is put.
+/// To which parts of a range conditions are put.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Where {
@@ -77,17 +78,37 @@ pub enum Where {
     Below(usize, String),
 }
 
-/// That each part of a range fulfils a condition; the parts leave no gap.
+/// What is asked of some parts of a range.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Case {
+    /// Of which.
+    pub of: Where,
+    /// Whether one of the conditions is enough, which the part names.
+    pub choice: bool,
+    /// The conditions.
+    pub conditions: Vec<Condition>,
+}
+
+/// A part of a range.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+pub struct Piece {
+    /// From where to where.
+    pub at: Vec<Interval>,
+    /// Which of the conditions it fulfils, where there is a choice.
+    pub by: Option<usize>,
+}
+
+/// That each part of a range fulfils what is asked of it; the parts leave no gap.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Cover {
     /// The variables' names.
     pub variables: Vec<String>,
     /// The range.
     pub within: Vec<Interval>,
-    /// The conditions: to each part is put the first of those that go with it.
-    pub cases: Vec<(Where, Condition)>,
+    /// What is asked: to each part is put the first case that goes with it.
+    pub cases: Vec<Case>,
     /// The parts.
-    pub parts: Vec<Vec<Interval>>,
+    pub parts: Vec<Piece>,
 }
 
 /// A step of a motion.
@@ -95,7 +116,7 @@ pub struct Cover {
 pub struct Step {
     /// Its length.
     pub length: String,
-    /// What the motion does not leave meanwhile: the state, and its derivatives by each part of the state before.
+    /// What the motion does not leave meanwhile.
     pub walls: Vec<Interval>,
     /// Where it is in the end.
     pub state: Vec<Interval>,
@@ -108,7 +129,9 @@ pub struct Motion {
     pub variables: Vec<String>,
     /// Their rates.
     pub law: Vec<Tree>,
-    /// Where the motions begin, as formulas.
+    /// Numbers of the start.
+    pub numbers: Vec<(String, Tree)>,
+    /// Where the motions begin, as formulas of these.
     pub from: Vec<Tree>,
     /// Where they begin, enclosed.
     pub start: Vec<Interval>,
@@ -150,8 +173,6 @@ pub struct Element {
 pub enum Generator {
     /// π, the generator 0.
     Pi,
-    /// One that the proof does not need.
-    None,
     /// A free quantity.
     Free {
         /// Its name.
@@ -234,9 +255,8 @@ pub enum Part {
     Derivative(usize, Vec<(usize, usize)>),
     /// One with values put in for generators.
     Put(usize, Vec<(usize, usize)>),
-    /// A formula's power series: the series of some of its symbols, each with the lowest power and its coefficients; and
-    /// the highest power that is kept.
-    Series(Tree, Vec<(String, i64, Vec<usize>)>, i64),
+    /// A formula's power series: the series of some of its symbols, each with the lowest power and its coefficients.
+    Series(Tree, Vec<(String, i64, Vec<usize>)>),
     /// The coefficient of a power in a series.
     Coefficient(usize, i64),
 }
@@ -252,7 +272,7 @@ pub struct Equal {
     pub right: Option<usize>,
 }
 
-/// A proof in a ring.
+/// A proof in a ring, or a disproof.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Identity {
     /// What is proved.
@@ -273,4 +293,6 @@ pub struct Identity {
     pub gives: Vec<Option<Element>>,
     /// What it demands.
     pub equal: Vec<Equal>,
+    /// Whether the last of these does not hold: a proof that something is wrong.
+    pub fails: bool,
 }

@@ -1,6 +1,7 @@
 //! X, Y, and a point where the list of regions fails: single points, proved.
 
-use super::{Sides, Two, on_a, prove_b, q_y};
+use super::super::exact;
+use super::{Two, on_a, prove_b, q_y};
 use crate::certified::drive::arc;
 use crate::certified::error::CertifiedError;
 use crate::certified::interval::{Interval, PI};
@@ -8,12 +9,15 @@ use crate::certified::krawczyk;
 use crate::certified::numbers::{LAMBDA_Y, Q_Y};
 use crate::certified::written::agree;
 use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::enclosed::{DIGITS, certified, last_digit, numbers, on_balls};
+use crate::claims::enclosed::{DIGITS, certified, numbers, on_balls};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::Expr;
 use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
+
+/// The two sides of an equation of λ₀ and qλ₀, or of K and λ₀.
+type Sides = fn(Two, Two) -> [Two; 2];
 
 /// X: (53) and (54) have one common root near (57).
 pub fn x_unique() -> Evidence {
@@ -23,9 +27,8 @@ pub fn x_unique() -> Evidence {
     );
     let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
     let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
-    let near = || Expr::int(1) / Expr::int(10).pow(Expr::int(14));
     for (stated, name) in printed::eq57_x::<Expr>().into_iter().zip(["q", "λ₀"]) {
-        agree(stated, Expr::symbol(name), near());
+        agree(stated, Expr::symbol(name));
     }
     certified(proof, Subject::Printed, compared)
 }
@@ -84,10 +87,9 @@ pub fn y_rounding() -> Evidence {
         })
     });
     let q = length_to_q();
-    let half = Expr::int(1) / Expr::int(2000);
     let [stated_q, stated_lambda0] = printed::eq58_y();
-    agree(stated_q, q, half);
-    agree(stated_lambda0, Expr::int(1) / q, half);
+    agree(stated_q, q);
+    agree(stated_lambda0, Expr::int(1) / q);
     rounded
 }
 
@@ -106,7 +108,7 @@ pub fn y_digits() -> Evidence {
     });
     let q = length_to_q();
     let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), Expr::int(1));
-    agree(left, right, last_digit());
+    agree(left, right);
     evidence
 }
 
@@ -131,7 +133,7 @@ pub fn no_way_back() -> Evidence {
     trial.over([(9, Interval::ratio(1, 10))], |(q, lambda0)| {
         let q = Interval::int(q);
         // There is no B beyond q_Y.
-        prove_b(printed::eq54_sides)?;
+        prove_b(exact::sides_of_b())?;
         if !in_second([q, lambda0], q_y()?) {
             return Err("the point is not proved to lie in the printed region II".into());
         }

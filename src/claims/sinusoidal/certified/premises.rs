@@ -1,7 +1,7 @@
 //! What the statements on whole ranges take for granted, proved in exact arithmetic.
 
 use super::super::exact::{prove, ring_of_phi_t1, ring_of_phi1};
-use crate::exact::{Expr, Obstacle, Proof, Rational, Ring, Series};
+use crate::exact::{Expr, Obstacle, Proof, Rational, Ring, Series, folded};
 use crate::scalar::Scalar;
 
 /// By φ₁, here β, the phases are β, π − β and 2π − β, and λ₀ = sin β; and (32)'s left side, of λ₀, φ₁ and φ, has the
@@ -47,5 +47,13 @@ pub fn vanishing(f: Expr, order: usize) -> Proof {
             p.zero(&format!("The coefficient of the power {k}"), &coefficient)?;
         }
         Ok(())
+    })
+}
+
+/// A number is zero.
+pub fn solution(left: Expr) -> Proof {
+    prove("without friction", Ok(Ring::new()), |p| {
+        let left = p.read("The left side of (32) at φ₄", folded(left, &|_| None))?;
+        p.zero("It", &left)
     })
 }

@@ -101,7 +101,12 @@ fn asin_at(x: f64) -> Interval {
         let angle = PI / int(2) - (rest + rest);
         return if x < 0.0 { -angle } else { angle };
     }
-    let guess = libm::asin(x).clamp(-0.9, 0.9);
+    asin_from(libm::asin(x), x)
+}
+
+/// The same of |x| ≤ 0.75, from a guess of whatever quality.
+fn asin_from(guess: f64, x: f64) -> Interval {
+    let guess = guess.clamp(-0.9, 0.9);
     let miss = Interval::point(x) - sine_at(guess, 0.0);
     // sin θ − sin y = (θ − y) cos η with η between θ and y, and |θ|, |y| ≤ 0.9: cos 0.9 > 0.6.
     Interval::point(guess) + miss / Interval::new(0.6, 1.0)
@@ -135,7 +140,12 @@ fn ln_at(x: f64) -> Interval {
             Interval::new(f64::NEG_INFINITY, -667.0)
         };
     }
-    let guess = libm::log(x).clamp(-668.0, 668.0);
+    ln_from(libm::log(x), x)
+}
+
+/// The same of x from 1e-290 to 1e290, from a guess of whatever quality.
+fn ln_from(guess: f64, x: f64) -> Interval {
+    let guess = guess.clamp(-668.0, 668.0);
     // ln x = y + ln(1 + u) with u = x e⁻ʸ − 1, and u − u² ≤ ln(1 + u) ≤ u for u ≥ −1/2.
     let u = Interval::point(x) * exp_at(-guess) - ONE;
     if u.lo < -0.5 {
@@ -250,5 +260,49 @@ impl Number for Interval {
     }
     fn pow(&self, exponent: f64) -> Self {
         Scalar::pow(*self, Self::point(exponent))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bad_guess_costs_width_and_nothing_else() {
+        let holds = |of: Interval, from: Interval| {
+            // The one at the guess itself is narrow.
+            assert!(of.width() < 1e-12 && from.meet(of).is_some(), "{from} {of}");
+            from.lo <= of.hi && of.lo <= from.hi && from.width() > of.width()
+        };
+        for off in [-0.3, -0.05, -1e-3, 1e-3, 0.05, 0.3] {
+            for x in [-0.75, -0.5, -0.1, 0.0, 0.2, 0.6, 0.75] {
+                let right = libm::asin(x);
+                assert!(
+                    holds(asin_from(right, x), asin_from(right + off, x)),
+                    "{x} {off}"
+                );
+            }
+            for x in [1e-200, 0.3, 1.0, 2.0, 1e250] {
+                let right = libm::log(x);
+                assert!(
+                    holds(ln_from(right, x), ln_from(right + off, x)),
+                    "{x} {off}"
+                );
+            }
+        }
+        // Farther off nothing is known, or next to nothing.
+        assert_eq!(ln_from(1.0, 1.0), Interval::WHOLE);
+        assert!(asin_from(-0.9, 0.75).contains(0.848_062_078_981_481));
+    }
+
+    #[test]
+    fn the_bounds_of_a_slope_are_those_between_the_ends() {
+        // At ±0.9, the farthest that a guess is taken, the cosine is above 0.6; at 0 it is 1.
+        assert!(Scalar::cos(Interval::point(0.9)).lo > 0.6);
+        let both = asin_from(0.9, 0.0);
+        assert!(
+            both.contains(0.0) && asin_from(-0.9, 0.0).contains(0.0),
+            "{both}"
+        );
     }
 }

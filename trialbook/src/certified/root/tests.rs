@@ -96,3 +96,18 @@ fn a_root_has_its_bits_where_the_slope_is_small() {
         assert!(root.value.meets(&Ball::int(2, bits).sqrt().unwrap()));
     }
 }
+
+#[test]
+fn a_root_that_cannot_be_told_from_the_end_of_the_box_is_not_proved() {
+    // Few units of 2⁻⁶⁴ below 1: balls tell it from the end, and the numbers that the box is given by do not.
+    let root = |units: i64| {
+        let at = |x: &Ball| {
+            let unit = Ball::ratio(units, 1 << 62, x.bits())? * &Ball::ratio(1, 4, x.bits())?;
+            Some([x - Ball::int(1, x.bits()) + unit, Ball::int(1, x.bits())])
+        };
+        refine(at, Interval::new(0.0, 1.0), 100)
+    };
+    let why = root(4).unwrap_err().to_string();
+    assert!(why.starts_with("the root may lie outside the box"), "{why}");
+    assert!(root(1 << 20).is_ok());
+}

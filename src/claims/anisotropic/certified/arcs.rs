@@ -1,0 +1,160 @@
+//! For all q ≥ 1: the arcs that decide the curves rise or fall all the way, so that each has one zero at most.
+//!
+//! With sin α = λ₀ and sin β = qλ₀, both angles from 0 to π/2 and α ≤ β. Each link is an identity of the ring; what is left is to
+//! see that every term of a sum has the same sign.
+
+use super::super::exact::{arc, frictions, prove};
+use crate::exact::{ExactError, Expr, Function, Proof, Rational, Ring};
+use crate::paper::anisotropic as printed;
+use crate::scalar::Scalar;
+
+/// The ring of both frictions, with q as their ratio.
+fn ratios() -> Result<Ring, ExactError> {
+    let mut ring = frictions()?;
+    let [alpha, beta] = Expr::symbols(["α", "β"]);
+    ring.define("q", ring.read(beta.sin() / alpha.sin())?)?;
+    Ok(ring)
+}
+
+/// B's arc, which ends at π + β, is 2 at β = 0 and falls with β while q stays.
+pub fn b_falls() -> Proof {
+    prove("B's arc falls", ratios(), |p| {
+        let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
+        let to_b = |alpha: Expr, beta: Expr| arc(alpha, Expr::pi() + beta, alpha.sin());
+        let zero = Expr::int(0);
+        let first = p.read("The arc from 0 to π", to_b(zero, zero))?;
+        p.equal("It is 2", &first, &Rational::int(2))?;
+        let rate = p.read("dα/dβ, as sin α = sin β/q", beta.cos() / (q * alpha.cos()))?;
+        let along = p.ring().along(&[("α", rate), ("β", Rational::int(1))])?;
+        let ratio = p.ring().read(q)?;
+        let kept = p.derivative("dq/dβ", &ratio, &along)?;
+        p.zero("q stays", &kept)?;
+        let all = p.read("The arc from α to π + β", to_b(alpha, beta))?;
+        let slope = p.derivative("Its slope", &all, &along)?;
+        let way = Expr::pi() + beta - alpha;
+        let terms = beta.sin() + alpha.sin() + beta.cos() * way / q;
+        let terms = p.read(
+            "sin β + sin α + cos β (π + β − α)/q, of which no term is negative",
+            terms,
+        )?;
+        p.equal("The slope is less than 0 by these", &-&slope, &terms)
+    })
+}
+
+/// E's arc, which ends at 2π − β, is λ₀ times what grows with λ₀ while q stays, from −2π on.
+pub fn e_grows() -> Proof {
+    prove("E's arc over λ₀ grows", ratios(), |p| {
+        let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
+        let late = Expr::int(2) * Expr::pi() - beta;
+        let all = p.read("The arc from α to 2π − β", arc(alpha, late, alpha.sin()))?;
+        let first = (q.squared() - Expr::int(1)) * alpha.sin() / (alpha.cos() + beta.cos());
+        let factor = first - (Expr::int(2) * Expr::pi() - beta - alpha);
+        let factor = p.read(
+            "(q² − 1) λ₀/(cos α + cos β) + α + β − 2π: with λ₀ grow α and β, and the cosines fall",
+            factor,
+        )?;
+        let friction = p.ring().read(alpha.sin())?;
+        p.equal("The arc is λ₀ times that", &all, &(&friction * &factor))
+    })
+}
+
+/// At β = π/2 both arcs are sin α times cot α + α − 3π/2, which falls with α = asin(1/q).
+pub fn corner_falls() -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        ring.angle("α");
+        Ok(ring)
+    };
+    prove("The corner", ring(), |p| {
+        let alpha = Expr::symbol("α");
+        let three = Expr::int(3) * Expr::pi() / Expr::int(2);
+        let all = p.read("The arc from α to 3π/2", arc(alpha, three, alpha.sin()))?;
+        let factor = p.read("cot α + α − 3π/2", alpha.cot() + alpha - three)?;
+        let sine = p.ring().read(alpha.sin())?;
+        p.equal("The arc is sin α times that", &all, &(&sine * &factor))?;
+        let slope = p.derivative("Its slope", &factor, &p.ring().by("α")?)?;
+        let square = p.read("cot²α", alpha.cot().squared())?;
+        p.equal("The slope is less than 0 by that", &-&slope, &square)
+    })
+}
+
+/// (53)'s left side is the cotangent of α, which falls from ∞ to 0; its right side is positive, as 2K > sin 2K.
+pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = frictions()?;
+        ring.angle("K");
+        Ok(ring)
+    };
+    prove("The sides of (53)", ring(), |p| {
+        let [alpha, k] = Expr::symbols(["α", "K"]);
+        let left = p.read("The left side", left)?;
+        let cotangent = p.read("cot α", alpha.cot())?;
+        p.equal("The two", &left, &cotangent)?;
+        let slope = p.derivative("Its slope", &cotangent, &p.ring().by("α")?)?;
+        let square = p.read("1/sin²α", Expr::int(1) / alpha.sin().squared())?;
+        p.equal("The slope is less than 0 by that", &-&slope, &square)?;
+        let right = p.read("The right side", right)?;
+        let twice = Expr::int(2) * k;
+        let stated = (twice - twice.sin()) / (Expr::int(2) * k.sin().squared());
+        let stated = p.read("(2K − sin 2K)/(2 sin²K), which is positive", stated)?;
+        p.equal("The two", &right, &stated)
+    })
+}
+
+/// C falls with q, from D on, where q = 1.
+pub fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        ring.symbol("q");
+        Ok(ring)
+    };
+    prove("C falls", ring(), |p| {
+        let q = Expr::symbol("q");
+        let first = p.read("C at q = 1", on_c(Expr::int(1)))?;
+        p.equal("It is D", &first, &p.ring().read(printed::eq56_lambda0())?)?;
+        let c = p.read("C", on_c(q))?;
+        let slope = p.derivative("Its slope by q", &c, &p.ring().by("q")?)?;
+        let square = p.read("1/q²", Expr::int(1) / q.squared())?;
+        p.equal("The slope is less than 0 by that", &-&slope, &square)
+    })
+}
+
+/// E's arc over λ₀, (q² − 1) λ₀/(cos α + cos β) + α + β − 2π, by p = 1/q and λ₀q²: it has a value at p = 0 too.
+pub fn e_beyond<S: Scalar>([p, scaled]: [S; 2]) -> S {
+    let (one, square) = (S::int(1), p.squared());
+    let [sine_b, sine_a] = [p * scaled, square * scaled];
+    let cosine = |sine: S| (one - sine.squared()).sqrt();
+    scaled * (one - square) / (cosine(sine_a) + cosine(sine_b)) + sine_a.asin() + sine_b.asin()
+        - S::int(2) * S::pi()
+}
+
+/// On A λ₀ is below π/q², and E's arc is that by 1/q and λ₀q².
+pub fn a_below() -> Proof {
+    let ring = || {
+        let mut ring = ratios()?;
+        let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
+        let (first, second) = (Expr::int(1) / q, alpha.sin() * q.squared());
+        for (sine, angle) in [(first * second, beta), (first.squared() * second, alpha)] {
+            let (sine, angle) = (ring.read(sine)?, ring.read(angle)?);
+            ring.inverse(Function::Asin, &sine, &angle)?;
+        }
+        Ok(ring)
+    };
+    prove("A far out", ring(), |p| {
+        let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
+        let first = (q.squared() - Expr::int(1)) * alpha.sin() / (alpha.cos() + beta.cos());
+        let by_angles = p.read(
+            "By the angles",
+            first + alpha + beta - Expr::int(2) * Expr::pi(),
+        )?;
+        let by_ratio = e_beyond([Expr::int(1) / q, alpha.sin() * q.squared()]);
+        let by_ratio = p.read("By 1/q and λ₀q²", by_ratio)?;
+        p.equal("The two", &by_angles, &by_ratio)?;
+        p.note(
+            "On A",
+            "tan α = 2 sin²K/(2K − sin 2K), K = πq/(q+1) from π/2 to π, where sin 2K ≤ 0 and sin K = sin(π/(q+1))",
+        );
+        p.note("So", "λ₀ < tan α ≤ sin²K/K < (π/(q+1))² (q+1)/(πq) < π/q²");
+        Ok(())
+    })
+}

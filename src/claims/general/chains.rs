@@ -1,0 +1,166 @@
+//! Theorems about every acceleration of the plane, as chains of inequalities: each link is an identity of the ring, with 𝐀 any
+//! vector at that instant, and a term that has a sign.
+
+use super::law::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
+use crate::claims::compare::Compared;
+use crate::claims::statement::Statement;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::scalar::Scalar;
+
+/// A weak drive lets the particle stop.
+pub const STOPS: Statement = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"with $\lvert\bm A\rvert\le a<\mu g$, (2) gives $\mathrm dv/\mathrm dt\le a-\mu g<0$, so that the particle is at rest after $v_0/(\mu g-a)$ at the latest, and stays: static friction holds it",
+    ),
+    eq2,
+    stops,
+);
+
+/// The velocity across a drive of fixed direction decays.
+pub const ACROSS: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"with $\bm A$ along $x$, (1) gives $v_y^2$ the rate $-2\mu g\,v_y^2/v$; with $\lvert\bm A\rvert\le a$ as well, $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2\mu g/a}$ never grows",
+    ),
+    eq1,
+    across,
+);
+
+fn prove(
+    title: &str,
+    ring: Result<Ring, ExactError>,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+) -> Proof {
+    match ring {
+        Ok(ring) => Proof::of(title, &ring, steps),
+        Err(error) => Proof::impossible(title, error),
+    }
+}
+
+/// The ring of the law, with a bound a of |𝐀|, the speed v₀ at the beginning, and the time.
+fn with_bound() -> Result<Ring, ExactError> {
+    let mut ring = ring()?;
+    for name in ["a", "v₀", "t"] {
+        ring.symbol(name);
+    }
+    Ok(ring)
+}
+
+/// −𝐀·𝐯/v ≤ |𝐀|, by Lagrange's identity.
+fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obstacle> {
+    let [ax, ay, _, _, vx, vy] = NAMES.map(Expr::symbol);
+    let sizes = (ax.squared() + ay.squared()) * (vx.squared() + vy.squared());
+    let rest = sizes - (ax * vx + ay * vy).squared();
+    let rest = p.read(
+        "The squares' product less the square of the scalar product",
+        rest,
+    )?;
+    let square = p.read(
+        "A square, which is not negative: the part along the velocity is at most all of it",
+        (ax * vy - ay * vx).squared(),
+    )?;
+    p.equal("The two", &rest, &square)
+}
+
+fn stops(formula: Expr) -> Proof {
+    prove("A weak drive lets the particle stop", with_bound(), |p| {
+        p.rests_on(&eq2_proof(formula))?;
+        let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+        let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
+        let rate = p.read("dv/dt by (2)", formula)?;
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let above = p.read("a − μg less that", a - mu * g)? - &rate;
+        let room = p.read(
+            "a and the acceleration's part along the velocity",
+            a + (ax * vx + ay * vy) / speed,
+        )?;
+        p.equal("The two", &above, &room)?;
+        at_most_its_size(p)?;
+        p.note(
+            "So, with an acceleration of a at most",
+            "dv/dt ≤ a − μg, which is negative",
+        );
+        let bound = v0 - (mu * g - a) * t;
+        let line = p.read("The line v₀ − (μg − a) t", bound)?;
+        let slope = p.derivative("Its rate", &line, &p.ring().by("t")?)?;
+        let stated = p.read("a − μg", a - mu * g)?;
+        p.equal("The two", &slope, &stated)?;
+        let end = p.read(
+            "At t = v₀/(μg − a) it is",
+            bound.with("t", v0 / (mu * g - a)),
+        )?;
+        p.zero("It", &end)?;
+        p.note(
+            "So",
+            "v, which lies below the line, is 0 by then; at rest the inertial force is below the greatest static friction",
+        );
+        Ok(())
+    })
+}
+
+fn across(formula: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = with_bound()?;
+        let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
+        let [_, _, mu, g, ..] = NAMES.map(Expr::symbol);
+        let base = ring.read(v0 + a * t)?;
+        let exponent = ring.read(Expr::int(2) * mu * g / a)?;
+        ring.power(&base, &exponent)?;
+        Ok(ring)
+    };
+    prove("The velocity across the drive decays", ring(), |p| {
+        p.rests_on(&eq1_proof(formula))?;
+        let [_, _, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+        let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
+        let two = Expr::int(2);
+        let along = formula.map(|rate| rate.with("A_y", Expr::int(0)));
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let rate = p.read("dv_y/dt by (1), with an acceleration along x", along[1])?;
+        let motion = p.ring().along(&[("v_y", rate.clone())])?;
+        let square = p.read("v_y²", vy.squared())?;
+        let fall = p.derivative("Its rate", &square, &motion)?;
+        let stated = p.read(
+            "−2μg v_y²/v, which is not positive",
+            -(two * mu * g * vy.squared() / speed),
+        )?;
+        p.equal("The two", &fall, &stated)?;
+        at_most_its_size(p)?;
+        p.note(
+            "So, with an acceleration of a at most and by (2)",
+            "dv/dt ≤ a, and v ≤ v₀ + a t",
+        );
+        let base = v0 + a * t;
+        let weighted = vy.squared() * base.pow(two * mu * g / a);
+        let weighted = p.read("v_y² (v₀ + a t)^(2μg/a)", weighted)?;
+        let motion = p.ring().along(&[("v_y", rate), ("t", Rational::int(1))])?;
+        let growth = p.derivative("Its rate", &weighted, &motion)?;
+        let factor = two * mu * g * (Expr::int(1) / base - Expr::int(1) / speed);
+        let factor = p.read(
+            "2μg (1/(v₀ + a t) − 1/v), which is not positive, times it",
+            factor,
+        )?;
+        p.equal("The two", &growth, &(&factor * &weighted))?;
+        p.note(
+            "So",
+            "v_y² ≤ v_y(0)² (v₀/(v₀ + a t))^(2μg/a), which goes to 0",
+        );
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_link_holds_and_another_friction_breaks_it() {
+        assert!(STOPS.proof().holds(), "{}", STOPS.proof());
+        assert!(ACROSS.proof().holds(), "{}", ACROSS.proof());
+        let more = Expr::symbol("μ") / Expr::int(1_000_000);
+        assert!(!stops(eq2() - more).holds());
+        let [x, y] = eq1();
+        assert!(!across([x, y - more]).holds());
+    }
+}

@@ -1,0 +1,165 @@
+//! A third look at the certificates, beside what wrote them and `certificates/check.py`, which is complete.
+
+mod modular;
+mod roots;
+
+use modular::{Unknown, list, place};
+use serde_json::Value;
+use slipbook::claims::PAPER;
+
+/// A witness, with its claim and trial, and with what that says if it is no exact proof.
+struct Left {
+    name: String,
+    says: String,
+    witness: Value,
+}
+
+/// The witnesses of all proofs but those of motions.
+fn witnesses() -> Vec<Left> {
+    let trials = PAPER
+        .claims()
+        .flat_map(|(_, claim)| claim.trials.iter().map(|trial| (claim.id, trial)));
+    let left = trials.flat_map(|(id, trial)| {
+        let certified = ["certified::", "points::"]
+            .iter()
+            .any(|of| trial.name().starts_with(of));
+        let (says, left) = match trial.statement() {
+            Some(statement) => {
+                let (_, left) = trialbook::witness::of(|| statement.proof());
+                (String::new(), left)
+            }
+            None if certified && id != "s4-envelope-is-boundary" => {
+                let (evidence, left) = trialbook::witness::of(|| trial.evidence());
+                (evidence.comparison(), left)
+            }
+            None => (String::new(), Vec::new()),
+        };
+        let left = left.into_iter();
+        let named = left.map(move |witness| Left {
+            name: format!("{id} {}", trial.name()),
+            says: says.clone(),
+            witness: serde_json::to_value(witness).unwrap(),
+        });
+        named.collect::<Vec<_>>()
+    });
+    left.collect()
+}
+
+fn of_kind(kind: &str) -> Vec<Left> {
+    let all = witnesses().into_iter();
+    all.filter(|left| left.witness["kind"] == kind).collect()
+}
+
+#[test]
+fn the_equations_hold_for_numbers_modulo_a_prime_and_no_others_do() {
+    let mut random = fastrand::Rng::with_seed(1);
+    let (mut right, mut beyond, mut spoilt, mut missed) = (0, Vec::new(), 0, Vec::new());
+    for Left { name, witness, .. } in of_kind("identity") {
+        match modular::holds(&witness, &mut random) {
+            Ok(true) => right += 1,
+            Ok(false) => panic!("{name}: {} does not hold", witness["title"]),
+            Err(Unknown) => {
+                beyond.push(format!("{name}: {}", witness["title"]));
+                continue;
+            }
+        }
+        // Another value on a side of each equation.
+        let proved = list(&witness["equal"]).len() - usize::from(witness["fails"] == true);
+        for i in 0..proved {
+            let mut wrong = witness.clone();
+            let left = place(&wrong["equal"][i]["left"]);
+            let parts = wrong["parts"].as_array_mut().unwrap();
+            parts.push(serde_json::json!({"read": "7"}));
+            let last = parts.len();
+            parts.push(serde_json::json!({"sum": [left, last - 1]}));
+            wrong["equal"][i]["left"] = last.into();
+            spoilt += 1;
+            if modular::holds(&wrong, &mut random).unwrap_or(false) {
+                missed.push(name.clone());
+            }
+        }
+    }
+    assert!(missed.is_empty(), "{missed:?}");
+    // Beyond it are those with series, with values put in for what others are made of, and with products of more powers than it tries.
+    assert!(
+        right > 150 && right > 2 * beyond.len(),
+        "{right} {beyond:#?}"
+    );
+    assert!(spoilt >= right, "{spoilt}");
+}
+
+#[test]
+fn roots_are_where_they_are_said_to_be_and_nowhere_else() {
+    let all = of_kind("root");
+    assert!(all.len() > 5, "{}", all.len());
+    for Left { name, witness, .. } in all {
+        assert_eq!(roots::check(&witness), Ok(()), "{name}");
+        let spoilt = |change: &dyn Fn(&mut Value)| {
+            let mut wrong = witness.clone();
+            change(&mut wrong);
+            roots::check(&wrong)
+        };
+        // Another root, another box, another function, another matrix.
+        let changes: [(&str, &dyn Fn(&mut Value)); 4] = [
+            ("the root", &|w| w["root"][0] = "1*2^0".into()),
+            ("a corner", &|w| {
+                w["within"][0][1] = w["within"][0][0].clone()
+            }),
+            ("a corner", &|w| {
+                w["functions"][0] = serde_json::json!(["+", w["functions"][0], "1"])
+            }),
+            ("the image", &|w| w["preconditioner"][0][0] = "0".into()),
+        ];
+        for (what, change) in changes {
+            assert_eq!(spoilt(change), Err(what), "{name}");
+        }
+    }
+}
+
+/// The numbers between which words say that something lies, as `0.97\le q\le1.03` or `(4.4,4.6)`.
+fn ranges(words: &str) -> Vec<[f64; 2]> {
+    let number = |text: &str| text.trim().parse::<f64>().ok();
+    let chains = words.split(['$', ',']).filter_map(|formula| {
+        let sides: Vec<_> = formula
+            .split(r"\le")
+            .map(|side| side.trim_start_matches(' '))
+            .collect();
+        match sides.as_slice() {
+            [low, _, high] => Some([number(low)?, number(high)?]),
+            _ => None,
+        }
+    });
+    let pairs = words.split('(').filter_map(|after| {
+        let (inside, _) = after.split_once(')')?;
+        let (low, high) = inside.split_once(',')?;
+        Some([number(low)?, number(high)?])
+    });
+    chains.chain(pairs).collect()
+}
+
+#[test]
+fn ranges_in_the_words_of_a_certificate_are_those_of_its_witnesses() {
+    assert_eq!(
+        ranges(r"one in $0.97\le q\le1.03$, $0.525\le\lambda_0\le0.55$, or in $(4.4,4.6)$ by (54)"),
+        [[0.97, 1.03], [0.525, 0.55], [4.4, 4.6]]
+    );
+    let all: Vec<_> = witnesses()
+        .into_iter()
+        .filter(|left| !left.says.is_empty())
+        .collect();
+    let mut found = 0;
+    for Left { name, says, .. } in &all {
+        let boxes = || {
+            let own = all.iter().filter(|left| left.name == *name);
+            own.flat_map(|left| list(&left.witness["within"]))
+                .map(|side| [0, 1].map(|end| roots::number(&side[end])))
+        };
+        for range in ranges(says) {
+            found += 1;
+            // The box of a root is rounded outwards to multiples of 2⁻²⁰.
+            let near = |side: [f64; 2]| (0..2).all(|end| (side[end] - range[end]).abs() < 2e-6);
+            assert!(boxes().any(near), "{name}: {range:?} of {says}");
+        }
+    }
+    assert!(found >= 8, "{found}");
+}
