@@ -101,7 +101,7 @@ fn roots_are_where_they_are_said_to_be_and_nowhere_else() {
         };
         // Another root, another box, another function, another matrix.
         let changes: [(&str, &dyn Fn(&mut Value)); 4] = [
-            ("the root", &|w| w["root"][0] = "1*2^0".into()),
+            ("the root", &|w| w["root"][0] = "3*2^0".into()),
             ("a corner", &|w| {
                 w["within"][0][1] = w["within"][0][0].clone()
             }),

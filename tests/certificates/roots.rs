@@ -217,7 +217,7 @@ pub fn check(witness: &Value) -> Result<(), &'static str> {
     if x.iter().zip(&within).any(|(k, side)| !k.inside(*side)) {
         return Err("the image");
     }
-    for _ in 0..5 {
+    for _ in 0..20 {
         let next = image(&x)?;
         x = x
             .iter()
@@ -230,7 +230,7 @@ pub fn check(witness: &Value) -> Result<(), &'static str> {
         let half = 0.51 * unit.parse::<f64>().unwrap().exp2();
         (x.middle() - number(root)).abs() < half + x.1 - x.0
     };
-    let narrow = x.iter().all(|x| x.1 - x.0 < 1e-12);
+    let narrow = x.iter().all(|x| x.1 - x.0 < 1e-11);
     if narrow && x.iter().zip(list("root")).all(near) {
         Ok(())
     } else {

@@ -240,7 +240,7 @@ fn never_decreases(formula: Expr) -> Proof {
         p.equal("The two", &slow, &terms)?;
         p.note(
             "So",
-            "if α is b at a time, it was at least b − s at the time s before, and A has grown by ∫ sinh(b − s) ds since s = b",
+            "if α is b at a time, it was at least b − s at the time s before, and A has grown since with the rate sinh(b − s) or more",
         );
         let grown = p.read("cosh s − 1, which is 0 at s = 0", s.cosh() - one)?;
         let slope = p.derivative("Its rate", &grown, &p.ring().by("s")?)?;

@@ -144,7 +144,7 @@ fn across(formula: [Expr; 2]) -> Proof {
         p.equal("The two", &growth, &(&factor * &weighted))?;
         p.note(
             "So",
-            "v_y² ≤ v_y(0)² (v₀/(v₀ + a t))^(2μg/a), which goes to 0",
+            "the velocity across is at most a constant times (v₀ + a t)^(−μg/a), which goes to 0",
         );
         Ok(())
     })
