@@ -525,6 +525,6 @@ fn the_equations_hold_for_numbers_modulo_a_prime_and_no_others_do() {
     }
     assert!(missed.is_empty(), "{missed:?}");
     // Beyond it are those with series, with values put in, with roots that are not square, and with powers of products.
-    assert_eq!((right, beyond), (49, 243));
+    assert_eq!((right, beyond), (49, 248));
     assert!(spoilt >= right, "{spoilt}");
 }
