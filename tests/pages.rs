@@ -90,7 +90,12 @@ fn the_letter_takes_nothing_for_its_opposite() {
             }
             _ if erratum.inherits.is_empty() => {
                 roots += 1;
-                format!("Printed: {old} Right: {new}")
+                // What the paper says in words is given in ours.
+                let label = match claim.equation {
+                    Some(_) => "Printed",
+                    None => "Said",
+                };
+                format!("{label}: {old} Right: {new}")
             }
             _ => {
                 heirs += 1;

@@ -1,5 +1,6 @@
 //! Anisotropic friction: the claims.
 
+mod across;
 pub mod census;
 pub mod certified;
 mod corners;
@@ -15,7 +16,7 @@ pub mod rows;
 pub mod simulated;
 
 use super::attempt::trials;
-use super::sinusoidal::SOME_FRICTION;
+use super::sinusoidal::{FRICTION_ACROSS, SOME_FRICTION};
 use super::sinusoidal::excepted::no_friction;
 use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
@@ -37,15 +38,15 @@ const CURVE_C: Correction = Correction {
 /// Region II, with E.
 const SECOND_REGION: Correction = Correction {
     change: Change::Statement,
-    latex: r"Above A, below B for $q\leq q_Y$ and below E for $q\geq q_Y$, each period has an interval with $\mathfrak{w}>0$, at once one with $\mathfrak{w}<0$, then a rest. Between E and C there is no backward motion: each period has an interval with $\mathfrak{w}>0$ and a rest, as in IV. E is $\sqrt{1-\lambda_0^2}-\sqrt{1-(q\lambda_0)^2}=\lambda_0[2\pi-\sin^{-1}(q\lambda_0)-\sin^{-1}(\lambda_0)]$.",
-    plain: "Above A, below B for q ≤ q_Y and below E for q ≥ q_Y, each period has an interval with w > 0, at once one with w < 0, then a rest. Between E and C there is no backward motion: each period has an interval with w > 0 and a rest, as in IV. E is √(1 − λ₀²) − √(1 − (q λ₀)²) = λ₀ [2π − asin(q λ₀) − asin(λ₀)].",
+    latex: r"Above curve A, below curve B for $q\leq q_Y$ and below curve E for $q\geq q_Y$, each period has an interval with $\mathfrak{w}>0$, at once one with $\mathfrak{w}<0$, then a rest. Between the curves E and C there is no backward motion: each period has an interval with $\mathfrak{w}>0$ and a rest, as in IV. Curve E is $\sqrt{1-\lambda_0^2}-\sqrt{1-(q\lambda_0)^2}=\lambda_0[2\pi-\sin^{-1}(q\lambda_0)-\sin^{-1}(\lambda_0)]$.",
+    plain: "Above curve A, below curve B for q ≤ q_Y and below curve E for q ≥ q_Y, each period has an interval with w > 0, at once one with w < 0, then a rest. Between the curves E and C there is no backward motion: each period has an interval with w > 0 and a rest, as in IV. Curve E is √(1 − λ₀²) − √(1 − (q λ₀)²) = λ₀ [2π − asin(q λ₀) − asin(λ₀)].",
 };
 
 /// The diagram, with E.
 const DIAGRAM: Correction = Correction {
     change: Change::Statement,
-    latex: r"The regions I to V with the curves A, B up to $Y$, E from $Y$ on, C up to $Y$, and D. Beyond $Y$, E separates II from IV, and C is not a border there.",
-    plain: "The regions I to V with the curves A, B up to Y, E from Y on, C up to Y, and D. Beyond Y, E separates II from IV, and C is not a border there.",
+    latex: r"The regions I to V with the curves A, B up to $Y$, E from $Y$ on, C up to $Y$, and D. Beyond $Y$, curve E separates II from IV, and curve C is not a border there.",
+    plain: "The regions I to V with the curves A, B up to Y, E from Y on, C up to Y, and D. Beyond Y, curve E separates II from IV, and curve C is not a border there.",
 };
 
 const CLAIMS: &[Claim] = &[
@@ -250,6 +251,28 @@ const CLAIMS: &[Claim] = &[
             corners::y_decimals,
             corners::y_limit,
             certified::points::y_rounding
+        ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s24-vy-vanishes",
+        section: "2.4",
+        title: "the velocity across the drive vanishes here too",
+        latex: r"With a friction that depends on the direction of the velocity, too, only the component along the acceleration can be nonzero at large times.",
+        plain: "With a friction that depends on the direction of the velocity, too, only the component along the acceleration can be nonzero at large times.",
+        conditions: &[
+            Condition {
+                text: "friction acts against the velocity, as in (1), with a coefficient that is positive in all directions",
+                sort: Sort::Stated,
+            },
+            FRICTION_ACROSS,
+        ],
+        depends_on: &["eq-1", "eq-21"],
+        trials: trials![
+            across::vanishes,
+            across::never_grows,
+            across::outside,
+            no_friction
         ],
         ..Claim::BLANK
     },

@@ -11,6 +11,7 @@ use super::escape::growth::{self, Quantity};
 use super::periodic::again::friction;
 use super::periodic::drives::pulses;
 use super::rest::boundary::surfaces;
+use super::rest::surfaces::bend;
 use super::sinusoidal::settled::{ORIGIN, drive, settled};
 use super::turntable::projections;
 use super::values::boundary_example;
@@ -25,7 +26,7 @@ use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 pub use trialbook::claims::by_hand::ByHand;
 
 /// All cases, in the paper's order.
-pub static CASES: [ByHand; 27] = [
+pub static CASES: [ByHand; 28] = [
     ByHand {
         claim: "s21-along-acceleration",
         wrong: "the sense, if \"along\" means it; it slides against the acceleration",
@@ -38,8 +39,8 @@ pub static CASES: [ByHand; 27] = [
     ByHand {
         claim: "s22-vy-two-stages",
         wrong: "the second stage is no exponential decay",
-        reason: "An exponential decay needs a bounded rate. Friction across the drive is $\\lambda_0v_y/v$, and at each zero of $v_x$ the divisor is $v_y$ itself: the smaller $v_y$, the more it loses there",
-        case: "Take $\\lambda_0=1/\\pi$, as in figure 3. By (39) $\\cos\\tilde\\phi_1=\\frac12$, so that $\\mathfrak w$ passes through zero with the slopes $s\\pm\\lambda_0$, $s=\\sqrt3/2$. Beside a zero $\\mathrm d\\ln v_y/\\mathrm d\\phi=-\\lambda_0/[(s\\pm\\lambda_0)\\lvert\\phi-\\tilde\\phi_1\\rvert]$, until $\\lvert\\mathfrak w\\rvert$ is as small as $v_y$: each passage multiplies $\\ln v_y$ by $(s+\\lambda_0)/(s-\\lambda_0)=2.162$, each period by its square. An exponential decay would multiply it by {stated} in the end; the motion multiplies it by {found}",
+        reason: "The premise, a friction across the drive that is proportional to $v_y$, holds only while $\\lvert v_x\\rvert$ stays away from zero. That friction is $\\lambda_0v_y/v$, and at each zero of $v_x$ the divisor is $v_y$ itself: the smaller $v_y$, the larger the part of it that is lost there",
+        case: "Take $\\lambda_0=1/\\pi$, as in figure 3. By (39) $\\cos\\tilde\\phi_1=\\frac12$, so that $\\mathfrak w$ passes through zero with the slopes $d\\pm\\lambda_0$, $d=\\sqrt3/2$. Beside a zero $\\mathrm d\\ln v_y/\\mathrm d\\phi=-\\lambda_0/[(d\\pm\\lambda_0)\\lvert\\phi-\\tilde\\phi_1\\rvert]$, until $\\lvert\\mathfrak w\\rvert$ is as small as $v_y$: each passage multiplies $\\ln v_y$ by $(d+\\lambda_0)/(d-\\lambda_0)=2.162$, each period by its square. An exponential decay would multiply it by {stated} in the end; the motion multiplies it by {found}",
         digits: 3,
         stated: || Ok(1.0),
         found: growth_of_logarithm,
@@ -70,9 +71,9 @@ pub static CASES: [ByHand; 27] = [
     },
     ByHand {
         claim: "s24-region-2",
-        wrong: "beyond Y, for $q>q_Y=4.603$, it does not reach up to C but only to E, where the forward motion ends just when the drive ceases to pull backward",
-        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion. The border of that is E",
-        case: "Take $q=9$, $\\lambda_0=0.1$: below C at $1/9$, and far above A. The drive can pull backward only while $\\sin\\phi<-0.9$, from $\\phi=4.261$ to $5.163$. The forward motion begins at $0.100$, and at $5.163$ its velocity is $0.995-0.436-0.1\\,(5.163-0.100)=0.053$, still positive. Backward intervals in a period: {stated} printed, {found} in the motion",
+        wrong: "beyond Y, for $q>q_Y=4.603$, it does not reach up to curve C but only to curve E, where the forward motion ends just when the drive ceases to pull backward",
+        reason: "(54) asks whether the forward motion ends before the drive can pull backward. It may also last until the drive can no longer pull backward, and then there is no backward motion. The border of that is curve E",
+        case: "Take $q=9$, $\\lambda_0=0.1$: below curve C at $1/9$, and far above curve A. The drive can pull backward only while $\\sin\\phi<-0.9$, from $\\phi=4.261$ to $5.163$. The forward motion begins at $0.100$, and at $5.163$ its velocity is $0.995-0.436-0.1\\,(5.163-0.100)=0.053$, still positive. Backward intervals in a period: {stated} printed, {found} in the motion",
         digits: 0,
         stated: || {
             Ok(backward(
@@ -87,18 +88,18 @@ pub static CASES: [ByHand; 27] = [
     },
     ByHand {
         claim: "eq-55",
-        wrong: "beyond $Y$, for $q>q_Y$, C is no border",
-        reason: "The drive can pull backward only below C. But beyond $Y$ the forward motion outlasts that time already from E on, which lies lower: on both sides of C the motion is that of region IV",
-        case: "Take $q=9$. By (55) backward motion ends at $\\lambda_0=\\frac19={stated}$; at $\\lambda_0=0.1$, below that, there is none, as shown for region II. In the simulation it ends at {found}, on E",
+        wrong: "beyond $Y$, for $q>q_Y$, curve C is no border",
+        reason: "The drive can pull backward only below curve C. But beyond $Y$ the forward motion outlasts that time already from curve E on, which lies lower: on both sides of curve C the motion is that of region IV",
+        case: "Take $q=9$. By (55) backward motion ends at $\\lambda_0=\\frac19={stated}$; at $\\lambda_0=0.1$, below that, there is none, as shown for region II. In the simulation it ends at {found}, on curve E",
         digits: 4,
         stated: || Ok(anisotropic::eq55_lambda0(9.0)),
         found: || drift::last_backward(9.0),
     },
     ByHand {
         claim: "fig-5",
-        wrong: "the border E of region II beyond $Y$ is missing",
-        reason: "The diagram lacks the border E of region II beyond Y, and there C is not a border",
-        case: "Take $q=6.5$, $\\lambda_0=0.15$, just below C at $0.154$. The last moment at which the drive can pull backward, $\\sin\\phi=-0.975$, is $\\phi=4.936$; the forward motion, begun at $0.151$, has the velocity $0.989-0.222-0.15\\,(4.936-0.151)=0.049$ there, still positive. The diagram puts the point into region {stated}; the motion is that of region {found}",
+        wrong: "curve E, the border of region II beyond $Y$, is missing",
+        reason: "The diagram lacks curve E, the border of region II beyond Y, and there curve C is not a border",
+        case: "Take $q=6.5$, $\\lambda_0=0.15$, just below curve C at $0.154$. The last moment at which the drive can pull backward, $\\sin\\phi=-0.975$, is $\\phi=4.936$; the forward motion, begun at $0.151$, has the velocity $0.989-0.222-0.15\\,(4.936-0.151)=0.049$ there, still positive. The diagram puts the point into region {stated}; the motion is that of region {found}",
         digits: 0,
         stated: || Ok(printed_region(6.5, 0.15)? as f64),
         found: || Ok(drift::fits(drift::simulated(6.5, 0.15)?) as f64),
@@ -292,6 +293,15 @@ pub static CASES: [ByHand; 27] = [
         found: || boundary_example(),
     },
     ByHand {
+        claim: "s4-psi-free",
+        wrong: "the surface depends on $\\psi$",
+        reason: "(145) holds once $\\psi$ has relaxed. While it relaxes, $A$ grows too, and by as much: by (114) and (115) $\\mathrm d\\ln\\alpha/\\mathrm d\\psi=(1/\\sigma-\\cos\\psi)/\\sin\\psi$ for small $\\alpha$, and by (113) $\\mathrm dA/\\mathrm d\\psi=-\\alpha^2/\\sin\\psi$",
+        case: "Take $\\sigma=\\frac12$ and $\\psi=\\frac\\pi2$ at the start, with $\\alpha=\\alpha_0$. With $t=\\tan\\frac\\psi2$, which falls from 1 to 0, the first equation gives $\\alpha=\\frac12\\alpha_0t(1+t^2)$, as $\\mathrm d\\psi/\\sin\\psi=\\mathrm dt/t$, and the second lets $A$ grow by $\\int\\alpha^2\\,\\mathrm dt/t=\\frac14\\alpha_0^2\\int_0^1t(1+t^2)^2\\,\\mathrm dt=\\frac7{24}\\alpha_0^2$ on the way to $\\sigma$. $(\\sigma-A)/\\alpha_0^2$ at the start, printed: {stated}. In the motion, as $\\alpha_0\\to0$: {found}",
+        digits: 3,
+        stated: || Ok(0.5 - rest::eq145_a(0.5, 1.0)),
+        found: || bend(0.5, FRAC_PI_2),
+    },
+    ByHand {
         claim: "s4-envelope-is-boundary",
         wrong: "the surfaces have no envelope",
         reason: "(145) holds for $\\alpha\\ll1-\\sigma$, and its envelope lies at $\\alpha=\\sqrt2(1-\\sigma)$, where (145) does not hold. Besides, each point of an envelope lies on one of the surfaces: a start there comes to rest, and so does every start near it. So an envelope of these surfaces cannot be the boundary",
@@ -438,6 +448,7 @@ mod tests {
             ("eq-137", 2.0 / 27.0, SQRT_2 / 18.0),
             ("eq-146", 0.0, third.sqrt()),
             ("eq-147", (1.0 - 0.1 / SQRT_2).powi(2), 0.910_959_636),
+            ("s4-psi-free", 0.5, 7.0 / 24.0),
             (
                 "s4-envelope-is-boundary",
                 (1.0 - 0.1 / SQRT_2).powi(2),

@@ -5,10 +5,12 @@ pub mod drawn;
 pub mod exact;
 pub mod excepted;
 mod extremes;
+mod from_rest;
 mod hodograph;
 mod incline;
 mod launches;
 mod limits;
+mod only_constant;
 pub mod sense;
 mod time;
 
@@ -388,14 +390,33 @@ const CLAIMS: &[Claim] = &[
         ..Claim::BLANK
     },
     Claim {
+        id: "s21-friction-cannot-hold",
+        section: "2.1",
+        title: "small friction cannot hold",
+        latex: r"For $\lambda\leq1$ friction is not large enough to keep the particle at rest.",
+        plain: "For λ ≤ 1 friction is not large enough to keep the particle at rest.",
+        depends_on: &["eq-1", "eq-3", "eq-5", "eq-6"],
+        conditions: &[Condition {
+            text: r"not $\lambda=1$: static friction, as large as the pull, holds a particle at rest then",
+            sort: Sort::Degenerate,
+        }],
+        trials: trials![
+            from_rest::census,
+            from_rest::velocity,
+            from_rest::outside,
+            from_rest::critical
+        ],
+        ..Claim::BLANK
+    },
+    Claim {
         id: "s21-small-friction-aligns",
         section: "2.1",
         title: "small friction: the velocity aligns",
-        latex: r"For $\lambda\leq1$ friction cannot hold the particle: $\theta\to0$ at large times, and the particle slides along the line of the acceleration.",
-        plain: "For λ ≤ 1 friction cannot hold the particle: θ → 0 at large times, and the particle slides along the line of the acceleration.",
+        latex: r"For $\lambda\leq1$, $\theta\to0$ at large times, and the particle slides along the line of the acceleration.",
+        plain: "For λ ≤ 1, θ → 0 at large times, and the particle slides along the line of the acceleration.",
         depends_on: &["eq-13"],
         conditions: &[Condition {
-            text: r"not $\lambda=1$ at rest or with $\theta_0=\pi$: static friction holds a particle at rest, and one with $\theta_0=\pi$ stops first",
+            text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it",
             sort: Sort::Degenerate,
         }],
         trials: trials![
@@ -475,6 +496,20 @@ const CLAIMS: &[Claim] = &[
         plain: "The motion on an inclined plane is that on a surface with constant acceleration.",
         depends_on: &["eq-1", "eq-3"],
         trials: trials![incline::law, incline::same_motion],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s21-incline-only-constant",
+        section: "2.1",
+        title: "no incline for an acceleration that changes with time",
+        latex: r"The motion under an acceleration that depends on time is not that on an inclined plane.",
+        plain: "The motion under an acceleration that depends on time is not that on an inclined plane.",
+        depends_on: &["eq-1", "s21-incline"],
+        conditions: &[Condition {
+            text: "an inclined plane at rest; one that is shaken along its slope is another matter",
+            sort: Sort::Reading,
+        }],
+        trials: trials![only_constant::turns, only_constant::both_ways],
         ..Claim::BLANK
     },
     Claim {

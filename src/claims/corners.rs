@@ -74,6 +74,7 @@ pub const DOMAINS: &[Domain] = &[
     domain("eq-38", "λ₀", 0.0, 0.54),
     domain("eq-39", "λ₀", 0.0, 0.54),
     domain("s22-vy-two-stages", "λ₀", 0.0, 0.54),
+    domain("s22-friction-across", "λ₀", 0.0, 0.54),
     // λ_c = η < λ₀ < 1, and for the correction 0 < λ₀ < η.
     domain("eq-44", "λ₀", 0.0, 1.0),
     domain("eq-46", "λ₀", 0.0, 1.0),
@@ -99,5 +100,6 @@ pub const DOMAINS: &[Domain] = &[
     domain("eq-146", "α", 0.0, 0.1),
     domain("eq-147", "α", 0.0, 0.1),
     domain("s4-near-rest", "α", 0.0, 0.1),
+    domain("s4-psi-free", "α", 0.0, 0.1),
     domain("s4-envelope-is-boundary", "α", 0.0, 0.5),
 ];

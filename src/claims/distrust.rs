@@ -13,6 +13,17 @@ pub const IDLE: &[Idle] = &[
         "across::ignores_census",
         ON_THE_WAY,
     ),
+    idle(
+        "s21-incline-only-constant",
+        "only_constant::turns",
+        IN_WORDS,
+    ),
+    idle(
+        "s21-incline-only-constant",
+        "only_constant::both_ways",
+        IN_WORDS,
+    ),
+    idle("s23-mostly-at-rest", "mostly::two_valued", BESIDE),
     idle("fig-2", "drawn::fig2_motion", DRAWN),
     idle("fig-3", "drawn::fig3_frame", FRAME),
     idle("fig-4", "drawn::fig4_frame", FRAME),
@@ -39,6 +50,7 @@ const FRAME: &str = "the frame of a picture is tried, whose edge no formula give
 const NO_NUMBER: &str =
     "the claim says that there is a threshold, or more, and no number; the bounds are our own";
 
+const IN_WORDS: &str = "that two kinds of motion differ is said without a formula";
 const BESIDE: &str = "it is remarked beside the claim, which has no formula";
 
 const fn idle(claim: &'static str, trial: &'static str, reason: &'static str) -> Idle {
@@ -86,6 +98,12 @@ pub const COARSE: &[Coarse] = &[
         "extremes::large_friction_turns",
         "turning_slope",
         "the unit grows with the friction, as what rounding of the angle makes of the sum does",
+    ),
+    coarse(
+        "s22-friction-across",
+        "argument::across_proportional",
+        "s22_across_friction",
+        "a ratio is compared, which no factor changes",
     ),
     coarse("eq-33", "periodic::eq33_motion", "eq33_ends", JOINTS),
     coarse("eq-38", "periodic::eq38_motion", "eq38_ends", JOINTS),
@@ -193,6 +211,11 @@ pub const CORNERED: &[Survivor] = &[
         "eq-44",
         "eq44_ends 1 % more where 0 < λ₀ < 0.001",
         "where one case ends, the next begins with the same value, and both are small there",
+    ),
+    cornered(
+        "s22-friction-across",
+        "s22_across_friction 1 % more where 0 < λ₀ < 0.001",
+        "with so little friction many periods pass before the motion is periodic",
     ),
     cornered(
         "s24-region-2",

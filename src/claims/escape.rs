@@ -300,7 +300,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-130", "eq-132"],
         correction: Some(Correction {
             change: Change::Statement,
-            latex: r"\alpha=\frac12\ln(\sqrt2\tau)+o(1)",
+            latex: r"\alpha=\frac12\ln(\sqrt2\,\tau)+o(1)",
             plain: "α = ½ ln(√2 τ) + o(1)",
         }),
         trials: trials![

@@ -25,12 +25,24 @@ pub const MEASURED: &[Measured] = &[
         ],
     },
     Measured {
-        reason: "It speaks about every acceleration of the plane as a function of time, or of every drive: there is no formula for the motion.",
+        reason: "It is proved in a line or two of text, on its page, and not by the program.",
         claims: &[
             "s2-no-permanent-rest",
-            "s2-speeds-up-if-strong",
+            "s21-friction-cannot-hold",
+            "s21-incline-only-constant",
+            "s22-vx-stays",
+            "s22-friction-across",
+            "s22-slip-longer-than-half",
             "s23-rest-above-one",
             "s23-threshold-exists",
+            "s23-mostly-at-rest",
+            "s24-vy-vanishes",
+        ],
+    },
+    Measured {
+        reason: "It speaks about every acceleration of the plane as a function of time, or of every drive: there is no formula for the motion.",
+        claims: &[
+            "s2-speeds-up-if-strong",
             "s23-pulse-phases",
         ],
     },
@@ -68,7 +80,12 @@ pub const MEASURED: &[Measured] = &[
     },
     Measured {
         reason: "It carries over to the sphere what is measured of the particle; the step itself, that the slip velocity moves as a particle's velocity does, is proved.",
-        claims: &["s32-rolling-trichotomy", "s33-pulse", "s34-anisotropic"],
+        claims: &[
+            "s32-rolling-trichotomy",
+            "s33-any-drive",
+            "s33-pulse",
+            "s34-anisotropic",
+        ],
     },
     Measured {
         reason: "It compares with an article that was not read.",

@@ -4,6 +4,7 @@ pub mod again;
 pub mod drawn;
 pub mod drives;
 pub mod exact;
+mod mostly;
 mod pulses;
 mod rest;
 pub mod threshold;
@@ -163,6 +164,34 @@ const CLAIMS: &[Claim] = &[
             threshold::two_valued,
             threshold::level
         ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s23-mostly-at-rest",
+        section: "2.3",
+        title: "rest for most of the time",
+        latex: r"For a generic $h$ the particle is at rest for a big part of the time when $\lambda_0$ is slightly less than $1$.",
+        plain: "For a generic h the particle is at rest for a big part of the time when λ₀ is slightly less than 1.",
+        conditions: &[
+            Condition {
+                text: r"$h$ has period $2\pi$",
+                sort: Sort::Stated,
+            },
+            Condition {
+                text: r"the largest value of $\lvert h\rvert$ is $1$",
+                sort: Sort::Stated,
+            },
+            Condition {
+                text: r"read as: the part tends to the whole period as $\lambda_0\to1$; generic is a drive with $\lvert h\rvert=1$ at single instants",
+                sort: Sort::Reading,
+            },
+            Condition {
+                text: r"with $\lvert h\rvert=1$ at all times there is no rest below $\lambda_0=1$",
+                sort: Sort::Remark,
+            },
+        ],
+        depends_on: &["eq-26"],
+        trials: trials![mostly::limit, mostly::census, mostly::two_valued],
         ..Claim::BLANK
     },
     Claim {

@@ -59,6 +59,11 @@ pub const ELSEWHERE: &[Elsewhere] = &[
         reason: "(1) never lets the velocity grow before that",
     },
     Elsewhere {
+        claim: "s24-vy-vanishes",
+        trial: "across::never_grows",
+        reason: "(1) never lets the velocity grow before that",
+    },
+    Elsewhere {
         claim: "s23-rest-above-one",
         trial: "rest::stopping_time",
         reason: "when it comes to rest, by (1)",

@@ -8,6 +8,7 @@ pub mod exact;
 pub mod excepted;
 pub mod radius;
 pub mod stops;
+pub mod surfaces;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Correction, Sort, Topic};
@@ -240,7 +241,7 @@ const CLAIMS: &[Claim] = &[
         title: "condition of the envelope",
         latex: r"0=1-\frac{1}{(\sigma-1)^2} \frac{\alpha^2}{2}+\cdots",
         plain: "0 = 1 − (1/(σ − 1)²) α²/2 + ⋯",
-        depends_on: &["eq-145", "s4-envelope-is-boundary"],
+        depends_on: &["eq-145", "s4-psi-free", "s4-envelope-is-boundary"],
         correction: Some(Correction {
             change: Change::Statement,
             latex: r"\frac{\mathrm{d} A}{\mathrm{d} \sigma}=\frac{1-\sigma}{\sqrt{(1-\sigma)^2+\alpha^2}}+\cdots\quad\text{near rest}",
@@ -317,6 +318,30 @@ const CLAIMS: &[Claim] = &[
         ..Claim::BLANK
     },
     Claim {
+        id: "s4-psi-free",
+        section: "4",
+        title: "the surface of a resting place",
+        latex: r"The equation of the surface of starts that come to rest at $\rho=\sigma$ is (145), with $\psi$ free.",
+        plain: "The equation of the surface of starts that come to rest at ρ = σ is (145), with ψ free.",
+        conditions: &[Condition {
+            text: r"$0<\sigma<1$, and $\alpha\ll1-\sigma$ as in (145)",
+            sort: Sort::Stated,
+        }],
+        depends_on: &["eq-143", "eq-145"],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"The equation of the surface of starts that come to rest at $\rho=\sigma$ is $A=\sigma-\sigma\alpha^2\left[\frac{\cos^4\chi}{2(1-\sigma)}+\sin^2\chi\cos^2\chi+\frac{\sin^4\chi}{2(1+\sigma)}\right]+\cdots,\quad\chi=\tfrac\psi2$; at $\psi=0$ it is (145).",
+            plain: "The equation of the surface of starts that come to rest at ρ = σ is A = σ − σ α² [cos⁴χ/(2(1 − σ)) + sin²χ cos²χ + sin⁴χ/(2(1 + σ))] + ⋯, χ = ψ/2; at ψ = 0 it is (145).",
+        }),
+        trials: trials![
+            surfaces::psi_free,
+            surfaces::with_psi,
+            surfaces::bends,
+            &exact::surfaces::CORRECTED
+        ],
+        ..Claim::BLANK
+    },
+    Claim {
         id: "s4-envelope-is-boundary",
         section: "4",
         title: "the boundary between rest and escape",
@@ -326,8 +351,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-143", "eq-145"],
         correction: Some(Correction {
             change: Change::Statement,
-            latex: r"$A=1-\alpha C^2+\alpha^2\left[\tfrac76C^4+2SC^3-S^2C^2+\tfrac23S^3C-\tfrac14S^4\right]+O(\alpha^3),\quad C=\cos\tfrac\psi2,\ S=\sin\tfrac\psi2$",
-            plain: "A = 1 − α C² + α² [(7/6) C⁴ + 2 S C³ − S² C² + ⅔ S³ C − ¼ S⁴] + O(α³), C = cos(ψ/2), S = sin(ψ/2)",
+            latex: r"For small $\alpha$ the particle comes to rest if $A$ starts below $1-\alpha\cos^2\chi+\alpha^2\left[\tfrac76\cos^4\chi+2\sin\chi\cos^3\chi-\sin^2\chi\cos^2\chi+\tfrac23\sin^3\chi\cos\chi-\tfrac14\sin^4\chi\right]+O(\alpha^3),\quad\chi=\tfrac\psi2$, and escapes to infinity if it starts above; from a start on this surface it creeps towards $\rho=1$ for ever.",
+            plain: "For small α the particle comes to rest if A starts below 1 − α cos²χ + α² [(7/6) cos⁴χ + 2 sin χ cos³χ − sin²χ cos²χ + ⅔ sin³χ cos χ − ¼ sin⁴χ] + O(α³), χ = ψ/2, and escapes to infinity if it starts above; from a start on this surface it creeps towards ρ = 1 for ever.",
         }),
         trials: trials![
             boundary::printed_census,

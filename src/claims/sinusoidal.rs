@@ -1,6 +1,7 @@
 //! Sinusoidal acceleration: stick and slip: the claims.
 
 mod across;
+mod argument;
 pub mod certified;
 mod decay;
 pub mod drawn;
@@ -29,8 +30,8 @@ pub const TOPIC: Topic = Topic {
 /// How v_y really dies, in place of a slow exponential.
 const DECAY: Correction = Correction {
     change: Change::Statement,
-    latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time. Once $v_y\ll v_x$: for $\lambda_0<\lambda_\mathrm{c}$, unless the particle sticks once on the way to its large-time motion and all of it is lost there, $\ln v_y$ is multiplied by $(s+\lambda_0)/(s-\lambda_0)$, $s=\sin\tilde\phi_1$, wherever $v_x$ passes through zero in its large-time motion, up to terms that stay bounded, so that $v_y$ falls as the exponential of an exponential; for $\lambda_0>\lambda_\mathrm{c}$, $v_y$ is exactly zero after a finite time, and a velocity $\mathfrak{w}_y$ across the drive that is left when $v_x$ comes to rest dies within $\lambda_0\mathfrak{w}_y/(\lambda_0^2-h^2)$, $h=\sin\phi$.",
-    plain: "While v_y ≫ v_x, v_y falls linearly in time. Once v_y ≪ v_x: for λ₀ < λ_c, unless the particle sticks once on the way to its large-time motion and all of it is lost there, ln v_y is multiplied by (s + λ₀)/(s − λ₀), s = sin φ̃₁, wherever v_x passes through zero in its large-time motion, up to terms that stay bounded, so that v_y falls as the exponential of an exponential; for λ₀ > λ_c, v_y is exactly zero after a finite time, and a velocity w_y across the drive that is left when v_x comes to rest dies within λ₀ w_y/(λ₀² − h²), h = sin φ.",
+    latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time. Once $v_y\ll v_x$, let $d=\lvert\sin\phi\rvert$ be the size of the drive where $v_x$ is zero, and $\mathfrak w_y=\varpi v_y/A_0$. For $\lambda_0>\lambda_\mathrm c$, $v_y$ is exactly zero after a finite time; what is left of it when $v_x$ comes to rest dies within a phase of $\lambda_0\mathfrak{w}_y/(\lambda_0^2-d^2)$. For $\lambda_0<\lambda_\mathrm c$, where $d=\sin\tilde\phi_1$, each passage of $v_x$ through zero multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, up to terms that stay bounded: $v_y$ falls as the exponential of an exponential. The exception is a particle that sticks once on the way to its large-time motion: it loses all of $v_y$ there.",
+    plain: "While v_y ≫ v_x, v_y falls linearly in time. Once v_y ≪ v_x, let d = |sin φ| be the size of the drive where v_x is zero, and w_y = ϖ v_y/A₀. For λ₀ > λ_c, v_y is exactly zero after a finite time; what is left of it when v_x comes to rest dies within a phase of λ₀ w_y/(λ₀² − d²). For λ₀ < λ_c, where d = sin φ̃₁, each passage of v_x through zero multiplies ln v_y by (d + λ₀)/(d − λ₀), up to terms that stay bounded: v_y falls as the exponential of an exponential. The exception is a particle that sticks once on the way to its large-time motion: it loses all of v_y there.",
 };
 
 /// Without friction every start keeps its own motion.
@@ -40,7 +41,7 @@ pub(super) const SOME_FRICTION: Condition = Condition {
 };
 
 /// Without friction the velocity across the drive keeps its value, and the one along it never depends on that.
-const FRICTION_ACROSS: Condition = Condition {
+pub(super) const FRICTION_ACROSS: Condition = Condition {
     text: r"$\lambda_0>0$: without friction nothing acts across the drive",
     sort: Sort::Degenerate,
 };
@@ -466,12 +467,42 @@ const CLAIMS: &[Claim] = &[
         ..Claim::BLANK
     },
     Claim {
+        id: "s22-vx-stays",
+        section: "2.2",
+        title: "a strong drive: motion for ever",
+        latex: r"For $A_0>\mu g$, $v_x$ does not tend to zero at large times.",
+        plain: "For A₀ > μ g, v_x does not tend to zero at large times.",
+        depends_on: &["eq-21", "eq-25"],
+        trials: trials![argument::stays_census, argument::stays_motion],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s22-friction-across",
+        section: "2.2",
+        title: "friction across the drive",
+        latex: r"Once $v_y\ll v_x$, friction is nearly along $x$, with a small $y$-component proportional to $v_y$.",
+        plain: "Once v_y ≪ v_x, friction is nearly along x, with a small y-component proportional to v_y.",
+        conditions: &[
+            Condition {
+                text: r"in proportion to $v_y$ at a given $v_x$: the factor is $1/\lvert v_x\rvert$",
+                sort: Sort::Reading,
+            },
+            Condition {
+                text: r"away from the zeros of $v_x$, at which $v_y\ll v_x$ does not hold",
+                sort: Sort::Stated,
+            },
+        ],
+        depends_on: &["eq-1", "eq-21"],
+        trials: trials![argument::across_rate, argument::across_proportional],
+        ..Claim::BLANK
+    },
+    Claim {
         id: "s22-vy-two-stages",
         section: "2.2",
         title: "two stages of the decay across the drive",
         latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time; once $v_y\ll v_x$, it falls more slowly, exponentially.",
         plain: "While v_y ≫ v_x, v_y falls linearly in time; once v_y ≪ v_x, it falls more slowly, exponentially.",
-        depends_on: &["eq-1", "eq-21"],
+        depends_on: &["eq-1", "eq-21", "s22-friction-across"],
         conditions: &[FRICTION_ACROSS],
         trials: trials![
             across::first_stage,
@@ -581,6 +612,25 @@ const CLAIMS: &[Claim] = &[
             periodic::rest_interval_root,
             periodic::rest_interval_reached,
             periodic::eq33_unique
+        ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s22-slip-longer-than-half",
+        section: "2.2",
+        title: "at small friction a slip from rest outlasts half the period",
+        latex: r"If (36) does not hold, $[\phi_1,\tilde\phi_2]$ is longer than $\pi$, and $\mathfrak{w}(\phi_1+2\pi)$ would be negative.",
+        plain: "If (36) does not hold, [φ₁, φ̃₂] is longer than π, and w(φ₁ + 2π) would be negative.",
+        depends_on: &["eq-27", "eq-32", "eq-36", "eq-37"],
+        conditions: &[Condition {
+            text: r"$0<\lambda_0<\lambda_\mathrm c$: at $\lambda_\mathrm c$ it is as long as $\pi$, and without friction nothing is lost",
+            sort: Sort::Degenerate,
+        }],
+        trials: trials![
+            argument::outlasts_census,
+            kinds::no_rest_motion,
+            argument::outlasts_outside,
+            argument::neither_end
         ],
         ..Claim::BLANK
     },

@@ -1,6 +1,7 @@
 //! A sphere that slips and rolls: the claims.
 
 mod angle;
+mod any_drive;
 mod definitions;
 pub mod drawn;
 mod driven;
@@ -492,6 +493,16 @@ const CLAIMS: &[Claim] = &[
             driven::trichotomy_outside,
             super::sinusoidal::excepted::no_friction
         ],
+        ..Claim::BLANK
+    },
+    Claim {
+        id: "s33-any-drive",
+        section: "3",
+        title: "any periodic drive of the sphere",
+        latex: r"With $\lambda_0$ of (84), what section 2.3 says of rests under any periodic drive holds for the rolling of the sphere.",
+        plain: "With λ₀ of (84), what section 2.3 says of rests under any periodic drive holds for the rolling of the sphere.",
+        depends_on: &["eq-84", "s23-rest-above-one", "s23-threshold-exists", "s3-reduction"],
+        trials: trials![any_drive::census, any_drive::parts],
         ..Claim::BLANK
     },
     Claim {

@@ -5,6 +5,10 @@ pub use trialbook::claims::tolerances::{MOTION, NONE, QUADRATURE};
 
 tolerances! {
 
+/// Friction across the drive, for velocities that are small beside the one along it.
+ACROSS = 5e-7,
+    "the next term is the square of the ratio of the velocities, and differences are as good: 8e-8 at the worst";
+
 /// A factor per period against its limit near the periodic motion.
 APPROACH = 5e-6,
     "taken where the distance to the periodic motion is 1e-6, of which the next term of the factor is a small multiple";
@@ -133,6 +137,10 @@ ROOT = 3e-13,
 SECOND_ORDER = 2e-2,
     "the next order is the time of a period over the velocity, a hundredth; rounding of the slope is as large";
 
+/// The share of rest as friction rises to the largest drive, from two frictions.
+SHARE = 5e-8,
+    "the term left out is of the order of what friction is below 1: 1e-8";
+
 /// What a short push may leave behind and still count as motion: nothing near the strength of the push.
 SHORT_PUSH = 1e-3,
     "a motion that a push started would have a speed of the push's strength times a time of order one";
@@ -144,6 +152,10 @@ SLOPE = 2e-13,
 /// The angle at which a rate, found by differences of the motion, is zero.
 STANDS_STILL = 3e-9,
     "differences are good to 5e-10 and are divided by the slope of the rate, which is above 0.5";
+
+/// The coefficient of α² on a surface of starts that come to rest at one distance, from halvings of α.
+SURFACE = 1e-5,
+    "the term left out is of the order α³, and α is about a hundredth";
 
 /// A velocity that has settled.
 TERMINAL = 2e-15,

@@ -720,6 +720,22 @@ const CLAIMS: &[Claim] = &[
         ..Claim::BLANK
     },
     Claim {
+        id: "s4-projection-tangential",
+        section: "4",
+        title: "where (99) comes from",
+        latex: r"(99) is the projection of Newton's law on the velocity.",
+        plain: "(99) is the projection of Newton's law on the velocity.",
+        depends_on: &["eq-89", "eq-99"],
+        conditions: &[MOVES],
+        trials: trials![
+            &exact::TANGENTIAL,
+            projections::tangential,
+            standstill::tangential,
+            excepted::rest
+        ],
+        ..Claim::BLANK
+    },
+    Claim {
         id: "s4-projection-azimuthal",
         section: "4",
         title: "where (100) comes from",

@@ -5,6 +5,11 @@ pub use trialbook::claims::variants::{Spared, Survivor, Variant};
 /// All wrong variants that no trial rejects. A test holds the list against the trials.
 pub const SURVIVORS: &[Survivor] = &[
     Survivor {
+        claim: "s21-friction-cannot-hold",
+        text: "λ^2; 1",
+        reason: SQUARED,
+    },
+    Survivor {
         claim: "s21-small-friction-aligns",
         text: "λ^2; 1",
         reason: SQUARED,

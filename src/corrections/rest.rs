@@ -12,8 +12,17 @@
 //! turned. With φ = π − ψ small, (114) and (115) are α̇ = −1 − 1/σ, φ̇ = −2(1 − φ/(2α)), and the solution that
 //! stays is φ = 2α/(2 + 1/σ).
 //!
-//! *The boundary.* (145) needs α ≪ 1 − σ; on the envelope of the surfaces (145) 1 − σ = α/√2. There is no envelope: a
-//! state comes to rest at one σ, so surfaces of different σ do not meet. As σ → 1 they close up against the states
+//! *The surfaces.* (145) is the equation of the motions to rest, once ψ has relaxed. On the way to it, for small α, (114) and
+//! (115) give d ln α/dψ = (1/σ − cos ψ)/sin ψ, so that α ∝ t^(1/σ)/sin ψ with t = tan(ψ/2), and by (113)
+//! dA/dψ = −α²/sin ψ. With dψ/sin ψ = dt/t and sin ψ = 2t/(1 + t²) this is
+//!
+//! dA/dt = −(α₀²/4) k² t^(2/σ−3) (1 + t²)²,  k = sin ψ₀ t₀^(−1/σ),
+//!
+//! a sum of three powers. From t = 0, where A = σ, to the start at t₀ it comes to
+//!
+//! A = σ − σα² [C⁴/(2(1−σ)) + S²C² + S⁴/(2(1+σ))],  C = cos(ψ/2), S = sin(ψ/2).
+//!
+//! *The boundary.* (145) needs α ≪ 1 − σ; on the envelope of the surfaces (145) 1 − σ = α/√2. As σ → 1 they close up against the states
 //! that tend to A = 1, α = 0, where in the slow motion (ψ ≈ 2α, a = A − 1) α̇ = a, ȧ = α: a saddle, whose incoming
 //! line is a = −α, while a = −√((1−σ)² + α²) on the surface of σ. Away from the slow motion let the boundary be A = 1 − α f₁(ψ) + α² f₂(ψ) + …. In the time with
 //! dτ = p ds, (113) to (115) read
@@ -60,6 +69,21 @@ claim "eq-146";
 pub fn surface_slope<S: Scalar>(sigma: S, alpha: S) -> S {
     let deficit = S::int(1) - sigma;
     deficit / (deficit.squared() + alpha.squared()).sqrt()
+}
+
+/// With ψ free in place of (145): the coefficient of −σα² on the surface of starts that come to rest at σ.
+claim "s4-psi-free";
+pub fn surface_bend<S: Scalar>(sigma: S, psi: S) -> S {
+    let (one, two) = (S::int(1), S::int(2));
+    let half = psi / two;
+    let (c2, s2) = (half.cos().squared(), half.sin().squared());
+    c2.squared() / (two * (one - sigma)) + s2 * c2 + s2.squared() / (two * (one + sigma))
+}
+
+/// With ψ free in place of (145): A on the surface of starts that come to rest at σ, for α ≪ 1 − σ.
+claim "s4-psi-free";
+pub fn surface_a<S: Scalar>(sigma: S, alpha: S, psi: S) -> S {
+    sigma - sigma * alpha.squared() * surface_bend(sigma, psi)
 }
 
 /// f₁: how fast A falls with α on the boundary at α = 0.

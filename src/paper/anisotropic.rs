@@ -86,6 +86,12 @@ pub fn eq58_y<S: Scalar>() -> [S; 2] {
     [S::int(4603) / thousand, S::int(217) / thousand]
 }
 
+/// v_y at large times, under a friction that depends on the direction.
+claim "s24-vy-vanishes";
+pub fn s24_late_vy<S: Scalar>() -> S {
+    S::int(0)
+}
+
 /// "Without loss of generality": q and λ₀ of the motion that is the mirror image of that with these.
 claim "s24-q-at-least-one";
 pub fn s24_mirrored<S: Scalar>(q: S, lambda0: S) -> [S; 2] {

@@ -100,6 +100,12 @@ pub fn s21_keeps_moving_sides<S: Scalar>(lambda: S) -> [S; 2] {
     [lambda, S::int(1)]
 }
 
+/// The two sides of λ ≤ 1, where friction is not to keep the particle at rest.
+claim "s21-friction-cannot-hold";
+pub fn s21_cannot_hold_sides<S: Scalar>(lambda: S) -> [S; 2] {
+    [lambda, S::int(1)]
+}
+
 /// λ ≤ 1: θ at large times.
 claim "s21-small-friction-aligns";
 pub fn s21_late_angle<S: Scalar>() -> S {

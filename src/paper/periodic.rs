@@ -52,6 +52,12 @@ pub fn s23_rest_sides<S: Scalar>(lambda: S) -> [S; 2] {
     [S::int(1), lambda]
 }
 
+/// Before (42): the fraction of a period that is rest, as λ₀ rises to 1.
+claim "s23-mostly-at-rest";
+pub fn s23_late_share<S: Scalar>() -> S {
+    S::int(1)
+}
+
 /// Before (42): whether there are rests (1 if so) with little friction, and with much.
 claim "s23-threshold-exists";
 pub fn s23_rests<S: Scalar>() -> [S; 2] {

@@ -48,6 +48,12 @@ pub fn s22_late_vy<S: Scalar>() -> S {
     S::int(0)
 }
 
+/// Friction across the drive once 𝔴_y is far below 𝔴, in units of A₀: proportional to 𝔴_y. No value at 𝔴 = 0.
+claim "s22-friction-across";
+pub fn s22_across_friction<S: Scalar>(lambda0: S, w: S, w_y: S) -> S {
+    -lambda0 * w_y / w.squared().sqrt()
+}
+
 /// The rate of 𝔴_y with the phase as long as 𝔴_y is far above 𝔴.
 claim "s22-vy-two-stages";
 pub fn s22_first_stage_slope<S: Scalar>(lambda0: S) -> S {

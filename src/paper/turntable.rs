@@ -260,6 +260,12 @@ pub fn eq125_psi2<S: Scalar>(alpha: S) -> S {
     S::pi() - (S::int(2) * alpha).tanh().asin()
 }
 
+/// After (101): dp/dτ by the projection of (89) on the velocity. No value at rest.
+claim "s4-projection-tangential";
+pub fn s4_tangential_rate<S: Scalar>(position: [S; 2], rate: [S; 2]) -> S {
+    dot(eq89_acceleration(position, rate), rate) / length(rate)
+}
+
 /// After (101): dℓ/dτ by the law (91) of the angular momentum and the rate of u.
 claim "s4-projection-azimuthal";
 pub fn s4_azimuthal_rate<S: Scalar>(p: S, ell: S, xi: S, u_rate: S) -> S {

@@ -83,6 +83,11 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "limits::parabola_motion",
     ),
     (
+        "s21-friction-cannot-hold",
+        "small large",
+        "from_rest::census",
+    ),
+    (
         "s21-small-friction-aligns",
         "small large",
         "extremes::small_friction_limit",
@@ -109,6 +114,16 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "kinds::weak_drive_motion",
     ),
     (
+        "s22-vx-stays",
+        "strong large",
+        "argument::stays_census",
+    ),
+    (
+        "s22-friction-across",
+        "small",
+        "argument::across_rate",
+    ),
+    (
         "s22-vy-two-stages",
         "falls linearly more slowly exponentially",
         "across::first_stage",
@@ -126,6 +141,11 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "periodic::rest_interval_reached",
     ),
     (
+        "s22-slip-longer-than-half",
+        "small negative",
+        "argument::outlasts_census",
+    ),
+    (
         "s22-no-rest-below",
         "small vanishes",
         "kinds::no_rest_census",
@@ -139,12 +159,18 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "small large more",
         "threshold::with_mean",
     ),
+    ("s23-mostly-at-rest", "less", "mostly::limit"),
     (
         "s23-nonzero-again",
         "vanishes",
         "again::pull_again_on_a_plane",
     ),
     ("s23-pulse-phases", "large small", "pulses::extremes_census"),
+    (
+        "s24-vy-vanishes",
+        "vanishes only large",
+        "across::vanishes",
+    ),
     (
         "s24-q-at-least-one",
         "larger backward",

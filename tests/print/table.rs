@@ -50,7 +50,7 @@ const SLIP_SPEED: Names = &[("u_0", "v0")];
 const ALONG_X: Names = &[("A", "A_x")];
 const PER_A: Names = &[("A", "1")];
 const PHI_1: Names = &[(r"\tilde\phi_1", "eq39_phi_t1")];
-const HALF_ANGLE: Names = &[("C", "@1"), ("S", "@2")];
+const HALF_ANGLE: Names = &[(r"\chi", "@1")];
 const H: Names = &[(r"h(\phi)", "h")];
 const W: Names = &[(r"\mathfrak{w}(\phi)", "w")];
 
@@ -153,24 +153,24 @@ pub const CORRECTED: &[Line] = &[
     ),
     (
         "s22-vy-two-stages",
-        6,
+        10,
         Side(0, 0),
-        "sinusoidal::passage_factor",
-        NONE,
+        "sinusoidal::last_stage",
+        &[("d", "h")],
     ),
     (
         "s22-vy-two-stages",
-        7,
+        12,
         Side(0, 1),
         "sinusoidal::drive_at_zero",
         PHI_1,
     ),
     (
         "s22-vy-two-stages",
-        14,
+        15,
         Side(0, 0),
-        "sinusoidal::last_stage",
-        NONE,
+        "sinusoidal::passage_factor",
+        &[("d", "s")],
     ),
     (
         "s4-coriolis-no-work",
@@ -180,9 +180,16 @@ pub const CORRECTED: &[Line] = &[
         NONE,
     ),
     (
-        "s4-envelope-is-boundary",
-        1,
+        "s4-psi-free",
+        2,
         Side(0, 1),
+        "rest::surface_a",
+        HALF_ANGLE,
+    ),
+    (
+        "s4-envelope-is-boundary",
+        3,
+        Side(0, 0),
         "rest::boundary_a",
         HALF_ANGLE,
     ),
@@ -237,6 +244,7 @@ pub const NOT_PRINTED: &[&str] = &[
     "rest::alpha_rate_straight_in",
     "rest::angle_straight_in",
     "rest::psi_at_one_half",
+    "rest::surface_bend",
 ];
 
 /// Formulas of the corrections that are written for more kinds of numbers than these trees alone, or that a print joins.

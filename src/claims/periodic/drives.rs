@@ -132,6 +132,11 @@ impl Harmonics {
         (self.mean + self.terms.iter().map(wave).sum::<f64>()) / self.size
     }
 
+    /// Each as its number k, its size aₖ after the division and its phase pₖ; without the constant.
+    pub fn terms(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
+        self.terms.iter().map(|&(k, a, p)| [k, a / self.size, p])
+    }
+
     /// The drive.
     pub fn drive(&self) -> Result<Drive, DriveError> {
         Drive::new(|phi| self.h(phi), &[])
@@ -172,6 +177,11 @@ pub fn steps(steps: &[(f64, f64)]) -> Result<Drive, DriveError> {
     };
     let breaks: Vec<f64> = steps.iter().map(|(end, _)| *end).collect();
     Drive::new(h, &breaks)
+}
+
+/// Steps between 1 and −1: up for x, down for y, up for π − x, down for the rest, half of the time each.
+pub fn steps_between(x: f64, y: f64) -> Result<Drive, DriveError> {
+    steps(&[(x, 1.0), (x + y, -1.0), (PI + y, 1.0), (TAU, -1.0)])
 }
 
 /// sin φ + a sin 3φ, the drive whose rests come, go and come again for a near 1.5.

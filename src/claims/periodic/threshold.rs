@@ -1,7 +1,7 @@
 //! Trials of what is said of a threshold λ_c for any h: that there is one, and that there may be more.
 
 use super::drives::{
-    Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps, third_harmonic,
+    Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps_between, third_harmonic,
 };
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
@@ -260,9 +260,8 @@ pub fn two_valued() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
     let mut points = Points::stream(223);
     trial.over(0..60, |_| {
-        // Up for x, down for y, up for π − x, down for the rest: half of the time each.
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
-        let drive = steps(&[(x, 1.0), (x + y, -1.0), (PI + y, 1.0), (TAU, -1.0)])?;
+        let drive = steps_between(x, y)?;
         let lambda = 1.0 - points.log_uniform(1e-6, 1e-1);
         rests("steps between 1 and −1", &drive, lambda, false)
     })

@@ -3,6 +3,7 @@
 
 pub mod boundary;
 pub mod series;
+pub mod surfaces;
 
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};

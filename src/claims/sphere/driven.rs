@@ -4,6 +4,7 @@ use super::every_drive::rolling_time;
 use super::spheres::{braking, sphere};
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::periodic::drives::Harmonics;
 use crate::claims::points::Points;
 use crate::claims::runs::Runs;
 use crate::claims::tolerances::{MOTION, NONE};
@@ -30,8 +31,9 @@ fn settled_phase(lambda: f64) -> f64 {
 
 /// A sphere on a plane that swings along x with the angular frequency ϖ: A = −A₀ h(ϖ t) x̂.
 #[derive(Debug, Clone, Copy)]
-struct Swing {
-    sphere: Sphere,
+pub(super) struct Swing {
+    /// The sphere.
+    pub(super) sphere: Sphere,
     a0: f64,
     frequency: f64,
     lambda: f64,
@@ -39,7 +41,7 @@ struct Swing {
 
 impl Swing {
     /// The swing in which λ₀ is `lambda`.
-    fn new(i: usize, points: &mut Points, lambda: f64) -> Self {
+    pub(super) fn new(i: usize, points: &mut Points, lambda: f64) -> Self {
         let sphere = sphere(i, points);
         Swing {
             sphere,
@@ -57,6 +59,15 @@ impl Swing {
         Plane::along([1.0, 0.0], sine.times(-self.a0))
     }
 
+    /// Harmonics, as a signal.
+    pub(super) fn harmonics(&self, shape: &Harmonics) -> Plane {
+        let sine = |[k, a, phase]: [f64; 3]| {
+            let frequency = k * self.frequency;
+            Signal::Sine { frequency, phase }.times(-self.a0 * a)
+        };
+        Plane::along([1.0, 0.0], Signal::Sum(shape.terms().map(sine).collect()))
+    }
+
     /// Pulses of (42) and (43): half the difference of two square waves, one later by ηπ.
     fn pulses(&self, eta: f64) -> Plane {
         let half = PI / self.frequency;
@@ -67,12 +78,12 @@ impl Swing {
     }
 
     /// The time of a phase.
-    fn t(&self, phi: f64) -> f64 {
+    pub(super) fn t(&self, phi: f64) -> f64 {
         phi / self.frequency
     }
 
     /// A start at φ = 0 with slip `w` in units of A₀/ϖ, shared between the centre and the turning.
-    fn start(&self, w: f64, share: f64) -> Ball {
+    pub(super) fn start(&self, w: f64, share: f64) -> Ball {
         let slip = w * self.a0 / self.frequency;
         let radius = self.sphere.radius;
         Ball {
@@ -95,7 +106,7 @@ impl Swing {
     }
 
     /// λ₀ by (84).
-    fn stated(&self) -> f64 {
+    pub(super) fn stated(&self) -> f64 {
         printed::eq84_lambda(self.b(), self.sphere.mu, self.sphere.g, self.a0)
     }
 
@@ -104,7 +115,7 @@ impl Swing {
         printed::eq85_lambda(self.b(), self.sphere.mu, self.sphere.g, self.a0)
     }
 
-    fn at(&self) -> String {
+    pub(super) fn at(&self) -> String {
         format!(
             "λ₀ = {:.6}, κ = {:.6}, μ = {:.6}",
             self.lambda,
@@ -131,7 +142,7 @@ fn w_after(plus: f64, minus: f64, w: f64, phi: f64) -> f64 {
 }
 
 /// What a drive's periodic motion gives; NaN for a friction below zero, with which there is none.
-fn of_settled(drive: &Drive, plus: f64, minus: f64, of: impl Fn(&[Interval]) -> f64) -> f64 {
+pub(super) fn of_settled(drive: &Drive, plus: f64, minus: f64, of: impl Fn(&[Interval]) -> f64) -> f64 {
     let given = || -> Result<f64, Failure> {
         let attractor = settled(drive, Friction::new(plus, minus)?)?;
         Ok(of(attractor.intervals()))
@@ -140,7 +151,7 @@ fn of_settled(drive: &Drive, plus: f64, minus: f64, of: impl Fn(&[Interval]) -> 
 }
 
 /// The part of a period in which a motion has a sign.
-fn part(intervals: &[Interval], sign: Sign) -> f64 {
+pub(super) fn part(intervals: &[Interval], sign: Sign) -> f64 {
     let own = intervals.iter().filter(|i| i.sign == sign);
     own.map(Interval::length).sum::<f64>() / TAU
 }

@@ -113,6 +113,12 @@ pub const EQ101: Law = Law::new(
     components::eq101,
     components::prove_eq101,
 );
+pub const TANGENTIAL: Law = Law::new(
+    Subject::Within,
+    RATE,
+    components::tangential,
+    components::prove_tangential,
+);
 pub const AZIMUTHAL: Law = Law::new(
     Subject::Corrected,
     RATE,

@@ -29,6 +29,20 @@ fn change(
     })
 }
 
+/// (99), as described.
+pub fn tangential() -> Evidence {
+    let compared = Compared::one(
+        r"the integral of the projection of (89) on the velocity, along the motion,",
+        r"the change of $p$",
+    );
+    change(
+        Subject::Within,
+        compared,
+        |v| v.p,
+        |v| printed::s4_tangential_rate([v.xi, -v.ell], [v.p, 0.0]),
+    )
+}
+
 /// The rate of u: section 4 has no u, and so no value for it.
 const U_RATE: f64 = f64::NAN;
 

@@ -173,6 +173,21 @@ pub fn eq99() -> Evidence {
     )
 }
 
+/// The projection on the velocity at rest.
+pub fn tangential() -> Evidence {
+    let compared = Compared::one(
+        "the projection of (89) on the velocity at rest",
+        r"$\mathrm dp/\mathrm d\tau$",
+    );
+    first_moment(
+        compared,
+        514,
+        &[Begin::Held],
+        |v| v.p,
+        |v| printed::s4_tangential_rate([v.xi, -v.ell], [v.p, 0.0]),
+    )
+}
+
 /// (100) at the moment of a start.
 pub fn eq100() -> Evidence {
     let compared = Compared::one(

@@ -76,12 +76,7 @@ pub(super) fn what_falls(context: &Context<'_>) -> Result<String, Fault> {
         .iter()
         .filter(|e| e.judgement.verdict.is_wrong())
     {
-        let on = ledger.resting_on(entry.claim.id);
-        let (fallen, standing): (Vec<_>, Vec<_>) = on.into_iter().partition(|id| {
-            ledger
-                .entry(id)
-                .is_some_and(|e| e.judgement.verdict.is_wrong())
-        });
+        let [fallen, standing] = ledger.fallen_and_standing(entry.claim.id);
         rows.push([
             context.link(entry)?,
             verdict(entry.judgement.verdict),

@@ -17,16 +17,13 @@ pub struct Elsewhere {
 impl Formulas {
     /// True if the claim of this id has formulas of the kind that the evidence is about, and none of them was read for it.
     pub fn is_missing(&self, id: &str, evidence: &Evidence) -> bool {
-        // What a condition excepts is a set of motions, whatever the formula says of it.
-        if evidence.subject == Subject::Excepted {
+        // What a condition excepts is a set of motions, whatever the formula says of it; a remark is about something else.
+        if matches!(evidence.subject, Subject::Excepted | Subject::Remark) {
             return false;
         }
-        // A remark may rest on either.
-        let either = evidence.subject == Subject::Remark;
         let printed = evidence.subject != Subject::Corrected;
-        let is_meant = |path| either || self.is_printed(path) == printed;
         let mut own = (self.numbers)();
-        own.retain(|f| is_meant(f.path) && f.claim().as_deref() == Some(id));
+        own.retain(|f| self.is_printed(f.path) == printed && f.claim().as_deref() == Some(id));
         !own.is_empty() && !own.iter().any(|f| evidence.read.contains(f.path))
     }
 }

@@ -35,9 +35,9 @@ pub struct Erratum {
     /// Ids of the claims from which its error comes: those that it is derived from and that fail themselves, unless the
     /// step from them fails too.
     pub inherits: Vec<&'static str>,
-    /// Ids of all claims that rest on this one, directly or not, and fall too.
+    /// Ids of all claims that rest on this one, directly or not, and have their error from others.
     pub fallen: Vec<&'static str>,
-    /// Ids of all others that rest on it, directly or not.
+    /// Ids of all that rest on it, directly or not, and stand.
     pub standing: Vec<&'static str>,
 }
 
@@ -87,6 +87,18 @@ impl Ledger {
         wrong.map(|entry| self.erratum(entry)).collect()
     }
 
+    /// Of the claims that rest on this one, those that have their error from others, and those that stand. What is wrong by
+    /// an error of its own is neither.
+    pub fn fallen_and_standing(&self, id: &str) -> [Vec<&'static str>; 2] {
+        let (wrong, standing): (Vec<_>, Vec<_>) = self
+            .resting_on(id)
+            .into_iter()
+            .partition(|id| self.is_wrong(id));
+        let inherits = |id: &&str| self.entry(id).is_some_and(|e| !self.inherits(e).is_empty());
+        let fallen = wrong.into_iter().filter(inherits).collect();
+        [fallen, standing]
+    }
+
     fn is_wrong(&self, id: &str) -> bool {
         let entry = self.entry(id);
         entry.is_some_and(|e| e.judgement.verdict.is_wrong())
@@ -133,8 +145,7 @@ impl Ledger {
             claim: claim.id,
             reason,
         })?;
-        let fails = |id: &&'static str| self.is_wrong(id);
-        let (fallen, standing) = self.resting_on(claim.id).into_iter().partition(fails);
+        let [fallen, standing] = self.fallen_and_standing(claim.id);
         let inherits = self.inherits(entry);
         Ok(Erratum {
             id: claim.id,
@@ -199,7 +210,7 @@ fn new_text(entry: &Entry, inherits: &[String]) -> String {
         return format!("add: {}{general}", missing.join("; "));
     }
     let Some(correction) = claim.correction else {
-        return format!("no form of its own; see {}", inherits.join(", "));
+        return format!("nothing takes its place; see {}", inherits.join(", "));
     };
     let new = statement(correction.latex, claim.equation);
     match missing.is_empty() {

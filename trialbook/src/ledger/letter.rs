@@ -57,7 +57,7 @@ impl Ledger {
         let conditional = of(errata, &[Verdict::Conditional]);
         text += &style.paragraph(&format!(
             "All {} numbered equations and statements of the paper were tried {}. We found {}, from which {} suffer, and {}; \
-             {} a condition. The rest is right as printed.",
+             {} a condition. {} Where a statement is not a formula, what is said is given in our words.",
             self.entries.len(),
             self.paper.tried,
             counted(roots.len(), "independent error"),
@@ -66,7 +66,8 @@ impl Ledger {
             match conditional.len() {
                 1 => "1 statement needs".to_owned(),
                 n => format!("{n} statements need"),
-            }
+            },
+            self.rest()
         ));
         // What has been told under an earlier error is only named.
         let mut told = BTreeSet::new();
@@ -78,7 +79,7 @@ impl Ledger {
                 .collect();
             text += &style.numbered(i + 1, &self.name(root.id), root);
             text += &style.wrong(root);
-            text += &style.entry("Printed", &root.old);
+            text += &style.entry(as_printed(root), &root.old);
             text += &style.entry("Right", &root.new);
             for (label, words) in [
                 ("Reason", Some(&root.reason)),
@@ -89,11 +90,15 @@ impl Ledger {
                 }
             }
             if !heirs.is_empty() {
-                let right = heirs.iter().map(|e| match told.insert(e.id) {
-                    true => format!("{}: {}", self.name(e.id), e.new),
-                    false => format!("{}, as above", self.name(e.id)),
-                });
-                text += &style.entry("It passes to", &right.collect::<Vec<_>>().join("; "));
+                let (new, known): (Vec<&&&Erratum>, Vec<_>) =
+                    heirs.iter().partition(|e| told.insert(e.id));
+                let right = new
+                    .iter()
+                    .map(|e| format!("{}: {}", self.name(e.id), e.new));
+                let known: Vec<_> = known.iter().map(|e| self.name(e.id)).collect();
+                let known = (!known.is_empty()).then(|| format!("{}, as above", known.join(", ")));
+                let right: Vec<_> = right.chain(known).collect();
+                text += &style.entry("It passes to", &right.join("; "));
             }
             text.push('\n');
         }
@@ -103,7 +108,12 @@ impl Ledger {
                 let (old, new) = (&misprint.old, &misprint.new);
                 let words = match is_formula(old) && is_formula(new) {
                     true => format!("{old} should be {new}."),
-                    false => format!("{} It should be: {}", closed(old), closed(new)),
+                    false => format!(
+                        "{}: {} It should be: {}",
+                        as_printed(misprint),
+                        closed(old),
+                        closed(new)
+                    ),
                 };
                 text += &style.entry(&self.place(misprint), &words);
             }
@@ -119,6 +129,23 @@ impl Ledger {
              in the supplement and at [link to the code].",
         );
         text + style.closing()
+    }
+
+    /// What is to be said of all that needs no change.
+    fn rest(&self) -> String {
+        let counts = self.counts();
+        let but = match counts[&Verdict::Degenerate] {
+            0 => String::new(),
+            1 => ", 1 of the statements but for points at which it has no value or that fill no interval".to_owned(),
+            n => format!(
+                ", {n} of the statements but for points at which they have no value or that fill no interval"
+            ),
+        };
+        let open = match counts[&Verdict::Undecided] {
+            0 => String::new(),
+            n => format!("; {n} could not be decided"),
+        };
+        format!("The rest is right as printed{but}{open}.")
     }
 
     /// The name of a claim, behind its section where it has no number, and without what explains it behind a colon.
@@ -199,7 +226,7 @@ fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
 const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}";
 
 /// The parts of an item that stand in one paragraph, in LaTeX.
-const RUN_IN: [&str; 5] = ["Printed", "Right", "Reason", "By hand", "It passes to"];
+const RUN_IN: [&str; 6] = ["Printed", "Said", "Right", "Reason", "By hand", "It passes to"];
 
 /// How the title of the letter begins.
 const COMMENT: &str = "Comment on";
@@ -223,7 +250,7 @@ trait Style {
 
     fn item(&self, name: &str, erratum: &Erratum) -> String {
         let mut text = self.title(name, erratum) + &self.wrong(erratum);
-        text += &self.entry("Printed", &erratum.old);
+        text += &self.entry(as_printed(erratum), &erratum.old);
         text += &self.entry("Should be", &erratum.new);
         text += &self.entry("Reason", &closed(&erratum.reason));
         if let Some(case) = &erratum.case {
@@ -239,6 +266,14 @@ trait Style {
 /// Sentences with the full stop at their end.
 fn closed(words: &str) -> String {
     format!("{}.", words.trim_end_matches('.'))
+}
+
+/// What stands before a statement: a formula is printed, and what the paper says in words is given in ours.
+fn as_printed(erratum: &Erratum) -> &'static str {
+    match erratum.equation {
+        Some(_) => "Printed",
+        None => "Said",
+    }
 }
 
 /// True for a formula alone.
@@ -291,7 +326,7 @@ impl Style for Plain {
     fn entry(&self, label: &str, words: &str) -> String {
         let text = wrapped(&format!("{label}: {}", plain_words(words)), 4);
         // The last entry of an item leaves the blank line to the next title.
-        if label == "Printed" {
+        if ["Printed", "Said"].contains(&label) {
             format!("\n{text}")
         } else {
             text
@@ -336,7 +371,7 @@ impl Style for Latex {
         };
         format!(
             "\\documentclass[10pt{columns}]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm,graphicx}}\n\
-             \\usepackage[margin=16mm]{{geometry}}\n{FIT}\n\n\
+             \\usepackage[margin=14mm]{{geometry}}\n{FIT}\n\n\
              \\title{{{what} ``{title}''\\\\\\large by {authors}, {reference}}}\n\\author{{[name]\\\\{{}}[affiliation and \
              address]}}\n\\date{{}}\n\n\\begin{{document}}{size}\n\\maketitle\n\n"
         )

@@ -15,7 +15,7 @@ use crate::paper::turntable as motion;
 /// The boundary is stated to the second order; two more follow.
 const ORDER: i64 = 4;
 
-const ENOUGH: i64 = ORDER + 3;
+pub(super) const ENOUGH: i64 = ORDER + 3;
 
 /// The coefficients of t, t², … at one order.
 const UNKNOWN: [&str; 10] = ["x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x₇", "x₈", "x₉", "x₁₀"];
@@ -32,7 +32,7 @@ fn ring() -> Result<Ring, ExactError> {
 }
 
 /// What the boundary lacks to consist of motions: dA/dτ less ∂A/∂α dα/dτ and ∂A/∂ψ dψ/dτ.
-fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
+pub(super) fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
     let [size, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
     let small = Series::monomial(Rational::int(1), 1, ENOUGH);
     let values = [("A", a), ("α", &small)];

@@ -79,6 +79,15 @@ pub(super) fn prove_eq101(printed: Vec<Expr>) -> Proof {
     rate("(101): dξ/dτ", "ξ", &printed)
 }
 
+pub(super) fn tangential() -> Vec<Expr> {
+    let [position, rate] = vectors();
+    vec![paper::s4_tangential_rate(position, rate)]
+}
+
+pub(super) fn prove_tangential(printed: Vec<Expr>) -> Proof {
+    rate("dp/dτ, by (89) on the velocity", "p", &printed)
+}
+
 pub(super) fn azimuthal() -> Vec<Expr> {
     let [p, ell, xi] = Expr::symbols(["p", "ℓ", "ξ"]);
     vec![corrected::azimuthal_rate(p, ell, xi)]

@@ -28,6 +28,7 @@ const LETTERS: &[&str] = &[
     "sigma",
     "tau",
     "phi",
+    "chi",
     "psi",
     "omega",
     "Omega",

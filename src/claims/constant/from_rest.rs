@@ -1,0 +1,93 @@
+//! Trials of whether friction keeps a particle at rest that begins so.
+
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::excepted::no_inside;
+use crate::claims::points::Points;
+use crate::claims::tolerances::NONE;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::{Plane, State, run};
+use crate::paper::constant as printed;
+
+/// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, whose size is 1.
+fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {
+    let start = State {
+        t: 0.0,
+        v: [0.0; 2],
+        x: [0.0; 2],
+    };
+    Ok(run(&Plane::constant([-1.0, 0.0]), lambda, start, t)?.end().v[0])
+}
+
+fn is(truth: bool) -> f64 {
+    f64::from(u8::from(truth))
+}
+
+/// Whether it moves.
+fn moves(subject: Subject, compared: Compared, frictions: Vec<f64>) -> Evidence {
+    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    trial.over(frictions, |lambda| {
+        let [left, right] = printed::s21_cannot_hold_sides(lambda);
+        Ok(Pair {
+            at: format!("λ = {lambda:.9}"),
+            stated: is(left <= right),
+            found: is(speed(lambda, 1.0)? > 0.0),
+            scale: 1.0,
+        })
+    })
+}
+
+/// On both sides of λ = 1.
+pub fn census() -> Evidence {
+    let compared = Compared::one(
+        r"whether $\lambda\le1$ (1 if so)",
+        "whether a particle that begins at rest moves",
+    );
+    let mut points = Points::stream(721);
+    let mut frictions: Vec<_> = (0..60).map(|_| points.uniform(0.0, 3.0)).collect();
+    for near in [1e-9, 1e-6, 1e-3] {
+        frictions.extend([1.0 - near, 1.0 + near]);
+    }
+    moves(Subject::Within, compared, frictions)
+}
+
+/// λ = 1, with 𝐀 of any size.
+pub fn outside() -> Evidence {
+    let compared = Compared::one(
+        r"whether $\lambda\le1$ (1 if so)",
+        r"whether a particle that begins at rest moves, $\lambda=1$",
+    );
+    moves(Subject::Outside, compared, vec![1.0; 20])
+}
+
+/// λ < 1: as fast as the law along the line has it.
+pub fn velocity() -> Evidence {
+    let compared = Compared::one(
+        r"$t$ times the rate (6) at $\theta=0$, or 0 where $\lambda\le1$ does not hold,",
+        "the velocity at the time $t$ of a particle that begins at rest",
+    );
+    let trial = Trial::motion(Subject::Within, compared);
+    let launches = Points::stream(722).within(40, [[0.0, 2.0], [0.1, 5.0]]);
+    trial.at(["λ", "t"], launches, 5.0, |[lambda, t]| {
+        let [left, right] = printed::s21_cannot_hold_sides(lambda);
+        let stated = match left <= right {
+            true => t * printed::eq6_vx_rate(lambda, 1.0, 0.0),
+            false => 0.0,
+        };
+        Ok([stated, speed(lambda, t)?])
+    })
+}
+
+/// What is excepted.
+pub fn critical() -> Evidence {
+    no_inside(
+        Compared::one(
+            "whether a friction meets the condition (1 if so)",
+            r"the expectation that only $\lambda=1$ does not",
+        )
+        .over("random ones, that one, and some close to it"),
+        ["λ"],
+        [[0.0, 2.0]],
+        &[[1.0]],
+        |[lambda]| lambda != 1.0,
+    )
+}

@@ -1,0 +1,98 @@
+//! Trials of how a motion under a drive that changes with time differs from all on an inclined plane: along the slope the sense
+//! of sliding changes once at most, under a drive again and again.
+
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::points::Points;
+use crate::claims::tolerances::NONE;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::{Motion, Plane, Signal, State, run};
+use std::f64::consts::TAU;
+
+/// Periods, or as many units of time on an incline.
+const PERIODS: f64 = 6.0;
+
+/// A motion along the line, on an incline or under a sine, which it is and how it is called.
+fn motion(points: &mut Points, i: usize) -> Result<(bool, String, Motion), Failure> {
+    let (driven, lambda) = (i % 2 == 0, points.uniform(0.0, 0.9));
+    let start = State {
+        t: 0.0,
+        v: [points.uniform(-2.0, 2.0), 0.0],
+        x: [0.0; 2],
+    };
+    let pull = match driven {
+        true => Signal::Sine {
+            frequency: 1.0,
+            phase: points.uniform(0.0, TAU),
+        },
+        false => Signal::constant(1.0),
+    };
+    // Without friction a fast particle goes to and fro without turning back.
+    let lambda = lambda.max(0.2);
+    let plane = Plane::along([-1.0, 0.0], pull);
+    let name = match driven {
+        true => "a sine",
+        false => "an incline",
+    };
+    let at = format!("{name}, λ = {lambda:.6}, v₀ = {:.6}", start.v[0]);
+    Ok((driven, at, run(&plane, lambda, start, PERIODS * TAU)?))
+}
+
+/// The senses of the velocity, one after the other.
+fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
+    let mut senses: Vec<f64> = Vec::new();
+    for k in 0..=600 {
+        let v = motion.at(PERIODS * TAU * f64::from(k) / 600.0)?.v[0];
+        if v != 0.0 && senses.last() != Some(&v.signum()) {
+            senses.push(v.signum());
+        }
+    }
+    Ok(senses)
+}
+
+/// How often the sense changes.
+pub fn turns() -> Evidence {
+    let compared = Compared::one(
+        "0 for a constant pull, 1 for a sine,",
+        "whether the sense of sliding changes more than once",
+    );
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(723);
+    trial.over(0..60, |i| {
+        let (driven, at, motion) = motion(&mut points, i)?;
+        Ok(Pair {
+            at,
+            stated: f64::from(u8::from(driven)),
+            found: f64::from(u8::from(senses(&motion)?.len() > 2)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Half a period, late.
+pub fn both_ways() -> Evidence {
+    let compared = Compared::one(
+        r"$-1$ for a sine, 1 for a constant pull,",
+        "the sign of the product of the velocities at two late times, half a period apart, at which the particle slides",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(724);
+    trial.over(0..60, |i| {
+        let (driven, at, motion) = motion(&mut points, i)?;
+        let mut largest = (0.0, 0.0);
+        for k in 0..100 {
+            let t = TAU * (4.0 + f64::from(k) / 100.0);
+            let v = motion.at(t)?.v[0];
+            if v.abs() > largest.1 {
+                largest = (t, v.abs());
+            }
+        }
+        let of = |t: f64| -> Result<f64, Failure> { Ok(motion.at(t)?.v[0]) };
+        let product = of(largest.0)? * of(largest.0 + 0.5 * TAU)?;
+        Ok(Pair {
+            at,
+            stated: if driven { -1.0 } else { 1.0 },
+            found: product.signum(),
+            scale: 1.0,
+        })
+    })
+}

@@ -1,0 +1,84 @@
+//! The surfaces of starts that come to rest at one distance σ: A = σ + α² F(ψ) + ….
+//!
+//! At the lowest order the equation for F has the solutions F + k sin²ψ tan(ψ/2)^(−2/σ), of which one alone, k = 0, stays
+//! finite at ψ = 0, where the motions to rest arrive.
+
+use super::boundary::{ENOUGH, imbalance};
+use crate::claims::compare::Compared;
+use crate::claims::statement::{Statement, given};
+use crate::claims::turntable::exact as turntable;
+use crate::corrections::rest as corrected;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Rational, Ring, Series};
+use crate::paper::rest as printed;
+
+/// The power of α to which the surface is stated.
+const ORDER: i64 = 2;
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    ring.angle("ψ");
+    for name in ["σ", "α"] {
+        ring.symbol(name);
+    }
+    Ok(ring)
+}
+
+/// A formula for A consists of motions, and is (145) at ψ = 0.
+pub fn prove(formula: Expr) -> Proof {
+    let title = "the surface of starts that come to rest at σ";
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        given(
+            p,
+            &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
+        )?;
+        let ring = p.ring();
+        let small = Series::monomial(Rational::int(1), 1, ENOUGH);
+        let a = p.expand("The formula", formula, &[("α", &small)], ("α", ORDER))?;
+        let order = |series: &Series, k| series.coefficient(k).ok_or(Obstacle::Empty);
+        p.equal("At α = 0 it is σ", &order(&a, 0)?, &ring.named("σ")?)?;
+        p.zero("It has no term of the order α", &order(&a, 1)?)?;
+        let left = imbalance(ring, &a)?;
+        p.zero(
+            "dA/dτ less ∂A/∂α dα/dτ and ∂A/∂ψ dψ/dτ, by (113) to (115), at the order α",
+            &order(&left, 1)?,
+        )?;
+        let level = ring.half_tangent("ψ")?;
+        let ahead = ring.put(&order(&a, 2)?, &[(&level, &Rational::int(0))])?;
+        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
+        let known = p.expand(
+            "(145)",
+            printed::eq145_a(sigma, alpha),
+            &[("α", &small)],
+            ("α", ORDER),
+        )?;
+        p.equal(
+            "Its coefficient of α² at ψ = 0 is that of (145)",
+            &ahead,
+            &order(&known, 2)?,
+        )?;
+        p.note(
+            "Other solutions",
+            "differ by a multiple of sin²ψ tan(ψ/2)^(−2/σ), which is infinite at ψ = 0 as σ < 1",
+        );
+        Ok(())
+    })
+}
+
+/// The surface as corrected.
+pub const CORRECTED: Statement = Statement::new(
+    Subject::Corrected,
+    Compared::one(
+        r"the corrected $A(\sigma,\alpha,\psi)$",
+        r"the equations of motion at the order $\alpha$, with (145) at $\psi=0$",
+    ),
+    || {
+        let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
+        corrected::surface_a(sigma, alpha, psi)
+    },
+    prove,
+);

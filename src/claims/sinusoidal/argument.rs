@@ -1,0 +1,205 @@
+//! Trials of the steps of section 2.2 between its formulas: that a slip from rest outlasts half the period, that the motion
+//! along the drive does not die, and how friction acts across it.
+
+use super::settled::{ORIGIN, Particle, Slip, dense, drive, lambda_c, settled};
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::excepted::no_inside;
+use crate::claims::points::Points;
+use crate::claims::tolerances::{ACROSS, NONE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Friction, PlanarState, Sign};
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::{PI, TAU};
+
+fn is(truth: bool) -> f64 {
+    f64::from(u8::from(truth))
+}
+
+fn at(lambda: f64) -> String {
+    format!("λ₀ = {lambda:.6}")
+}
+
+/// Whether the slip that begins at φ₁ lasts longer than half the period, and leaves a velocity below zero a period after φ₁.
+fn outlasts(lambda: f64) -> Result<bool, Failure> {
+    let slip = Slip::of(lambda)?;
+    let friction = Friction::new(lambda, lambda)?;
+    let later = drive()?.advance(friction, ORIGIN, slip.start + TAU)?.end.w;
+    Ok(slip.end - slip.start > PI && later < 0.0)
+}
+
+/// λ₀ < λ_c, and beyond.
+pub fn outlasts_census() -> Evidence {
+    let compared = Compared::one(
+        r"whether $\lambda_0<\lambda_\mathrm c$ (1 if so)",
+        r"whether the slip from $\phi_1$ on lasts longer than $\pi$ and $\mathfrak w<0$ a period after $\phi_1$",
+    );
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    trial.over(dense().into_iter().step_by(3), |lambda| {
+        Ok(Pair {
+            at: at(lambda),
+            stated: is(lambda < printed::eq37_lambda_c()),
+            found: is(outlasts(lambda)?),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Without friction it lasts for the whole period, and nothing is lost.
+pub fn outlasts_outside() -> Evidence {
+    let compared = Compared::one(
+        "1, for longer and less,",
+        r"whether, without friction, $\mathfrak w<0$ one to twenty periods after a start from rest at the phase 0",
+    );
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    trial.over(1..=20, |periods| {
+        let friction = Friction::new(0.0, 0.0)?;
+        let later = f64::from(periods) * TAU;
+        let later = drive()?.advance(friction, ORIGIN, later)?.end.w;
+        Ok(Pair {
+            at: format!("λ₀ = 0, periods: {periods}"),
+            stated: 1.0,
+            found: is(later < -1e-12),
+            scale: 1.0,
+        })
+    })
+}
+
+/// What is excepted.
+pub fn neither_end() -> Evidence {
+    let c = lambda_c();
+    no_inside(
+        Compared::one(
+            "whether a friction meets the condition (1 if so)",
+            r"the expectation that only $\lambda_0=0$ and $\lambda_0=\lambda_\mathrm c$ do not",
+        )
+        .over("random ones, those two, and some close to them"),
+        ["λ₀"],
+        [[0.0, c]],
+        &[[0.0], [c]],
+        |[lambda]| lambda > 0.0 && lambda != c,
+    )
+}
+
+/// Motion for ever below λ₀ = 1, and none above.
+pub fn stays_census() -> Evidence {
+    let compared = Compared::one(
+        r"whether $\lambda_0<1$ (1 if so)",
+        "whether the large-time motion along the drive moves",
+    );
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(178);
+    let large = (0..60).map(|_| points.uniform(1.0, 3.0));
+    let frictions: Vec<_> = dense().into_iter().step_by(5).chain(large).collect();
+    trial.over(frictions, |lambda| {
+        let motion = settled(lambda, ORIGIN)?;
+        let [left, right] = printed::eq25_sides(lambda);
+        let moves = motion.intervals().iter().any(|i| i.sign != Sign::Rest);
+        Ok(Pair {
+            at: at(lambda),
+            stated: is(left < right),
+            found: is(moves),
+            scale: 1.0,
+        })
+    })
+}
+
+/// The same of a particle that was pushed across the drive too, in its sixth period.
+pub fn stays_motion() -> Evidence {
+    let compared = Compared::one(
+        r"whether $\lambda_0<1$ (1 if so)",
+        "whether $v_x$ of a particle on the plane has another value than 0 in its sixth period",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(179);
+    trial.over(0..24, |_| {
+        let lambda = points.uniform(0.25, 1.4);
+        let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
+        let motion = Particle::plain(lambda).run(0.0, v, 6.0 * TAU)?;
+        let [left, right] = printed::eq25_sides(lambda);
+        let mut moves = false;
+        for k in 0..=64 {
+            moves |= motion.at(TAU * (5.0 + f64::from(k) / 64.0))?.v[0] != 0.0;
+        }
+        Ok(Pair {
+            at: format!("{}, v = ({:.6}, {:.6})", at(lambda), v[0], v[1]),
+            stated: is(left < right),
+            found: is(moves),
+            scale: 1.0,
+        })
+    })
+}
+
+/// λ₀ < λ_c and a phase at which the large-time motion is away from its zeros, with its 𝔴 there.
+fn away_from_zeros(points: &mut Points) -> Result<[f64; 3], Failure> {
+    let lambda = points.uniform(0.1, lambda_c());
+    let motion = settled(lambda, ORIGIN)?;
+    let slip = motion.intervals().first().ok_or("no interval")?;
+    let phi = slip.start + slip.length() * points.uniform(0.25, 0.75);
+    Ok([lambda, phi, motion.w(phi)])
+}
+
+/// The rate of ln 𝔴_y, where that is −20.
+pub fn across_rate() -> Evidence {
+    let compared = Compared::one(
+        r"the relative rate $-\lambda_0/\lvert\mathfrak w\rvert$ of $\mathfrak w_y$ by a friction proportional to $\mathfrak w_y$",
+        r"$\mathrm d\ln\mathfrak w_y/\mathrm d\phi$ of the motion, by differences, at $\mathfrak w_y=\mathrm e^{-20}$",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ACROSS);
+    let mut points = Points::stream(180);
+    trial.over(0..30, |_| {
+        let [lambda, phi, w_x] = away_from_zeros(&mut points)?;
+        let h = 1e-4;
+        let ln_w_y = -20.0;
+        let start = PlanarState { phi, w_x, ln_w_y };
+        let states = drive()?.planar(lambda, start, &[phi + h, phi + 2.0 * h])?;
+        let [one, two] = [0, 1].map(|k: usize| states[k].ln_w_y - ln_w_y);
+        let found = (4.0 * one - two) / (2.0 * h);
+        Ok(Pair {
+            at: format!("{}, φ = {phi:.6}", at(lambda)),
+            stated: printed::s22_across_friction(lambda, w_x, 1.0),
+            found,
+            scale: found.abs(),
+        })
+    })
+}
+
+/// What a particle on the plane loses across the drive, of 10⁻³ and of 10⁻⁵.
+pub fn across_proportional() -> Evidence {
+    let compared = Compared::one(
+        r"the ratio of the friction across the drive at two velocities that are as 100 to 1",
+        r"that of what $v_y=10^{-4}$ and $v_y=10^{-6}$ lose in a hundredth of a period away from the zeros of $v_x$",
+    );
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, ACROSS);
+    let mut points = Points::stream(181);
+    trial.over(0..30, |_| {
+        let [lambda, phi, w_x] = away_from_zeros(&mut points)?;
+        let lost = |v_y: f64| -> Result<f64, Failure> {
+            let motion = Particle::plain(lambda).run(phi, [w_x, v_y], phi + 0.01 * TAU)?;
+            Ok(v_y - motion.end().v[1])
+        };
+        let friction = |w_y| printed::s22_across_friction(lambda, w_x, w_y);
+        let found = lost(1e-4)? / lost(1e-6)?;
+        Ok(Pair {
+            at: format!("{}, φ = {phi:.6}", at(lambda)),
+            stated: friction(1e-4) / friction(1e-6),
+            found,
+            scale: found,
+        })
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::settled::small;
+    use super::*;
+
+    #[test]
+    fn a_slip_outlasts_half_the_period_below_the_border() {
+        let c = lambda_c();
+        assert_eq!(
+            [c - 1e-3, c + 1e-3].map(|l| outlasts(l).unwrap()),
+            [true, false]
+        );
+        assert!(small().into_iter().all(|l| outlasts(l).unwrap()));
+    }
+}

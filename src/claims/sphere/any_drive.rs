@@ -1,0 +1,108 @@
+//! Trials of the sphere under any periodic drive: what section 2.3 says of the particle, with λ₀ of (84).
+
+use super::driven::{Swing, of_settled, part};
+use super::every_drive::rolling_time;
+use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::periodic::drives::Harmonics;
+use crate::claims::periodic::threshold::{Bounds, bounds};
+use crate::claims::points::Points;
+use crate::claims::tolerances::{MOTION, NONE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{Drive, Sign};
+use crate::paper::periodic;
+use std::f64::consts::TAU;
+
+/// A drive of three harmonics at random, and the frictions between which section 2.3 leaves it open whether it rests.
+fn any(points: &mut Points) -> Result<(Harmonics, Drive, Bounds), Failure> {
+    loop {
+        let shape = Harmonics::random(points)?;
+        let drive = shape.drive()?;
+        let bounds = bounds(&drive);
+        // So little friction that many periods pass before a start is forgotten is left out.
+        if bounds.low > 0.1 {
+            return Ok((shape, drive, bounds));
+        }
+    }
+}
+
+/// The part of a late period in which a sphere rolls.
+fn rolls(swing: &Swing, shape: &Harmonics, start: [f64; 2]) -> Result<f64, Failure> {
+    let [w, share] = start;
+    let (from, to) = (swing.t(LATE * TAU), swing.t((LATE + 1.0) * TAU));
+    let plane = swing.harmonics(shape);
+    let motion = swing.sphere.run(&plane, &swing.start(w, share), to)?;
+    Ok(rolling_time(&motion, from, to)? / (to - from))
+}
+
+/// Periods after which a motion counts as settled.
+const LATE: f64 = 6.0;
+
+fn start(points: &mut Points) -> [f64; 2] {
+    [points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0)]
+}
+
+/// How long it rolls in a period, as a kind: never, for a part, always.
+pub fn census() -> Evidence {
+    let compared = Compared::one(
+        r"0 for no rolling below the lower bound of section 2.3 for $\lambda_0$ of (84), 1 for some above the upper one, 2 for nothing else above 1",
+        "what a sphere does in a late period",
+    );
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(420);
+    trial.over(0..30, |i| {
+        let (shape, _, Bounds { low, high }) = any(&mut points)?;
+        let share = points.uniform(0.05, 0.95);
+        let lambda = match i % 3 {
+            0 => low * (0.8 + 0.2 * share),
+            1 => high + (1.0 - high) * share,
+            _ => 1.0 + share,
+        };
+        let swing = Swing::new(i, &mut points, lambda);
+        let rolled = rolls(&swing, &shape, start(&mut points))?;
+        let own = swing.stated();
+        let [least, _] = periodic::s23_rest_sides(own);
+        let stated = if own > least {
+            2.0
+        } else if own > high {
+            1.0
+        } else if own < low {
+            0.0
+        } else {
+            f64::NAN
+        };
+        let found = match rolled {
+            0.0 => 0.0,
+            part if part > 1.0 - 1e-12 => 2.0,
+            _ => 1.0,
+        };
+        Ok(Pair {
+            at: swing.at(),
+            stated,
+            found,
+            scale: 1.0,
+        })
+    })
+}
+
+/// How long exactly, where it rolls at all.
+pub fn parts() -> Evidence {
+    let compared = Compared::one(
+        r"the part of a period in which a particle rests under the same drive, with $\lambda_0$ of (84),",
+        "that of a late period in which a sphere rolls",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    let mut points = Points::stream(421);
+    trial.over(0..20, |i| {
+        let (shape, drive, Bounds { high, .. }) = any(&mut points)?;
+        let lambda = high + (1.0 - high) * points.uniform(0.05, 0.8);
+        let swing = Swing::new(i, &mut points, lambda);
+        let found = rolls(&swing, &shape, start(&mut points))?;
+        let own = swing.stated();
+        Ok(Pair {
+            at: swing.at(),
+            stated: of_settled(&drive, own, own, |all| part(all, Sign::Rest)),
+            found,
+            scale: 1.0 / (1.0 - lambda),
+        })
+    })
+}
