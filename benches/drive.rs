@@ -1,7 +1,7 @@
 //! Attractors of the sinusoidal drive per second, on one core and on all: `cargo bench --bench drive`.
 
 use rayon::prelude::*;
-use slipbook::motion::drive::{Drive, Friction, Outcome, State};
+use slipbook::motion::drive::{Drive, DriveState, Friction, Outcome};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let isotropic: Vec<Friction> = (0..100_000)
         .map(|k| Friction::new(1e-5 * k as f64, 1e-5 * k as f64))
         .collect::<Result<_, _>>()?;
-    let start = State { phi: 0.0, w: 0.0 };
+    let start = DriveState { phi: 0.0, w: 0.0 };
     let intervals = |friction: &Friction| match drive.attractor(*friction, start, MAX_PERIODS) {
         Ok(Outcome::Settles(attractor)) => attractor.intervals().len(),
         Ok(Outcome::Drifts { .. }) | Err(_) => 0,

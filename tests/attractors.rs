@@ -1,6 +1,6 @@
 //! What is said of a periodic motion, held against the motion itself, looked at phase by phase.
 
-use slipbook::motion::drive::{Attractor, Drive, Friction, Interval, Margins, Sign, State};
+use slipbook::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Margins, Sign};
 use std::f64::consts::{PI, TAU};
 
 type Shape = fn(f64) -> f64;
@@ -137,7 +137,7 @@ fn the_margins_are_those_of_the_motion_looked_at() {
         let drive = Drive::new(shape, breaks).unwrap();
         for (plus, minus) in FRICTIONS {
             let friction = Friction::new(plus, minus).unwrap();
-            let start = State { phi: 0.3, w: 0.1 };
+            let start = DriveState { phi: 0.3, w: 0.1 };
             let Some(found) = drive.attractor(friction, start, 400).unwrap().settled() else {
                 continue;
             };
@@ -174,7 +174,7 @@ fn a_motion_and_its_mirror_image_have_the_same_margins() {
             let of = |drive: &Drive, plus, minus, w| {
                 let friction = Friction::new(plus, minus).unwrap();
                 let outcome = drive
-                    .attractor(friction, State { phi: 0.3, w }, 400)
+                    .attractor(friction, DriveState { phi: 0.3, w }, 400)
                     .unwrap();
                 outcome.settled().map(|found| found.margins())
             };
@@ -205,7 +205,7 @@ fn settled(phi: f64) -> Vec<(String, Vec<Interval>)> {
         for (plus, minus) in FRICTIONS {
             let friction = Friction::new(plus, minus).unwrap();
             let outcome = drive
-                .attractor(friction, State { phi, w: 0.1 }, 400)
+                .attractor(friction, DriveState { phi, w: 0.1 }, 400)
                 .unwrap();
             if let Some(found) = outcome.settled() {
                 let name = format!("{name}, λ₊ = {plus}, λ₋ = {minus}, from {phi}");
@@ -285,7 +285,7 @@ fn a_motion_grazes_where_it_just_touches_zero() {
         let drive = Drive::new(h, &[1.0, 2.0, 3.0]).unwrap();
         let friction = Friction::new(0.3, 1.5).unwrap();
         let found = drive
-            .attractor(friction, State { phi: 0.0, w: 0.0 }, 200)
+            .attractor(friction, DriveState { phi: 0.0, w: 0.0 }, 200)
             .unwrap();
         assert_eq!(found.settled().unwrap().grazes(), grazes, "b = {b}");
     }
@@ -299,7 +299,7 @@ fn a_settled_motion_is_as_certain_as_it_says() {
         let friction = Friction::new(lambda, 1.1 * lambda).unwrap();
         let from = |w| {
             drive
-                .attractor(friction, State { phi: 0.0, w }, 1000)
+                .attractor(friction, DriveState { phi: 0.0, w }, 1000)
                 .unwrap()
                 .settled()
                 .unwrap()
@@ -321,7 +321,7 @@ fn a_settled_motion_is_as_certain_as_it_says() {
     // Nothing draws a motion without friction to another one.
     let free = Friction::new(0.0, 0.0).unwrap();
     let found = drive
-        .attractor(free, State { phi: 0.0, w: 0.7 }, 100)
+        .attractor(free, DriveState { phi: 0.0, w: 0.7 }, 100)
         .unwrap()
         .settled()
         .unwrap();
@@ -337,7 +337,7 @@ fn the_periods_to_the_large_time_motion_are_those_that_it_takes() {
         for (plus, minus) in FRICTIONS {
             let friction = Friction::new(plus, minus).unwrap();
             for w in [0.0, 0.4, 3.0, -4.0, 25.0, -60.0] {
-                let start = State { phi: 0.3, w };
+                let start = DriveState { phi: 0.3, w };
                 let outcome = drive.attractor(friction, start, 1000).unwrap();
                 let Some(found) = outcome.settled() else {
                     continue;
@@ -348,7 +348,7 @@ fn the_periods_to_the_large_time_motion_are_those_that_it_takes() {
                     counted += 1;
                     let end = drive.advance(friction, state, state.phi + TAU).unwrap().end;
                     let change = (end.w - state.w).abs();
-                    state = State { phi: 0.3, w: end.w };
+                    state = DriveState { phi: 0.3, w: end.w };
                     if change <= 1e-12 * drive.shape().size() {
                         break;
                     }

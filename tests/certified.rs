@@ -8,7 +8,7 @@ use slipbook::certified::turntable::{self, fate_launched, fate_put_down};
 use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::simulated::{curve_a, curve_b, curve_e, touching};
 use slipbook::corrections::escape;
-use slipbook::motion::drive::{Drive, Friction, Sign, State};
+use slipbook::motion::drive::{Drive, DriveState, Friction, Sign};
 use slipbook::motion::turntable::{Fate, Start, fate};
 use slipbook::numerics::number::Number;
 use slipbook::paper::escape as printed;
@@ -38,7 +38,7 @@ fn touch(distance: f64) -> f64 {
 fn slip_end(lambda: f64) -> f64 {
     let drive = Drive::new(libm::sin, &[]).unwrap();
     let friction = Friction::new(lambda, lambda).unwrap();
-    let rest = State { phi: 0.0, w: 0.0 };
+    let rest = DriveState { phi: 0.0, w: 0.0 };
     let path = drive.advance(friction, rest, TAU).unwrap();
     let mut slips = path.intervals.iter().filter(|i| i.sign == Sign::Positive);
     slips.next().unwrap().end

@@ -1,12 +1,12 @@
 //! Bad input for the periodic drive, as a user may give it: a typed error that names the parameter and its
 //! range, or a result that says that the motion drifts. Never a panic, never a hang.
 
-use slipbook::motion::drive::{Drive, DriveError, Friction, Outcome, State};
+use slipbook::motion::drive::{Drive, DriveError, DriveState, Friction, Outcome};
 use slipbook::numerics::piecewise::PiecewiseError;
 use std::cell::Cell;
 use std::f64::consts::{PI, TAU};
 
-const REST: State = State { phi: 0.0, w: 0.0 };
+const REST: DriveState = DriveState { phi: 0.0, w: 0.0 };
 
 fn sine() -> Drive {
     Drive::new(libm::sin, &[]).unwrap()
@@ -46,8 +46,8 @@ fn friction_below_zero_or_no_number_is_named() {
 fn a_start_that_is_no_number_or_too_large_is_named() {
     let drive = sine();
     for bad in [f64::NAN, f64::INFINITY, -f64::INFINITY, 1e300, -1e10] {
-        let phi = State { phi: bad, w: 0.0 };
-        let w = State { phi: 0.0, w: bad };
+        let phi = DriveState { phi: bad, w: 0.0 };
+        let w = DriveState { phi: 0.0, w: bad };
         assert_names(drive.attractor(half(), phi, 50), "phi", "finite");
         assert_names(drive.attractor(half(), w, 50), "w", "finite");
         assert_names(drive.advance(half(), w, 10.0), "w", "finite");
@@ -137,7 +137,7 @@ fn a_mean_above_the_friction_drifts_and_says_how_fast() {
         let drive = Drive::new(|phi| mean + libm::sin(phi), &[]).unwrap();
         let friction = Friction::new(lambda, lambda).unwrap();
         for w in [0.0, 5.0, -5.0, 1e9, -1e9] {
-            let outcome = drive.attractor(friction, State { phi: 1.0, w }, 100);
+            let outcome = drive.attractor(friction, DriveState { phi: 1.0, w }, 100);
             let Ok(Outcome::Drifts { per_period }) = outcome else {
                 panic!("mean {mean}, friction {lambda}, from {w}: {outcome:?}");
             };
@@ -160,7 +160,7 @@ fn no_periods_is_too_few_and_says_so() {
 #[test]
 fn a_drive_that_vanishes_lets_everything_stop_if_there_is_friction() {
     let none = Drive::new(|_| 0.0, &[]).unwrap();
-    let start = State { phi: 1.0, w: -3.0 };
+    let start = DriveState { phi: 1.0, w: -3.0 };
     let stopped = none
         .attractor(half(), start, 10)
         .unwrap()

@@ -4,7 +4,7 @@
 mod row;
 
 use row::*;
-use slipbook::motion::drive::{Drive, Friction, Interval, Sign, State};
+use slipbook::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
 use slipbook::paper::sinusoidal;
 use std::f64::consts::{PI, TAU};
 
@@ -35,7 +35,7 @@ fn arcs_are_those_of_the_motion() {
         );
         for ((q, _), arcs) in columns.iter().zip(found) {
             let friction = Friction::new(lambda0, q * lambda0).unwrap();
-            let outcome = drive.attractor(friction, State { phi: 0.0, w: 0.0 }, 1000);
+            let outcome = drive.attractor(friction, DriveState { phi: 0.0, w: 0.0 }, 1000);
             let motion = outcome.unwrap().settled().unwrap();
             let intervals = motion.intervals();
             for (sign, arc) in [

@@ -9,7 +9,7 @@ use row::{Arcs, Column, Row};
 use slipbook::certified::numbers::{LAMBDA_C, Q_Y};
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
 use slipbook::claims::points::Points;
-use slipbook::motion::drive::{Attractor, Drive, Friction, Sign, State};
+use slipbook::motion::drive::{Attractor, Drive, DriveState, Friction, Sign};
 use slipbook::motion::turntable::ensemble::{End, Horizon};
 use slipbook::motion::turntable::intrinsic::Run;
 use slipbook::motion::turntable::{Fate, Start, fate};
@@ -113,7 +113,7 @@ fn census(c: &mut Criterion) -> Result<(), Failure> {
         })
         .collect::<Result<_, _>>()?;
     let drive = Drive::new(libm::sin, &[])?;
-    let start = State { phi: 0.0, w: 0.0 };
+    let start = DriveState { phi: 0.0, w: 0.0 };
     let motion = |friction: &Friction| {
         let outcome = drive.attractor(*friction, start, 100);
         outcome.ok().and_then(|outcome| outcome.settled())

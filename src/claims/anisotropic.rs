@@ -16,8 +16,8 @@ pub mod rows;
 pub mod simulated;
 
 use super::attempt::trials;
-use super::sinusoidal::{FRICTION_ACROSS, SOME_FRICTION};
 use super::sinusoidal::excepted::no_friction;
+use super::sinusoidal::{FRICTION_ACROSS, SOME_FRICTION};
 use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 

@@ -41,10 +41,7 @@ pub const MEASURED: &[Measured] = &[
     },
     Measured {
         reason: "It speaks about every acceleration of the plane as a function of time, or of every drive: there is no formula for the motion.",
-        claims: &[
-            "s2-speeds-up-if-strong",
-            "s23-pulse-phases",
-        ],
+        claims: &["s2-speeds-up-if-strong", "s23-pulse-phases"],
     },
     Measured {
         reason: "It speaks about the motion at late times from every start, which no formula gives: the drive acts on both components of the velocity at once.",

@@ -501,7 +501,12 @@ const CLAIMS: &[Claim] = &[
         title: "any periodic drive of the sphere",
         latex: r"With $\lambda_0$ of (84), what section 2.3 says of rests under any periodic drive holds for the rolling of the sphere.",
         plain: "With λ₀ of (84), what section 2.3 says of rests under any periodic drive holds for the rolling of the sphere.",
-        depends_on: &["eq-84", "s23-rest-above-one", "s23-threshold-exists", "s3-reduction"],
+        depends_on: &[
+            "eq-84",
+            "s23-rest-above-one",
+            "s23-threshold-exists",
+            "s3-reduction",
+        ],
         trials: trials![any_drive::census, any_drive::parts],
         ..Claim::BLANK
     },

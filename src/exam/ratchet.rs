@@ -7,7 +7,7 @@
 use super::tray::sine;
 use super::{Answer, ExamError, Other, Task};
 use crate::certified::numbers;
-use crate::motion::drive::{Drive, Friction, Sign, State};
+use crate::motion::drive::{Drive, DriveState, Friction, Sign};
 use crate::motion::{self, PhaseKind, Plane, Signal, run};
 use crate::numerics::roots::root;
 use std::f64::consts::{PI, TAU};
@@ -64,7 +64,7 @@ pub(super) const DRIFT: Task = Task {
     question: "What is the mean velocity of the block?",
     motion: || {
         let drive = sine()?;
-        let start = State { phi: 0.0, w: 0.0 };
+        let start = DriveState { phi: 0.0, w: 0.0 };
         let outcome = drive.attractor(Friction::new(0.3, 0.6)?, start, 200)?;
         let settled = outcome
             .settled()
@@ -124,7 +124,7 @@ pub(super) const TOUCHING: Task = Task {
 
 /// Where the forward slip from rest ends, when nothing moves the block backward.
 fn slip_end(drive: &Drive, lambda: f64) -> Result<f64, ExamError> {
-    let start = State { phi: 0.0, w: 0.0 };
+    let start = DriveState { phi: 0.0, w: 0.0 };
     let path = drive.advance(Friction::new(lambda, 2.0)?, start, TAU)?;
     let forward = path
         .intervals
@@ -135,7 +135,7 @@ fn slip_end(drive: &Drive, lambda: f64) -> Result<f64, ExamError> {
 
 /// The letters of a period, beginning with the forward motion.
 fn order(drive: &Drive, q: f64, lambda: f64) -> Result<String, ExamError> {
-    let start = State { phi: 0.0, w: 0.0 };
+    let start = DriveState { phi: 0.0, w: 0.0 };
     let outcome = drive.attractor(Friction::new(lambda, q * lambda)?, start, 200)?;
     let settled = outcome
         .settled()

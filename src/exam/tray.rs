@@ -5,7 +5,7 @@ use crate::certified::ball::Ball;
 use crate::certified::enclosure::Enclosure;
 use crate::certified::error::CertifiedError;
 use crate::certified::{drive, numbers};
-use crate::motion::drive::{Attractor, Drive, DriveError, Friction, PlanarState, Sign, State};
+use crate::motion::drive::{Attractor, Drive, DriveError, DriveState, Friction, PlanarState, Sign};
 use crate::motion::{self, Plane, Signal, run};
 use std::f64::consts::TAU;
 
@@ -85,7 +85,7 @@ pub(super) const MIRROR: Task = Task {
     question: "How far does it move from period to period in the end? (Forward and backward are alike: nowhere.)",
     motion: || {
         let drive = sine()?;
-        let start = State { phi: 0.0, w: 2.0 };
+        let start = DriveState { phi: 0.0, w: 2.0 };
         let outcome = drive.attractor(Friction::new(0.3, 0.3)?, start, 200)?;
         let settled = outcome
             .settled()
@@ -157,7 +157,7 @@ pub(super) fn sine() -> Result<Drive, DriveError> {
 }
 
 fn settled(drive: &Drive, lambda: f64) -> Result<Attractor<'_>, ExamError> {
-    let start = State { phi: 0.0, w: 0.0 };
+    let start = DriveState { phi: 0.0, w: 0.0 };
     let outcome = drive.attractor(Friction::new(lambda, lambda)?, start, 200)?;
     outcome
         .settled()

@@ -1,7 +1,7 @@
 //! Section 2.4: a sine drive with one friction forwards and another backwards. Velocities in units of A₀/ϖ.
 
 use super::{Answer, ExplorerError, spread, tray};
-use crate::motion::drive::{Drive, DriveError, Friction, Interval, Sign, State};
+use crate::motion::drive::{Drive, DriveError, DriveState, Friction, Interval, Sign};
 use std::sync::LazyLock;
 
 /// The manners of the periodic motion by the order of a period's intervals, forwards, backwards and rest: the
@@ -45,7 +45,7 @@ pub fn map(to: f64) -> Result<Answer, ExplorerError> {
             while most - least > 1e-4 {
                 let middle = 0.5 * (least + most);
                 let friction = Friction::new(middle, q * middle)?;
-                let start = State { phi: 0.0, w: 0.0 };
+                let start = DriveState { phi: 0.0, w: 0.0 };
                 if region(tray::attractor(drive()?, friction, start)?.intervals()) > below {
                     most = middle;
                 } else {

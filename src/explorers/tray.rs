@@ -1,7 +1,7 @@
 //! A block on a floor that is shaken along a line. Velocities in units of A₀/ϖ, lengths in units of A₀/ϖ².
 
 use super::{Answer, ExplorerError, PICTURES, spread};
-use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Interval, Sign, State};
+use crate::motion::drive::{Attractor, Drive, DriveError, DriveState, Friction, Interval, Sign};
 use std::f64::consts::TAU;
 
 /// Periods shown of the motion from the start.
@@ -22,7 +22,7 @@ pub fn motion(
     friction: Friction,
     w: f64,
 ) -> Result<(Attractor<'_>, Answer), ExplorerError> {
-    let (mut state, until) = (State { phi: 0.0, w }, SHOWN * TAU);
+    let (mut state, until) = (DriveState { phi: 0.0, w }, SHOWN * TAU);
     let periodic = attractor(drive, friction, state)?;
     let mut shown = vec![[0.0, w]];
     for phi in spread(0.0, until, 400).skip(1) {
@@ -63,7 +63,7 @@ pub fn film(
     floor: impl Fn(f64) -> [f64; 2],
 ) -> Result<Answer, ExplorerError> {
     let step = SHOWN * TAU / f64::from(PICTURES);
-    let (mut state, mut x) = (State { phi: 0.0, w }, 0.0);
+    let (mut state, mut x) = (DriveState { phi: 0.0, w }, 0.0);
     let mut curves = [Vec::new(), Vec::new()];
     for phi in spread(0.0, SHOWN * TAU, PICTURES) {
         if phi > state.phi {
@@ -86,7 +86,7 @@ pub fn film(
 pub(super) fn attractor(
     drive: &Drive,
     friction: Friction,
-    start: State,
+    start: DriveState,
 ) -> Result<Attractor<'_>, DriveError> {
     let outcome = drive.attractor(friction, start, PERIODS)?;
     outcome.settled().ok_or(DriveError::NotSettled {

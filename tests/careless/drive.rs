@@ -2,7 +2,7 @@
 
 use crate::{SHAPES, any, config, each, finite, some};
 use proptest::prelude::*;
-use slipbook::motion::drive::{Drive, Friction, Outcome, PlanarState, State};
+use slipbook::motion::drive::{Drive, DriveState, Friction, Outcome, PlanarState};
 
 proptest! {
     #![proptest_config(config())]
@@ -14,7 +14,7 @@ proptest! {
         let Ok(drive) = Drive::new(|x| SHAPES[shape](a, b, x), &breaks) else { return Ok(()) };
         prop_assert!(finite(&[drive.mean(), drive.resolution()]));
         let friction = Friction::new(plus, minus).or(Friction::new(0.3, 0.5)).unwrap();
-        let start = State { phi, w };
+        let start = DriveState { phi, w };
         for until in [until, phi + 7.0] {
             if let Ok(path) = drive.advance(friction, start, until) {
                 prop_assert!(finite(&[path.end.phi, path.end.w, path.contraction]), "{drive:?} {friction:?} {start:?}");
@@ -35,7 +35,7 @@ proptest! {
             Ok(Outcome::Drifts { per_period }) => prop_assert!(per_period.is_finite()),
             Err(_) => {}
         }
-        if let Ok(agreement) = drive.attractors_agree(friction, &[start, State { phi: 1.0, w: 0.5 }], 60) {
+        if let Ok(agreement) = drive.attractors_agree(friction, &[start, DriveState { phi: 1.0, w: 0.5 }], 60) {
             prop_assert!(agreement.largest_difference.is_finite());
         }
         let phases: Vec<_> = [phi, phi + 1.0].into_iter().chain(phases).collect();

@@ -113,16 +113,8 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "weak vanishes large",
         "kinds::weak_drive_motion",
     ),
-    (
-        "s22-vx-stays",
-        "strong large",
-        "argument::stays_census",
-    ),
-    (
-        "s22-friction-across",
-        "small",
-        "argument::across_rate",
-    ),
+    ("s22-vx-stays", "strong large", "argument::stays_census"),
+    ("s22-friction-across", "small", "argument::across_rate"),
     (
         "s22-vy-two-stages",
         "falls linearly more slowly exponentially",
@@ -166,11 +158,7 @@ const STATEMENTS: &[(&str, &str, &str)] = &[
         "again::pull_again_on_a_plane",
     ),
     ("s23-pulse-phases", "large small", "pulses::extremes_census"),
-    (
-        "s24-vy-vanishes",
-        "vanishes only large",
-        "across::vanishes",
-    ),
+    ("s24-vy-vanishes", "vanishes only large", "across::vanishes"),
     (
         "s24-q-at-least-one",
         "larger backward",

@@ -179,13 +179,7 @@ pub const CORRECTED: &[Line] = &[
         "corrections::turntable::friction_work",
         NONE,
     ),
-    (
-        "s4-psi-free",
-        2,
-        Side(0, 1),
-        "rest::surface_a",
-        HALF_ANGLE,
-    ),
+    ("s4-psi-free", 2, Side(0, 1), "rest::surface_a", HALF_ANGLE),
     (
         "s4-envelope-is-boundary",
         3,

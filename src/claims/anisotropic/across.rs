@@ -49,7 +49,11 @@ fn begin([w_x, w_y]: [f64; 2], phi: f64) -> Logarithms {
     // Of the two the smaller one is w_y² over the other.
     let large = libm::log(w + w_x.abs());
     let small = 2.0 * libm::log(w_y) - large;
-    if w_x < 0.0 { [small, large, phi] } else { [large, small, phi] }
+    if w_x < 0.0 {
+        [small, large, phi]
+    } else {
+        [large, small, phi]
+    }
 }
 
 fn across([a, b, _]: Logarithms) -> f64 {

@@ -117,7 +117,7 @@ impl Count {
 mod tests {
     use super::super::simulated::{Curves, fits};
     use super::*;
-    use crate::motion::drive::{Friction, State};
+    use crate::motion::drive::{DriveState, Friction};
 
     /// Every wrong point of the printed list lies between E and C beyond Y, and the motion there is that of IV.
     #[test]
@@ -169,7 +169,7 @@ mod tests {
         let points = columns().unwrap().iter();
         let points = points.flat_map(|column| column.cells.iter().map(|cell| (column.q, *cell)));
         for (q, (lambda0, found)) in points.step_by(997) {
-            let start = State {
+            let start = DriveState {
                 phi: random.uniform(0.0, 6.0),
                 w: random.uniform(-3.0, 3.0),
             };

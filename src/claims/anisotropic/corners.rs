@@ -8,23 +8,23 @@ use crate::claims::points::Points;
 use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Interval, State};
+use crate::motion::drive::{DriveState, Interval};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 
 /// Seeded starts, the plain one first.
-fn starts(stream: u64) -> impl Iterator<Item = State> {
+fn starts(stream: u64) -> impl Iterator<Item = DriveState> {
     let mut points = Points::stream(stream);
     (0..24).map(move |i| match i {
         0 => START,
-        _ => State {
+        _ => DriveState {
             phi: points.uniform(0.0, 2.0 * PI),
             w: points.uniform(-2.0, 2.0),
         },
     })
 }
 
-fn at(start: State) -> String {
+fn at(start: DriveState) -> String {
     format!("start φ = {:.6}, 𝔴 = {:.6}", start.phi, start.w)
 }
 

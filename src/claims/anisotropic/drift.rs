@@ -86,7 +86,7 @@ mod tests {
     use super::super::simulated::{attractor, fits, own_digits};
     use super::*;
     use crate::corrections::periodic as pulses;
-    use crate::motion::drive::{Drive, Friction, Interval, Sign, State};
+    use crate::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
     use crate::numerics::quadrature::integral_within;
 
     /// Points all over the plane, a few hundred of each region but V.
@@ -189,7 +189,7 @@ mod tests {
             };
             let drive = Drive::new(pulse, &[eta * PI, PI, PI + eta * PI]).unwrap();
             let friction = Friction::new(lambda, lambda).unwrap();
-            let start = State { phi: 0.0, w: 0.0 };
+            let start = DriveState { phi: 0.0, w: 0.0 };
             let motion = drive
                 .attractor(friction, start, 999)
                 .unwrap()

@@ -5,7 +5,7 @@ use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Friction, State};
+use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 
@@ -31,16 +31,16 @@ pub fn integration() -> Evidence {
             9 => 1.0 + 5e-4,
             _ => lambda0,
         };
-        let start = State {
+        let start = DriveState {
             phi: points.uniform(0.0, 6.0),
             w: points.uniform(-2.0, 2.0),
         };
         let after = points.uniform(0.0, 20.0);
-        let mirrored = State {
+        let mirrored = DriveState {
             phi: start.phi + PI,
             w: -start.w,
         };
-        let end = |friction: Friction, start: State| -> Result<f64, Failure> {
+        let end = |friction: Friction, start: DriveState| -> Result<f64, Failure> {
             Ok(drive()?.advance(friction, start, start.phi + after)?.end.w)
         };
         let found = end(Friction::new(lambda0, q * lambda0)?, start)?;

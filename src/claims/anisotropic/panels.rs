@@ -5,7 +5,7 @@ use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, QUADRATURE};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Attractor, Friction, State};
+use crate::motion::drive::{Attractor, DriveState, Friction};
 use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
@@ -137,7 +137,7 @@ pub fn quadrature() -> Evidence {
 ///
 /// # Errors
 /// A motion that does not become periodic.
-pub fn motion(panel: usize, start: State) -> Result<Attractor<'static>, Failure> {
+pub fn motion(panel: usize, start: DriveState) -> Result<Attractor<'static>, Failure> {
     let (q, lambda0) = PANELS[panel];
     attractor_from(start, Friction::new(lambda0, q * lambda0)?)
 }
@@ -154,7 +154,7 @@ pub fn census() -> Evidence {
     let mut cases = Vec::new();
     for panel in 0..PANELS.len() {
         for _ in 0..8 {
-            let start = State {
+            let start = DriveState {
                 phi: points.uniform(0.0, TAU),
                 w: points.uniform(-2.0, 2.0),
             };

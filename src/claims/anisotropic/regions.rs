@@ -10,7 +10,7 @@ use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Friction, State};
+use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
 
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
@@ -216,7 +216,7 @@ pub fn first_outside() -> Evidence {
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let starts = Points::stream(719).within(24, [[1.0, 3.0]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
-        let motion = attractor_from(State { phi: 0.0, w }, Friction::new(0.0, 0.0)?)?;
+        let motion = attractor_from(DriveState { phi: 0.0, w }, Friction::new(0.0, 0.0)?)?;
         Ok([listed_digits()[0], own_digits(motion.intervals())])
     })
 }

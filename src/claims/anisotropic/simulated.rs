@@ -3,13 +3,13 @@
 use crate::claims::compare::Failure;
 use crate::claims::runs::Runs;
 use crate::corrections::anisotropic as corrected;
-use crate::motion::drive::{Attractor, Drive, Friction, Interval, Outcome, Sign, State};
+use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Outcome, Sign};
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 
 /// The start of every motion unless another is said.
-pub const START: State = State { phi: 0.0, w: 0.0 };
+pub const START: DriveState = DriveState { phi: 0.0, w: 0.0 };
 /// Far more periods than any attractor here takes.
 const MAX_PERIODS: u32 = 200;
 
@@ -23,7 +23,10 @@ pub fn drive() -> Result<&'static Drive, Failure> {
 ///
 /// # Errors
 /// Friction outside its range, a motion that does not become periodic.
-pub fn attractor_from(start: State, friction: Friction) -> Result<Attractor<'static>, Failure> {
+pub fn attractor_from(
+    start: DriveState,
+    friction: Friction,
+) -> Result<Attractor<'static>, Failure> {
     match drive()?.attractor(friction, start, MAX_PERIODS)? {
         Outcome::Settles(attractor) => Ok(attractor),
         Outcome::Drifts { per_period } => Err(format!(
@@ -238,7 +241,7 @@ impl Changes {
     ///
     /// # Errors
     /// As [`attractor_from`].
-    pub fn at(q: f64, low: f64, start: State) -> Result<Self, Failure> {
+    pub fn at(q: f64, low: f64, start: DriveState) -> Result<Self, Failure> {
         let moves = |list: &[Interval]| list.iter().any(|i| i.sign != Sign::Rest);
         Ok(Changes {
             rest: change(q, low, start, restless)?,
@@ -270,7 +273,7 @@ fn backward(list: &[Interval]) -> bool {
 pub fn change(
     q: f64,
     low: f64,
-    start: State,
+    start: DriveState,
     holds: impl Fn(&[Interval]) -> bool,
 ) -> Result<f64, Failure> {
     bisect(low, 1.4, |lambda0| {
@@ -323,7 +326,7 @@ pub fn bisect(
 ///
 /// # Errors
 /// As [`attractor_from`].
-pub fn simulated_y(start: State) -> Result<f64, Failure> {
+pub fn simulated_y(start: DriveState) -> Result<f64, Failure> {
     bisect(2.0, 12.0, |q| {
         let motion = attractor_from(start, Friction::new(1.0 / q, 1.0)?)?;
         let forward = motion.intervals().iter().find(|i| i.sign == Sign::Positive);

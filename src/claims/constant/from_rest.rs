@@ -15,7 +15,9 @@ fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {
         v: [0.0; 2],
         x: [0.0; 2],
     };
-    Ok(run(&Plane::constant([-1.0, 0.0]), lambda, start, t)?.end().v[0])
+    Ok(run(&Plane::constant([-1.0, 0.0]), lambda, start, t)?
+        .end()
+        .v[0])
 }
 
 fn is(truth: bool) -> f64 {

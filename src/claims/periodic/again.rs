@@ -8,7 +8,7 @@ use crate::claims::points::Points;
 use crate::claims::tolerances::{GAINED, NONE};
 use crate::corrections::periodic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Friction, State};
+use crate::motion::drive::{DriveState, Friction};
 use crate::paper::periodic as printed;
 use std::f64::consts::PI;
 
@@ -49,7 +49,7 @@ pub fn friction([eta, lambda, phi]: [f64; 3]) -> Result<f64, Failure> {
 
 /// The acceleration of the pull: that of a particle without friction.
 fn pull([eta, _, phi]: [f64; 3]) -> Result<f64, Failure> {
-    let start = State { phi, w: 0.0 };
+    let start = DriveState { phi, w: 0.0 };
     let end = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, start, phi + STEP)?;
     Ok(end.end.w / STEP)
 }
@@ -146,7 +146,7 @@ pub fn largest_integration() -> Evidence {
         compared,
         widths(),
         |eta| {
-            let rest = State { phi: 0.0, w: 0.0 };
+            let rest = DriveState { phi: 0.0, w: 0.0 };
             let end = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, rest, eta * PI)?;
             Ok(libm::round(1e12 * end.end.w / (eta * PI)) / 1e12)
         },

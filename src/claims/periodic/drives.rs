@@ -1,13 +1,13 @@
 //! The drives on which section 2.3 is tried, each with max |h| = 1, and the kinds of motion under them.
 
 use crate::claims::points::Points;
-use crate::motion::drive::{Attractor, Drive, DriveError, Friction, Sign, State};
+use crate::motion::drive::{Attractor, Drive, DriveError, DriveState, Friction, Sign};
 use std::f64::consts::{PI, TAU};
 
 /// From here a motion starts whose kind is asked for.
-const REST: State = State { phi: 0.0, w: 0.0 };
+const REST: DriveState = DriveState { phi: 0.0, w: 0.0 };
 /// From here a motion starts that is compared in full: far from any periodic one.
-const OFF: State = State { phi: 2.5, w: 3.0 };
+const OFF: DriveState = DriveState { phi: 2.5, w: 3.0 };
 /// Periods that a motion is given to settle.
 const PERIODS: u32 = 400;
 
@@ -34,7 +34,11 @@ impl Phase {
     }
 }
 
-fn settled(drive: &Drive, lambda: f64, from: State) -> Result<Option<Attractor<'_>>, DriveError> {
+fn settled(
+    drive: &Drive,
+    lambda: f64,
+    from: DriveState,
+) -> Result<Option<Attractor<'_>>, DriveError> {
     let friction = Friction::new(lambda, lambda)?;
     Ok(drive.attractor(friction, from, PERIODS)?.settled())
 }

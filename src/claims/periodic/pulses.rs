@@ -7,7 +7,7 @@ use crate::claims::points::Points;
 use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Attractor, DriveError, Friction, State};
+use crate::motion::drive::{Attractor, DriveError, DriveState, Friction};
 use crate::motion::{Plane, Signal, run};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
@@ -147,7 +147,7 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
             _ => points.uniform(0.0, 1.0),
         };
         let (until, stated) = expected(eta, points.uniform(0.0, PI));
-        let rest = State { phi: 0.0, w: 0.0 };
+        let rest = DriveState { phi: 0.0, w: 0.0 };
         let path = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, rest, until)?;
         Ok(Pair {
             at: format!("η = {eta:.6}, φ = {until:.6}"),
@@ -345,7 +345,7 @@ pub fn extremes_census() -> Evidence {
         |(eta, lambda)| {
             let drive = pulses(eta)?;
             // Off rest at first: without pulses a particle at rest would prove nothing.
-            let start = State { phi: 0.0, w: 0.5 };
+            let start = DriveState { phi: 0.0, w: 0.5 };
             let friction = Friction::new(lambda, lambda)?;
             let motion = drive.attractor(friction, start, 100)?.settled();
             let found = match motion.map(|m| phase_of(&m)) {
@@ -372,7 +372,7 @@ pub fn extremes_outside() -> Evidence {
     let starts = Points::stream(227).within(24, [[0.1, 3.0]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
         let drive = pulses(0.0)?;
-        let start = State { phi: 0.0, w };
+        let start = DriveState { phi: 0.0, w };
         let motion = drive.attractor(Friction::new(0.0, 0.0)?, start, 100)?;
         let small = 0.0 < printed::eq46_lambda_c(0.0);
         let rests = match motion.settled().map(|m| phase_of(&m)) {

@@ -7,15 +7,15 @@ use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Friction, Interval, Sign, State};
+use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use crate::paper::general as law;
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
 
-fn at(name: &str, lambda: f64, start: State) -> String {
-    let State { phi, w } = start;
+fn at(name: &str, lambda: f64, start: DriveState) -> String {
+    let DriveState { phi, w } = start;
     format!("{name}: λ₀ = {lambda:.6}, φ₀ = {phi:.6}, 𝔴₀ = {w:.6}")
 }
 
@@ -39,7 +39,7 @@ pub fn within_time() -> Evidence {
         };
         let w = points.sign() * points.log_uniform(1e-6, 90.0);
         let phi = points.uniform(0.0, TAU);
-        let start = State { phi, w };
+        let start = DriveState { phi, w };
         let both = Friction::new(lambda, lambda)?;
         let longest = match lambda {
             small if small < 1.0 => TAU,
@@ -88,7 +88,7 @@ pub fn stopping_time() -> Evidence {
             points.uniform(0.0, TAU),
             points.sign() * points.log_uniform(1e-2, 3.0),
         );
-        let start = State { phi, w };
+        let start = DriveState { phi, w };
         let longest = w.abs() / (lambda - 1.0);
         let path =
             shape

@@ -1,7 +1,8 @@
 //! Trials of what is said of a threshold λ_c for any h: that there is one, and that there may be more.
 
 use super::drives::{
-    Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps_between, third_harmonic,
+    Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps_between,
+    third_harmonic,
 };
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;

@@ -8,7 +8,7 @@ use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;
-use crate::motion::drive::{Friction, Interval, Sign, State};
+use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
 
@@ -162,7 +162,7 @@ pub fn trichotomy_outside() -> Evidence {
     let mut points = Points::stream(152);
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 3.0);
-        let attractor = settled(0.0, State { phi: 0.0, w })?;
+        let attractor = settled(0.0, DriveState { phi: 0.0, w })?;
         Ok(Pair {
             at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
             stated: stated_kind(0.0),

@@ -8,7 +8,7 @@ use crate::claims::points::Points;
 use crate::claims::tolerances::{APPROACH, NONE, ROOT};
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Attractor, Friction, Interval, Sign, State};
+use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
@@ -90,7 +90,7 @@ pub fn eq38_outside() -> Evidence {
     let trial = Trial::motion(Subject::Outside, compared);
     let mut points = Points::stream(140);
     each(&trial, 0..24, |_| {
-        let start = State {
+        let start = DriveState {
             phi: 0.0,
             w: points.uniform(0.5, 3.0),
         };
@@ -151,7 +151,7 @@ pub fn eq38_approach() -> Evidence {
         let mut w = limit + 0.3;
         let friction = Friction::new(lambda, lambda)?;
         for _ in 0..PERIODS {
-            let values = drive()?.strobe(friction, State { phi, w }, 1)?;
+            let values = drive()?.strobe(friction, DriveState { phi, w }, 1)?;
             let ratio = (values[1] - limit) / (w - limit);
             w = values[1];
             // The distance is small, but far above rounding.
@@ -199,7 +199,7 @@ pub fn eq39_outside() -> Evidence {
     let trial = Trial::motion(Subject::Outside, compared);
     let starts = Points::stream(720).within(24, [[-1.9, -0.1]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
-        let motion = settled(0.0, State { phi: 0.0, w })?;
+        let motion = settled(0.0, DriveState { phi: 0.0, w })?;
         let found = interval(&motion, Sign::Positive)?.start;
         Ok([printed::eq39_phi_t1(0.0), found])
     })
@@ -240,7 +240,7 @@ pub fn rest_interval_reached() -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(141);
     each(&trial, large(), |lambda| {
-        let start = State {
+        let start = DriveState {
             phi: points.uniform(0.0, TAU),
             w: points.uniform(-6.0, 6.0),
         };

@@ -6,7 +6,7 @@ use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;
-use crate::motion::drive::{Drive, Friction, Sign, State};
+use crate::motion::drive::{Drive, DriveState, Friction, Sign};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
 use crate::numerics::roots::root;
@@ -85,7 +85,7 @@ pub fn eq30_root() -> Evidence {
 fn by_release(formula: Formula, from: f64, compared: Compared) -> Evidence {
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(all(), |lambda| {
-        let rest = State {
+        let rest = DriveState {
             phi: from,
             ..ORIGIN
         };
@@ -274,7 +274,7 @@ pub fn rest_ends_motion() -> Evidence {
     let mut ends = Vec::new();
     for _ in 0..100 {
         let lambda = points.uniform(0.03, 0.999);
-        let start = State {
+        let start = DriveState {
             phi: points.uniform(0.0, TAU),
             w: points.uniform(-1.0, 1.0) * points.uniform(0.0, 1.0).round(),
         };
@@ -294,7 +294,7 @@ pub fn rest_ends_motion() -> Evidence {
 }
 
 /// The ends of all rests on the way from a start, with the friction.
-fn rests_from(lambda: f64, start: State) -> Vec<Result<(f64, f64), Failure>> {
+fn rests_from(lambda: f64, start: DriveState) -> Vec<Result<(f64, f64), Failure>> {
     let path = || -> Result<_, Failure> {
         let until = start.phi + 30.0;
         let path = drive()?.advance(Friction::new(lambda, lambda)?, start, until)?;

@@ -4,7 +4,7 @@ use crate::claims::compare::{Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::Runs;
 use crate::evidence::Evidence;
-use crate::motion::drive::{Attractor, Drive, Friction, Interval, Sign, State};
+use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
 use crate::motion::{Motion, Plane, Signal, particle, trajectory};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
@@ -34,7 +34,7 @@ pub fn excess_length(lambda: f64) -> f64 {
 const PERIODS: u32 = 200;
 
 /// The periodic motion that a start leads to.
-pub fn settled(lambda: f64, start: State) -> Result<Attractor<'static>, Failure> {
+pub fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'static>, Failure> {
     let friction = Friction::new(lambda, lambda)?;
     let outcome = drive()?.attractor(friction, start, PERIODS)?;
     outcome
@@ -43,10 +43,10 @@ pub fn settled(lambda: f64, start: State) -> Result<Attractor<'static>, Failure>
 }
 
 /// At rest at phase 0, where the drive is below any friction.
-pub const ORIGIN: State = State { phi: 0.0, w: 0.0 };
+pub const ORIGIN: DriveState = DriveState { phi: 0.0, w: 0.0 };
 
 /// Starts all over the plane, from far off too.
-pub fn starts() -> [State; 7] {
+pub fn starts() -> [DriveState; 7] {
     [
         (0.0, 0.0),
         (0.9, -6.0),
@@ -56,7 +56,7 @@ pub fn starts() -> [State; 7] {
         (4.5, 2.0),
         (5.4, -25.0),
     ]
-    .map(|(phi, w)| State { phi, w })
+    .map(|(phi, w)| DriveState { phi, w })
 }
 
 /// The first interval of forward motion.

@@ -4,7 +4,7 @@ use super::settled::{ORIGIN, Particle, Slip, all, dense, drive, each, end_spread
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Friction, State};
+use crate::motion::drive::{DriveState, Friction};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::PI;
@@ -151,7 +151,7 @@ fn left_with_motion(left: fn(Double) -> Double, compared: Compared) -> Evidence 
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(small(), |lambda| {
         let friction = Friction::new(lambda, lambda)?;
-        let state = |phi| State { phi, ..ORIGIN };
+        let state = |phi| DriveState { phi, ..ORIGIN };
         let release = drive()?.advance(friction, state(PI), PI + 2.0)?;
         let phi3 = release.intervals.first().ok_or("no interval")?.end;
         let found = drive()?.advance(friction, ORIGIN, phi3)?.end.w;

@@ -6,7 +6,7 @@ use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{NONE, ONSET, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Sign, State};
+use crate::motion::drive::{DriveState, Sign};
 use crate::numerics::double::Double;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
@@ -15,7 +15,7 @@ use std::f64::consts::TAU;
 /// A start, and the friction from which on the motion that it leads to has rests.
 #[derive(Debug, Clone, Copy)]
 struct Onset {
-    start: State,
+    start: DriveState,
     lambda: f64,
 }
 
@@ -23,18 +23,18 @@ struct Onset {
 fn onsets() -> impl Iterator<Item = Result<&'static Onset, Failure>> {
     static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
         let mut points = Points::stream(130);
-        let mut start = || State {
+        let mut start = || DriveState {
             phi: points.uniform(0.0, TAU),
             w: points.uniform(-3.0, 3.0),
         };
         let starts: Vec<_> = (0..24).map(|_| start()).collect();
-        let found = |start: State| onset(start).map(|lambda| Onset { start, lambda });
+        let found = |start: DriveState| onset(start).map(|lambda| Onset { start, lambda });
         every(starts.into_iter().map(found))
     });
     ONSETS.each()
 }
 
-fn onset(start: State) -> Result<f64, Failure> {
+fn onset(start: DriveState) -> Result<f64, Failure> {
     let (mut low, mut high) = (0.2, 0.9);
     loop {
         let middle = 0.5 * (low + high);

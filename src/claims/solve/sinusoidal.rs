@@ -3,7 +3,7 @@
 use super::{
     Answer, Curve, Field, Fields, PHASES, Quantity, Said, SolveError, UNITS, check, steps,
 };
-use crate::motion::drive::{Attractor, Drive, Friction, Outcome, Sign, State};
+use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Outcome, Sign};
 use crate::numerics::NumericsError;
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
@@ -261,7 +261,7 @@ const PERIODS: u32 = 1000;
 
 /// The large-time motion of a drive whose mean is zero, from rest at φ = 0.
 pub(super) fn settle(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, SolveError> {
-    let start = State { phi: 0.0, w: 0.0 };
+    let start = DriveState { phi: 0.0, w: 0.0 };
     match drive.attractor(friction, start, PERIODS)? {
         Outcome::Settles(attractor) => Ok(attractor),
         Outcome::Drifts { .. } => Err(SolveError::NotFinite { name: "w_max" }),

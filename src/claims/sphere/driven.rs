@@ -9,7 +9,7 @@ use crate::claims::points::Points;
 use crate::claims::runs::Runs;
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
-use crate::motion::drive::{Attractor, Drive, Friction, Interval, Sign, State};
+use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
 use crate::motion::sphere::{Ball, Contact, Directed, Motion, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::roots::root;
@@ -126,7 +126,7 @@ impl Swing {
 }
 
 fn settled(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, Failure> {
-    let start = State { phi: 0.0, w: 0.0 };
+    let start = DriveState { phi: 0.0, w: 0.0 };
     let outcome = drive.attractor(friction, start, 1000)?;
     Ok(outcome.settled().ok_or("the drive does not settle")?)
 }
@@ -135,14 +135,19 @@ fn settled(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, Failure> 
 fn w_after(plus: f64, minus: f64, w: f64, phi: f64) -> f64 {
     let end = || -> Result<f64, Failure> {
         let friction = Friction::new(plus, minus)?;
-        let moved = sine_drive()?.advance(friction, State { phi: 0.0, w }, phi)?;
+        let moved = sine_drive()?.advance(friction, DriveState { phi: 0.0, w }, phi)?;
         Ok(moved.end.w)
     };
     end().unwrap_or(f64::NAN)
 }
 
 /// What a drive's periodic motion gives; NaN for a friction below zero, with which there is none.
-pub(super) fn of_settled(drive: &Drive, plus: f64, minus: f64, of: impl Fn(&[Interval]) -> f64) -> f64 {
+pub(super) fn of_settled(
+    drive: &Drive,
+    plus: f64,
+    minus: f64,
+    of: impl Fn(&[Interval]) -> f64,
+) -> f64 {
     let given = || -> Result<f64, Failure> {
         let attractor = settled(drive, Friction::new(plus, minus)?)?;
         Ok(of(attractor.intervals()))
@@ -383,7 +388,7 @@ pub fn trichotomy_outside() -> Evidence {
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 2.5);
         let outcome =
-            sine_drive()?.attractor(Friction::new(0.0, 0.0)?, State { phi: 0.0, w }, 100)?;
+            sine_drive()?.attractor(Friction::new(0.0, 0.0)?, DriveState { phi: 0.0, w }, 100)?;
         let attractor = outcome.settled().ok_or("the drive does not settle")?;
         Ok(Pair {
             at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),

@@ -3,7 +3,7 @@
 use super::Printed::{Decimal, Formula, Fraction};
 use super::{Case, Source};
 use crate::exam::ExamError;
-use crate::motion::drive::{Drive, Friction, State as Driven};
+use crate::motion::drive::{Drive, DriveState, Friction};
 use crate::motion::sphere::{Ball, Contact, Sphere};
 use crate::motion::spring::{self, Spring};
 use crate::motion::turntable::{self, Table, rotating};
@@ -501,7 +501,7 @@ fn spring_at_rest() -> Result<spring::State, ExamError> {
 /// The slip in a cycle of sin 2πft of g, where nothing moves the block back.
 fn newmark(frequency: f64, yields: f64) -> Result<f64, ExamError> {
     let drive = Drive::new(libm::sin, &[])?;
-    let start = Driven { phi: 0.0, w: 0.0 };
+    let start = DriveState { phi: 0.0, w: 0.0 };
     let outcome = drive.attractor(Friction::new(yields, 2.0)?, start, 100)?;
     let settled = outcome
         .settled()

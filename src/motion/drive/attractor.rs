@@ -7,7 +7,7 @@
 
 use super::arcs::{Mark, Walker};
 use super::intervals::{Interval, Sign, between, canonical, drops_one};
-use super::{Drive, DriveError, Friction, State};
+use super::{Drive, DriveError, DriveState, Friction};
 use std::f64::consts::TAU;
 
 /// The state after one more period must agree with itself to this, in units of the largest |h|.
@@ -86,7 +86,7 @@ impl Drive {
     pub fn attractor(
         &self,
         friction: Friction,
-        start: State,
+        start: DriveState,
         max_periods: u32,
     ) -> Result<Outcome<'_>, DriveError> {
         let start = start.check()?;
@@ -190,7 +190,7 @@ impl Drive {
     pub fn attractors_agree(
         &self,
         friction: Friction,
-        starts: &[State],
+        starts: &[DriveState],
         max_periods: u32,
     ) -> Result<Agreement, DriveError> {
         let mut settled = Vec::new();

@@ -1,6 +1,6 @@
 //! What is measured on a periodic motion: its extremes, its mean, and how near it is to another kind.
 
-use super::State;
+use super::DriveState;
 use super::attractor::Attractor;
 use super::intervals::{Interval, Sign};
 use std::f64::consts::TAU;
@@ -37,8 +37,8 @@ const ROUNDED: f64 = 1e-14;
 impl Attractor<'_> {
     /// Where |w| is largest, and w there; the phase in [0, 2π). At rest for ever: w = 0 at phase 0. Visits every piece of the
     /// drive once.
-    pub fn largest(&self) -> State {
-        let mut best = State { phi: 0.0, w: 0.0 };
+    pub fn largest(&self) -> DriveState {
+        let mut best = DriveState { phi: 0.0, w: 0.0 };
         self.walk(|interval, stretch| {
             if interval.sign == Sign::Rest {
                 return;
@@ -49,7 +49,7 @@ impl Attractor<'_> {
             for s in [top, stretch.s1] {
                 let w = stretch.w0 + (s - stretch.s0) * (piece.secant(stretch.s0).mean(s) - level);
                 if w.abs() > best.w.abs() {
-                    best = State {
+                    best = DriveState {
                         phi: (stretch.phi + s).rem_euclid(TAU),
                         w,
                     };

@@ -104,14 +104,14 @@ impl Friction {
 
 /// A phase and a velocity, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
+pub struct DriveState {
     /// The phase φ, radians; any finite value.
     pub phi: f64,
     /// The velocity w.
     pub w: f64,
 }
 
-impl State {
+impl DriveState {
     fn check(self) -> Result<Self, DriveError> {
         for (name, value, bound) in [("phi", self.phi, LARGEST_PHASE), ("w", self.w, LARGEST_W)] {
             if value.is_nan() || value.abs() > bound {
@@ -144,7 +144,7 @@ pub struct Drive {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
     /// The state at the end.
-    pub end: State,
+    pub end: DriveState,
     /// What happened, in order, from the start's phase to the end's (not reduced modulo 2π).
     pub intervals: Vec<Interval>,
     /// By what factor a small change of the initial w has shrunk: 0 after a rest.
@@ -192,7 +192,7 @@ impl Drive {
     pub fn advance(
         &self,
         friction: Friction,
-        start: State,
+        start: DriveState,
         until: f64,
     ) -> Result<Path, DriveError> {
         let start = start.check()?;
@@ -212,7 +212,7 @@ impl Drive {
         if wraps == 0 && goal < walker.position() {
             // Rounding near a multiple of 2π: an end that is not after the start.
             return Ok(Path {
-                end: State {
+                end: DriveState {
                     phi: until,
                     ..start
                 },
@@ -230,7 +230,7 @@ impl Drive {
             mark.phi += shift;
         }
         Ok(Path {
-            end: State {
+            end: DriveState {
                 phi: until,
                 w: walker.w(),
             },
@@ -246,7 +246,7 @@ impl Drive {
     pub fn strobe(
         &self,
         friction: Friction,
-        start: State,
+        start: DriveState,
         periods: u32,
     ) -> Result<Vec<f64>, DriveError> {
         let start = start.check()?;

@@ -13,7 +13,7 @@
 //! passage is exact. If |h| ≤ λ there, both fall for ever while φ does not advance: the particle stops,
 //! within a finite phase, and w_y is 0 from then on.
 
-use super::{Drive, DriveError, Friction, State};
+use super::{Drive, DriveError, DriveState, Friction};
 use crate::numerics::NumericsError;
 use crate::numerics::piecewise::Piece;
 use crate::numerics::series::{Series, arrival, convolution, exp};
@@ -54,7 +54,7 @@ impl Drive {
     ) -> Result<Vec<PlanarState>, DriveError> {
         let friction = Friction::new(lambda, lambda)?;
         let PlanarState { phi, w_x, ln_w_y } = start;
-        State { phi, w: w_x }.check()?;
+        DriveState { phi, w: w_x }.check()?;
         if ln_w_y != f64::NEG_INFINITY && !(-1e12..=20.0).contains(&ln_w_y) {
             return Err(DriveError::Parameter {
                 name: "ln_w_y",
@@ -75,14 +75,14 @@ impl Drive {
         }
         let mut flight = Flight::new(self, lambda, start);
         let mut states = Vec::with_capacity(phases.len());
-        let mut at = State { phi, w: w_x };
+        let mut at = DriveState { phi, w: w_x };
         for &phi in phases {
             if ln_w_y == f64::NEG_INFINITY {
                 at = self.advance(friction, at, phi)?.end;
             } else if let Some(stop) = flight.run_to(phi)? {
                 // At rest at the phase `stop`, and w_y = 0 for ever: from here on it moves on a line.
                 let from = if at.phi < stop {
-                    State { phi: stop, w: 0.0 }
+                    DriveState { phi: stop, w: 0.0 }
                 } else {
                     at
                 };

@@ -3,7 +3,7 @@ use crate::scalar::Scalar;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
-const ORIGIN: State = State { phi: 0.0, w: 0.0 };
+const ORIGIN: DriveState = DriveState { phi: 0.0, w: 0.0 };
 
 fn sine() -> Drive {
     Drive::new(<f64 as Scalar>::sin, &[]).unwrap()
@@ -39,7 +39,7 @@ fn friction(plus: f64, minus: f64) -> Friction {
     Friction::new(plus, minus).unwrap()
 }
 
-fn settle(drive: &Drive, plus: f64, minus: f64, start: State) -> Attractor<'_> {
+fn settle(drive: &Drive, plus: f64, minus: f64, start: DriveState) -> Attractor<'_> {
     let outcome = drive.attractor(friction(plus, minus), start, 200).unwrap();
     outcome.settled().expect("settles")
 }
@@ -62,7 +62,7 @@ fn square_wave_with_little_friction_by_hand() {
     // Slopes 1 − λ and −1 − λ while positive; half a period up to down, so (1−λ)(π − a) = (1+λ) a.
     for lambda in [0.05, 0.5, 0.9] {
         let drive = square();
-        let found = settle(&drive, lambda, lambda, State { phi: 1.0, w: 3.0 });
+        let found = settle(&drive, lambda, lambda, DriveState { phi: 1.0, w: 3.0 });
         let a = 0.5 * PI * (1.0 - lambda);
         assert_list(
             &found,
@@ -78,7 +78,7 @@ fn square_wave_with_little_friction_by_hand() {
         assert!(found.residual() < 1e-13 && !found.grazes());
         // Half a period later, so that it is negative first: the list still begins where w rises.
         let drive = Drive::new(|x| if x < PI { -1.0 } else { 1.0 }, &[PI]).unwrap();
-        let found = settle(&drive, lambda, lambda, State { phi: 1.0, w: 3.0 });
+        let found = settle(&drive, lambda, lambda, DriveState { phi: 1.0, w: 3.0 });
         let (rise, fall) = (a + PI, a + TAU);
         assert_list(
             &found,
@@ -107,7 +107,7 @@ fn square_wave_with_unequal_friction_by_hand() {
 fn pulses_with_rest_by_hand() {
     // Up with slope 0.2 to π/2, down with slope −0.8: zero after another π/8.
     let drive = pulses(0.5);
-    let found = settle(&drive, 0.8, 0.8, State { phi: 4.0, w: -1.0 });
+    let found = settle(&drive, 0.8, 0.8, DriveState { phi: 4.0, w: -1.0 });
     let stop = 0.625 * PI;
     assert_list(
         &found,
@@ -280,7 +280,7 @@ fn mirror_images() {
 fn the_approach_has_the_stated_rate_and_length() {
     let drive = sine();
     for lambda in [0.02, 0.1, 0.3, 0.5] {
-        let start = State { phi: 0.7, w: 2.5 };
+        let start = DriveState { phi: 0.7, w: 2.5 };
         let found = settle(&drive, lambda, lambda, start);
         let values = drive.strobe(friction(lambda, lambda), start, 2000).unwrap();
         let limit = found.w(0.7);
@@ -302,7 +302,7 @@ fn the_approach_has_the_stated_rate_and_length() {
             "{stated} {plain}"
         );
     }
-    let rest = settle(&drive, 0.8, 0.8, State { phi: 0.0, w: 0.7 }).periods();
+    let rest = settle(&drive, 0.8, 0.8, DriveState { phi: 0.0, w: 0.7 }).periods();
     assert_eq!((rest.followed, rest.plain), (2, Some(2)));
 }
 
@@ -313,7 +313,7 @@ fn a_kink_of_the_return_map_does_not_catch_the_acceleration() {
     for k in 0..40 {
         let lambda = 0.03 + 1e-4 * k as f64;
         for w in [0.5, 0.0, -0.1, -0.5] {
-            let found = settle(&drive, lambda, lambda, State { phi: 0.0, w });
+            let found = settle(&drive, lambda, lambda, DriveState { phi: 0.0, w });
             assert!(
                 found.periods().followed < 40,
                 "{lambda} {w} {:?}",
@@ -327,7 +327,7 @@ fn a_kink_of_the_return_map_does_not_catch_the_acceleration() {
 fn a_mean_above_friction_drifts() {
     let drive = Drive::new(|x| 0.5 + Scalar::sin(x), &[]).unwrap();
     for w in [0.0, -7.0, 1e6] {
-        let start = State { phi: 2.0, w };
+        let start = DriveState { phi: 2.0, w };
         let outcome = drive.attractor(friction(0.3, 2.0), start, 100).unwrap();
         let Outcome::Drifts { per_period } = outcome else {
             panic!("must drift")
@@ -353,7 +353,7 @@ fn a_mean_above_friction_drifts() {
 fn neutral_motions_are_said_to_be_neutral() {
     let drive = sine();
     for w in [0.0, 0.3, -4.0] {
-        let start = State { phi: 0.0, w };
+        let start = DriveState { phi: 0.0, w };
         let found = settle(&drive, 0.0, 0.0, start);
         assert!((found.w(0.0) - w).abs() < 1e-13);
         assert!((found.w(PI) - w - 2.0).abs() < 1e-13);
@@ -361,11 +361,11 @@ fn neutral_motions_are_said_to_be_neutral() {
     }
     // So little friction that it takes more periods than there are numbers.
     let still = Drive::new(|_| 0.0, &[]).unwrap();
-    let found = settle(&still, 0.0, 5e-324, State { phi: 0.0, w: -0.9 });
+    let found = settle(&still, 0.0, 5e-324, DriveState { phi: 0.0, w: -0.9 });
     assert_eq!(found.w(1.0), -0.9);
     // The mean is exactly the friction: from below, the motion climbs to the one that touches zero.
     let biased = Drive::new(|x| if x < PI { 1.5 } else { -0.5 }, &[PI]).unwrap();
-    let found = settle(&biased, 0.5, 3.0, State { phi: 0.0, w: -9.0 });
+    let found = settle(&biased, 0.5, 3.0, DriveState { phi: 0.0, w: -9.0 });
     assert!((0..99).all(|k| found.w(0.0635 * k as f64) >= 0.0));
     assert!((found.largest().w - PI).abs() < 1e-9, "{found:?}");
     assert!(found.w(0.0).abs() < 1e-9);
@@ -375,7 +375,7 @@ fn neutral_motions_are_said_to_be_neutral() {
 fn thresholds_are_as_decided() {
     let drive = sine();
     for lambda in [1.0, 1.0 + 1e-9, 7.0] {
-        let found = settle(&drive, lambda, lambda, State { phi: 1.0, w: 20.0 });
+        let found = settle(&drive, lambda, lambda, DriveState { phi: 1.0, w: 20.0 });
         assert_list(&found, &[(Rest, 0.0, TAU)], 1e-15);
         assert!(
             (found.margins().hold - (lambda - 1.0)).abs() < 1e-14,
@@ -432,8 +432,8 @@ fn a_minimum_of_the_speed_decides_between_one_and_two_intervals() {
 #[test]
 fn different_starts_end_alike() {
     let drive = sine();
-    let starts: Vec<State> = (0..7)
-        .map(|k| State {
+    let starts: Vec<DriveState> = (0..7)
+        .map(|k| DriveState {
             phi: 0.9 * k as f64,
             w: -6.0 + 2.0 * k as f64,
         })
@@ -458,7 +458,7 @@ fn different_starts_end_alike() {
 fn advancing_in_parts_is_advancing_at_once() {
     let drive = Drive::new(|x| Scalar::sin(x) + 0.7 * Scalar::sin(2.0 * x), &[]).unwrap();
     let friction = friction(0.4, 0.3);
-    let start = State { phi: -3.0, w: 0.2 };
+    let start = DriveState { phi: -3.0, w: 0.2 };
     let whole = drive.advance(friction, start, 20.0).unwrap();
     let mut state = start;
     for k in 1..=46 {
@@ -486,7 +486,7 @@ fn bad_input_is_named() {
         assert!(error.to_string().contains("[0, ∞)"));
     }
     let drive = sine();
-    let bad = State {
+    let bad = DriveState {
         phi: f64::NAN,
         w: 0.0,
     };
@@ -532,7 +532,7 @@ proptest! {
         let breaks: Vec<f64> = jump.iter().map(|j| j.0).collect();
         let drive = Drive::new(h, &breaks).unwrap();
         let friction = friction(p, m);
-        match drive.attractor(friction, State { phi, w }, 300).unwrap() {
+        match drive.attractor(friction, DriveState { phi, w }, 300).unwrap() {
             Outcome::Drifts { per_period } => {
                 prop_assert!(drive.mean() > p && per_period > 0.0 || drive.mean() < -m && per_period < 0.0);
             }
@@ -557,7 +557,7 @@ proptest! {
                 }
                 // Over one period w returns.
                 prop_assert!(net.abs() < 1e-11, "{net}");
-                let after = drive.strobe(friction, State { phi, w: found.w(phi) }, 3).unwrap();
+                let after = drive.strobe(friction, DriveState { phi, w: found.w(phi) }, 3).unwrap();
                 let allowed = 1e-11 + 10.0 * found.residual();
                 prop_assert!((after[3] - after[0]).abs() < allowed, "{after:?} {found:?}");
                 let margins = found.margins();
@@ -575,9 +575,9 @@ proptest! {
 fn the_approach_from_close_by_is_counted_too() {
     let drive = sine();
     for lambda in [0.1, 0.3] {
-        let far = settle(&drive, lambda, lambda, State { phi: 0.7, w: 2.5 });
+        let far = settle(&drive, lambda, lambda, DriveState { phi: 0.7, w: 2.5 });
         for apart in [1e-3, 1e-6, -1e-6] {
-            let start = State {
+            let start = DriveState {
                 phi: 0.7,
                 w: far.w(0.7) + apart,
             };
@@ -610,7 +610,7 @@ fn the_first_of_the_neutral_motions_is_found_from_below_and_above() {
             let drive = Drive::new(h, &[PI]).unwrap();
             let (plus, minus) = if side > 0.0 { (0.5, 0.1) } else { (0.1, 0.5) };
             for w in [-0.3, -2.0, -9.0] {
-                let start = State {
+                let start = DriveState {
                     phi: 0.0,
                     w: side * w,
                 };
@@ -626,7 +626,7 @@ fn the_first_of_the_neutral_motions_is_found_from_below_and_above() {
 fn a_motion_that_touches_zero_is_listed_from_there() {
     let biased = Drive::new(|x| if x < PI { 1.5 } else { -0.5 }, &[PI]).unwrap();
     for phi in [0.0, 1.0, 4.0] {
-        let found = settle(&biased, 0.5, 3.0, State { phi, w: -9.0 });
+        let found = settle(&biased, 0.5, 3.0, DriveState { phi, w: -9.0 });
         assert_list(&found, &[(Positive, 0.0, TAU)], 1e-13);
         assert!(found.w(0.0).abs() < 1e-13);
         // What happens at the ends of the stretch, here at 0, is no graze.
@@ -638,7 +638,7 @@ fn a_motion_that_touches_zero_is_listed_from_there() {
 fn the_residual_is_what_the_last_period_changed() {
     // A mean that is next to nothing, without friction: w grows by it every period.
     let drive = Drive::new(|x| if x < PI { 1.0 } else { f64::EPSILON - 1.0 }, &[PI]).unwrap();
-    let found = settle(&drive, 0.0, 0.0, State { phi: 0.0, w: 3.0 });
+    let found = settle(&drive, 0.0, 0.0, DriveState { phi: 0.0, w: 3.0 });
     assert!(found.residual() > 0.0);
     assert_eq!(found.residual(), (drive.mean() * TAU).abs());
 }
@@ -677,7 +677,7 @@ fn a_motion_of_one_sign_dips_where_the_drive_passes_the_friction() {
     let drive = Drive::new(|x| Scalar::sin(x - 1.0), &[]).unwrap();
     for side in [1.0, -1.0] {
         let phi = if side > 0.0 { 0.5 } else { 0.5 + PI };
-        let found = settle(&drive, 0.0, 0.0, State { phi, w: 5.0 * side });
+        let found = settle(&drive, 0.0, 0.0, DriveState { phi, w: 5.0 * side });
         let dip = 4.0 + libm::cos(0.5);
         assert!(
             (found.margins().dip - dip).abs() < 1e-14,
@@ -693,7 +693,7 @@ fn a_drive_that_comes_back_to_the_friction_at_a_jump_has_stopped_the_motion() {
     let h = |x: f64| if x < 1.0 { x - 0.5 } else { -0.4 };
     for side in [1.0, -1.0] {
         let drive = Drive::new(move |x| side * h(x), &[1.0]).unwrap();
-        let start = State {
+        let start = DriveState {
             phi: 0.0,
             w: 0.25 * side,
         };

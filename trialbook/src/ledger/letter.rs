@@ -226,7 +226,14 @@ fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
 const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}";
 
 /// The parts of an item that stand in one paragraph, in LaTeX.
-const RUN_IN: [&str; 6] = ["Printed", "Said", "Right", "Reason", "By hand", "It passes to"];
+const RUN_IN: [&str; 6] = [
+    "Printed",
+    "Said",
+    "Right",
+    "Reason",
+    "By hand",
+    "It passes to",
+];
 
 /// How the title of the letter begins.
 const COMMENT: &str = "Comment on";

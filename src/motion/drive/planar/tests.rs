@@ -108,7 +108,7 @@ fn without_rest_the_logarithm_grows_by_the_inverse_contraction_rate() {
         let phases: Vec<f64> = (0..=40).map(|k| TAU * k as f64).collect();
         let states = drive.planar(lambda, start, &phases).unwrap();
         let friction = Friction::new(lambda, lambda).unwrap();
-        let origin = State { phi: 0.0, w: 0.0 };
+        let origin = DriveState { phi: 0.0, w: 0.0 };
         let Outcome::Settles(line) = drive.attractor(friction, origin, 99).unwrap() else {
             panic!("settles")
         };
@@ -141,7 +141,7 @@ fn with_rest_it_stops_within_a_finite_phase() {
         assert!(Scalar::sin(states[stop].phi).abs() < lambda);
         assert!(states[..stop].windows(2).all(|s| s[1].ln_w_y < s[0].ln_w_y));
         let friction = Friction::new(lambda, lambda).unwrap();
-        let at = State {
+        let at = DriveState {
             phi: phases[stop],
             w: 0.0,
         };
@@ -221,7 +221,7 @@ fn where_it_has_stopped_it_rests_in_whatever_turn() {
         };
         assert!(moving.w_x != 0.0, "{moving:?}");
         assert_eq!((resting.w_x, resting.ln_w_y), (0.0, f64::NEG_INFINITY));
-        let rest = State { phi: 2.6, w: 0.0 };
+        let rest = DriveState { phi: 2.6, w: 0.0 };
         let expected = drive.advance(friction, rest, 4.5).unwrap().end.w;
         assert!(expected < -0.04 && (later.w_x - expected).abs() < 1e-12);
     }
