@@ -68,7 +68,7 @@ const UNTRIED: &[(&str, &str)] = &[
     ("anisotropic-census", "right upwards below above"),
     ("anisotropic-far", "falls below"),
     ("sphere-swinging", "solid dashed"),
-    ("turntable-paths", "outwards slower Above right Below"),
+    ("turntable-paths", "outwards slower right"),
     ("turntable-following", "Above thick thin Below dotted rise"),
     ("escape-compensated", "grows falls right"),
     ("escape-paths", "down inside outside backwards outwards"),

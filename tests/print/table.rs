@@ -238,7 +238,6 @@ pub const NOT_PRINTED: &[&str] = &[
     "rest::alpha_rate_straight_in",
     "rest::angle_straight_in",
     "rest::psi_at_one_half",
-    "rest::surface_bend",
 ];
 
 /// Formulas of the corrections that are written for more kinds of numbers than these trees alone, or that a print joins.
