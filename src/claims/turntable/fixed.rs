@@ -8,7 +8,7 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
-use crate::numerics::{dop853, roots};
+use crate::numerics::{NumericsError, dop853, roots};
 use crate::paper::turntable as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
@@ -68,8 +68,21 @@ fn stands_still(
 /// The angle in a range at which ψ of the motion stands still for a moment.
 fn standstill(a: f64, alpha: f64, [low, high]: [f64; 2]) -> Result<f64, Failure> {
     let rate = |psi: f64| psi_rate(a, alpha, psi).unwrap_or(f64::NAN);
-    Ok(roots::root(rate, low, high)?)
+    match roots::root(rate, low, high) {
+        // At large α it is so near π/2 that rounding may hide the sign there.
+        Err(NumericsError::NoSignChange {
+            at_low, at_high, ..
+        }) if at_low.abs().min(at_high.abs()) < HIDDEN => Ok(if at_low.abs() < at_high.abs() {
+            low
+        } else {
+            high
+        }),
+        found => Ok(found?),
+    }
 }
+
+/// A rate of ψ that rounding may make of none, beside rates of 2.
+const HIDDEN: f64 = 1e-12;
 
 /// Where ψ₁ is looked for, and where ψ₂.
 const BELOW_AND_ABOVE: [[f64; 2]; 2] = [[0.0, FRAC_PI_2], [FRAC_PI_2, PI]];
