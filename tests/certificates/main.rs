@@ -7,6 +7,9 @@ use modular::{Unknown, list, place};
 use serde_json::Value;
 use slipbook::claims::PAPER;
 
+/// A change of a witness.
+type Spoil<'a> = &'a dyn Fn(&mut Value);
+
 /// A witness, with its claim and trial, and with what that says if it is no exact proof.
 struct Left {
     name: String,
@@ -100,7 +103,7 @@ fn roots_are_where_they_are_said_to_be_and_nowhere_else() {
             roots::check(&wrong)
         };
         // Another root, another box, another function, another matrix.
-        let changes: [(&str, &dyn Fn(&mut Value)); 4] = [
+        let changes: [(&str, Spoil<'_>); 4] = [
             ("the root", &|w| w["root"][0] = "3*2^0".into()),
             ("a corner", &|w| {
                 w["within"][0][1] = w["within"][0][0].clone()

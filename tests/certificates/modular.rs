@@ -401,10 +401,10 @@ impl Checker<'_> {
                 let squares = if to == half { SQUARES } else { &[1] };
                 let bases = of.iter().map(|[base, ..]| base);
                 if let Ok((powers, number)) = self.product(x, bases, squares) {
-                    let roots = powers.iter().zip(&of);
+                    let mut roots = powers.iter().zip(&of);
                     let product =
-                        roots.fold(Ok(number), |product: Known<Dual>, (k, [.., is])| {
-                            Ok(self.mul(&product?, &self.power(is, *k)?))
+                        roots.try_fold(number, |product, (k, [.., is])| -> Known<Dual> {
+                            Ok(self.mul(&product, &self.power(is, *k)?))
                         })?;
                     return Ok(self.mul(&self.power(&product, n)?, &self.power(x, m)?));
                 }

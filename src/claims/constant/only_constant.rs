@@ -13,7 +13,7 @@ const PERIODS: f64 = 6.0;
 
 /// A motion along the line, on an incline or under a sine, which it is and how it is called.
 fn motion(points: &mut Points, i: usize) -> Result<(bool, String, Motion), Failure> {
-    let (driven, lambda) = (i % 2 == 0, points.uniform(0.0, 0.9));
+    let (driven, lambda) = (i.is_multiple_of(2), points.uniform(0.0, 0.9));
     let start = State {
         t: 0.0,
         v: [points.uniform(-2.0, 2.0), 0.0],
