@@ -2,7 +2,7 @@
 //!
 //! B and E are parametrised by β = asin(qλ₀) between 0 and π/2, in which the arcs of Newton's law have slopes
 //! everywhere: from α = asin λ₀ to π + β for B, to 2π − β for E. That these arcs are the differences of the sides of
-//! (54) and of E is proved in [`exact`](mod@super::exact), and that they rise or fall all the way in [`arcs`]; every certificate asks
+//! (54) and of E is proved in [`exact`](mod@super::exact), and that they rise or fall all the way in `arcs`; every certificate asks
 //! for both first. So each curve has one root at most.
 //!
 //! B's arc is positive at β = 0 and falls; E's is λ₀ times what is −2π there and grows. At β = π/2 both arcs end at 3π/2 and are
