@@ -1,5 +1,7 @@
-//! Mistakes are seeded in what the trials read: each trial notices one at least, and what it finds stays where it is.
+//! Mistakes are seeded in what the trials read: each trial notices one at least, and what it finds stays where it is. How many of
+//! its comparisons disagree with the mistakes is recorded: a trial that has been made more lenient has fewer.
 
+use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::distrust::{COARSE, CORNERED, IDLE};
 use slipbook::claims::variants::Variant;
@@ -7,6 +9,9 @@ use slipbook::claims::{PAPER, Topic};
 use slipbook::ledger::Ledger;
 use slipbook::ledger::distrust::{Extent, Tried};
 use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::Path;
 use std::sync::Arc;
 
 fn main() {
@@ -65,6 +70,17 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
     let excused: BTreeSet<_> = excused.map(|c| (c.claim, c.text)).collect();
     let cornered: Vec<_> = cornered.symmetric_difference(&excused).collect();
 
+    let mut strictness = String::new();
+    for t in &tried {
+        let ((claim, trial), met) = (named(&t), t.reactions.len());
+        let (rejected, failed) = (t.rejected(), t.failed());
+        writeln!(
+            strictness,
+            "{claim} {trial}: {rejected} of {met} rejected, {failed} comparisons disagree"
+        )?;
+    }
+    same_as_recorded(topic.stem, &strictness)?;
+
     if leaning.is_empty() && wrong.is_empty() && coarse.is_empty() && cornered.is_empty() {
         return Ok(());
     }
@@ -74,4 +90,18 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
          {cornered:#?}"
     )
     .into())
+}
+
+fn same_as_recorded(stem: &str, text: &str) -> Result<(), Failed> {
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(
+        Path::new(env!("CARGO_MANIFEST_DIR"))
+            .join("snapshots")
+            .join(stem),
+    );
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    let same = || settings.bind(|| assert_snapshot!("distrust", text));
+    catch_unwind(AssertUnwindSafe(same))
+        .map_err(|_| "the trials of this chapter are more or less strict than recorded".into())
 }

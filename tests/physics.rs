@@ -52,7 +52,8 @@ fn every_trial_reads_the_motion_or_says_what_else() {
     let mut used = BTreeSet::new();
     let mut recorded = Vec::new();
     for line in REACTIONS.lines().skip(1) {
-        let (there, mistakes) = line.rsplit_once(',').unwrap();
+        let mut cells = line.rsplitn(3, ',').skip(1);
+        let (mistakes, there) = (cells.next().unwrap(), cells.next().unwrap());
         let [id, trial] = [0, 1].map(|n| line.split(',').nth(n).unwrap());
         recorded.push(there.to_owned());
         if mistakes == "0" {

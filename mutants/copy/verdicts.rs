@@ -1,6 +1,6 @@
 //! Tries the ledger with the mistake of the given number made, 0 for none. On a line each: a claim's id, its verdict, and
-//! its trials: name, what they say, route, points, worst disagreement, and in a number each all that was found, stated and taken
-//! for a scale.
+//! its trials: name, what they say, route, points, worst disagreement, in a number each all that was found, stated and taken
+//! for a scale, and how many comparisons disagree.
 
 use slipbook_wrong::claims::PAPER;
 use slipbook_wrong::evidence::{Evidence, Sides};
@@ -15,10 +15,10 @@ fn main() {
         let trials: String = trials
             .map(|e| {
                 let (says, route) = (e.outcome(), e.route.name());
-                let Evidence { trial, points, worst, .. } = e;
+                let Evidence { trial, points, worst, failed, .. } = e;
                 let Sides { stated, found, scale } = e.sides;
                 format!(
-                    "\t{trial} {says:?} {route} {points} {worst:e} {found:016x} {stated:016x} {scale:016x}"
+                    "\t{trial} {says:?} {route} {points} {worst:e} {found:016x} {stated:016x} {scale:016x} {failed}"
                 )
             })
             .collect();

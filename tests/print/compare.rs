@@ -1,6 +1,7 @@
 //! Whether two trees are the same formula.
 
 use slipbook::exact::{Binary, ExactError, Expr, Function, Node, Rational, Ring};
+use slipbook::numerics::double::Double;
 
 /// How two trees were found to be the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,9 +16,10 @@ pub enum Same {
 const POINTS: usize = 20;
 /// The most points that are tried.
 const TRIED: u32 = 400;
-/// Relative. Both sides are short formulas of numbers of order one, each operation is right to 2e-16; the largest loss, by
-/// differences that happen to be small, is some hundred-fold. A misprint changes one of 20 points by far more.
-const TOLERANCE: f64 = 1e-11;
+/// Relative, of numbers of twice the usual length. Both sides are short formulas of numbers of order one, each operation is
+/// right to 1e-31; the largest loss, by differences that happen to be small, is some thousand-fold. No slip of the pen is so small,
+/// nor can a formula be a little wrong on purpose.
+const TOLERANCE: f64 = 1e-27;
 
 /// How the trees are the same; if they are not, why.
 pub fn same(a: Expr, b: Expr) -> Result<Same, String> {
@@ -37,11 +39,13 @@ pub fn differ(a: Expr, b: Expr) -> Option<String> {
     }
     let mut compared = 0;
     for point in 0..TRIED {
-        let value = |tree: Expr| tree.evaluate(&|name| Some(coordinate(name, point)));
+        let value = |tree: Expr| tree.evaluate(&|name| Some(Double::from(coordinate(name, point))));
         let (x, y) = (value(a)?, value(b)?);
+        let off = f64::from(x - y).abs();
+        let [x, y] = [x, y].map(f64::from);
         let scale = x.abs().max(y.abs()).max(1e-3);
-        if x.is_finite() != y.is_finite() || (x - y).abs() > TOLERANCE * scale {
-            return Some(format!("{a} is {x}, {b} is {y}"));
+        if x.is_finite() != y.is_finite() || off > TOLERANCE * scale {
+            return Some(format!("{a} is {x}, {b} is {y}, {off:e} apart"));
         }
         compared += usize::from(x.is_finite());
         if compared == POINTS {

@@ -60,23 +60,26 @@ fn across([a, b, _]: Logarithms) -> f64 {
     libm::exp(0.5 * (a + b))
 }
 
-/// The states after pieces of the way, up to so many periods or until w_y is 0 to rounding.
+/// The states after pieces of the way, each so long, up to sixty periods or until w_y is 0 to rounding.
 fn followed(
     friction: impl Fn(f64) -> f64,
     v: [f64; 2],
-    periods: f64,
+    piece: f64,
 ) -> Result<Vec<Logarithms>, Failure> {
     let mut states = vec![begin(v, FRAC_PI_2)];
     while states.len() < PIECES {
         let last = states[states.len() - 1];
-        if last[2] > FRAC_PI_2 + TAU * periods || across(last) == 0.0 {
+        if last[2] > FRAC_PI_2 + TAU * PERIODS || across(last) == 0.0 {
             return Ok(states);
         }
         let step = |_: f64, state: &Logarithms| rate(&friction, *state);
-        states.push(dop853::end(step, 0.0, last, 1.0, 1e-9, 1e-9)?);
+        states.push(dop853::end(step, 0.0, last, piece, DIGITS, DIGITS)?);
     }
     Err("neither does time pass nor does it stop".into())
 }
+
+/// To these the logarithms are followed: whether they grow, and whether they go below every number, needs no more.
+const DIGITS: f64 = 1e-6;
 
 /// Pieces of the way that a motion may have.
 const PIECES: usize = 20_000;
@@ -98,7 +101,7 @@ pub fn vanishes() -> Evidence {
     let mut points = Points::stream(320);
     trial.over(0..24, |_| {
         let (rough, v) = (Rough::any(&mut points), start(&mut points));
-        let states = followed(|theta| rough.towards(theta), v, PERIODS)?;
+        let states = followed(|theta| rough.towards(theta), v, 8.0)?;
         let last = states.last().ok_or("no state")?;
         Ok(Pair {
             at: at(&rough, v),
@@ -119,7 +122,7 @@ pub fn never_grows() -> Evidence {
     let mut points = Points::stream(321);
     trial.over(0..24, |_| {
         let (rough, v) = (Rough::any(&mut points), start(&mut points));
-        let states = followed(|theta| rough.towards(theta), v, PERIODS)?;
+        let states = followed(|theta| rough.towards(theta), v, 2.0)?;
         let logarithm = |[a, b, _]: &Logarithms| a + b;
         let grows = states
             .windows(2)
@@ -151,7 +154,7 @@ pub fn outside() -> Evidence {
     let mut points = Points::stream(322);
     trial.over(0..20, |_| {
         let v = start(&mut points);
-        let states = followed(|_| 0.0, v, PERIODS)?;
+        let states = followed(|_| 0.0, v, 8.0)?;
         let last = states.last().ok_or("no state")?;
         Ok(Pair {
             at: format!("λ = 0, 𝔴 = {:.6}, 𝔴_y = {:.6}", v[0], v[1]),

@@ -32,7 +32,7 @@ pub fn small_friction_census() -> Evidence {
         "whether the particle never rests and its angle grows on no step",
     );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
-    let moving = others_aligned().map(|aligned| aligned.map(|a| (a.start, a.broken == 0)));
+    let moving = others_aligned().map(|aligned| aligned.map(|a| (a.start, a.aligns())));
     let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
     let stopping = stops().map(|stop| stop.map(|s| (s.start, !at_rest(s))));
     trial.over(moving.chain(stopping), |motion| {

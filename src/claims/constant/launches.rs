@@ -463,6 +463,13 @@ pub struct Aligned {
     pub broken: usize,
 }
 
+impl Aligned {
+    /// Whether the angle grows on no step and the particle never rests.
+    pub fn aligns(&self) -> bool {
+        self.broken == 0
+    }
+}
+
 /// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
 pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, Failure>> {
     static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(10));
@@ -546,6 +553,20 @@ mod tests {
     #[test]
     fn times_are_counted_in_units_of_the_launch() {
         assert_eq!(Turn::launch(1.0, 0.5, 10.0, 0.0).time(40.0), 800.0);
+    }
+
+    #[test]
+    fn one_step_of_turning_away_is_one_too_many() {
+        let aligns = |broken| {
+            let start = Turn::launch(1.0, 0.5, 10.0, 0.0);
+            Aligned {
+                start,
+                angle: 0.0,
+                broken,
+            }
+            .aligns()
+        };
+        assert_eq!([0, 1, 2].map(aligns), [true, false, false]);
     }
 
     /// The last digit of an angle is no growth; the third last is.

@@ -96,15 +96,10 @@ pub fn above_one_within() -> Evidence {
 fn above_one(subject: Subject, compared: Compared) -> Evidence {
     let trial = Trial::by(Route::Census, subject, compared, NONE);
     trial.over(launches_around_one(), |launch| {
-        let stays = not_escaping(&Run::new(&launch.start()?, 300.0)?) > 0;
-        let found = f64::from(u8::from(stays));
+        let found = stays(&Run::new(&launch.start()?, 300.0)?);
         Ok(Pair {
             at: launch.at(),
-            stated: if launch.a > printed::eq127_least_a() {
-                0.0
-            } else {
-                found
-            },
+            stated: said_to_stay(launch.a, found),
             found,
             scale: 1.0,
         })
@@ -125,11 +120,19 @@ fn launches_around_one() -> impl Iterator<Item = Launch> {
     })
 }
 
-/// The moments almost at rest, and one if the end is near.
-fn not_escaping(run: &Run) -> usize {
-    let stops = run.nodes().filter(|s| s.p() < 1e-9).count();
-    let near = usize::from(run.end().rho() < 30.0);
-    stops + near
+/// By (127) 0 from such an A, about others it says nothing: what is found.
+fn said_to_stay(a: f64, found: f64) -> f64 {
+    if a > printed::eq127_least_a() {
+        0.0
+    } else {
+        found
+    }
+}
+
+/// 1 for a particle that is almost at rest at a moment, or near at the end, else 0.
+fn stays(run: &Run) -> f64 {
+    let stops = run.nodes().any(|s| s.p() < 1e-9);
+    f64::from(u8::from(stops || run.end().rho() < 30.0))
 }
 
 /// (127) where it decides: close to α = 0, the A at which rest gives way to escape.
@@ -478,19 +481,23 @@ mod tests {
         assert_eq!(table_stops(&outwards).unwrap(), 0);
     }
 
-    /// A motion to rest, one that has not gone far yet, and an escape.
+    /// A motion to rest, one that has not gone far yet, an escape, and one that stops far out before it escapes.
     #[test]
-    fn what_does_not_escape_is_counted() {
+    fn who_stops_or_is_near_stays() {
         let run = |a: f64, until: f64| {
             let start = Start::hyperbolic(a, 0.3, 0.5).unwrap();
             Run::new(&start, until).unwrap()
         };
-        let rest = run(0.4, 300.0);
-        let still = rest.nodes().skip_while(|s| s.p() >= 1e-9).count();
-        assert!(still > 1);
-        assert_eq!(not_escaping(&rest), still + 1);
-        assert_eq!(not_escaping(&run(2.0, 1.0)), 1);
-        assert_eq!(not_escaping(&run(2.0, 300.0)), 0);
+        let stopped = Run::new(&Start::polar(40.0, 0.0, 0.0).unwrap(), 1.0).unwrap();
+        assert!(stopped.end().rho() > 30.0);
+        let runs = [run(0.4, 300.0), run(2.0, 1.0), run(2.0, 300.0), stopped];
+        assert_eq!(runs.map(|run| stays(&run)), [1.0, 1.0, 0.0, 1.0]);
+    }
+
+    #[test]
+    fn of_a_start_up_to_one_nothing_is_said() {
+        let said = [0.5, 1.0, 1.0_f64.next_up(), 1.05].map(|a| said_to_stay(a, 1.0));
+        assert_eq!(said, [1.0, 1.0, 0.0, 0.0]);
     }
 
     #[test]

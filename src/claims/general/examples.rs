@@ -122,6 +122,13 @@ pub struct Pulled {
     pub gained: f64,
 }
 
+impl Pulled {
+    /// Whether the speed grows on every step and over them all.
+    pub fn grows(&self) -> bool {
+        self.falls == 0 && self.gained > 0.0
+    }
+}
+
 /// All strong accelerations, then weak ones.
 pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, Failure>> {
     static PULLED: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([24, 34]));
@@ -217,6 +224,22 @@ pub fn violations(motion: &Motion, from: f64, broken: impl Fn(&State, &State) ->
 mod tests {
     use super::*;
     use crate::motion::Acceleration;
+
+    #[test]
+    fn a_speed_grows_if_it_does_on_every_step() {
+        let grows = |(falls, gained)| {
+            let name = String::new();
+            Pulled {
+                name,
+                least: 2.0,
+                falls,
+                gained,
+            }
+            .grows()
+        };
+        let cases = [(0, 1e-9), (1, 1.0), (0, 0.0), (0, -1.0)];
+        assert_eq!(cases.map(grows), [true, false, false, false]);
+    }
 
     #[test]
     fn what_breaks_a_statement_is_counted() {

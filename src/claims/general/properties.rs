@@ -219,8 +219,7 @@ pub fn grows_census() -> Evidence {
     census(Subject::Within, compared).over(pulled(), |pulled| {
         let pulled = pulled?;
         let stated = pulled.least > speeds_up_above();
-        let grows = pulled.falls == 0 && pulled.gained > 0.0;
-        Ok(whether(pulled.name.clone(), stated, grows))
+        Ok(whether(pulled.name.clone(), stated, pulled.grows()))
     })
 }
 

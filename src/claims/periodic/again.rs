@@ -148,9 +148,14 @@ pub fn largest_integration() -> Evidence {
         |eta| {
             let rest = DriveState { phi: 0.0, w: 0.0 };
             let end = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, rest, eta * PI)?;
-            Ok(libm::round(1e12 * end.end.w / (eta * PI)) / 1e12)
+            Ok(twelve_digits(end.end.w / (eta * PI)))
         },
     )
+}
+
+/// What rounding leaves of a number of order one.
+fn twelve_digits(x: f64) -> f64 {
+    libm::round(1e12 * x) / 1e12
 }
 
 /// Pulses of no width.
@@ -175,4 +180,15 @@ pub fn no_width() -> Evidence {
         &[[0.0]],
         |[eta]| eta > 0.0,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_thirteenth_digit_is_rounded_and_no_other() {
+        let rounded = [1.0 + 4e-13, 1.0 + 2e-12].map(twelve_digits);
+        assert_eq!(rounded, [1.0, 1.000_000_000_002]);
+    }
 }

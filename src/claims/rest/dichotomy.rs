@@ -4,10 +4,11 @@ use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::MotionError;
 use crate::motion::turntable::boundary::boundary;
 use crate::motion::turntable::ensemble::rests;
 use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Start, State, Table, fate, inertial};
+use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial};
 use crate::paper::rest as printed;
 
 /// Starts all over the inner part of the states, by ρ, p and ψ.
@@ -58,12 +59,17 @@ pub fn followed() -> Evidence {
         };
         let table = Table::default();
         let path = inertial::run(&table, &table.to_laboratory(&start), 100.0)?;
-        let State { x, v, .. } = path.on_table(100.0)?;
-        let [rho, p] = [x, v].map(|[x, y]| libm::hypot(x, y));
-        let fates = [path.resting_place().is_some(), rho * rho - p * p > 1.0];
-        let held = fates.map(|so| f64::from(u8::from(so)));
-        Ok([printed::s4_third_fates(), 1.0 - held[0] - held[1]])
+        Ok([printed::s4_third_fates(), third_fate(&path, 100.0)?])
     })
+}
+
+/// 1 less how many of the two fates a particle on the dimensionless table has met by then.
+fn third_fate(path: &Path, tau: f64) -> Result<f64, MotionError> {
+    let State { x, v, .. } = path.on_table(tau)?;
+    let [rho, p] = [x, v].map(|[x, y]| libm::hypot(x, y));
+    let fates = [path.resting_place().is_some(), rho * rho - p * p > 1.0];
+    let [rests, escapes] = fates.map(|so| f64::from(u8::from(so)));
+    Ok(1.0 - rests - escapes)
 }
 
 /// Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
@@ -77,8 +83,7 @@ pub fn on_the_boundary() -> Evidence {
         let (alpha, psi) = (0.05 + 0.02 * f64::from(i), 0.1 * f64::from(i) - 1.0);
         let run = Run::new(&Start::hyperbolic(boundary(alpha, psi)?, alpha, psi)?, 8.0)?;
         let (before, after) = (run.at(4.0)?, run.at(8.0)?);
-        let nearer = (after.rho() - 1.0).abs() < (before.rho() - 1.0).abs();
-        let creeps = after.p() > 0.0 && after.p() < 0.1 * before.p() && nearer;
+        let creeps = creeps([&before, &after].map(|s| [s.rho(), s.p()]));
         Ok(Pair {
             at: format!("α = {alpha:.6}, ψ = {psi:.6} on the boundary"),
             stated: printed::s4_third_fates(),
@@ -86,6 +91,11 @@ pub fn on_the_boundary() -> Evidence {
             scale: 1.0,
         })
     })
+}
+
+/// Whether a particle, by ρ and p before and after, still moves, far more slowly, and nearer to ρ = 1.
+fn creeps([[far, fast], [near, slow]]: [[f64; 2]; 2]) -> bool {
+    slow > 0.0 && slow < 0.1 * fast && (near - 1.0).abs() < (far - 1.0).abs()
 }
 
 /// That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
@@ -110,4 +120,43 @@ pub fn beside_the_boundary() -> Evidence {
             scale: 1.0,
         })
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A particle that is slow by now and has neither stopped nor gained enough energy, one at rest, one far out.
+    #[test]
+    fn who_has_met_no_fate_yet_is_counted() {
+        let table = Table::default();
+        let after = |x: f64, tau: f64| {
+            let start = State {
+                t: 0.0,
+                x: [x, 0.0],
+                v: [0.0; 2],
+            };
+            third_fate(&inertial::run(&table, &start, tau).unwrap(), tau).unwrap()
+        };
+        assert_eq!(
+            [after(0.5, 0.1), after(0.5, 100.0), after(3.0, 100.0)],
+            [1.0, 0.0, 0.0]
+        );
+    }
+
+    #[test]
+    fn to_creep_is_to_come_nearer_ever_more_slowly() {
+        let (before, outside) = ([0.9, 1e-2], [1.1, 1e-2]);
+        for (states, expected) in [
+            ([before, [0.99, 1e-4]], true),
+            ([outside, [1.01, 1e-4]], true),
+            ([before, [0.89, 1e-4]], false),
+            ([before, [1.11, 1e-4]], false),
+            ([before, [0.9, 1e-4]], false),
+            ([before, [0.99, 1e-3]], false),
+            ([before, [0.99, 0.0]], false),
+        ] {
+            assert_eq!(creeps(states), expected, "{states:?}");
+        }
+    }
 }

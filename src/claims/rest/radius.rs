@@ -171,16 +171,27 @@ pub fn resting_places() -> Evidence {
             .rho();
         Ok(Pair {
             at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
-            stated: sigma.min(printed::eq139_largest_sigma()),
+            stated: allowed(sigma),
             found: sigma,
             scale: 1.0,
         })
     })
 }
 
+/// σ, if (139) allows it, else the largest that it allows.
+fn allowed(sigma: f64) -> f64 {
+    sigma.min(printed::eq139_largest_sigma())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn no_sigma_beyond_the_largest_is_allowed() {
+        let places = [0.5, 1.0, 1.0_f64.next_up(), 1.1];
+        assert_eq!(places.map(allowed), [0.5, 1.0, 1.0, 1.0]);
+    }
 
     /// Those that stay do so to rounding; the slowest that do not are a hundred times beyond what counts as staying.
     #[test]

@@ -178,15 +178,19 @@ pub fn finite_end() -> Evidence {
             let flight = flight?;
             let last = flight.last()?;
             let line = settled(flight.lambda, ORIGIN)?.w(last.phi);
-            let ended = last.ln_w_y == f64::NEG_INFINITY && (last.w_x - line).abs() < 1e-12;
             Ok(Pair {
                 at: flight.at(),
                 stated: 1.0,
-                found: f64::from(u8::from(ended)),
+                found: f64::from(u8::from(ended([last.ln_w_y, last.w_x], line))),
                 scale: 1.0,
             })
         },
     )
+}
+
+/// Whether of a motion, by ln 𝔴_y and 𝔴_x, that along the line is left and nothing else.
+fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
+    ln_w_y == f64::NEG_INFINITY && (w_x - line).abs() < 1e-12
 }
 
 /// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
@@ -217,6 +221,13 @@ pub fn last_stage() -> Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_motion_has_ended_on_the_line_when_nothing_is_left_across() {
+        let gone = f64::NEG_INFINITY;
+        let motions = [[gone, 0.3], [gone, 0.3 + 2e-12], [-700.0, 0.3]];
+        assert_eq!(motions.map(|of| ended(of, 0.3)), [true, false, false]);
+    }
 
     #[test]
     fn a_motion_is_taken_up_in_the_middle_of_its_slip() {

@@ -237,8 +237,7 @@ pub fn spin_constant() -> Evidence {
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
         let case = &run.case;
-        let mut start = case.start;
-        start.omega[2] *= 3.0;
+        let start = with_three_times_the_spin(case.start);
         let other = case.sphere.run(&case.plane, &start, run.until)?.end();
         let end = run.motion.end();
         let rest = |ball: &crate::motion::sphere::Ball| {
@@ -260,4 +259,28 @@ pub fn spin_constant() -> Evidence {
             scale: size + libm::hypot(end.x[0], end.x[1]) / case.sphere.radius,
         })
     })
+}
+
+fn with_three_times_the_spin(ball: Ball) -> Ball {
+    let [x, y, z] = ball.omega;
+    Ball {
+        omega: [x, y, 3.0 * z],
+        ..ball
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn another_spin_is_another_start() {
+        for run in mixed() {
+            let start = run.unwrap().case.start;
+            let [x, y, z] = start.omega;
+            assert!(z.abs() > 1e-3, "{z}");
+            let other = with_three_times_the_spin(start);
+            assert_eq!(other.omega, [x, y, z + z + z]);
+        }
+    }
 }

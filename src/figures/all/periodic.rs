@@ -52,7 +52,7 @@ fn pulse_waves() -> Result<Figure, AllFiguresError> {
 
 /// How long the pulses let rest.
 fn rest_shares() -> Result<Figure, AllFiguresError> {
-    let side = 200;
+    let side = 140;
     Ok(periodic_figures::rest_shares(side, &drawn::shares(side)?)?)
 }
 

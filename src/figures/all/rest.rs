@@ -221,7 +221,7 @@ fn resting() -> Result<Figure, AllFiguresError> {
 }
 
 /// Cells along each side of the basin's maps.
-const BASIN: usize = 240;
+const BASIN: usize = 160;
 
 /// Who comes to rest, by distance and velocity in the laboratory.
 fn basin() -> Result<Figure, AllFiguresError> {

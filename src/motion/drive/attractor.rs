@@ -202,11 +202,7 @@ impl Drive {
         let mut uncertainty = AGREEMENT;
         if let Some((first, others)) = settled.split_first() {
             for other in others {
-                for k in 0..64 {
-                    let phi = TAU * k as f64 / 64.0;
-                    largest_difference =
-                        largest_difference.max((other.w(phi) - first.w(phi)).abs());
-                }
+                largest_difference = largest_difference.max(first.apart(other));
                 let sum = first.uncertainty() + other.uncertainty();
                 if sum.is_finite() {
                     uncertainty = uncertainty.max(sum);
@@ -333,6 +329,14 @@ impl<'d> Attractor<'d> {
         self.periods
     }
 
+    /// Largest difference of w from another motion, over 64 phases.
+    fn apart(&self, other: &Self) -> f64 {
+        let phases = (0..64).map(|k| TAU * f64::from(k) / 64.0);
+        phases
+            .map(|phi| (other.w(phi) - self.w(phi)).abs())
+            .fold(0.0, f64::max)
+    }
+
     /// The interval of the list that holds `phi`, and `phi` moved by whole periods into it.
     fn interval_at(&self, phi: f64) -> (&Interval, f64) {
         let first = self.intervals[0].start;
@@ -363,6 +367,24 @@ impl<'d> Attractor<'d> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Both rest at the phase 0; one moves at others.
+    #[test]
+    fn motions_are_compared_at_all_phases() {
+        let drive = Drive::new(libm::sin, &[]).unwrap();
+        let settled = |friction: f64| {
+            let start = DriveState { phi: 0.0, w: 0.0 };
+            let outcome = drive.attractor(Friction::new(friction, friction).unwrap(), start, 100);
+            outcome.unwrap().settled().unwrap()
+        };
+        let (slow, slower) = (settled(0.8), settled(1.5));
+        assert_eq!(slow.w(0.0), slower.w(0.0));
+        let most = (0..64).map(|k| TAU * f64::from(k) / 64.0);
+        let most = most
+            .map(|phi| slow.w(phi) - slower.w(phi))
+            .fold(0.0, f64::max);
+        assert!(most > 0.02 && (slow.apart(&slower) - most).abs() < 1e-12);
+    }
 
     #[test]
     fn plain_following_is_counted_period_by_period() {

@@ -136,13 +136,7 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
         let speed = last.speed();
         let pull = omega * omega * (last.x[0] * last.v[0] + last.x[1] * last.v[1]) / speed;
         let far = omega * omega * libm::hypot(last.x[0], last.x[1]);
-        // The velocity still turns towards the pull. With p′ = far cos ψ − μg and p ψ′ = −far sin ψ, p (μg + far cos ψ) falls
-        // steadily, at the rate (μg)² − far².
-        let time = if law.friction > far {
-            speed * (law.friction + pull) / ((law.friction - far) * (law.friction + far))
-        } else {
-            speed / (law.friction - pull).abs()
-        };
+        let time = left(speed, law.friction, pull, far);
         path.stops.push((t + time).min(until));
         path.legs.push(Leg::Stopping {
             state: last,
@@ -157,6 +151,17 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
             x: place,
             v: [0.0; 2],
         });
+    }
+}
+
+/// How long so slow a particle still moves, by the friction and the centrifugal force along the velocity and in all.
+fn left(speed: f64, friction: f64, pull: f64, far: f64) -> f64 {
+    // The velocity still turns towards the pull. With p′ = far cos ψ − μg and p ψ′ = −far sin ψ, p (μg + far cos ψ) falls
+    // steadily, at the rate (μg)² − far².
+    if friction > far {
+        speed * (friction + pull) / ((friction - far) * (friction + far))
+    } else {
+        speed / (friction - pull).abs()
     }
 }
 
@@ -191,6 +196,16 @@ fn first_moments(
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Straight along the force, p′ = far − μg; across it, by p (μg + far cos ψ) = μg p at first; beyond the friction's reach only
+    /// against the force.
+    #[test]
+    fn the_last_of_the_speed_takes_its_time() {
+        assert_eq!(left(0.5, 2.0, 1.0, 1.0), 0.5);
+        assert_eq!(left(0.5, 2.0, -1.0, 1.0), 0.5 / 3.0);
+        assert_eq!(left(0.75, 2.0, 0.0, 1.0), 0.5);
+        assert_eq!(left(0.5, 1.0, -4.0, 4.0), 0.1);
+    }
 
     #[test]
     fn without_friction_the_time_is_that_of_the_integration() {

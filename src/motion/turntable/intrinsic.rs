@@ -388,3 +388,32 @@ pub(super) fn check(start: &Start) -> Result<(), MotionError> {
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_start_beside_one_at_the_corner_is_another() {
+        let corner = Exact {
+            p: 0.0,
+            deficit: 0.0,
+            zeta: 0.0,
+        };
+        let beside = corner.beside(1e-15);
+        assert_eq!(
+            beside.deficit,
+            <f64 as crate::numerics::number::Real>::ROUNDING
+        );
+        let start = Exact {
+            p: 1.0,
+            deficit: -2.0,
+            zeta: -0.5,
+        };
+        let Exact { p, deficit, zeta } = start.beside(1e-3);
+        let moved = [p - 1.0, deficit + 2.0, zeta + 0.5];
+        for (moved, expected) in moved.into_iter().zip([1e-3, 2.5e-3, 1.5e-3]) {
+            assert!((moved - expected).abs() < 1e-15, "{moved}");
+        }
+    }
+}

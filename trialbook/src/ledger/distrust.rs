@@ -18,6 +18,8 @@ pub struct Reaction {
     pub found: bool,
     /// It compares in other units.
     pub scale: bool,
+    /// How many of its comparisons disagree.
+    pub failed: usize,
 }
 
 impl Reaction {
@@ -30,6 +32,7 @@ impl Reaction {
             stated: after.sides.stated != before.sides.stated,
             found: measured && found(after) != found(before),
             scale: measured && after.sides.scale != before.sides.scale,
+            failed: after.failed,
         }
     }
 }
@@ -63,6 +66,11 @@ impl Tried {
     /// How many mistakes it rejects.
     pub fn rejected(&self) -> usize {
         self.reactions.iter().filter(|(_, r)| r.rejects).count()
+    }
+
+    /// How many comparisons disagree with the mistakes, in all.
+    pub fn failed(&self) -> usize {
+        self.reactions.iter().map(|(_, r)| r.failed).sum()
     }
 
     /// The first variant that changes what it finds, or in what units it compares.

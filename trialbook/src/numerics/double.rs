@@ -12,6 +12,7 @@ use super::number::{Number, Real};
 use crate::scalar::Scalar;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 use std::str::FromStr;
+use std::sync::LazyLock;
 
 /// A number of twice the width, `hi + lo` with `lo` at most half a unit of the last place of `hi`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, PartialOrd)]
@@ -145,6 +146,16 @@ const HALF_PI: [f64; 3] = [
     -1.4973849048591833e-33,
 ];
 
+/// 1/(n(n − 1)) for n = 2, 4, …, and for n = 3, 5, …
+static PRODUCTS: LazyLock<[[Double; 40]; 2]> = LazyLock::new(|| {
+    [2.0, 3.0].map(|first| {
+        std::array::from_fn(|k| {
+            let n = first + 2.0 * k as f64;
+            Double::from(1.0) / (n * (n - 1.0)).into()
+        })
+    })
+});
+
 impl Double {
     /// 2ⁿ times the number.
     fn scaled(self, n: i32) -> Self {
@@ -158,10 +169,9 @@ impl Double {
     fn factorial_series(self, first: u32, sign: f64) -> Self {
         let square = self * self * sign.into();
         let mut term = if first == 0 { 1.0.into() } else { self };
-        let (mut sum, mut n) = (term, f64::from(first));
-        for _ in 0..40 {
-            n += 2.0;
-            term = term * square / (n * (n - 1.0)).into();
+        let mut sum = term;
+        for inverse in PRODUCTS[first as usize].iter() {
+            term = term * square * *inverse;
             sum = sum + term;
             if term.hi.abs() <= 1e-34 * sum.hi.abs() {
                 break;
@@ -170,27 +180,25 @@ impl Double {
         sum
     }
 
-    /// Sine and cosine of a number up to 10⁹ or so.
-    fn sine_cosine(self) -> (Self, Self) {
+    /// The number without quarter turns, and how many of them in a whole turn; of a number up to 10⁹ or so.
+    fn without_quarters(self) -> (Self, u8) {
         let turns = libm::round(self.hi / HALF_PI[0]);
         if !turns.is_finite() {
-            return (f64::NAN.into(), f64::NAN.into());
+            return (f64::NAN.into(), 0);
         }
         let [large, small, least] = HALF_PI.map(|part| {
             let (hi, lo) = two_product(turns, part);
             Double { hi, lo }
         });
-        let rest = self - large - small - least;
-        let (s, c) = (
-            rest.factorial_series(1, -1.0),
-            rest.factorial_series(0, -1.0),
-        );
-        match turns.rem_euclid(4.0) as u8 {
-            0 => (s, c),
-            1 => (c, -s),
-            2 => (-s, -c),
-            _ => (-c, s),
-        }
+        (self - large - small - least, turns.rem_euclid(4.0) as u8)
+    }
+
+    /// The sine, so many quarter turns on.
+    fn sine(self, on: u8) -> Self {
+        let (rest, turns) = self.without_quarters();
+        let quarters = (turns + on) % 4;
+        let value = rest.factorial_series(1 - u32::from(quarters % 2), -1.0);
+        if quarters < 2 { value } else { -value }
     }
 
     /// e^x − 1 for a small x.
@@ -222,7 +230,7 @@ impl Double {
         if size.hi == 0.0 || !size.hi.is_finite() {
             return first.into();
         }
-        let (s, c) = Double::from(first).sine_cosine();
+        let (s, c) = Double::from(first).sin_cos();
         Double::from(first) + (self * c - x * s) / size
     }
 
@@ -281,10 +289,10 @@ impl Scalar for Double {
         PI
     }
     fn sin(self) -> Self {
-        self.sine_cosine().0
+        self.sine(0)
     }
     fn cos(self) -> Self {
-        self.sine_cosine().1
+        self.sine(1)
     }
     fn asin(self) -> Self {
         let one = Double::from(1.0);
@@ -350,6 +358,15 @@ impl Scalar for Double {
         self.root()
     }
     fn pow(self, exponent: Self) -> Self {
+        let whole = exponent.lo == 0.0 && libm::trunc(exponent.hi) == exponent.hi;
+        if self.hi < 0.0 && whole {
+            let size = Scalar::exp(exponent * Scalar::ln(-self));
+            return if exponent.hi % 2.0 == 0.0 {
+                size
+            } else {
+                -size
+            };
+        }
         Scalar::exp(exponent * Scalar::ln(self))
     }
     #[cfg(feature = "trials")]
@@ -373,7 +390,7 @@ impl Number for Double {
         self.root()
     }
     fn sin_cos(&self) -> (Self, Self) {
-        self.sine_cosine()
+        (self.sine(0), self.sine(1))
     }
     fn exp(&self) -> Self {
         Scalar::exp(*self)

@@ -68,6 +68,7 @@ pub trait Real: Number + Copy + PartialOrd {
 impl Real for f64 {
     const ROUNDING: f64 = f64::EPSILON;
 
+    #[inline(always)]
     fn to_f64(self) -> f64 {
         self
     }
@@ -75,24 +76,31 @@ impl Real for f64 {
 
 /// Elementary functions through libm: the same bits everywhere.
 impl Number for f64 {
+    #[inline(always)]
     fn from_f64(x: f64) -> Self {
         x
     }
+    #[inline(always)]
     fn magnitude(&self) -> f64 {
         self.abs()
     }
+    #[inline(always)]
     fn sqrt(&self) -> Self {
         libm::sqrt(*self)
     }
+    #[inline(always)]
     fn sin_cos(&self) -> (Self, Self) {
         libm::sincos(*self)
     }
+    #[inline(always)]
     fn exp(&self) -> Self {
         libm::exp(*self)
     }
+    #[inline(always)]
     fn ln(&self) -> Self {
         libm::log(*self)
     }
+    #[inline(always)]
     fn pow(&self, exponent: f64) -> Self {
         libm::pow(*self, exponent)
     }
@@ -104,6 +112,7 @@ impl Number for f64 {
             None => self / n as f64,
         }
     }
+    #[inline(always)]
     fn accumulate(sum: &Self, carry: &Self, delta: &Self) -> (Self, Self) {
         // Knuth's two-sum: exact whatever the order of sizes.
         let delta = carry + delta;

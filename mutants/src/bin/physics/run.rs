@@ -33,6 +33,8 @@ pub struct Said {
     found: String,
     stated: String,
     scale: String,
+    /// Comparisons that disagree.
+    failed: usize,
 }
 
 impl Said {
@@ -54,8 +56,8 @@ pub enum Found {
         claims: Vec<String>,
         /// Names, in the same order, each once.
         trials: Vec<String>,
-        /// Of every trial of the ledger, whether it reacts.
-        reactions: Vec<bool>,
+        /// Of every trial of the ledger, whether it reacts, and how many of its comparisons disagree.
+        reactions: Vec<(bool, usize)>,
     },
     /// There are no verdicts, and why.
     Fails(String),
@@ -117,6 +119,7 @@ fn judged(line: &str) -> Option<(String, Judged)> {
             found: word(),
             stated: word(),
             scale: word(),
+            failed: word().parse().unwrap_or(0),
         }
     };
     let trials = cells.map(trial).collect();
@@ -195,7 +198,7 @@ fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
     let mut reactions = Vec::new();
     for ((id, right), (_, wrong)) in right.iter().zip(wrong) {
         let pairs = || right.trials.iter().zip(&wrong.trials);
-        reactions.extend(pairs().map(|(right, wrong)| right.reacts(wrong)));
+        reactions.extend(pairs().map(|(right, wrong)| (right.reacts(wrong), wrong.failed)));
         if right.verdict == wrong.verdict {
             continue;
         }
@@ -213,21 +216,23 @@ fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
     }
 }
 
-/// A line for each measured trial: its claim, its name, its route, all that was found, that was stated and that was a scale, and to how
-/// many mistakes it reacts.
+/// A line for each measured trial: its claim, its name, its route, all that was found, that was stated and that was a scale, to how
+/// many mistakes it reacts, and how many of its comparisons disagree then in all: fewer, if it were made more lenient.
 pub fn reactions(right: &Verdicts, found: &[(&Mistake, Found)]) -> String {
-    let mut counts = vec![0; right.iter().map(|(_, j)| j.trials.len()).sum()];
+    let mut counts = vec![(0, 0); right.iter().map(|(_, j)| j.trials.len()).sum()];
     for (_, found) in found {
         if let Found::Changed { reactions, .. } = found {
-            let reacting = counts.iter_mut().zip(reactions).filter(|(_, r)| **r);
-            reacting.for_each(|(count, _)| *count += 1);
+            for ((count, disagreeing), (reacts, failed)) in counts.iter_mut().zip(reactions) {
+                *count += usize::from(*reacts);
+                *disagreeing += failed;
+            }
         }
     }
     let trials = right
         .iter()
         .flat_map(|(id, judged)| judged.trials.iter().map(move |said| (id, said)));
-    let mut out = "claim,trial,route,found,stated,scale,mistakes\n".to_owned();
-    for ((id, said), count) in trials.zip(counts) {
+    let mut out = "claim,trial,route,found,stated,scale,mistakes,disagree\n".to_owned();
+    for ((id, said), (count, disagree)) in trials.zip(counts) {
         let Said {
             name,
             route,
@@ -237,7 +242,7 @@ pub fn reactions(right: &Verdicts, found: &[(&Mistake, Found)]) -> String {
             ..
         } = said;
         if !["exact", "certified"].contains(&route.as_str()) {
-            out += &format!("{id},{name},{route},{found},{stated},{scale},{count}\n");
+            out += &format!("{id},{name},{route},{found},{stated},{scale},{count},{disagree}\n");
         }
     }
     out
