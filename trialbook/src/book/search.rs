@@ -176,6 +176,8 @@ impl Search {
             });
             let sign = claim.correction.filter(|_| verdict.is_wrong());
             let sign = sign.filter(|correction| correction.change == Change::Sign);
+            // What one means by it is in a formula, not in a sentence.
+            let sign = sign.filter(|_| claim.equation.is_some());
             let sign = sign.map(|_| "sign error".to_owned());
             let symbols = context.edition.symbols.iter();
             // A word that is to lead elsewhere does not lead here, whatever its case.
