@@ -977,6 +977,28 @@ fn a_claim_is_tried_in_depth() {
         first.starts_with("eq-16\t") && first != second,
         "{first}{second}"
     );
+    // Many jobs with a part each are one run.
+    let folder = tempfile::tempdir().unwrap();
+    let asked = ["verify", "eq-16", "eq-20", "--depth", "5"];
+    let with = |more: &[&str]| slipbook(&[&asked[..], more].concat());
+    let parts: Vec<_> = (1..=3)
+        .map(|part| {
+            let said = with(&["--shard", &format!("{part}/3")]);
+            assert!(said.status.success(), "{}", text(&said.stderr));
+            let path = folder.path().join(format!("{part}.tsv"));
+            std::fs::write(&path, said.stdout).unwrap();
+            path.to_str().unwrap().to_owned()
+        })
+        .collect();
+    for format in [&[][..], &["--json"], &["--csv"]] {
+        let joined = with(&[format, &["--parts", &parts[2], &parts[0], &parts[1]]].concat());
+        assert_eq!(joined.stdout, with(format).stdout);
+    }
+    let lost = with(&["--parts", &parts[0], &parts[2]]);
+    assert_eq!(lost.status.code(), Some(2));
+    assert!(text(&lost.stderr).contains("round 1 is missing"));
+    let refused = slipbook(&["verify", "--shard", "1/2"]);
+    assert!(text(&refused.stderr).contains("--depth"));
     let refused = slipbook(&["find", "0.5", "--depth", "3"]);
     assert_eq!(refused.status.code(), Some(2));
     assert!(text(&refused.stderr).contains("--depth goes without a command or with verify"));

@@ -1,7 +1,7 @@
 //! Depth: what another round brings is added to the evidence and judged with it.
 
 use slipbook::claims::PAPER;
-use slipbook::ledger::deep::{Deep, DeepError};
+use slipbook::ledger::deep::{Deep, DeepError, Rounds};
 use slipbook::ledger::{Ledger, Verdict};
 
 fn stop_time() -> Ledger {
@@ -67,6 +67,76 @@ fn a_record_is_read_as_it_was_written() {
     }
     for wrong in ["", "2026-01-02\t3\n", "2026-01-02\tthree\t7\n"] {
         assert!(matches!(Deep::read(wrong), Err(DeepError::Header(_))));
+    }
+}
+
+#[test]
+fn rounds_from_any_parts_are_one_run() {
+    let ledger = stop_time();
+    let round = |shift: f64| {
+        let lines = ledger.round();
+        let lines = lines.lines().map(|line| {
+            let columns: Vec<_> = line.split('\t').collect();
+            let worst = columns[3].parse::<f64>().unwrap() + shift;
+            format!("{}\t{worst:?}\tshift {shift}\n", columns[..3].join("\t"))
+        });
+        lines.collect::<String>()
+    };
+    let brought = [0.0, 0.0, 1e-17, f64::NAN, 1e-18].map(round);
+    let mut whole = ledger.clone();
+    let mut as_run = Rounds::default();
+    as_run.read(&Rounds::headed(0, &brought[0])).unwrap();
+    whole = as_run.in_place_of(&whole, 1).unwrap();
+    for brought in &brought[1..] {
+        whole.add(brought).unwrap();
+    }
+    let whole = whole.judged();
+    let parts = |numbers: &[u32]| -> String {
+        let of = |&n: &u32| Rounds::headed(n, &brought[n as usize]);
+        numbers.iter().map(of).collect()
+    };
+    let joined = |texts: &[&str], rounds| {
+        let mut joined = Rounds::default();
+        for text in texts {
+            joined.read(text)?;
+        }
+        joined.in_place_of(&ledger, rounds)
+    };
+    for texts in [
+        [parts(&[3, 4]), parts(&[0]), parts(&[1, 2])],
+        [parts(&[4, 2, 0]), String::new(), parts(&[3, 1])],
+    ] {
+        let joined = joined(&texts.each_ref().map(String::as_str), 5).unwrap();
+        assert_eq!(joined.record("", 5), whole.record("", 5));
+    }
+    let all = parts(&[0, 1, 2, 3, 4]);
+    let cut = all.trim_end();
+    let unfinished = &all[..all[..cut.rfind('\n').unwrap()].len() + 1];
+    for (texts, rounds, error) in [
+        (vec![&all[..], "round\t2\n"], 5, DeepError::Twice(2)),
+        (vec![&all], 6, DeepError::Missing(5)),
+        (
+            vec![&all],
+            4,
+            DeepError::Beyond {
+                round: 4,
+                rounds: 4,
+            },
+        ),
+        (vec![unfinished], 5, DeepError::Unfinished(4)),
+        (vec![cut], 5, DeepError::Rounds("the last line is cut off")),
+        (
+            vec!["round\tx\n"],
+            5,
+            DeepError::Rounds("a round has no number"),
+        ),
+        (
+            vec!["eq-20\n"],
+            5,
+            DeepError::Rounds("they begin with no `round`"),
+        ),
+    ] {
+        assert_eq!(joined(&texts, rounds).unwrap_err(), error);
     }
 }
 

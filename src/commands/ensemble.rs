@@ -1,7 +1,7 @@
 //! `ensemble`: where many particles on the turntable end, one line each, written while the others are still on
 //! their way.
 
-use super::axis::{Axis, Point, Shard, is_it_degrees};
+use super::axis::{Axis, Point, is_it_degrees};
 use crate::claims::solve::turntable::{End, Horizon, MotionError, Start};
 use crate::claims::solve::{Double, known};
 use crate::numerics::error::plain as number;
@@ -11,7 +11,7 @@ use serde_json::json;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
-use trialbook::cli::{VERSION, complain, progress, unwritten};
+use trialbook::cli::{Shard, VERSION, complain, progress, unwritten};
 use trialbook::edition::{Failure, Format};
 
 /// Exit code after Ctrl-C, as shells have it.

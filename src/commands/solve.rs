@@ -1,6 +1,6 @@
 //! The command `solve`: the calculators of [`crate::claims::solve`].
 
-use super::axis::{Axis, Point, Shard, is_it_degrees};
+use super::axis::{Axis, Point, is_it_degrees};
 use super::question::Question;
 use super::{plot, sweep};
 use crate::claims::solve::constant::At;
@@ -12,7 +12,7 @@ use crate::numerics::error::plain as number;
 use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;
-use trialbook::cli::{complain, csv, json, say, show};
+use trialbook::cli::{Shard, complain, csv, json, say, show};
 use trialbook::edition::{Failure, Format};
 
 /// A calculator.

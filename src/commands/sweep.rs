@@ -1,6 +1,6 @@
 //! A calculator at the points of a grid: a row each. One that is out of range is a row that says why.
 
-use super::axis::{Point, Shard};
+use super::axis::Point;
 use super::question::Question;
 use super::solve::word;
 use crate::claims::solve::{Field, Report, SolveError, VERSION, Value};
@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use serde_json::{Map, json};
 use std::fmt::Write as _;
 use std::io::{self, ErrorKind, Write};
-use trialbook::cli::unwritten;
+use trialbook::cli::{Shard, unwritten};
 use trialbook::edition::{Failure, Format};
 use trialbook::figures::{Cell, Table};
 

@@ -1,40 +1,49 @@
-//! A run in depth: the trials at ever other points, each round in a process of its own.
+//! A run in depth: the trials at ever other points, each round in a process of its own, or many jobs with a part of the rounds each.
 
+use super::output::{complain, say};
 use super::screen::progress;
+use super::shard::Shard;
 use crate::edition::Failure;
 use crate::ledger::Ledger;
-use std::env;
+use crate::ledger::deep::Rounds;
+use ctrlc::Error;
+use indicatif::ProgressBar;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::{env, fs};
 
-/// The ledger of a first round, with what `depth − 1` others bring, judged anew; and how many rounds were run. An
+/// How often the trials are made, and by whom.
+pub(super) struct Depth {
+    pub(super) rounds: u32,
+    /// How many threads a round has.
+    pub(super) jobs: Option<u16>,
+    /// Where the parts stand that other jobs have made; nothing if the rounds are still to be made.
+    pub(super) parts: Vec<PathBuf>,
+}
+
+/// The ledger of a usual run with what the other rounds bring, judged anew; and how many rounds there were. An
 /// interrupt ends it after the rounds that are done.
 pub(super) fn deepened(
     mut ledger: Ledger,
     ids: &[&str],
-    depth: u32,
-    jobs: Option<u16>,
+    depth: &Depth,
 ) -> Result<(Ledger, u32), Failure> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked = Arc::clone(&stop);
-    ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed))?;
-    let bar = progress(
-        depth.into(),
-        "{bar:40} {pos}/{len} rounds  {eta} left  {msg}",
-    );
+    if !depth.parts.is_empty() {
+        return Ok((joined(ledger, depth)?, depth.rounds));
+    }
+    if depth.rounds == 1 {
+        return Ok((ledger, 1));
+    }
+    let (stop, bar) = (interrupt()?, bar(depth.rounds));
     bar.inc(1);
     let mut rounds = 1;
-    while rounds < depth && !stop.load(Ordering::Relaxed) {
-        let output = round(rounds, ids, jobs)?;
-        if !output.status.success() {
-            if stop.load(Ordering::Relaxed) {
-                break;
-            }
-            let said = String::from_utf8_lossy(&output.stderr);
-            return Err(format!("round {rounds} failed: {}", said.trim()).into());
-        }
-        ledger.add(&String::from_utf8(output.stdout)?)?;
+    while rounds < depth.rounds {
+        let Some(brought) = round(rounds, ids, depth.jobs, &stop)? else {
+            break;
+        };
+        ledger.add(&brought)?;
         rounds += 1;
         bar.inc(1);
         bar.set_message(format!("{} comparisons", ledger.points()));
@@ -43,8 +52,90 @@ pub(super) fn deepened(
     Ok((ledger.judged(), rounds))
 }
 
+/// Prints what the rounds of this part bring.
+pub(super) fn part(ids: &[&str], shard: Shard, depth: &Depth) -> Result<u8, Failure> {
+    let range = shard.range(depth.rounds.into());
+    let stop = interrupt()?;
+    let bar = bar((range.end - range.start) as u32);
+    let mut text = String::new();
+    let mut left = range.start as u32..range.end as u32;
+    let whole = loop {
+        let Some(number) = left.next() else {
+            break true;
+        };
+        let Some(brought) = round(number, ids, depth.jobs, &stop)? else {
+            break false;
+        };
+        text += &Rounds::headed(number, &brought);
+        bar.inc(1);
+    };
+    bar.finish_and_clear();
+    if !text.is_empty() {
+        say(&text)?;
+    }
+    if whole {
+        return Ok(0);
+    }
+    complain("stopped", "the rounds so far are whole");
+    Ok(130)
+}
+
+/// The ledger with what the parts have brought in place of its own measurements.
+fn joined(ledger: Ledger, depth: &Depth) -> Result<Ledger, Failure> {
+    let read = |path: &Path| {
+        let text = fs::read_to_string(path);
+        text.map_err(|error| format!("{}: {error}", path.display()))
+    };
+    let texts = depth.parts.iter().map(|path| read(path));
+    let texts = texts.collect::<Result<Vec<_>, _>>()?;
+    let mut rounds = Rounds::default();
+    for (path, text) in depth.parts.iter().zip(&texts) {
+        let name = path.display();
+        rounds
+            .read(text)
+            .map_err(|error| format!("{name}: {error}"))?;
+    }
+    Ok(rounds.in_place_of(&ledger, depth.rounds)?)
+}
+
+/// Whether somebody has asked to stop.
+fn interrupt() -> Result<Arc<AtomicBool>, Error> {
+    let stop = Arc::new(AtomicBool::new(false));
+    let asked = Arc::clone(&stop);
+    ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed))?;
+    Ok(stop)
+}
+
+fn bar(rounds: u32) -> ProgressBar {
+    progress(
+        rounds.into(),
+        "{bar:40} {pos}/{len} rounds  {eta} left  {msg}",
+    )
+}
+
+/// What a round brings; nothing if somebody has asked to stop before its end.
+fn round(
+    number: u32,
+    ids: &[&str],
+    jobs: Option<u16>,
+    stop: &AtomicBool,
+) -> Result<Option<String>, Failure> {
+    if stop.load(Ordering::Relaxed) {
+        return Ok(None);
+    }
+    let output = asked(number, ids, jobs)?;
+    if output.status.success() {
+        return Ok(Some(String::from_utf8(output.stdout)?));
+    }
+    if stop.load(Ordering::Relaxed) {
+        return Ok(None);
+    }
+    let said = String::from_utf8_lossy(&output.stderr);
+    Err(format!("round {number} failed: {}", said.trim()).into())
+}
+
 /// This program, asked for a round.
-fn round(number: u32, ids: &[&str], jobs: Option<u16>) -> Result<Output, Failure> {
+fn asked(number: u32, ids: &[&str], jobs: Option<u16>) -> Result<Output, Failure> {
     let mut command = Command::new(env::current_exe()?);
     command
         .args(["verify", "--round", &number.to_string()])

@@ -1,6 +1,6 @@
 //! The commands that try claims: the main job, `verify`, `show`, `list` and `errata`.
 
-use super::deep::deepened;
+use super::deep::{Depth, deepened};
 use super::ids::known_all;
 use super::output::{VERSION, csv, json, say, show as shown};
 use super::screen::{progress, screen};
@@ -59,13 +59,6 @@ struct DifferenceRow<'a> {
     found: Option<&'a str>,
 }
 
-/// How often the trials are made, and by how many threads.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Depth {
-    pub(super) rounds: u32,
-    pub(super) jobs: Option<u16>,
-}
-
 /// What a command that tries claims has at the end.
 struct Tried {
     ledger: Ledger,
@@ -75,13 +68,10 @@ struct Tried {
 
 impl Tried {
     /// Tries all claims, or those of these ids.
-    fn new(paper: &'static Paper, ids: Option<&[&str]>, depth: Depth) -> Result<Self, Failure> {
+    fn new(paper: &'static Paper, ids: Option<&[&str]>, depth: &Depth) -> Result<Self, Failure> {
         let record = Record::parse(paper.record)?;
         let ledger = with_progress(paper, ids);
-        let (ledger, rounds) = match depth.rounds {
-            1 => (ledger, 1),
-            rounds => deepened(ledger, ids.unwrap_or_default(), rounds, depth.jobs)?,
-        };
+        let (ledger, rounds) = deepened(ledger, ids.unwrap_or_default(), depth)?;
         let mut differences = record.differences(&ledger);
         if ids.is_some() {
             differences.retain(|d| d.found.is_some());
@@ -156,7 +146,7 @@ impl Tried {
 pub(super) fn main_job(
     edition: &Edition,
     out: &Path,
-    depth: Depth,
+    depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
     let start = Instant::now();
@@ -191,7 +181,7 @@ pub(super) fn main_job(
 pub(super) fn verify(
     edition: &Edition,
     ids: &[String],
-    depth: Depth,
+    depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
     let known = known_all(edition, ids)?;
@@ -217,7 +207,7 @@ pub(super) fn round(edition: &Edition, ids: &[String], round: u64) -> Result<u8,
 }
 
 /// Prints the record of a deep run.
-pub(super) fn record(paper: &'static Paper, date: &str, depth: Depth) -> Result<u8, Failure> {
+pub(super) fn record(paper: &'static Paper, date: &str, depth: &Depth) -> Result<u8, Failure> {
     let tried = Tried::new(paper, None, depth)?;
     say(&tried.ledger.record(date, tried.rounds))?;
     Ok(tried.code())
@@ -227,7 +217,7 @@ pub(super) fn record(paper: &'static Paper, date: &str, depth: Depth) -> Result<
 pub(super) fn show(
     edition: &Edition,
     ids: &[String],
-    depth: Depth,
+    depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
     let tried = Tried::new(edition.paper, Some(&known_all(edition, ids)?), depth)?;
@@ -247,7 +237,7 @@ pub(super) fn list(
     paper: &'static Paper,
     verdict: Option<&str>,
     section: Option<&str>,
-    depth: Depth,
+    depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
     let of_section: Option<Vec<_>> = section.map(|section| {
@@ -270,7 +260,7 @@ pub(super) fn list(
 pub(super) fn print_errata(
     edition: &Edition,
     (kind, supplement): (ErrataFormat, bool),
-    depth: Depth,
+    depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
     let tried = Tried::new(edition.paper, None, depth)?;

@@ -13,10 +13,12 @@ mod ledger;
 mod output;
 mod schema;
 mod screen;
+mod shard;
 mod table;
 
 pub use output::{VERSION, complain, csv, json, no_table, say, show, unwritten};
 pub use screen::{Screen, progress, screen};
+pub use shard::Shard;
 
 use crate::edition::{Edition, Failure, Format};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -84,6 +86,12 @@ enum Command {
         /// Only print the record of a deep run of this date
         #[arg(long, hide = true, value_name = "DATE", requires = "depth", conflicts_with_all = ["ids", "json", "csv"])]
         record: Option<String>,
+        /// Only the rounds of the K-th of N equal parts of a deep run, for --parts
+        #[arg(long, value_name = "K/N", requires = "depth", conflicts_with_all = ["record", "json", "csv"])]
+        shard: Option<Shard>,
+        /// Instead of trying, join what the parts of a deep run have printed, in any order: the same answer, byte for byte
+        #[arg(long, value_name = "FILE", requires = "depth", num_args = 1.., conflicts_with_all = ["round", "shard"])]
+        parts: Vec<PathBuf>,
     },
     /// Seed mistakes in the formulas, and see which trial notices which: some minutes for all claims
     ///
@@ -230,15 +238,16 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
     }
     screen::settle(common.color, common.quiet);
     let format = common.format();
-    let depth = ledger::Depth {
+    let depth = deep::Depth {
         rounds: common.depth.unwrap_or(1),
         jobs: common.jobs,
+        parts: Vec::new(),
     };
     let out = matches.get_one::<PathBuf>("out");
     let Some((name, of_command)) = matches.subcommand() else {
         let usual = usual_folder(edition, Path::new("."));
         let out = out.map_or_else(|| usual, |out| Ok(out.clone()))?;
-        return ledger::main_job(edition, &out, depth, format);
+        return ledger::main_job(edition, &out, &depth, format);
     };
     if out.is_some() {
         return Err("--out goes without a command: it says where the book is written".into());
@@ -263,9 +272,19 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
             ..
         } => ledger::round(edition, &ids, round),
         Command::Verify {
-            record: Some(date), ..
-        } => ledger::record(paper, &date, depth),
-        Command::Verify { ids, .. } => ledger::verify(edition, &ids, depth, format),
+            ids,
+            shard: Some(shard),
+            ..
+        } => deep::part(&ids::known_all(edition, &ids)?, shard, &depth),
+        Command::Verify {
+            ids, record, parts, ..
+        } => {
+            let depth = deep::Depth { parts, ..depth };
+            match record {
+                Some(date) => ledger::record(paper, &date, &depth),
+                None => ledger::verify(edition, &ids, &depth, format),
+            }
+        }
         Command::Distrust { ids } => {
             let ids = ids::known_all(edition, &ids)?;
             distrust::distrust(edition, &ids, format)
@@ -274,14 +293,18 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
             let ids = ids::known_all(edition, &ids)?;
             certify::certify(edition, &ids, &into, format)
         }
-        Command::Show { ids } => ledger::show(edition, &ids, depth, format),
-        Command::List { verdict, section } => {
-            ledger::list(paper, verdict.as_deref(), section.as_deref(), depth, format)
-        }
+        Command::Show { ids } => ledger::show(edition, &ids, &depth, format),
+        Command::List { verdict, section } => ledger::list(
+            paper,
+            verdict.as_deref(),
+            section.as_deref(),
+            &depth,
+            format,
+        ),
         Command::Errata {
             format: kind,
             supplement,
-        } => ledger::print_errata(edition, (kind, supplement), depth, format),
+        } => ledger::print_errata(edition, (kind, supplement), &depth, format),
         Command::Find { number: None } => find::all(paper, format),
         Command::Find {
             number: Some(number),

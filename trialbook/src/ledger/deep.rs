@@ -2,6 +2,7 @@
 
 use super::{Entry, Ledger};
 use crate::evidence::Evidence;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// What a round has brought, as text that cannot be read.
@@ -36,6 +37,26 @@ pub enum DeepError {
         /// What the others add up to.
         found: usize,
     },
+    /// Rounds that do not begin with the number of one, or whose last line is cut off.
+    #[error("rounds of a deep run: {0}")]
+    Rounds(&'static str),
+    /// A round that two parts have.
+    #[error("round {0} is there twice")]
+    Twice(u32),
+    /// A round that no part has.
+    #[error("round {0} is missing")]
+    Missing(u32),
+    /// A round that is not one of the run.
+    #[error("there is a round {round}, and the run has {rounds}, from 0")]
+    Beyond {
+        /// Its number.
+        round: u32,
+        /// How many the run has.
+        rounds: u32,
+    },
+    /// A round that has not a line for each measured trial.
+    #[error("round {0} does not have a line for each trial")]
+    Unfinished(u32),
 }
 
 /// A line of a round: of which claim and trial, how many points, the largest disagreement, and where.
@@ -66,11 +87,11 @@ impl<'a> Brought<'a> {
 impl Evidence {
     /// Takes in what the same trial has brought at other points.
     fn take(&mut self, other: &Brought<'_>) {
-        self.points += other.points;
-        // No number is worse than any.
-        if other.worst > self.worst || other.worst.is_nan() {
+        // No number is worse than any, and any is worse than nothing.
+        if self.points == 0 || other.worst > self.worst || other.worst.is_nan() {
             (self.worst, self.at) = (other.worst, other.at.to_owned());
         }
+        self.points += other.points;
     }
 }
 
@@ -149,6 +170,17 @@ impl Ledger {
         measured.map(|e| e.points).sum()
     }
 
+    /// The same, as if nothing had been measured.
+    fn unmeasured(&self) -> Self {
+        let mut ledger = self.clone();
+        let evidence = ledger.entries.iter_mut().flat_map(|e| &mut e.evidence);
+        for e in evidence.filter(|e| !e.route.is_proof()) {
+            (e.points, e.worst) = (0, 0.0);
+            e.at.clear();
+        }
+        ledger
+    }
+
     /// The same evidence, judged anew.
     pub fn judged(mut self) -> Self {
         for entry in &mut self.entries {
@@ -198,17 +230,75 @@ impl<'a> Deep<'a> {
     /// # Errors
     /// As for [`Ledger::add`]; [`DeepError::Comparisons`] where lines are missing, or are there twice.
     pub fn in_place_of(&self, ledger: &Ledger) -> Result<Ledger, DeepError> {
-        let mut deep = ledger.clone();
-        let evidence = deep.entries.iter_mut().flat_map(|e| &mut e.evidence);
-        for e in evidence.filter(|e| !e.route.is_proof()) {
-            (e.points, e.worst) = (0, 0.0);
-            e.at.clear();
-        }
+        let mut deep = ledger.unmeasured();
         deep.add(self.brought)?;
         let (counted, found) = (self.comparisons, deep.measured_points());
         match counted == found {
             true => Ok(deep.judged()),
             false => Err(DeepError::Comparisons { counted, found }),
+        }
+    }
+}
+
+/// What the rounds of a deep run have brought, read from the parts that many jobs have made.
+#[derive(Debug, Default)]
+pub struct Rounds(BTreeMap<u32, String>);
+
+/// What goes before the number of a round.
+const HEAD: &str = "round\t";
+
+impl Rounds {
+    /// What a round has brought, with its number before it, for [`Rounds::read`].
+    pub fn headed(number: u32, brought: &str) -> String {
+        format!("{HEAD}{number}\n{brought}")
+    }
+
+    /// Takes in the rounds of a part.
+    ///
+    /// # Errors
+    /// [`DeepError::Rounds`] for text that is none, [`DeepError::Twice`] for a round that is here already.
+    pub fn read(&mut self, text: &str) -> Result<(), DeepError> {
+        let mut open = None;
+        for line in text.split_inclusive('\n') {
+            let line = line
+                .strip_suffix('\n')
+                .ok_or(DeepError::Rounds("the last line is cut off"))?;
+            if let Some(number) = line.strip_prefix(HEAD) {
+                let number = number.parse();
+                let number = number.map_err(|_| DeepError::Rounds("a round has no number"))?;
+                if self.0.insert(number, String::new()).is_some() {
+                    return Err(DeepError::Twice(number));
+                }
+                open = Some(number);
+                continue;
+            }
+            let round = open.and_then(|number| self.0.get_mut(&number));
+            let round = round.ok_or(DeepError::Rounds("they begin with no `round`"))?;
+            *round += line;
+            round.push('\n');
+        }
+        Ok(())
+    }
+
+    /// The ledger with what these rounds have brought in place of its own measurements, judged anew: as one run of so many
+    /// rounds would have it.
+    ///
+    /// # Errors
+    /// [`DeepError::Missing`], [`DeepError::Beyond`] and [`DeepError::Unfinished`] where these are not all rounds and no others,
+    /// each with all trials; and as for [`Ledger::add`].
+    pub fn in_place_of(&self, ledger: &Ledger, rounds: u32) -> Result<Ledger, DeepError> {
+        let trials = ledger.entries.iter().flat_map(Entry::measured).count();
+        let mut deep = ledger.unmeasured();
+        for number in 0..rounds {
+            let round = self.0.get(&number).ok_or(DeepError::Missing(number))?;
+            if round.lines().count() != trials {
+                return Err(DeepError::Unfinished(number));
+            }
+            deep.add(round)?;
+        }
+        match self.0.keys().next_back() {
+            Some(&round) if round >= rounds => Err(DeepError::Beyond { round, rounds }),
+            _ => Ok(deep.judged()),
         }
     }
 }
