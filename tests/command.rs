@@ -1022,3 +1022,54 @@ fn mistakes_are_put_to_the_trials_of_a_claim() {
     );
     assert_eq!(slipbook(&["distrust", "eq-999"]).status.code(), Some(2));
 }
+
+/// A table for programs and the JSON of the same question have the same under the same names; of a list the table has the length.
+#[test]
+fn a_table_and_its_json_say_the_same() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("certificates");
+    let out = out.to_str().unwrap();
+    for (arguments, rows) in [
+        (
+            &[
+                "ensemble",
+                "--rho",
+                "0.5:0.95:6",
+                "--p",
+                "0.1",
+                "--psi",
+                "0.3",
+            ][..],
+            "ends",
+        ),
+        (
+            &["distrust", "s2-no-permanent-rest", "s4-dichotomy"],
+            "trials",
+        ),
+        (&["certify", "eq-20", "--out", out], "proofs"),
+    ] {
+        let answer = json(arguments);
+        let table = text(&slipbook(&[arguments, &["--csv"]].concat()).stdout);
+        let mut lines = table
+            .lines()
+            .map(|line| line.split(',').collect::<Vec<_>>());
+        let head = lines.next().unwrap();
+        let answers = answer[rows].as_array().unwrap();
+        assert_eq!(lines.clone().count(), answers.len(), "{table}");
+        let mut compared = 0;
+        for (line, answer) in lines.zip(answers) {
+            for (name, cell) in head.iter().zip(line) {
+                let expected = match &answer[*name] {
+                    Value::Null => continue,
+                    Value::Bool(so) => u8::from(*so).to_string(),
+                    Value::Array(list) => list.len().to_string(),
+                    Value::String(word) => word.clone(),
+                    number => number.to_string(),
+                };
+                assert_eq!(cell, expected, "{name} of {answer}");
+                compared += 1;
+            }
+        }
+        assert!(compared >= 5 * answers.len(), "{compared}");
+    }
+}

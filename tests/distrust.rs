@@ -11,7 +11,6 @@ use slipbook::ledger::distrust::{Extent, Tried};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::path::Path;
 use std::sync::Arc;
 
 fn main() {
@@ -94,14 +93,10 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
 
 fn same_as_recorded(stem: &str, text: &str) -> Result<(), Failed> {
     let mut settings = Settings::clone_current();
-    settings.set_snapshot_path(
-        Path::new(env!("CARGO_MANIFEST_DIR"))
-            .join("snapshots")
-            .join(stem),
-    );
+    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots/distrust"));
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
-    let same = || settings.bind(|| assert_snapshot!("distrust", text));
+    let same = || settings.bind(|| assert_snapshot!(stem, text));
     catch_unwind(AssertUnwindSafe(same))
         .map_err(|_| "the trials of this chapter are more or less strict than recorded".into())
 }

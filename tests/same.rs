@@ -47,6 +47,24 @@ fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
         .filter(|(name, bytes)| other_book[*name] != **bytes);
     let differ: Vec<_> = differ.map(|(name, _)| name).collect();
     assert!(differ.is_empty(), "{differ:?}");
+    recorded("book", &published(&book));
+}
+
+/// What readers and programs are told: the main part of each page, and each file of text that is made of the ledger. Figures are recorded
+/// apart.
+fn published(book: &BTreeMap<String, Vec<u8>>) -> String {
+    let mut lines = String::new();
+    for (name, bytes) in book {
+        let text = String::from_utf8_lossy(bytes);
+        let told = match name.rsplit('.').next() {
+            _ if name.starts_with("/figures") => continue,
+            Some("html") => text.split_once("<main>").map_or("", |(_, main)| main),
+            Some("csv" | "json" | "tex" | "txt" | "yml") => &text,
+            _ => continue,
+        };
+        lines += &format!("{:016x} {name}\n", fnv1a(told));
+    }
+    lines
 }
 
 /// The figures are the recorded ones, to the byte, in whatever profile and on whatever machine this runs. The sheets
@@ -102,6 +120,57 @@ fn the_sentences_are_the_recorded_ones() {
         }
     }
     recorded("sentences", &lines);
+}
+
+/// Every number and every comparison in what decides is what was read before it was recorded: a threshold that no motion comes near can be
+/// another one without any result being another.
+#[test]
+fn the_thresholds_are_the_recorded_ones() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut files = BTreeMap::new();
+    for folder in ["src", "trialbook/src"] {
+        read(&root.join(folder), folder, &mut files);
+    }
+    let mut lines = String::new();
+    for (file, bytes) in &files {
+        let text = String::from_utf8_lossy(bytes).replace("\r\n", "\n");
+        if !file.ends_with(".rs") || file.contains("/tests") {
+            continue;
+        }
+        let code = text.split("#[cfg(test)]\nmod").next().unwrap();
+        let code = code
+            .lines()
+            .map(str::trim)
+            .filter(|line| !line.starts_with("//"));
+        let told: Vec<&str> = code.filter(|line| decides(line)).collect();
+        if !told.is_empty() {
+            let (count, hash) = (told.len(), fnv1a(&told.join("\n")));
+            lines += &format!("{hash:016x} {file}: {count} lines\n");
+        }
+    }
+    recorded("thresholds", &lines);
+}
+
+/// Whether a line of code compares, or has a number that is not a small whole one.
+fn decides(line: &str) -> bool {
+    let compares = [
+        " < ", " > ", " <= ", " >= ", " == ", " != ", "..=", ".max(", ".min(", "below(", "within(",
+    ];
+    let number = |pair: &[u8]| pair[0].is_ascii_digit() && matches!(pair[1], b'.' | b'e');
+    compares.iter().any(|sign| line.contains(sign)) || line.as_bytes().windows(2).any(number)
+}
+
+#[test]
+fn a_threshold_is_found_in_a_line() {
+    let lines = [
+        "p < 1e-29 &&",
+        "if a == b {",
+        "x * 0.5",
+        "f(2)",
+        "let x = y;",
+        "a.below(b)",
+    ];
+    assert_eq!(lines.map(decides), [true, true, true, false, false, true]);
 }
 
 /// The sections of a page by their headings, without the code, which is tested.

@@ -35,12 +35,19 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
     Ok(Filled::Block(table("exam", head, rows?)))
 }
 
-/// A number with one digit, as `3e‑5`; 0 as it is.
+/// A number with one digit, as 3 × 10⁻⁵ in HTML; 0 as it is.
 fn digit(x: f64) -> String {
-    match x {
-        0.0 => "0".to_owned(),
-        // Not torn at the end of a line.
-        x => format!("{x:.0e}").replace('-', "\u{2011}"),
+    let scientific = format!("{x:.0e}");
+    match scientific.split_once('e') {
+        Some((digit, power)) if x != 0.0 && power != "0" => {
+            // Not torn at the end of a line.
+            format!(
+                "{digit}\u{a0}×\u{a0}10<sup>{}</sup>",
+                power.replace('-', "−")
+            )
+        }
+        Some((digit, _)) => digit.to_owned(),
+        None => scientific,
     }
 }
 

@@ -141,9 +141,14 @@ impl Ledger {
                 ", {n} of the statements but for points at which they have no value or that fill no interval"
             ),
         };
-        let open = match counts[&Verdict::Undecided] {
-            0 => String::new(),
-            n => format!("; {n} could not be decided"),
+        let open = self.entries.iter();
+        let open = open.filter(|entry| entry.judgement.verdict == Verdict::Undecided);
+        let open: Vec<_> = open
+            .map(|entry| format!("{} (section {})", entry.claim.title, entry.claim.section))
+            .collect();
+        let open = match open.is_empty() {
+            true => String::new(),
+            false => format!("; undecided: {}", open.join(", ")),
         };
         format!("The rest is right as printed{but}{open}.")
     }

@@ -235,6 +235,10 @@ mod tests {
             ("-(30+60)°", -PI / 2.0),
             ("exp(ln(3)) - tan(45 deg)", 2.0),
             ("acos(-1)−asin(1)", PI / 2.0),
+            ("cos(pi/3)", 0.5),
+            ("sinh(ln(2))", 0.75),
+            ("cosh(ln(2))", 1.25),
+            ("tanh(ln(2))", 0.6),
         ] {
             match value(text) {
                 Ok(found) => assert!(
