@@ -141,10 +141,17 @@ impl Ledger {
                 ", {n} of the statements but for points at which they have no value or that fill no interval"
             ),
         };
-        let open = match counts[&Verdict::Undecided] {
-            0 => String::new(),
-            n => format!("; {n} could not be decided"),
-        };
+        let open: Vec<_> = self
+            .entries
+            .iter()
+            .filter(|entry| entry.judgement.verdict == Verdict::Undecided)
+            .map(|entry| {
+                let (section, title) = (entry.claim.section, entry.claim.title);
+                let why = entry.judgement.ground.trim_end_matches('.');
+                format!("; undecided is, in section {section}, the {title}: {why}")
+            })
+            .collect();
+        let open = open.concat();
         format!("The rest is right as printed{but}{open}.")
     }
 
