@@ -141,18 +141,25 @@ impl Ledger {
                 ", {n} of the statements but for points at which they have no value or that fill no interval"
             ),
         };
-        let open: Vec<_> = self
-            .entries
-            .iter()
-            .filter(|entry| entry.judgement.verdict == Verdict::Undecided)
-            .map(|entry| {
-                let (section, title) = (entry.claim.section, entry.claim.title);
-                let why = entry.judgement.ground.trim_end_matches('.');
-                format!("; undecided is, in section {section}, the {title}: {why}")
-            })
-            .collect();
-        let open = open.concat();
-        format!("The rest is right as printed{but}{open}.")
+        format!("The rest is right as printed{but}.{}", self.undecided())
+    }
+
+    /// Which statements are undecided, and why: a sentence or two for each, none where there are none.
+    fn undecided(&self) -> String {
+        let open = self.entries.iter();
+        let open = open.filter(|entry| entry.judgement.verdict == Verdict::Undecided);
+        open.map(|entry| {
+            let measured = self.paper.measured.iter();
+            let known = measured.filter(|m| m.claims.contains(&entry.claim.id));
+            let why = known.map(|m| m.reason).next();
+            format!(
+                " Undecided is a statement of section {}: {} {}",
+                entry.claim.section,
+                closed(entry.claim.latex),
+                closed(why.unwrap_or(&entry.judgement.ground))
+            )
+        })
+        .collect()
     }
 
     /// The name of a claim, behind its section where it has no number, and without what explains it behind a colon.
