@@ -445,7 +445,12 @@ impl Style for Latex {
 fn tex_words(words: &str) -> String {
     let parts = words.split('$').enumerate().map(|(i, part)| match i % 2 {
         0 => tex_plain(part),
-        _ => format!("${part}$"),
+        // Between \left and \right no line can break.
+        _ => format!(
+            "${}$",
+            part.replace(r"\left[", r"\bigl[")
+                .replace(r"\right]", r"\bigr]")
+        ),
     });
     // Neighbours join into one formula.
     parts.collect::<String>().replace("$$", " ")
@@ -499,6 +504,7 @@ mod tests {
             r"$\mathfrak w_{y}$, $v_{x}$ to $2.3\times10^{4}$ of $10^{-8}$, 230"
         );
         assert_eq!(tex_words("A/τ^(3/2) = -5"), r"$A/\tau^{3/2} = -5$");
+        assert_eq!(tex_words(r"so $\left[a+b\right]$"), r"so $\bigl[a+b\bigr]$");
     }
 
     #[test]
