@@ -515,7 +515,7 @@ const CLAIMS: &[Claim] = &[
     Claim {
         id: "s21-portrait-consistent",
         section: "2.1",
-        title: "agreement with the cited article on the inclined plane",
+        title: "agreement with the inclined plane",
         latex: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         plain: "The results agree with those for the inclined plane in Eur. J. Phys. 32, 1049.",
         depends_on: &["eq-11", "eq-13", "eq-20"],

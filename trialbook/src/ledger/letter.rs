@@ -141,16 +141,25 @@ impl Ledger {
                 ", {n} of the statements but for points at which they have no value or that fill no interval"
             ),
         };
+        format!("The rest is right as printed{but}.{}", self.undecided())
+    }
+
+    /// Which statements are undecided, and why: a sentence or two for each, none where there are none.
+    fn undecided(&self) -> String {
         let open = self.entries.iter();
         let open = open.filter(|entry| entry.judgement.verdict == Verdict::Undecided);
-        let open: Vec<_> = open
-            .map(|entry| format!("{} (section {})", entry.claim.title, entry.claim.section))
-            .collect();
-        let open = match open.is_empty() {
-            true => String::new(),
-            false => format!("; undecided: {}", open.join(", ")),
-        };
-        format!("The rest is right as printed{but}{open}.")
+        open.map(|entry| {
+            let measured = self.paper.measured.iter();
+            let known = measured.filter(|m| m.claims.contains(&entry.claim.id));
+            let why = known.map(|m| m.reason).next();
+            format!(
+                " Undecided is a statement of section {}: {} {}",
+                entry.claim.section,
+                closed(entry.claim.latex),
+                closed(why.unwrap_or(&entry.judgement.ground))
+            )
+        })
+        .collect()
     }
 
     /// The name of a claim, behind its section where it has no number, and without what explains it behind a colon.
@@ -436,7 +445,12 @@ impl Style for Latex {
 fn tex_words(words: &str) -> String {
     let parts = words.split('$').enumerate().map(|(i, part)| match i % 2 {
         0 => tex_plain(part),
-        _ => format!("${part}$"),
+        // Between \left and \right no line can break.
+        _ => format!(
+            "${}$",
+            part.replace(r"\left[", r"\bigl[")
+                .replace(r"\right]", r"\bigr]")
+        ),
     });
     // Neighbours join into one formula.
     parts.collect::<String>().replace("$$", " ")
@@ -490,6 +504,7 @@ mod tests {
             r"$\mathfrak w_{y}$, $v_{x}$ to $2.3\times10^{4}$ of $10^{-8}$, 230"
         );
         assert_eq!(tex_words("A/τ^(3/2) = -5"), r"$A/\tau^{3/2} = -5$");
+        assert_eq!(tex_words(r"so $\left[a+b\right]$"), r"so $\bigl[a+b\bigr]$");
     }
 
     #[test]
