@@ -1073,3 +1073,28 @@ fn a_table_and_its_json_say_the_same() {
         assert!(compared >= 5 * answers.len(), "{compared}");
     }
 }
+
+/// The rounds of a deep run are all at other points, however many there are.
+#[test]
+fn each_round_has_points_of_its_own() {
+    let mut rounds: Vec<_> = [0, 1, 2, 3, 4, 5, 8, 16, 64, 100]
+        .into_iter()
+        .map(|round: u32| {
+            text(&slipbook(&["verify", "eq-2", "--round", &round.to_string()]).stdout)
+        })
+        .collect();
+    let all = rounds.len();
+    rounds.sort();
+    rounds.dedup();
+    assert_eq!(rounds.len(), all);
+}
+
+/// Where a mistake passes, the JSON of the claim says so.
+#[test]
+fn json_counts_the_mistakes_that_pass() {
+    let shown = text(&slipbook(&["show", "s21-friction-cannot-hold", "--json"]).stdout);
+    assert!(
+        shown.contains("\"rejected\": 6") && !shown.contains("\"rejected\": 7"),
+        "{shown}"
+    );
+}

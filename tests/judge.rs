@@ -444,3 +444,24 @@ fn a_root_at_an_end_is_that_end() {
     let at = |low, high| root(|x| x - 2.0, low, high).unwrap();
     assert_eq!([at(2.0, 3.0), at(1.0, 2.0)], [2.0; 2]);
 }
+
+#[test]
+fn nineteen_points_are_too_few_by_any_measured_route() {
+    for route in [
+        Route::Integration,
+        Route::Quadrature,
+        Route::Root,
+        Route::Limit,
+        Route::Census,
+        Route::Consistency,
+    ] {
+        let outcome = |points| {
+            let evidence = evidence(route, Subject::Printed, GOOD);
+            Evidence { points, ..evidence }.outcome()
+        };
+        assert_eq!(
+            [19, 20].map(outcome),
+            [Outcome::TooFewPoints, Outcome::Agrees]
+        );
+    }
+}

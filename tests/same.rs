@@ -51,13 +51,13 @@ fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
 }
 
 /// What readers and programs are told: the main part of each page, and each file of text that is made of the ledger. Figures are recorded
-/// apart.
+/// apart, and the pages of code are the code.
 fn published(book: &BTreeMap<String, Vec<u8>>) -> String {
     let mut lines = String::new();
     for (name, bytes) in book {
         let text = String::from_utf8_lossy(bytes);
         let told = match name.rsplit('.').next() {
-            _ if name.starts_with("/figures") => continue,
+            _ if name.starts_with("/figures") || name.starts_with("/code") => continue,
             Some("html") => text.split_once("<main>").map_or("", |(_, main)| main),
             Some("csv" | "json" | "tex" | "txt" | "yml") => &text,
             _ => continue,
@@ -102,7 +102,7 @@ fn the_sentences_are_the_recorded_ones() {
             Some("md") => sections(&text),
             Some("rs") if file.contains("/tests") => continue,
             Some("rs") => {
-                let code = text.split("#[cfg(test)]\nmod").next().unwrap();
+                let code = without_tests(&text);
                 let mut said = sentences(code);
                 if file.starts_with("src/paper") || file.starts_with("src/corrections") {
                     let documented = code
@@ -137,7 +137,7 @@ fn the_thresholds_are_the_recorded_ones() {
         if !file.ends_with(".rs") || file.contains("/tests") {
             continue;
         }
-        let code = text.split("#[cfg(test)]\nmod").next().unwrap();
+        let code = without_tests(&text);
         let code = code
             .lines()
             .map(str::trim)
@@ -171,6 +171,11 @@ fn a_threshold_is_found_in_a_line() {
         "a.below(b)",
     ];
     assert_eq!(lines.map(decides), [true, true, true, false, false, true]);
+}
+
+/// A file of code up to the tests in it; where they stand in a file of their own, all of it.
+fn without_tests(code: &str) -> &str {
+    code.split("#[cfg(test)]\nmod tests {").next().unwrap()
 }
 
 /// The sections of a page by their headings, without the code, which is tested.

@@ -224,6 +224,20 @@ mod tests {
     }
 
     #[test]
+    fn the_errors_of_both_halves_count() {
+        let root = |x: f64| libm::sqrt(x);
+        let one = integral(root, 0.0, 1.0).unwrap().error;
+        assert!(one > 0.0);
+        for both in [
+            between_ends(root, |_| 0.0, 2.0),
+            between_ends(|_| 0.0, root, 2.0),
+        ] {
+            assert_eq!(both.unwrap().error, one);
+        }
+        assert_eq!(between_ends(root, root, 2.0).unwrap().error, 2.0 * one);
+    }
+
+    #[test]
     fn halves_may_have_no_finite_sum() {
         let half = integral(|_| 1.5e308, 0.0, 1.0).unwrap();
         assert!((half.value / 1.5e308 - 1.0).abs() < 1e-13);
