@@ -122,7 +122,7 @@ pub fn never_grows() -> Evidence {
     let mut points = Points::stream(321);
     trial.over(0..24, |_| {
         let (rough, v) = (Rough::any(&mut points), start(&mut points));
-        let states = followed(|theta| rough.towards(theta), v, 2.0)?;
+        let states = followed(|theta| rough.towards(theta), v, 1.0)?;
         let logarithm = |[a, b, _]: &Logarithms| a + b;
         let grows = states
             .windows(2)
