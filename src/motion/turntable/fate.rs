@@ -131,7 +131,7 @@ pub(crate) enum Ending<T> {
 /// An ending, and what the speeds on the way were.
 pub(crate) type Followed<T> = (Ending<T>, Speeds);
 
-/// Steps after which a fate is undecided: ten times as many as any of a million took.
+/// Steps after which a fate is undecided: ten times as many as any of 200,000 random starts took.
 pub const STEPS: usize = 2_000;
 
 /// Terms of the series: the fastest number for steps that need no dense output.
