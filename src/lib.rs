@@ -14,7 +14,8 @@
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
 //! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
 //! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
-//! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`] what is this paper's own. For parameters of your own there are the calculators of [`claims::solve`].
+//! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`]
+//! what is this paper's own. For parameters of your own there are the calculators of [`claims::solve`].
 //!
 //! What knows no paper is a crate of its own, [`trialbook`]; its rooms stand here under their names.
 //!

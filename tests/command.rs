@@ -275,6 +275,48 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
     }
 }
 
+/// What the rest of the line leaves idle is not taken in silence.
+#[test]
+fn no_option_is_given_in_vain() {
+    let cases = [
+        ("constant --lambda 1 --v0 1 --theta0 1 --time 1", "g mu"),
+        ("sinusoidal --lambda0 0.5", "g mu a0"),
+        ("pulse --eta 0.5 --lambda0 0.5", "g mu a0"),
+        ("anisotropic --q 2 --lambda0 0.5", "g mu a0"),
+        ("sphere --gamma 1 --u0 1 --theta0 1 --time 1", "g mu accel"),
+        (
+            "turntable --rho 0.5 --p 0.1 --psi 1",
+            "A alpha x y vx vy r speed mu omega g",
+        ),
+        (
+            "turntable --A 0.5 --alpha 1 --psi 1",
+            "rho p x y vx vy r speed mu omega g",
+        ),
+        (
+            "turntable --x 0 --y 0 --vx 0 --vy 0",
+            "psi rho p A alpha r speed mu omega g",
+        ),
+        (
+            "turntable --r 0.1 --speed 0.1 --psi 1 --mu 0.3 --omega 3",
+            "rho p A alpha x y vx vy",
+        ),
+    ];
+    for (line, idle) in cases {
+        let asked = format!("solve {line}");
+        let output = slipbook(&asked.split(' ').collect::<Vec<_>>());
+        assert!(output.status.success(), "{asked}: {}", text(&output.stderr));
+        for option in idle.split(' ') {
+            let more = format!("{asked} --{option} 1");
+            let output = slipbook(&more.split(' ').collect::<Vec<_>>());
+            assert_eq!(output.status.code(), Some(2), "{more}");
+            assert!(
+                text(&output.stderr).contains("cannot be used with"),
+                "{more}"
+            );
+        }
+    }
+}
+
 #[test]
 fn an_answer_is_text_json_or_a_table() {
     let solve = "solve constant --lambda 0.5 --v0 1 --theta0 -1 --time 2";

@@ -104,8 +104,29 @@ enum Problem {
 /// The acceleration of gravity where nobody says another, in m/s².
 const GRAVITY: &str = "9.80665";
 
+/// The friction on a unit of mass in SI units, in place of a ratio.
+#[derive(Args)]
+struct Weight {
+    /// The coefficient of friction μ instead, all in SI units
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    mu: Option<Axis>,
+    /// The acceleration of gravity g in m/s², beside --mu
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
+    g: Axis,
+}
+
+impl Weight {
+    /// μg, where μ is given.
+    fn on(&self, point: &mut Point) -> Option<Double> {
+        let mu = self.mu?;
+        let g = point.on("g", &self.g);
+        Some(point.on("mu", &mu) * g)
+    }
+}
+
 /// Friction over the drive's amplitude: as it is, or by both in SI units.
 #[derive(Args)]
+#[command(mut_arg("mu", |mu| mu.requires("a0")), mut_arg("g", |g| g.conflicts_with("lambda0")))]
 struct Friction {
     /// λ₀ = μg/A₀, friction over the drive's amplitude; with anisotropic friction, the forward one
     #[arg(
@@ -116,41 +137,33 @@ struct Friction {
         conflicts_with = "mu"
     )]
     lambda0: Option<Axis>,
-    /// The coefficient of friction μ instead, with --a0
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "a0"
-    )]
-    mu: Option<Axis>,
+    #[command(flatten)]
+    weight: Weight,
     /// The drive's amplitude A₀ in m/s²
     #[arg(
         long,
         value_name = "RANGE",
         allow_hyphen_values = true,
-        requires = "mu"
+        requires = "mu",
+        conflicts_with = "lambda0"
     )]
     a0: Option<Axis>,
-    /// The acceleration of gravity g in m/s²
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
-    g: Axis,
 }
 
 impl Friction {
     fn on(&self, point: &mut Point) -> Double {
-        match (self.mu, self.a0, self.lambda0) {
-            (Some(mu), Some(a0), _) => {
-                let g = point.on("g", &self.g);
-                let a0 = point.on("a0", &a0);
-                point.on("mu", &mu) * g / a0
+        match &self.a0 {
+            Some(a0) => {
+                let a0 = point.on("a0", a0);
+                self.weight.on(point).unwrap_or_default() / a0
             }
-            (_, _, lambda0) => point.on("lambda0", &lambda0.unwrap_or_default()),
+            None => point.on("lambda0", &self.lambda0.unwrap_or_default()),
         }
     }
 }
 
 #[derive(Args)]
+#[command(mut_arg("mu", |mu| mu.requires("accel")), mut_arg("g", |g| g.conflicts_with("lambda")))]
 struct Constant {
     /// λ = μg/A, friction over acceleration
     #[arg(
@@ -161,17 +174,8 @@ struct Constant {
         conflicts_with = "mu"
     )]
     lambda: Option<Axis>,
-    /// The coefficient of friction μ instead, with --accel; all in SI units
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "accel"
-    )]
-    mu: Option<Axis>,
-    /// The acceleration of gravity g in m/s², beside --mu
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
-    g: Axis,
+    #[command(flatten)]
+    weight: Weight,
     /// Initial speed
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     v0: Axis,
@@ -186,6 +190,7 @@ struct Constant {
 }
 
 #[derive(Args)]
+#[command(mut_arg("mu", |mu| mu.requires("accel")), mut_arg("g", |g| g.conflicts_with("gamma")))]
 struct Sphere {
     /// γ = A/(μg)
     #[arg(
@@ -196,25 +201,17 @@ struct Sphere {
         conflicts_with = "mu"
     )]
     gamma: Option<Axis>,
-    /// The coefficient of friction μ instead, with --accel
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "accel"
-    )]
-    mu: Option<Axis>,
+    #[command(flatten)]
+    weight: Weight,
     /// The plane's acceleration A in m/s², beside --mu
     #[arg(
         long,
         value_name = "RANGE",
         allow_hyphen_values = true,
-        requires = "mu"
+        requires = "mu",
+        conflicts_with = "gamma"
     )]
     accel: Option<Axis>,
-    /// The acceleration of gravity g in m/s², beside --mu
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
-    g: Axis,
     /// Initial slip
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     u0: Axis,
@@ -262,31 +259,31 @@ struct Turntable {
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
     psi: Option<Axis>,
     /// Speed p of a start by --rho
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "rho", conflicts_with_all = ["A", "x"])]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "rho", conflicts_with_all = ["A", "x", "r"])]
     p: Option<Axis>,
     /// α of a start by --A
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "A", conflicts_with_all = ["rho", "x"])]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "A", conflicts_with_all = ["rho", "x", "r"])]
     alpha: Option<Axis>,
     /// Position y of a start by --x
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     y: Option<Axis>,
     /// Velocity along x, relative to the table
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     vx: Option<Axis>,
     /// Velocity along y, relative to the table
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A"])]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     vy: Option<Axis>,
     /// Speed relative to the table in m/s, of a start by --r
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
     speed: Option<Axis>,
     /// The coefficient of friction μ, of a start by --r
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
     mu: Option<Axis>,
     /// The table's angular velocity Ω in 1/s, of a start by --r
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r")]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
     omega: Option<Axis>,
     /// The acceleration of gravity g in m/s², of a start by --r
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY, conflicts_with_all = ["rho", "A", "x"])]
     g: Axis,
     /// Ask for the state at this time, in units of 1/Ω
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
@@ -353,11 +350,8 @@ impl Constant {
         let accel = point.on("accel", &accel);
         let theta0 = point.on("theta0", &self.theta0);
         let v0 = point.on("v0", &self.v0);
-        let lambda = match self.mu {
-            Some(mu) => {
-                let g = point.on("g", &self.g);
-                point.on("mu", &mu) * g / accel
-            }
+        let lambda = match self.weight.on(point) {
+            Some(weight) => weight / accel,
             None => point.on("lambda", &self.lambda.unwrap_or_default()),
         };
         constant::Problem {
@@ -376,13 +370,12 @@ impl Sphere {
         let kappa = point.on("kappa", &self.kappa);
         let theta0 = point.on("theta0", &self.theta0);
         let u0 = point.on("u0", &self.u0);
-        let gamma = match (self.mu, self.accel) {
-            (Some(mu), Some(accel)) => {
-                let g = point.on("g", &self.g);
-                let accel = point.on("accel", &accel);
-                accel / (point.on("mu", &mu) * g)
+        let gamma = match &self.accel {
+            Some(accel) => {
+                let accel = point.on("accel", accel);
+                accel / self.weight.on(point).unwrap_or_default()
             }
-            _ => point.on("gamma", &self.gamma.unwrap_or_default()),
+            None => point.on("gamma", &self.gamma.unwrap_or_default()),
         };
         sphere::Problem {
             gamma,

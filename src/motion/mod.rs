@@ -14,6 +14,9 @@
 //! singular ([`particle`]). And a body at rest whose friction is just overcome has no direction yet; its
 //! first moments come from a power series in t about the start.
 //!
+//! A [`spring`] may hold the block too: one more force in the same law. What is known of A(t) by its values alone,
+//! from a function or a table, becomes pieces of polynomials with a stated error ([`fitted`]).
+//!
 //! No solution in closed form is used here, not even as a first guess.
 
 pub mod acceleration;

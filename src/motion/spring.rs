@@ -27,7 +27,7 @@ pub struct Spring {
 
 /// Where the block is and how it moves.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
+pub struct SpringState {
     /// Time.
     pub t: f64,
     /// Position, in length.
@@ -38,11 +38,11 @@ pub struct State {
 
 /// A motion from a start to an end.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
+pub struct SpringMotion {
     /// Each moment at which the velocity has become zero, in order.
-    pub turns: Vec<State>,
+    pub turns: Vec<SpringState>,
     /// The state at the end.
-    pub end: State,
+    pub end: SpringState,
 }
 
 /// Steps that a motion may take.
@@ -57,7 +57,12 @@ impl Spring {
     /// [`MotionError::Argument`] for a frequency or friction that is negative or above 10⁵⁰, a start or an end that is
     /// not finite, an end before the start; [`MotionError::Steps`] after 50,000 steps; [`MotionError::Numerics`] when
     /// the motion leaves the finite numbers.
-    pub fn run(&self, pull: &Signal, start: State, until: f64) -> Result<Motion, MotionError> {
+    pub fn run(
+        &self,
+        pull: &Signal,
+        start: SpringState,
+        until: f64,
+    ) -> Result<SpringMotion, MotionError> {
         for (name, size) in [("frequency", self.frequency), ("friction", self.friction)] {
             check(
                 name,
@@ -83,7 +88,7 @@ impl Spring {
         for _ in 0..STEPS {
             if state.t >= until {
                 finite(state.t, &[state.x, state.v])?;
-                return Ok(Motion { turns, end: state });
+                return Ok(SpringMotion { turns, end: state });
             }
             let series = pull.coefficients(state.t);
             let horizon = pull
@@ -106,7 +111,7 @@ impl Spring {
             };
             let (after, turned) = self.slide(&series, state, (sign, smooth), left)?;
             state = if after.t + left * f64::EPSILON >= horizon && !turned {
-                State {
+                SpringState {
                     t: horizon,
                     ..after
                 }
@@ -127,9 +132,9 @@ impl Spring {
     fn stick(
         &self,
         pull: &Coefficients,
-        state: State,
+        state: SpringState,
         left: f64,
-    ) -> Result<(State, Option<f64>), MotionError> {
+    ) -> Result<(SpringState, Option<f64>), MotionError> {
         let mut first: Option<(f64, f64)> = None;
         for sign in [1.0, -1.0] {
             let mut excess = pull.map(|c| sign * c);
@@ -149,14 +154,14 @@ impl Spring {
         }
         Ok(match first {
             Some((at, sign)) => (
-                State {
+                SpringState {
                     t: state.t + at,
                     ..state
                 },
                 Some(sign),
             ),
             None => (
-                State {
+                SpringState {
                     t: state.t + left,
                     ..state
                 },
@@ -169,10 +174,10 @@ impl Spring {
     fn slide(
         &self,
         pull: &Coefficients,
-        state: State,
+        state: SpringState,
         (sign, smooth): (f64, bool),
         left: f64,
-    ) -> Result<(State, bool), MotionError> {
+    ) -> Result<(SpringState, bool), MotionError> {
         let stiffness = self.frequency * self.frequency;
         let (mut x, mut v) = ([0.0; TERMS], [0.0; TERMS]);
         (x[0], v[0]) = (state.x, state.v);
@@ -191,7 +196,7 @@ impl Spring {
             .into_iter()
             .find(|root| root.way != Way::Touching);
         let at = turn.map_or(h, |root| root.at);
-        let next = State {
+        let next = SpringState {
             t: state.t + at,
             x: value(&x, &at),
             v: if turn.is_some() { 0.0 } else { value(&v, &at) },
@@ -207,8 +212,8 @@ mod tests {
 
     const NONE: Signal = Signal::Polynomial(Vec::new());
 
-    fn at(x: f64, v: f64) -> State {
-        State { t: 0.0, x, v }
+    fn at(x: f64, v: f64) -> SpringState {
+        SpringState { t: 0.0, x, v }
     }
 
     #[test]

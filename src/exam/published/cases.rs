@@ -5,7 +5,7 @@ use super::{Case, Source};
 use crate::exam::ExamError;
 use crate::motion::drive::{Drive, DriveState, Friction};
 use crate::motion::sphere::{Ball, Contact, Sphere};
-use crate::motion::spring::{self, Spring};
+use crate::motion::spring::{Spring, SpringState};
 use crate::motion::turntable::{self, Table, rotating};
 use crate::motion::{Motion, Plane, Signal, State, run, run_to_stop};
 use crate::numerics::roots::root;
@@ -483,12 +483,12 @@ fn coin_friction(radius: f64, omega: f64) -> Result<f64, ExamError> {
 }
 
 /// A block on a spring, until it rests.
-fn spring_at_rest() -> Result<spring::State, ExamError> {
+fn spring_at_rest() -> Result<SpringState, ExamError> {
     let spring = Spring {
         frequency: 1.0,
         friction: 1.0,
     };
-    let start = spring::State {
+    let start = SpringState {
         t: 0.0,
         x: 12.0,
         v: 6.0,

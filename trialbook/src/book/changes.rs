@@ -34,11 +34,10 @@ pub(super) fn marked(old: &str, new: &str) -> [String; 2] {
     let read = |text| Reader { text, at: 0 }.parts();
     let (a, b) = (read(old), read(new));
     let alike = !common(&a, &b).is_empty();
-    match (alike, a.as_slice(), b.as_slice()) {
-        (true, ..) => compare(&a, &b),
-        (_, [one], [two]) if let Some(texts) = opened(one, two) => texts,
-        _ => [old, new].map(str::to_owned),
+    if alike {
+        return compare(&a, &b);
     }
+    opened(&a, &b).unwrap_or_else(|| [old, new].map(str::to_owned))
 }
 
 /// Reads LaTeX from one place to the next.
@@ -167,15 +166,10 @@ fn compare(a: &[Part<'_>], b: &[Part<'_>]) -> [String; 2] {
     let mut out = [String::new(), String::new()];
     let (mut i, mut j) = (0, 0);
     for (next, other) in common(a, b).into_iter().chain([(a.len(), b.len())]) {
-        match (&a[i..next], &b[j..other]) {
-            ([one], [two]) if let Some(opened) = opened(one, two) => {
-                out[0].push_str(&opened[0]);
-                out[1].push_str(&opened[1]);
-            }
-            (one, two) => {
-                out[0].push_str(&mark(one));
-                out[1].push_str(&mark(two));
-            }
+        let (one, two) = (&a[i..next], &b[j..other]);
+        let texts = opened(one, two).unwrap_or_else(|| [mark(one), mark(two)]);
+        for (text, more) in out.iter_mut().zip(texts) {
+            text.push_str(&more);
         }
         for (text, same) in out.iter_mut().zip([a.get(next), b.get(other)]) {
             text.push_str(&same.map_or(String::new(), latex));
@@ -186,7 +180,10 @@ fn compare(a: &[Part<'_>], b: &[Part<'_>]) -> [String; 2] {
 }
 
 /// Two parts of one kind, with marks inside them.
-fn opened(one: &Part<'_>, two: &Part<'_>) -> Option<[String; 2]> {
+fn opened(one: &[Part<'_>], two: &[Part<'_>]) -> Option<[String; 2]> {
+    let ([one], [two]) = (one, two) else {
+        return None;
+    };
     let inside = |a: &[Part<'_>], b: &[Part<'_>]| compare(a, b).map(|text| format!("{{{text}}}"));
     let mut out = [String::new(), String::new()];
     let mut push = |texts: [String; 2]| {
