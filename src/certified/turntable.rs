@@ -19,8 +19,12 @@
 //! A particle that never rests goes away for ever: within bounds ρ² − p² would converge, and with it the way and the
 //! place, where the pull would have to be balanced for good.
 
+mod strip;
+
+pub use strip::{Margins, Strip};
+
 use super::error::CertifiedError;
-use super::flow::{TERMS, Taken, step_within};
+use super::flow::{Taken, step_within};
 use super::interval::Interval;
 use super::written::{close_box, ends, number};
 use crate::exact::{Expr, tree};
@@ -52,17 +56,38 @@ const STEPS: usize = 2000;
 /// Law of motion of p, w, ζ and of their derivatives by the start.
 struct Law;
 
-impl System<Interval, 12, TERMS> for Law {
+impl<const N: usize> System<Interval, 3, N> for Law {
+    type Work = ();
+
+    fn begin(&self, _: &Interval, _: &[Interval; 3], (): &mut ()) {}
+
+    fn derivative(
+        &self,
+        k: usize,
+        [p, w, zeta]: &[[Interval; N]; 3],
+        (): &mut (),
+    ) -> [Interval; 3] {
+        [
+            -product(p, w, k),
+            -square(zeta, k),
+            product(w, zeta, k) - p[k] - zeta[k],
+        ]
+    }
+}
+
+impl<const N: usize> System<Interval, 12, N> for Law {
     type Work = ();
 
     fn begin(&self, _: &Interval, _: &[Interval; 12], (): &mut ()) {}
 
-    fn derivative(&self, k: usize, x: &[[Interval; TERMS]; 12], (): &mut ()) -> [Interval; 12] {
+    fn derivative(&self, k: usize, x: &[[Interval; N]; 12], (): &mut ()) -> [Interval; 12] {
         let [p, w, zeta, ..] = x;
         let mut slope = [Interval::point(0.0); 12];
-        slope[0] = -product(p, w, k);
-        slope[1] = -square(zeta, k);
-        slope[2] = product(w, zeta, k) - p[k] - zeta[k];
+        slope[..3].copy_from_slice(&[
+            -product(p, w, k),
+            -square(zeta, k),
+            product(w, zeta, k) - p[k] - zeta[k],
+        ]);
         for j in 0..3 {
             // A column of derivatives by the start: of p, of w, of ζ.
             let [dp, dw, dzeta] = [3 + j, 6 + j, 9 + j].map(|i| &x[i]);

@@ -6,6 +6,10 @@
 //! the middle m of the start box and for the matrix J of derivatives by the start, so that the result is also
 //! within φ(m) + J (x − m), in which the widths shrink where the motions approach each other.
 
+mod tilted;
+
+pub use tilted::Tilted;
+
 use super::error::CertifiedError;
 use super::interval::Interval;
 use super::written::{close_box, dyadic, ends, short, short_box};
@@ -45,7 +49,7 @@ fn extended(state: [Interval; 3]) -> Extended {
 ///
 /// # Errors
 /// [`CertifiedError::NotProved`] if no box is found that the motions do not leave.
-pub fn step<S: System<Interval, 12, TERMS>>(
+pub fn step<S: System<Interval, 12, TERMS> + System<Interval, 3, TERMS>>(
     system: &S,
     state: &[Interval; 3],
     h: &mut f64,
@@ -79,7 +83,7 @@ impl Taken {
 ///
 /// # Errors
 /// As [`step`].
-pub fn step_within<S: System<Interval, 12, TERMS>>(
+pub fn step_within<S: System<Interval, 12, TERMS> + System<Interval, 3, TERMS>>(
     system: &S,
     start: &[Interval; 3],
     h: &mut f64,
@@ -110,45 +114,72 @@ pub fn step_within<S: System<Interval, 12, TERMS>>(
     ))
 }
 
-fn attempt<S: System<Interval, 12, TERMS>>(
+fn attempt<S: System<Interval, 12, TERMS> + System<Interval, 3, TERMS>>(
     system: &S,
     state: &[Interval; 3],
     h: f64,
 ) -> Option<([Interval; 3], Extended)> {
-    let start = extended(*state);
-    let walls = walls(system, &start, h)?;
-    let rest = series(system, &walls)?;
-    let left_out = |x: &Series<Interval, TERMS>| x[TERMS - 1].width() * h.powi(TERMS as i32 - 1);
-    if h > SHORT && rest[..3].iter().any(|x| left_out(x) > ACCURACY) {
-        return None;
-    }
-    let sum = |start: &Extended| -> Option<Extended> {
-        let series = series(system, start)?;
-        Some(std::array::from_fn(|i| {
-            let length = Interval::point(h);
-            (0..TERMS - 1)
-                .rev()
-                .fold(rest[i][TERMS - 1], |sum, k| sum * length + series[i][k])
-        }))
-    };
-    let middle = state.map(|x| Interval::point(x.mid()));
-    let (all, centre) = (sum(&start)?, sum(&extended(middle))?);
+    let middle = state.map(Interval::mid);
+    let Image { all, centre, walls } = image::<S, TERMS>(system, state, middle, h, ACCURACY)?;
     let mut next = *state;
     for i in 0..3 {
         let mut value = centre[i];
         for j in 0..3 {
-            value = value + all[3 + 3 * i + j] * (state[j] - middle[j]);
+            value = value + all[3 + 3 * i + j] * (state[j] - Interval::point(middle[j]));
         }
         next[i] = value.meet(all[i])?;
     }
     Some((next, walls))
 }
 
-/// Coefficients of the series about each start of a box.
-fn series<S: System<Interval, 12, TERMS>>(
+/// Where the flow takes a box.
+struct Image {
+    /// All states of the box, with the derivatives by the start.
+    all: Extended,
+    /// One state of it.
+    centre: [Interval; 3],
+    /// What no motion leaves meanwhile.
+    walls: Extended,
+}
+
+/// By series of `N` terms, the last for the remainder, which is at most `accuracy` wide unless the step is short.
+fn image<S, const N: usize>(
     system: &S,
-    start: &Extended,
-) -> Option<[Series<Interval, TERMS>; 12]> {
+    state: &[Interval; 3],
+    middle: [f64; 3],
+    h: f64,
+    accuracy: f64,
+) -> Option<Image>
+where
+    S: System<Interval, 12, N> + System<Interval, 3, N>,
+{
+    let start = extended(*state);
+    let walls = walls(system, &start, h)?;
+    let rest = series::<S, 12, N>(system, &walls)?.map(|x| x[N - 1]);
+    let left_out = |x: &Interval| x.width() * h.powi(N as i32 - 1);
+    if h > SHORT && rest[..3].iter().any(|x| left_out(x) > accuracy) {
+        return None;
+    }
+    let sum = |series: &Series<Interval, N>, rest| {
+        let length = Interval::point(h);
+        (0..N - 1)
+            .rev()
+            .fold(rest, |sum, k| sum * length + series[k])
+    };
+    let all = series::<S, 12, N>(system, &start)?;
+    let centre = series::<S, 3, N>(system, &middle.map(Interval::point))?;
+    Some(Image {
+        all: std::array::from_fn(|i| sum(&all[i], rest[i])),
+        centre: std::array::from_fn(|i| sum(&centre[i], rest[i])),
+        walls,
+    })
+}
+
+/// Coefficients of the series about each start of a box.
+fn series<S: System<Interval, D, N>, const D: usize, const N: usize>(
+    system: &S,
+    start: &[Interval; D],
+) -> Option<[Series<Interval, N>; D]> {
     let zero = Interval::from_f64(0.0);
     let mut integrator = Integrator::new(system, zero, *start, Control::Largest);
     let mut step = Step::empty();
@@ -174,7 +205,7 @@ fn short_walls<S: System<Interval, 12, TERMS>>(
 }
 
 /// Where motions from `start` are after times up to `h`, while they do not leave the walls.
-fn reached<S: System<Interval, 12, TERMS>>(
+fn reached<S: System<Interval, 12, N>, const N: usize>(
     system: &S,
     start: &Extended,
     h: f64,
@@ -190,7 +221,11 @@ fn reached<S: System<Interval, 12, TERMS>>(
 }
 
 /// A box that no motion from `start` leaves within the time `h`.
-fn walls<S: System<Interval, 12, TERMS>>(system: &S, start: &Extended, h: f64) -> Option<Extended> {
+fn walls<S: System<Interval, 12, N>, const N: usize>(
+    system: &S,
+    start: &Extended,
+    h: f64,
+) -> Option<Extended> {
     let mut walls = *start;
     for _ in 0..8 {
         let next = reached(system, start, h, &walls);
@@ -210,14 +245,24 @@ mod tests {
     use crate::scalar::Scalar;
 
     /// x′ = y, y′ = −x, z′ = z², with the derivatives by the start.
-    struct Known;
+    pub(super) struct Known;
 
-    impl System<Interval, 12, TERMS> for Known {
+    impl<const N: usize> System<Interval, 3, N> for Known {
+        type Work = ();
+
+        fn begin(&self, _: &Interval, _: &[Interval; 3], (): &mut ()) {}
+
+        fn derivative(&self, k: usize, x: &[Series<Interval, N>; 3], (): &mut ()) -> [Interval; 3] {
+            [x[1][k], -x[0][k], product(&x[2], &x[2], k)]
+        }
+    }
+
+    impl<const N: usize> System<Interval, 12, N> for Known {
         type Work = ();
 
         fn begin(&self, _: &Interval, _: &Extended, (): &mut ()) {}
 
-        fn derivative(&self, k: usize, x: &[Series<Interval, TERMS>; 12], (): &mut ()) -> Extended {
+        fn derivative(&self, k: usize, x: &[Series<Interval, N>; 12], (): &mut ()) -> Extended {
             std::array::from_fn(|i| match i {
                 0 | 3..6 => x[if i == 0 { 1 } else { i + 3 }][k],
                 1 | 6..9 => -x[if i == 1 { 0 } else { i - 3 }][k],
@@ -273,6 +318,22 @@ mod tests {
         factor: Interval,
     }
 
+    impl System<Interval, 3, TERMS> for Growing {
+        type Work = ();
+
+        fn begin(&self, _: &Interval, _: &[Interval; 3], (): &mut ()) {}
+
+        fn derivative(
+            &self,
+            k: usize,
+            x: &[Series<Interval, TERMS>; 3],
+            (): &mut (),
+        ) -> [Interval; 3] {
+            let zero = Interval::point(0.0);
+            [zero, zero, self.factor * product(&x[2], &x[2], k)]
+        }
+    }
+
     impl System<Interval, 12, TERMS> for Growing {
         type Work = ();
 
@@ -291,7 +352,7 @@ mod tests {
     fn walls_hold_the_motion_and_little_else() {
         let h = 0.125;
         let start = [1.0, 0.0, 0.5].map(Interval::point);
-        let [x, y, z, ..] = walls(&Known, &extended(start), h).unwrap();
+        let [x, y, z, ..] = walls::<_, TERMS>(&Known, &extended(start), h).unwrap();
         let time = Interval::point(h);
         let end = [
             (x, time.cos()),

@@ -1,0 +1,200 @@
+//! Fates on both sides of a line that follows the boundary between rest and escape: cells along it are decided nearly
+//! up to it, where cells of a grid, which it crosses, are not.
+
+use super::super::flow::Tilted;
+use super::super::interval::Interval;
+use super::super::jet::Jet;
+use super::{Judged, Law, STEPS, judge};
+use crate::scalar::Scalar;
+
+/// Starts with one A, a range of ψ, and α from 0 to a largest one.
+#[derive(Debug, Clone, Copy)]
+pub struct Strip {
+    /// A, dimensionless.
+    pub a: Interval,
+    /// The ends of the range, in radians.
+    pub psi: [f64; 2],
+    /// α at the ends of a line, which is straight in between; positive, below `reach`.
+    pub line: [f64; 2],
+    /// The largest α.
+    pub reach: f64,
+}
+
+/// Up to where the fates of a [`Strip`] are proved, as shares of the way from the line to the strip's end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Margins {
+    /// Below the line b all come to rest with α ≤ (1 − `rest`) b.
+    pub rest: f64,
+    /// Above it all escape with α ≥ b + `escape` (reach − b).
+    pub escape: f64,
+}
+
+/// Terms of a series, and how wide the last may be: it takes no more for cells that are not small.
+const TERMS: usize = 10;
+const ACCURACY: f64 = 1e-7;
+
+/// A set as wide as this in a coordinate is not followed farther.
+const WIDE: f64 = 1.0;
+
+/// Layers that are tried, each reaching half as near to the line as the one before.
+const LAYERS: i32 = 40;
+
+/// Halvings of a layer's cell, where the layer is thicker than [`THIN`] in α, and where it is not.
+const HALVINGS: u32 = 12;
+const HALVINGS_OF_THIN: u32 = 2;
+const THIN: f64 = 1e-3;
+
+/// A side of the line.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Side {
+    Below,
+    Above,
+}
+
+impl Strip {
+    /// What can be proved, by at most 40 layers on each side, each of at most 4096 cells.
+    pub fn margins(&self) -> Margins {
+        Margins {
+            rest: self.margin(Side::Below),
+            escape: self.margin(Side::Above),
+        }
+    }
+
+    /// The area in (α, ψ) between what rests and what escapes.
+    pub fn undecided(&self, margins: &Margins) -> f64 {
+        let [from, to] = self.psi;
+        let middle = 0.5 * (self.line[0] + self.line[1]);
+        (to - from) * (margins.rest * middle + margins.escape * (self.reach - middle))
+    }
+
+    fn margin(&self, side: Side) -> f64 {
+        let psi = Interval::new(self.psi[0], self.psi[1]);
+        let mut margin = 1.0;
+        for layer in 1..=LAYERS {
+            let nearer = libm::ldexp(1.0, -layer);
+            let thin = nearer * self.height(side) <= THIN;
+            let halvings = if thin { HALVINGS_OF_THIN } else { HALVINGS };
+            if !self.all([Interval::new(nearer, margin), psi], side, halvings) {
+                break;
+            }
+            margin = nearer;
+        }
+        margin
+    }
+
+    /// From the line's higher end to the strip's.
+    fn height(&self, side: Side) -> f64 {
+        match side {
+            Side::Below => self.line[0].max(self.line[1]),
+            Side::Above => self.reach - self.line[0].min(self.line[1]),
+        }
+    }
+
+    /// Whether all starts of a cell have the fate of the side, by the cell as it is or by its parts.
+    fn all(&self, cell: [Interval; 2], side: Side, halvings: u32) -> bool {
+        if self.decided(cell, side) {
+            return true;
+        }
+        if halvings == 0 {
+            return false;
+        }
+        let [share, psi] = cell;
+        let parts = if share.width() * self.height(side) > psi.width() {
+            share.halves().map(|share| [share, psi])
+        } else {
+            psi.halves().map(|psi| [share, psi])
+        };
+        parts
+            .into_iter()
+            .all(|part| self.all(part, side, halvings - 1))
+    }
+
+    /// Whether all starts of a cell have the fate of the side. A cell is a range of shares of the way from the line, and
+    /// one of ψ.
+    fn decided(&self, cell: [Interval; 2], side: Side) -> bool {
+        let variables = Jet::variables(&cell);
+        let alpha = self.alpha(variables, side).value;
+        if (self.a * alpha.exp()).below(Interval::int(1)) {
+            // p + ρ < 1: rest, and where α = 0, too. No other fate is possible.
+            return side == Side::Below;
+        }
+        let middle = cell.map(|x| Jet::constant(Interval::point(x.mid())));
+        let mut set = Tilted::new(
+            self.state(middle, side).map(|x| x.value),
+            self.state(variables, side).map(|x| x.slope),
+            cell.map(|x| (0.5 * x.width()).next_up()),
+        );
+        let mut h = 1.0;
+        for _ in 0..STEPS {
+            let hull = set.hull();
+            match (judge(&hull), side) {
+                (Some(Judged::Rest(_)), Side::Below) | (Some(Judged::Escape), Side::Above) => {
+                    return true;
+                }
+                (None, _) if hull.iter().all(|x| x.width() < WIDE) => {}
+                _ => return false,
+            }
+            match set.step::<_, TERMS>(&Law, &mut h, ACCURACY) {
+                Ok(next) => set = next,
+                Err(_) => return false,
+            }
+        }
+        false
+    }
+
+    fn alpha(&self, [share, psi]: [Jet<2>; 2], side: Side) -> Jet<2> {
+        let [from, to] = self.psi.map(number);
+        let [first, last] = self.line.map(number);
+        let line = first + (psi - from) * ((last - first) / (to - from));
+        match side {
+            Side::Below => (number(1.0) - share) * line,
+            Side::Above => line + share * (number(self.reach) - line),
+        }
+    }
+
+    /// p, w and ζ.
+    fn state(&self, variables: [Jet<2>; 2], side: Side) -> [Jet<2>; 3] {
+        let (alpha, psi) = (self.alpha(variables, side), variables[1]);
+        let a = Jet::constant(self.a);
+        let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
+        [p, number(1.0) - rho * psi.cos(), p - rho * psi.sin()]
+    }
+}
+
+fn number(x: f64) -> Jet<2> {
+    Jet::constant(Interval::point(x))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::certified::written::decimal;
+
+    /// Near ψ = 0, where the boundary at A = 0.5 is at α = 0.7547.
+    fn strip(line: f64) -> Strip {
+        Strip {
+            a: decimal(0.5),
+            psi: [-0.02, 0.02],
+            line: [line; 2],
+            reach: 1.0,
+        }
+    }
+
+    #[test]
+    fn fates_are_proved_nearly_up_to_the_boundary() {
+        let strip = strip(0.7547);
+        let margins = strip.margins();
+        assert!(margins.rest < 1e-2 && margins.escape < 1e-2, "{margins:?}");
+        let area = 0.04 * (margins.rest * 0.7547 + margins.escape * 0.2453);
+        assert!((strip.undecided(&margins) - area).abs() < 1e-15);
+    }
+
+    #[test]
+    fn beyond_the_boundary_nothing_is_proved() {
+        // The line is 0.05 too low, then too high: what lies between it and the boundary stays open.
+        let low = strip(0.7047).margins();
+        assert!(low.escape * 0.2953 > 0.05 && low.rest < 1e-6, "{low:?}");
+        let high = strip(0.8047).margins();
+        assert!(high.rest * 0.8047 > 0.05 && high.escape < 1e-6, "{high:?}");
+    }
+}
