@@ -180,8 +180,17 @@ pub fn folds(page: &mut Page, book: &Book) -> Result<(), Failure> {
             "[...document.querySelectorAll('a[href], button, input, select, summary, [tabindex]')]
                 .filter(part => part.tabIndex >= 0 && part.checkVisibility({ visibilityProperty: true })).length",
         )?;
-        if stops.as_f64().is_none_or(|stops| stops > 120.0) {
+        if stops.as_f64().is_none_or(|stops| stops > 116.0) {
             wrong.push(format!("{name} has {stops} stops for the tabulator"));
+        }
+        // The parts of the page are one of them; the arrow keys lead on.
+        let parts = "[...document.querySelectorAll('#mdbook-sidebar a[href*=\"#\"]:not(.marked)')]";
+        page.value(&format!("{parts}[0].focus()"))?;
+        page.press("ArrowDown")?;
+        if page.value(&format!("{parts}.indexOf(document.activeElement)"))? != 1 {
+            wrong.push(format!(
+                "{name}: the arrow keys do not lead to the next part"
+            ));
         }
     }
     if screens > 110.0 {

@@ -106,15 +106,27 @@
     // The verdict of a claim, in the list of the page's headings and among what the search finds.
     const marked = new Map(all('.claim').map(box => [box.getAttribute('aria-labelledby'), box.className.split(' ')[1]]));
     const contents = document.getElementById('mdbook-sidebar');
-    const markContents = () => all('a[href*="#"]', contents).forEach(link => {
-        const slug = marked.get(decodeURIComponent(link.hash.slice(1)));
-        if (!slug) return;
-        link.classList.add('marked', slug);
-        // Who goes from link to link meets each claim once, on the page.
-        link.tabIndex = -1;
-    });
+    const parts = () => all('a[href*="#"]:not(.marked)', contents);
+    const markContents = () => {
+        all('a[href*="#"]', contents).forEach(link => {
+            const slug = marked.get(decodeURIComponent(link.hash.slice(1)));
+            if (!slug) return;
+            link.classList.add('marked', slug);
+            // Who goes from link to link meets each claim once, on the page.
+            link.tabIndex = -1;
+        });
+        // One of the page's parts is in the order of tabs; the arrow keys lead on from it.
+        if (!parts().some(link => link === document.activeElement)) parts().forEach((link, i) => { link.tabIndex = i ? -1 : 0; });
+    };
     if (marked.size && contents) {
         new MutationObserver(markContents).observe(contents, { childList: true, subtree: true });
+        contents.addEventListener('keydown', event => {
+            const way = { ArrowDown: 1, ArrowUp: -1 }[event.key], links = parts(), at = links.indexOf(event.target), next = links[at + way];
+            if (at < 0 || !next || event.altKey || event.ctrlKey || event.metaKey) return;
+            event.preventDefault();
+            links.forEach(link => { link.tabIndex = link === next ? 0 : -1; });
+            next.focus();
+        });
         markContents();
     }
     const results = document.getElementById('mdbook-searchresults');
@@ -221,8 +233,9 @@
             scale = to;
             map.style.width = `${width * scale}px`;
             map.style.height = 'auto';
-            // What is too small to read gives its place to signs and numbers.
-            figure.classList.toggle('whole', scale < 0.6);
+            figure.classList.toggle('whole', width * scale <= view.clientWidth + 1);
+            // What is too small to read gives its place to signs.
+            figure.classList.toggle('small', scale < 0.75);
             view.scrollTo(left * scale - x, top * scale - y);
         };
         const bar = document.createElement('div');
@@ -259,6 +272,8 @@
         addEventListener('pointermove', event => held && view.scrollTo(held[0] - event.clientX, held[1] - event.clientY));
         addEventListener('pointerup', () => { held = null; });
         map.addEventListener('dragstart', event => event.preventDefault());
+        // As it is drawn: on a desk that is all of it.
+        zoom(1);
 
         const steps = all('.step', map), nodes = all('.node', map);
         // What is wrong, and all that it rests on.
