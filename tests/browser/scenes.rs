@@ -80,7 +80,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 6] = [
                 380.0 + scale * (x - 0.5 * (left + right)),
                 108.0 - scale * (y - 0.5 * (low + high)),
             ];
-            (vec![place], vec![[46.0 * u, -46.0 * v]])
+            (vec![place], vec![[ARROW * u, -ARROW * v]])
         },
     ),
     (
