@@ -54,6 +54,9 @@ window.slipbookExplorers = (() => {
         return { x: [-100, 100], y: [-100 * shape, 100 * shape] };
     }
 
+    // From when to when the ball rolls.
+    const rolling = ({ values: [, , , , count, ...list] }) => Array.from({ length: count }, (_, i) => list.slice(2 * i, 2 * i + 2));
+
     // Each explorer: its inputs, its plots, and what to show at a state. `show` returns one drawing for each plot, the
     // values by name, and a sentence.
     const explorers = {
@@ -429,14 +432,14 @@ window.slipbookExplorers = (() => {
                 title: 'path of the centre on the plane', label: 'The path of the centre, as seen from the plane.', equal: true,
                 x: { label: 'x (A_0/ϖ²)' }, y: { label: 'y (A_0/ϖ²)' },
             }],
-            film: ({ lambda, kappa, u, v }, ask, { narrow, set }) => scenes.ball(ask(9, lambda, kappa, u, v), narrow, u, set),
+            film: ({ lambda, kappa, u, v }, ask, { narrow, set }) => scenes.ball(ask(9, lambda, kappa, u, v), narrow, u, set, rolling(ask(6, lambda, kappa, u, v))),
             now: ({ lambda, kappa, u, v }, ask) => {
                 const { values: [step], curves: [, turning] } = ask(9, lambda, kappa, u, v);
                 return [i => [i * step, at(turning, i)[1]]];
             },
             show({ lambda, kappa, u, v }, ask) {
-                const { values: [b, first, share, slip, count, ...list], curves: [along, centre, plane, path] } = ask(6, lambda, kappa, u, v);
-                const rolls = Array.from({ length: count }, (_, i) => list.slice(2 * i, 2 * i + 2));
+                const { values: [b, first, share, slip], curves: [along, centre, plane, path] } = ask(6, lambda, kappa, u, v);
+                const rolls = rolling(ask(6, lambda, kappa, u, v));
                 const begins = first < 0 ? 'it does not roll within four periods' : `it first rolls at φ = ${fixed(first)}`;
                 return {
                     draw: [

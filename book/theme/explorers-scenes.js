@@ -143,7 +143,7 @@ window.slipbookScenes = (() => {
             };
         },
         // The ball from the side; its spokes show how it turns.
-        ball({ values: [step], curves: [places, turning] }, narrow, u0, set) {
+        ball({ values: [step], curves: [places, turning] }, narrow, u0, set, rolling) {
             const unit = narrow ? 42 : 52, wide = width(narrow), radius = unit, ground = 2 * radius + 22;
             const begin = wide / 2 + (places[0] + places[1]) * unit;
             return {
@@ -156,7 +156,8 @@ window.slipbookScenes = (() => {
                 label: 'The ball on the swinging floor, from the side, in the laboratory.',
                 slip: i => Math.abs(at(turning, i)[1]),
                 draw: i => {
-                    const [tray, x] = at(places, i), [turned, slip] = at(turning, i), rolls = Math.abs(slip) < 1e-6;
+                    const [tray, x] = at(places, i), [turned, slip] = at(turning, i);
+                    const rolls = rolling.some(([from, to]) => from <= i * step && i * step <= to);
                     const centre = wrapped(wide / 2 + (tray + x) * unit, wide), y = ground - radius;
                     const spokes = x => [0, 1, 2, 3].map(k => {
                         const turn = turned + k * Math.PI / 2;

@@ -59,3 +59,45 @@ pub fn apart(page: &mut Page, book: &Book) -> Result<(), Failure> {
     }
     none(wrong)
 }
+
+/// On a desk all of the map is seen at once and all its names are read; where that cannot be, on a phone, it has signs alone, and
+/// says the name of the one that is pointed at.
+pub fn map(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let whole = "[...document.querySelectorAll('.map-bar button')].find(button => button.textContent === 'Whole map').click()";
+    page.resize(1400, 900)?;
+    page.open(&book.address("map.html"))?;
+    let mut wrong = Vec::new();
+    for press in ["0", whole] {
+        page.value(press)?;
+        wrong.extend(page.texts(
+            "(() => {
+                const view = document.querySelector('.map-window'), boxes = [...view.querySelectorAll('.node')], found = [];
+                if (view.scrollWidth > view.clientWidth + 1 || view.scrollHeight > view.clientHeight + 1) found.push('not all of it is seen');
+                if (boxes.length < 200) found.push(`only ${boxes.length} boxes`);
+                for (const box of boxes) {
+                    const [frame, name] = ['rect', '.name'].map(part => box.querySelector(part).getBoundingClientRect());
+                    const words = box.querySelector('.name'), size = parseFloat(getComputedStyle(words).fontSize) * words.getScreenCTM().a;
+                    const told = `${words.textContent} of ${box.querySelector('title').textContent}`;
+                    if (!words.checkVisibility() || !words.textContent.trim() || words.textContent.includes('…')) found.push(`${told} is not read`);
+                    if (size < 11.99) found.push(`${told} is ${size.toFixed(1)} px high`);
+                    if (name.right > frame.right || name.left < box.querySelector('.sign').getBoundingClientRect().right) found.push(`${told} does not fit`);
+                }
+                return found;
+            })()",
+        )?);
+    }
+    page.resize(390, 800)?;
+    page.open(&book.address("map.html"))?;
+    page.value(whole)?;
+    wrong.extend(page.texts(
+        "[...document.querySelectorAll('.map-window .node')].filter(box => box.querySelector('.name').checkVisibility()
+            || parseFloat(getComputedStyle(box.querySelector('.sign')).fontSize) * box.querySelector('.sign').getScreenCTM().a < 8)
+            .map(box => `${box.textContent} on a phone`)",
+    )?);
+    page.value("document.querySelector('.map-window .node').focus()")?;
+    let said = page.value("document.querySelector('.map-says').textContent")?;
+    if said.as_str().is_none_or(|said| !said.starts_with("(1) ")) {
+        wrong.push(format!("of the first claim it says {said}"));
+    }
+    none(wrong)
+}

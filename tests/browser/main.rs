@@ -33,7 +33,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 28] = [
+const TESTS: [(&str, Test); 29] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -55,6 +55,7 @@ const TESTS: [(&str, Test); 28] = [
     ),
     ("no_figure_shows_its_markup", pages::labels),
     ("words_in_pictures_keep_apart", figures::apart),
+    ("the_whole_map_can_be_read", figures::map),
     (
         "explorers_answer_keys_sliders_mouse_and_addresses",
         explorers::desk,
