@@ -30,8 +30,11 @@
     });
 
     // A formula or table wider than its place scrolls: then it can be reached by keyboard.
+    const fades = box => box.classList.toggle('more', box.scrollLeft + box.clientWidth < box.scrollWidth - 2);
     const reachable = box => {
         const scrolls = box.scrollWidth > box.clientWidth + 1;
+        // The rows of a table cover what is behind them: its edge fades where there is more.
+        if (box.matches('.table-wrapper')) fades(box);
         if (scrolls && !box.hasAttribute('tabindex')) {
             box.tabIndex = 0;
             box.setAttribute('role', 'group');
@@ -42,6 +45,7 @@
     };
     const widths = new ResizeObserver(entries => entries.forEach(entry => reachable(entry.target)));
     all('.katex-display, .steps, .claim-words, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
+    all('.table-wrapper').forEach(box => box.addEventListener('scroll', () => fades(box), { passive: true }));
 
     // On paper answers and lists are not folded away, for browsers whose styles cannot say so.
     let closed = [], shrunk = [];
