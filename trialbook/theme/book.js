@@ -48,24 +48,12 @@
     all('.table-wrapper').forEach(box => box.addEventListener('scroll', () => fades(box), { passive: true }));
 
     // On paper answers and lists are not folded away, for browsers whose styles cannot say so.
-    let closed = [], shrunk = [];
-    // What a line of paper holds, in letters' heights, beside a step's number and a box's border.
-    const LINE = 41;
+    let closed = [];
     addEventListener('beforeprint', () => {
         closed = all('details:is(:not([class]), .evidence, .proof, .listing):not([open])');
         closed.forEach(box => { box.open = true; });
-        // Nothing scrolls on paper: what is wider than a line is set smaller.
-        const em = parseFloat(getComputedStyle(document.querySelector('main')).fontSize);
-        shrunk = [
-            ...all('.steps .katex').map(formula => [formula, formula.getBoundingClientRect().width / em / LINE]),
-            ...all('.katex-display').map(line => [line.firstElementChild, line.scrollWidth / line.clientWidth]),
-        ].filter(([, lines]) => lines > 1.01);
-        shrunk.forEach(([formula, lines]) => { formula.style.fontSize = `${1.1 / lines}em`; });
     });
-    addEventListener('afterprint', () => {
-        closed.forEach(box => { box.open = false; });
-        shrunk.forEach(([formula]) => { formula.style.fontSize = ''; });
-    });
+    addEventListener('afterprint', () => closed.forEach(box => { box.open = false; }));
 
     // A link to something folded away opens it.
     const unfold = () => {
