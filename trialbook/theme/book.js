@@ -34,7 +34,7 @@
     const reachable = box => {
         const scrolls = box.scrollWidth > box.clientWidth + 1;
         // The rows of a table cover what is behind them: its edge fades where there is more.
-        if (box.matches('.table-wrapper')) fades(box);
+        if (box.matches('.table-wrapper') && (scrolls || box.matches('.more'))) fades(box);
         if (scrolls && !box.hasAttribute('tabindex')) {
             box.tabIndex = 0;
             box.setAttribute('role', 'group');
@@ -45,7 +45,7 @@
     };
     const widths = new ResizeObserver(entries => entries.forEach(entry => reachable(entry.target)));
     all('.katex-display, .steps, .claim-words, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
-    all('.table-wrapper').forEach(box => box.addEventListener('scroll', () => fades(box), { passive: true }));
+    addEventListener('scroll', ({ target }) => target.matches?.('.table-wrapper') && fades(target), { capture: true, passive: true });
 
     // On paper answers and lists are not folded away, for browsers whose styles cannot say so.
     let closed = [];
@@ -219,15 +219,18 @@
         if (!map) return;
         const width = map.viewBox.baseVal.width;
         let scale = 1;
+        const sized = () => {
+            figure.classList.toggle('whole', width * scale <= view.clientWidth + 1);
+            // What is too small to read gives its place to signs.
+            figure.classList.toggle('small', scale < 0.75);
+        };
         const zoom = (to, x = view.clientWidth / 2, y = view.clientHeight / 2) => {
             to = Math.min(2.5, Math.max(Math.min(1, view.clientWidth / width), to));
             const [left, top] = [(view.scrollLeft + x) / scale, (view.scrollTop + y) / scale];
             scale = to;
             map.style.width = `${width * scale}px`;
             map.style.height = 'auto';
-            figure.classList.toggle('whole', width * scale <= view.clientWidth + 1);
-            // What is too small to read gives its place to signs.
-            figure.classList.toggle('small', scale < 0.75);
+            sized();
             view.scrollTo(left * scale - x, top * scale - y);
         };
         const bar = document.createElement('div');
@@ -264,8 +267,8 @@
         addEventListener('pointermove', event => held && view.scrollTo(held[0] - event.clientX, held[1] - event.clientY));
         addEventListener('pointerup', () => { held = null; });
         map.addEventListener('dragstart', event => event.preventDefault());
-        // As it is drawn: on a desk that is all of it.
-        zoom(1);
+        // As it is drawn, that is all of it on a desk. The page has its layout by then.
+        new ResizeObserver(sized).observe(view);
 
         const steps = all('.step', map), nodes = all('.node', map);
         // What is wrong, and all that it rests on.
