@@ -54,6 +54,9 @@ window.slipbookExplorers = (() => {
         return { x: [-100, 100], y: [-100 * shape, 100 * shape] };
     }
 
+    // From when to when the ball rolls.
+    const rolling = ({ values: [, , , , count, ...list] }) => Array.from({ length: count }, (_, i) => list.slice(2 * i, 2 * i + 2));
+
     // Each explorer: its inputs, its plots, and what to show at a state. `show` returns one drawing for each plot, the
     // values by name, and a sentence.
     const explorers = {
@@ -66,7 +69,7 @@ window.slipbookExplorers = (() => {
                 says: 'Friction turns with the velocity, and part of it works against the pull: a third later.',
                 at: { lambda: 2, theta: 90 },
             },
-            hint: 'Choose the friction and the direction; drag the circle, or focus it and use the arrow keys.',
+            hint: 'Choose the friction; drag the tip of the velocity, on the table or in its plane, or focus a circle and use the arrow keys.',
             inputs: {
                 lambda: { label: 'friction λ', range: [0, 3], step: 0.01, start: 1.2 },
                 theta: { label: 'launch angle θ₀', unit: '°', range: [-179, 180], step: 1, start: 120 },
@@ -88,7 +91,7 @@ window.slipbookExplorers = (() => {
                 x: { label: 'launch angle, either way', range: [0, 180], ticks: [0, 45, 90, 135, 180].map(t => [t, `${t}°`]) },
                 y: { label: 'AT/v_0' }, height: 234,
             }],
-            film: ({ lambda, theta }, ask, { narrow }) => scenes.constant(ask(7, lambda, theta), narrow),
+            film: ({ lambda, theta }, ask, { narrow, set, held }) => scenes.constant(ask(7, lambda, theta), narrow, set, theta, held),
             now: ({ lambda, theta }, ask) => {
                 const { curves: [places, velocities] } = ask(7, lambda, theta);
                 return [i => at(velocities, i), i => at(places, i)];
@@ -150,7 +153,7 @@ window.slipbookExplorers = (() => {
                 title: 'one period: + forth, − back, 0 rest', label: 'One period of the periodic motion, with its intervals.',
                 x: { label: 'φ since the first start' }, y: { label: '𝔴' }, height: 240,
             }],
-            film: ({ q, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(8, q, lambda, w), narrow, q > 1, set),
+            film: ({ q, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(8, q, lambda, w), narrow, q > 1, w, set),
             now: ({ q, lambda, w }, ask) => {
                 const { values: [step], curves: [, velocities] } = ask(8, q, lambda, w);
                 return [null, i => [i * step, at(velocities, i)[1]]];
@@ -226,7 +229,7 @@ window.slipbookExplorers = (() => {
                 x: { label: 'τ' }, y: { label: 'ρ' }, height: 310,
             }],
             film: ({ rho, u, v }, ask, { printed, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
-                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], set }),
+                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set }),
             now: ({ rho, u, v }, ask) => {
                 const { values, curves: [table] } = ask(4, rho, u, v);
                 return [null, i => [i * values.at(-1), Math.hypot(...at(table, i))]];
@@ -264,7 +267,7 @@ window.slipbookExplorers = (() => {
             bare: true,
             plots: () => [],
             film: ({ rho, u, v }, ask, { printed, set }) => scenes.record(ask(4, rho, u, v), true, true,
-                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], set }),
+                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.4], set }),
             show({ rho, u, v }, ask, { printed }) {
                 const { values: [fate, sigma, tau] } = ask(4, rho, u, v);
                 const paper = Math.hypot(u, v) < border(printed, rho) ? 'rests' : 'escapes';
@@ -291,7 +294,7 @@ window.slipbookExplorers = (() => {
                 title: 'ρ/τ²; dashed: 2/9, as printed', label: 'The distance over the square of the time, against the time in powers of ten.',
                 x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y: { label: 'ρ/τ²', range: [0.1, 0.3] }, height: 240,
             }],
-            film: ({ rho }, ask, { narrow, set }) => scenes.record(ask(4, rho, 0, -rho), narrow, false, { set }),
+            film: ({ rho }, ask, { narrow, set }) => scenes.record(ask(4, rho, 0, -rho), narrow, false, { range: [0.9, 2], set }),
             show({ rho }, ask, { printed }) {
                 const { curves: [growth] } = ask(10, rho);
                 const last = growth.at(-1);
@@ -325,7 +328,7 @@ window.slipbookExplorers = (() => {
                 title: '−ln 𝔴_y across; exponential dashed', label: 'The negative logarithm of the velocity across against phase, and that of an exponential decay, as the paper has it.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '−ln 𝔴_y', range: [-1, 60] }, height: 240,
             }],
-            film: ({ lambda, w, across }, ask, { narrow, set }) => scenes.plane(ask(13, lambda, w, across), narrow, set),
+            film: ({ lambda, w, across }, ask, { narrow, set }) => scenes.plane(ask(13, lambda, w, across), narrow, [w, across], set),
             now: ({ lambda, w, across }, ask) => {
                 const { values: [step], curves: [, velocities, depths] } = ask(13, lambda, w, across);
                 return [i => [i * step, at(velocities, i)[1]], i => [i * step, Math.min(60, at(depths, i)[1])]];
@@ -375,7 +378,7 @@ window.slipbookExplorers = (() => {
                 title: 'the drive h', label: 'The inertial force against phase over four periods, and the friction.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'h', range: [-1.2, 1.2] }, height: 240,
             }],
-            film: ({ third, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(12, third, lambda, w), narrow, false, set),
+            film: ({ third, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(12, third, lambda, w), narrow, false, w, set),
             now: ({ third, lambda, w }, ask) => {
                 const { values: [step], curves: [, velocities] } = ask(12, third, lambda, w);
                 const { curves: [, , drive] } = ask(11, third, lambda, w);
@@ -406,7 +409,7 @@ window.slipbookExplorers = (() => {
                 says: 'The friction that pushes the ball also turns it, so that it lags behind: 2/7 as far as the floor.',
                 at: { lambda: 1.5, kappa: 0.4, u: -1, v: 0 },
             },
-            hint: 'Choose the friction and the ball (κ is 0.4 if it is solid, 0.67 if hollow); drag the slip at the start in the second plot, or focus the circle and use the arrow keys.',
+            hint: 'Choose the friction and the ball (κ is 0.4 if it is solid, 0.67 if hollow); drag the slip at the start, under the ball or in its plane, or focus a circle and use the arrow keys.',
             inputs: {
                 lambda: { label: 'friction λ₀', range: [0.05, 1.5], step: 0.01, start: 0.75 },
                 kappa: { label: 'κ (solid 0.40)', range: [0.05, 0.67], step: 0.01, start: 0.4 },
@@ -429,14 +432,14 @@ window.slipbookExplorers = (() => {
                 title: 'path of the centre on the plane', label: 'The path of the centre, as seen from the plane.', equal: true,
                 x: { label: 'x (A_0/ϖ²)' }, y: { label: 'y (A_0/ϖ²)' },
             }],
-            film: ({ lambda, kappa, u, v }, ask, { narrow }) => scenes.ball(ask(9, lambda, kappa, u, v), narrow),
+            film: ({ lambda, kappa, u, v }, ask, { narrow, set }) => scenes.ball(ask(9, lambda, kappa, u, v), narrow, u, set, rolling(ask(6, lambda, kappa, u, v))),
             now: ({ lambda, kappa, u, v }, ask) => {
                 const { values: [step], curves: [, turning] } = ask(9, lambda, kappa, u, v);
                 return [i => [i * step, at(turning, i)[1]]];
             },
             show({ lambda, kappa, u, v }, ask) {
-                const { values: [b, first, share, slip, count, ...list], curves: [along, centre, plane, path] } = ask(6, lambda, kappa, u, v);
-                const rolls = Array.from({ length: count }, (_, i) => list.slice(2 * i, 2 * i + 2));
+                const { values: [b, first, share, slip], curves: [along, centre, plane, path] } = ask(6, lambda, kappa, u, v);
+                const rolls = rolling(ask(6, lambda, kappa, u, v));
                 const begins = first < 0 ? 'it does not roll within four periods' : `it first rolls at φ = ${fixed(first)}`;
                 return {
                     draw: [

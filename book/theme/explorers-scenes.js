@@ -54,17 +54,28 @@ window.slipbookScenes = (() => {
     const circle = (x, y, radius) => `<circle class="printed" cx="${n(x)}" cy="${n(y)}" r="${n(radius)}"/>`;
     // The stage's width in its own units: text is as large on a phone as on a desk.
     const width = narrow => narrow ? 380 : 760;
+    // The length of a velocity of 1, where it is drawn as an arrow; the tip of the one at the start is taken by hand.
+    const ARROW = 44;
+    // What the pulled table shows, for as long as the hand is on it.
+    let kept;
 
     return {
         line,
         // The pulled table from above. The table stands still in the picture; the ground runs away below it.
-        constant({ values: [step], curves: [places, velocities] }, narrow) {
+        constant({ values: [step], curves: [places, velocities] }, narrow, set, theta, held) {
             const wide = width(narrow);
             const xs = places.filter((_, i) => i % 2 === 0), ys = places.filter((_, i) => i % 2);
-            const [left, right, low, high] = [Math.min(0, ...xs), Math.max(0, ...xs), Math.min(0, ...ys), Math.max(0, ...ys)];
+            if (!held || !kept) kept = [Math.min(0, ...xs), Math.max(0, ...xs), Math.min(0, ...ys), Math.max(0, ...ys)];
+            const [left, right, low, high] = kept;
             const scale = Math.min(110, (wide - 200) / (right - left + 0.4), 116 / (high - low + 0.2));
             const put = (x, y) => [wide / 2 + (x - (left + right) / 2) * scale, 108 - (y - (low + high) / 2) * scale];
+            const [x0, y0] = put(0, 0), [u0, v0] = velocities;
             return {
+                hands: [{
+                    at: [x0 + ARROW * u0, y0 - ARROW * v0], label: 'launch angle in degrees', range: [-179, 180], now: theta, text: `${theta}°`,
+                    move: (x, y) => set({ theta: Math.atan2(y0 - y, x - x0) * 180 / Math.PI }),
+                    step: (dx, dy) => set({ theta: [dx + dy] }),
+                }],
                 step, count: places.length / 2, rate: Math.max(0.4, step * places.length / 2 / 8), time: t => `t = ${t} v₀/A`, box: [0, 0, wide, 222],
                 label: 'The block on the table, from above; below, the ground from which the table is pulled away.',
                 slip: i => Math.hypot(...at(velocities, i)),
@@ -73,15 +84,19 @@ window.slipbookScenes = (() => {
                     return `<rect class="disc" x="10" y="6" width="${wide - 20}" height="184" rx="6"/>${floor(t * t / 2 * scale / 60, 202, wide, 60)}
                         ${arrow(80, 24, -52, 0, 'pull')}<text x="90" y="29">the table is pulled this way</text>
                         ${trail(places, i, put)}<rect class="body" x="${n(x - 11)}" y="${n(y - 8)}" width="22" height="16" rx="2"/>
-                        ${arrow(x, y, 46 * u, -46 * v, 'velocity')}`;
+                        ${arrow(x, y, ARROW * u, -ARROW * v, 'velocity')}`;
                 },
             };
         },
         // The shaken tray from the side, in the laboratory.
-        tray({ values: [step], curves: [places, velocities] }, narrow, teeth, set) {
-            const unit = narrow ? 50 : 70, wide = width(narrow), [begin, start] = [wide / 2 + places[0] * unit, velocities[1]];
+        tray({ values: [step], curves: [places, velocities] }, narrow, teeth, w0, set) {
+            const unit = narrow ? 50 : 70, wide = width(narrow), begin = wide / 2 + places[0] * unit;
             return {
-                hands: [{ at: [begin + 44 * start, 50], slid: true, move: x => set({ w: (x - begin) / 44 }) }],
+                hands: [{
+                    at: [begin + ARROW * w0, 50], label: 'the velocity at the start', range: [-2, 2], now: w0, text: SlipbookPlot.fixed(w0, 2),
+                    move: x => set({ w: (x - begin) / ARROW }),
+                    step: (dx, dy) => set({ w: [dx + dy] }),
+                }],
                 step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, 146],
                 label: 'The block on the shaken floor, from the side, in the laboratory.',
                 slip: i => Math.abs(at(velocities, i)[1]),
@@ -90,21 +105,26 @@ window.slipbookScenes = (() => {
                     const centre = wrapped(wide / 2 + (tray + x) * unit, wide);
                     return `${floor(tray, 104, wide, unit, teeth)}
                         ${around(centre, wide, x => `<rect class="body ${rests ? 'still' : ''}" x="${n(x - 26)}" y="66" width="52" height="38" rx="3"/>
-                            ${rests ? '' : arrow(x, 50, 44 * w, 0, 'velocity')}`)}
+                            ${rests ? '' : arrow(x, 50, ARROW * w, 0, 'velocity')}`)}
                         ${rests ? `<text x="${n(Math.min(wide - 70, Math.max(70, centre)))}" y="52" text-anchor="middle">rests on the floor</text>` : ''}
                         <text x="4" y="140">floor, shaken</text>`;
                 },
             };
         },
         // The shaken tray from above, with a block that slides across too.
-        plane({ values: [step, gone], curves: [places, velocities, across] }, narrow, set) {
+        plane({ values: [step, gone], curves: [places, velocities, across] }, narrow, [w0, v0], set) {
             const unit = narrow ? 44 : 62, wide = width(narrow), high = 200;
             const ys = across.filter((_, i) => i % 2 === 0), spread = Math.max(...ys) - Math.min(...ys);
             const rise = Math.min(unit, 120 / (spread || 1));
             const put = (x, y) => [wrapped(wide / 2 + x * unit, wide), high - 44 - (y - Math.min(...ys)) * rise];
-            const [bx, by] = put(places[0] + places[1], ys[0]), tip = [bx + 44 * velocities[1], by - 44 * Math.exp(-across[1])];
+            const [bx, by] = put(places[0] + places[1], ys[0]);
             return {
-                hands: [{ at: tip, slid: true, move: (x, y) => set({ w: (x - bx) / 44, across: (by - y) / 44 }) }],
+                hands: [{
+                    at: [bx + ARROW * w0, by - ARROW * v0], label: 'the velocity at the start', range: [-2, 2], now: w0,
+                    text: `along ${SlipbookPlot.fixed(w0, 2)}, across ${SlipbookPlot.fixed(v0, 2)}`,
+                    move: (x, y) => set({ w: (x - bx) / ARROW, across: (by - y) / ARROW }),
+                    step: (dx, dy) => set({ w: [dx], across: [dy] }),
+                }],
                 step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, high + 14],
                 label: 'The block on the shaken tray, from above, in the laboratory.',
                 slip: i => Math.hypot(at(velocities, i)[1], Math.exp(-at(across, i)[1])),
@@ -116,21 +136,28 @@ window.slipbookScenes = (() => {
                     const over = gone >= 0 && i * step >= gone;
                     return `<rect class="ground" x="0" y="6" width="${wide}" height="${high - 14}"/><path class="teeth" d="${lines.join('')}"/>
                         ${around(px, wide, x => `<rect class="body ${rests ? 'still' : ''}" x="${n(x - 17)}" y="${n(py - 17)}" width="34" height="34" rx="3"/>
-                            ${arrow(x, py, 44 * w, 0, 'velocity')}${arrow(x, py, 0, -44 * v, 'velocity')}`)}
+                            ${arrow(x, py, ARROW * w, 0, 'velocity')}${arrow(x, py, 0, -ARROW * v, 'velocity')}`)}
                         <text x="4" y="${high + 9}">tray, shaken ↔</text>
                         <text x="${wide - 4}" y="${high + 9}" text-anchor="end">${over ? 'velocity across: exactly 0' : v < 1e-6 ? 'velocity across: hardly a trace' : ''}</text>`;
                 },
             };
         },
         // The ball from the side; its spokes show how it turns.
-        ball({ values: [step], curves: [places, turning] }, narrow) {
+        ball({ values: [step], curves: [places, turning] }, narrow, u0, set, rolling) {
             const unit = narrow ? 42 : 52, wide = width(narrow), radius = unit, ground = 2 * radius + 22;
+            const begin = wide / 2 + (places[0] + places[1]) * unit;
             return {
+                hands: [{
+                    at: [begin + ARROW * u0, ground + 30], label: 'slip along the swing, at the start', range: [-2, 2], now: u0, text: SlipbookPlot.fixed(u0, 2),
+                    move: x => set({ u: (x - begin) / ARROW }),
+                    step: (dx, dy) => set({ u: [dx + dy] }),
+                }],
                 step, count: places.length / 2, rate: 2.2, time: t => `φ = ${t}`, box: [0, 0, wide, ground + 44],
                 label: 'The ball on the swinging floor, from the side, in the laboratory.',
                 slip: i => Math.abs(at(turning, i)[1]),
                 draw: i => {
-                    const [tray, x] = at(places, i), [turned, slip] = at(turning, i), rolls = Math.abs(slip) < 1e-6;
+                    const [tray, x] = at(places, i), [turned, slip] = at(turning, i);
+                    const rolls = rolling.some(([from, to]) => from <= i * step && i * step <= to);
                     const centre = wrapped(wide / 2 + (tray + x) * unit, wide), y = ground - radius;
                     const spokes = x => [0, 1, 2, 3].map(k => {
                         const turn = turned + k * Math.PI / 2;
@@ -138,7 +165,7 @@ window.slipbookScenes = (() => {
                     });
                     return `${floor(tray, ground, wide, unit)}
                         ${around(centre, wide, x => `<circle class="body ${rolls ? 'still' : ''}" cx="${n(x)}" cy="${y}" r="${radius}"/>
-                            <path class="spokes" d="${spokes(x).join('')}"/>${arrow(x, ground + 30, 44 * slip, 0, 'velocity')}`)}
+                            <path class="spokes" d="${spokes(x).join('')}"/>${arrow(x, ground + 30, ARROW * slip, 0, 'velocity')}`)}
                         <text x="${n(Math.min(wide - 24, Math.max(24, centre)))}" y="14" text-anchor="middle">${rolls ? 'rolls' : 'slips'}</text>
                         <text x="4" y="${ground + 38}">slip along the swing</text>`;
                 },
@@ -146,7 +173,7 @@ window.slipbookScenes = (() => {
         },
         // The record from the laboratory, where it turns, and from the table, where it stands still; or the first alone. Before
         // the coin moves, its velocity is drawn, and the border of those from which it comes to rest: the motion's, and the paper's.
-        record({ values, curves: [table, laboratory] }, narrow, alone, { border = [], paper, velocity, set } = {}) {
+        record({ values, curves: [table, laboratory] }, narrow, alone, { border = [], paper, velocity, range, set } = {}) {
             const step = values.at(-1), count = table.length / 2;
             const [box, left, right, y, scale] = alone ? [[0, 0, 360, 340], 180, 180, 170, 76]
                 : narrow ? [[0, 0, 380, 224], 94, 286, 98, 42] : [[0, 0, 740, 310], 180, 560, 144, 62];
@@ -171,7 +198,7 @@ window.slipbookScenes = (() => {
                 }
             }
             const hands = set && [{
-                at: [from, y], label: 'the coin: its distance from the axis', range: [0, 1.6], now: rho, text: SlipbookPlot.fixed(rho, 2), slid: !velocity,
+                at: [from, y], label: 'the coin: its distance from the axis', range, now: rho, text: SlipbookPlot.fixed(rho, 2),
                 move: px => set({ rho: (px - right) / scale }),
                 step: (dx, dy) => set({ rho: [dx + dy] }),
             }, ...(velocity ? [{

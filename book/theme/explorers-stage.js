@@ -37,6 +37,7 @@ window.SlipbookStage = (() => {
         // room for a wider or a narrower one.
         constructor(host, bar, told, fits) {
             this.told = told;
+            this.fits = fits;
             this.pace = 1;
             host.insertAdjacentHTML('beforeend', '<div class="stage"><svg role="img"><g class="scene"></g><g class="hands"></g></svg></div>');
             bar.insertAdjacentHTML('beforeend', `<div class="film"><button type="button" class="play"></button>
@@ -95,7 +96,7 @@ window.SlipbookStage = (() => {
             this.film = film;
             this.svg.setAttribute('viewBox', film.box.join(' '));
             this.svg.setAttribute('aria-label', film.label);
-            this.svg.setAttribute('role', film.hands?.some(hand => !hand.slid) ? 'group' : 'img');
+            this.svg.setAttribute('role', film.hands?.length ? 'group' : 'img');
             this.slider.max = film.count - 1;
             this.giveHands(film.hands || []);
             this.show(kept ? this.i : 0);
@@ -107,8 +108,7 @@ window.SlipbookStage = (() => {
             hands.forEach((hand, k) => {
                 let knob = this.hands.children[k];
                 if (!knob) {
-                    // What the sliders do as well is for the mouse and the finger alone.
-                    this.hands.insertAdjacentHTML('beforeend', `<g class="hand" ${hand.slid ? 'aria-hidden="true"' : 'tabindex="0" role="slider"'}><circle class="reach" r="24"/><circle r="9"/></g>`);
+                    this.hands.insertAdjacentHTML('beforeend', '<g class="hand" tabindex="0" role="slider"><circle class="reach" r="24"/><circle r="9"/></g>');
                     knob = this.hands.lastElementChild;
                     const here = event => {
                         const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.svg.getScreenCTM().inverse());
@@ -126,8 +126,11 @@ window.SlipbookStage = (() => {
                     });
                     knob.addEventListener('pointermove', event => this.held && here(event));
                     knob.addEventListener('pointerup', () => {
-                        if (this.held) this.play();
+                        if (!this.held) return;
                         this.held = false;
+                        // What was kept in its place for the hand need no longer be.
+                        this.fits();
+                        this.play();
                     });
                     knob.addEventListener('pointercancel', () => { this.held = false; });
                     // The keys move the start, so it is the start that one sees.
@@ -152,7 +155,6 @@ window.SlipbookStage = (() => {
                 }
                 const [x, y] = hand.at;
                 knob.setAttribute('transform', `translate(${x.toFixed(1)} ${y.toFixed(1)})`);
-                if (hand.slid) return;
                 knob.setAttribute('aria-label', hand.label);
                 knob.setAttribute('aria-valuemin', hand.range[0]);
                 knob.setAttribute('aria-valuemax', hand.range[1]);

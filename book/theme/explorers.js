@@ -182,7 +182,7 @@
             const made = [
                 () => show(state, ask, { printed }),
                 () => explorer.now ? explorer.now(state, ask) : [],
-                () => stage && explorer.film(state, ask, { printed, set, narrow: stage.narrow }),
+                () => stage && explorer.film(state, ask, { printed, set, narrow: stage.narrow, held: stage.held }),
             ].map(part => {
                 try {
                     return part();

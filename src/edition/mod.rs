@@ -30,12 +30,19 @@ pub static EDITION: Edition = Edition {
     aliases: &[
         (
             "errata.html#errata",
-            "wrong error mistake false list errors mistakes",
+            &[
+                "what is wrong",
+                "error",
+                "errors",
+                "mistake",
+                "mistakes",
+                "errata",
+            ],
         ),
-        ("anisotropic.html#eq-58", "Y Y Y Y Y Y Y Y point"),
-        ("sinusoidal.html#eq-37", "λ_c λ_c λ_c λ_c λ_c λ_c"),
-        ("escape.html#eq-135", "tau^2 tau^2 2/9"),
-        ("sinusoidal.html#sinusoidal", "stick slip"),
+        ("anisotropic.html#eq-58", &["Y", "point Y"]),
+        ("sinusoidal.html#eq-37", &["λ_c"]),
+        ("escape.html#eq-135", &["τ²", "2/9"]),
+        ("sinusoidal.html#sinusoidal", &["stick slip"]),
     ],
     sources: Sources {
         files: sources,

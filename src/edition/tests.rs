@@ -403,6 +403,36 @@ fn two_books_are_the_same_to_the_byte() {
     }
 }
 
+/// Where the book has an address and its sources are kept somewhere, each page says where it stands, by whole addresses, and the
+/// first one links to the sources.
+#[test]
+fn a_published_book_says_where_it_is() {
+    const ADDRESS: &str = "https://slip.example/book/";
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    let edition = Edition {
+        address: Some(ADDRESS),
+        repository: Some("https://code.example/slip"),
+        ..EDITION
+    };
+    book::write(&edition, &ledger(), &figures(), &out).unwrap();
+    let read = |stem: &str| fs::read_to_string(out.join(stem).with_extension("html")).unwrap();
+    for page in EDITION.pages {
+        let (stem, html) = (page.stem, read(page.stem));
+        for part in [
+            format!("<link rel=\"canonical\" href=\"{ADDRESS}{stem}.html\">"),
+            format!("<meta property=\"og:url\" content=\"{ADDRESS}{stem}.html\">"),
+            format!("<meta property=\"og:image\" content=\"{ADDRESS}share.png\">"),
+        ] {
+            assert_eq!(html.matches(&part).count(), 1, "{stem}: {part}");
+        }
+        let description = html.split_once("\"og:description\" content=\"").unwrap().1;
+        assert!(!description.starts_with('"'), "{stem}");
+    }
+    assert!(out.join("share.png").is_file());
+    assert!(read("index").contains("<a href=\"https://code.example/slip\">this repository</a>"));
+}
+
 /// What comes of writing the book with one page changed.
 fn with_page(
     stem: &str,

@@ -281,6 +281,15 @@ impl<'p, 'b> Explorer<'p, 'b> {
         serde_json::from_value(list).map_err(|error| error.to_string())
     }
 
+    /// Brings a hand on the stage into view; its place on the screen.
+    fn body(&mut self, k: u64) -> Result<[f64; 2], Failure> {
+        let place = self.value(&format!(
+            "(hand => {{ hand.scrollIntoView({{ block: 'center', behavior: 'instant' }}); const box = hand.lastElementChild.getBoundingClientRect();
+                return [box.x + box.width / 2, box.y + box.height / 2]; }})(host.querySelectorAll('.stage .hand')[{k}])"
+        ))?;
+        serde_json::from_value(place).map_err(|error| error.to_string())
+    }
+
     /// Requires that the reader is still on the page and that it has not complained.
     fn unharmed(&mut self) -> Result<(), Failure> {
         let (name, complaints) = (self.name, self.page.complaints());
@@ -303,6 +312,7 @@ pub fn desk(page: &mut Page, book: &Book) -> Result<(), Failure> {
         let first = explorer.right()?;
         keyboard(&mut explorer)?;
         mouse(&mut explorer)?;
+        bodies(&mut explorer)?;
         explorer.value("host.querySelector('.inputs button').click()")?;
         let again = explorer.right()?;
         if first != again {
@@ -436,6 +446,42 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
     Ok(())
 }
 
+/// On the stage, too, each hand of a body is moved by the arrow keys, one input at a time, and follows the mouse.
+fn bodies(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+    let name = explorer.name;
+    let count = explorer.value("host.querySelectorAll('.stage .hand').length")?;
+    let count = count.as_u64().unwrap_or(0);
+    if count == 0 {
+        return Err(format!("{name}: nothing on the stage can be taken"));
+    }
+    for k in 0..count {
+        explorer.value(&format!(
+            "host.querySelectorAll('.stage .hand')[{k}].focus()"
+        ))?;
+        for key in ["ArrowRight", "ArrowUp", "ArrowLeft", "ArrowDown"] {
+            let before = explorer.right()?;
+            explorer.page.press(key)?;
+            let after = explorer.right()?;
+            let moved = before.iter().zip(&after).filter(|(a, b)| a != b).count();
+            if moved != 1 {
+                return Err(format!(
+                    "{name}, body {k}: {key} led from {before:?} to {after:?}"
+                ));
+            }
+        }
+        let ([x, y], before) = (explorer.body(k)?, explorer.right()?);
+        explorer
+            .page
+            .drag(&[[x, y], [x + 9.0, y - 7.0], [x + 21.0, y - 15.0]])?;
+        let after = explorer.right()?;
+        explorer.value("host.querySelector('.play[aria-label=Pause]')?.click()")?;
+        if after == before {
+            return Err(format!("{name}, body {k} does not follow the mouse"));
+        }
+    }
+    Ok(())
+}
+
 /// On a phone, a tap moves the hand.
 pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
     page.resize(390, 800)?;
@@ -453,6 +499,14 @@ pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
             ))?;
             explorer.right()?;
         }
+        let before = explorer.right()?;
+        let [x, y] = explorer.body(0)?;
+        explorer.page.tap([x + 12.0, y - 9.0])?;
+        explorer.page.wait_for(&format!(
+            "[...document.querySelectorAll('#explore-{name} .inputs input')].some((input, i) => Number(input.value) !== {}[i])",
+            json!(before)
+        ))?;
+        explorer.right()?;
         explorer.unharmed()?;
     }
     Ok(())
@@ -507,11 +561,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
     }
     let mut explorer = Explorer::open(page, book, "record", "")?;
     let before = explorer.right()?;
-    let place = explorer.value(
-        "(hand => { hand.scrollIntoView({ block: 'center', behavior: 'instant' }); const box = hand.querySelector('circle').getBoundingClientRect();
-           return [box.x + box.width / 2, box.y + box.height / 2]; })(host.querySelectorAll('.stage .hand')[1])",
-    )?;
-    let [x, y]: [f64; 2] = serde_json::from_value(place).map_err(|error| error.to_string())?;
+    let [x, y] = explorer.body(1)?;
     explorer
         .page
         .drag(&[[x, y], [x - 20.0, y - 10.0], [x - 40.0, y - 30.0]])?;

@@ -6,8 +6,10 @@
 mod access;
 mod chrome;
 mod explorers;
+mod figures;
 mod measures;
 mod pages;
+mod paper;
 mod scenes;
 mod visit;
 
@@ -31,7 +33,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 26] = [
+const TESTS: [(&str, Test); 29] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -52,6 +54,8 @@ const TESTS: [(&str, Test); 26] = [
         pages::printing,
     ),
     ("no_figure_shows_its_markup", pages::labels),
+    ("words_in_pictures_keep_apart", figures::apart),
+    ("the_whole_map_can_be_read", figures::map),
     (
         "explorers_answer_keys_sliders_mouse_and_addresses",
         explorers::desk,
@@ -73,6 +77,7 @@ const TESTS: [(&str, Test); 26] = [
     ("every_picture_is_drawn_in_time", measures::frames),
     ("a_phone_shows_all", measures::phone),
     ("paper_holds_the_findings", measures::paper),
+    ("nothing_on_paper_is_too_small_to_read", paper::sizes),
     ("what_one_points_at_is_said", measures::cards),
     ("pages_are_accessible", access::pages),
     ("themes_are_accessible", access::themes),

@@ -20,6 +20,7 @@ struct Drawn {
     bodies: Vec<[f64; 2]>,
     arrows: Vec<[f64; 2]>,
     spoke: Option<[f64; 2]>,
+    words: String,
 }
 
 /// Reads what is drawn at a picture.
@@ -37,6 +38,7 @@ fn drawn(page: &mut Page, name: &str, picture: usize) -> Result<Drawn, Failure> 
                     : [['x', 'width'], ['y', 'height']].map(([at, size]) => Number(body.getAttribute(at)) + Number(body.getAttribute(size)) / 2)),
                 arrows: [...scene.querySelectorAll('.arrow.velocity')].map(vector),
                 spoke: spokes && vector(spokes),
+                words: [...scene.querySelectorAll('text')].map(text => text.textContent).join(', '),
             }};
         }})(document.getElementById('explore-{name}'))"
     ))?;
@@ -80,7 +82,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 6] = [
                 380.0 + scale * (x - 0.5 * (left + right)),
                 108.0 - scale * (y - 0.5 * (low + high)),
             ];
-            (vec![place], vec![[46.0 * u, -46.0 * v]])
+            (vec![place], vec![[ARROW * u, -ARROW * v]])
         },
     ),
     (
@@ -116,9 +118,9 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 6] = [
     ),
     (
         "sphere",
-        "lambda=0.75&kappa=0.4&u=0.5&v=1",
+        "lambda=0.75&kappa=0.4&u=0&v=1",
         9,
-        [0.75, 0.4, 0.5, 1.0],
+        [0.75, 0.4, 0.0, 1.0],
         |film, i| {
             let arrow = [ARROW * film.curves[1][i][1], 0.0];
             (vec![[across(film, i, 52.0), 74.0]], vec![arrow])
@@ -177,8 +179,19 @@ pub fn pictures(page: &mut Page, book: &Book) -> Result<(), Failure> {
             // A spoke is as long as the ball is high.
             let turned = name != "sphere" || {
                 let angle: f64 = film.curves[1][picture][0];
-                seen.spoke
-                    .is_some_and(|spoke| near(&spoke, &[52.0 * angle.cos(), 52.0 * angle.sin()]))
+                let rolling = answer(6, given).map_err(|error| error.to_string())?;
+                let time = film.values[0] * picture as f64;
+                let rolls = rolling.values[5..].chunks_exact(2);
+                let mut rolls = rolls.filter(|at| at[0] <= time && time <= at[1]);
+                let says = if rolls.next().is_some() {
+                    "rolls"
+                } else {
+                    "slips"
+                };
+                seen.words.starts_with(says)
+                    && seen.spoke.is_some_and(|spoke| {
+                        near(&spoke, &[52.0 * angle.cos(), 52.0 * angle.sin()])
+                    })
             };
             if missing || more || lost || idle || !turned {
                 wrong.push(format!(

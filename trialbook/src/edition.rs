@@ -53,9 +53,9 @@ pub struct Edition {
     pub figures: fn() -> Result<Vec<Figure>, Failure>,
     /// The symbols of the formulas.
     pub symbols: &'static [Symbol],
-    /// Words by which the search finds a place though they do not stand there: its address, such as `errata.html#errata`, and
-    /// the words.
-    pub aliases: &'static [(&'static str, &'static str)],
+    /// Phrases to which a place answers first in the search, whether or not they stand there: its address, such as
+    /// `errata.html#errata`, and the phrases.
+    pub aliases: &'static [(&'static str, &'static [&'static str])],
     /// The code to show.
     pub sources: Sources,
     /// The placeholders of its own.

@@ -30,8 +30,11 @@
     });
 
     // A formula or table wider than its place scrolls: then it can be reached by keyboard.
+    const fades = box => box.classList.toggle('more', box.scrollLeft + box.clientWidth < box.scrollWidth - 2);
     const reachable = box => {
         const scrolls = box.scrollWidth > box.clientWidth + 1;
+        // The rows of a table cover what is behind them: its edge fades where there is more.
+        if (box.matches('.table-wrapper') && (scrolls || box.matches('.more'))) fades(box);
         if (scrolls && !box.hasAttribute('tabindex')) {
             box.tabIndex = 0;
             box.setAttribute('role', 'group');
@@ -42,26 +45,15 @@
     };
     const widths = new ResizeObserver(entries => entries.forEach(entry => reachable(entry.target)));
     all('.katex-display, .steps, .claim-words, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
+    addEventListener('scroll', ({ target }) => target.matches?.('.table-wrapper') && fades(target), { capture: true, passive: true });
 
     // On paper answers and lists are not folded away, for browsers whose styles cannot say so.
-    let closed = [], shrunk = [];
-    // What a line of paper holds, in letters' heights, beside a step's number and a box's border.
-    const LINE = 41;
+    let closed = [];
     addEventListener('beforeprint', () => {
         closed = all('details:is(:not([class]), .evidence, .proof, .listing):not([open])');
         closed.forEach(box => { box.open = true; });
-        // Nothing scrolls on paper: what is wider than a line is set smaller.
-        const em = parseFloat(getComputedStyle(document.querySelector('main')).fontSize);
-        shrunk = [
-            ...all('.steps .katex').map(formula => [formula, formula.getBoundingClientRect().width / em / LINE]),
-            ...all('.katex-display').map(line => [line.firstElementChild, line.scrollWidth / line.clientWidth]),
-        ].filter(([, lines]) => lines > 1.01);
-        shrunk.forEach(([formula, lines]) => { formula.style.fontSize = `${1.1 / lines}em`; });
     });
-    addEventListener('afterprint', () => {
-        closed.forEach(box => { box.open = false; });
-        shrunk.forEach(([formula]) => { formula.style.fontSize = ''; });
-    });
+    addEventListener('afterprint', () => closed.forEach(box => { box.open = false; }));
 
     // A link to something folded away opens it.
     const unfold = () => {
@@ -106,15 +98,27 @@
     // The verdict of a claim, in the list of the page's headings and among what the search finds.
     const marked = new Map(all('.claim').map(box => [box.getAttribute('aria-labelledby'), box.className.split(' ')[1]]));
     const contents = document.getElementById('mdbook-sidebar');
-    const markContents = () => all('a[href*="#"]', contents).forEach(link => {
-        const slug = marked.get(decodeURIComponent(link.hash.slice(1)));
-        if (!slug) return;
-        link.classList.add('marked', slug);
-        // Who goes from link to link meets each claim once, on the page.
-        link.tabIndex = -1;
-    });
+    const parts = () => all('a[href*="#"]:not(.marked)', contents);
+    const markContents = () => {
+        all('a[href*="#"]', contents).forEach(link => {
+            const slug = marked.get(decodeURIComponent(link.hash.slice(1)));
+            if (!slug) return;
+            link.classList.add('marked', slug);
+            // Who goes from link to link meets each claim once, on the page.
+            link.tabIndex = -1;
+        });
+        // One of the page's parts is in the order of tabs; the arrow keys lead on from it.
+        if (!parts().some(link => link === document.activeElement)) parts().forEach((link, i) => { link.tabIndex = i ? -1 : 0; });
+    };
     if (marked.size && contents) {
         new MutationObserver(markContents).observe(contents, { childList: true, subtree: true });
+        contents.addEventListener('keydown', event => {
+            const way = { ArrowDown: 1, ArrowUp: -1 }[event.key], links = parts(), at = links.indexOf(event.target), next = links[at + way];
+            if (at < 0 || !next || event.altKey || event.ctrlKey || event.metaKey) return;
+            event.preventDefault();
+            links.forEach(link => { link.tabIndex = link === next ? 0 : -1; });
+            next.focus();
+        });
         markContents();
     }
     const results = document.getElementById('mdbook-searchresults');
@@ -215,14 +219,18 @@
         if (!map) return;
         const width = map.viewBox.baseVal.width;
         let scale = 1;
+        const sized = () => {
+            figure.classList.toggle('whole', width * scale <= view.clientWidth + 1);
+            // What is too small to read gives its place to signs.
+            figure.classList.toggle('small', scale < 0.75);
+        };
         const zoom = (to, x = view.clientWidth / 2, y = view.clientHeight / 2) => {
             to = Math.min(2.5, Math.max(Math.min(1, view.clientWidth / width), to));
             const [left, top] = [(view.scrollLeft + x) / scale, (view.scrollTop + y) / scale];
             scale = to;
             map.style.width = `${width * scale}px`;
             map.style.height = 'auto';
-            // What is too small to read gives its place to signs and numbers.
-            figure.classList.toggle('whole', scale < 0.6);
+            sized();
             view.scrollTo(left * scale - x, top * scale - y);
         };
         const bar = document.createElement('div');
@@ -259,6 +267,8 @@
         addEventListener('pointermove', event => held && view.scrollTo(held[0] - event.clientX, held[1] - event.clientY));
         addEventListener('pointerup', () => { held = null; });
         map.addEventListener('dragstart', event => event.preventDefault());
+        // As it is drawn, that is all of it on a desk. The page has its layout by then.
+        new ResizeObserver(sized).observe(view);
 
         const steps = all('.step', map), nodes = all('.node', map);
         // What is wrong, and all that it rests on.

@@ -19,6 +19,7 @@ const THEME: &[(&str, &[u8])] = files![
     "theme/book.js",
     "theme/overview.js",
     "theme/cards.js",
+    "theme/search.js",
     "theme/katex/katex.min.css",
     "theme/katex/NOTICE.txt",
     "theme/katex/LICENSE-MIT.txt",

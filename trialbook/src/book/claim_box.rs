@@ -260,7 +260,7 @@ fn trial(
         about = evidence.about(conditional),
         outcome = proved.unwrap_or(outcome),
         compared = maths.words(&evidence.comparison())?,
-        measured = maths.words(&evidence.measured())?,
+        measured = maths.folded(&evidence.measured())?,
         samples = samples(maths, evidence)?,
         code = code.map_or(String::new(), |place| format!(
             " <a class=\"code\" href=\"{}\">Code</a>",

@@ -2,6 +2,7 @@
 
 use super::changes;
 use super::error::Fault;
+use super::rows::in_rows;
 use super::text::{escape, scientific};
 use crate::claims::{Claim, Paper};
 use crate::ledger::{Piece, pieces, plain_formula};
@@ -120,8 +121,13 @@ impl Setter {
         let source = format!("{style}{}", roots_in_braces(latex.trim()));
         let html = render_to_string(&self.context, &source, settings)
             .map_err(|error| fault(error.to_string().replace(UNDERLINE, "")))?;
+        let html = tidy(&without_annotation(&html));
+        let html = match place {
+            Place::Folded => in_rows(&html),
+            Place::Inline | Place::Display => html,
+        };
         Ok((
-            tidy(&without_annotation(&html)),
+            html,
             escape(&plain_formula(&latex.replace(changes::MARK, ""))),
         ))
     }

@@ -61,6 +61,7 @@ mod maths;
 mod overview;
 mod pages;
 mod register;
+mod rows;
 mod search;
 mod swap;
 mod symbols;

@@ -6,6 +6,7 @@
 use super::context::Context;
 use super::text::unescape;
 use crate::evidence::Change;
+use crate::ledger::plain_words;
 use elasticlunr::lang::English;
 use elasticlunr::{Index, IndexBuilder, Language, Pipeline};
 use serde_json::json;
@@ -29,6 +30,8 @@ struct Searched<'a> {
     doc_urls: &'a [&'a str],
     /// The verdicts of claims, by the places of their boxes: slug and words.
     verdicts: &'a BTreeMap<String, [&'static str; 2]>,
+    /// What comes first for who asks for just that: words, and the number of the place; of several places the first.
+    exact: Vec<(&'a str, usize)>,
     index: &'a Index,
 }
 
@@ -38,6 +41,8 @@ pub(super) struct Search {
     stretches: Vec<Stretch>,
     /// Words for a place, by its address.
     aliases: BTreeMap<String, String>,
+    /// Names of places, with their addresses.
+    exact: Vec<(String, String)>,
     verdicts: BTreeMap<String, [&'static str; 2]>,
 }
 
@@ -151,14 +156,23 @@ impl Search {
     /// An index of nothing yet, for a book with these claims.
     pub(super) fn new(context: &Context<'_>) -> Self {
         let mut search = Search::default();
-        let own = context.edition.aliases.iter();
-        for (address, words) in own {
-            let words = (*words).to_owned();
-            search.aliases.insert((*address).to_owned(), words);
+        for (address, phrases) in context.edition.aliases {
+            search
+                .aliases
+                .insert((*address).to_owned(), phrases.join(" "));
+            let phrases = phrases.iter().map(|phrase| (*phrase).to_owned());
+            let exact = phrases.map(|phrase| (phrase, (*address).to_owned()));
+            search.exact.extend(exact);
         }
         for entry in &context.ledger.entries {
             let (claim, verdict) = (entry.claim, entry.judgement.verdict);
             let address = format!("{}.html#{}", entry.topic.stem, claim.id);
+            let names = claim.equation.map(|n| n.to_string());
+            let names = names
+                .into_iter()
+                .chain([claim.id.to_owned(), plain_words(&claim.name())]);
+            let exact = names.map(|name| (name, address.clone()));
+            search.exact.extend(exact);
             let number = claim.equation;
             let number = number.map(|n| format!("eq eq{n} equation {n} ({n}) right true wrong"));
             let values = context.ledger.paper.values.iter();
@@ -180,14 +194,12 @@ impl Search {
             let sign = sign.filter(|_| claim.equation.is_some());
             let sign = sign.map(|_| "sign error".to_owned());
             let symbols = context.edition.symbols.iter();
-            // A word that is to lead elsewhere does not lead here, whatever its case.
-            let taken = |word: &str| {
-                let mut own = context.edition.aliases.iter();
-                own.any(|(_, words)| words.to_lowercase().split(' ').any(|own| own == word))
-            };
             let symbols = symbols.filter(|symbol| symbol.claim == claim.id);
-            let symbols = symbols.filter(|symbol| !taken(&symbol.plain.to_lowercase()));
-            let symbols = symbols.map(|symbol| symbol.plain.to_owned());
+            let symbols: Vec<_> = symbols.map(|symbol| symbol.plain.to_owned()).collect();
+            let exact = symbols
+                .iter()
+                .map(|symbol| (symbol.clone(), address.clone()));
+            search.exact.extend(exact);
             let words = number.into_iter().chain(values).chain(symbols).chain(sign);
             let words: Vec<_> = words.collect();
             let aliases = search.aliases.entry(address.clone()).or_default();
@@ -290,6 +302,9 @@ impl Search {
             index.add_doc(&i.to_string(), texts);
         }
         let addresses: Vec<_> = self.stretches.iter().map(|s| s.address.as_str()).collect();
+        let place = |address: &String| addresses.iter().position(|a| a == address);
+        let exact = self.exact.iter();
+        let exact = exact.filter_map(|(words, address)| Some((words.as_str(), place(address)?)));
         // The title counts most: "(37)" is to find the equation before what refers to it.
         let data = serde_json::to_string(&Searched {
             results_options: json!({ "limit_results": 30, "teaser_word_count": 30 }),
@@ -299,6 +314,7 @@ impl Search {
                 "fields": { "title": { "boost": 4 }, "aliases": { "boost": 8 }, "body": { "boost": 1 }, "breadcrumbs": { "boost": 1 } }
             }),
             verdicts: &self.verdicts,
+            exact: exact.collect(),
             doc_urls: &addresses,
             index: &index,
         })?;

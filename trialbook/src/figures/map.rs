@@ -1,11 +1,10 @@
 //! The map of claims: a box for each, in lanes, and a line for each step of derivation.
 
-use super::axes::TEXT_SIZE;
 use super::plot::FACES;
 use super::svg::{escape, number};
 use super::text::width;
 use super::{Figure, FigureError, Table};
-use std::collections::BTreeMap;
+use std::collections::BTreeSet;
 
 /// A claim on the map.
 #[derive(Debug, Clone)]
@@ -32,15 +31,18 @@ pub struct Node {
     pub on: Vec<usize>,
 }
 
-const BOX: [f64; 2] = [150.0, 42.0];
-const STEP: [f64; 2] = [182.0, 52.0];
-const MARGIN: f64 = 12.0;
-const LANE_HEAD: f64 = 34.0;
-/// Size of the small type, and the room for type in a box.
-const SMALL: f64 = 12.0;
-const ROOM: f64 = 136.0;
-/// Size of the type where the whole map is seen.
-const WHOLE: f64 = 30.0;
+/// A box of a number; a box of words is as wide as several with the gaps between them.
+const BOX: [f64; 2] = [55.0, 18.0];
+const STEP: [f64; 2] = [64.0, 23.0];
+const MARGIN: f64 = 8.0;
+const LANE_HEAD: f64 = 27.0;
+/// Size of the type: the whole map is as wide as a page, and is read at that.
+const SIZE: f64 = 12.0;
+/// Room for the sign, and between the words and the frame.
+const SIGN: f64 = 22.0;
+const RIM: f64 = 4.0;
+/// As many boxes of a number as the longest words are wide.
+const LONGEST: usize = 3;
 
 /// Draws the map; lanes by their titles.
 ///
@@ -48,24 +50,30 @@ const WHOLE: f64 = 30.0;
 /// [`FigureError::Row`] if the table cannot be written.
 pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
     let columns = columns(nodes);
-    // The next free row of each column of each lane.
-    let mut filled: BTreeMap<(usize, usize), usize> = BTreeMap::new();
+    let names: Vec<_> = nodes.iter().map(named).collect();
+    // The rows of each lane, and which columns of each are taken.
+    let mut filled: Vec<Vec<BTreeSet<usize>>> = vec![Vec::new(); lanes.len()];
     let mut cells = Vec::new();
-    for (node, column) in nodes.iter().zip(&columns) {
-        let row = filled.entry((node.lane, *column)).or_default();
-        cells.push((*column, *row));
-        *row += 1;
+    for ((node, column), (_, span)) in nodes.iter().zip(&columns).zip(&names) {
+        let own = || *column..column + span;
+        let rows = &mut filled[node.lane];
+        let free = |row: &BTreeSet<usize>| own().all(|column| !row.contains(&column));
+        let row = rows.iter().position(free).unwrap_or(rows.len());
+        if row == rows.len() {
+            rows.push(BTreeSet::new());
+        }
+        rows[row].extend(own());
+        cells.push((*column, row));
     }
     let mut tops = Vec::new();
     let mut height = MARGIN;
-    for lane in 0..lanes.len() {
+    for rows in &filled {
         tops.push(height);
-        let of_lane = filled.iter().filter(|((l, _), _)| *l == lane);
-        let rows = of_lane.map(|(_, rows)| *rows).max().unwrap_or(0);
-        height += LANE_HEAD + STEP[1] * rows as f64 + MARGIN;
+        height += LANE_HEAD + STEP[1] * rows.len() as f64 + MARGIN;
     }
-    let wide = columns.iter().max().map_or(1, |column| column + 1);
-    let width = 2.0 * MARGIN + STEP[0] * wide as f64 - (STEP[0] - BOX[0]);
+    let taken = filled.iter().flatten().flatten();
+    let wide = taken.max().map_or(1, |column| column + 1);
+    let width = 2.0 * MARGIN + across(wide);
     let corner = |i: usize| {
         let (column, row) = cells[i];
         let top = tops[nodes[i].lane] + LANE_HEAD;
@@ -78,7 +86,7 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
         body.push_str(&format!(
             "<text class=\"lane\" x=\"{}\" y=\"{}\">{}</text>\n",
             number(MARGIN),
-            number(top + 20.0),
+            number(top + 18.0),
             escape(title)
         ));
     }
@@ -86,8 +94,11 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
         let [x, y] = corner(i);
         for &on in &node.on {
             let [x0, y0] = corner(on);
-            let (from, to) = ([x0 + BOX[0], y0 + BOX[1] / 2.0], [x, y + BOX[1] / 2.0]);
-            let bend = ((to[0] - from[0]).abs() / 2.0).clamp(16.0, 60.0);
+            let (from, to) = (
+                [x0 + across(names[on].1), y0 + BOX[1] / 2.0],
+                [x, y + BOX[1] / 2.0],
+            );
+            let bend = ((to[0] - from[0]).abs() / 2.0).clamp(8.0, 40.0);
             let class = if node.lane == nodes[on].lane {
                 "step"
             } else {
@@ -111,14 +122,14 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
         }
     }
     for (i, node) in nodes.iter().enumerate() {
-        body.push_str(&drawn(node, i, corner(i)));
+        body.push_str(&drawn(node, i, corner(i), &names[i]));
     }
     let title = "The map of claims";
     let alt = "Boxes for all claims in a lane per chapter, each to the right of those it rests on, with lines between \
                them. The list below says the same in words.";
     let svg = format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {w} {h}\" width=\"{w}\" height=\"{h}\" \
-         font-size=\"{TEXT_SIZE}\" fill=\"currentColor\" style=\"font-family:{FACES}\">\n<title>{title}</title>\n{body}</svg>\n",
+         font-size=\"{SIZE}\" fill=\"currentColor\" style=\"font-family:{FACES}\">\n<title>{title}</title>\n{body}</svg>\n",
         w = number(width),
         h = number(height),
     );
@@ -154,75 +165,56 @@ fn columns(nodes: &[Node]) -> Vec<usize> {
     columns
 }
 
-/// A node's box with its two lines.
-fn drawn(node: &Node, i: usize, [x, y]: [f64; 2]) -> String {
-    let (first, rest) = match node.name.as_str() {
-        "" => cut(&node.title, ROOM - 26.0, TEXT_SIZE),
-        name => (name, node.title.as_str()),
-    };
-    let second = match cut(rest, ROOM, SMALL) {
-        (line, "") => line.to_owned(),
-        _ => cut(rest, ROOM - SMALL, SMALL).0.to_owned() + "…",
-    };
+/// How wide a box is that takes so many columns.
+fn across(span: usize) -> f64 {
+    STEP[0] * span as f64 - (STEP[0] - BOX[0])
+}
+
+/// What a box says, and how many columns it takes: its number; else its title, or, where that is too long, the words of its
+/// id, or as many of them as fit.
+fn named(node: &Node) -> (String, usize) {
+    let room = |span: usize| across(span) - SIGN - RIM;
+    let span = |words: &str| (1..=LONGEST).find(|span| width(words, SIZE) <= room(*span));
+    // A title begins with a small letter, unless that is a symbol.
+    let title = ["the ", "a "]
+        .iter()
+        .find_map(|article| node.title.strip_prefix(article));
+    let title = title.unwrap_or(&node.title);
+    // Before the first hyphen stands the section.
+    let id = node.id.split_once('-').map_or(node.id, |(_, id)| id);
+    let id = id.replace('-', " ");
+    let names = [node.name.as_str(), title, &id];
+    let mut whole = names.iter().filter(|name| !name.is_empty());
+    if let Some((name, span)) = whole.find_map(|name| Some((name, span(name)?))) {
+        return ((*name).to_owned(), span);
+    }
+    let mut ends = id.rmatch_indices(' ').map(|(at, _)| &id[..at]);
+    let begun = ends.find(|words| span(words).is_some());
+    (begun.unwrap_or_default().to_owned(), LONGEST)
+}
+
+/// A node's box with its sign and its name.
+fn drawn(node: &Node, i: usize, [x, y]: [f64; 2], (name, span): &(String, usize)) -> String {
     let shaken = if node.shaken { " shaken" } else { "" };
-    // What stands for the words where the whole map is seen.
-    let short = match node.name.as_str() {
-        "" => format!(
-            "<tspan class=\"short\" display=\"none\">{}</tspan>",
-            escape(&begun(node.sign, &node.title))
-        ),
-        _ => String::new(),
-    };
-    let name = [node.name.as_str(), node.title.as_str()].join(" ");
+    let whole = [node.name.as_str(), node.title.as_str()].join(" ");
     format!(
         "<a href=\"{href}\" class=\"node {class}{shaken}\" data-node=\"{i}\"><title>{title}</title>\
-         <rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"6\"/>\
-         <text x=\"{tx}\" y=\"{t1}\">{sign} <tspan class=\"{kind}\">{first}</tspan>{short}</text><text font-size=\"{SMALL}\" x=\"{tx}\" y=\"{t2}\">{second}</text></a>\n",
+         <rect x=\"{x}\" y=\"{y}\" width=\"{w}\" height=\"{h}\" rx=\"4\"/>\
+         <text class=\"sign\" text-anchor=\"middle\" x=\"{sx}\" y=\"{ty}\">{sign}</text>\
+         <text class=\"name\" x=\"{tx}\" y=\"{ty}\">{name}</text></a>\n",
         href = escape(&node.href),
         class = node.class,
-        title = escape(&format!("{}: {}", name.trim(), node.words)),
+        title = escape(&format!("{}: {}", whole.trim(), node.words)),
         x = number(x),
         y = number(y),
-        w = number(BOX[0]),
+        w = number(across(*span)),
         h = number(BOX[1]),
-        tx = number(x + 8.0),
-        t1 = number(y + 18.0),
-        t2 = number(y + 34.0),
+        sx = number(x + SIGN / 2.0),
+        tx = number(x + SIGN),
+        ty = number(y + 13.0),
         sign = node.sign,
-        kind = if node.name.is_empty() {
-            "words"
-        } else {
-            "name"
-        },
-        first = escape(first),
-        second = escape(&second),
+        name = escape(name),
     )
-}
-
-/// The beginning of a title, without its article, as far as a box has room for it behind the sign in the type of the whole map.
-fn begun(sign: &str, title: &str) -> String {
-    let articles = ["The ", "the ", "A ", "a "];
-    let plain = articles
-        .iter()
-        .find_map(|article| title.strip_prefix(article));
-    let plain = plain.unwrap_or(title);
-    let fits = |words: &str| width(&format!("{sign} {words}"), WHOLE) <= ROOM;
-    if fits(plain) {
-        return plain.to_owned();
-    }
-    // Browsers without the book's type may set the dots wide.
-    let mut ends = plain.char_indices().map(|(at, _)| &plain[..at]).rev();
-    let short = ends.find(|start| fits(&format!("{start}. . .")));
-    format!("{}…", short.unwrap_or_default().trim_end())
-}
-
-/// As many words as fit, at least one, and the rest.
-fn cut(words: &str, room: f64, size: f64) -> (&str, &str) {
-    let mut ends = words.rmatch_indices(' ').map(|(at, _)| at);
-    let fits = |end: &usize| width(&words[..*end], size) <= room;
-    let fitting = Some(words.len()).filter(fits).or_else(|| ends.find(fits));
-    let end = fitting.or(words.find(' ')).unwrap_or(words.len());
-    (&words[..end], words[end..].trim_start())
 }
 
 #[cfg(test)]
@@ -253,19 +245,70 @@ mod tests {
         let figure = map(&["one", "two"], &nodes).unwrap();
         assert_eq!(figure.csv.lines().count(), 6);
         assert_eq!(figure.svg.matches("class=\"step far\"").count(), 2);
-        assert!(!figure.svg.contains("\n\n") && figure.svg.contains('…'));
+        assert!(!figure.svg.contains("\n\n") && !figure.svg.contains('…'));
     }
 
     #[test]
-    fn a_name_on_the_whole_map_fits_its_box() {
-        assert_eq!(begun("✓", "the rest"), "rest");
-        for sign in ["✓", "✓°", "(✓)"] {
-            let short = begun(sign, "the boundary between rest and escape");
-            assert!(
-                short.len() > 4 && short.starts_with("b") && short.ends_with('…'),
-                "{short}"
-            );
-            assert!(width(&format!("{sign} {short}"), WHOLE) <= ROOM, "{short}");
+    fn a_name_on_the_map_fits_its_box_and_no_box_lies_on_another() {
+        let node = |id, name: &str, title: &str, on: &[usize]| Node {
+            id,
+            name: name.into(),
+            title: title.into(),
+            href: String::new(),
+            class: "confirmed",
+            sign: "✓",
+            words: "confirmed",
+            shaken: false,
+            lane: 0,
+            on: on.to_vec(),
+        };
+        let long = "what is said here in more words than a box can hold, whatever its width";
+        for (id, name, title, said) in [
+            ("eq-147", "(147)", long, "(147)"),
+            ("s4-rest", "", "the rest", "rest"),
+            ("s4-meet", "", "A and B meet", "A and B meet"),
+            ("s4-rest-or-escape", "", long, "rest or escape"),
+        ] {
+            let (words, span) = named(&node(id, name, title, &[]));
+            assert!(words == said && width(said, SIZE) <= across(span) - SIGN);
+        }
+        let (words, span) = named(&node(
+            "s4-a-very-long-id-that-has-far-too-many-words",
+            "",
+            long,
+            &[],
+        ));
+        assert!(
+            span == LONGEST
+                && words.starts_with("a very long")
+                && width(&words, SIZE) <= across(span) - SIGN
+        );
+        let nodes = [
+            node("s1-a-long-one", "", long, &[]),
+            node("eq-1", "(1)", long, &[]),
+            node("eq-2", "(2)", long, &[1]),
+            node("eq-3", "(3)", long, &[2]),
+        ];
+        let figure = map(&["lane"], &nodes).unwrap();
+        let boxes: Vec<_> = figure
+            .svg
+            .split("<rect ")
+            .skip(1)
+            .map(|tag| {
+                let size = |key: &str| -> f64 {
+                    let after = tag.split_once(&format!("{key}=\"")).unwrap().1;
+                    after.split_once('"').unwrap().0.parse().unwrap()
+                };
+                [size("x"), size("y"), size("width")]
+            })
+            .collect();
+        for (i, a) in boxes.iter().enumerate() {
+            for b in &boxes[..i] {
+                assert!(
+                    a[1] != b[1] || a[0] >= b[0] + b[2] || b[0] >= a[0] + a[2],
+                    "{boxes:?}"
+                );
+            }
         }
     }
 }

@@ -11,6 +11,9 @@ use super::text::{markup, width};
 /// How far a drawn curve may lie from its data, in units of the page.
 const TOLERANCE: f64 = 0.08;
 
+/// How much room there should be around the name of a region, or at least.
+const MARGINS: [f64; 3] = [9.0, 6.0, 3.0];
+
 /// Words that want room beside a mark.
 struct Wanted<'a> {
     label: &'a Label,
@@ -167,8 +170,8 @@ impl<'a> Sketch<'a> {
     /// The name of a class off all curves: as near to the middle of its largest square as that can be.
     fn name(&mut self, region: &Region) -> String {
         let words = &region.raster.classes[region.class].label;
-        let free = |&at: &Place| {
-            let room = room(at, words, Align::Middle).grown(3.0);
+        let free = |at: &Place, margin: f64| {
+            let room = room(*at, words, Align::Middle).grown(margin);
             self.frame.contains([room.left, room.top])
                 && self.frame.contains([room.right, room.bottom])
                 && self.canvas.is_free(room)
@@ -176,11 +179,13 @@ impl<'a> Sketch<'a> {
         };
         let off = |at: &Place| libm::hypot(at[0] - region.at[0], at[1] - region.at[1]);
         let steps = || (-40..=40).map(|k| 4.0 * f64::from(k));
-        let at = steps()
-            .flat_map(|dx| steps().map(move |dy| [region.at[0] + dx, region.at[1] + dy]))
-            .filter(free)
-            .min_by(|a, b| off(a).total_cmp(&off(b)))
-            .unwrap_or(region.at);
+        let nearest = |margin: f64| {
+            steps()
+                .flat_map(|dx| steps().map(move |dy| [region.at[0] + dx, region.at[1] + dy]))
+                .filter(|at| free(at, margin))
+                .min_by(|a, b| off(a).total_cmp(&off(b)))
+        };
+        let at = MARGINS.into_iter().find_map(nearest).unwrap_or(region.at);
         self.canvas.take(room(at, words, Align::Middle), u16::MAX);
         label(at, words, Colour::Ink)
     }
@@ -420,5 +425,37 @@ fn room(at: Place, words: &str, align: Align) -> Frame {
         right: left + width,
         top: at[1] - 0.6 * TEXT_SIZE,
         bottom: at[1] + 0.6 * TEXT_SIZE,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::figures::axes::Axis;
+    use crate::figures::panel::Panel;
+
+    #[test]
+    fn the_name_of_a_region_stands_off_its_edges() {
+        let side = 120;
+        let right_of_the_wedge = |k: usize| u8::from(4 * (k % side) >= k / side);
+        let cells = (0..side * side).map(right_of_the_wedge).collect();
+        let raster = Raster::new(side, side, (0.0, 1.0), (0.0, 1.0), cells).unwrap();
+        let raster = raster.class("75 to 100 %", 0, 0.8).class("", 1, 0.2);
+        let axis = |label: &str| Axis::linear(label).range(0.0, 1.0);
+        let panel = Panel::new(axis("x"), axis("y")).raster(raster.clone());
+        let (mut x, mut y) = panel.settle(440.0).unwrap();
+        (x.pixels, y.pixels) = ((40.0, 480.0), (460.0, 20.0));
+        let mut sketch = Sketch::new(&x, &y);
+        sketch.raster(&raster);
+        let region = sketch.regions.pop().unwrap();
+        let drawn = sketch.name(&region);
+        let number = |key: &str| -> f64 {
+            let after = drawn.split_once(&format!(" {key}=\"")).unwrap().1;
+            after.split_once('"').unwrap().0.parse().unwrap()
+        };
+        // The base line is a little below the middle.
+        let at = [number("x"), number("y") - 5.0];
+        let around = room(at, "75 to 100 %", Align::Middle).grown(8.0);
+        assert!(covers(&raster, 0, &around, &x, &y), "{drawn}");
     }
 }

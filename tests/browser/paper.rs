@@ -1,0 +1,69 @@
+//! What comes out of a printer.
+
+use crate::Book;
+use crate::chrome::{Failure, Page};
+use crate::pages::{CHAPTERS, none};
+use serde_json::json;
+
+/// The width of a sheet between its margins, 176 mm, in pixels.
+const SHEET: u32 = 665;
+
+/// Pages with what is hard to set: long formulas, wide tables, figures.
+const HARD: [&str; 7] = [
+    "findings",
+    "errata",
+    "ledger",
+    "equations",
+    "accuracy",
+    "exam",
+    "map",
+];
+
+/// Words, figures and formulas are printed in eight points at least, but for indices and powers, and no formula is wider than its
+/// place, for which a browser would set the whole page smaller.
+pub fn sizes(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let mut wrong = Vec::new();
+    for name in CHAPTERS.into_iter().chain(HARD) {
+        page.resize(SHEET, 1000)?;
+        page.open(&book.address(&format!("{name}.html")))?;
+        page.call("Emulation.setEmulatedMedia", json!({ "media": "print" }))?;
+        let found = page.texts(
+            "(() => {
+                dispatchEvent(new Event('beforeprint'));
+                const main = document.querySelector('main'), found = [];
+                const points = part => {
+                    const matrix = part.ownerSVGElement?.getScreenCTM();
+                    return 0.75 * parseFloat(getComputedStyle(part).fontSize) * (matrix ? Math.hypot(matrix.a, matrix.b) : 1);
+                };
+                const put = (part, words) => {
+                    const size = points(part);
+                    if (size < 7.99) found.push(`${words.trim().slice(0, 60)} is ${size.toFixed(1)} pt`);
+                };
+                const walk = document.createTreeWalker(main, NodeFilter.SHOW_TEXT);
+                let count = 0;
+                while (walk.nextNode()) {
+                    const part = walk.currentNode.parentElement;
+                    // Indices, powers, and what is there for who does not see.
+                    if (!walk.currentNode.data.trim() || part.matches('.katex *, script, style, sub, sup, [font-size=\"70%\"], .more')
+                        || !part.checkVisibility()) continue;
+                    count += 1;
+                    put(part, walk.currentNode.data);
+                }
+                main.querySelectorAll('.katex').forEach(formula => {
+                    if (!formula.checkVisibility()) return;
+                    const words = formula.querySelector('math').textContent;
+                    put(formula.querySelector('.katex-html') || formula.querySelector('math'), words);
+                    const [own, room] = [formula, formula.closest('.katex-display, .claim-words, .says, li, p, td, div')].map(box => box.getBoundingClientRect().width);
+                    if (own > 1.03 * room) found.push(`${words.slice(0, 60)} is ${own.toFixed(0)} wide and has ${room.toFixed(0)}`);
+                });
+                const width = document.documentElement.scrollWidth;
+                if (width > innerWidth) found.push(`it is ${width} wide`);
+                if (count < 20) found.push(`only ${count} words`);
+                return found;
+            })()",
+        )?;
+        wrong.extend(found.into_iter().map(|words| format!("{name}: {words}")));
+        page.call("Emulation.setEmulatedMedia", json!({ "media": "" }))?;
+    }
+    none(wrong)
+}

@@ -1,0 +1,362 @@
+//! Long formulas in rows: browsers break no line within MathML.
+
+/// As wide as a line is where there are long formulas, on paper and on a desk, in letters' heights.
+const ROOM: f64 = 37.0;
+/// How far a row that goes on stands in.
+const INDENT: f64 = 1.5;
+/// What is left at least for a part between its neighbours in a row.
+const LEAST: f64 = 8.0;
+
+/// A piece of MathML: text, or an element with what stands in its tag.
+#[derive(Debug, Clone, PartialEq)]
+enum Node {
+    Text(String),
+    Element(String, Vec<Node>),
+}
+
+/// The formula, in rows if it is too long for a line.
+pub(super) fn in_rows(html: &str) -> String {
+    let mut rest = html;
+    let mut nodes = children(&mut rest);
+    arrange(&mut nodes);
+    nodes.iter().map(written).collect()
+}
+
+/// Puts a list in rows if it is too long, or what is inside the one element around all of it.
+fn arrange(list: &mut Vec<Node>) {
+    let long = width(list, true) > ROOM;
+    match list.as_mut_slice() {
+        [Node::Element(tag, inside)] if ["span", "math", "mrow", "mstyle"].contains(&name(tag)) => {
+            arrange(inside);
+        }
+        _ if long => *list = fitted(std::mem::take(list), ROOM, true),
+        _ => {}
+    }
+}
+
+/// The nodes up to the tag that closes them, which is taken too.
+fn children(rest: &mut &str) -> Vec<Node> {
+    let mut found = Vec::new();
+    while !rest.is_empty() {
+        let Some(inside) = rest.strip_prefix('<') else {
+            let end = rest.find('<').unwrap_or(rest.len());
+            found.push(Node::Text(rest[..end].to_owned()));
+            *rest = &rest[end..];
+            continue;
+        };
+        let (tag, after) = inside.split_once('>').unwrap_or((inside, ""));
+        *rest = after;
+        if tag.starts_with('/') {
+            break;
+        }
+        let inside = if tag.ends_with('/') {
+            Vec::new()
+        } else {
+            children(rest)
+        };
+        found.push(Node::Element(tag.to_owned(), inside));
+    }
+    found
+}
+
+fn written(node: &Node) -> String {
+    match node {
+        Node::Text(text) => text.clone(),
+        Node::Element(tag, _) if tag.ends_with('/') => format!("<{tag}>"),
+        Node::Element(tag, inside) => {
+            let inside: String = inside.iter().map(written).collect();
+            format!("<{tag}>{inside}</{}>", name(tag))
+        }
+    }
+}
+
+fn name(tag: &str) -> &str {
+    tag.split([' ', '/']).next().unwrap_or_default()
+}
+
+fn row(inside: Vec<Node>) -> Node {
+    Node::Element("mrow".into(), inside)
+}
+
+/// The sign of an operator, its brackets among them.
+fn sign(node: &Node) -> Option<&str> {
+    match node {
+        Node::Element(tag, inside) if name(tag) == "mo" => match inside.as_slice() {
+            [Node::Text(text)] => Some(text),
+            _ => None,
+        },
+        // A bracket with a power.
+        Node::Element(tag, inside) if name(tag).starts_with("msu") => sign(inside.first()?),
+        _ => None,
+    }
+}
+
+/// How wide a list is, in letters' heights, rather too wide than too narrow; fractions in fractions are smaller unless all is
+/// as large as on a line of its own.
+fn width(list: &[Node], display: bool) -> f64 {
+    list.iter().map(|node| wide(node, display)).sum()
+}
+
+fn wide(node: &Node, display: bool) -> f64 {
+    let (tag, inside) = match node {
+        Node::Text(_) => return 0.0,
+        Node::Element(tag, inside) => (tag, inside),
+    };
+    let part = |i: usize, display: bool| inside.get(i).map_or(0.0, |node| wide(node, display));
+    match name(tag) {
+        "mo" => match sign(node).unwrap_or_default() {
+            "\u{2061}" => 0.2,
+            "(" | ")" | "[" | "]" | "|" | "," | "⋅" | "·" => 0.45,
+            _ => 1.3,
+        },
+        "mi" | "mn" | "mtext" => match inside.as_slice() {
+            [Node::Text(text)] => 0.56 * text.chars().count() as f64,
+            _ => 0.56,
+        },
+        "mspace" => 0.3,
+        "msub" | "msup" => part(0, display) + 0.72 * part(1, false),
+        "msubsup" => part(0, display) + 0.72 * part(1, false).max(part(2, false)),
+        "mfrac" => {
+            let size = if display { 1.0 } else { 0.72 };
+            0.2 + size * part(0, false).max(part(1, false))
+        }
+        "msqrt" => 1.0 + width(inside, display),
+        "mover" | "munder" | "munderover" => part(0, display),
+        "mtable" | "mtr" => inside
+            .iter()
+            .map(|node| wide(node, display))
+            .fold(0.0, f64::max),
+        _ => width(inside, display),
+    }
+}
+
+/// A list no wider than the room, as far as that can be: itself, or a table of its rows.
+fn fitted(list: Vec<Node>, room: f64, display: bool) -> Vec<Node> {
+    let rows = broken(flat(list, room, display), room, display);
+    let rows = rows
+        .into_iter()
+        .map(|inside| narrowed(inside, room, display));
+    let mut rows: Vec<_> = rows.collect();
+    if rows.len() < 2 {
+        return rows.pop().unwrap_or_default();
+    }
+    let style = if display {
+        " displaystyle=\"true\""
+    } else {
+        ""
+    };
+    let row = |inside| {
+        let cell = Node::Element("mtd".into(), vec![row(inside)]);
+        Node::Element("mtr".into(), vec![cell])
+    };
+    let rows = rows.into_iter().map(row).collect();
+    vec![Node::Element(format!("mtable class=\"rows\"{style}"), rows)]
+}
+
+/// The list without the elements that hold long parts of it together: rows of their own, and brackets with a power.
+fn flat(list: Vec<Node>, room: f64, display: bool) -> Vec<Node> {
+    let mut out = Vec::new();
+    for node in list {
+        let long = wide(&node, display) > room / 2.0;
+        match node {
+            Node::Element(tag, inside) if long && name(&tag) == "mrow" => {
+                out.extend(flat(inside, room, display));
+            }
+            Node::Element(tag, mut parts)
+                if long && name(&tag) == "msup" && is_bracket(parts.first()) =>
+            {
+                let power = parts.pop();
+                out.extend(flat(parts, room, display));
+                let closing = out.pop();
+                let parts = closing.into_iter().chain(power).collect();
+                out.push(Node::Element(tag, parts));
+            }
+            node => out.push(node),
+        }
+    }
+    out
+}
+
+/// Whether a node is a row that ends with a bracket.
+fn is_bracket(node: Option<&Node>) -> bool {
+    let last = match node {
+        Some(Node::Element(tag, inside)) if name(tag) == "mrow" => inside.last(),
+        _ => None,
+    };
+    matches!(last.and_then(sign), Some(")" | "]"))
+}
+
+/// The list in rows, each begun by a sign between two terms, or by a factor where there is none.
+fn broken(list: Vec<Node>, room: f64, display: bool) -> Vec<Vec<Node>> {
+    // Before which places a row may begin, and how deep in brackets that is.
+    let mut depth = 0_i32;
+    let mut places = Vec::new();
+    for (i, node) in list.iter().enumerate() {
+        let before = i.checked_sub(1).and_then(|i| sign(&list[i]));
+        let after_term = i > 0 && before.is_none_or(|sign| [")", "]", "|"].contains(&sign));
+        match sign(node) {
+            Some("=" | "≈" | "≤" | "≥" | "&lt;" | "&gt;") if i > 0 => {
+                places.push((i, depth - 1))
+            }
+            Some("+" | "−") if after_term => places.push((i, depth)),
+            Some("(" | "[") if matches!(before, Some(")" | "]")) => places.push((i, depth + 1)),
+            _ if before == Some(",") => places.push((i, depth)),
+            _ => {}
+        }
+        match sign(node) {
+            Some("(" | "[") => depth += 1,
+            Some(")" | "]") => depth -= 1,
+            _ => {}
+        }
+    }
+    let widths: Vec<f64> = list.iter().map(|node| wide(node, display)).collect();
+    let all = |from: usize, to: usize| widths[from..to].iter().sum::<f64>();
+    let mut starts = vec![0];
+    loop {
+        let start = starts[starts.len() - 1];
+        let room = if start == 0 { room } else { room - INDENT };
+        if all(start, list.len()) <= room {
+            break;
+        }
+        let ahead = || places.iter().filter(|(i, _)| *i > start);
+        let fits = |(i, _): &&(usize, i32)| all(start, *i) <= room;
+        let full = |(i, _): &&(usize, i32)| all(start, *i) > 0.4 * room;
+        // Where it is least deep, and there the last; a row that is not half full is a pity.
+        let best = ahead()
+            .filter(fits)
+            .filter(full)
+            .min_by_key(|(i, depth)| (*depth, std::cmp::Reverse(*i)));
+        let next = best
+            .or_else(|| ahead().filter(fits).next_back())
+            .or_else(|| ahead().next());
+        match next {
+            Some((i, _)) => starts.push(*i),
+            None => break,
+        }
+    }
+    let mut rows: Vec<Vec<Node>> = Vec::new();
+    let mut rest = list;
+    for start in starts.into_iter().rev() {
+        rows.push(rest.split_off(start));
+    }
+    rows.reverse();
+    // A sign at the start of a row stands between two terms all the same.
+    for first in rows.iter_mut().skip(1).filter_map(|row| row.first_mut()) {
+        if let Node::Element(tag, _) = first
+            && tag == "mo"
+        {
+            tag.push_str(" form=\"infix\"");
+        }
+    }
+    rows
+}
+
+/// A row whose fractions and roots are put in rows themselves, the widest first, as long as it is too wide.
+fn narrowed(mut row: Vec<Node>, room: f64, display: bool) -> Vec<Node> {
+    for _ in 0..row.len() {
+        let all = width(&row, display);
+        let inside = |node: &&mut Node| matches!(node, Node::Element(tag, _) if ["mfrac", "msqrt", "mrow"].contains(&name(tag)));
+        let widest = row
+            .iter_mut()
+            .filter(inside)
+            .max_by(|a, b| wide(a, display).total_cmp(&wide(b, display)));
+        let Some(Node::Element(tag, parts)) = widest.filter(|_| all > room) else {
+            break;
+        };
+        let (kind, before) = (name(tag).to_owned(), parts.clone());
+        let own = wide(&Node::Element(tag.clone(), before.clone()), display);
+        let left = (room - (all - own)).max(LEAST);
+        let taken = std::mem::take(parts);
+        *parts = match kind.as_str() {
+            "mfrac" => {
+                let size = if display { 1.0 } else { 0.72 };
+                let part = |node| self::row(fitted(vec![node], left / size, false));
+                taken.into_iter().map(part).collect()
+            }
+            "msqrt" => fitted(taken, left - 1.0, display),
+            _ => fitted(taken, left, display),
+        };
+        if *parts == before {
+            break;
+        }
+    }
+    row
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sum(terms: usize) -> String {
+        let term = |i: usize| {
+            format!(
+                "<mo>+</mo><mn>{}</mn><msup><mi>x</mi><mn>{i}</mn></msup>",
+                100 + i
+            )
+        };
+        (0..terms).map(term).collect()
+    }
+
+    fn math(inside: &str) -> String {
+        format!(
+            "<span class=\"katex\"><math><mrow><mstyle displaystyle=\"true\">{inside}</mstyle></mrow></math></span>"
+        )
+    }
+
+    /// The widest row of a formula, however deep.
+    fn widest(html: &str) -> f64 {
+        wide(&Node::Element("mrow".into(), children(&mut &*html)), true)
+    }
+
+    fn text(html: &str) -> String {
+        html.split('<')
+            .filter_map(|part| Some(part.split_once('>')?.1))
+            .collect()
+    }
+
+    #[test]
+    fn a_short_formula_stays_as_it_is() {
+        let short = math("<mi>y</mi><mo>&lt;</mo><mspace width=\"1em\"/><mi>x</mi>");
+        assert_eq!(in_rows(&short), short);
+    }
+
+    #[test]
+    fn a_long_formula_fits_and_keeps_its_letters() {
+        let long = format!(
+            "<mo stretchy=\"false\">(</mo>{}<mo stretchy=\"false\">)</mo>",
+            sum(30)
+        );
+        let fraction = format!(
+            "<mi>y</mi><mo>=</mo><mo>−</mo><mfrac><mrow>{long}{long}</mrow><mrow>{}</mrow></mfrac><mo>+</mo><mn>1</mn>",
+            sum(3)
+        );
+        let root = format!("<msqrt><mrow>{}</mrow></msqrt>", sum(20));
+        let power = format!(
+            "<msup><mrow><mo fence=\"true\">(</mo>{}<mo fence=\"true\">)</mo></mrow><mn>2</mn></msup>",
+            sum(20)
+        );
+        for inside in [sum(40), fraction, root, power.repeat(2)] {
+            let whole = math(&inside);
+            let rows = in_rows(&whole);
+            assert!(
+                widest(&whole) > ROOM && widest(&rows) <= ROOM + 1.0,
+                "{}: {rows}",
+                widest(&rows)
+            );
+            assert_eq!(text(&rows), text(&whole));
+            assert!(
+                rows.matches("<mtr>").count() >= 2
+                    && rows.matches("<mrow>").count() == rows.matches("</mrow>").count()
+            );
+        }
+    }
+
+    #[test]
+    fn rows_begin_with_signs_between_terms() {
+        let negative = "<mo>=</mo><mo>−</mo><mi>x</mi><mo stretchy=\"false\">(</mo><mo>−</mo><mi>y</mi><mo stretchy=\"false\">)</mo>".repeat(12);
+        let rows = in_rows(&math(&negative));
+        for row in rows.split("<mtd><mrow>").skip(2) {
+            assert!(row.starts_with("<mo form=\"infix\">="), "{row}");
+        }
+    }
+}
