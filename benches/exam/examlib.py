@@ -95,7 +95,7 @@ def sit(simulate, tasks, seconds=20.0, halvings=9, knob="step", values=None):
     runs = []
     for name in tasks:
         s, read, coarsest = TASKS[name]
-        last = None
+        last, still = None, 0
         for value in values or [coarsest / 2**n for n in range(halvings + 1)]:
             try:
                 path, cpu = timed(simulate, s, value)
@@ -109,7 +109,9 @@ def sit(simulate, tasks, seconds=20.0, halvings=9, knob="step", values=None):
             wrong = abs(answer - ANSWERS[name])
             runs.append(dict(task=name, knob=value, answer=answer, error=wrong, cpu=cpu, simulated=s["until"]))
             print(f"  {name:15} {knob} {value:.2e}  {answer:+.12f}  error {wrong:.2e}  {cpu:.3f} s", flush=True)
-            settled = last is not None and abs(answer - last) < 0.02 * wrong and values is None
+            # Twice in a row: once may be chance.
+            still = still + 1 if last is not None and abs(answer - last) < 0.02 * wrong else 0
+            settled = still == 2 and values is None
             last = answer
             # The next one costs twice as much.
             if settled or 2 * cpu > seconds:

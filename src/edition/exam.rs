@@ -1,6 +1,7 @@
 //! The tables of the page on the exam.
 
-use crate::exam::published::{CASES, Standing};
+use crate::exam::published::sliding::{self, Beside, Yield};
+use crate::exam::published::{Standing, cases};
 use crate::exam::results::{self, Mark};
 use crate::exam::{Answer, Basis, TASKS};
 use trialbook::book::{escape, table};
@@ -205,8 +206,7 @@ pub(super) fn sat_on() -> Result<Filled, Failure> {
 
 /// The numbers of others beside ours.
 pub(super) fn published() -> Result<Filled, Failure> {
-    let rows: Result<Vec<_>, Failure> = CASES
-        .iter()
+    let rows: Result<Vec<_>, Failure> = cases()
         .map(|case| {
             let ours = case.ours()?;
             let standing = match case.standing()? {
@@ -231,4 +231,49 @@ pub(super) fn published() -> Result<Filled, Failure> {
 /// A number with eleven digits, as many as our motions promise.
 fn rounded(x: f64) -> f64 {
     format!("{x:.10e}").parse().unwrap_or(x)
+}
+
+/// pySLAMMER's harmonic cases beside ours, by their yield acceleration.
+pub(super) fn sliding() -> Result<Filled, Failure> {
+    let rows = sliding::yields()?.into_iter().map(|known| {
+        let [closed, history] = [Yield::closed, Yield::history].map(|beside| {
+            let all: Vec<_> = known
+                .cases
+                .iter()
+                .map(|case| beside(&known, case))
+                .collect();
+            let agree = all.iter().filter(|beside| beside.agrees()).count();
+            let largest = |of: fn(&Beside) -> f64| digit(all.iter().map(of).fold(0.0, f64::max));
+            [
+                format!("{agree} of {}", all.len()),
+                largest(|beside| beside.apart),
+                largest(|beside| beside.allowed),
+            ]
+        });
+        let own = [
+            format!("{}", known.at),
+            Answer::Number(rounded(known.slip)).to_string(),
+        ];
+        let cells: Vec<_> = own.into_iter().chain(closed).chain(history).collect();
+        cells
+    });
+    let head = [
+        "Yield, g",
+        "Our slip, g/ω²",
+        "Closed forms that agree",
+        "off, m",
+        "allowed, m",
+        "Histories that agree",
+        "off, m",
+        "allowed, m",
+    ];
+    Ok(Filled::Block(wide(
+        &head.map(str::to_owned),
+        &rows.collect::<Vec<_>>(),
+    )))
+}
+
+/// What of it was read.
+pub(super) fn sliding_read() -> Result<Filled, Failure> {
+    Ok(Filled::Inline(escape(sliding::PYSLAMMER.read)))
 }

@@ -94,6 +94,14 @@ pub static EDITION: Edition = Edition {
             fill: |_| exam::published(),
         },
         Placeholder {
+            name: "sliding",
+            fill: |_| exam::sliding(),
+        },
+        Placeholder {
+            name: "sliding-read",
+            fill: |_| exam::sliding_read(),
+        },
+        Placeholder {
             name: "speed",
             fill: |_| speed::table_of(),
         },

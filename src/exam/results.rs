@@ -5,7 +5,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 
 /// The files that the scripts in `benches/exam` wrote.
-const FILES: [(&str, &str); 6] = [
+const FILES: [(&str, &str); 7] = [
     (
         "mujoco.json",
         include_str!("../../benches/exam/results/mujoco.json"),
@@ -25,6 +25,10 @@ const FILES: [(&str, &str); 6] = [
     (
         "box2d.json",
         include_str!("../../benches/exam/results/box2d.json"),
+    ),
+    (
+        "siconos.json",
+        include_str!("../../benches/exam/results/siconos.json"),
     ),
     (
         "events.json",

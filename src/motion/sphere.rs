@@ -18,11 +18,13 @@
 mod line;
 mod run;
 mod slide;
+mod turning;
 
 #[cfg(all(test, feature = "trials"))]
 mod tests;
 
 pub use line::{Directed, LineMotion, LineState, Stretch};
+pub use turning::Turning;
 
 use super::acceleration::{Acceleration, Coefficients};
 use super::error::MotionError;
