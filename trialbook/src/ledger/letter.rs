@@ -57,7 +57,8 @@ impl Ledger {
         let conditional = of(errata, &[Verdict::Conditional]);
         text += &style.paragraph(&format!(
             "All {} numbered equations and statements of the paper were tried {}. We found {}, {} that inherit them, and {}; \
-             {} a condition. {} Statements that are not formulas are given in our words.",
+             {} a condition. {} Statements that are not formulas are given in our words. The trials, the proofs and the program that makes them \
+             are in the supplement and at [link to the code].",
             self.entries.len(),
             self.paper.tried,
             counted(roots.len(), "independent error"),
@@ -80,10 +81,10 @@ impl Ledger {
             text += &style.numbered(i + 1, &self.name(root.id), root);
             text += &style.wrong(root);
             text += &style.entry(as_printed(root), &root.old);
+            text += &style.entry("Right", &root.new);
             for reading in self.readings(root.id) {
                 text += &style.entry("Our reading", &closed(reading));
             }
-            text += &style.entry("Right", &root.new);
             for (label, words) in [
                 ("Reason", Some(&root.reason)),
                 ("By hand", root.case.as_ref()),
@@ -129,11 +130,6 @@ impl Ledger {
             text += &style.heading("Conditions");
             text += &style.paragraph(&self.conditions(errata));
         }
-        text += &style.heading("How this is known");
-        text += &style.paragraph(
-            "Every number here was computed. The trials of each statement, the proofs and the program that makes them are \
-             in the supplement and at [link to the code].",
-        );
         text + style.closing()
     }
 
@@ -427,7 +423,7 @@ impl Style for Latex {
         )
     }
     fn heading(&self, title: &str) -> String {
-        format!("\\section*{{{title}}}\n\n")
+        format!("\\subsection*{{{title}}}\n\n")
     }
     fn paragraph(&self, words: &str) -> String {
         format!("{}\n\n", tex_words(words))
@@ -499,6 +495,8 @@ fn tex_char(c: char) -> String {
         '^' => "\\^{}".into(),
         '~' => "\\~{}".into(),
         '\\' => "$\\backslash$".into(),
+        '“' => "``".into(),
+        '”' => "''".into(),
         '<' | '>' | '|' => format!("${c}$"),
         c if c.is_ascii() => c.into(),
         c => plain::command(c).map_or_else(|| c.into(), |command| format!("${command}$")),
@@ -522,6 +520,7 @@ mod tests {
         );
         assert_eq!(tex_words("A/τ^(3/2) = -5"), r"$A/\tau^{3/2} = -5$");
         assert_eq!(tex_words(r"so $\left[a+b\right]$"), r"so $\bigl[a+b\bigr]$");
+        assert_eq!(tex_words("“so”"), "``so''");
     }
 
     #[test]
