@@ -54,7 +54,7 @@ symbols! {
     phi_t2 = "φ̃₂", r"\tilde\phi_2", "phase at which a slip ends", "radians", "eq-32";
     lambda_c = "λ_c", r"\lambda_\mathrm{c}", "friction from which on there are rests", "1", "eq-36";
     phi_t1 = "φ̃₁", r"\tilde\phi_1", "phase at which the motion without rest passes through zero", "radians", "eq-38";
-    s in sinusoidal = "s", "s", r"size of the drive where $\mathfrak w$ passes through zero", "1", "s22-vy-two-stages";
+    s in sinusoidal = "d", "d", r"size of the drive where $\mathfrak w$ passes through zero", "1", "s22-vy-two-stages";
     w_y in sinusoidal = "𝔴_y", r"\mathfrak w_y", r"velocity across the drive, in units of $A_0/\varpi$", "1", "s22-vy-two-stages";
     h = "h", "h", "form of a periodic drive, at most 1 in size", "1", "eq-42";
     eta = "η", r"\eta", "share of a half period that a pulse fills", "1", "eq-42";

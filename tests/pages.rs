@@ -109,7 +109,7 @@ fn the_letter_takes_nothing_for_its_opposite() {
         }
     }
     let counts = format!(
-        "We found {roots} independent errors, from which {heirs} further statements suffer, and {misprints} misprints; \
+        "We found {roots} independent errors, {heirs} further statements that inherit them, and {misprints} misprints; \
          {conditional} statements need a condition."
     );
     assert!(letter.contains(&counts), "{counts}");

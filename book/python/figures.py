@@ -29,7 +29,7 @@ figure.colorbar(colours, label="distance from the axis at rest")
 axes.set(xlabel="ψ (radians)", ylabel="p", title=f"{(ends.outcome == 'rest').mean():.0%} come to rest")
 figure.savefig(f"{FOLDER}/rest.png", dpi=150)
 
-# The shaken particle: from the critical friction on it rests at each turn.
+# The shaken particle: above the critical friction it rests twice in each period.
 sweep = ask("solve sinusoidal --lambda0 0.05:0.95:91")
 assert sweep.digits.min() >= 10, "a row is not known to ten digits"
 figure, axes = plt.subplots()

@@ -232,7 +232,7 @@ const CLAIMS: &[Claim] = &[
         correction: Some(Correction {
             change: Change::Statement,
             latex: r"\alpha\simeq\frac{1}{3}\ln(3\sqrt2 A)",
-            plain: "α ≃ ⅓ ln(3√2 A)",
+            plain: "α ≃ ⅓ ln(3√2·A)",
         }),
         trials: trials![
             growth::eq130_limit,
@@ -255,7 +255,7 @@ const CLAIMS: &[Claim] = &[
         correction: Some(Correction {
             change: Change::Statement,
             latex: r"\dot A\simeq\frac{(3\sqrt2 A)^{1/3}}{2}",
-            plain: "dA/dτ ≃ (3√2 A)^(1/3)/2",
+            plain: "dA/dτ ≃ (3√2·A)^(1/3)/2",
         }),
         trials: trials![
             growth::eq131_limit,
@@ -301,7 +301,7 @@ const CLAIMS: &[Claim] = &[
         correction: Some(Correction {
             change: Change::Statement,
             latex: r"\alpha=\frac12\ln(\sqrt2\,\tau)+o(1)",
-            plain: "α = ½ ln(√2 τ) + o(1)",
+            plain: "α = ½ ln(√2·τ) + o(1)",
         }),
         trials: trials![
             growth::eq133_limit,

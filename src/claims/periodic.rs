@@ -145,7 +145,7 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Reading,
             },
             Condition {
-                text: r"a mean $m$ of $h$ drives the particle away for ever below $\lambda_0=\lvert m\rvert$: without rest, but not periodically",
+                text: r"a mean of $h$ drives the particle away for ever where $\lambda_0$ is below the size of that mean: without rest, but not periodically",
                 sort: Sort::Remark,
             },
             Condition {

@@ -484,7 +484,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Once v_y ≪ v_x, friction is nearly along x, with a small y-component proportional to v_y.",
         conditions: &[
             Condition {
-                text: r"in proportion to $v_y$ at a given $v_x$: the factor is $1/\lvert v_x\rvert$",
+                text: r"in proportion to $v_y$ at a given $v_x$, with the factor $1/\lvert v_x\rvert$, up to terms of the relative order $(v_y/v_x)^2$",
                 sort: Sort::Reading,
             },
             Condition {

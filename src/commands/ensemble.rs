@@ -40,7 +40,7 @@ pub(super) struct Ensemble {
         allow_negative_numbers = true
     )]
     far: f64,
-    /// Time after which it is followed no longer, in units of 1/Ω
+    /// Time up to which it is followed, in units of 1/Ω
     #[arg(
         long,
         value_name = "TAU",
@@ -48,7 +48,7 @@ pub(super) struct Ensemble {
         allow_negative_numbers = true
     )]
     late: f64,
-    /// Only the K-th of N equal parts of the grid; all N, one behind the other, are the whole, byte for byte
+    /// Only the K-th of N equal parts of the grid; the N parts, put together in order, are the whole, byte for byte
     #[arg(long, value_name = "K/N")]
     shard: Option<Shard>,
 }

@@ -30,7 +30,7 @@ pub const ALL: [Command; 4] = [
     Command {
         command: || {
             ensemble::Ensemble::augment_args(clap::Command::new("ensemble"))
-                .about("Follow many particles on a turntable and say where each ends; rows come while the work goes on")
+                .about("Follow many particles on a turntable and say where each ends; rows are written as the work goes on")
                 .after_help(
                     "Example:\n  slipbook ensemble --rho 0.5 --p 0:1.5:1000 --psi=-3.14:3.14:1000 --csv > ends.csv\n\n\
                      With --shard 3/16 a job does its part of sixteen. A start out of range is a row that says why.\n\n\

@@ -29,7 +29,7 @@ struct Also {
     #[arg(long, value_name = "FILE", num_args = 0..=1, value_parser = plot::place)]
     #[allow(clippy::option_option)]
     plot: Option<Option<PathBuf>>,
-    /// Only the K-th of N equal parts of the grid; all N, one behind the other, are the whole, byte for byte
+    /// Only the K-th of N equal parts of the grid; the N parts, put together in order, are the whole, byte for byte
     #[arg(long, value_name = "K/N")]
     shard: Option<Shard>,
 }

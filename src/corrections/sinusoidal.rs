@@ -52,11 +52,11 @@ pub fn first_stage_lean<S: Scalar>(w: S) -> S {
     -half * ((w + S::int(1)).squared() + half)
 }
 
-/// For how long (in φ) a small velocity `w_y` straight across a drive of the size `h` < λ₀ lasts until the particle
+/// For how long (in φ) a small velocity `w_y` straight across a drive of the size `s` < λ₀ lasts until the particle
 /// stops, to leading order in `w_y`.
 claim "s22-vy-two-stages";
-pub fn last_stage<S: Scalar>(lambda0: S, h: S, w_y: S) -> S {
-    lambda0 * w_y / (lambda0.squared() - h.squared())
+pub fn last_stage<S: Scalar>(lambda0: S, s: S, w_y: S) -> S {
+    lambda0 * w_y / (lambda0.squared() - s.squared())
 }
 
 /// Where the period ends that begins with the slip at φ₁, in radians.

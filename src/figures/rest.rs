@@ -154,7 +154,7 @@ pub fn around(list: &[Around]) -> Result<Figure, FigureError> {
         .caption(
             "How far below $A=1$ the boundary between rest and escape lies, in units of $\\alpha$, against $\\psi$: by \
              bisection (marks) and to second order in $\\alpha$ (curves). For $\\alpha\\to0$ it is $\\cos^2(\\psi/2)$. The \
-             printed envelope is the dashed line, the same for all $\\psi$.",
+             printed envelope, at the smallest of these $\\alpha$, is the dashed line, the same for all $\\psi$.",
         )
         .alt(
             "Bell-shaped curves over ψ from −π to π, with marks on them: close to 1 at ψ = 0 and to 0 at ±π. The \

@@ -156,7 +156,7 @@ pub const CORRECTED: &[Line] = &[
         10,
         Side(0, 0),
         "sinusoidal::last_stage",
-        &[("d", "h")],
+        NONE,
     ),
     (
         "s22-vy-two-stages",
@@ -170,7 +170,7 @@ pub const CORRECTED: &[Line] = &[
         15,
         Side(0, 0),
         "sinusoidal::passage_factor",
-        &[("d", "s")],
+        NONE,
     ),
     (
         "s4-coriolis-no-work",

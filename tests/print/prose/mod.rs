@@ -4,6 +4,7 @@ mod by_hand;
 mod counts;
 mod formulas;
 mod given;
+mod letters;
 mod numbers;
 mod pages;
 

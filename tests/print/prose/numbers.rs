@@ -40,13 +40,13 @@ pub const WORDS: &[(&str, f64)] = &[
     ("twice", 2.0),
 ];
 
-/// The decimals of a text as they stand there, without numbers of sections.
+/// The decimals of a text as they stand there, without numbers of sections and of problems.
 pub fn decimals(text: &str) -> Vec<&str> {
     let mut found = Vec::new();
     for (start, number) in digits(text) {
         let mut before = text[..start].split_whitespace().rev();
         let section = before.next().is_some_and(|word| {
-            ["section", "before"]
+            ["section", "before", "problem"]
                 .contains(&word.trim_start_matches(['[', '*']).to_lowercase().as_str())
         });
         if number.contains('.') && !section {
@@ -72,8 +72,20 @@ fn digits(text: &str) -> Vec<(usize, &str)> {
     found
 }
 
+/// True if what stands behind a number shows that it is the volume or the page of a reference, as in `32, 1049 (2011)`.
+fn of_reference(after: &str) -> bool {
+    let digit = |c: char| c.is_ascii_digit();
+    let after = after
+        .strip_prefix(", ")
+        .map_or(after, |page| page.trim_start_matches(digit));
+    let year = after
+        .strip_prefix(" (")
+        .and_then(|rest| rest.split_once(')'));
+    year.is_some_and(|(year, _)| year.len() == 4 && year.chars().all(digit))
+}
+
 /// What counts in a text without formulas: where it begins, and as it stands there. Numbers of equations, sections, figures,
-/// exercises and lists are left out by their form.
+/// exercises, references and lists are left out by their form.
 pub fn counts(text: &str) -> Vec<(usize, &str)> {
     let mut found: Vec<(usize, &str)> = Vec::new();
     for (start, number) in digits(text) {
@@ -86,7 +98,8 @@ pub fn counts(text: &str) -> Vec<(usize, &str)> {
         let exercise = before.ends_with("**") && after.starts_with(".**");
         let address = before.ends_with("eq-");
         let listed = before.ends_with('\n') && after.starts_with(". ");
-        if !(named || equation || exercise || address || listed || number.contains('.')) {
+        let other = address || listed || of_reference(after) || number.contains('.');
+        if !(named || equation || exercise || other) {
             found.push((start, number));
         }
     }
@@ -250,9 +263,9 @@ fn decimals_are_vouched_for_in_their_order_by_the_code_beside_them() {
 
 #[test]
 fn what_counts_is_told_from_what_is_numbered() {
-    let text = "Section 2 and figure 3 of (12):\n1. Two of 40 halves, **2.** a tenth at 0.5";
+    let text = "Section 2 and figure 3 of (12):\n1. Two of 40 halves, **2.** a tenth at 0.5, Phys. 32, 1049 (2011), 5, 6 (70)";
     let counts: Vec<&str> = counts(text).into_iter().map(|(_, word)| word).collect();
-    assert_eq!(counts, ["Two", "40", "tenth"]);
+    assert_eq!(counts, ["Two", "40", "tenth", "5", "6"]);
 }
 
 #[test]

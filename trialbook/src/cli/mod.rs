@@ -75,7 +75,7 @@ impl Common {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Try claims and hold their verdicts against the record; all claims if none is named
+    /// Try claims and compare their verdicts with the record; all claims if none is named
     Verify {
         /// Ids of claims, as `list` prints them
         #[arg(value_name = "ID")]
@@ -101,7 +101,7 @@ enum Command {
         #[arg(value_name = "ID")]
         ids: Vec<String>,
     },
-    /// Write for each proof a certificate that a stranger's program can check
+    /// Write for each proof a certificate that another program can check
     Certify {
         /// Ids of claims, as `list` prints them
         #[arg(value_name = "ID")]
@@ -129,7 +129,7 @@ enum Command {
         #[arg(long)]
         section: Option<String>,
     },
-    /// Print what is printed wrongly, with what is right
+    /// Print the errata: what is wrong in print, and what is right
     Errata {
         /// How to print it
         #[arg(long, value_enum, default_value_t = ledger::ErrataFormat::Text, conflicts_with_all = ["json", "csv"])]

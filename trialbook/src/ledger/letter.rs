@@ -56,8 +56,9 @@ impl Ledger {
         text += &style.sender();
         let conditional = of(errata, &[Verdict::Conditional]);
         text += &style.paragraph(&format!(
-            "All {} numbered equations and statements of the paper were tried {}. We found {}, from which {} suffer, and {}; \
-             {} a condition. {} Where a statement is not a formula, what is said is given in our words.",
+            "All {} numbered equations and statements of the paper were tried {}. We found {}, {} that inherit them, and {}; \
+             {} a condition. {} Statements that are not formulas are given in our words. The trials, the proofs and the program that makes them \
+             are in the supplement and at [link to the code].",
             self.entries.len(),
             self.paper.tried,
             counted(roots.len(), "independent error"),
@@ -81,6 +82,9 @@ impl Ledger {
             text += &style.wrong(root);
             text += &style.entry(as_printed(root), &root.old);
             text += &style.entry("Right", &root.new);
+            for reading in self.readings(root.id) {
+                text += &style.entry("Our reading", &closed(reading));
+            }
             for (label, words) in [
                 ("Reason", Some(&root.reason)),
                 ("By hand", root.case.as_ref()),
@@ -98,7 +102,7 @@ impl Ledger {
                 let known: Vec<_> = known.iter().map(|e| self.name(e.id)).collect();
                 let known = (!known.is_empty()).then(|| format!("{}, as above", known.join(", ")));
                 let right: Vec<_> = right.chain(known).collect();
-                text += &style.entry("It passes to", &right.join("; "));
+                text += &style.entry("Also to be changed", &right.join("; "));
             }
             text.push('\n');
         }
@@ -115,6 +119,9 @@ impl Ledger {
                         closed(new)
                     ),
                 };
+                let readings = self.readings(misprint.id);
+                let readings = readings.map(|reading| format!(" (Our reading: {reading}.)"));
+                let words = words + &readings.collect::<String>();
                 text += &style.entry(&self.place(misprint), &words);
             }
             text.push('\n');
@@ -123,11 +130,6 @@ impl Ledger {
             text += &style.heading("Conditions");
             text += &style.paragraph(&self.conditions(errata));
         }
-        text += &style.heading("How this is known");
-        text += &style.paragraph(
-            "Every number here was computed. The trials of each statement, the proofs and the program that makes them are \
-             in the supplement and at [link to the code].",
-        );
         text + style.closing()
     }
 
@@ -136,12 +138,13 @@ impl Ledger {
         let counts = self.counts();
         let but = match counts[&Verdict::Degenerate] {
             0 => String::new(),
-            1 => ", 1 of the statements but for points at which it has no value or that fill no interval".to_owned(),
+            1 => ", 1 of them with degenerate exceptions (points at which it has no value, or which fill no interval)"
+                .to_owned(),
             n => format!(
-                ", {n} of the statements but for points at which they have no value or that fill no interval"
+                ", {n} of them with degenerate exceptions (points at which they have no value, or which fill no interval)"
             ),
         };
-        format!("The rest is right as printed{but}.{}", self.undecided())
+        format!("{}All others are right as printed{but}.", self.undecided())
     }
 
     /// Which statements are undecided, and why: a sentence or two for each, none where there are none.
@@ -153,13 +156,22 @@ impl Ledger {
             let known = measured.filter(|m| m.claims.contains(&entry.claim.id));
             let why = known.map(|m| m.reason).next();
             format!(
-                " Undecided is a statement of section {}: {} {}",
+                "A statement of section {} is undecided: {} {} ",
                 entry.claim.section,
                 closed(entry.claim.latex),
                 closed(why.unwrap_or(&entry.judgement.ground))
             )
         })
         .collect()
+    }
+
+    /// How a claim is read where its words can be read in more than one way.
+    fn readings(&self, id: &str) -> impl Iterator<Item = &'static str> {
+        let conditions = self
+            .entry(id)
+            .map_or(&[][..], |entry| entry.claim.conditions);
+        let readings = conditions.iter().filter(|c| c.sort == Sort::Reading);
+        readings.map(|c| c.text)
     }
 
     /// The name of a claim, behind its section where it has no number, and without what explains it behind a colon.
@@ -215,7 +227,7 @@ impl Ledger {
                 text += &style.item(&self.name(erratum.id), erratum);
                 if !erratum.fallen.is_empty() && erratum.verdict != Verdict::Conditional {
                     let names: Vec<_> = erratum.fallen.iter().map(|id| self.name(id)).collect();
-                    text += &style.entry("Falls with it", &names.join(", "));
+                    text += &style.entry("Inherited by", &names.join(", "));
                 }
                 text.push('\n');
             }
@@ -240,13 +252,14 @@ fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
 const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}";
 
 /// The parts of an item that stand in one paragraph, in LaTeX.
-const RUN_IN: [&str; 6] = [
+const RUN_IN: [&str; 7] = [
     "Printed",
     "Said",
     "Right",
     "Reason",
     "By hand",
-    "It passes to",
+    "Our reading",
+    "Also to be changed",
 ];
 
 /// How the title of the letter begins.
@@ -410,7 +423,7 @@ impl Style for Latex {
         )
     }
     fn heading(&self, title: &str) -> String {
-        format!("\\section*{{{title}}}\n\n")
+        format!("\\subsection*{{{title}}}\n\n")
     }
     fn paragraph(&self, words: &str) -> String {
         format!("{}\n\n", tex_words(words))
@@ -482,6 +495,8 @@ fn tex_char(c: char) -> String {
         '^' => "\\^{}".into(),
         '~' => "\\~{}".into(),
         '\\' => "$\\backslash$".into(),
+        '“' => "``".into(),
+        '”' => "''".into(),
         '<' | '>' | '|' => format!("${c}$"),
         c if c.is_ascii() => c.into(),
         c => plain::command(c).map_or_else(|| c.into(), |command| format!("${command}$")),
@@ -505,6 +520,7 @@ mod tests {
         );
         assert_eq!(tex_words("A/τ^(3/2) = -5"), r"$A/\tau^{3/2} = -5$");
         assert_eq!(tex_words(r"so $\left[a+b\right]$"), r"so $\bigl[a+b\bigr]$");
+        assert_eq!(tex_words("“so”"), "``so''");
     }
 
     #[test]

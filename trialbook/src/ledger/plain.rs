@@ -214,10 +214,13 @@ impl Reader<'_> {
         let mut out = String::new();
         // Where a fraction begins of which it is not known yet whether something follows that it multiplies.
         let mut fraction = None;
+        // Whether a root, or a number, would seem to take in what follows.
+        let mut open = false;
         loop {
             let is_fraction = ["\\frac", "\\tfrac", "\\dfrac"]
                 .iter()
                 .any(|name| self.rest.trim_start().starts_with(name));
+            let is_root = self.rest.trim_start().starts_with("\\sqrt");
             let Some(item) = self.item() else {
                 return out;
             };
@@ -231,6 +234,20 @@ impl Reader<'_> {
                 item.ends_with(' ') && item.starts_with(|c: char| c.is_ascii_lowercase());
             if function && out.ends_with(|c: char| c.is_alphabetic() || is_small(c)) {
                 out.push(' ');
+            }
+            if !item.trim().is_empty() {
+                let digit = item.starts_with(|c: char| c.is_ascii_digit());
+                let vulgar = VULGAR
+                    .iter()
+                    .any(|(_, known)| out.trim_end().ends_with(known));
+                let factor = item.starts_with(|c: char| {
+                    c.is_alphanumeric() && !is_small(c) || "√([".contains(c)
+                });
+                if open && factor || vulgar && digit {
+                    out.truncate(out.trim_end().len());
+                    out.push('·');
+                }
+                open = is_root;
             }
             let begins = out.len();
             out.push_str(&item);
@@ -429,7 +446,9 @@ mod tests {
             (r"2^{1/4}", "2^(1/4)"),
             (r"r^{\lambda-1}", "r^(λ−1)"),
             (r"\frac{3\sqrt2}{4A}", "3√2/(4A)"),
-            (r"\frac12\ln(\sqrt2\,\tau)", "½ln (√2 τ)"),
+            (r"\frac12\ln(\sqrt2\,\tau)", "½ln (√2·τ)"),
+            (r"\sqrt{1+x} A+\sqrt2(1-\sigma)", "√(1+x)·A+√2·(1−σ)"),
+            (r"\frac13 2^{1/4}\sqrt2/\tau", "⅓·2^(1/4)√2/τ"),
             (r"\sin^2\frac\psi2", "sin²(ψ/2)"),
             (r"\lvert v_\perp\rvert", "|v_⊥|"),
             (r"\cosh\alpha\cosh2\alpha", "cosh α cosh 2α"),
