@@ -39,10 +39,10 @@ const WIDE: f64 = 1.0;
 /// Layers that are tried, each reaching half as near to the line as the one before.
 const LAYERS: i32 = 40;
 
-/// Halvings of a layer's cell, where the layer is thicker than [`THIN`] in α, and where it is not.
+/// Halvings of a layer's cell: of the first, which are thick, and of the others.
+const THICK: i32 = 4;
 const HALVINGS: u32 = 12;
-const HALVINGS_OF_THIN: u32 = 2;
-const THIN: f64 = 1e-3;
+const HALVINGS_OF_THIN: u32 = 4;
 
 /// A side of the line.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -32,7 +32,7 @@ pub const REACH: f64 = 2.0;
 pub const RANGE: [f64; 2] = [0.4, 0.95];
 
 /// Strips at first.
-pub const STRIPS: usize = 64;
+pub const STRIPS: usize = 128;
 
 /// A strip of which a larger share stays open is tried again in halves, so many times at most.
 const OPEN: f64 = 9e-4;
