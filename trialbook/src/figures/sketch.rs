@@ -455,7 +455,7 @@ mod tests {
         };
         // The base line is a little below the middle.
         let at = [number("x"), number("y") - 5.0];
-        let around = room(at, "75 to 100 %", Align::Middle).grown(8.0);
+        let around = room(at, "75 to 100 %", Align::Middle).grown(5.0);
         assert!(covers(&raster, 0, &around, &x, &y), "{drawn}");
     }
 }
