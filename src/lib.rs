@@ -34,6 +34,21 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
+//! A ball on a shaken plane slips at first, and then rolls, as the pull is never more than rolling can bear:
+//!
+//! ```
+//! use slipbook::motion::Fitted;
+//! use slipbook::motion::sphere::{Ball, Contact, Sphere};
+//!
+//! let solid = Sphere::with_kappa(0.4);
+//! let plane = Fitted::from_fn(|t| [2.0 * (3.0 * t).sin(), 0.0], [0.0, 10.0], &[])?;
+//! let start = Ball { t: 0.0, x: [0.0; 2], v: [1.0, 0.5], omega: [0.0; 3] };
+//! let motion = solid.run(&plane, &start, 10.0)?;
+//! assert_eq!(motion.contact(0.1)?, Contact::Sliding);
+//! assert_eq!(motion.contact(9.0)?, Contact::Rolling);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! A census of particles on a turntable, in the paper's units, on all cores with the feature `parallel`:
 //!
 //! ```
@@ -47,6 +62,8 @@
 //! assert!(0 < rests && rests < 100);
 //! # Ok::<(), slipbook::motion::MotionError>(())
 //! ```
+//!
+//! `examples/portrait.rs` draws a portrait, `examples/census.rs` and `examples/shaken.rs` go further into the other two.
 //!
 //! # Judging
 //!

@@ -224,7 +224,7 @@ fn a_book_is_not_written_where_nobody_looks_for_it() {
 
 #[test]
 fn bad_input_says_what_is_wrong_and_writes_nothing() {
-    let cases: [(&str, &str); 22] = [
+    let cases = [
         (
             "solve constant --lambda -1 --v0 1 --theta0 1 --time 1",
             "lambda = -1 must be",
@@ -251,7 +251,19 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         ("solve --plot pulse --eta 0.5 --lambda0 0.3", "--plot"),
         ("verify eq-999", "eq-999"),
         ("list --section 9", "9"),
-        ("exam stop-place none", "no such task"),
+        ("exam stop-place none", "'none'"),
+        ("exam stop-plac", "'stop-place'"),
+        ("show s2", "`s2` may be s2-stops-if-weak, "),
+        ("find 1/0", "`1/0` has no finite value"),
+        ("find pi/", "missing at the end"),
+        (
+            "solve turntable --mu 0.4 --omega -3.5 --r 0.1 --speed 0.05 --psi 1",
+            "what the SI units given come to",
+        ),
+        (
+            "solve sinusoidal --mu -0.4 --a0 1",
+            "what the SI units given come to",
+        ),
         ("solve turntable --rho 1 --p 0 --psi 0 --alpha 3", "--alpha"),
         ("solve turntable --A 1 --alpha 1 --psi 0 --p 3", "--p"),
         ("solve turntable --x 1 --y 0 --vx 1 --vy 0 --p 3", "--p"),
@@ -494,7 +506,20 @@ fn every_command_has_help_with_an_example() {
         let output = slipbook(&[&command[..], &["--help"]].concat());
         assert_eq!(output.status.code(), Some(0));
         let example = format!("slipbook {}", command.join(" "));
-        assert!(text(&output.stdout).contains(&example), "{example}");
+        let help = text(&output.stdout);
+        assert!(help.contains(&example), "{example}");
+        // What is its own comes first, what all take last.
+        let common = help.find("      --json").unwrap();
+        assert!(help[common..].find(" <RANGE>").is_none(), "{help}");
+    }
+    let help = text(&slipbook(&["solve", "--help"]).stdout);
+    for (problem, about) in [
+        ("constant", "A particle launched on a plane"),
+        ("turntable", "A particle on a turntable"),
+    ] {
+        let mut lines = help.lines().map(str::trim_start);
+        let line = lines.find(|line| line.split(' ').next() == Some(problem));
+        assert!(line.unwrap().contains(about), "{help}");
     }
 }
 
@@ -682,6 +707,8 @@ fn an_answer_that_cannot_be_written_is_a_failure() {
         "ensemble --rho 0.5 --p 0.3 --psi 1",
         "exam creep",
         "completions bash",
+        "--help",
+        "--version",
     ] {
         let full = fs::OpenOptions::new().write(true).open("/dev/full");
         let output = Command::new(env!("CARGO_BIN_EXE_slipbook"))
@@ -806,6 +833,10 @@ fn an_answer_fits_the_screen() {
         "list --section 2",
         "find 0.53701",
         "solve constant --lambda 0.5 --v0 1 --theta0 -1 --time 2",
+        "solve constant --lambda 0.1:2:3 --v0 1 --theta0 120deg --time 0:1:3",
+        "solve sphere --gamma 2 --u0 1 --theta0 1 --time 0:1:3",
+        "exam",
+        "--help",
     ] {
         for columns in [60, 80, 120, 200] {
             let wide: Vec<_> = said(line, columns, &[])
@@ -818,8 +849,11 @@ fn an_answer_fits_the_screen() {
     }
     let table = |columns| said("verify eq-47 eq-58", columns, &[]);
     assert!(table(200).lines().count() < table(40).lines().count());
-    let painted = said("verify eq-75", 80, &["--color", "always"]);
-    assert!(painted.contains("\u{1b}[31m"), "{painted}");
+    for line in ["verify eq-75", "show eq-75", "find 0.53701"] {
+        let painted = said(line, 80, &["--color", "always"]);
+        assert!(painted.contains("\u{1b}[31m"), "{painted}");
+        assert!(!said(line, 80, &[]).contains('\u{1b}'), "{line}");
+    }
     assert!(!said("verify eq-82", 80, &[]).contains('\u{1b}'));
     assert_eq!(
         said("verify eq-11 -q -j 1", 80, &[]),

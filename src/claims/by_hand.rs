@@ -16,7 +16,7 @@ use super::sinusoidal::settled::{ORIGIN, drive, settled};
 use super::turntable::projections;
 use super::values::boundary_example;
 use crate::motion::drive::{PlanarState, Sign};
-use crate::motion::sphere::{Ball, Motion, Sphere};
+use crate::motion::sphere::{Ball, BallMotion, Sphere};
 use crate::motion::{Plane, State, run};
 use crate::numerics::roots::root;
 use crate::paper::{
@@ -347,7 +347,7 @@ fn backward(signs: &[f64]) -> f64 {
 }
 
 /// A solid sphere thrown across with slip velocity 1 and no spin, on a plane with A = γμg, units of R and μg.
-fn thrown(gamma: f64, until: f64) -> Result<Motion, Failure> {
+fn thrown(gamma: f64, until: f64) -> Result<BallMotion, Failure> {
     let start = match gamma {
         // Nothing is across: along the x axis.
         0.0 => [1.0, 0.0],

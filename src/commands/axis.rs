@@ -11,6 +11,8 @@ pub(super) struct Axis {
     low: Double,
     high: Double,
     count: u64,
+    /// Whether it names degrees.
+    degrees: bool,
 }
 
 /// A decimal number, as it stands, or an expression.
@@ -31,8 +33,12 @@ impl FromStr for Axis {
             fit.then_some(end)
                 .ok_or_else(|| format!("`{part}` is not finite"))
         };
+        let degrees = text.contains("deg") || text.contains('°');
         match text.split(':').collect::<Vec<_>>()[..] {
-            [one] => Ok(number(one)?.into()),
+            [one] => Ok(Self {
+                degrees,
+                ..number(one)?.into()
+            }),
             [low, high, count] => {
                 let count: u64 = count.parse().unwrap_or(0);
                 if !(2..=1_000_000_000).contains(&count) {
@@ -42,6 +48,7 @@ impl FromStr for Axis {
                     low: end(low)?,
                     high: end(high)?,
                     count,
+                    degrees,
                 })
             }
             _ => Err("a number, or LOW:HIGH:COUNT".into()),
@@ -55,6 +62,7 @@ impl From<Double> for Axis {
             low: one,
             high: one,
             count: 1,
+            degrees: false,
         }
     }
 }
@@ -122,10 +130,12 @@ impl Point {
     }
 }
 
-/// A warning for an angle that is more than a turn.
-pub(super) fn is_it_degrees(name: &str, angle: f64) -> Option<String> {
-    let turns = angle.is_finite() && angle.abs() > std::f64::consts::TAU;
-    turns.then(|| {
+/// A warning for an angle of more than a turn that does not say whether it is in degrees.
+pub(super) fn is_it_degrees(name: &str, axis: &Axis) -> Option<String> {
+    let ends = [axis.low, axis.high].map(f64::from);
+    let turns = |angle: &f64| angle.is_finite() && angle.abs() > std::f64::consts::TAU;
+    let turns = ends.into_iter().find(turns).filter(|_| !axis.degrees);
+    turns.map(|angle| {
         let angle = plain(angle);
         format!("{name} = {angle} is in radians, more than a turn; {angle}deg is in degrees")
     })
@@ -150,6 +160,16 @@ mod tests {
             "", "1:2", "1:2:1", "1:2:x", "nan:1:2", "1:inf:3", "1:2:3:4", "0,5",
         ] {
             assert!(wrong.parse::<Axis>().is_err(), "{wrong}");
+        }
+    }
+
+    #[test]
+    fn an_angle_that_names_its_degrees_is_not_warned_of() {
+        let warned = |text: &str| is_it_degrees("psi", &text.parse().unwrap());
+        assert!(warned("720").unwrap().contains("720deg"));
+        assert!(warned("-720:0:3").unwrap().contains("-720deg"));
+        for fine in ["720deg", "720°", "6", "0:720deg:3"] {
+            assert_eq!(warned(fine), None, "{fine}");
         }
     }
 

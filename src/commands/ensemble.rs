@@ -86,11 +86,8 @@ impl Ensemble {
         if total == 1 {
             start(&horizon, self.place(0))?;
         }
-        for end in [0, self.psi.count() - 1] {
-            if let Some(warning) = is_it_degrees("psi", self.psi.at(end).into()) {
-                complain("slipbook", &warning);
-                break;
-            }
+        if let Some(warning) = is_it_degrees("psi", &self.psi) {
+            complain("slipbook", &warning);
         }
         let stop = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&stop);

@@ -3,22 +3,27 @@
 use crate::exam::{Answer, Basis, Sat, TASKS, Task};
 use crate::numerics::error::plain as number;
 use clap::Args;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde_json::{Map, Value, json as object};
-use trialbook::cli::{VERSION, csv, json, say};
+use trialbook::cli::{VERSION, csv, json, show};
 use trialbook::edition::{Failure, Format};
 
 /// Which tasks.
 #[derive(Debug, Args)]
 pub(super) struct Exam {
     /// Names of tasks; all if none is given
-    #[arg(value_name = "TASK", value_parser = task)]
+    #[arg(value_name = "TASK", value_parser = names().try_map(|name| task(&name)), hide_possible_values = true)]
     tasks: Vec<&'static Task>,
 }
 
-fn task(name: &str) -> Result<&'static Task, String> {
-    let names: Vec<_> = TASKS.iter().map(|task| task.id).collect();
+/// The names of the tasks: the shells complete them, and the nearest one is proposed for a wrong one.
+fn names() -> PossibleValuesParser {
+    PossibleValuesParser::new(TASKS.iter().map(|task| task.id))
+}
+
+fn task(name: &str) -> Result<&'static Task, &'static str> {
     let found = TASKS.iter().find(|task| task.id == name);
-    found.ok_or_else(|| format!("no such task; there are {}", names.join(", ")))
+    found.ok_or("no such task")
 }
 
 impl Exam {
@@ -35,7 +40,7 @@ impl Exam {
         match format {
             Format::Text => {
                 let parts: Vec<_> = sat.iter().map(|(task, sat)| text(task, sat)).collect();
-                say(&parts.join("\n\n"))?;
+                show(&parts.join("\n\n"))?;
             }
             Format::Json => {
                 let tasks: Vec<_> = sat.iter().map(|(task, sat)| value(task, sat)).collect();

@@ -6,6 +6,7 @@ use crate::numerics::error::plain as number;
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use trialbook::book::bare;
 use trialbook::edition::Failure;
 
 /// Where an SVG goes: a file, or `-` for standard output.
@@ -35,14 +36,7 @@ pub(super) fn svg(curve: &Curve) -> Result<String, Failure> {
 
 /// Writes a plot into a file, which is replaced whole; a link is followed. What is there and no file is left alone.
 pub(super) fn to_file(svg: &str, file: &Path) -> Result<(), Failure> {
-    let failed = |error: io::Error| {
-        // The system's own words, without the temporary name.
-        let error = match error.raw_os_error() {
-            Some(_) => error,
-            None => io::Error::from(error.kind()),
-        };
-        format!("cannot write `{}`: {error}", file.display())
-    };
+    let failed = |error: io::Error| format!("cannot write `{}`: {}", file.display(), bare(error));
     let mut making = tempfile::Builder::new();
     let place = if file.symlink_metadata().is_ok() {
         let old = file.metadata().map_err(failed)?;

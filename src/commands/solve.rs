@@ -22,7 +22,7 @@ pub(super) struct Solve {
     problem: Problem,
 }
 
-/// What is asked behind the name of any problem.
+// What is asked behind the name of any problem. As a doc comment it would be the help of each.
 #[derive(Args)]
 struct Also {
     /// Plot too: into a file of the name FILE.svg, as text if no file is named; `-` writes the SVG alone
@@ -422,6 +422,39 @@ impl Problem {
         }
     }
 
+    /// What was given in SI units and stands in an error as a ratio.
+    fn converted(&self) -> &'static [&'static str] {
+        let of = |mu: Option<Axis>, names: &'static [&'static str]| match mu {
+            Some(_) => names,
+            None => &[],
+        };
+        match self {
+            Problem::Constant(given) => of(given.weight.mu, &["lambda"]),
+            Problem::Sinusoidal(friction)
+            | Problem::Pulse { friction, .. }
+            | Problem::Anisotropic { friction, .. } => of(friction.weight.mu, &["lambda0"]),
+            Problem::Sphere(given) => of(given.weight.mu, &["gamma"]),
+            Problem::Turntable(given) => of(given.mu, &["rho", "p"]),
+            Problem::TurntableBoundary { .. } => &[],
+        }
+    }
+
+    /// An error, with what it has to do with what was given: an angle out of range was most likely meant in degrees.
+    fn explained(&self, error: SolveError) -> Failure {
+        match error {
+            SolveError::Parameter { name, value, .. }
+                if name.starts_with("theta") && value.abs() > std::f64::consts::PI =>
+            {
+                let degrees = number(value);
+                format!("{error}; it is in radians, {degrees}deg would be degrees").into()
+            }
+            SolveError::Parameter { name, .. } if self.converted().contains(&name) => {
+                format!("{error}; that is what the SI units given come to").into()
+            }
+            other => other.into(),
+        }
+    }
+
     /// The angles that may be of any size.
     fn angle(&self) -> Option<&Axis> {
         match self {
@@ -437,11 +470,12 @@ impl Solve {
         let mut point = Point::new(0);
         let question = self.problem.question(&mut point);
         let total = point.total.ok_or("more than 2⁶⁴ points together")?;
-        if let Some(angle) = self.problem.angle() {
-            let last = angle.at(angle.count() - 1).into();
-            if let Some(warning) = is_it_degrees("psi", last) {
-                complain("slipbook", &warning);
-            }
+        let warning = self
+            .problem
+            .angle()
+            .and_then(|psi| is_it_degrees("psi", psi));
+        if let Some(warning) = warning {
+            complain("slipbook", &warning);
         }
         if total > 1 || also.shard.is_some() {
             if also.plot.is_some() {
@@ -450,7 +484,9 @@ impl Solve {
             let ask = |point: &mut Point| self.problem.question(point);
             return sweep::run(&ask, total, also.shard, format);
         }
-        let report = question.report().map_err(in_degrees)?;
+        let report = question
+            .report()
+            .map_err(|error| self.problem.explained(error))?;
         let drawn = match &also.plot {
             None => None,
             Some(Some(file)) => {
@@ -471,22 +507,6 @@ impl Solve {
             Format::Csv => table(&report)?,
         }
         Ok(0)
-    }
-}
-
-/// An angle out of range was most likely meant in degrees.
-fn in_degrees(error: SolveError) -> Failure {
-    match error {
-        SolveError::Parameter { name, value, .. }
-            if name.starts_with("theta") && value.abs() > std::f64::consts::PI =>
-        {
-            format!(
-                "{error}; it is in radians, {}deg would be degrees",
-                number(value)
-            )
-            .into()
-        }
-        other => other.into(),
     }
 }
 

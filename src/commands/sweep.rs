@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use serde_json::{Map, json};
 use std::fmt::Write as _;
 use std::io::{self, ErrorKind, Write};
-use trialbook::cli::{Shard, unwritten};
+use trialbook::cli::{Shard, screen, show, unwritten};
 use trialbook::edition::{Failure, Format};
 use trialbook::figures::{Cell, Table};
 
@@ -37,6 +37,7 @@ pub(super) fn run(
     let mut first = Point::new(0);
     let question = ask(&mut first);
     let mut heads: Vec<&str> = first.swept.iter().rev().map(|(name, _)| *name).collect();
+    let keys = heads.len();
     heads.extend(question.quantities()?);
     heads.extend(["digits", "note"]);
     let range = shard.range(total);
@@ -85,7 +86,10 @@ pub(super) fn run(
     }
     match format {
         Format::Json if shard.is_last() => written("\n  ]\n}\n".to_owned())?,
-        Format::Text => written(aligned(&heads, &all))?,
+        Format::Text => {
+            show(&aligned(&heads, keys, &all, screen().width))?;
+            true
+        }
         _ => true,
     };
     Ok(0)
@@ -147,40 +151,103 @@ fn object(row: &Row) -> String {
     format!("{separator}{answer}")
 }
 
-/// Rows in columns; the note that most have stands below, and in a row only where it is another.
-fn aligned(heads: &[&str], rows: &[Vec<String>]) -> String {
+/// Rows in columns, of which the first `keys` say where: in as many blocks one below the other as the screen is too narrow
+/// for. The first row's note stands below; another one in its row of the last block, or below it where there is no room.
+fn aligned(heads: &[&str], keys: usize, rows: &[Vec<String>], width: Option<usize>) -> String {
     let usual = |cells: &Vec<String>| (cells.len() == heads.len()).then(|| cells.last().cloned());
     let usual = rows.iter().find_map(usual).flatten().unwrap_or_default();
+    let note = heads.len() - 1;
     let rows: Vec<_> = rows
         .iter()
         .map(|cells| {
             let mut cells = filled(cells.clone(), heads.len());
-            if cells.last() == Some(&usual) {
-                cells.pop();
+            if cells[note] == usual {
+                cells[note].clear();
             }
             cells
         })
         .collect();
-    let width = |n: usize| {
-        let cells = rows.iter().filter_map(|cells| cells.get(n));
-        let cells = cells.map(|cell| cell.chars().count());
-        cells.chain([heads[n].len()]).max().unwrap_or(0)
+    let widest = |n: usize| {
+        let cells = rows.iter().map(|cells| cells[n].chars().count());
+        cells.chain([heads[n].len()]).max().unwrap_or(0) + SPACE.len()
     };
-    let widths: Vec<_> = (0..heads.len()).map(width).collect();
-    let line = |cells: &mut dyn Iterator<Item = &str>| {
-        let mut line = String::new();
-        for (cell, width) in cells.zip(&widths) {
-            // Nothing can fail in writing to a string.
-            let _ = write!(line, "{cell:<width$}  ");
+    let widths: Vec<_> = (0..note).map(widest).collect();
+    let room = width.unwrap_or(usize::MAX);
+    let mut blocks = vec![(0..keys).collect::<Vec<_>>()];
+    let mut used = widths[..keys].iter().sum::<usize>();
+    for (n, width) in widths.iter().enumerate().skip(keys) {
+        let last = blocks.len() - 1;
+        // The space behind the last column may be missing.
+        if used + width > room.saturating_add(SPACE.len()) && blocks[last].len() > keys {
+            blocks.push((0..keys).collect());
+            used = widths[..keys].iter().sum();
         }
-        line.trim_end().to_owned() + "\n"
-    };
-    let mut text = line(&mut heads[..heads.len() - 1].iter().copied());
-    for cells in &rows {
-        text += &line(&mut cells.iter().map(String::as_str));
+        used += width;
+        let last = blocks.len() - 1;
+        blocks[last].push(n);
+    }
+    let longest = rows.iter().map(|cells| cells[note].chars().count()).max();
+    let beside = used.saturating_add(longest.unwrap_or(0)) <= room;
+    let mut text = String::new();
+    for (b, block) in blocks.iter().enumerate() {
+        let line = |cells: &dyn Fn(usize) -> String| {
+            let cells = block.iter().map(|&n| {
+                let (cell, width) = (cells(n), widths[n]);
+                format!("{cell:<width$}")
+            });
+            cells.collect::<String>()
+        };
+        if b > 0 {
+            text.push('\n');
+        }
+        text += line(&|n| heads[n].to_owned()).trim_end();
+        text.push('\n');
+        for cells in &rows {
+            let mut row = line(&|n| cells[n].clone());
+            if b + 1 == blocks.len() && !cells[note].is_empty() {
+                if !beside {
+                    row.truncate(row.trim_end().len());
+                    row += "\n    ";
+                }
+                row += &cells[note];
+            }
+            text += row.trim_end();
+            text.push('\n');
+        }
     }
     if !usual.is_empty() {
+        // Nothing can fail in writing to a string.
         let _ = writeln!(text, "\n{usual}");
     }
     text
+}
+
+/// What stands between two columns.
+const SPACE: &str = "  ";
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_table_is_as_wide_as_the_screen() {
+        let heads = ["x", "one", "two", "digits", "note"];
+        let row = |cells: [&str; 5]| cells.map(str::to_owned).to_vec();
+        let rows = [
+            row(["1", "0.123456", "0.25", "15", "usual"]),
+            vec!["2".to_owned(), "out of range".to_owned()],
+        ];
+        let wide = "x  one       two   digits\n1  0.123456  0.25  15\n2                          out of range\n\nusual\n";
+        for width in [None, Some(80), Some(39)] {
+            assert_eq!(aligned(&heads, 1, &rows, width), wide);
+        }
+        assert_eq!(
+            aligned(&heads, 1, &rows, Some(25)),
+            "x  one       two   digits\n1  0.123456  0.25  15\n2\n    out of range\n\nusual\n"
+        );
+        assert_eq!(
+            aligned(&heads, 1, &rows, Some(24)),
+            "x  one       two\n1  0.123456  0.25\n2\n\nx  digits\n1  15\n2          out of range\n\nusual\n"
+        );
+    }
 }

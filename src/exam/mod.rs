@@ -91,6 +91,7 @@ pub struct Sat {
 
 /// Why there is no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExamError {
     /// A motion that cannot be followed.
     #[error(transparent)]

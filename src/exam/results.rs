@@ -97,6 +97,7 @@ pub struct Ours {
 
 /// Why there are no results to show.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ResultsError {
     /// A damaged file.
     #[error("benches/exam/results/{file}: {error}")]

@@ -2,7 +2,7 @@
 
 use super::{Answer, ExamError, Other, Task, fraction};
 use crate::certified::enclosure::Enclosure;
-use crate::motion::sphere::{Ball, Contact, Motion, Sphere};
+use crate::motion::sphere::{Ball, BallMotion, Contact, Sphere};
 use crate::motion::{MotionError, Plane};
 
 /// The ball of the bowling alley.
@@ -40,7 +40,7 @@ pub(super) const DRIVEN_SLIP: Task = Task {
 };
 
 /// The motion until t = 1 of a solid ball with the velocity `v` and no spin, under a pull along x.
-fn thrown(pull: f64, friction: f64, v: [f64; 2]) -> Result<Motion, MotionError> {
+fn thrown(pull: f64, friction: f64, v: [f64; 2]) -> Result<BallMotion, MotionError> {
     let sphere = Sphere {
         mu: friction,
         ..Sphere::with_kappa(0.4)
@@ -54,7 +54,7 @@ fn thrown(pull: f64, friction: f64, v: [f64; 2]) -> Result<Motion, MotionError> 
     sphere.run(&Plane::constant([-pull, 0.0]), &start, 1.0)
 }
 
-fn rolls_from(motion: &Motion) -> Result<f64, ExamError> {
+fn rolls_from(motion: &BallMotion) -> Result<f64, ExamError> {
     let rolling = motion
         .transitions()
         .iter()

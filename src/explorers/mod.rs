@@ -44,6 +44,7 @@ impl Answer {
 
 /// Why a question has no answer.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExplorerError {
     /// There is no motion to show.
     #[error(transparent)]

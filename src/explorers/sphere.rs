@@ -1,7 +1,7 @@
 //! Section 3.2: a sphere on a plane that swings. Velocities in units of A₀/ϖ, lengths in A₀/ϖ², φ = ϖt.
 
 use super::{Answer, ExplorerError, PICTURES, spread};
-use crate::motion::sphere::{Ball, Contact, Motion, Sphere};
+use crate::motion::sphere::{Ball, BallMotion, Contact, Sphere};
 use crate::motion::{MotionError, Plane, Signal};
 use std::f64::consts::TAU;
 
@@ -88,7 +88,7 @@ pub fn film(lambda0: f64, kappa: f64, slip: [f64; 2]) -> Result<Answer, Explorer
     })
 }
 
-fn followed(lambda0: f64, kappa: f64, slip: [f64; 2]) -> Result<Motion, ExplorerError> {
+fn followed(lambda0: f64, kappa: f64, slip: [f64; 2]) -> Result<BallMotion, ExplorerError> {
     let fit = (1e-6..=1e6).contains(&lambda0);
     if !fit {
         return Err(ExplorerError::Motion(MotionError::Argument {

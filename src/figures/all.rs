@@ -19,6 +19,7 @@ use rayon::prelude::*;
 
 /// Why a figure has no data or cannot be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum AllFiguresError {
     /// A motion that cannot be followed.
     #[error("a figure's motion: {0}")]

@@ -33,6 +33,14 @@ pub enum FitError {
         /// When.
         t: f64,
     },
+    /// A line of a file that is no row of numbers.
+    #[error("line {line} is no row of a time and one or two numbers: `{text}`")]
+    Line {
+        /// Its number, from 1.
+        line: usize,
+        /// What stands there.
+        text: String,
+    },
     /// Too few rows.
     #[error("a table needs at least {least} rows, this one has {rows}")]
     Rows {
@@ -193,6 +201,41 @@ impl Fitted {
             }
         }
         Ok(fitted)
+    }
+
+    /// From the text of a CSV file as an accelerometer writes it: t, A_x and, if there is a third column, A_y in each line;
+    /// behind commas, semicolons, tabs or spaces. A first line of words is a head; empty lines and those that begin with `#`
+    /// are passed over. All else is as for [`from_table`](Self::from_table).
+    ///
+    /// ```
+    /// use slipbook::motion::Fitted;
+    ///
+    /// let file: String = (0..100).map(|k| format!("{},{}\n", 0.1 * f64::from(k), k % 7)).collect();
+    /// let shaken = Fitted::from_csv(&format!("t,ax\n{file}"))?;
+    /// # Ok::<(), slipbook::motion::FitError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`FitError::Line`] for a line that is no row; and as for [`from_table`](Self::from_table).
+    pub fn from_csv(text: &str) -> Result<Self, FitError> {
+        let mut rows = Vec::new();
+        let lines = text.trim_start_matches('\u{feff}').lines().enumerate();
+        let lines = lines.filter(|(_, line)| !(line.trim().is_empty() || line.starts_with('#')));
+        for (n, (line, text)) in lines.enumerate() {
+            let cells = text.split([',', ';', '\t', ' ']).map(str::trim);
+            let cells = cells.filter(|cell| !cell.is_empty());
+            let numbers: Vec<Option<f64>> = cells.map(|cell| cell.parse().ok()).collect();
+            match numbers[..] {
+                [Some(t), Some(x)] => rows.push((t, [x, 0.0])),
+                [Some(t), Some(x), Some(y)] => rows.push((t, [x, y])),
+                _ if n == 0 && numbers.iter().all(Option::is_none) => {}
+                _ => {
+                    let (line, text) = (line + 1, text.to_owned());
+                    return Err(FitError::Line { line, text });
+                }
+            }
+        }
+        Self::from_table(&rows)
     }
 
     /// The largest error of a component, in length/time²: measured for a function, estimated for a table.
@@ -366,5 +409,42 @@ mod tests {
         assert!(Fitted::from_table(&straight[..6]).is_err());
         let back: Vec<_> = straight.iter().rev().copied().collect();
         assert!(Fitted::from_table(&back).is_err());
+    }
+
+    #[test]
+    fn a_file_is_read_as_its_rows() {
+        let rows: Vec<_> = (0..20)
+            .map(|k| 0.1 * f64::from(k))
+            .map(|t| (t, [libm::sin(t), 0.0]))
+            .collect();
+        let table = Fitted::from_table(&rows).unwrap();
+        for (head, between) in [
+            ("", ","),
+            ("t,ax\n", ","),
+            ("\u{feff}time;a\n", "; "),
+            ("# g\n\n", "\t"),
+        ] {
+            let lines = rows
+                .iter()
+                .map(|(t, [x, _])| format!("{t}{between}{x}\r\n"));
+            let text = head.to_owned() + &lines.collect::<String>();
+            assert_eq!(Fitted::from_csv(&text).as_ref(), Ok(&table), "{head}");
+        }
+        for (text, line) in [
+            ("t,a\n1,2\n3,x\n", 3),
+            ("1\n", 1),
+            ("1,2,3,4\n", 1),
+            ("t,a\nt,a\n", 2),
+        ] {
+            let refused = Fitted::from_csv(text).unwrap_err();
+            assert!(
+                matches!(refused, FitError::Line { line: of, .. } if of == line),
+                "{refused}"
+            );
+        }
+        assert!(matches!(
+            Fitted::from_csv(""),
+            Err(FitError::Rows { rows: 0, .. })
+        ));
     }
 }

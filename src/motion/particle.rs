@@ -155,7 +155,12 @@ impl<'a> Run<'a> {
         }
         let a = self.plane.coefficients(t);
         let size = libm::hypot(a[0][0], a[1][0]);
-        check("|A|", size, size <= LARGEST, "finite, at most 1e50")?;
+        check(
+            "|A|",
+            size,
+            size <= LARGEST,
+            "finite, at most 1e50 (one known by its values has none outside their times)",
+        )?;
         if let Some(c) = a.iter().flatten().find(|c| !c.is_finite()) {
             check("a Taylor coefficient of A", *c, false, "finite")?;
         }

@@ -6,6 +6,7 @@ use crate::numerics::taylor::TERMS;
 
 /// A function of the time t, dimensionless or with the unit of its constants.
 #[derive(Debug, Clone, PartialEq)]
+#[non_exhaustive]
 pub enum Signal {
     /// Σ cₖ tᵏ; a constant is `Polynomial(vec![c])`.
     Polynomial(Vec<f64>),

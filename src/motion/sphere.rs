@@ -142,7 +142,7 @@ impl Sphere {
         plane: &dyn Acceleration,
         start: &Ball,
         until: f64,
-    ) -> Result<Motion, MotionError> {
+    ) -> Result<BallMotion, MotionError> {
         run::run(self, plane, start, until)
     }
 
@@ -242,7 +242,7 @@ impl Piece {
 
 /// A motion from a start to an end.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
+pub struct BallMotion {
     pieces: Vec<Piece>,
     transitions: Vec<Transition>,
     begin: Contact,
@@ -252,7 +252,7 @@ pub struct Motion {
     end: Ball,
 }
 
-impl Motion {
+impl BallMotion {
     /// Every moment at which the contact velocity is zero after it was not, or stops to be zero, in order.
     pub fn transitions(&self) -> &[Transition] {
         &self.transitions

@@ -14,6 +14,7 @@ use std::f64::consts::PI;
 
 /// Which moment is asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum At<T = f64> {
     /// When the velocity has this angle with the x axis (radians).
     Theta(T),

@@ -196,6 +196,13 @@ impl Field {
         } else {
             0
         };
+        if digits == 0 {
+            // Of which no digit is known: no number, and least of all 0.
+            return Field {
+                value: Value::Missing,
+                ..self
+            };
+        }
         let value = match i64::from(digits) - beyond {
             more @ 1.. if x != 0.0 => {
                 let text = format!("{x:.*e}", more as usize - 1);

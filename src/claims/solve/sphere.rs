@@ -7,7 +7,7 @@ use super::{
 };
 use crate::corrections::sphere as corrected;
 use crate::motion::Plane;
-use crate::motion::sphere::{Ball, Contact, Motion, Sphere};
+use crate::motion::sphere::{Ball, BallMotion, Contact, Sphere};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
 use crate::numerics::roots::root;
@@ -195,7 +195,7 @@ impl Problem {
         [self.u0 * libm::cos(self.theta0), self.u0 * sine]
     }
 
-    fn motion(&self, until: f64) -> Result<Motion, SolveError> {
+    fn motion(&self, until: f64) -> Result<BallMotion, SolveError> {
         let start = Ball {
             t: 0.0,
             x: [0.0; 2],

@@ -25,6 +25,7 @@ use std::f64::consts::TAU;
 
 /// A start on the table, in the paper's units and in axes that turn with the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Problem<T = f64> {
     /// At the distance ρ on the +x axis with the speed p at the angle −ψ.
     Polar {

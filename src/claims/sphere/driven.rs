@@ -10,7 +10,7 @@ use crate::claims::runs::Runs;
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
-use crate::motion::sphere::{Ball, Contact, Directed, Motion, Sphere};
+use crate::motion::sphere::{Ball, BallMotion, Contact, Directed, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::roots::root;
 use crate::paper::{periodic, sinusoidal, sphere as printed};
@@ -197,7 +197,7 @@ fn listed(intervals: &[Interval]) -> f64 {
 }
 
 /// The kind of the sphere's motion over one period.
-fn rolled(motion: &Motion, from: f64, to: f64) -> Result<f64, Failure> {
+fn rolled(motion: &BallMotion, from: f64, to: f64) -> Result<f64, Failure> {
     let within: Vec<_> = motion
         .transitions()
         .iter()

@@ -175,7 +175,7 @@ pub fn reduction_rolling() -> Evidence {
 
 /// How long the sphere rolls between two times.
 pub(super) fn rolling_time(
-    motion: &crate::motion::sphere::Motion,
+    motion: &crate::motion::sphere::BallMotion,
     from: f64,
     to: f64,
 ) -> Result<f64, Failure> {

@@ -3,7 +3,7 @@
 use crate::claims::points::Points;
 use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::MotionError;
-use crate::motion::sphere::{Ball, Motion, Sphere};
+use crate::motion::sphere::{Ball, BallMotion, Sphere};
 use crate::motion::{Acceleration, Plane, Signal};
 use crate::paper::sphere as printed;
 use std::f64::consts::{PI, TAU};
@@ -29,7 +29,7 @@ pub struct Run {
     /// The case.
     pub case: Case,
     /// The motion.
-    pub motion: Motion,
+    pub motion: BallMotion,
     /// Its end.
     pub until: f64,
 }

@@ -142,7 +142,7 @@ pub struct Drive {
 
 /// A stretch of motion, as [`Drive::advance`] returns it.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Path {
+pub struct DrivePath {
     /// The state at the end.
     pub end: DriveState,
     /// What happened, in order, from the start's phase to the end's (not reduced modulo 2π).
@@ -194,7 +194,7 @@ impl Drive {
         friction: Friction,
         start: DriveState,
         until: f64,
-    ) -> Result<Path, DriveError> {
+    ) -> Result<DrivePath, DriveError> {
         let start = start.check()?;
         if !(until >= start.phi && until - start.phi <= 1e5) {
             return Err(DriveError::Parameter {
@@ -211,7 +211,7 @@ impl Drive {
         let goal = self.shape.locate(target);
         if wraps == 0 && goal < walker.position() {
             // Rounding near a multiple of 2π: an end that is not after the start.
-            return Ok(Path {
+            return Ok(DrivePath {
                 end: DriveState {
                     phi: until,
                     ..start
@@ -229,7 +229,7 @@ impl Drive {
         for mark in &mut marks {
             mark.phi += shift;
         }
-        Ok(Path {
+        Ok(DrivePath {
             end: DriveState {
                 phi: until,
                 w: walker.w(),

@@ -4,7 +4,7 @@ use super::super::acceleration::{Acceleration, Coefficients};
 use super::super::error::finite;
 use super::super::onset::onset;
 use super::slide::{Sliding, Work};
-use super::{Ball, Contact, Motion, MotionError, PARTS, Piece, Sphere, Transition, check};
+use super::{Ball, BallMotion, Contact, MotionError, PARTS, Piece, Sphere, Transition, check};
 use crate::numerics::events::{Way, roots};
 use crate::numerics::series::{arrival, change, square, value};
 use crate::numerics::taylor::{Control, Integrator, Step, TERMS, reach};
@@ -46,7 +46,7 @@ pub(super) fn run(
     plane: &dyn Acceleration,
     start: &Ball,
     until: f64,
-) -> Result<Motion, MotionError> {
+) -> Result<BallMotion, MotionError> {
     sphere.check()?;
     let Ball { t, x, v, omega } = *start;
     for (name, given) in [("t", t), ("until", until)] {
@@ -107,7 +107,7 @@ pub(super) fn run(
     } else {
         Contact::Rolling
     });
-    Ok(Motion {
+    Ok(BallMotion {
         pieces: run.pieces,
         transitions: run.transitions,
         begin,

@@ -12,7 +12,7 @@ use std::path::PathBuf;
 #[non_exhaustive]
 pub enum BookError {
     /// A file or folder cannot be written.
-    #[error("cannot write the book to `{}`: {reason}", path.display())]
+    #[error("cannot write `{}`: {reason}", path.display())]
     Unwritable {
         /// What was to be written.
         path: PathBuf,

@@ -43,8 +43,17 @@ impl<'a> Frame<'a> {
     /// # Errors
     /// As for [`write()`](super::write()).
     pub fn new(edition: &'a Edition, figures: &[Figure], out: &Path) -> Result<Self, BookError> {
-        let pages = pages::pages(edition, figures);
         let staging = Staging::beside(out, edition.name)?;
+        let places = staging.places();
+        Self::rendered(edition, figures, staging).map_err(|error| places.named(error))
+    }
+
+    fn rendered(
+        edition: &'a Edition,
+        figures: &[Figure],
+        staging: Staging,
+    ) -> Result<Self, BookError> {
+        let pages = pages::pages(edition, figures);
         let source = staging.path("source");
         let text = source.join("src");
         let (maths, mut blanks) = (Maths::new(), Vec::new());
@@ -91,6 +100,12 @@ impl<'a> Frame<'a> {
     /// # Errors
     /// As for [`write()`](super::write()).
     pub fn fill(self, ledger: &Ledger, figures: &[Figure]) -> Result<PathBuf, BookError> {
+        let places = self.staging.places();
+        self.finished(ledger, figures)
+            .map_err(|error| places.named(error))
+    }
+
+    fn finished(self, ledger: &Ledger, figures: &[Figure]) -> Result<PathBuf, BookError> {
         let figures = [figures, &[map::figure(ledger)?]].concat();
         let (errata, code) = (ledger.errata()?, Code::new(self.edition));
         let deep = match ledger.paper.deep {

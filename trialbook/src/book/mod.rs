@@ -73,6 +73,7 @@ pub use error::BookError;
 pub use frame::Frame;
 pub use links::dead_links;
 pub use register::register;
+pub use swap::bare;
 pub use tables::table;
 pub use text::escape;
 
@@ -122,12 +123,15 @@ pub(crate) fn replace(
     files: &[(String, Vec<u8>)],
 ) -> Result<PathBuf, BookError> {
     let staging = swap::Staging::beside(out, name)?;
-    let folder = staging.path(kind);
-    for (file, bytes) in files {
-        put(&folder.join(file), bytes)?;
-    }
-    staging.mark(&folder)?;
-    staging.swap(&folder)
+    let (places, folder) = (staging.places(), staging.path(kind));
+    let written = || {
+        for (file, bytes) in files {
+            put(&folder.join(file), bytes)?;
+        }
+        staging.mark(&folder)?;
+        staging.swap(&folder)
+    };
+    written().map_err(|error| places.named(error))
 }
 
 /// Writes one file, with its folders.

@@ -1,6 +1,7 @@
 //! Nothing half-written: the book is made beside its place and changes places with what is there.
 
 use super::error::BookError;
+use std::error::Error;
 use std::fs::{self, File};
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
@@ -36,11 +37,19 @@ impl Staging {
         let folder = folder.map_err(|reason| unwritable(parent, bare(reason)))?;
         let lock = lock(&folder.path().join(LOCK));
         Ok(Staging {
-            _lock: lock.map_err(|reason| unwritable(folder.path(), reason))?,
+            _lock: lock.map_err(|reason| unwritable(parent, reason))?,
             folder,
             out,
             name,
         })
+    }
+
+    /// Where an error is to be said to be.
+    pub(super) fn places(&self) -> Places {
+        Places {
+            folder: self.folder.path().to_owned(),
+            out: self.out.clone(),
+        }
     }
 
     /// A path within the temporary folder.
@@ -83,6 +92,24 @@ impl Staging {
             return Err(unwritable(&self.out, reason));
         }
         Ok(self.out)
+    }
+}
+
+/// The temporary folder, of which nobody has heard, and the place that it stands for.
+pub(super) struct Places {
+    folder: PathBuf,
+    out: PathBuf,
+}
+
+impl Places {
+    /// An error about the temporary folder, as one about the place.
+    pub(super) fn named(&self, error: BookError) -> BookError {
+        match error {
+            BookError::Unwritable { path, reason } if path.starts_with(&self.folder) => {
+                unwritable(&self.out, reason)
+            }
+            other => other,
+        }
     }
 }
 
@@ -140,8 +167,13 @@ pub(super) fn unwritable(path: &Path, reason: io::Error) -> BookError {
 }
 
 /// The system's own words, without the temporary name that `tempfile` adds.
-fn bare(error: io::Error) -> io::Error {
-    match error.raw_os_error() {
+pub fn bare(error: io::Error) -> io::Error {
+    let within = error.get_ref().and_then(Error::source);
+    let within = within.and_then(|within| within.downcast_ref::<io::Error>());
+    match error
+        .raw_os_error()
+        .or(within.and_then(io::Error::raw_os_error))
+    {
         Some(code) => io::Error::from_raw_os_error(code),
         None => io::Error::from(error.kind()),
     }
@@ -214,6 +246,23 @@ mod tests {
         next.swap(&book).unwrap();
         drop(alive);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn an_error_names_the_place_and_not_what_stands_for_it() {
+        let folder = tempfile::tempdir().unwrap();
+        let out = folder.path().join("book");
+        let staging = Staging::beside(&out, "paper").unwrap();
+        let of = |path: &Path| {
+            let error = unwritable(path, io::Error::from(ErrorKind::StorageFull));
+            staging.places().named(error).to_string()
+        };
+        let place = staging.out.display().to_string();
+        assert!(of(&staging.path("source").join("x.md")).contains(&format!("`{place}`")));
+        assert!(of(Path::new("/elsewhere")).contains("`/elsewhere`"));
+        let made = tempfile::tempdir_in(folder.path().join("nowhere"));
+        let system = fs::read_dir(folder.path().join("nowhere")).unwrap_err();
+        assert_eq!(bare(made.unwrap_err()).to_string(), system.to_string());
     }
 
     #[cfg(unix)]

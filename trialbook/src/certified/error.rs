@@ -4,6 +4,7 @@ use super::interval::Interval;
 
 /// Why something was not proved.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum CertifiedError {
     /// It is false there: that is proved.
     #[error("it is false at {at}")]

@@ -1,6 +1,7 @@
 //! The command `find`.
 
 use super::output::{VERSION, csv, json, show};
+use super::screen::screen;
 use crate::claims::Paper;
 use crate::claims::values::{Form, Match, Value, decimal_of, search};
 use crate::edition::{Failure, Format};
@@ -115,6 +116,7 @@ fn text(given: &str, number: &str, found: &[Match]) -> String {
             ),
             (Some(n), _) => format!("{} digits are right, digit {n} is wrong", m.right),
         };
+        let grade = screen().grade(m.first_wrong.is_none(), &grade);
         let _ = writeln!(text, "    {grade}\n    {number}");
         if let Some(column) = m.column {
             let _ = writeln!(text, "    {}^", " ".repeat(column));

@@ -63,7 +63,7 @@ fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
     match &some[..] {
         // Digits alone are a number, not a part of one.
         [id] if !plain.ends_with(|c: char| c.is_ascii_digit()) => Ok(id),
-        several if several.len() > 1 && plain.len() > 2 && !is_numbered(&plain) => {
+        several if several.len() > 1 && !plain.is_empty() && !is_numbered(&plain) => {
             let shown: Vec<_> = several.iter().take(NAMED).copied().collect();
             let more = if several.len() > NAMED { ", …" } else { "" };
             Err(format!("`{word}` may be {}{more}", shown.join(", ")).into())

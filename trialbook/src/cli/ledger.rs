@@ -223,7 +223,14 @@ pub(super) fn show(
     let tried = Tried::new(edition.paper, Some(&known_all(edition, ids)?), depth)?;
     match format {
         Format::Text => {
-            let sheets: Vec<_> = tried.ledger.entries.iter().map(Entry::sheet).collect();
+            let painted = |entry: &Entry| {
+                let verdict = entry.judgement.verdict;
+                let line = |words: &str| format!("\nverdict: {words}\n");
+                let words = verdict.words();
+                let with = line(&screen().paint(verdict, words));
+                entry.sheet().replacen(&line(words), &with, 1)
+            };
+            let sheets: Vec<_> = tried.ledger.entries.iter().map(painted).collect();
             shown(&sheets.join("\n\n"))?;
         }
         Format::Json => json(&tried.rows(&tried.all(), None))?,
@@ -327,7 +334,10 @@ fn with_progress(paper: &'static Paper, ids: Option<&[&str]>) -> Ledger {
     let bar = progress(length, "{bar:40} {pos}/{len} claims  {msg}");
     let done = |claim: &Claim| {
         bar.set_message(claim.id);
-        bar.inc(1);
+        // Neighbours are tried too where a verdict may rest on theirs.
+        if ids.is_none_or(|ids| ids.contains(&claim.id)) {
+            bar.inc(1);
+        }
     };
     let ledger = match ids {
         Some(ids) => Ledger::try_some(paper, ids, done),

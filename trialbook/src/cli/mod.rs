@@ -23,6 +23,7 @@ pub use shard::Shard;
 use crate::edition::{Edition, Failure, Format};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
+use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -44,22 +45,29 @@ struct Arguments {
 #[derive(Args)]
 struct Common {
     /// Write JSON
-    #[arg(long, global = true, conflicts_with = "csv")]
+    #[arg(long, global = true, conflicts_with = "csv", display_order = 900)]
     json: bool,
     /// Write a table of comma-separated values
-    #[arg(long, global = true)]
+    #[arg(long, global = true, display_order = 901)]
     csv: bool,
     /// How many threads may work [default: one per core]
-    #[arg(long, short, global = true, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, short, global = true, value_name = "N", display_order = 902, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
     /// Show no progress, and of the ledger only what is not as recorded
-    #[arg(long, short, global = true)]
+    #[arg(long, short, global = true, display_order = 903)]
     quiet: bool,
     /// Colours
-    #[arg(long, global = true, value_name = "WHEN", value_enum, default_value_t)]
+    #[arg(
+        long,
+        global = true,
+        value_name = "WHEN",
+        display_order = 904,
+        value_enum,
+        default_value_t
+    )]
     color: screen::Color,
     /// How often the trials are made, each time at other points; for the main job, verify, show, list and errata [default: 1]
-    #[arg(long, global = true, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, global = true, value_name = "N", display_order = 905, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     depth: Option<u32>,
 }
 
@@ -207,7 +215,8 @@ pub fn command(edition: &Edition) -> clap::Command {
     ];
     let there = format!("{name} --out book --jobs 2");
     let width = there.len() + 2;
-    command.after_help(format!(
+    let columns = screen::columns().unwrap_or(0);
+    command.term_width(columns).after_help(format!(
         "Examples:\n  {name:<width$}{one}\n  {there:<width$}{two}\n\n\
          COLUMNS sets the width of tables, PAGER what shows long answers on a terminal, NO_COLOR takes the colours."
     ))
@@ -218,8 +227,21 @@ const OWN: usize = 7;
 
 /// Runs the command line of this process.
 pub fn run(edition: &Edition) -> ExitCode {
-    let matches = command(edition).get_matches();
-    ExitCode::from(exit_code(edition, answer(edition, &matches)))
+    let answered = match command(edition).try_get_matches() {
+        Ok(matches) => answer(edition, &matches),
+        Err(help) => told(&help),
+    };
+    ExitCode::from(exit_code(edition, answered))
+}
+
+/// Prints help, a version, or what is wrong with the command line.
+fn told(help: &clap::Error) -> Result<u8, Failure> {
+    match help.print().and_then(|()| io::stdout().flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe && !help.use_stderr() => {
+            Err(unwritten(error).into())
+        }
+        _ => Ok(u8::try_from(help.exit_code())?),
+    }
 }
 
 /// The exit code of an answer; of a failure standard error says what it is.

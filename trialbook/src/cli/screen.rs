@@ -37,6 +37,19 @@ static SCREEN: OnceLock<Screen> = OnceLock::new();
 /// Fewer columns than these are taken as these.
 const NARROWEST: usize = 40;
 
+/// Rows and columns of a terminal, where this is one.
+fn size(term: &Term) -> Option<[usize; 2]> {
+    let size = term.is_term().then(|| term.size_checked()).flatten();
+    size.map(|(rows, columns)| [rows.into(), columns.into()])
+}
+
+/// Columns, where they are known: `COLUMNS`, or those of the terminal.
+pub(super) fn columns() -> Option<usize> {
+    let named = env::var("COLUMNS").ok().and_then(|text| text.parse().ok());
+    let columns = named.or_else(|| size(&Term::stdout()).map(|[_, columns]| columns));
+    columns.map(|columns: usize| columns.max(NARROWEST))
+}
+
 /// The screen of this process.
 pub fn screen() -> Screen {
     *SCREEN.get_or_init(|| Screen::found(Color::Auto, false))
@@ -50,14 +63,11 @@ pub(super) fn settle(color: Color, quiet: bool) {
 impl Screen {
     fn found(color: Color, quiet: bool) -> Self {
         let term = Term::stdout();
-        let size = term.is_term().then(|| term.size_checked()).flatten();
         let set = |name| env::var_os(name).is_some_and(|value| !value.is_empty());
-        let columns = env::var("COLUMNS").ok().and_then(|text| text.parse().ok());
-        let width = columns.or(size.map(|(_, columns)| columns.into()));
         let dumb = env::var_os("TERM").is_some_and(|term| term == "dumb");
         Self {
-            width: width.map(|width: usize| width.max(NARROWEST)),
-            rows: size.map(|(rows, _)| rows.into()),
+            width: columns(),
+            rows: size(&term).map(|[rows, _]| rows),
             color: match color {
                 Color::Auto => term.is_term() && !set("NO_COLOR") && !dumb,
                 Color::Always => true,
@@ -65,6 +75,13 @@ impl Screen {
             },
             quiet,
         }
+    }
+
+    /// Words in the colour of what is right or of what is wrong.
+    pub(super) fn grade(&self, right: bool, words: &str) -> String {
+        let style = Style::new().force_styling(self.color);
+        let style = if right { style.green() } else { style.red() };
+        style.apply_to(words).to_string()
     }
 
     /// The words of a verdict, in its colour.

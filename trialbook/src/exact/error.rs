@@ -2,6 +2,7 @@
 
 /// Why an exact computation has no result.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum ExactError {
     /// A symbol that the ring does not know.
     #[error("the symbol {name} is not declared in the ring")]

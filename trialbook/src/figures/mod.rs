@@ -78,6 +78,7 @@ pub struct Figure {
 
 /// Why a figure cannot be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
 pub enum FigureError {
     /// A value on a logarithmic axis that has no logarithm.
     #[error("axis \"{axis}\" is logarithmic: values must be > 0, got {value}")]

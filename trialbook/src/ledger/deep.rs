@@ -7,6 +7,7 @@ use std::fmt::Write;
 
 /// What a round has brought, as text that cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum DeepError {
     /// A line that is not a claim, a trial, points, a disagreement and where it was.
     #[error("what a round has brought, line {line}: expected five columns, found `{text}`")]

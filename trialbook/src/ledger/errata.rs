@@ -43,6 +43,7 @@ pub struct Erratum {
 
 /// Why there are no errata.
 #[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
 pub enum ErrataError {
     /// The numbers of a case cannot be had.
     #[error("the case by hand of {claim}: {reason}")]

@@ -9,6 +9,7 @@ pub struct Record(BTreeMap<String, Verdict>);
 
 /// A record that cannot be read.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
 pub enum RecordError {
     /// A line that is not `id: verdict`.
     #[error("the record of verdicts, line {line}: expected `id: verdict`, found `{text}`")]

@@ -13,14 +13,14 @@ pub enum ExpressionError {
     #[error("`{0}` is no number: numbers, + - * / ^ ( ), pi, deg and {FUNCTIONS} are known")]
     Word(String),
     /// Something else than what has to come.
-    #[error("`{text}` is no number: {wanted} is missing before `{rest}`")]
+    #[error("`{text}` is no number: {wanted} is missing {place}")]
     Missing {
         /// The whole text.
         text: String,
         /// What is missing.
         wanted: &'static str,
-        /// What stands there instead.
-        rest: String,
+        /// Where.
+        place: String,
     },
     /// Too many brackets or signs within one another.
     #[error("more than {DEEPEST} brackets and signs within one another")]
@@ -73,9 +73,9 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
         ExpressionError::Missing {
             text: self.text.to_owned(),
             wanted,
-            rest: match self.rest {
-                "" => "the end".to_owned(),
-                rest => rest.to_owned(),
+            place: match self.rest {
+                "" => "at the end".to_owned(),
+                rest => format!("before `{rest}`"),
             },
         }
     }
@@ -255,10 +255,10 @@ mod tests {
     #[test]
     fn what_is_none_says_why() {
         for (text, why) in [
-            ("", "a number is missing before `the end`"),
+            ("", "a number is missing at the end"),
             ("0,5", "a point, not a comma"),
-            ("1+", "a number is missing before `the end`"),
-            ("(1", "`)` is missing before `the end`"),
+            ("1+", "a number is missing at the end"),
+            ("(1", "`)` is missing at the end"),
             ("1 2", "an operator is missing before `2`"),
             ("sin 1", "`(` is missing before `1`"),
             ("lambda", "`lambda` is no number"),

@@ -68,14 +68,22 @@ pub fn decimal_of(given: &str) -> Result<String, Failure> {
         return Ok(given.to_owned());
     }
     let value: f64 = expression(given, |digits| digits.parse().ok()).map_err(|e| e.to_string())?;
-    if !value.is_finite() || value == 0.0 {
+    if !value.is_finite() {
+        return Err(format!("`{given}` has no finite value").into());
+    }
+    if value == 0.0 {
         return Err(NotDecimal(given.to_owned()).into());
     }
-    let small = (1e-30..1e30).contains(&value.abs());
-    let exact = small.then(|| decimal(given, places(value, ENCLOSED)));
+    let size = value.abs();
+    let exact = (1e-30..1e30)
+        .contains(&size)
+        .then(|| decimal(given, places(value, ENCLOSED)));
     Ok(exact
         .flatten()
-        .unwrap_or_else(|| format!("{value:.*e}", COMPUTED - 1)))
+        .unwrap_or_else(|| match (1e-4..1e13).contains(&size) {
+            true => format!("{value:.*}", places(value, COMPUTED)),
+            false => format!("{value:.*e}", COMPUTED - 1),
+        }))
 }
 
 /// Of `values`, those that agree with `given` to all of its digits; if there is none, those that begin like it, with the
