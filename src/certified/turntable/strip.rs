@@ -72,8 +72,11 @@ impl Strip {
         let mut margin = 1.0;
         for layer in 1..=LAYERS {
             let nearer = libm::ldexp(1.0, -layer);
-            let thin = nearer * self.height(side) <= THIN;
-            let halvings = if thin { HALVINGS_OF_THIN } else { HALVINGS };
+            let halvings = if layer <= THICK {
+                HALVINGS
+            } else {
+                HALVINGS_OF_THIN
+            };
             if !self.all([Interval::new(nearer, margin), psi], side, halvings) {
                 break;
             }
