@@ -3,7 +3,6 @@
 mod axis;
 mod ensemble;
 mod exam;
-mod fates;
 mod plot;
 mod question;
 mod solve;
@@ -13,7 +12,7 @@ use clap::{Args, FromArgMatches};
 use trialbook::edition::Command;
 
 /// All of them.
-pub const ALL: [Command; 4] = [
+pub const ALL: [Command; 3] = [
     Command {
         command: || {
             solve::command()
@@ -46,17 +45,5 @@ pub const ALL: [Command; 4] = [
                 .after_help("Example:\n  slipbook exam --json > exam.json\n  slipbook exam stop-place rest-fraction")
         },
         run: |matches, format| exam::Exam::from_arg_matches(matches)?.run(format),
-    },
-    Command {
-        command: || {
-            fates::Fates::augment_args(clap::Command::new("fates"))
-                .about("Prove, all over the plane of α and ψ, which particles on a turntable come to rest and which escape; some minutes")
-                .after_help(
-                    "Example:\n  slipbook fates --A 0.7\n  slipbook fates --csv > fates.csv\n\n\
-                     In each row, for ψ between its ends, all particles come to rest with α ≤ (1 − rest) b and all escape with\n\
-                     b + escape (2 − b) ≤ α ≤ 2, where b runs straight from line_from to line_to.",
-                )
-        },
-        run: |matches, format| fates::Fates::from_arg_matches(matches)?.run(format),
     },
 ];

@@ -1,8 +1,6 @@
 //! The figures of section 4, rest. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{
-    Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table,
-};
+use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table};
 
 /// A census of starts in the (α, A) plane at one ψ.
 #[derive(Debug, Clone, PartialEq)]
@@ -237,85 +235,6 @@ pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure,
         )
         .panel(panel)
         .figure(table)
-}
-
-/// A map of proved fates at one A.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fates {
-    /// A.
-    pub a: f64,
-    /// (ψ, α) up to which all come to rest.
-    pub rest: Vec<[f64; 2]>,
-    /// (ψ, α) from which on all escape.
-    pub escape: Vec<[f64; 2]>,
-    /// The share of the map between these, in percent.
-    pub open: f64,
-    /// (ψ, α) of the boundary by bisection.
-    pub found: Vec<[f64; 2]>,
-}
-
-/// Who is proved to come to rest and who to escape, out to α = `reach`.
-///
-/// Fails as [`Plot::figure`] does.
-pub fn fates(list: &[Fates], reach: f64) -> Result<Figure, FigureError> {
-    use std::f64::consts::PI;
-    let mut table = Table::new(&["A", "what", "psi (rad)", "alpha"]);
-    let open: Vec<_> = list
-        .iter()
-        .map(|map| format!("{:.3} % at $A={}$", map.open, map.a))
-        .collect();
-    let mut plot = Plot::new("rest-fates", "Proved fates")
-        .caption(format!(
-            "The fate of all particles with $\\alpha$ up to {reach} at three $A$, proved with intervals: in the lower region \
-             (darker) every one comes to rest, in the upper (lighter) every one escapes. What is left open between the two is \
-             in ink, thinner than the line that it makes here: {}. Dots: the boundary by bisection on the simulation.",
-            open.join(", ")
-        ))
-        .alt(
-            "Three panels with ψ to the right and α upwards. Each has a darker region of rest below and a lighter one of \
-             escape above, with a thin line between them that is lowest near ψ = 0 and highest short of ψ = π. The dots lie \
-             on the line. The larger A is, the lower the line.",
-        );
-    for map in list {
-        for (what, line) in [
-            ("rest below", &map.rest),
-            ("escape above", &map.escape),
-            ("bisected", &map.found),
-        ] {
-            for &[psi, alpha] in line {
-                table.row([map.a.into(), what.into(), psi.into(), alpha.into()])?;
-            }
-        }
-        let edge = |alpha: f64| [[-PI, alpha], [PI, alpha]];
-        let lines = |line: &[[f64; 2]]| line.to_vec();
-        plot = plot.panel(
-            Panel::new(
-                Axis::linear("ψ").range(-PI, PI).without_grid(),
-                Axis::linear("α").range(0.0, reach).without_grid(),
-            )
-            .title(format!("A = {}", map.a))
-            .height(240.0)
-            .area(
-                Area::between(edge(0.0), lines(&map.rest))
-                    .opacity(0.35)
-                    .key("rest"),
-            )
-            .area(
-                Area::between(lines(&map.escape), edge(reach))
-                    .opacity(0.08)
-                    .key("escape"),
-            )
-            .curve(
-                Curve::new(lines(&map.rest))
-                    .ink()
-                    .width(0.6)
-                    .key("not proved"),
-            )
-            .curve(Curve::new(lines(&map.escape)).ink().width(0.6))
-            .points(Points::new(lines(&map.found)).key("by bisection")),
-        );
-    }
-    plot.figure(table)
 }
 
 /// Resting places against a start.

@@ -2,7 +2,7 @@
 
 use super::AllFiguresError;
 use crate::claims::escape::straight::straight_in;
-use crate::claims::rest::{boundary, fates as proved};
+use crate::claims::rest::boundary;
 use crate::figures::{Figure, rest as rest_figures};
 use crate::motion::MotionError;
 use crate::motion::turntable::ensemble::rests;
@@ -18,7 +18,6 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
         census()?,
         around()?,
         space()?,
-        fates()?,
     ])
 }
 
@@ -30,7 +29,7 @@ const REACH: f64 = 0.75;
 
 /// Steps in α from rest, one of which goes across a level line.
 const STEP: f64 = 0.05;
-const STEPS: i32 = 36;
+const STEPS: i32 = 30;
 
 /// Halvings of such a step.
 const HALVINGS: i32 = 9;
@@ -107,31 +106,6 @@ fn space() -> Result<Figure, AllFiguresError> {
     ];
     let motions: Result<Vec<_>, _> = starts.into_iter().map(motion).collect();
     Ok(rest_figures::space(&levels?, &motions?, REACH)?)
-}
-
-/// The recorded maps of proved fates, with the boundary by bisection at every eighth angle.
-fn fates() -> Result<Figure, AllFiguresError> {
-    let none = |line| AllFiguresError::Data(format!("snapshots/fates.csv, line {line}: no row"));
-    let maps: Result<Vec<_>, _> = proved::recorded()
-        .map_err(none)?
-        .iter()
-        .map(|rows| {
-            let a = rows.first().map_or(f64::NAN, |row| row.a);
-            let edge = |side: usize| {
-                let ends = |row: &proved::Row| row.psi.map(|psi| [psi, row.proved(psi)[side]]);
-                rows.iter().flat_map(ends).collect()
-            };
-            let found = level(a)?.found.into_iter().step_by(8);
-            Ok(rest_figures::Fates {
-                a,
-                rest: edge(0),
-                escape: edge(1),
-                open: 100.0 * proved::open(rows),
-                found: found.map(|[alpha, psi]| [psi, alpha]).collect(),
-            })
-        })
-        .collect::<Result<_, AllFiguresError>>();
-    Ok(rest_figures::fates(&maps?, proved::REACH)?)
 }
 
 /// Cells along each side of the census.
