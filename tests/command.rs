@@ -570,7 +570,7 @@ fn errors_are_counted_alike_everywhere() {
         .split_whitespace()
         .collect::<Vec<_>>()
         .join(" ");
-    let said = format!("{own} independent errors, from which {heirs} further statements suffer");
+    let said = format!("{own} independent errors, {heirs} further statements that inherit them");
     assert!(letter.contains(&said), "{said}");
     let page = read("index.html")
         .split_whitespace()

@@ -8,6 +8,7 @@ use crate::claims::solve::{
     Double, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest, sinusoidal,
     sphere, turntable,
 };
+use crate::motion::MotionError;
 use crate::numerics::error::plain as number;
 use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
@@ -448,7 +449,10 @@ impl Problem {
                 let degrees = number(value);
                 format!("{error}; it is in radians, {degrees}deg would be degrees").into()
             }
-            SolveError::Parameter { name, .. } if self.converted().contains(&name) => {
+            SolveError::Parameter { name, .. }
+            | SolveError::Motion(MotionError::Argument { name, .. })
+                if self.converted().contains(&name) =>
+            {
                 format!("{error}; that is what the SI units given come to").into()
             }
             other => other.into(),

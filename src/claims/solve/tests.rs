@@ -71,11 +71,12 @@ fn no_more_digits_are_written_than_are_known() {
         (0.00123456, 1.0, 2, 0.0),
         (9.9996, 0.0, 4, 10.0),
         (0.0, 1.0, 15, 0.0),
-        (5.0, 0.0, 0, 0.0),
     ] {
         let field = Field::within(scale, "x", x).rounded(digits);
         assert_eq!(field.value, Value::Number(written), "{x} {scale} {digits}");
     }
+    let unknown = Field::within(0.0, "x", 5.0).rounded(0);
+    assert_eq!(unknown.value, Value::Missing);
     assert_eq!(known(5.15460131, 3e-7), (5.154601, 7));
     assert_eq!(known(0.5, 0.0), (0.5, 15));
     let word = Field::new("x", "rest");
