@@ -6,7 +6,7 @@ use crate::numerics::error::plain as number;
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
-use trialbook::book::bare;
+use trialbook::cli::bare;
 use trialbook::edition::Failure;
 
 /// Where an SVG goes: a file, or `-` for standard output.

@@ -4,11 +4,11 @@ use super::axis::{Axis, Point, is_it_degrees};
 use super::question::Question;
 use super::{plot, sweep};
 use crate::claims::solve::constant::At;
+use crate::claims::solve::turntable::MotionError;
 use crate::claims::solve::{
     Double, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest, sinusoidal,
     sphere, turntable,
 };
-use crate::motion::MotionError;
 use crate::numerics::error::plain as number;
 use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;

@@ -227,7 +227,7 @@ fn broken(list: Vec<Node>, room: f64, display: bool) -> Vec<Vec<Node>> {
             .filter(full)
             .min_by_key(|(i, depth)| (*depth, std::cmp::Reverse(*i)));
         let next = best
-            .or_else(|| ahead().filter(fits).next_back())
+            .or_else(|| ahead().rfind(fits))
             .or_else(|| ahead().next());
         match next {
             Some((i, _)) => starts.push(*i),

@@ -16,6 +16,7 @@ mod screen;
 mod shard;
 mod table;
 
+pub use crate::book::bare;
 pub use output::{VERSION, complain, csv, json, no_table, say, show, unwritten};
 pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
