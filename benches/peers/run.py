@@ -19,7 +19,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 PY = sys.executable
 
-# What is done, criterion's group and function, items in it, peer, its command, items that one of its counts stands for.
+# What is done, criterion's group and function (or a script of this folder), items in it, peer, its command, items that one of its counts stands for.
 ROWS = [
     ("start on the turntable, one core", "w1-turntable", "one core, 99856", 99856, "heyoka, batches",
      "w1_turntable.py --peer heyoka-raw-batch --m 316 --repeats 3"),
@@ -47,10 +47,19 @@ ROWS = [
      "w5_symbolic.py --peer sympy-halfangle --repeats 3"),
     ("everything, against five figures", "w6-everything", "main job", 1, "SciPy and matplotlib",
      "w6_notebook.py --peer script --repeats 2"),
+    ("answer of an explorer, in the reader's browser", "w7-explorer", "w7_explorer.py --peer slipbook", 1, "SciPy with events",
+     "w7_explorer.py --peer scipy"),
+    ("from nothing to everything, against five figures", "w8-fresh", "w8_fresh.py --peer slipbook", 1, "SciPy and matplotlib",
+     "w8_fresh.py --peer scipy"),
 ]
+
+# Work that takes minutes is done once.
+ONCE = ["w8-fresh"]
 
 
 def ours(group, function, items):
+    if ".py" in function:
+        return theirs(function)[0], ""
     command = ["cargo", "bench", "--quiet", "--bench", "workloads", "--", "--exact", f"{group}/{function}"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     accuracy = [line for line in done.stdout.splitlines() if line.startswith(group + ", accuracy")]
@@ -83,7 +92,7 @@ def main():
             continue
         best = {"work": work, "peer": peer, "ours_us": float("inf"), "peer_us": float("inf"), "accuracy": ""}
         try:
-            for _ in range(arguments.rounds):
+            for _ in range(1 if group in ONCE else arguments.rounds):
                 mine, accuracy = ours(group, function, items)
                 other, _ = theirs(command)
                 best["ours_us"] = min(best["ours_us"], mine)

@@ -35,6 +35,11 @@ impl Given {
         self.names.push(name);
     }
 
+    /// How many there are.
+    pub fn len(&self) -> usize {
+        self.names.len()
+    }
+
     /// Takes over what has not been given here.
     pub fn complete(&mut self, later: &Self) {
         for (name, value) in &later.names {

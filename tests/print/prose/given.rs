@@ -1,7 +1,8 @@
 //! Formulas that hold where something is given: `name=formula`, or `name=@function(arguments)` of the code, parted by
 //! semicolons. Without a name it is what the formula itself is to be. `left`, `right` and `difference` say what the sides of its
 //! relation, or the left one less the right one, are to be, whatever relates them, and `within` by how much two numbers may differ; a
-//! digit behind them counts the relations of a formula that has several.
+//! digit behind them counts the relations of a formula that has several. `row` with a digit says what that row of its cases is to be. A piece of
+//! the formula that the reader does not understand, such as an integral, has its value given in the same way, as «piece»; «piece»=, parts two statements there.
 
 use super::formulas::{Found, Given, found, number, read};
 use crate::compare;
@@ -16,10 +17,18 @@ pub const NOT_TRIED: [&str; 4] = ["case", "name", "open", "term"];
 /// Whether a formula holds where this is given; if not, why.
 pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String> {
     let mut given = Given::new();
+    let mut formula = formula.to_owned();
     let mut whole = None;
     let mut asked = Vec::new();
     for line in givens.split("; ") {
-        let (name, right) = line.split_once('=').ok_or("nothing is given")?;
+        let (name, right) = line
+            .rsplit_once("»=")
+            .or_else(|| line.split_once('='))
+            .ok_or("nothing is given")?;
+        if right == "," {
+            formula = formula.replace(name.trim_start_matches('«'), ",");
+            continue;
+        }
         let value = match right.strip_prefix('@') {
             Some(call) => called(library, call, &given)?,
             None => value(right, &given)?,
@@ -29,9 +38,19 @@ pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String
             name if Asked::of(name).is_some() => {
                 asked.extend(Asked::of(name).map(|what| (what, value)))
             }
+            name if name.starts_with('«') => {
+                let piece = name.trim_matches(['«', '»']);
+                if !formula.contains(piece) {
+                    return Err(format!("there is no {piece}"));
+                }
+                let stands_for = format!(r"\chi_{}", given.len());
+                formula = formula.replace(piece, &format!("{stands_for} "));
+                given.push((stands_for, value));
+            }
             name => given.push((name.to_owned(), value)),
         }
     }
+    let formula = formula.as_str();
     if let Some(whole) = whole {
         let (found, whole) = (value(formula, &given)?.number(), whole.number());
         return match found.zip(whole) {
@@ -40,9 +59,15 @@ pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String
         };
     }
     if !asked.is_empty() {
-        return asked
+        let apart = asked.iter().any(|(what, _)| what.what == "within");
+        asked
             .into_iter()
-            .try_for_each(|(what, value)| what.is(value, formula, &given));
+            .try_for_each(|(what, value)| what.is(value, formula, &given))?;
+        // Numbers are related as it says, too, unless they may differ.
+        return match found(formula, &mut Given::with(given)) {
+            Some(Found::Wrong(why)) if !apart => Err(why),
+            _ => Ok(()),
+        };
     }
     // What is given first counts, whatever the formula itself gives.
     match found(formula, &mut Given::with(given)) {
@@ -60,7 +85,7 @@ struct Asked {
 
 impl Asked {
     fn of(name: &str) -> Option<Self> {
-        let what = ["left", "right", "difference", "within"]
+        let what = ["left", "right", "difference", "within", "row"]
             .into_iter()
             .find(|what| name.starts_with(what))?;
         let relation = match &name[what.len()..] {
@@ -74,6 +99,14 @@ impl Asked {
         // What is left out in the print is left out here, too.
         let formula = formula.replace(r"+\dots", "");
         let formula = formula.trim_end_matches([':', ',', '.', ' ']);
+        if self.what == "row" {
+            let row = row(formula, self.relation).ok_or("no such row")?;
+            let [found, wanted] = [value(row, given)?, wanted].map(|side| side.number());
+            return match found.zip(wanted) {
+                Some((found, wanted)) => compare::same(found, wanted).map(drop),
+                None => Err("a vector".to_owned()),
+            };
+        }
         let statements = statements(formula).map_err(|why| why.to_string())?;
         let pair = statements
             .iter()
@@ -99,6 +132,17 @@ impl Asked {
         }
         compare::same(found, wanted).map(drop)
     }
+}
+
+/// What a row of a formula's cases says, from 0.
+fn row(formula: &str, number: usize) -> Option<&str> {
+    let (_, cases) = formula.split_once(r"\begin{cases}")?;
+    let (cases, after) = cases.split_once(r"\end{cases}")?;
+    if !after.is_empty() {
+        return None;
+    }
+    let (says, _) = cases.split(r"\\").nth(number)?.split_once('&')?;
+    Some(says.trim().trim_end_matches(','))
 }
 
 /// The value of the first side of a formula.
@@ -157,6 +201,25 @@ fn what_is_given_is_put_in() {
         (r"difference=y", r"y+x>x", true),
         (r"x=1/10; within=10^{-5}", r"\cos x\approx1-x^2/2", true),
         (r"x=1/10; within=10^{-6}", r"\cos x\approx1-x^2/2", false),
+        (r"«\int_0^1f»=2x; difference=x", r"\int_0^1f=x", true),
+        (r"«\int_0^1f»=2x; difference=x", r"\int_0^2f=x", false),
+        (r"x=2; difference=-1", r"x<3", true),
+        (r"x=2; difference=-1", r"x>3", false),
+        (
+            r"row2=-x",
+            r"y=\begin{cases}x,&x>0\\-x,&x<0\end{cases}",
+            true,
+        ),
+        (
+            r"row1=-x",
+            r"y=\begin{cases}x,&x>0\\-x,&x<0\end{cases}",
+            false,
+        ),
+        (
+            r"row3=-x",
+            r"y=\begin{cases}x,&x>0\\-x,&x<0\end{cases}",
+            false,
+        ),
     ] {
         assert_eq!(
             hold(&library, given, formula).is_ok(),
