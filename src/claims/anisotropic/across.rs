@@ -93,9 +93,9 @@ fn start(points: &mut Points) -> [f64; 2] {
 
 /// What is left in the end.
 pub fn vanishes() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
-        r"$\mathfrak w_y$ after sixty periods, under a friction that depends on the direction",
+        r"$\mathfrak w_y$ after sixty periods under a friction that depends on the direction",
     );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
     let mut points = Points::stream(320);
@@ -146,7 +146,7 @@ fn lets_grow(rough: &Rough, [a, b, phi]: Logarithms) -> bool {
 
 /// Without friction it keeps its value.
 pub fn outside() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
         r"$\mathfrak w_y$ after sixty periods without friction",
     );

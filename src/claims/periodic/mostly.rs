@@ -60,9 +60,9 @@ pub fn census() -> Evidence {
 
 /// |h| = 1 throughout: no rest, however near λ₀ is to 1.
 pub fn two_valued() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 0",
-        r"the share of rest for steps between 1 and $-1$, $\lambda_0$ just below 1",
+        r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",
     );
     let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
     let mut points = Points::stream(230);

@@ -653,7 +653,7 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
 /// ψ of motions that come straight in to rest.
 pub fn near_rest_straight() -> Evidence {
     straight(
-        Compared::one(
+        Compared::constant(
             "the stated 0",
             r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
         ),

@@ -167,7 +167,7 @@ pub fn passage_quadrature() -> Evidence {
 
 /// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
 pub fn finite_end() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
         r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
     );

@@ -106,7 +106,7 @@ pub fn eq38_outside() -> Evidence {
 
 /// Seven starts end in one motion.
 fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
         "whether seven starts, near and far, end in the same motion (1 if so)",
     );
