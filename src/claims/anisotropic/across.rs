@@ -116,7 +116,7 @@ pub fn vanishes() -> Evidence {
 pub fn never_grows() -> Evidence {
     let compared = Compared::one(
         r"the number of states at which (1), with the friction of their direction, lets $\mathfrak w_y>0$ grow",
-        r"that of the pieces of the way on which $\ln\mathfrak w_y$ grows, over sixty periods",
+        r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(321);

@@ -367,7 +367,7 @@ pub fn eq142_straight() -> Evidence {
 /// (144) at p = 10⁻²⁰, by the way.
 pub fn eq144_motion() -> Evidence {
     let compared = Compared::one(
-        r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm dA=\mathrm ds$ from the way still to go,",
+        r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm dA=\mathrm ds$ from the path still to go,",
         "0",
     );
     exactly(Route::Integration, compared, eq144_way)
@@ -394,7 +394,7 @@ pub fn eq144_straight() -> Evidence {
 pub fn eq145_motion() -> Evidence {
     let compared = Compared::one(
         r"the coefficient of $\alpha^2$ in (145)",
-        r"$(A-\sigma)/\alpha^2$ at $p=10^{-20}$, where $A^2$ is $\sigma^2$ less twice the way still to go",
+        r"$(A-\sigma)/\alpha^2$ at $p=10^{-20}$, where $A^2$ is $\sigma^2$ less twice the length of the path still to go",
     );
     exactly(Route::Integration, compared, eq145_way)
 }
