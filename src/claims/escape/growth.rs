@@ -363,7 +363,7 @@ pub fn eq134_exponent() -> Evidence {
 /// (134) as a whole, late.
 pub fn eq134_limit() -> Evidence {
     let compared = Compared::one(
-        r"(134) times $\tau$, at $\tau=10^8$,",
+        r"$(\pi/2-\psi)\tau$ by (134), at $\tau=10^8$,",
         r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$",
     );
     against(Subject::Printed, compared, lag, |_| {

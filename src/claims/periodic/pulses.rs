@@ -311,7 +311,7 @@ pub fn eq46_census() -> Evidence {
 /// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
 pub fn below_motion() -> Evidence {
     let compared = Compared::one(
-        r"the largest difference of the motion without rest for $\lambda_0$ below (46), from our own derivation, from $\mathfrak w$ of the motion",
+        r"the largest difference between our own formula for the motion without rest, for $\lambda_0$ below (46), and $\mathfrak w$ of the motion",
         "0",
     );
     let trial = Trial::motion(Subject::Printed, compared);

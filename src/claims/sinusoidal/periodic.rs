@@ -139,7 +139,7 @@ const PERIODS: u32 = 320;
 /// How fast the periodic motion is approached: the distance to it, period by period.
 pub fn eq38_approach() -> Evidence {
     let compared = Compared::one(
-        r"$[(s-\lambda_0)/(s+\lambda_0)]^2$, with $s=\sin\tilde\phi_1$,",
+        r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
         "the factor by which a simulated motion's distance to the periodic one shrinks in a period",
     );
     let trial = Trial::by(Route::Limit, Subject::Within, compared, APPROACH);

@@ -193,7 +193,7 @@ pub fn eq68_way() -> Evidence {
 pub fn eq71_both_ways() -> Evidence {
     let compared = Compared::one(
         r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
-        r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, followed by itself",
+        r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",
     );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(421);
