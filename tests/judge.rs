@@ -233,7 +233,7 @@ fn a_misprint_from_which_an_error_is_inherited_is_more_than_that() {
     assert!(
         seen(Verdict::Misprint, &heir)
             .ground
-            .ends_with("it passes to b")
+            .ends_with("its error passes to b")
     );
     assert_eq!(seen(Verdict::Confirmed, &heir).verdict, Verdict::Confirmed);
     // What is wrong by itself inherits nothing.

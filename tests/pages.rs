@@ -10,6 +10,9 @@ use std::process::Command;
 /// Pages that explain what verdicts are, and so name them.
 const ON_VERDICTS: [&str; 6] = ["methods", "adding", "own", "snapshots", "errata", "map"];
 
+/// How many lines of the plain letter two pages of the set one hold, nearly.
+const TWO_PAGES: usize = 201;
+
 /// The pages: stem, and prose with formulas.
 fn pages() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("book/src");
@@ -59,6 +62,27 @@ fn the_letters_can_be_sent() {
     let foreign: Vec<_> = latex.chars().filter(|c| !c.is_ascii()).collect();
     assert!(foreign.is_empty(), "no LaTeX for {foreign:?}");
     assert!(!latex.contains("$$") && latex.matches('$').count() % 2 == 0);
+}
+
+/// It fills two pages: of text as many lines as two pages hold; by a TeX, where there is one, two pages.
+#[test]
+fn the_letter_has_two_pages() {
+    let ledger = Ledger::try_all(&PAPER, |_| {});
+    let [text, latex] = [Format::Text, Format::Latex].map(|format| ledger.letter(format).unwrap());
+    let lines = text.lines().filter(|line| !line.is_empty()).count();
+    assert!((150..=TWO_PAGES).contains(&lines), "{lines} lines");
+    let folder = tempfile::tempdir().unwrap();
+    let letter = folder.path().join("errata.tex");
+    fs::write(&letter, latex).unwrap();
+    let set = Command::new("pdflatex")
+        .args(["-halt-on-error", "-interaction=nonstopmode", "errata.tex"])
+        .current_dir(folder.path())
+        .output();
+    // Without a TeX the lines have to do.
+    let Ok(set) = set else { return };
+    let said = String::from_utf8_lossy(&set.stdout).replace('\n', "");
+    assert!(set.status.success(), "{said}");
+    assert!(said.contains("(2 pages,"), "{said}");
 }
 
 /// What is printed stands as printed and what is right as right, and the letter counts what it lists.

@@ -178,7 +178,7 @@ window.slipbookExplorers = (() => {
                         marks: [...areas, ...borders.map(points => ({ points })),
                             { points: wedge(printed, borders[1] || []), fill: 0.7 },
                             { points: printed, dash: true },
-                            { points: [5.2, 0.29], text: 'black: II in the paper' },
+                            { points: [5.2, 0.29], text: 'wedge: II in the paper' },
                             ...[[1.3, 0.13, 1], [2.1, 0.31, 2], [1.25, 0.6, 3], [4, 0.6, 4], [4, 1.08, 5]]
                                 .map(([x, y, n]) => ({ points: [x, y], text: REGIONS[n] }))],
                         hand: [q, lambda],

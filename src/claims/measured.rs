@@ -85,7 +85,7 @@ pub const MEASURED: &[Measured] = &[
         ],
     },
     Measured {
-        reason: "It compares with the formulas of an article of which only the abstract and the first lines could be read.",
+        reason: "It needs the formulas of an article of which only the abstract and the first lines could be read.",
         claims: &["s21-portrait-consistent"],
     },
     Measured {

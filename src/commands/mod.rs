@@ -41,7 +41,7 @@ pub const ALL: [Command; 3] = [
     Command {
         command: || {
             exam::Exam::augment_args(clap::Command::new("exam"))
-                .about("Put the questions of an exam in dry friction, with answers that can be relied on")
+                .about("Print the questions of an exam in dry friction, with answers that can be relied on")
                 .after_help("Example:\n  slipbook exam --json > exam.json\n  slipbook exam stop-place rest-fraction")
         },
         run: |matches, format| exam::Exam::from_arg_matches(matches)?.run(format),

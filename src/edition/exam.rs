@@ -33,7 +33,7 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
         })
         .collect();
     let head = ["Task", "Set-up and question", "Answer", "Error"];
-    Ok(Filled::Block(table("exam", head, rows?)))
+    Ok(Filled::Block(table("exam tasks", head, rows?)))
 }
 
 /// A number with one digit, as 3 × 10⁻⁵ in HTML; 0 as it is.
@@ -121,7 +121,7 @@ fn wide(head: &[String], rows: &[Vec<String>]) -> String {
     let body: String = rows.iter().map(|row| cells("td", row)).collect();
     let head = cells("th", head).replace("<th>", "<th scope=\"col\">");
     format!(
-        "<div class=\"table-wrapper exam\"><table><thead>{head}</thead><tbody>{body}</tbody></table></div>\n"
+        "<div class=\"table-wrapper exam scores\"><table><thead>{head}</thead><tbody>{body}</tbody></table></div>\n"
     )
 }
 
@@ -180,7 +180,7 @@ pub(super) fn runs() -> Result<Filled, Failure> {
         "Order",
         "Cost of a unit of time",
     ];
-    Ok(Filled::Block(table("exam", head, rows)))
+    Ok(Filled::Block(table("exam runs", head, rows)))
 }
 
 /// What each candidate promises.
@@ -194,7 +194,7 @@ pub(super) fn promises() -> Result<Filled, Failure> {
         }
     }
     let head = ["Candidate", "Version", "What it promises, in our words"];
-    Ok(Filled::Block(table("exam", head, rows)))
+    Ok(Filled::Block(table("exam promises", head, rows)))
 }
 
 /// When and on what.
@@ -225,7 +225,7 @@ pub(super) fn published() -> Result<Filled, Failure> {
         })
         .collect();
     let head = ["Source", "Read", "What", "Published", "Ours", "Verdict"];
-    Ok(Filled::Block(table("exam", head, rows?)))
+    Ok(Filled::Block(table("exam published", head, rows?)))
 }
 
 /// A number with eleven digits, as many as our motions promise.

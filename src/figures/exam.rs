@@ -34,7 +34,7 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
     let mut plot = Plot::new("exam", "What an answer costs")
         .caption(
             "The error of the answer against the processor time, in seconds, for a unit of time in the motion. Each candidate was run with \
-             various steps, tolerances or velocity scales, tuned where it was; the black square is our motion, which goes from event to event. \
+             various steps, tolerances or velocity scales, tuned where it was; the square is our motion, which goes from event to event. \
              An error within rounding is drawn at $10^{-16}$.",
         )
         .alt(

@@ -172,8 +172,8 @@ pub fn following(escapes: &[Following]) -> Result<Figure, FigureError> {
     let follows = Rule::horizontal(1.0).stroke(Stroke::Dotted);
     Plot::new("turntable-following", "How the angle follows its quasi-fixed point")
         .caption(
-            "Three escapes. Above: $\\psi$ (thick) and, at the $\\alpha$ of the same moment, $\\psi_1$ \
-             (thin). Both tend to $\\pi/2$. Below: what $\\psi$ lacks of $\\pi/2$ over what $\\psi_1$ lacks. \
+            "Three escapes. First $\\psi$ (thick) and, at the $\\alpha$ of the same moment, $\\psi_1$ \
+             (thin). Both tend to $\\pi/2$. Then what $\\psi$ lacks of $\\pi/2$ over what $\\psi_1$ lacks. \
              Were $\\psi_1$ followed, this ratio would tend to 1 (dotted line).",
         )
         .alt(

@@ -10,8 +10,9 @@ use serde_json::{Value, json};
 const SLOWER: f64 = 4.0;
 /// How long an answer may take there, in milliseconds.
 const ANSWER: f64 = 50.0;
-/// How long the page's own thread may work on all pages in one, in seconds: with what it waits for, that is eight.
-const READY: f64 = 6.0;
+/// How long the page's own thread may work on all pages in one, in seconds. It may take eight until they are there; it waits for
+/// half a second of them, and what else is tried at the same time slows this by as much.
+const READY: f64 = 7.0;
 /// A picture of sixty in a second.
 const PICTURE: f64 = 1000.0 / 60.0;
 

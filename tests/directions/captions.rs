@@ -69,7 +69,7 @@ const UNTRIED: &[(&str, &str)] = &[
     ("anisotropic-far", "falls below"),
     ("sphere-swinging", "solid dashed"),
     ("turntable-paths", "outwards slower right"),
-    ("turntable-following", "Above thick thin Below dotted rise"),
+    ("turntable-following", "thick thin dotted rise"),
     ("escape-compensated", "grows falls right"),
     ("escape-paths", "down inside outside backwards outwards"),
     ("escape-fan", "down inner dotted outer backwards"),

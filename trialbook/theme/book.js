@@ -66,7 +66,7 @@
     unfold();
 
     // Who reads sees the boxes folded, who audits unfolded: a switch, remembered.
-    const folds = all('.claim .evidence, .claim :is(.proof, .samples), .listing');
+    const folds = all('.evidence, .proof, .samples, .listing').filter(fold => fold.matches('.listing') || fold.closest('.claim'));
     const place = document.querySelector('#mdbook-menu-bar .right-buttons');
     if (folds.length && place) {
         const key = 'trialbook-evidence';
@@ -189,8 +189,9 @@
         };
         field.addEventListener('input', filter);
         field.addEventListener('keydown', event => event.stopPropagation());
+        // Above the heading of the first of several tables, beside the only one.
         const first = tables[0].previousElementSibling;
-        (first?.matches('h2') ? first : tables[0]).before(bar);
+        (tables.length > 1 && first?.matches('h2') ? first : tables[0]).before(bar);
         const number = text => Number(text.replace(/[,\s]/g, '').replace('−', '-').match(/^\(?(-?[\d.]+)/)?.[1] ?? NaN);
         tables.forEach(box => all('th', box).forEach((head, k) => {
             const button = document.createElement('button');

@@ -93,9 +93,9 @@ fn start(points: &mut Points) -> [f64; 2] {
 
 /// What is left in the end.
 pub fn vanishes() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
-        r"$\mathfrak w_y$ after sixty periods, under a friction that depends on the direction",
+        r"$\mathfrak w_y$ after sixty periods under a friction that depends on the direction",
     );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
     let mut points = Points::stream(320);
@@ -116,7 +116,7 @@ pub fn vanishes() -> Evidence {
 pub fn never_grows() -> Evidence {
     let compared = Compared::one(
         r"the number of states at which (1), with the friction of their direction, lets $\mathfrak w_y>0$ grow",
-        r"that of the pieces of the way on which $\ln\mathfrak w_y$ grows, over sixty periods",
+        r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(321);
@@ -146,7 +146,7 @@ fn lets_grow(rough: &Rough, [a, b, phi]: Logarithms) -> bool {
 
 /// Without friction it keeps its value.
 pub fn outside() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
         r"$\mathfrak w_y$ after sixty periods without friction",
     );

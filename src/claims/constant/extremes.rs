@@ -12,7 +12,7 @@ use crate::paper::constant as printed;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 pub fn small_friction_limit() -> Evidence {
-    let compared = Compared::one("the stated 0", "the angle of the velocity at $At/v_0=10^8$");
+    let compared = Compared::constant("the stated 0", "the angle of the velocity at $At/v_0=10^8$");
     let trial = Trial::by(Route::Limit, Subject::Within, compared, LATE_ANGLE);
     trial.over(aligned(), |aligned| {
         let Aligned { start, angle, .. } = aligned?;
@@ -50,8 +50,8 @@ pub fn small_friction_census() -> Evidence {
 
 /// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
 pub fn small_friction_outside() -> Evidence {
-    let compared = Compared::one(
-        "1, for motion,",
+    let compared = Compared::constant(
+        "1, for motion",
         "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
     );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
@@ -149,7 +149,7 @@ fn last_slope(stop: &Stop) -> f64 {
 
 /// λ > 1 and θ₀ = π: the particle stops without turning.
 pub fn large_friction_outside() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
         "the angle of the velocity at 99 % of the time of stopping",
     );

@@ -56,7 +56,7 @@ pub fn census() -> Evidence {
 pub fn outside() -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda\le1$ (1 if so)",
-        r"whether a particle that begins at rest moves, $\lambda=1$",
+        "whether a particle that begins at rest moves",
     );
     moves(Subject::Outside, compared, vec![1.0; 20])
 }

@@ -51,9 +51,9 @@ fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
 
 /// How often the sense changes.
 pub fn turns() -> Evidence {
-    let compared = Compared::one(
-        "0 for a constant pull, 1 for a sine,",
-        "whether the sense of sliding changes more than once",
+    let compared = Compared::constant(
+        "0 for a constant pull, 1 for a sine",
+        "whether the sense of sliding changes more than once (1 if so)",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(723);
@@ -70,9 +70,9 @@ pub fn turns() -> Evidence {
 
 /// Half a period, late.
 pub fn both_ways() -> Evidence {
-    let compared = Compared::one(
-        r"$-1$ for a sine, 1 for a constant pull,",
-        "the sign of the product of the velocities at two late times, half a period apart, at which the particle slides",
+    let compared = Compared::constant(
+        r"$-1$ for a sine, 1 for a constant pull",
+        "the sign of the product of the velocities at two late times, half a period apart, at which the particle slides,",
     );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(724);

@@ -60,8 +60,8 @@ fn in_the_laboratory(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2
 
 /// As printed, three times: along the acceleration.
 pub fn along() -> Evidence {
-    let compared = Compared::one(
-        r"the expected 1, for along $\bm A$,",
+    let compared = Compared::constant(
+        r"the expected 1, for along $\bm A$",
         r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$",
     );
     let stated = printed::s21_late_sense();
@@ -70,8 +70,8 @@ pub fn along() -> Evidence {
 
 /// As corrected, by the motion on the plane.
 pub fn against() -> Evidence {
-    let compared = Compared::one(
-        r"the expected $-1$, for against $\bm A$,",
+    let compared = Compared::constant(
+        r"the expected $-1$, for against $\bm A$",
         r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$",
     );
     let stated = corrected::late_sense();
@@ -86,9 +86,9 @@ pub fn against() -> Evidence {
 
 /// As corrected, in the laboratory.
 pub fn against_in_the_laboratory() -> Evidence {
-    let compared = Compared::one(
-        r"the expected $-1$, for against $\bm A$,",
-        r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts",
+    let compared = Compared::constant(
+        r"the expected $-1$, for against $\bm A$",
+        r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts,",
     );
     let stated = corrected::late_sense();
     senses(

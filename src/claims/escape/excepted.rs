@@ -7,8 +7,8 @@ use crate::evidence::{Evidence, Route, Subject};
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {
-    let compared = Compared::one(
-        "the expected 1, for an escape,",
+    let compared = Compared::constant(
+        "the expected 1, for an escape",
         "whether $A$ of the motion exceeds $10^4$ (1 if so)",
     )
     .over("random starts with $A>1$ that do not come straight in");
@@ -27,8 +27,8 @@ pub fn escaping() -> Evidence {
 
 /// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
 pub fn small_alpha() -> Evidence {
-    let compared = Compared::one(
-        r"the expected 1, for a fall of $\psi$ to 0,",
+    let compared = Compared::constant(
+        r"the expected 1, for a fall of $\psi$ to 0",
         r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",
     )
     .over(r"random starts with tiny $\alpha$ that do not come straight in");

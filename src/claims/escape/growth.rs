@@ -363,7 +363,7 @@ pub fn eq134_exponent() -> Evidence {
 /// (134) as a whole, late.
 pub fn eq134_limit() -> Evidence {
     let compared = Compared::one(
-        r"(134) times $\tau$, at $\tau=10^8$,",
+        r"$(\pi/2-\psi)\tau$ by (134), at $\tau=10^8$,",
         r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$",
     );
     against(Subject::Printed, compared, lag, |_| {
@@ -372,7 +372,7 @@ pub fn eq134_limit() -> Evidence {
 }
 /// The exponent of what replaces it.
 pub fn corrected134_exponent() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated $-1$",
         r"the exponent of $\tau$ in $\pi/2-\psi$ of the motion",
     );
@@ -380,9 +380,9 @@ pub fn corrected134_exponent() -> Evidence {
 }
 /// Its prefactor.
 pub fn corrected134_limit() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 2",
-        r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$",
+        r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$,",
     );
     against(Subject::Corrected, compared, lag, |_| Ok(corrected_lag()))
 }

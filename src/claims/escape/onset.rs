@@ -75,8 +75,8 @@ pub fn eq126_order() -> Evidence {
 pub fn above_one_census() -> Evidence {
     above_one(
         Subject::Printed,
-        Compared::one(
-            "0 where (127) holds, else what is found,",
+        Compared::constant(
+            "0 where (127) holds, and with itself elsewhere",
             r"whether a launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
         ),
     )
@@ -86,8 +86,8 @@ pub fn above_one_census() -> Evidence {
 pub fn above_one_within() -> Evidence {
     above_one(
         Subject::Within,
-        Compared::one(
-            "0 where (127) holds, else what is found,",
+        Compared::constant(
+            "0 where (127) holds, and with itself elsewhere",
             r"whether a random launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
         ),
     )
@@ -178,8 +178,8 @@ pub fn never_decreases_way() -> Evidence {
 
 /// A grows from each start to the end, and falls on no step by more than its rounding.
 pub fn never_decreases_census() -> Evidence {
-    let compared = Compared::one(
-        "1, for growth,",
+    let compared = Compared::constant(
+        "1, for growth",
         r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
@@ -383,7 +383,7 @@ fn grown(values: &[f64]) -> usize {
 
 /// Stops of particles that come straight in from A > 1, in the frame of the table.
 pub fn straight_stops() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
         "the number of stops of a particle that comes straight in from $A>1$",
     );

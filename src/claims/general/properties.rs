@@ -98,8 +98,8 @@ fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
 /// The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
 pub fn stops_integration() -> Evidence {
     let compared = Compared::one(
-        "the time of stopping, cut to the bounds that (2) sets,",
-        "the time of stopping",
+        "the time at which the motion stops, moved into the bounds that (2) sets where it lies outside,",
+        "that time itself",
     );
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(bounded(22, 0.9), |case| {
@@ -175,9 +175,9 @@ fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
 
 /// A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
 pub fn rest_outside() -> Evidence {
-    let compared = Compared::one(
-        r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant,",
-        "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0",
+    let compared = Compared::constant(
+        r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant",
+        "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0,",
     );
     let trial = Trial::by(Route::Limit, Subject::Outside, compared, SHORT_PUSH);
     let mut points = Points::stream(30);
@@ -226,7 +226,7 @@ pub fn grows_census() -> Evidence {
 /// Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
 pub fn grows_integration() -> Evidence {
     let compared = Compared::one(
-        r"the speed gained from $t=200$ to 400, but at least $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$,",
+        r"the larger of $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$ and the speed gained from $t=200$ to 400",
         "the speed gained",
     );
     let trial = Trial::motion(Subject::Within, compared);
@@ -248,10 +248,7 @@ pub fn grows_integration() -> Evidence {
 
 /// |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
 pub fn grows_outside() -> Evidence {
-    let compared = Compared::one(
-        "the speed at $t+1$, raised to that at $t$ where it is less,",
-        "the speed at $t+1$",
-    );
+    let compared = Compared::one("the larger of the speeds at $t$ and $t+1$", "that at $t+1$");
     let trial = Trial::motion(Subject::Outside, compared);
     let mut points = Points::stream(26);
     trial.over(0..100, |_| {
@@ -281,8 +278,8 @@ pub fn grows_outside() -> Evidence {
 
 /// Across a fixed direction, every step lowers what velocity there is.
 pub fn across_census() -> Evidence {
-    let compared = Compared::one(
-        "$-1$, for a fall,",
+    let compared = Compared::constant(
+        "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
     );
     census(Subject::Printed, compared).over(fixed_direction(27), |case| {
@@ -309,8 +306,8 @@ fn grows_across(case: &Across) -> Result<usize, Failure> {
 
 /// Without friction the velocity across stays as it is.
 pub fn across_outside() -> Evidence {
-    let compared = Compared::one(
-        "$-1$, for a fall,",
+    let compared = Compared::constant(
+        "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ in ten units of time without friction",
     );
     census(Subject::Outside, compared).over(fixed_direction(29), |case| {
@@ -357,9 +354,9 @@ pub fn across_quadrature() -> Evidence {
 
 /// Bounded A: what is left of v⊥ after a long time.
 pub fn across_limit() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
-        r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$",
+        r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$,",
     );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, VANISHES);
     let bounded = fixed_direction(29).filter(|case| case.largest.is_finite());
@@ -384,8 +381,8 @@ pub fn across_limit() -> Evidence {
 /// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
 pub fn across_integration() -> Evidence {
     let compared = Compared::one(
-        r"$\lvert v_\perp\rvert$, cut to the bound $v_{\perp0}(1+At/v_0)^{-\mu g/A}$, with $A$ up to $30\mu g$,",
-        r"$\lvert v_\perp\rvert$ at a late time",
+        r"the smaller of $\lvert v_\perp\rvert$ at a late time and the bound $v_{\perp0}(1+At/v_0)^{-\mu g/A}$, with $A$ up to $30\mu g$,",
+        r"$\lvert v_\perp\rvert$ itself",
     );
     let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(31);

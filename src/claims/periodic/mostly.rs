@@ -39,8 +39,8 @@ pub fn limit() -> Evidence {
 /// More than half of the period, a thousandth below 1 or closer.
 pub fn census() -> Evidence {
     let compared = Compared::one(
-        r"whether a share of rest as it is stated for $\lambda_0\to1$ is more than half of the period (1 if so)",
-        r"whether the share is, at $\lambda_0$ between $1-10^{-3}$ and 1",
+        r"whether the share of rest is more than half of the period, as stated for $\lambda_0\to1$ (1 if so),",
+        r"whether it is at $\lambda_0$ between $1-10^{-3}$ and 1",
     )
     .over("three harmonics at random");
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
@@ -60,9 +60,9 @@ pub fn census() -> Evidence {
 
 /// |h| = 1 throughout: no rest, however near λ₀ is to 1.
 pub fn two_valued() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 0",
-        r"the share of rest for steps between 1 and $-1$, $\lambda_0$ just below 1",
+        r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",
     );
     let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
     let mut points = Points::stream(230);

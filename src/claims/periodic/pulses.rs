@@ -284,7 +284,7 @@ pub fn eq46_root() -> Evidence {
 
 /// (46) over the whole square: two rests per period above λ_c, none below.
 pub fn eq46_census() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         r"2 for $\lambda_0$ above (46) and 0 below",
         "the number of rests in a period of the motion",
     );
@@ -311,7 +311,7 @@ pub fn eq46_census() -> Evidence {
 /// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
 pub fn below_motion() -> Evidence {
     let compared = Compared::one(
-        r"the largest difference of the motion without rest for $\lambda_0$ below (46), from our own derivation, from $\mathfrak w$ of the motion",
+        r"the largest difference between our own formula for the motion without rest, for $\lambda_0$ below (46), and $\mathfrak w$ of the motion",
         "0",
     );
     let trial = Trial::motion(Subject::Printed, compared);
@@ -331,7 +331,7 @@ pub fn below_motion() -> Evidence {
 
 /// η = 1 and η = 0 themselves.
 pub fn extremes_census() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "0 below (46) and 1 above",
         "the number of rests in a period (1 for a particle at rest for ever)",
     )
@@ -366,7 +366,7 @@ pub fn extremes_census() -> Evidence {
 
 /// No pulses and no friction.
 pub fn extremes_outside() -> Evidence {
-    let compared = Compared::one("the stated 1", "the number of rests in a period")
+    let compared = Compared::constant("the stated 1", "the number of rests in a period")
         .over(r"$\eta=0$ and $\lambda_0=0$");
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let starts = Points::stream(227).within(24, [[0.1, 3.0]]);

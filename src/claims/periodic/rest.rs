@@ -21,9 +21,9 @@ fn at(name: &str, lambda: f64, start: DriveState) -> String {
 
 /// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
 pub fn within_time() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         r"1 for $\lambda_0>1$ and 0 below",
-        r"whether the motion rests (1 if so) from $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$, and a millionth, after any start on, or for $\lambda_0<1$ from a period after it on",
+        r"whether the motion, from any start, is at rest (1 if so) from a millionth past the phase $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ on, or for $\lambda_0<1$ from a period on,",
     );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(210);
@@ -115,7 +115,7 @@ pub fn stopping_time() -> Evidence {
 
 /// 1 is the exact bound: from 1 on all is still, below it something moves.
 pub fn sharp() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         r"1 for $\lambda_0\ge1$ and 0 below",
         "whether the motion is at rest for ever (1 if so)",
     );

@@ -89,8 +89,8 @@ fn admitted() -> Result<Vec<Named>, DriveError> {
 
 /// Every admitted drive: no rest below the one bound, motion with rest above the other.
 pub fn both_ends() -> Evidence {
-    let compared = Compared::one(
-        r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$,",
+    let compared = Compared::constant(
+        r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
         "whether the motion has rests (1 if so)",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
@@ -167,7 +167,7 @@ pub fn two_zeros_root() -> Evidence {
 
 /// More than one change: rests come, go, and come again as the friction grows.
 pub fn again_and_again() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 3",
         r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
     );
@@ -190,8 +190,8 @@ pub fn again_and_again() -> Evidence {
 
 /// With a mean: no rest below it, and rests above the mean of |h|.
 pub fn with_mean() -> Evidence {
-    let compared = Compared::one(
-        r"0 below the mean of $h$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$,",
+    let compared = Compared::constant(
+        r"0 below the mean of $h$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
         "whether the motion has rests (1 if so; one that drifts has none)",
     )
     .over("sines with a mean");
@@ -216,9 +216,9 @@ pub fn with_mean() -> Evidence {
 
 /// With a mean: how it goes on below it.
 pub fn with_mean_drift() -> Evidence {
-    let compared = Compared::one(
-        "the expected $-1$, for a drift,",
-        r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$",
+    let compared = Compared::constant(
+        "the expected $-1$, for a drift",
+        r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
     );
     let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
     let mut points = Points::stream(226);
@@ -231,9 +231,9 @@ pub fn with_mean_drift() -> Evidence {
 
 /// The same close to where the friction is as strong as the mean.
 pub fn with_mean_close() -> Evidence {
-    let compared = Compared::one(
-        "the expected $-1$, for a drift,",
-        r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$",
+    let compared = Compared::constant(
+        "the expected $-1$, for a drift",
+        r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
     );
     let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
     let mut points = Points::stream(225);
@@ -254,9 +254,9 @@ fn drifting(drive: &Drive, lambda: f64) -> Result<Pair, Failure> {
 
 /// |h| = 1 throughout: no rest at any λ₀ < 1.
 pub fn two_valued() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 0",
-        r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1",
+        r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1,",
     );
     let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
     let mut points = Points::stream(223);
@@ -274,9 +274,9 @@ pub fn two_valued() -> Evidence {
 /// minimum π − p between them. With little friction w rises through 0 at π/2 − πλ₀/2; at π − p it would then be
 /// λ₀ (p − (π/2) sin p) < 0, all before scaling.
 pub fn level() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
-        r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$",
+        r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$,",
     );
     let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
     let mut points = Points::stream(224);

@@ -367,7 +367,7 @@ pub fn eq142_straight() -> Evidence {
 /// (144) at p = 10⁻²⁰, by the way.
 pub fn eq144_motion() -> Evidence {
     let compared = Compared::one(
-        r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm dA=\mathrm ds$ from the way still to go,",
+        r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm dA=\mathrm ds$ from the path still to go,",
         "0",
     );
     exactly(Route::Integration, compared, eq144_way)
@@ -394,7 +394,7 @@ pub fn eq144_straight() -> Evidence {
 pub fn eq145_motion() -> Evidence {
     let compared = Compared::one(
         r"the coefficient of $\alpha^2$ in (145)",
-        r"$(A-\sigma)/\alpha^2$ at $p=10^{-20}$, where $A^2$ is $\sigma^2$ less twice the way still to go",
+        r"$(A-\sigma)/\alpha^2$ at $p=10^{-20}$, where $A^2$ is $\sigma^2$ less twice the length of the path still to go",
     );
     exactly(Route::Integration, compared, eq145_way)
 }
@@ -653,7 +653,7 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
 /// ψ of motions that come straight in to rest.
 pub fn near_rest_straight() -> Evidence {
     straight(
-        Compared::one(
+        Compared::constant(
             "the stated 0",
             r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
         ),

@@ -118,7 +118,7 @@ pub fn printed_slow() -> Evidence {
 /// The second-order boundary against the boundary.
 pub fn corrected_root() -> Evidence {
     let compared = Compared::one(
-        r"$1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$",
+        r"the corrected boundary, to the order $\alpha^2$,",
         r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
     );
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
@@ -136,7 +136,7 @@ pub fn corrected_root() -> Evidence {
 /// The second-order boundary so close to A = 1, α = 0 that it is one to a part in 10⁸ or less.
 pub fn corrected_close() -> Evidence {
     let compared = Compared::one(
-        r"$1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$",
+        r"the corrected boundary, to the order $\alpha^2$,",
         r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
     )
     .over(r"$\alpha=10^{-3}$ and $10^{-4}$");
@@ -261,7 +261,7 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 /// Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
 pub fn corrected_census() -> Evidence {
     let compared = Compared::one(
-        r"the fate by $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ (1 for rest, 0 for escape)",
+        r"the fate by the corrected boundary, to the order $\alpha^2$ (1 for rest, 0 for escape),",
         r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
     );
     let trial = Trial::by(Route::Census, Subject::Corrected, compared, NONE);

@@ -18,8 +18,8 @@ fn starts(stream: u64, count: usize) -> Vec<[f64; 3]> {
 
 /// By bounds on the energy, which make a fate certain: many starts together.
 pub fn fates() -> Evidence {
-    let compared = Compared::one(
-        "the expected 0, for no third fate,",
+    let compared = Compared::constant(
+        "the expected 0, for no third fate",
         "whether the fate is neither rest nor escape by the bounds on its energy (1 if so)",
     );
     let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
@@ -46,9 +46,9 @@ pub fn fates() -> Evidence {
 
 /// In the laboratory, up to τ = 100: each has one of the two fates, and not both. From ρ² − p² > 1 none comes back to rest.
 pub fn followed() -> Evidence {
-    let compared = Compared::one(
-        "the expected 0, for no third fate,",
-        r"1 less how many of these hold of a particle at $\tau=100$: it rests on the table; $\rho^2-p^2>1$",
+    let compared = Compared::constant(
+        "the expected 0, for no third fate",
+        r"1 less how many of two things hold of a particle at $\tau=100$, that it rests on the table and that $\rho^2-p^2>1$,",
     );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     trial.at(["ρ", "p", "ψ"], starts(715, 200), 1.0, |[rho, p, psi]| {
@@ -74,8 +74,8 @@ fn third_fate(path: &Path, tau: f64) -> Result<f64, MotionError> {
 
 /// Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
 pub fn on_the_boundary() -> Evidence {
-    let compared = Compared::one(
-        "the expected 0, for no third fate,",
+    let compared = Compared::constant(
+        "the expected 0, for no third fate",
         r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
     );
     let trial = Trial::by(Route::Root, Subject::Outside, compared, NONE);
@@ -100,7 +100,7 @@ fn creeps([[far, fast], [near, slow]]: [[f64; 2]; 2]) -> bool {
 
 /// That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
 pub fn beside_the_boundary() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
         "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
     );

@@ -12,7 +12,7 @@ use std::f64::consts::FRAC_PI_2;
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub fn straight_in() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
         r"whether $\psi$ of the motion ends below a right angle (1 if so)",
     )

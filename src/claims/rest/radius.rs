@@ -79,7 +79,7 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
 pub fn eq139_stays() -> Evidence {
     let compared = Compared::one(
         "whether a particle stays, by (139) (1 if so),",
-        "what one does that rides with the table, seen from the laboratory",
+        "whether one stays that rides with the table, seen from the laboratory",
     );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     trial.over(riders(), |rider| {
@@ -113,7 +113,7 @@ const SOON: f64 = 0.1;
 pub fn eq139_at_the_edge() -> Evidence {
     let compared = Compared::one(
         "whether a particle stays, by (139) (1 if so),",
-        r"what one does at rest on the table within $10^{-9}$ of $\sigma=1$, in the frame of the table, in the laboratory, and by its fate",
+        r"whether one stays that is put at rest on the table within $10^{-9}$ of $\sigma=1$: in the frame of the table, in the laboratory, and by its fate",
     );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(642);

@@ -116,9 +116,9 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
 
 /// v_y → 0: what is left after ten periods.
 pub fn vanishes_limit() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
-        r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$",
+        r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
     );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
     trial.over(flights_where(|_| true), |flight| {
@@ -134,7 +134,7 @@ pub fn vanishes_limit() -> Evidence {
 
 /// The same by the other integrator, with little friction too.
 pub fn vanishes_motion() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 0",
         "$v_y$ of a particle on the plane after five periods",
     );
@@ -155,7 +155,7 @@ pub fn vanishes_motion() -> Evidence {
 
 /// Without friction v_y keeps its value.
 pub fn vanishes_outside() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 0",
         "$v_y$ of a particle on the plane after five periods without friction",
     );
@@ -229,9 +229,9 @@ pub fn first_stage() -> Evidence {
 
 /// Second stage, as printed: an exponential falls by the same factor in every period.
 pub fn second_stage() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 1",
-        r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$",
+        r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$,",
     );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, EXPONENTIAL);
     trial.over(flights_where(Flight::never_rests), |flight| {
@@ -279,7 +279,7 @@ pub fn ignores_motion() -> Evidence {
 
 /// On the way v_x does depend on v_y.
 pub fn ignores_census() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
         r"whether the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
     );
@@ -288,7 +288,7 @@ pub fn ignores_census() -> Evidence {
 
 /// Without friction it does not.
 pub fn ignores_outside() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
         r"whether, without friction, the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
     );

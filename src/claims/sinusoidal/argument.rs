@@ -46,9 +46,9 @@ pub fn outlasts_census() -> Evidence {
 
 /// Without friction it lasts for the whole period, and nothing is lost.
 pub fn outlasts_outside() -> Evidence {
-    let compared = Compared::one(
-        "1, for longer and less,",
-        r"whether, without friction, $\mathfrak w<0$ one to twenty periods after a start from rest at the phase 0",
+    let compared = Compared::constant(
+        "1, as the claim has it",
+        r"whether, without friction, $\mathfrak w<0$ (1 if so) one to twenty periods after a start from rest at the phase 0",
     );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     trial.over(1..=20, |periods| {

@@ -142,9 +142,9 @@ pub fn bracket() -> Evidence {
 
 /// φ̃₂ = φ₄ without friction, where (32) has the solution 2π.
 pub fn bracket_outside() -> Evidence {
-    let compared = Compared::one(
-        r"1, for $\tilde\phi_2<\phi_4$,",
-        r"0 where $\phi_4$ is a solution of (32)",
+    let compared = Compared::constant(
+        r"1, for $\tilde\phi_2<\phi_4$",
+        r"whether $\phi_4$ is no solution of (32) (1 if so)",
     )
     .over(r"$\lambda_0=0$");
     let trial = Trial::by(Route::Certified, Subject::Outside, compared, NONE);

@@ -32,7 +32,7 @@ fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
 /// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
 pub fn period_factor() -> Evidence {
     let compared = Compared::one(
-        r"$[(s+\lambda_0)/(s-\lambda_0)]^2$",
+        r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
         r"the factor by which $\ln\mathfrak w_y$ grows in a period, from $\ln\mathfrak w_y=-10^9$ on",
     );
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, LOGARITHM);
@@ -59,7 +59,7 @@ pub fn period_factor() -> Evidence {
 /// The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
 pub fn period_factor_reached() -> Evidence {
     let compared = Compared::one(
-        r"$[(s+\lambda_0)/(s-\lambda_0)]^2$",
+        r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
         r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
     );
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
@@ -112,7 +112,7 @@ pub fn first_stage_correction() -> Evidence {
 /// λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
 pub fn passage_limit() -> Evidence {
     let compared = Compared::one(
-        r"$(s+\lambda_0)/(s-\lambda_0)$",
+        r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
         r"the ratio of $\Delta\ln v_y$ after and before a passage of a particle with $v_y=10^{-6}$ and $10^{-8}$",
     );
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
@@ -136,7 +136,7 @@ pub fn passage_limit() -> Evidence {
 /// λ₀ < λ_c, by quadrature of d ln 𝔴_y = −λ₀ dφ/|𝔴| towards and from a zero of the simulated motion on the line.
 pub fn passage_quadrature() -> Evidence {
     let compared = Compared::one(
-        r"$(s+\lambda_0)/(s-\lambda_0)$",
+        r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
         r"$(1+q)/(1-p)$, where $p$ and $q$ are the coefficients of the logarithm in $\lambda_0\int\mathrm d\phi/\lvert\mathfrak w\rvert$ before and after a zero of $\mathfrak w$",
     );
     let trial = Trial::by(Route::Quadrature, Subject::Corrected, compared, PASSAGE);
@@ -167,7 +167,7 @@ pub fn passage_quadrature() -> Evidence {
 
 /// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
 pub fn finite_end() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
         r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
     );
@@ -196,8 +196,8 @@ fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
 /// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
 pub fn last_stage() -> Evidence {
     let compared = Compared::one(
-        r"$\lambda_0/(\lambda_0^2-h^2)$",
-        r"the time, over $v_y$, that a particle with $v_x=0$ and a small $v_y$ takes to stop where $\lvert h\rvert<\lambda_0$",
+        r"$\lambda_0/(\lambda_0^2-d^2)$, with $d=\lvert h\rvert$,",
+        r"the time, over $v_y$, that a particle with $v_x=0$ and a small $v_y$ takes to stop where $d<\lambda_0$",
     );
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, LAST_STAGE);
     let mut points = Points::stream(175);

@@ -273,7 +273,7 @@ pub fn fig3_frame() -> Evidence {
     framed(
         SMALL,
         frame_top(0.8, 150.0),
-        Compared::one(
+        Compared::constant(
             "the expected 1",
             "whether a drawn point lies within the printed frame, whose mark 0.8 is not its edge (1 if so)",
         ),
@@ -285,7 +285,7 @@ pub fn fig4_frame() -> Evidence {
     framed(
         LARGE,
         frame_top(0.3, 155.0),
-        Compared::one(
+        Compared::constant(
             "the expected 1",
             "whether a drawn point lies within the printed frame, whose mark 0.3 is not its edge (1 if so)",
         ),

@@ -18,7 +18,7 @@ fn at(lambda: f64) -> String {
 
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
 pub fn no_rest_census() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
         "whether the simulated motions from seven starts have no rest at large times (1 if so)",
     );
@@ -154,9 +154,9 @@ pub fn trichotomy_motion() -> Evidence {
 
 /// λ₀ = 0: a fast particle never turns.
 pub fn trichotomy_outside() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 2",
-        r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$",
+        r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
     );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(152);

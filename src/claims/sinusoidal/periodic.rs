@@ -106,7 +106,7 @@ pub fn eq38_outside() -> Evidence {
 
 /// Seven starts end in one motion.
 fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the expected 1",
         "whether seven starts, near and far, end in the same motion (1 if so)",
     );
@@ -139,7 +139,7 @@ const PERIODS: u32 = 320;
 /// How fast the periodic motion is approached: the distance to it, period by period.
 pub fn eq38_approach() -> Evidence {
     let compared = Compared::one(
-        r"$[(s-\lambda_0)/(s+\lambda_0)]^2$, with $s=\sin\tilde\phi_1$,",
+        r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
         "the factor by which a simulated motion's distance to the periodic one shrinks in a period",
     );
     let trial = Trial::by(Route::Limit, Subject::Within, compared, APPROACH);

@@ -207,7 +207,7 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
 
 /// Four points, by counting.
 pub fn four_points_census() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 4",
         r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
     );
@@ -247,9 +247,9 @@ pub fn four_points_root() -> Evidence {
 
 /// λ₀ = 0: the points meet in pairs.
 pub fn four_points_outside() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 4",
-        r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction",
+        r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
     );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(120);

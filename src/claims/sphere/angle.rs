@@ -377,7 +377,7 @@ pub fn corrected82() -> Evidence {
 pub fn corrected82_quadrature() -> Evidence {
     let compared = Compared::one(
         r"(82) over $\gamma$",
-        r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by a foreign integrator",
+        r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by another library's integrator",
     );
     let turns = turns().filter(|turn| {
         turn.as_ref().map_or(true, |t| {

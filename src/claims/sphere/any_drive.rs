@@ -43,9 +43,9 @@ fn start(points: &mut Points) -> [f64; 2] {
 
 /// How long it rolls in a period, as a kind: never, for a part, always.
 pub fn census() -> Evidence {
-    let compared = Compared::one(
-        r"0 for no rolling below the lower bound of section 2.3 for $\lambda_0$ of (84), 1 for some above the upper one, 2 for nothing else above 1",
-        "what a sphere does in a late period",
+    let compared = Compared::constant(
+        r"0 below the lower bound of section 2.3 for $\lambda_0$ of (84), 1 above the upper one and 2 above 1",
+        "what a sphere does in a late period (0 if it never rolls, 1 if it rolls at times, 2 if it always does)",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(420);

@@ -52,7 +52,7 @@ fn by_the_laws(run: &Run) -> [f64; 5] {
 pub fn eq59() -> Evidence {
     let compared = Compared::one(
         r"$\bm v$ by (59) and (60)",
-        r"$\bm V-\bm U$ of the laboratory, where friction alone acts, each vector as $x+2y$",
+        r"$\bm V-\bm U$ of the laboratory, where friction alone acts, each vector by the one number $x+2y$",
     );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     trial.over(super::spheres::sliding(), |run| {
@@ -87,8 +87,8 @@ pub fn eq59() -> Evidence {
 /// (60): against the rigid body's own integrator.
 pub fn eq60() -> Evidence {
     let compared = Compared::one(
-        r"$\bm\omega$ by (59) and (60), by a foreign integrator,",
-        r"$\bm\omega$ of the motion, each vector as $x+2y+3z$",
+        r"$\bm\omega$ by (59) and (60), by another library's integrator,",
+        r"$\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
     );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     trial.over(super::spheres::sliding(), |run| {
@@ -108,7 +108,7 @@ pub fn eq60() -> Evidence {
 pub fn eq61() -> Evidence {
     let trial = consistency(Compared::one(
         r"$-\bm\omega\times$ (61)",
-        "the velocity of the centre of a rolling sphere, each vector as $x+2y$",
+        "the velocity of the centre of a rolling sphere, each vector by the one number $x+2y$",
     ));
     let rolling = mixed().flat_map(|run| match run {
         Ok(run) => {
@@ -170,7 +170,7 @@ pub fn eq67() -> Evidence {
 pub fn eq76() -> Evidence {
     let trial = consistency(Compared::one(
         r"the integral of (76) over $\tau$",
-        r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector as $x+2y$",
+        r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
     ));
     trial.over(mixed(), |run| {
         let run = run?;

@@ -379,9 +379,9 @@ pub fn trichotomy_motion() -> Evidence {
 
 /// λ₀ = 0: the slip of a fast sphere never changes its sign.
 pub fn trichotomy_outside() -> Evidence {
-    let compared = Compared::one(
+    let compared = Compared::constant(
         "the stated 2",
-        r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$",
+        r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
     );
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
     let mut points = Points::stream(414);

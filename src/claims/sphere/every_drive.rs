@@ -26,7 +26,7 @@ fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failu
 pub fn reduction_motion() -> Evidence {
     let compared = Compared::one(
         r"$\bm v$ of a particle with $b\mu$ under the same $\bm A$",
-        "the slip velocity of the motion, sliding and rolling, each vector as $x+2y$",
+        "the slip velocity of the motion, sliding and rolling, each vector by the one number $x+2y$",
     );
     Trial::motion(Subject::Printed, compared).over(
         mixed().flat_map(|run| match run {
@@ -82,7 +82,7 @@ fn released() -> impl Iterator<Item = Result<Run, Failure>> {
 pub fn reduction_from_rest() -> Evidence {
     let compared = Compared::one(
         r"$\bm v$ of a particle with $b\mu$, from rest, under the same turning $\bm A$",
-        "the slip velocity of a sphere that rolls at the start, each vector as $x+2y$",
+        "the slip velocity of a sphere that rolls at the start, each vector by the one number $x+2y$",
     );
     Trial::motion(Subject::Printed, compared).over(released(), |run| {
         let run = run?;
@@ -201,7 +201,7 @@ pub(super) fn rolling_time(
 pub fn reduction_rest() -> Evidence {
     let compared = Compared::many(
         r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
-        "those of the motion, all components weighed",
+        "those of the motion, all components in one weighted sum",
     );
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;
@@ -231,8 +231,8 @@ pub fn reduction_rest() -> Evidence {
 /// The vertical spin keeps its value, and another one changes nothing else.
 pub fn spin_constant() -> Evidence {
     let compared = Compared::many(
-        r"$\omega_z$ at the start, with its constant rate for the time of the motion, and the end's $x$, $\bm v$, $\omega_x$, $\omega_y$ with three times that $\omega_z$",
-        "those of the motion, all weighed",
+        r"a kept $\omega_z$, and the $x$, $\bm v$, $\omega_x$ and $\omega_y$ in which a motion with three times that $\omega_z$ ends,",
+        "those of the motion, all in one weighted sum",
     );
     Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
         let run = run?;

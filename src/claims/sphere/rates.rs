@@ -55,7 +55,7 @@ fn slip(run: &Run, ball: &Ball) -> [f64; 3] {
 pub fn eq63() -> Evidence {
     let compared = Compared::one(
         "the integral of (63) over $t$",
-        r"the change of $\mathrm d\bm r/\mathrm dt$ of the motion, each vector as $x+2y+3z$",
+        r"the change of $\mathrm d\bm r/\mathrm dt$ of the motion, each vector by the one number $x+2y+3z$",
     );
     let rate = |run: &Run, ball: &Ball, _, t| {
         let (_, mu, g) = run.case.parameters();
@@ -69,7 +69,7 @@ pub fn eq63() -> Evidence {
 pub fn eq64() -> Evidence {
     let compared = Compared::one(
         "the integral of (64) over $t$",
-        r"the change of $\kappa R^2\bm\omega$ of the motion, each vector as $x+2y+3z$",
+        r"the change of $\kappa R^2\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
     );
     let rate = |run: &Run, ball: &Ball, _, _| {
         let (_, mu, g) = run.case.parameters();
@@ -85,7 +85,7 @@ pub fn eq64() -> Evidence {
 pub fn eq65() -> Evidence {
     let compared = Compared::one(
         "the integral of (65) over $t$",
-        r"the change of $(-R\omega_y,R\omega_x)$ of the motion, each vector as $x+2y+3z$",
+        r"the change of $(-R\omega_y,R\omega_x)$ of the motion, each vector by the one number $x+2y+3z$",
     );
     let rate = |run: &Run, ball: &Ball, _, _| {
         let (_, mu, g) = run.case.parameters();
@@ -99,7 +99,7 @@ pub fn eq65() -> Evidence {
 pub fn eq66() -> Evidence {
     let compared = Compared::one(
         "the integral of (66) over $t$",
-        "the change of the velocity of the sphere's lowest point, each vector as $x+2y+3z$",
+        "the change of the velocity of the sphere's lowest point, each vector by the one number $x+2y+3z$",
     );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (_, mu, g) = run.case.parameters();
@@ -135,7 +135,7 @@ fn u(run: &Run, ball: &Ball) -> [f64; 3] {
 pub fn eq73() -> Evidence {
     let compared = Compared::one(
         r"the integral of (73) over $\tau$",
-        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ of the motion, each vector as $x+2y+3z$",
+        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ of the motion, each vector by the one number $x+2y+3z$",
     );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (gamma, u) = gamma_u(run, slip, t);
@@ -148,7 +148,7 @@ pub fn eq73() -> Evidence {
 pub fn eq74() -> Evidence {
     let compared = Compared::one(
         r"the integral of (74) over $\tau$",
-        r"the change of $\bm u$ of the motion, each vector as $x+2y+3z$",
+        r"the change of $\bm u$ of the motion, each vector by the one number $x+2y+3z$",
     );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (gamma, u) = gamma_u(run, slip, t);
@@ -161,7 +161,7 @@ pub fn eq74() -> Evidence {
 pub fn eq77() -> Evidence {
     let compared = Compared::one(
         r"the integral of (77) less (76) over $\tau$",
-        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ of the motion, each vector as $x+2y+3z$",
+        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ of the motion, each vector by the one number $x+2y+3z$",
     );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (gamma, u) = gamma_u(run, slip, t);
@@ -175,7 +175,7 @@ pub fn eq77() -> Evidence {
 pub fn eq78() -> Evidence {
     let compared = Compared::one(
         r"the integral of (78) less (76) over $\tau$",
-        r"the change of $\bm u$ of the motion, each vector as $x+2y+3z$",
+        r"the change of $\bm u$ of the motion, each vector by the one number $x+2y+3z$",
     );
     let rate = |run: &Run, _: &Ball, slip, t| {
         let (gamma, u) = gamma_u(run, slip, t);
@@ -210,7 +210,7 @@ fn spin(subject: Subject, compared: Compared, formula: Spin) -> Evidence {
 pub fn eq75() -> Evidence {
     let compared = Compared::one(
         "(75)",
-        r"$\bm\zeta$ of the motion, sliding and rolling, each vector as $x+2y+3z$",
+        r"$\bm\zeta$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",
     );
     spin(Subject::Printed, compared, printed::eq75_spin)
 }
@@ -219,7 +219,7 @@ pub fn eq75() -> Evidence {
 pub fn corrected75() -> Evidence {
     let compared = Compared::one(
         r"$\hat{\bm z}\zeta_3-\hat{\bm z}\times(\bm u-\mathrm d\bm\rho/\mathrm d\tau)$",
-        r"$\bm\zeta$ of the motion, sliding and rolling, each vector as $x+2y+3z$",
+        r"$\bm\zeta$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",
     );
     spin(Subject::Corrected, compared, corrected::spin)
 }
@@ -240,7 +240,7 @@ pub(super) fn nu(run: &Run, t: f64) -> Result<[f64; 3], Failure> {
 pub fn eq79() -> Evidence {
     let compared = Compared::one(
         r"(79), with $\bm c$ from the start,",
-        r"$\mathrm d\bm\rho/\mathrm d\tau$ of the motion, sliding and rolling, each vector as $x+2y+3z$",
+        r"$\mathrm d\bm\rho/\mathrm d\tau$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",
     );
     let states = mixed().flat_map(|run| match run {
         Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),

@@ -143,7 +143,7 @@ fn first_change(run: &Run) -> f64 {
 pub fn eq62() -> Evidence {
     let compared = Compared::many(
         r"$\kappa$ by (62) and $\mathrm d\bm\rho/\mathrm d\tau$ of a sphere",
-        r"$I$ and $\bm v$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, each vector as $x+2y$, with $\kappa$ added to $x$",
+        r"$I$ and $\bm v$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, each vector by the one number $x+2y$, with $\kappa$ added to $x$",
     );
     let both = |kappa: f64, [x, y, _]: [f64; 3]| [kappa + x, y, 0.0];
     alike(
@@ -157,7 +157,7 @@ pub fn eq62() -> Evidence {
 pub fn eq68() -> Evidence {
     let compared = Compared::one(
         r"$\bm\rho$ by (68) of a sphere",
-        r"$\bm r$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector as $x+2y$",
+        r"$\bm r$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector by the one number $x+2y$",
     );
     alike(compared, |_, state| state.rho, |_, state| state.rho)
 }
@@ -166,7 +166,7 @@ pub fn eq68() -> Evidence {
 pub fn eq68_way() -> Evidence {
     let compared = Compared::one(
         "the change of (68)",
-        r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector as $x+2y$",
+        r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
     );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     trial.over(sliding(), |run| {
@@ -193,7 +193,7 @@ pub fn eq68_way() -> Evidence {
 pub fn eq71_both_ways() -> Evidence {
     let compared = Compared::one(
         r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
-        r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, followed by itself",
+        r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",
     );
     let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(421);
@@ -252,7 +252,7 @@ pub fn eq69() -> Evidence {
 pub fn eq70() -> Evidence {
     let compared = Compared::one(
         r"$\bm\zeta$ by (70) of a sphere",
-        r"$\bm\omega$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector as $x+2y+3z$",
+        r"$\bm\omega$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector by the one number $x+2y+3z$",
     );
     alike(compared, |_, state| state.zeta, |_, state| state.zeta)
 }
@@ -261,7 +261,7 @@ pub fn eq70() -> Evidence {
 pub fn eq71() -> Evidence {
     let compared = Compared::one(
         r"$\bm u$ by (71) of a sphere",
-        r"the slip of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector as $x+2y$",
+        r"the slip of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector by the one number $x+2y$",
     );
     alike(compared, |_, state| state.u, |_, state| state.u)
 }
@@ -270,7 +270,7 @@ pub fn eq71() -> Evidence {
 pub fn eq72() -> Evidence {
     let compared = Compared::many(
         r"$\bm\gamma$ by (72) at the end, and $\mathrm d\bm\rho/\mathrm d\tau$,",
-        r"$\bm A$ and $\bm v$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, each vector as $x+2y$",
+        r"$\bm A$ and $\bm v$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, each vector by the one number $x+2y$",
     );
     let both =
         |_: &Run, state: &Dimensionless| [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k]);

@@ -82,7 +82,7 @@ fn weighed([x, y]: [f64; 2]) -> f64 {
 pub fn eq89_from_rest() -> Evidence {
     let compared = Compared::one(
         r"the integral of (89) over $\tau$ along a motion that starts from rest, in the frame of the table,",
-        r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector as $x+2y$",
+        r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
     );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     trial.over(loose(), |loose| {
@@ -100,7 +100,7 @@ pub fn eq89_from_rest() -> Evidence {
 pub fn eq89_by_components() -> Evidence {
     let compared = Compared::one(
         r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
-        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector as $x+2y$",
+        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector by the one number $x+2y$",
     );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     trial.over(stretches(ANY), |stretch| {

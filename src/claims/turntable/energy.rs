@@ -195,7 +195,7 @@ fn work(subject: Subject, compared: Compared, formula: impl Fn(&Table, f64) -> f
 pub fn friction() -> Evidence {
     let compared = Compared::one(
         "$-mgs$",
-        "the work of friction along the way $s$ on the table, found in the laboratory",
+        "the work of friction along the path of length $s$ on the table, found in the laboratory",
     );
     work(Subject::Printed, compared, |table, s| {
         printed::friction_work(table.mass, table.g, s)
@@ -206,7 +206,7 @@ pub fn friction() -> Evidence {
 pub fn friction_corrected() -> Evidence {
     let compared = Compared::one(
         r"$-m\mu gs$",
-        "the work of friction along the way $s$ on the table, found in the laboratory",
+        "the work of friction along the path of length $s$ on the table, found in the laboratory",
     );
     work(Subject::Corrected, compared, |table, s| {
         corrections::friction_work(table.mass, table.mu, table.g, s)

@@ -110,7 +110,7 @@ pub fn psi2() -> Evidence {
 pub fn separation() -> Evidence {
     let compared = Compared::one(
         r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
-        r"the sign of the rate at which two motions with the same $A$, $\alpha$, and with $\psi$ less and greater than there by $10^{-4}$, part",
+        r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
     let mut points = Points::stream(532);
@@ -141,7 +141,7 @@ pub fn separation() -> Evidence {
 pub fn frozen() -> Evidence {
     let compared = Compared::many(
         r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
-        r"the angles below and above $\pi/2$ at which forces turn velocity and position equally fast",
+        r"the angles below and above $\pi/2$ at which the forces turn velocity and position equally fast",
     );
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(533);

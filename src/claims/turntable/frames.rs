@@ -131,7 +131,7 @@ fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
 pub fn eq89() -> Evidence {
     let compared = Compared::one(
         r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
-        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector as $x+2y$",
+        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
     );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     let weighed = |[x, y]: [f64; 2]| x + 2.0 * y;

@@ -76,6 +76,7 @@ pub(super) fn summary(context: &Context<'_>) -> Result<String, Fault> {
         let words = match tie {
             "formula" => "is among the formulas of the witnesses",
             "elsewhere" => "was read, and is not among them in this form",
+            "mere names" => "has no more in it than names and numbers",
             "not read" => "was not read: vectors, rates, cases, series",
             _ => "is a statement in words",
         };

@@ -19,10 +19,16 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, 
     let wrong = wrong.transpose()?.map_or(String::new(), |words| {
         format!("<p class=\"claim-verdict\"><strong>{words}</strong></p>")
     });
-    let ground = match wrong.is_empty() {
-        true => judgement.ground.clone(),
-        false => format!("It {}.", judgement.ground),
-    };
+    // Claims that it names are links.
+    let ground = maths.words(&format!("It {}.", judgement.ground))?;
+    let words = ground.split(' ').map(|word| {
+        let id = word.trim_end_matches([',', '.']);
+        match context.entry(id) {
+            Ok(other) => Ok(word.replacen(id, &context.link(other)?, 1)),
+            Err(_) => Ok(word.to_owned()),
+        }
+    });
+    let ground = words.collect::<Result<Vec<_>, Fault>>()?.join(" ");
     Ok(format!(
         "<article class=\"claim {slug}\" aria-labelledby=\"{id}\"><div class=\"claim-head\">\
          <h3 id=\"{id}\" class=\"claim-title\"><a class=\"header\" href=\"#{id}\">{heading}</a></h3>{verdict}</div>\
@@ -37,7 +43,6 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, 
         brief = maths.words(&sentence(&entry.brief()))?,
         section = escape(claim.section),
         kind = claim.kind.name(),
-        ground = maths.words(&ground)?,
         behind = [
             unconditional(context, entry)?,
             conditions(context, claim)?,
@@ -106,12 +111,11 @@ fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     ))
 }
 
-/// The class of two forms that stand side by side; words take as much room as there is.
-pub(super) fn side_by_side(forms: [&String; 2]) -> &'static str {
-    match forms
-        .iter()
-        .any(|form| form.contains("<p class=\"claim-words\""))
-    {
+/// The class of two forms that stand side by side; words take as much room as there is, many words more of it than few.
+pub(super) fn side_by_side([old, new]: [&String; 2]) -> &'static str {
+    let words = |form: &String| form.contains("<p class=\"claim-words\"");
+    match words(old) || words(new) {
+        true if new.len() > 3 * old.len() => "claim-forms worded long",
         true => "claim-forms worded",
         false => "claim-forms",
     }

@@ -4,6 +4,8 @@ use super::maths::Forms;
 use super::text::escape;
 use crate::edition::Edition;
 
+/// The page that has all pages.
+const PRINT: &str = "print";
 /// mdBook's highlighter.
 const HIGHLIGHTER: &str = "<script src=\"highlight.js\"></script>";
 /// What mdBook's script asks of it.
@@ -13,10 +15,10 @@ const NO_HIGHLIGHTER: &str =
 const DESCRIPTION: &str = "<meta name=\"description\" content=\"";
 
 /// A page with its stem for the style sheets, a title and a description of its own, what those need who share a link to it,
-/// and no highlighter where there is no code.
+/// and no highlighter where there is no code, nor on the page of all pages, which is for paper and long enough.
 pub(super) fn with_head(edition: &Edition, stem: &str, html: &str, forms: &Forms) -> String {
     let html = html.replacen("<html ", &format!("<html data-page=\"{stem}\" "), 1);
-    let html = match html.contains("<pre") {
+    let html = match stem != PRINT && html.contains("<pre") {
         true => html,
         false => html.replacen(HIGHLIGHTER, NO_HIGHLIGHTER, 1),
     };

@@ -4,14 +4,18 @@ use super::context::Context;
 use super::error::Fault;
 use super::tables::table;
 use super::text::escape;
+use std::collections::BTreeSet;
 
 /// The table.
 pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
     let maths = context.maths;
+    // What two topics have in common is said once.
+    let mut said = BTreeSet::new();
     let rows: Result<Vec<_>, Fault> = context
         .edition
         .symbols
         .iter()
+        .filter(|symbol| said.insert((symbol.latex, symbol.argument, symbol.meaning, symbol.claim)))
         .map(|symbol| {
             let unit = match symbol.unit {
                 "1" => "dimensionless",

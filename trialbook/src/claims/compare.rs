@@ -243,9 +243,13 @@ pub fn proved(proof: &Proof, subject: Subject, compared: Compared) -> Evidence {
             Some(Obstacle::NotZero { .. }) => f64::INFINITY,
             Some(_) => f64::NAN,
         },
-        at: proof.obstacle().map_or(String::new(), |obstacle| {
-            format!("a step of the proof ({obstacle})")
-        }),
+        at: match proof.obstacle() {
+            Some(Obstacle::NotZero { says, normal_form }) => {
+                format!("the step “{says}” leaves the difference {normal_form}, not 0")
+            }
+            Some(obstacle) => format!("a step of the proof fails ({obstacle})"),
+            None => String::new(),
+        },
         steps: proof.steps().iter().map(Step::to_string).collect(),
         title: proof.title().to_owned(),
         ..Evidence::new(Route::Exact, subject, compared, tolerances::NONE)

@@ -51,10 +51,10 @@ struct Common {
     /// Write a table of comma-separated values
     #[arg(long, global = true, display_order = 901)]
     csv: bool,
-    /// How many threads may work [default: one per core]
+    /// Number of threads to use [default: one per core]
     #[arg(long, short, global = true, value_name = "N", display_order = 902, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
-    /// Show no progress, and of the ledger only what is not as recorded
+    /// Show no progress, and only the verdicts that differ from the record
     #[arg(long, short, global = true, display_order = 903)]
     quiet: bool,
     /// Colours
@@ -67,7 +67,7 @@ struct Common {
         default_value_t
     )]
     color: screen::Color,
-    /// How often the trials are made, each time at other points; for the main job, verify, show, list and errata [default: 1]
+    /// Rounds of trials to make, each at other points; for the main job, verify, show, list and errata [default: 1]
     #[arg(long, global = true, value_name = "N", display_order = 905, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     depth: Option<u32>,
 }
@@ -104,7 +104,7 @@ enum Command {
     },
     /// Seed mistakes in the formulas, and see which trial notices which: some minutes for all claims
     ///
-    /// Exit code 1 if a trial that agrees notices none and no reason is known, or if what it finds without the paper moves.
+    /// Exit code 1 if a trial that agrees notices no mistake and no reason is on record, or if what it finds without the paper changes.
     Distrust {
         /// Ids of claims, as `list` prints them
         #[arg(value_name = "ID")]
@@ -219,7 +219,7 @@ pub fn command(edition: &Edition) -> clap::Command {
     let columns = screen::columns().unwrap_or(0);
     command.term_width(columns).after_help(format!(
         "Examples:\n  {name:<width$}{one}\n  {there:<width$}{two}\n\n\
-         COLUMNS sets the width of tables, PAGER what shows long answers on a terminal, NO_COLOR takes the colours."
+         COLUMNS sets the width of tables, PAGER the program that shows long answers on a terminal, NO_COLOR turns colours off."
     ))
 }
 

@@ -17,10 +17,21 @@ pub struct Compared {
     stated: &'static str,
     /// What is found without the claim.
     found: Option<&'static str>,
-    /// True if what is stated is more than one thing.
-    many: bool,
+    /// Which of the two a sentence begins with.
+    form: Form,
     /// Where the two are compared, if more is to be said than what can be read from the points.
     over: Option<&'static str>,
+}
+
+/// How the sentence is built.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+enum Form {
+    /// It begins with the one thing that is stated.
+    One,
+    /// It begins with the several things that are stated.
+    Many,
+    /// What is stated is a number that says little by itself: it begins with what is found.
+    Constant,
 }
 
 impl Compared {
@@ -29,7 +40,7 @@ impl Compared {
         Compared {
             stated,
             found: Some(found),
-            many: false,
+            form: Form::One,
             over: None,
         }
     }
@@ -37,7 +48,22 @@ impl Compared {
     /// Several things that are stated, and what is found.
     pub const fn many(stated: &'static str, found: &'static str) -> Self {
         let one = Self::one(stated, found);
-        Compared { many: true, ..one }
+        let form = Form::Many;
+        Compared { form, ..one }
+    }
+
+    /// A number that is stated or expected, with what it means, and what is found; a comma at the end of the latter parts it from
+    /// the verb.
+    ///
+    /// ```
+    /// use trialbook::evidence::Compared;
+    ///
+    /// let kept = Compared::constant("the expected 1", "whether the coin stays (1 if so)");
+    /// assert_eq!(kept.words(), "whether the coin stays (1 if so) was compared with the expected 1");
+    /// ```
+    pub const fn constant(stated: &'static str, found: &'static str) -> Self {
+        let (one, form) = (Self::one(stated, found), Form::Constant);
+        Compared { form, ..one }
     }
 
     /// What a proof shows where no two sides are compared, as a clause.
@@ -59,7 +85,7 @@ impl Compared {
 
     /// What is found; nothing for a proof in which no two sides are compared.
     pub fn found(&self) -> Option<&'static str> {
-        self.found
+        self.found.map(|found| found.trim_end_matches(','))
     }
 
     /// Where, if the trial says so; formulas in `$…$`.
@@ -69,10 +95,13 @@ impl Compared {
 
     /// What was compared with what, as a clause; formulas in `$…$`.
     pub fn words(&self) -> String {
-        let verb = if self.many { "were" } else { "was" };
-        match self.found {
-            Some(found) => format!("{} {verb} compared with {found}", self.stated),
-            None => self.stated.to_owned(),
+        let Some(found) = self.found else {
+            return self.stated.to_owned();
+        };
+        match self.form {
+            Form::One => format!("{} was compared with {found}", self.stated),
+            Form::Many => format!("{} were compared with {found}", self.stated),
+            Form::Constant => format!("{found} was compared with {}", self.stated),
         }
     }
 }

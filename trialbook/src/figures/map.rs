@@ -42,7 +42,9 @@ const SIZE: f64 = 12.0;
 const SIGN: f64 = 22.0;
 const RIM: f64 = 4.0;
 /// As many boxes of a number as the longest words are wide.
-const LONGEST: usize = 3;
+const LONGEST: usize = 6;
+/// As many as a page is wide: words end there.
+const WIDEST: usize = 15;
 
 /// Draws the map; lanes by their titles.
 ///
@@ -50,7 +52,7 @@ const LONGEST: usize = 3;
 /// [`FigureError::Row`] if the table cannot be written.
 pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
     let columns = columns(nodes);
-    let names: Vec<_> = nodes.iter().map(named).collect();
+    let names: Vec<_> = nodes.iter().zip(&columns).map(named).collect();
     // The rows of each lane, and which columns of each are taken.
     let mut filled: Vec<Vec<BTreeSet<usize>>> = vec![Vec::new(); lanes.len()];
     let mut cells = Vec::new();
@@ -170,11 +172,12 @@ fn across(span: usize) -> f64 {
     STEP[0] * span as f64 - (STEP[0] - BOX[0])
 }
 
-/// What a box says, and how many columns it takes: its number; else its title, or, where that is too long, the words of its
-/// id, or as many of them as fit.
-fn named(node: &Node) -> (String, usize) {
+/// What a box that begins in a column says, and how many columns it takes: its number; else its title, or, where that is too
+/// long, the words of its id, or as many of them as fit.
+fn named((node, column): (&Node, &usize)) -> (String, usize) {
     let room = |span: usize| across(span) - SIGN - RIM;
-    let span = |words: &str| (1..=LONGEST).find(|span| width(words, SIZE) <= room(*span));
+    let longest = WIDEST.saturating_sub(*column).clamp(2, LONGEST);
+    let span = |words: &str| (1..=longest).find(|span| width(words, SIZE) <= room(*span));
     // A title begins with a small letter, unless that is a symbol.
     let title = ["the ", "a "]
         .iter()
@@ -190,7 +193,7 @@ fn named(node: &Node) -> (String, usize) {
     }
     let mut ends = id.rmatch_indices(' ').map(|(at, _)| &id[..at]);
     let begun = ends.find(|words| span(words).is_some());
-    (begun.unwrap_or_default().to_owned(), LONGEST)
+    (begun.unwrap_or_default().to_owned(), longest)
 }
 
 /// A node's box with its sign and its name.
@@ -269,20 +272,22 @@ mod tests {
             ("s4-meet", "", "A and B meet", "A and B meet"),
             ("s4-rest-or-escape", "", long, "rest or escape"),
         ] {
-            let (words, span) = named(&node(id, name, title, &[]));
+            let (words, span) = named((&node(id, name, title, &[]), &0));
             assert!(words == said && width(said, SIZE) <= across(span) - SIGN);
         }
-        let (words, span) = named(&node(
-            "s4-a-very-long-id-that-has-far-too-many-words",
-            "",
-            long,
-            &[],
-        ));
+        let id = "s4-a-very-long-id-that-has-far-too-many-words-for-any-box-of-a-map-of-claims";
+        let (words, span) = named((&node(id, "", long, &[]), &0));
         assert!(
             span == LONGEST
                 && words.starts_with("a very long")
                 && width(&words, SIZE) <= across(span) - SIGN
         );
+        // At the end of a row there is room for fewer words.
+        let (words, _) = named((
+            &node("s4-meet", "", "where the curves A and B meet", &[]),
+            &13,
+        ));
+        assert_eq!(words, "meet");
         let nodes = [
             node("s1-a-long-one", "", long, &[]),
             node("eq-1", "(1)", long, &[]),

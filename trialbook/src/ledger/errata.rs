@@ -226,11 +226,11 @@ fn reason_of_condition(entry: &Entry) -> String {
         .evidence
         .iter()
         .filter(|e| e.subject == Subject::Outside);
-    let fails = outside
-        .filter(|e| e.outcome() == Outcome::Disagrees)
-        .map(Evidence::failure);
-    let fails: Vec<_> = fails.collect();
-    format!("Without the condition it fails. {}", fails.join(" "))
+    let fails = outside.filter(|e| e.outcome() == Outcome::Disagrees);
+    let (failed, points) = fails.fold((0, 0), |(failed, points), e| {
+        (failed + e.failed, points + e.points)
+    });
+    format!("Without the condition {failed} of {points} comparisons disagree")
 }
 
 /// A trial in sentences.

@@ -156,9 +156,9 @@ impl Ledger {
             let known = measured.filter(|m| m.claims.contains(&entry.claim.id));
             let why = known.map(|m| m.reason).next();
             format!(
-                "A statement of section {} is undecided: {} {} ",
+                "A statement of section {} is undecided, that {} {} ",
                 entry.claim.section,
-                closed(entry.claim.latex),
+                closed(&begun_small(entry.claim.latex)),
                 closed(why.unwrap_or(&entry.judgement.ground))
             )
         })
@@ -295,6 +295,13 @@ trait Style {
         }
         text
     }
+}
+
+/// A sentence that goes on in the middle of another.
+fn begun_small(sentence: &str) -> String {
+    let mut letters = sentence.chars();
+    let first = letters.next().map(|c| c.to_ascii_lowercase());
+    first.into_iter().chain(letters).collect()
 }
 
 /// Sentences with the full stop at their end.

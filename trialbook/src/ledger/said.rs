@@ -3,7 +3,7 @@
 //! Formulas stand in `$…$`, numbers as `2e-13`; who shows the sentences sets both.
 
 use super::decimal;
-use crate::evidence::{Evidence, Outcome, Route};
+use crate::evidence::{Evidence, Outcome, Route, Subject};
 
 impl Route {
     /// The method, behind the sentence that says what was compared.
@@ -60,7 +60,7 @@ impl Evidence {
             }
             Outcome::Disagrees => {
                 let failed = self.failing();
-                format!("{failed}; no disagreement is allowed.")
+                format!("{failed}; {}.", self.allowed())
             }
             Outcome::NotANumber | Outcome::TooFewPoints => self.no_result(),
         }
@@ -89,7 +89,7 @@ impl Evidence {
             }
             Outcome::Disagrees => {
                 let failing = self.failing();
-                format!("{failing}, for instance{at}; no disagreement is allowed.")
+                format!("{failing}, for instance{at}; {}.", self.allowed())
             }
             Outcome::NotANumber | Outcome::TooFewPoints => self.no_result(),
         }
@@ -115,6 +115,14 @@ impl Evidence {
         let mut letters = words.chars();
         let first = letters.next().map(|c| c.to_ascii_uppercase());
         first.into_iter().chain(letters).collect()
+    }
+
+    /// What is said of a disagreement that no tolerance excuses: without the condition there has to be one.
+    fn allowed(&self) -> &'static str {
+        match self.subject {
+            Subject::Outside => "that is why the condition is needed",
+            _ => "no disagreement is allowed",
+        }
     }
 
     /// How many disagree.

@@ -258,7 +258,7 @@ pub fn judge(
     let held = printed.with(&within);
     if kind == Kind::Definition && held.distinct().contains(&Route::Consistency) {
         let proved = if held.is_proved() { ", by a proof" } else { "" };
-        let ground = format!("consistent with the use made of it{proved}");
+        let ground = format!("is consistent with the use made of it{proved}");
         return judgement(Verdict::Definition, ground);
     }
     if held.enough() {
@@ -290,7 +290,11 @@ pub fn in_view_of(
                 format!("{}, and nothing that it rests on is wrong", own.ground),
             ),
             wrong if own.inherits.is_empty() => Judgement {
-                ground: format!("{}; wrong there: {}", own.ground, wrong.join(", ")),
+                ground: format!(
+                    "{}; what it follows from is wrong: {}",
+                    own.ground,
+                    wrong.join(", ")
+                ),
                 inherits: wrong,
                 ..own
             },
@@ -300,7 +304,7 @@ pub fn in_view_of(
             heirs if heirs.is_empty() => own,
             heirs => judgement(
                 Verdict::Misderived,
-                format!("{}; it passes to {}", own.ground, heirs.join(", ")),
+                format!("{}; its error passes to {}", own.ground, heirs.join(", ")),
             ),
         },
         _ => own,
