@@ -327,10 +327,7 @@ impl Writer {
                     that(far, "goes away", "go away"),
                     that(other, "is still under way", "are still under way"),
                 ];
-                writeln!(
-                    self.out,
-                    "{done} {starts}: {rest}, {far}, {other}{refused}"
-                )?;
+                writeln!(self.out, "{done} {starts}: {rest}, {far}, {other}{refused}")?;
             }
             Format::Csv => {}
             // A part that was stopped ends the list too, so that what is there can be read.
