@@ -81,9 +81,23 @@
 //! # }
 //! # Ok::<(), &str>(())
 //! ```
-
-// Where a room is not built, its name is no link.
-#![cfg_attr(not(feature = "book"), allow(rustdoc::broken_intra_doc_links))]
+// Where a room is not built, its name leads to the feature that brings it.
+#![cfg_attr(
+    not(feature = "trials"),
+    doc = "",
+    doc = "[`exact`]: #judging",
+    doc = "[`certified`]: #judging",
+    doc = "[`breaks`]: #judging"
+)]
+#![cfg_attr(
+    not(feature = "book"),
+    doc = "",
+    doc = "[`figures`]: #judging",
+    doc = "[`explorers`]: #judging",
+    doc = "[`book`]: #judging",
+    doc = "[`cli`]: #judging",
+    doc = "[`edition`]: #judging"
+)]
 
 #[cfg(feature = "trials")]
 pub mod breaks;

@@ -22,7 +22,7 @@ fn the_velocity_is_shown_from_the_launch_to_its_end() {
         (0.4, 2.0, 1.0, 5.0),
         (1.0, 3.0, -2.0, 0.7),
     ] {
-        let at = |t| constant::Problem {
+        let at = |t| constant::ConstantProblem {
             lambda,
             v0,
             theta0,
@@ -50,7 +50,7 @@ fn the_velocity_is_shown_from_the_launch_to_its_end() {
 #[test]
 fn the_slip_is_shown_from_the_start_to_its_end() {
     for (gamma, u0, theta0) in [(0.3, 2.0, 2.0), (9.0, 3.0, 1.0)] {
-        let at = |tau| sphere::Problem {
+        let at = |tau| sphere::SphereProblem {
             gamma,
             u0,
             theta0,
@@ -102,7 +102,7 @@ fn obeys(curve: &Curve, h: impl Fn(f64) -> f64, plus: f64, minus: f64) {
 #[test]
 fn a_driven_motion_is_shown_for_two_periods() {
     for lambda0 in [0.2, 0.7] {
-        let curve = sinusoidal::Problem { lambda0 }.curve().unwrap();
+        let curve = sinusoidal::SinusoidalProblem { lambda0 }.curve().unwrap();
         obeys(&curve, libm::sin, lambda0, lambda0);
         for eta in [0.0, 0.3, 0.7, 1.0] {
             let h = |phi: f64| {
@@ -114,7 +114,7 @@ fn a_driven_motion_is_shown_for_two_periods() {
                 };
                 if phi < eta * PI { sign } else { 0.0 }
             };
-            let curve = periodic::Problem { eta, lambda0 }.curve().unwrap();
+            let curve = periodic::PeriodicProblem { eta, lambda0 }.curve().unwrap();
             if eta == 0.0 {
                 assert!(curve.points.iter().all(|p| p[1] == 0.0));
             } else {
@@ -122,7 +122,9 @@ fn a_driven_motion_is_shown_for_two_periods() {
             }
         }
         for q in [0.5, 1.2] {
-            let curve = anisotropic::Problem { q, lambda0 }.curve().unwrap();
+            let curve = anisotropic::AnisotropicProblem { q, lambda0 }
+                .curve()
+                .unwrap();
             obeys(&curve, libm::sin, lambda0, q * lambda0);
         }
     }
@@ -139,8 +141,10 @@ fn a_plane_that_is_rougher_forward_moves_as_one_that_is_rougher_backward_does() 
         (3.0, 0.9),
         (2.0, 1.2),
     ] {
-        let there = anisotropic::Problem { q, lambda0 }.solve().unwrap();
-        let back = anisotropic::Problem {
+        let there = anisotropic::AnisotropicProblem { q, lambda0 }
+            .solve()
+            .unwrap();
+        let back = anisotropic::AnisotropicProblem {
             q: 1.0 / q,
             lambda0: q * lambda0,
         }
@@ -163,7 +167,7 @@ fn a_plane_that_is_rougher_forward_moves_as_one_that_is_rougher_backward_does() 
             there.note
         );
     }
-    let beyond_y = anisotropic::Problem {
+    let beyond_y = anisotropic::AnisotropicProblem {
         q: 9.0,
         lambda0: 0.1,
     }
@@ -176,7 +180,7 @@ fn a_plane_that_is_rougher_forward_moves_as_one_that_is_rougher_backward_does() 
 #[test]
 fn the_boundary_is_where_the_fate_changes_and_is_shown_as_it_is() {
     for (alpha, psi) in [(1e-3, 0.5), (0.3, -1.0), (1.0, 2.0), (1.7, 0.4)] {
-        let problem = rest::Problem { alpha, psi };
+        let problem = rest::BoundaryProblem { alpha, psi };
         let answer = problem.solve().unwrap();
         let digits = i32::try_from(answer.digits.unwrap()).unwrap();
         assert!((3..=15).contains(&digits), "{digits} digits");
@@ -197,12 +201,12 @@ fn the_boundary_is_where_the_fate_changes_and_is_shown_as_it_is() {
             (41, [0.0, 1.0], alpha.max(1.0))
         );
         for [alpha, a] in [points[1], points[20], points[40]] {
-            let exact = rest::Problem { alpha, psi }.solve().unwrap().best.a;
+            let exact = rest::BoundaryProblem { alpha, psi }.solve().unwrap().best.a;
             assert!((a - exact).abs() < 2e-4 * exact, "{alpha}: {a}, {exact}");
         }
     }
     // So near to rest the bisection and the expansion are one.
-    let near = rest::Problem {
+    let near = rest::BoundaryProblem {
         alpha: 1e-6,
         psi: 0.5,
     }
@@ -214,7 +218,7 @@ fn the_boundary_is_where_the_fate_changes_and_is_shown_as_it_is() {
 
 #[test]
 fn the_path_on_the_table_is_shown_until_rest_or_for_the_time_asked() {
-    let resting = turntable::Problem::Polar {
+    let resting = turntable::TurntableProblem::Polar {
         rho: 0.2,
         p: 0.4,
         psi: 1.0,
@@ -229,7 +233,7 @@ fn the_path_on_the_table_is_shown_until_rest_or_for_the_time_asked() {
         let moment = resting.at(time * k as f64 / 600.0).unwrap().best;
         assert_near(*point, moment.position, 1e-9);
     }
-    let escaping = turntable::Problem::Polar {
+    let escaping = turntable::TurntableProblem::Polar {
         rho: 1.5,
         p: 1.0,
         psi: 0.2,
@@ -252,7 +256,7 @@ fn the_path_on_the_table_is_shown_until_rest_or_for_the_time_asked() {
 #[test]
 fn the_disagreement_of_an_answer_is_that_of_its_two_ways() {
     for lambda0 in [0.1, 0.3, 0.6, 0.8] {
-        let answer = sinusoidal::Problem { lambda0 }.solve().unwrap();
+        let answer = sinusoidal::SinusoidalProblem { lambda0 }.solve().unwrap();
         let (a, b) = (answer.by_formula.unwrap(), answer.by_motion.unwrap());
         let relative = |a: f64, b: f64| {
             if a == b {

@@ -158,7 +158,32 @@ fn numbers_are_found_and_graded() {
     assert_eq!(first("0.4")["name"], "kappa-solid");
     assert!(graded("7/6").contains("= 1.1666666666666666667\nboundary-curvature"));
     assert!(graded("2/sqrt(4+pi^2)").contains("lambda-c = 0.537029272146"));
-    assert!(graded("exp(pi*sqrt(2))").contains("turn = 85.019695223 = exp(sqrt(2)*pi)"));
+    assert!(graded("exp(pi*sqrt(2))").contains("turn = 85.019695223207217583 = exp(sqrt(2)*pi)"));
+    assert!(graded("4.603").contains("y-q-printed = 4.603  q of Y"));
+    // Nothing but what is known of an expression is printed.
+    for (given, digits) in [
+        ("exp(1)-2.718281828459045", "2.3536028747135266250e-16"),
+        ("sinh(1)^(1/3)", "1.0552873721751119164"),
+        ("ln(10)^-2", "0.18861169701161392922"),
+        ("123456789012345678901*1.5", "185185183518518518351.5"),
+        ("exp(-100)", "3.7200759760208359630e-44"),
+        ("-1/3e-300", "-333333333333"),
+    ] {
+        let said = graded(given);
+        assert!(said.starts_with(&format!("{given} = {digits}")), "{said}");
+    }
+    for (given, why) in [
+        ("tan(pi/2)", "has no finite value"),
+        ("cos(pi/2)", "is 0, or not to be told from it"),
+        ("exp(1e9)", "has no finite value"),
+        ("ln(0)", "has no finite value"),
+    ] {
+        let refused = slipbook(&["find", given]);
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(text(&refused.stderr).contains(why), "{given}");
+    }
+    let refused = slipbook(&["find", "--jsn"]);
+    assert!(text(&refused.stderr).contains("there is no such option"));
     let refused = slipbook(&["find", "0,537"]);
     assert!(text(&refused.stderr).contains("a point, not a comma"));
     let all = json(&["find"]);
@@ -412,6 +437,8 @@ fn a_plot_is_a_file_that_is_replaced_whole() {
         assert_eq!(plot(&file).status.code(), Some(0));
         assert!(fs::read_to_string(&file).unwrap().starts_with("<svg"));
     }
+    let nowhere = plot(&folder.path().join("none/path.svg"));
+    assert!(text(&nowhere.stderr).contains("there is no such folder"));
     // The folder of this test has such a name itself.
     let own = |complaint: &str| complaint.replace(folder.path().to_str().unwrap(), "");
     for (nowhere, why) in [
@@ -525,8 +552,27 @@ fn every_command_has_help_with_an_example() {
 
 #[test]
 fn shells_get_their_completions() {
+    let help = text(&slipbook(&["verify", "--help"]).stdout);
+    assert!(
+        help.starts_with("Try claims") && !help.contains("--round"),
+        "{help}"
+    );
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
-        assert!(text(&slipbook(&["completions", shell]).stdout).contains("slipbook"));
+        let script = text(&slipbook(&["completions", shell]).stdout);
+        assert!(script.contains("slipbook") && script.contains("shard"));
+        // What no help names is not completed.
+        assert!(
+            !script.contains("--round") && !script.contains("'record'"),
+            "{shell}"
+        );
+        assert!(
+            !script.contains("--record") && !script.contains("'round'"),
+            "{shell}"
+        );
+        assert!(
+            !script.contains("-l round") && !script.contains("-l record"),
+            "{shell}"
+        );
     }
 }
 
@@ -778,7 +824,8 @@ fn an_ensemble_ends_as_its_particles_do() {
     assert!(rest > 0 && late > 0 && rest + far + late == 6, "{rows}");
     let said = text(&slipbook(&some).stdout);
     let summary = format!("{rest} come to rest, {far} go away, {late} are still under way");
-    assert!(said.contains(&summary), "{said}");
+    let plural = said.replace("1 comes", "1 come").replace("1 goes", "1 go");
+    assert!(plural.replace("1 is", "1 are").contains(&summary), "{said}");
     let output = slipbook(&[&grid[..], &["--json"]].concat());
     let whole: Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!(whole["ends"].as_array().unwrap().len(), 6);

@@ -91,7 +91,7 @@ fn every_field_is_described_and_every_described_field_is_written() {
             object
                 .iter()
                 .for_each(|(name, value)| note(&mut shape, name, value));
-            if command.starts_with("solve") {
+            if object.contains_key("by_formula") {
                 described.extend(common.clone());
                 let ways = ["by_formula", "by_motion"]
                     .iter()

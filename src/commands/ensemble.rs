@@ -314,14 +314,20 @@ impl Writer {
             Format::Text => {
                 let other = done - rest - far - bad;
                 let starts = if done == 1 { "start" } else { "starts" };
+                let that = |n: u64, one: &str, several: &str| match n {
+                    1 => format!("1 {one}"),
+                    n => format!("{n} {several}"),
+                };
                 let refused = match bad {
                     0 => String::new(),
-                    bad => format!(", {bad} are out of range"),
+                    bad => format!(", {} out of range", that(bad, "is", "are")),
                 };
-                writeln!(
-                    self.out,
-                    "{done} {starts}: {rest} come to rest, {far} go away, {other} are still under way{refused}"
-                )?;
+                let [rest, far, other] = [
+                    that(rest, "comes to rest", "come to rest"),
+                    that(far, "goes away", "go away"),
+                    that(other, "is still under way", "are still under way"),
+                ];
+                writeln!(self.out, "{done} {starts}: {rest}, {far}, {other}{refused}")?;
             }
             Format::Csv => {}
             // A part that was stopped ends the list too, so that what is there can be read.

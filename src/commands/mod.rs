@@ -19,7 +19,7 @@ pub const ALL: [Command; 3] = [
                 .about("Calculate at parameters of your own, by formula and by motion")
                 .after_help(
                     "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot\n  slipbook solve sinusoidal --lambda0 0.1:1:10 --csv\n\n\
-                     A number may be an expression: pi/2, 120deg, 2/sqrt(4+pi^2). LOW:HIGH:COUNT in the place of a number asks at COUNT\n\
+                     A number may be an expression: pi/2, 120deg, 2/sqrt(4+pi^2). LOW:HIGH:COUNT in the place of a number asks at COUNT \
                      equally spaced ones; several such make a grid, the last one running fastest.\n\n\
                      A number of up to 15 digits is taken as it stands, a longer one as the floating-point number next to it.",
                 )

@@ -57,6 +57,9 @@ pub(super) fn to_file(svg: &str, file: &Path) -> Result<(), Failure> {
         Some(parent) => parent,
         None => return Err(format!("`{}` is no name of a file", file.display()).into()),
     };
+    if !folder.is_dir() {
+        return Err(format!("cannot write `{}`: there is no such folder", file.display()).into());
+    }
     let mut new = making.tempfile_in(folder).map_err(failed)?;
     new.write_all(svg.as_bytes()).map_err(failed)?;
     new.persist(&place).map_err(|error| failed(error.error))?;

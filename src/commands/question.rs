@@ -7,16 +7,16 @@ use crate::claims::solve::{
 
 /// A calculator with its parameters.
 pub(super) enum Question {
-    Constant(constant::Problem<Double>),
-    Sinusoidal(sinusoidal::Problem<Double>),
-    Pulse(periodic::Problem<Double>),
-    Anisotropic(anisotropic::Problem<Double>),
-    Sphere(sphere::Problem<Double>),
+    Constant(constant::ConstantProblem<Double>),
+    Sinusoidal(sinusoidal::SinusoidalProblem<Double>),
+    Pulse(periodic::PeriodicProblem<Double>),
+    Anisotropic(anisotropic::AnisotropicProblem<Double>),
+    Sphere(sphere::SphereProblem<Double>),
     /// What becomes of a start.
-    Fate(turntable::Problem<Double>),
+    Fate(turntable::TurntableProblem<Double>),
     /// Its state at a time.
-    Moment(turntable::Problem<Double>, Double),
-    Boundary(rest::Problem<Double>),
+    Moment(turntable::TurntableProblem<Double>, Double),
+    Boundary(rest::BoundaryProblem<Double>),
 }
 
 impl Question {
@@ -66,29 +66,31 @@ impl Question {
     /// None: the parameters at which it looks are in range.
     pub(super) fn quantities(&self) -> Result<Vec<&'static str>, SolveError> {
         let [half, one] = [0.5, 1.0].map(Double::from);
-        let start = turntable::Problem::Polar {
+        let start = turntable::TurntableProblem::Polar {
             rho: half,
             p: half,
             psi: one,
         };
         let easy = match self {
-            Self::Constant(_) => Self::Constant(constant::Problem {
+            Self::Constant(_) => Self::Constant(constant::ConstantProblem {
                 lambda: half,
                 v0: one,
                 theta0: one,
                 accel: one,
                 at: constant::At::Time(one),
             }),
-            Self::Sinusoidal(_) => Self::Sinusoidal(sinusoidal::Problem { lambda0: half }),
-            Self::Pulse(_) => Self::Pulse(periodic::Problem {
+            Self::Sinusoidal(_) => {
+                Self::Sinusoidal(sinusoidal::SinusoidalProblem { lambda0: half })
+            }
+            Self::Pulse(_) => Self::Pulse(periodic::PeriodicProblem {
                 eta: half,
                 lambda0: half,
             }),
-            Self::Anisotropic(_) => Self::Anisotropic(anisotropic::Problem {
+            Self::Anisotropic(_) => Self::Anisotropic(anisotropic::AnisotropicProblem {
                 q: Double::from(2.0),
                 lambda0: half,
             }),
-            Self::Sphere(_) => Self::Sphere(sphere::Problem {
+            Self::Sphere(_) => Self::Sphere(sphere::SphereProblem {
                 gamma: one + one,
                 u0: one,
                 theta0: one,
@@ -97,7 +99,7 @@ impl Question {
             }),
             Self::Fate(_) => Self::Fate(start),
             Self::Moment(..) => Self::Moment(start, half),
-            Self::Boundary(_) => Self::Boundary(rest::Problem {
+            Self::Boundary(_) => Self::Boundary(rest::BoundaryProblem {
                 alpha: half,
                 psi: one,
             }),

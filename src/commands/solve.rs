@@ -310,19 +310,19 @@ struct Start {
 }
 
 impl Turntable {
-    fn problem(&self, point: &mut Point) -> turntable::Problem<Double> {
+    fn problem(&self, point: &mut Point) -> turntable::TurntableProblem<Double> {
         // The options require one another: none is missing here.
         let mut on = |name, axis: Option<Axis>| point.on(name, &axis.unwrap_or_default());
         match self.start {
             Start { rho: Some(rho), .. } => {
                 let (psi, p) = (on("psi", self.psi), on("p", self.p));
                 let rho = on("rho", Some(rho));
-                turntable::Problem::Polar { rho, p, psi }
+                turntable::TurntableProblem::Polar { rho, p, psi }
             }
             Start { a: Some(a), .. } => {
                 let (psi, alpha) = (on("psi", self.psi), on("alpha", self.alpha));
                 let a = on("A", Some(a));
-                turntable::Problem::Hyperbolic { a, alpha, psi }
+                turntable::TurntableProblem::Hyperbolic { a, alpha, psi }
             }
             Start { r: Some(r), .. } => {
                 let (psi, speed) = (on("psi", self.psi), on("speed", self.speed));
@@ -330,12 +330,12 @@ impl Turntable {
                 let (omega, mu) = (on("omega", self.omega), on("mu", self.mu));
                 let unit = mu * g / omega;
                 let (rho, p) = (r * omega / unit, speed / unit);
-                turntable::Problem::Polar { rho, p, psi }
+                turntable::TurntableProblem::Polar { rho, p, psi }
             }
             Start { x, .. } => {
                 let velocity = [on("vy", self.vy), on("vx", self.vx)];
                 let position = [on("y", self.y), on("x", x)];
-                turntable::Problem::Cartesian {
+                turntable::TurntableProblem::Cartesian {
                     position: [position[1], position[0]],
                     velocity: [velocity[1], velocity[0]],
                 }
@@ -345,7 +345,7 @@ impl Turntable {
 }
 
 impl Constant {
-    fn problem(&self, point: &mut Point) -> constant::Problem<Double> {
+    fn problem(&self, point: &mut Point) -> constant::ConstantProblem<Double> {
         let at = self.moment.at(point);
         let accel = self.accel.unwrap_or_else(|| Axis::from(Double::from(1.0)));
         let accel = point.on("accel", &accel);
@@ -355,7 +355,7 @@ impl Constant {
             Some(weight) => weight / accel,
             None => point.on("lambda", &self.lambda.unwrap_or_default()),
         };
-        constant::Problem {
+        constant::ConstantProblem {
             lambda,
             v0,
             theta0,
@@ -366,7 +366,7 @@ impl Constant {
 }
 
 impl Sphere {
-    fn problem(&self, point: &mut Point) -> sphere::Problem<Double> {
+    fn problem(&self, point: &mut Point) -> sphere::SphereProblem<Double> {
         let at = self.moment.at(point);
         let kappa = point.on("kappa", &self.kappa);
         let theta0 = point.on("theta0", &self.theta0);
@@ -378,7 +378,7 @@ impl Sphere {
             }
             None => point.on("gamma", &self.gamma.unwrap_or_default()),
         };
-        sphere::Problem {
+        sphere::SphereProblem {
             gamma,
             u0,
             theta0,
@@ -395,17 +395,17 @@ impl Problem {
             Problem::Constant(given) => Question::Constant(given.problem(point)),
             Problem::Sinusoidal(friction) => {
                 let lambda0 = friction.on(point);
-                Question::Sinusoidal(sinusoidal::Problem { lambda0 })
+                Question::Sinusoidal(sinusoidal::SinusoidalProblem { lambda0 })
             }
             Problem::Pulse { eta, friction } => {
                 let lambda0 = friction.on(point);
                 let eta = point.on("eta", eta);
-                Question::Pulse(periodic::Problem { eta, lambda0 })
+                Question::Pulse(periodic::PeriodicProblem { eta, lambda0 })
             }
             Problem::Anisotropic { q, friction } => {
                 let lambda0 = friction.on(point);
                 let q = point.on("q", q);
-                Question::Anisotropic(anisotropic::Problem { q, lambda0 })
+                Question::Anisotropic(anisotropic::AnisotropicProblem { q, lambda0 })
             }
             Problem::Sphere(given) => Question::Sphere(given.problem(point)),
             Problem::Turntable(given) => match given.time {
@@ -418,7 +418,7 @@ impl Problem {
             Problem::TurntableBoundary { alpha, psi } => {
                 let psi = point.on("psi", psi);
                 let alpha = point.on("alpha", alpha);
-                Question::Boundary(rest::Problem { alpha, psi })
+                Question::Boundary(rest::BoundaryProblem { alpha, psi })
             }
         }
     }

@@ -18,7 +18,7 @@ pub struct Clocked<const D: usize> {
 
 impl<const D: usize> Clocked<D> {
     /// Integrates `system` from `start` until its clock shows `until`, or until the first node at which
-    /// `finished` holds.
+    /// `finished` holds. Cost: at most `limit` steps.
     ///
     /// # Errors
     /// [`MotionError::Steps`] after `limit` steps, [`MotionError::Numerics`] when the state leaves the finite

@@ -20,7 +20,7 @@ use crate::numerics::{NumericsError, events};
 pub struct Onset {
     /// Coefficients of c about the start, in powers of the time since.
     pub velocity: [Coefficients; 2],
-    /// Time for which they serve; infinite for a series that ends.
+    /// Time for which they serve, in the unit of their powers; infinite for a series that ends.
     pub h: f64,
 }
 

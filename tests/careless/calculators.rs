@@ -34,22 +34,22 @@ proptest! {
         let at = if timed { At::Time(e) } else { At::Theta(e) };
         let (lambda, v0, theta0, accel) = (a, b, c, d);
         for accel in [accel, 1.0] {
-            let launch = constant::Problem { lambda, v0, theta0, accel, at };
+            let launch = constant::ConstantProblem { lambda, v0, theta0, accel, at };
             prop_assert!(sound(launch.solve()) && drawn(launch.curve()), "{launch:?}");
         }
         for kappa in [d, 0.4] {
-            let ball = sphere::Problem { gamma: a, u0: b, theta0: c, kappa, at };
+            let ball = sphere::SphereProblem { gamma: a, u0: b, theta0: c, kappa, at };
             prop_assert!(sound(ball.solve()) && drawn(ball.curve()), "{ball:?}");
         }
     }
 
     #[test]
     fn a_drive_has_numbers([a, b] in each()) {
-        let sine = sinusoidal::Problem { lambda0: a };
+        let sine = sinusoidal::SinusoidalProblem { lambda0: a };
         prop_assert!(sound(sine.solve()) && drawn(sine.curve()), "{sine:?}");
-        let pulse = periodic::Problem { eta: b, lambda0: a };
+        let pulse = periodic::PeriodicProblem { eta: b, lambda0: a };
         prop_assert!(sound(pulse.solve()) && drawn(pulse.curve()), "{pulse:?}");
-        let uneven = anisotropic::Problem { q: b, lambda0: a };
+        let uneven = anisotropic::AnisotropicProblem { q: b, lambda0: a };
         prop_assert!(sound(uneven.solve()) && drawn(uneven.curve()), "{uneven:?}");
     }
 
@@ -63,9 +63,9 @@ proptest! {
     #[test]
     fn a_turntable_has_numbers([a, b, c, d, e] in each()) {
         for start in [
-            turntable::Problem::Polar { rho: a, p: b, psi: c },
-            turntable::Problem::Hyperbolic { a, alpha: b, psi: c },
-            turntable::Problem::Cartesian { position: [a, b], velocity: [c, d] },
+            turntable::TurntableProblem::Polar { rho: a, p: b, psi: c },
+            turntable::TurntableProblem::Hyperbolic { a, alpha: b, psi: c },
+            turntable::TurntableProblem::Cartesian { position: [a, b], velocity: [c, d] },
         ] {
             prop_assert!(sound(start.fate()), "{start:?}");
             prop_assert!(sound(start.at(e)) && sound(start.at(1.0)), "{start:?} {e}");
@@ -80,8 +80,8 @@ proptest! {
 
     #[test]
     fn the_boundary_of_rest_has_numbers(asked in [each(), each()]) {
-        let two = asked.map(|[alpha, psi]| rest::Problem { alpha, psi });
-        let numbers = |boundary: rest::Problem| sound(boundary.solve()) && drawn(boundary.curve());
+        let two = asked.map(|[alpha, psi]| rest::BoundaryProblem { alpha, psi });
+        let numbers = |boundary: rest::BoundaryProblem| sound(boundary.solve()) && drawn(boundary.curve());
         let answers = std::thread::scope(|scope| {
             two.map(|boundary| scope.spawn(move || numbers(boundary))).map(|thread| thread.join())
         });

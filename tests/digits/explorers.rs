@@ -2,7 +2,7 @@
 
 use super::vectors::rows;
 use super::{Room, TERMS, cases};
-use slipbook::claims::solve::turntable::Problem;
+use slipbook::claims::solve::turntable::TurntableProblem;
 use slipbook::explorers::{anisotropic, constant, sphere, turntable};
 use slipbook::numerics::double::Double;
 use slipbook::numerics::number::Real;
@@ -67,7 +67,7 @@ fn the_turntable() {
             4.0 * rng.f64() - 2.0,
         ];
         let values = turntable::motion(rho, [u, v]).unwrap().values;
-        let start = Problem::Cartesian {
+        let start = TurntableProblem::Cartesian {
             position: [rho, 0.0],
             velocity: [u, v],
         };

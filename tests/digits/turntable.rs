@@ -4,7 +4,7 @@
 use super::tally::Tally;
 use super::{Room, TERMS, cases};
 use slipbook::claims::solve::known;
-use slipbook::claims::solve::turntable::{End, Horizon, Problem, Start};
+use slipbook::claims::solve::turntable::{End, Horizon, Start, TurntableProblem};
 use slipbook::motion::turntable::{Fate, boundary, fate};
 use slipbook::numerics::double::Double;
 use slipbook::numerics::number::Real;
@@ -166,7 +166,7 @@ fn rest_by_another_law_in_other_variables() {
     while rests.cases() < wanted {
         let [rho, p, psi] = start(&mut rng);
         let case = format!("{rho:?} {p:?} {psi:?}");
-        let problem = Problem::Polar { rho, p, psi };
+        let problem = TurntableProblem::Polar { rho, p, psi };
         let found = follow(rho, p, psi, 30.0);
         let Some(Ok([sigma, tau])) = found else {
             if let Some(Err([x, y, ..])) = found
@@ -271,7 +271,7 @@ fn a_state_by_another_law_in_other_variables() {
             number.map(|(_, x)| format!("{x:?}"))
         };
         tally.answer(
-            &Problem::Polar { rho, p, psi }.at(until).unwrap(),
+            &TurntableProblem::Polar { rho, p, psi }.at(until).unwrap(),
             exact,
             &case,
         );
@@ -338,7 +338,7 @@ fn rests(rho: Double, p: Double, psi: f64) -> bool {
 /// The boundary has rest below and escape above, by the other law.
 #[test]
 fn the_boundary_has_rest_below_and_escape_above() {
-    use slipbook::claims::solve::rest::Problem;
+    use slipbook::claims::solve::rest::BoundaryProblem;
     use slipbook::scalar::Scalar;
     let mut rng = fastrand::Rng::with_seed(22);
     let [mut solved, mut library] = [(); 2].map(|()| Tally::default());
@@ -347,7 +347,7 @@ fn the_boundary_has_rest_below_and_escape_above() {
         let alpha = 10f64.powf(-6.0 + 7.0 * rng.f64());
         let psi = PI * (2.0 * rng.f64() - 1.0);
         let case = format!("{alpha:?} {psi:?}");
-        let answer = Problem { alpha, psi }.solve().unwrap();
+        let answer = BoundaryProblem { alpha, psi }.solve().unwrap();
         let a = answer.best.a;
         let rests = |part: f64| {
             let a = Double::from(a) + (a * part).into();

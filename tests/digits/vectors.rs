@@ -83,7 +83,7 @@ fn try_all(kind: &str, usual: usize, mut each: impl FnMut(&Row<'_>, &mut Tally))
 #[test]
 fn constant_acceleration() {
     try_all("constant", 1000, |row, tally| {
-        let problem = constant::Problem {
+        let problem = constant::ConstantProblem {
             lambda: row.number("lambda"),
             v0: row.number("v0"),
             theta0: row.number("theta0"),
@@ -100,7 +100,7 @@ fn constant_acceleration() {
 #[test]
 fn a_sphere() {
     try_all("sphere", 500, |row, tally| {
-        let problem = sphere::Problem {
+        let problem = sphere::SphereProblem {
             gamma: row.number("gamma"),
             u0: row.number("u0"),
             theta0: row.number("theta0"),
@@ -118,7 +118,7 @@ fn a_sphere() {
 fn a_sinusoidal_drive() {
     try_all("sinusoidal", 2000, |row, tally| {
         let lambda0 = row.number("lambda0");
-        let answer = sinusoidal::Problem { lambda0 }.solve().unwrap();
+        let answer = sinusoidal::SinusoidalProblem { lambda0 }.solve().unwrap();
         tally.answer(&answer, |name| row.exact(name), row.line);
     });
 }
@@ -127,7 +127,7 @@ fn a_sinusoidal_drive() {
 fn a_train_of_pulses() {
     try_all("pulse", 2000, |row, tally| {
         let (eta, lambda0) = (row.number("eta"), row.number("lambda0"));
-        let answer = periodic::Problem { eta, lambda0 }.solve().unwrap();
+        let answer = periodic::PeriodicProblem { eta, lambda0 }.solve().unwrap();
         tally.answer(&answer, |name| row.exact(name), row.line);
     });
 }
@@ -136,13 +136,15 @@ fn a_train_of_pulses() {
 fn anisotropic_friction() {
     try_all("anisotropic", 2000, |row, tally| {
         let (q, lambda0) = (row.number("q"), row.number("lambda0"));
-        let answer = anisotropic::Problem { q, lambda0 }.solve().unwrap();
+        let answer = anisotropic::AnisotropicProblem { q, lambda0 }
+            .solve()
+            .unwrap();
         tally.answer(&answer, |name| row.exact(name), row.line);
     });
 }
 
-fn start(row: &Row<'_>) -> turntable::Problem {
-    turntable::Problem::Polar {
+fn start(row: &Row<'_>) -> turntable::TurntableProblem {
+    turntable::TurntableProblem::Polar {
         rho: row.number("rho"),
         p: row.number("p"),
         psi: row.number("psi"),
@@ -208,7 +210,7 @@ fn the_boundary_of_rest() {
     let mut tally = Tally::default();
     rows("turntable-boundary", cases(6), |row| {
         let (alpha, psi) = (row.number("alpha"), row.number("psi"));
-        let answer = rest::Problem { alpha, psi }.solve().unwrap();
+        let answer = rest::BoundaryProblem { alpha, psi }.solve().unwrap();
         tally.answer(&answer, |name| row.exact(name), row.line);
     });
     assert!(tally.closes("the boundary", false));

@@ -49,7 +49,10 @@ fn excess(sides: fn(f64, f64) -> [f64; 2], q: f64) -> impl Fn(f64) -> f64 {
 /// Whether the particle never rests, under a drive whose amplitude is so many times the friction.
 fn never_rests(factor: f64) -> bool {
     let lambda0 = 1.0 / factor;
-    let swing = sinusoidal::Problem { lambda0 }.solve().unwrap().best;
+    let swing = sinusoidal::SinusoidalProblem { lambda0 }
+        .solve()
+        .unwrap()
+        .best;
     swing.rest_fraction == 0.0
 }
 
@@ -68,7 +71,7 @@ fn outwards(rho: f64) -> f64 {
 
 /// ψ and the rest, a little after a start.
 fn soon(rho: f64, p: f64, psi: f64) -> turntable::Moment {
-    turntable::Problem::Polar { rho, p, psi }
+    turntable::TurntableProblem::Polar { rho, p, psi }
         .at(1e-2)
         .unwrap()
         .best
@@ -263,7 +266,11 @@ pub const SAID: &[Said] = &[
             // What the printed list says, and the motion.
             let alike = |q: f64, lambda0: f64| {
                 let printed = anisotropic::region(lambda0, &Curves::at(q).unwrap().printed);
-                let moves = ratchet::Problem { q, lambda0 }.solve().unwrap().best.region;
+                let moves = ratchet::AnisotropicProblem { q, lambda0 }
+                    .solve()
+                    .unwrap()
+                    .best
+                    .region;
                 printed.map(|i| ["I", "II", "III", "IV", "V"][i - 1]) == Some(moves)
             };
             let all_alike = |q: f64| along(0.013, 1.1).all(|lambda0| alike(q, lambda0));

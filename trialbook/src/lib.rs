@@ -9,11 +9,27 @@
 //!
 //! The [`book`] writes all of it down, and [`cli`] is the command; what a paper has of its own for them is its [`edition`].
 //!
-//! Nothing here knows which paper is on trial. With `default-features = false` there are the formulas, the numerics that
+//! Nothing here knows which paper is on trial.
+//!
+//! # Features
+//!
+//! With `default-features = false` there are the formulas, the numerics that
 //! a motion needs, and the judge alone; the feature `trials` brings the trials, `book` all that rests on them.
-
-// Where a room is not built, its name is no link.
-#![cfg_attr(not(feature = "book"), allow(rustdoc::broken_intra_doc_links))]
+// Where a room is not built, its name leads to the feature that brings it.
+#![cfg_attr(
+    not(feature = "trials"),
+    doc = "",
+    doc = "[`exact`]: #features",
+    doc = "[`certified`]: #features"
+)]
+#![cfg_attr(
+    not(feature = "book"),
+    doc = "",
+    doc = "[`figures`]: #features",
+    doc = "[`book`]: #features",
+    doc = "[`cli`]: #features",
+    doc = "[`edition`]: #features"
+)]
 
 #[cfg(feature = "book")]
 pub mod book;

@@ -4,6 +4,14 @@
 //! mistake in it. Then its arguments become [`Seeded`] numbers, which count the places that the evaluation passes
 //! and change the chosen one. So a mistake reaches every kind of [`Scalar`](crate::scalar::Scalar) alike, numbers
 //! and trees, and a trial cannot tell it from a misprint. What [`reading`] watches is noted too: which formulas it reads.
+// Where it is not built, its name leads to the feature that brings it.
+#![cfg_attr(
+    not(feature = "trials"),
+    doc = "",
+    doc = "[`with`]: crate#features",
+    doc = "[`Seeded`]: crate#features",
+    doc = "[`reading`]: crate#features"
+)]
 
 #[cfg(feature = "trials")]
 mod corner;

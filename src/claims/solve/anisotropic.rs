@@ -12,7 +12,7 @@ use std::f64::consts::TAU;
 
 /// The two frictions.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem<T = f64> {
+pub struct AnisotropicProblem<T = f64> {
     /// q = μ₋/μ₊, from 10⁻³ to 10³. Below 1, which the paper leaves out, forward and backward change roles.
     pub q: T,
     /// λ₀ = μ₊g/A₀, dimensionless. λ₀ and qλ₀ are from 10⁻⁶ to 10⁶.
@@ -24,7 +24,7 @@ pub struct Problem<T = f64> {
 pub struct Period {
     /// The region, `I` to `V`, by the order of the intervals.
     pub region: &'static str,
-    /// Length of forward motion.
+    /// Length of forward motion, radians of φ; so are the other three.
     pub positive: f64,
     /// Length of backward motion.
     pub negative: f64,
@@ -32,7 +32,7 @@ pub struct Period {
     pub rest_after_positive: f64,
     /// Length of the rest after backward motion.
     pub rest_after_negative: f64,
-    /// ∫𝔴 dφ over a period.
+    /// ∫𝔴 dφ over a period: the way, in units of A₀/ω².
     pub drift_per_period: f64,
 }
 
@@ -90,7 +90,7 @@ fn region(positive: f64, negative: f64, rests: usize) -> &'static str {
     }
 }
 
-impl<T: Quantity> Problem<T> {
+impl<T: Quantity> AnisotropicProblem<T> {
     /// A period of the large-time motion.
     ///
     /// # Errors
@@ -126,15 +126,15 @@ impl<T: Quantity> Problem<T> {
         Ok(two_periods(&settle(&drive, friction)?))
     }
 
-    fn near(&self) -> Problem {
-        Problem {
+    fn near(&self) -> AnisotropicProblem {
+        AnisotropicProblem {
             q: self.q.into(),
             lambda0: self.lambda0.into(),
         }
     }
 }
 
-impl Problem {
+impl AnisotropicProblem {
     fn friction(&self) -> Result<Friction, SolveError> {
         let fit = (1e-3..=1e3).contains(&self.q);
         check("q", self.q, fit, "between 1e-3 and 1e3")?;

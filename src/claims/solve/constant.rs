@@ -1,7 +1,8 @@
 //! Constant acceleration: where a launched particle is in its velocity, at an angle or at a time.
 
 use super::{
-    Answer, Curve, Field, Fields, Quantity, Said, SolveError, UNITS, check, followed, size, steps,
+    Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, Said, SolveError, UNITS, UNSEEN_ANGLE,
+    check, followed, size, steps,
 };
 use crate::corrections::constant as corrected;
 use crate::motion::trajectory::Motion;
@@ -33,12 +34,12 @@ impl<T> At<T> {
 
 /// A launch on a plane with the acceleration −A x̂, and a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem<T = f64> {
+pub struct ConstantProblem<T = f64> {
     /// λ = μg/A, dimensionless: 0, or from 10⁻²⁰ to 10²⁰.
     pub lambda: T,
     /// The initial speed v₀ (length/time), from 10⁻²⁰ to 10²⁰.
     pub v0: T,
-    /// The initial angle θ₀ of the velocity with the x axis, in (−π, π].
+    /// The initial angle θ₀ of the velocity with the x axis, radians in (−π, π].
     pub theta0: T,
     /// A (length/time²), from 10⁻²⁰ to 10²⁰.
     pub accel: T,
@@ -48,29 +49,26 @@ pub struct Problem<T = f64> {
 
 /// The velocity at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
-    /// Speed.
+pub struct ConstantState {
+    /// Speed, in length/time.
     pub v: f64,
-    /// Angle with the x axis; at rest, what it tended to.
+    /// Angle with the x axis, radians; at rest, what it tended to.
     pub theta: f64,
     /// Time since the launch.
     pub t: f64,
-    /// Component along x.
+    /// Component along x, in length/time.
     pub vx: f64,
-    /// Component along y.
+    /// Component along y, in length/time.
     pub vy: f64,
     /// When the particle stops for good, if it does.
     pub stop_time: Option<f64>,
 }
 
-/// An angle below this is zero for every purpose.
-const NO_ANGLE: f64 = 1e-60;
-
-impl Fields for State {
+impl Fields for ConstantState {
     fn fields(&self) -> Vec<Field> {
         vec![
             Field::new("v", self.v),
-            Field::within(NO_ANGLE, "theta", self.theta),
+            Field::within(LEAST_ANGLE, "theta", self.theta).unseen_below(UNSEEN_ANGLE),
             Field::new("t", self.t),
             Field::within(self.v, "vx", self.vx),
             Field::within(self.v, "vy", self.vy),
@@ -79,13 +77,13 @@ impl Fields for State {
     }
 }
 
-impl<T: Quantity> Problem<T> {
+impl<T: Quantity> ConstantProblem<T> {
     /// The velocity at the moment asked for.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for a parameter out of range or an angle that the velocity never has: it turns
     /// from θ₀ towards 0 and gets there only in the limit.
-    pub fn solve(&self) -> Result<Answer<State>, SolveError> {
+    pub fn solve(&self) -> Result<Answer<ConstantState>, SolveError> {
         let near = self.near();
         near.check()?;
         let said = Said::by(|nudge| {
@@ -93,7 +91,7 @@ impl<T: Quantity> Problem<T> {
                 None => self.formulas().at(self.at.map(Into::into)),
                 Some(by) => {
                     let lambda = by * near.lambda;
-                    let nudged = Problem { lambda, ..near };
+                    let nudged = ConstantProblem { lambda, ..near };
                     nudged.formulas().at(near.at.map(Into::into))
                 }
             };
@@ -125,8 +123,8 @@ impl<T: Quantity> Problem<T> {
         })
     }
 
-    fn near(&self) -> Problem {
-        Problem {
+    fn near(&self) -> ConstantProblem {
+        ConstantProblem {
             lambda: self.lambda.into(),
             v0: self.v0.into(),
             theta0: self.theta0.into(),
@@ -145,7 +143,7 @@ impl<T: Quantity> Problem<T> {
     }
 }
 
-impl Problem {
+impl ConstantProblem {
     fn check(&self) -> Result<(), SolveError> {
         let fit = self.lambda == 0.0 || (1e-20..=1e20).contains(&self.lambda);
         check("lambda", self.lambda, fit, "0 or between 1e-20 and 1e20")?;
@@ -160,13 +158,13 @@ impl Problem {
     }
 
     /// The motion, and the motion in other units of length.
-    fn motions(&self) -> Option<[State; 2]> {
-        let other = Problem {
+    fn motions(&self) -> Option<[ConstantState; 2]> {
+        let other = ConstantProblem {
             v0: UNITS * self.v0,
             accel: UNITS * self.accel,
             ..*self
         };
-        let back = |state: State| State {
+        let back = |state: ConstantState| ConstantState {
             v: state.v / UNITS,
             vx: state.vx / UNITS,
             vy: state.vy / UNITS,
@@ -177,7 +175,7 @@ impl Problem {
     }
 
     /// Nothing where the motion stops, as far as its numbers reach, before it has the angle.
-    fn by_motion(&self) -> Result<Option<State>, SolveError> {
+    fn by_motion(&self) -> Result<Option<ConstantState>, SolveError> {
         let launch = self.launch()?;
         let rests = launch.comes_to_rest();
         let to_rest = rests.then(|| launch.motion_to_rest()).transpose()?;
@@ -197,7 +195,7 @@ impl Problem {
                 state
             }
         };
-        Ok(Some(State {
+        Ok(Some(ConstantState {
             v: state.speed(),
             theta: match state.speed() {
                 0.0 if stop_time.is_some_and(|stop| stop <= state.t) => last_angle(self.theta0),
@@ -275,9 +273,9 @@ pub(super) struct Exactly {
 }
 
 impl Exactly {
-    fn rounded(&self) -> State {
+    fn rounded(&self) -> ConstantState {
         let [vx, vy] = self.velocity.map(Double::to_f64);
-        State {
+        ConstantState {
             v: self.v.to_f64(),
             theta: self.theta.to_f64(),
             t: self.t.to_f64(),
@@ -452,10 +450,10 @@ impl Formulas {
     }
 }
 
-impl Problem {
+impl ConstantProblem {
     /// Which formulas gave a state: the printed ones if they give it too.
-    fn note(&self, state: &State) -> String {
-        let Problem {
+    fn note(&self, state: &ConstantState) -> String {
+        let ConstantProblem {
             lambda,
             accel: a,
             v0,

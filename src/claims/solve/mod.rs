@@ -4,13 +4,16 @@
 //! by the motion, which knows no formula. Both meet here, so that an answer says how far they differ and how many of its
 //! digits are to be believed. Where there is no formula, two integrations of the motion take the two places.
 //!
+//! Cost: each answer is that of a few motions, which have their [limits](crate::motion): milliseconds as a rule, some tenths
+//! of a second on the turntable's boundary.
+//!
 //! What is given is taken as exact: an `f64` as the number that it is, a typed decimal fraction as it stands
 //! ([`Double`]).
 //!
 //! ```
-//! use slipbook::claims::solve::constant::{At, Problem};
+//! use slipbook::claims::solve::constant::{At, ConstantProblem};
 //!
-//! let launch = Problem { lambda: 0.5, v0: 1.0, theta0: 1.0, accel: 1.0, at: At::Time(2.0) };
+//! let launch = ConstantProblem { lambda: 0.5, v0: 1.0, theta0: 1.0, accel: 1.0, at: At::Time(2.0) };
 //! let answer = launch.solve()?;
 //! assert!((answer.best.v - 1.721_996_770_1).abs() < 1e-9);
 //! assert!(answer.digits >= Some(10));
@@ -118,10 +121,17 @@ pub struct Field {
     pub scale: f64,
     /// What is not known of it, in numbers of twice the width: the rounding of what it is a small difference of.
     lost: f64,
+    /// Below this two ways are not compared, as one of them has no numbers for it.
+    unseen: f64,
 }
 
 /// Below this nothing is left of the second half of a number of twice the width.
 const LOST: f64 = 1e-310;
+
+/// Below this an angle loses digits to the end of floating-point numbers,
+const LEAST_ANGLE: f64 = 1e-290;
+/// and below this the motion does not see it, as its terms are powers of it.
+const UNSEEN_ANGLE: f64 = 1e-60;
 
 /// What a quantity may be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -166,7 +176,13 @@ impl Field {
             value: value.into(),
             scale,
             lost: LOST,
+            unseen: 0.0,
         }
+    }
+
+    /// The same, where what is smaller than this is not compared.
+    fn unseen_below(self, unseen: f64) -> Self {
+        Field { unseen, ..self }
     }
 
     /// The same, as a difference of numbers of this size.
@@ -229,7 +245,8 @@ impl Field {
         match (self.value, other.value) {
             (Value::Number(a), Value::Number(b)) if a == b => 0.0,
             (Value::Number(a), Value::Number(b)) => {
-                (a - b).abs() / a.abs().max(b.abs()).max(self.scale).max(other.scale)
+                let least = self.scale.max(other.scale).max(self.unseen);
+                (a - b).abs() / a.abs().max(b.abs()).max(least)
             }
             (a, b) if a == b => 0.0,
             _ => 1.0,

@@ -12,14 +12,14 @@ use std::f64::consts::PI;
 
 /// Pulses of both signs, one in each half period.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem<T = f64> {
+pub struct PeriodicProblem<T = f64> {
     /// η, the share of a half period that a pulse fills, in [0, 1].
     pub eta: T,
     /// λ₀ = μg/A₀, dimensionless: from 10⁻⁶ to 10⁶.
     pub lambda0: T,
 }
 
-impl<T: Quantity> Problem<T> {
+impl<T: Quantity> PeriodicProblem<T> {
     /// The large-time motion.
     ///
     /// # Errors
@@ -50,15 +50,15 @@ impl<T: Quantity> Problem<T> {
     }
 
     /// The same in `f64`, if it is in range.
-    fn near(&self) -> Result<Problem, SolveError> {
+    fn near(&self) -> Result<PeriodicProblem, SolveError> {
         let (eta, lambda0) = (self.eta.into(), self.lambda0.into());
         check("eta", eta, (0.0..=1.0).contains(&eta), "between 0 and 1")?;
         friction("lambda0", lambda0)?;
-        Ok(Problem { eta, lambda0 })
+        Ok(PeriodicProblem { eta, lambda0 })
     }
 }
 
-impl Problem {
+impl PeriodicProblem {
     fn h(&self) -> impl Fn(f64) -> f64 {
         let eta = self.eta;
         move |phi: f64| match phi {

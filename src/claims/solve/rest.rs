@@ -13,8 +13,8 @@ use crate::scalar::Scalar;
 
 /// A point of the boundary between rest and escape.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem<T = f64> {
-    /// α, in [0, 20].
+pub struct BoundaryProblem<T = f64> {
+    /// α, dimensionless, in [0, 20].
     pub alpha: T,
     /// ψ, radians, in [−10³, 10³].
     pub psi: T,
@@ -23,7 +23,7 @@ pub struct Problem<T = f64> {
 /// A on the boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Boundary {
-    /// A.
+    /// A, dimensionless.
     pub a: f64,
 }
 
@@ -46,13 +46,13 @@ const EVEN: f64 = 1e-11;
 /// Terms of the series of numbers of twice the width.
 const ORDER: usize = 44;
 
-impl<T: Quantity> Problem<T> {
+impl<T: Quantity> BoundaryProblem<T> {
     /// A on the boundary, by closing in on it with the motion and by the expansion to second order in α.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for α or ψ out of range.
     pub fn solve(&self) -> Result<Answer<Boundary>, SolveError> {
-        let Problem { alpha, psi } = self.checked()?;
+        let BoundaryProblem { alpha, psi } = self.checked()?;
         let [rest, escape] = self.sides()?;
         let motion = Boundary {
             a: ((rest + escape) * 0.5.into()).to_f64(),
@@ -87,17 +87,17 @@ impl<T: Quantity> Problem<T> {
         })
     }
 
-    fn checked(&self) -> Result<Problem, SolveError> {
+    fn checked(&self) -> Result<BoundaryProblem, SolveError> {
         let (alpha, psi) = (self.alpha.into(), self.psi.into());
         let fit = (0.0..=20.0).contains(&alpha);
         check("alpha", alpha, fit, "between 0 and 20")?;
         check("psi", psi, f64::abs(psi) <= 1e3, "between -1e3 and 1e3")?;
-        Ok(Problem { alpha, psi })
+        Ok(BoundaryProblem { alpha, psi })
     }
 
     /// An A from which the particle comes to rest and one from which it does not, closer to each other than `f64` can say.
     fn sides(&self) -> Result<[Double; 2], SolveError> {
-        let Problem { alpha, psi } = self.checked()?;
+        let BoundaryProblem { alpha, psi } = self.checked()?;
         let (wide, angle): (Double, Double) = (self.alpha.into(), self.psi.into());
         let ending = |a: Double, closely: bool| -> Result<Ending<Double>, SolveError> {
             let (rho, p) = (printed::eq112_rho(a, wide), printed::eq111_p(a, wide));
@@ -167,21 +167,21 @@ impl<T: Quantity> Problem<T> {
     }
 }
 
-impl Problem {
+impl BoundaryProblem {
     /// Point `i` of the 41 of the curve, which reaches at least to α = 1.
     fn point(&self, i: u32) -> Result<[f64; 2], SolveError> {
         let most = self.alpha.max(1.0);
         let alpha = most * f64::from(i) / 40.0;
         let a = match i {
             0 => 1.0,
-            _ => Problem { alpha, ..*self }.bisect(1e-4)?,
+            _ => BoundaryProblem { alpha, ..*self }.bisect(1e-4)?,
         };
         Ok([alpha, a])
     }
 
     /// A by bisection on the motion, to this width in units of the least that it can be.
     fn bisect(&self, width: f64) -> Result<f64, SolveError> {
-        let Problem { alpha, psi } = *self;
+        let BoundaryProblem { alpha, psi } = *self;
         let least = (1.0 - 1e-9) * libm::exp(-alpha);
         let start = |a| Start::hyperbolic(a, alpha, psi);
         Ok(between(start, least, 1.0 + 1e-9, width * least)?)
@@ -192,7 +192,7 @@ impl Problem {
 mod tests {
     use super::*;
 
-    const PROBLEM: Problem = Problem {
+    const PROBLEM: BoundaryProblem = BoundaryProblem {
         alpha: 0.1,
         psi: 1.0,
     };
@@ -220,7 +220,7 @@ mod tests {
     #[test]
     fn close_to_the_corner_the_motion_meets_the_expansion() {
         for alpha in [1e-4, 1e-6, 1e-9, 1e-20] {
-            let near = Problem { alpha, psi: 0.5 };
+            let near = BoundaryProblem { alpha, psi: 0.5 };
             let answer = near.solve().unwrap();
             let formula = answer.by_formula.unwrap().a;
             let left_out = 8.0 * alpha * alpha * alpha + 1e-15;
@@ -230,7 +230,7 @@ mod tests {
             );
             assert_eq!(answer.digits, Some(15));
         }
-        let corner = Problem {
+        let corner = BoundaryProblem {
             alpha: 0.0,
             psi: 0.5,
         };
@@ -239,7 +239,7 @@ mod tests {
 
     #[test]
     fn far_from_the_corner_the_motion_stands_alone() {
-        let far = Problem {
+        let far = BoundaryProblem {
             alpha: 1.01,
             psi: 1.0,
         };
@@ -251,7 +251,7 @@ mod tests {
 
     #[test]
     fn points_of_the_curve_lie_on_the_boundary() {
-        let point = |problem: Problem, i| problem.point(i).unwrap();
+        let point = |problem: BoundaryProblem, i| problem.point(i).unwrap();
         assert_eq!(point(PROBLEM, 0), [0.0, 1.0]);
         let [alpha, a] = point(PROBLEM, 4);
         // Half the width to which it is bisected, as a part of e^−α.
@@ -262,7 +262,7 @@ mod tests {
     #[test]
     fn the_search_begins_below_the_boundary_even_at_its_lowest() {
         // Here the boundary is (2/3) α² above e^−α, less than a billionth.
-        let lowest = Problem {
+        let lowest = BoundaryProblem {
             alpha: 1.1e-5,
             psi: 0.0,
         };

@@ -13,7 +13,7 @@ use std::f64::consts::TAU;
 
 /// The friction of a sinusoidal drive.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem<T = f64> {
+pub struct SinusoidalProblem<T = f64> {
     /// λ₀ = μg/A₀, dimensionless: from 10⁻⁶ to 10⁶. Without friction the start is never forgotten.
     pub lambda0: T,
 }
@@ -23,13 +23,13 @@ pub struct Problem<T = f64> {
 pub struct Swing {
     /// `two-zeros`, `two-rests` or `rest`.
     pub regime: &'static str,
-    /// The phase in [0, 2π) at which forward motion begins.
+    /// The phase, radians in [0, 2π), at which forward motion begins; nothing at rest for ever.
     pub positive_start: Option<f64>,
-    /// The phase in [0, 4π) at which it ends.
+    /// The phase, radians in [0, 4π), at which it ends.
     pub positive_end: Option<f64>,
-    /// The share of the time at rest.
+    /// The share of the time at rest, from 0 to 1.
     pub rest_fraction: f64,
-    /// The largest velocity 𝔴.
+    /// The largest velocity 𝔴, in units of A₀/ω.
     pub w_max: f64,
 }
 
@@ -45,7 +45,7 @@ impl Fields for Swing {
     }
 }
 
-impl<T: Quantity> Problem<T> {
+impl<T: Quantity> SinusoidalProblem<T> {
     /// The large-time motion.
     ///
     /// # Errors

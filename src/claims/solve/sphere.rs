@@ -2,8 +2,8 @@
 
 use super::constant::{At, Formulas, check_moment};
 use super::{
-    Answer, Curve, Field, Fields, Quantity, ROUNDED, ROUNDING, Said, SolveError, UNITS, check,
-    followed, size, steps,
+    Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, ROUNDED, ROUNDING, Said, SolveError,
+    UNITS, UNSEEN_ANGLE, check, followed, size, steps,
 };
 use crate::corrections::sphere as corrected;
 use crate::motion::Plane;
@@ -16,14 +16,14 @@ use std::f64::consts::PI;
 
 /// A sphere that starts without spin on a plane with the acceleration −γ x̂, everything in the paper's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Problem<T = f64> {
+pub struct SphereProblem<T = f64> {
     /// γ = A/(μg), from 10⁻¹⁵ to 10⁹.
     pub gamma: T,
-    /// The initial slip u₀, from 10⁻²⁰ to 10²⁰.
+    /// The initial slip u₀, in the paper's unit of velocity, from 10⁻²⁰ to 10²⁰.
     pub u0: T,
-    /// The initial angle θ₀ of the slip with the x axis, in (−π, π].
+    /// The initial angle θ₀ of the slip with the x axis, radians in (−π, π].
     pub theta0: T,
-    /// κ = I/(mR²), in [10⁻³, 1].
+    /// κ = I/(mR²), dimensionless, in [10⁻³, 1].
     pub kappa: T,
     /// The moment; a time is τ.
     pub at: At<T>,
@@ -31,10 +31,10 @@ pub struct Problem<T = f64> {
 
 /// Slip and spin at a moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct State {
+pub struct SphereState {
     /// The slip |𝐮|.
     pub u: f64,
-    /// Its angle with the x axis; while rolling, what it tended to.
+    /// Its angle with the x axis, radians; while rolling, what it tended to.
     pub theta: f64,
     /// The time τ.
     pub tau: f64,
@@ -48,12 +48,12 @@ pub struct State {
     u0: f64,
 }
 
-impl Fields for State {
+impl Fields for SphereState {
     fn fields(&self) -> Vec<Field> {
         let spin = libm::hypot(self.zeta[0], self.zeta[1]);
         vec![
             Field::new("u", self.u),
-            Field::within(1e-60, "theta", self.theta),
+            Field::within(LEAST_ANGLE, "theta", self.theta).unseen_below(UNSEEN_ANGLE),
             Field::new("tau", self.tau),
             Field::within(self.u, "u_x", self.slip[0]),
             Field::within(self.u, "u_y", self.slip[1]),
@@ -67,19 +67,19 @@ impl Fields for State {
 /// Later than this the motion is not followed.
 const LATEST: f64 = 1e45;
 
-impl<T: Quantity> Problem<T> {
+impl<T: Quantity> SphereProblem<T> {
     /// Slip and spin at the moment asked for.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for a parameter out of range or an angle that the slip never has.
-    pub fn solve(&self) -> Result<Answer<State>, SolveError> {
+    pub fn solve(&self) -> Result<Answer<SphereState>, SolveError> {
         let near = self.near();
         near.check()?;
         let said = Said::by(|nudge| match nudge {
             None => self.by_formula(),
             Some(by) => {
                 let gamma = by * near.gamma;
-                Problem { gamma, ..near }.by_formula()
+                SphereProblem { gamma, ..near }.by_formula()
             }
         })?;
         let motions = near
@@ -108,8 +108,8 @@ impl<T: Quantity> Problem<T> {
         })
     }
 
-    fn near(&self) -> Problem {
-        Problem {
+    fn near(&self) -> SphereProblem {
+        SphereProblem {
             gamma: self.gamma.into(),
             u0: self.u0.into(),
             theta0: self.theta0.into(),
@@ -118,7 +118,7 @@ impl<T: Quantity> Problem<T> {
         }
     }
 
-    fn by_formula(&self) -> Result<State, SolveError> {
+    fn by_formula(&self) -> Result<SphereState, SolveError> {
         let [gamma, u0, theta0, kappa] =
             [self.gamma, self.u0, self.theta0, self.kappa].map(Into::<Double>::into);
         let (one, zero) = (Double::from(1.0), Double::from(0.0));
@@ -145,7 +145,7 @@ impl<T: Quantity> Problem<T> {
         // A spin that is no more than the rounding of what it is a difference of is none.
         let least = ROUNDED * u0.to_f64();
         let spin = near([zeta_x, zeta_y]).map(|x| if x.abs() <= least { 0.0 } else { x });
-        Ok(State {
+        Ok(SphereState {
             u: slip.v.to_f64(),
             theta: slip.theta.to_f64(),
             tau: slip.t.to_f64(),
@@ -157,7 +157,7 @@ impl<T: Quantity> Problem<T> {
     }
 }
 
-impl Problem {
+impl SphereProblem {
     fn check(&self) -> Result<(), SolveError> {
         let fit = (1e-15..=1e9).contains(&self.gamma);
         check("gamma", self.gamma, fit, "between 1e-15 and 1e9")?;
@@ -177,12 +177,12 @@ impl Problem {
     }
 
     /// Whether the motion ends a slip that only becomes so small that its numbers lose it.
-    fn loses(&self, formula: &State, motion: &State) -> bool {
+    fn loses(&self, formula: &SphereState, motion: &SphereState) -> bool {
         let (None, Some(tau)) = (formula.rolls_at, motion.rolls_at) else {
             return false;
         };
         let at = At::Time(tau);
-        let there = Problem { at, ..*self }.by_formula();
+        let there = SphereProblem { at, ..*self }.by_formula();
         there.is_ok_and(|there| there.u <= ROUNDING * self.u0)
     }
 
@@ -207,8 +207,8 @@ impl Problem {
     }
 
     /// The motion, and the motion in other units: those of length and time as much larger as each other.
-    fn motions(&self) -> Option<[State; 2]> {
-        let other = Problem {
+    fn motions(&self) -> Option<[SphereState; 2]> {
+        let other = SphereProblem {
             u0: UNITS * self.u0,
             at: match self.at {
                 At::Time(tau) => At::Time(UNITS * tau),
@@ -216,7 +216,7 @@ impl Problem {
             },
             ..*self
         };
-        let back = |state: State| State {
+        let back = |state: SphereState| SphereState {
             u: state.u / UNITS,
             theta: state.theta,
             tau: state.tau / UNITS,
@@ -230,7 +230,7 @@ impl Problem {
     }
 
     /// Nothing where slipping ends, as far as the motion's numbers reach, before it has the angle.
-    fn by_motion(&self) -> Result<Option<State>, SolveError> {
+    fn by_motion(&self) -> Result<Option<SphereState>, SolveError> {
         // Slip falls at least at the rate b − γ where that is positive; where it is 0, it stops soon or never.
         let spare = self.b() - self.gamma;
         let long = if spare > 0.0 {
@@ -252,7 +252,7 @@ impl Problem {
         let ball = motion.end();
         let slip = if turns { [0.0; 2] } else { motion.slip(tau)? };
         let u = libm::hypot(slip[0], slip[1]);
-        Ok(Some(State {
+        Ok(Some(SphereState {
             u,
             theta: match u {
                 0.0 if self.theta0 == PI && rolls_at.is_some() => PI,
@@ -307,7 +307,7 @@ impl Problem {
         Ok(None)
     }
 
-    fn note(&self, state: &State) -> String {
+    fn note(&self, state: &SphereState) -> String {
         let printed = printed::eq82_time(self.lambda(), self.u0, self.theta0, state.theta);
         let slip = if (printed - state.tau).abs() <= 1e-9 * state.tau {
             "the slip by (81) and (82)"

@@ -37,7 +37,7 @@ fn word<T: Fields + Clone>(answer: &Answer<T>) -> &'static str {
 
 #[test]
 fn an_answer_is_written_with_its_fields_first() {
-    let report = sinusoidal::Problem { lambda0: 2.0 }
+    let report = sinusoidal::SinusoidalProblem { lambda0: 2.0 }
         .solve()
         .unwrap()
         .report("sinusoidal");

@@ -26,12 +26,12 @@ use std::f64::consts::TAU;
 /// A start on the table, in the paper's units and in axes that turn with the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
-pub enum Problem<T = f64> {
+pub enum TurntableProblem<T = f64> {
     /// At the distance ρ on the +x axis with the speed p at the angle −ψ.
     Polar {
-        /// ρ, in [0, 10⁶].
+        /// ρ, in [0, 10⁶] units of μg/Ω².
         rho: T,
-        /// p, in [0, 10⁶].
+        /// p, in [0, 10⁶] units of μg/Ω.
         p: T,
         /// ψ, from the velocity to the position, counterclockwise (radians).
         psi: T,
@@ -47,36 +47,36 @@ pub enum Problem<T = f64> {
     },
     /// By position and velocity.
     Cartesian {
-        /// Position.
+        /// Position, in units of μg/Ω²; at most 10⁶ from the axis.
         position: [T; 2],
-        /// Velocity relative to the table.
+        /// Velocity relative to the table, in units of μg/Ω; at most 10⁶.
         velocity: [T; 2],
     },
 }
 
 /// What becomes of a start.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Outcome {
+pub struct TurntableOutcome {
     /// `rest` or `escape`.
     pub outcome: &'static str,
-    /// The distance σ from the axis at which it rests.
+    /// The distance σ from the axis at which it rests, in units of μg/Ω².
     pub sigma: Option<f64>,
-    /// The time τ at which it comes to rest.
+    /// The time τ at which it comes to rest, in units of 1/Ω.
     pub tau_rest: Option<f64>,
 }
 
 /// A state on the way.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Moment {
-    /// Position in the table's axes.
+    /// Position in the table's axes, in units of μg/Ω².
     pub position: [f64; 2],
-    /// Velocity relative to the table.
+    /// Velocity relative to the table, in units of μg/Ω.
     pub velocity: [f64; 2],
-    /// ρ.
+    /// The distance ρ from the axis.
     pub rho: f64,
-    /// p.
+    /// The speed p.
     pub p: f64,
-    /// ψ, in (−π, π]; 0 where the particle is at rest or on the axis.
+    /// ψ, radians in (−π, π]; 0 where the particle is at rest or on the axis.
     pub psi: f64,
 }
 
@@ -112,7 +112,7 @@ impl From<[Double; 7]> for Moment {
     }
 }
 
-impl Fields for Outcome {
+impl Fields for TurntableOutcome {
     fn fields(&self) -> Vec<Field> {
         vec![
             Field::new("outcome", self.outcome),
@@ -142,13 +142,13 @@ const LARGEST: f64 = 1e6;
 /// So long may a motion be followed: about a turn of the velocity in a unit of time.
 const LONGEST: f64 = 1e5;
 
-impl<T: Quantity> Problem<T> {
+impl<T: Quantity> TurntableProblem<T> {
     /// Rest or escape.
     ///
     /// # Errors
     /// [`SolveError::Parameter`] or [`SolveError::Motion`] for a parameter out of range, [`SolveError::Undecided`] on the
     /// boundary.
-    pub fn fate(&self) -> Result<Answer<Outcome>, SolveError> {
+    pub fn fate(&self) -> Result<Answer<TurntableOutcome>, SolveError> {
         let near = self.near();
         near.start()?;
         let exact = self.exact();
@@ -163,7 +163,7 @@ impl<T: Quantity> Problem<T> {
                 Ending::Certain(Certain::Escape { .. }),
                 Ending::Certain(Certain::Escape { .. }),
             ] => {
-                let escape = Outcome {
+                let escape = TurntableOutcome {
                     outcome: "escape",
                     sigma: None,
                     tau_rest: None,
@@ -179,7 +179,7 @@ impl<T: Quantity> Problem<T> {
                 return Err(SolveError::Undecided { tau, p });
             }
         };
-        let rest = |sigma: f64, tau: f64| Outcome {
+        let rest = |sigma: f64, tau: f64| TurntableOutcome {
             outcome: "rest",
             sigma: Some(sigma),
             tau_rest: Some(tau),
@@ -276,20 +276,20 @@ impl<T: Quantity> Problem<T> {
     }
 
     /// The same in `f64`.
-    fn near(&self) -> Problem {
+    fn near(&self) -> TurntableProblem {
         let near = |x: T| -> f64 { x.into() };
         match *self {
-            Self::Polar { rho, p, psi } => Problem::Polar {
+            Self::Polar { rho, p, psi } => TurntableProblem::Polar {
                 rho: near(rho),
                 p: near(p),
                 psi: near(psi),
             },
-            Self::Hyperbolic { a, alpha, psi } => Problem::Hyperbolic {
+            Self::Hyperbolic { a, alpha, psi } => TurntableProblem::Hyperbolic {
                 a: near(a),
                 alpha: near(alpha),
                 psi: near(psi),
             },
-            Self::Cartesian { position, velocity } => Problem::Cartesian {
+            Self::Cartesian { position, velocity } => TurntableProblem::Cartesian {
                 position: position.map(near),
                 velocity: velocity.map(near),
             },
@@ -362,11 +362,11 @@ impl<T: Quantity> Problem<T> {
     }
 }
 
-impl Problem {
+impl TurntableProblem {
     fn start(&self) -> Result<Start, SolveError> {
         let start = match *self {
-            Problem::Polar { rho, p, psi } => Start::polar(rho, p, psi)?,
-            Problem::Hyperbolic { a, alpha, psi } => {
+            TurntableProblem::Polar { rho, p, psi } => Start::polar(rho, p, psi)?,
+            TurntableProblem::Hyperbolic { a, alpha, psi } => {
                 check(
                     "alpha",
                     alpha,
@@ -375,7 +375,9 @@ impl Problem {
                 )?;
                 Start::hyperbolic(a, alpha, psi)?
             }
-            Problem::Cartesian { position, velocity } => Start::cartesian(position, velocity)?,
+            TurntableProblem::Cartesian { position, velocity } => {
+                Start::cartesian(position, velocity)?
+            }
         };
         for (name, size) in [("rho", start.rho()), ("p", start.p)] {
             check(name, size, size <= LARGEST, "at most 1e6")?;
@@ -390,13 +392,13 @@ impl Problem {
             v: [p * libm::cos(psi), -p * libm::sin(psi)],
         };
         match *self {
-            Problem::Polar { rho, p, psi } => polar(rho, p, psi),
-            Problem::Hyperbolic { a, alpha, psi } => polar(
+            TurntableProblem::Polar { rho, p, psi } => polar(rho, p, psi),
+            TurntableProblem::Hyperbolic { a, alpha, psi } => polar(
                 printed::eq112_rho(a, alpha),
                 printed::eq111_p(a, alpha),
                 psi,
             ),
-            Problem::Cartesian { position, velocity } => State {
+            TurntableProblem::Cartesian { position, velocity } => State {
                 t: 0.0,
                 x: position,
                 v: velocity,

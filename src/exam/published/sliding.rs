@@ -79,7 +79,7 @@ impl Yield {
 
     /// A time history beside ours. With ε = ωh and a slip that lasts L, the trapezoidal rule errs by at most, in g/ω²: ε²L/12
     /// in the velocity, for |h″| ≤ 1, and ε²/8 for the kink at the start, both over L; ε²L/12 more in the way; and the last
-    /// cell is lost, ε²s/2 with a deceleration s < 2. To that comes what a velocity below [`RESTS`] adds in a cycle.
+    /// cell is lost, ε²s/2 with a deceleration s < 2. To that comes what a velocity below `RESTS` adds in a cycle.
     pub fn history(&self, case: &Shaken) -> Beside {
         let (scale, step) = (case.scale(HISTORY), TAU * case.frequency * STEP);
         let rule = self.lasts * (self.lasts / 12.0 + 1.0 / 8.0 + 1.0 / 12.0) + 1.0;

@@ -34,7 +34,7 @@ impl Turning {
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a parameter out of range, or a friction that is too small for it to roll in the
-    /// first moment of a step; [`MotionError::Numerics`] when the motion leaves the finite numbers.
+    /// first moment of a step; [`MotionError::Numerics`] after 50,000 steps, or when the motion leaves the finite numbers.
     pub fn roll(
         &self,
         sphere: &Sphere,

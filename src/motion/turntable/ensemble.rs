@@ -101,6 +101,8 @@ impl Horizon {
     /// The ends of these particles' ways, in their order. With the feature `parallel` all cores share the work; the result does
     /// not depend on how.
     ///
+    /// Cost: for each some fifty steps as a rule, and at most [`STEPS`] before it is followed alone.
+    ///
     /// # Errors
     /// [`MotionError::Argument`] for a horizon that is not positive and finite, a start that no constructor of
     /// [`Start`] gives, or one at rest beyond ρ = 1 (it starts by itself, and this time is not that of the ensemble).

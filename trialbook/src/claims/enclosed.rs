@@ -67,8 +67,8 @@ pub fn numbers<const N: usize>(
     evidence
 }
 
-/// A formula's value on balls, with `symbol` for each of its symbols; `None` where it has none, or where one of its
-/// functions is not known for balls.
+/// A formula's value on balls, with `symbol` for each of its symbols; `None` where it has none, or where it
+/// is too large.
 pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball>) -> Option<Ball> {
     let of = |x: Expr| on_balls(x, bits, symbol);
     Some(match formula.node() {
@@ -94,12 +94,50 @@ pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball
             Node::Int(n) => whole_power(&of(x)?, n, bits)?,
             Node::Binary(Binary::Div, n, two) => match (n.node(), two.node()) {
                 (Node::Int(n), Node::Int(2)) => whole_power(&of(x)?.sqrt()?, n, bits)?,
-                _ => return None,
+                _ => any_power(&of(x)?, &of(power)?)?,
             },
-            _ => return None,
+            Node::Neg(n) => match n.node() {
+                Node::Int(n) => Ball::int(1, bits).over(&whole_power(&of(x)?, n, bits)?)?,
+                _ => any_power(&of(x)?, &of(power)?)?,
+            },
+            _ => any_power(&of(x)?, &of(power)?)?,
         },
-        Node::Call(..) => return None,
+        Node::Call(Function::Exp, x) => of(x)?.exp()?,
+        Node::Call(Function::Ln, x) => of(x)?.ln()?,
+        Node::Call(Function::Acos, x) => {
+            Ball::pi(bits) * Ball::ratio(1, 2, bits)? - of(x)?.asin()?
+        }
+        Node::Call(Function::Tan, x) => {
+            let [sine, cosine] = of(x)?.sin_cos();
+            sine.over(&cosine)?
+        }
+        Node::Call(Function::Cot, x) => {
+            let [sine, cosine] = of(x)?.sin_cos();
+            cosine.over(&sine)?
+        }
+        Node::Call(Function::Sinh, x) => hyperbolic(&of(x)?)?[0].clone(),
+        Node::Call(Function::Cosh, x) => hyperbolic(&of(x)?)?[1].clone(),
+        Node::Call(Function::Tanh, x) => {
+            let [sine, cosine] = hyperbolic(&of(x)?)?;
+            sine.over(&cosine)?
+        }
+        Node::Call(Function::Coth, x) => {
+            let [sine, cosine] = hyperbolic(&of(x)?)?;
+            cosine.over(&sine)?
+        }
     })
+}
+
+/// The hyperbolic sine and cosine.
+fn hyperbolic(x: &Ball) -> Option<[Ball; 2]> {
+    let half = Ball::ratio(1, 2, x.bits())?;
+    let [grows, falls] = [x.exp()?, (-x).exp()?];
+    Some([&(&grows - &falls) * &half, &(&grows + &falls) * &half])
+}
+
+/// A power of a positive number.
+fn any_power(x: &Ball, power: &Ball) -> Option<Ball> {
+    (x.ln()? * power).exp()
 }
 
 /// The largest power that is multiplied out.

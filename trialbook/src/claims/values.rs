@@ -127,17 +127,15 @@ impl Value {
         }
     }
 
-    /// The number to all [known](Self::known) digits, rounded.
+    /// The number to all [known](Self::known) digits, rounded; a decimal fraction that is shorter, as it stands.
     ///
     /// # Errors
     /// A motion that cannot be followed.
     pub fn rounded(&self) -> Result<String, Failure> {
         let value = self.number()?;
-        let places = places(value, self.known());
-        Ok(match self.exactly(places) {
-            Some(exact) => exact,
-            None => format!("{value:.places$}"),
-        })
+        let all = places(value, ENCLOSED);
+        let exact = shortest(all, |places| self.exactly(places));
+        Ok(exact.unwrap_or_else(|| format!("{value:.*}", places(value, KNOWN))))
     }
 
     /// The number to all [known](Self::known) digits, cut off and not rounded.
@@ -180,27 +178,50 @@ fn places(value: f64, significant: usize) -> usize {
     usize::try_from(significant as i64 - 1 - power).unwrap_or(0)
 }
 
+/// Decimals to so many places after the point; fewer if the number ends before them, for as far as can be told.
+fn shortest(places: usize, decimals: impl Fn(usize) -> Option<String>) -> Option<String> {
+    // One that ends with a 5 half-way between two is no longer half-way at its last place.
+    let mut enough = places..places + 2;
+    let (places, text) = enough.find_map(|places| Some((places, decimals(places)?)))?;
+    let longer = decimals(places + ENCLOSED);
+    let more = longer.as_deref().and_then(|all| all.strip_prefix(&text));
+    let ends = more.is_some_and(|more| more.bytes().all(|c| matches!(c, b'0' | b'.')));
+    Some(match ends && text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    })
+}
+
 /// An expression's decimals to so many places after the point, correctly rounded; nothing where it cannot be enclosed.
 fn decimal(form: &str, places: usize) -> Option<String> {
     let formula = expression(form, fraction).ok()?;
-    let bits = bits_for(places) + 16;
-    on_balls(formula, bits, &|_| None)?.decimal(places)
+    // What the parts lose by their size, or by being nearly alike, more bits bring back.
+    let mut bits = (0..8).map(|doublings| bits_for(places) + (32 << doublings));
+    bits.find_map(|bits| on_balls(formula, bits, &|_| None)?.decimal(places))
 }
 
-/// A decimal number as the fraction that it is; nothing for a very long one.
+/// A decimal number as the fraction that it is; nothing for one with a large exponent.
 fn fraction(text: &str) -> Option<Expr> {
     let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
     let (whole, decimals) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let digits = Expr::int([whole, decimals].concat().parse().ok()?);
+    let digit = |sum: Expr, c: char| Some(sum * Expr::int(10) + Expr::int(c.to_digit(10)?.into()));
+    let all = [whole, decimals].concat();
+    let (first, rest) = all.split_at(all.len().min(18));
+    let digits = rest
+        .chars()
+        .try_fold(Expr::int(first.parse().ok()?), digit)?;
     let power = exponent.parse::<i64>().ok()? - i64::try_from(decimals.len()).ok()?;
     let ten = || Expr::int(10).pow(Expr::int(power.abs()));
-    match power {
-        -40..0 => Some(digits / ten()),
-        0 => Some(digits),
-        1..=40 => Some(digits * ten()),
-        _ => None,
+    match power.signum() {
+        _ if power.abs() > FARTHEST => None,
+        -1 => Some(digits / ten()),
+        1 => Some(digits * ten()),
+        _ => Some(digits),
     }
 }
+
+/// The largest power of ten in an expression.
+const FARTHEST: i64 = 300;
 
 /// Significant digits that every value is good for: the least come from a bisection on a motion.
 pub const KNOWN: usize = 11;

@@ -8,6 +8,14 @@ use crate::edition::{Failure, Format};
 use crate::ledger::plain_words;
 use std::fmt::Write;
 
+/// What is given, which may begin with a minus, unless it is a misspelt option.
+pub(super) fn no_option(given: &str) -> Result<String, &'static str> {
+    let option = given.starts_with("--");
+    (!option)
+        .then(|| given.to_owned())
+        .ok_or("there is no such option")
+}
+
 /// Finds the claims that carry a number, which may be given as an expression; the exit code is 1 if there is none.
 pub(super) fn find(paper: &Paper, given: &str, format: Format) -> Result<u8, Failure> {
     let number = decimal_of(given)?;
@@ -64,7 +72,7 @@ pub(super) fn all(paper: &Paper, format: Format) -> Result<u8, Failure> {
         Format::Text => {
             let mut text = String::new();
             for [name, value, closed, claim, meaning] in &rows {
-                let closed = written(Some(closed.as_str()).filter(|form| !form.is_empty()));
+                let closed = written(value, Some(closed.as_str()).filter(|form| !form.is_empty()));
                 let _ = writeln!(text, "{name} = {value}{closed}\n    {claim}: {meaning}");
             }
             show(&text)?;
@@ -82,9 +90,10 @@ pub(super) fn all(paper: &Paper, format: Format) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// A closed form behind its value.
-fn written(closed: Option<&str>) -> String {
-    closed.map_or(String::new(), |form| format!(" = {form}"))
+/// A closed form behind its value, where it is another one.
+fn written(value: &str, closed: Option<&str>) -> String {
+    let other = closed.filter(|form| *form != value);
+    other.map_or(String::new(), |form| format!(" = {form}"))
 }
 
 fn text(given: &str, number: &str, found: &[Match]) -> String {
@@ -101,7 +110,7 @@ fn text(given: &str, number: &str, found: &[Match]) -> String {
         .skip_while(|c| *c == '0')
         .count();
     for m in found {
-        let (value, closed) = (&m.value, written(m.closed));
+        let (value, closed) = (&m.value, written(&m.value, m.closed));
         let meaning = plain_words(m.meaning);
         let _ = writeln!(text, "{} = {value}{closed}  {meaning}", m.name);
         let _ = writeln!(text, "    claim: {}", m.claim);

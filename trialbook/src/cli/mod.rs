@@ -89,17 +89,11 @@ enum Command {
         /// Ids of claims, as `list` prints them
         #[arg(value_name = "ID")]
         ids: Vec<String>,
-        /// Only print what the round of this number brings
-        #[arg(long, hide = true, value_name = "N", conflicts_with = "depth")]
-        round: Option<u64>,
-        /// Only print the record of a deep run of this date
-        #[arg(long, hide = true, value_name = "DATE", requires = "depth", conflicts_with_all = ["ids", "json", "csv"])]
-        record: Option<String>,
         /// Only the rounds of the K-th of N equal parts of a deep run, for --parts
-        #[arg(long, value_name = "K/N", requires = "depth", conflicts_with_all = ["record", "json", "csv"])]
+        #[arg(long, value_name = "K/N", requires = "depth", conflicts_with_all = ["json", "csv"])]
         shard: Option<Shard>,
         /// Instead of trying, join what the parts of a deep run have printed, in any order: the same answer, byte for byte
-        #[arg(long, value_name = "FILE", requires = "depth", num_args = 1.., conflicts_with_all = ["round", "shard"])]
+        #[arg(long, value_name = "FILE", requires = "depth", num_args = 1.., conflicts_with = "shard")]
         parts: Vec<PathBuf>,
     },
     /// Seed mistakes in the formulas, and see which trial notices which: some minutes for all claims
@@ -152,7 +146,7 @@ enum Command {
     /// Exit code 1 if there is none. A single digit has to be all of the number.
     Find {
         /// The number, as it is printed somewhere, or an expression such as `2/sqrt(4+pi^2)`; all numbers if none is given
-        #[arg(allow_negative_numbers = true)]
+        #[arg(allow_hyphen_values = true, value_parser = find::no_option)]
         number: Option<String>,
     },
     /// Print the manual page
@@ -223,12 +217,29 @@ pub fn command(edition: &Edition) -> clap::Command {
     ))
 }
 
+// The options that the program gives to itself, and whoever renews the record: no help and no completion names them. A
+// comment of documentation would become the help of `verify`.
+#[derive(Args)]
+struct Inner {
+    /// Only print what the round of this number brings
+    #[arg(long, hide = true, value_name = "N", conflicts_with_all = ["depth", "shard", "parts"])]
+    round: Option<u64>,
+    /// Only print the record of a deep run of this date
+    #[arg(long, hide = true, value_name = "DATE", requires = "depth", conflicts_with_all = ["ids", "shard", "json", "csv"])]
+    record: Option<String>,
+}
+
+/// What the command line may say, and what help and completion leave out.
+fn whole(edition: &Edition) -> clap::Command {
+    command(edition).mut_subcommand("verify", Inner::augment_args)
+}
+
 /// Where the commands of the paper's own stand in the help: behind `certify`.
 const OWN: usize = 7;
 
 /// Runs the command line of this process.
 pub fn run(edition: &Edition) -> ExitCode {
-    let answered = match command(edition).try_get_matches() {
+    let answered = match whole(edition).try_get_matches() {
         Ok(matches) => answer(edition, &matches),
         Err(help) => told(&help),
     };
@@ -289,23 +300,14 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
     }
     let paper = edition.paper;
     match Command::from_arg_matches(matches)? {
-        Command::Verify {
-            ids,
-            round: Some(round),
-            ..
-        } => ledger::round(edition, &ids, round),
-        Command::Verify {
-            ids,
-            shard: Some(shard),
-            ..
-        } => deep::part(&ids::known_all(edition, &ids)?, shard, &depth),
-        Command::Verify {
-            ids, record, parts, ..
-        } => {
+        Command::Verify { ids, shard, parts } => {
+            let Inner { round, record } = Inner::from_arg_matches(of_command)?;
             let depth = deep::Depth { parts, ..depth };
-            match record {
-                Some(date) => ledger::record(paper, &date, &depth),
-                None => ledger::verify(edition, &ids, &depth, format),
+            match (round, shard, record) {
+                (Some(round), ..) => ledger::round(edition, &ids, round),
+                (_, Some(shard), _) => deep::part(&ids::known_all(edition, &ids)?, shard, &depth),
+                (.., Some(date)) => ledger::record(paper, &date, &depth),
+                _ => ledger::verify(edition, &ids, &depth, format),
             }
         }
         Command::Distrust { ids } => {
@@ -413,7 +415,7 @@ mod tests {
             ..Edition::of("stone", &Paper::BLANK)
         };
         let out = out.to_str().ok_or("no name")?;
-        let said = command(&edition).get_matches_from(["stone", "--csv", "--out", out]);
+        let said = whole(&edition).get_matches_from(["stone", "--csv", "--out", out]);
         answer(&edition, &said)
     }
 

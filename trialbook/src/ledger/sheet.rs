@@ -38,7 +38,7 @@ impl Entry {
                 Sort::Reading => "our reading",
                 Sort::Remark => "our remark",
             };
-            let _ = writeln!(text, "{by}: {}", condition.text);
+            let _ = writeln!(text, "{by}: {}", plain_words(condition.text));
         }
         let _ = writeln!(text, "verdict: {}", self.judgement.verdict.words());
         if let Some(words) = self.in_short() {

@@ -14,6 +14,14 @@
 //! polynomials ([`piecewise`]).
 //!
 //! Every door returns a typed error instead of a number that is not one, and none of them can run forever.
+// Where it is not built, its name leads to the feature that brings it.
+#![cfg_attr(
+    not(feature = "trials"),
+    doc = "",
+    doc = "[`dop853`]: crate#features",
+    doc = "[`quadrature`]: crate#features",
+    doc = "[`fit`]: crate#features"
+)]
 
 pub mod batch;
 #[cfg(feature = "trials")]

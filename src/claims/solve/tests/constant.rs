@@ -1,12 +1,12 @@
 //! Launched particles.
 
 use super::*;
-use crate::claims::solve::constant::{At, Formulas, Problem};
+use crate::claims::solve::constant::{At, ConstantProblem, Formulas};
 use crate::corrections::constant as corrected;
 use std::f64::consts::PI;
 
-fn constant([lambda, v0, theta0, accel]: [f64; 4], at: At) -> Problem {
-    Problem {
+fn constant([lambda, v0, theta0, accel]: [f64; 4], at: At) -> ConstantProblem {
+    ConstantProblem {
         lambda,
         v0,
         theta0,

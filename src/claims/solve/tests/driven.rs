@@ -8,7 +8,7 @@ use std::f64::consts::{PI, TAU};
 
 #[test]
 fn sinusoidal_motions() {
-    let solve = |lambda0| sinusoidal::Problem { lambda0 }.solve().unwrap();
+    let solve = |lambda0| sinusoidal::SinusoidalProblem { lambda0 }.solve().unwrap();
     let small = solve(0.3);
     assert_eq!(word(&small), "two-zeros");
     agrees(
@@ -34,12 +34,16 @@ fn sinusoidal_motions() {
     assert_eq!(solve(2.0).best, sinusoidal::AT_REST);
     assert_eq!(solve(0.5).best.regime, "two-zeros");
     assert_eq!(solve(0.5371).best.regime, "two-rests");
-    assert!(sinusoidal::Problem { lambda0: 0.0 }.solve().is_err());
+    assert!(
+        sinusoidal::SinusoidalProblem { lambda0: 0.0 }
+            .solve()
+            .is_err()
+    );
 }
 
 #[test]
 fn pulses() {
-    let solve = |eta, lambda0| periodic::Problem { eta, lambda0 }.solve().unwrap();
+    let solve = |eta, lambda0| periodic::PeriodicProblem { eta, lambda0 }.solve().unwrap();
     let small = solve(0.5, 0.3);
     assert_eq!(word(&small), "two-zeros");
     agrees(
@@ -74,7 +78,11 @@ fn pulses() {
 
 #[test]
 fn anisotropic_motions() {
-    let solve = |q, lambda0| anisotropic::Problem { q, lambda0 }.solve().unwrap();
+    let solve = |q, lambda0| {
+        anisotropic::AnisotropicProblem { q, lambda0 }
+            .solve()
+            .unwrap()
+    };
     // q, λ₀, region, positive, negative, rests, drift.
     let cases = [
         (
@@ -168,7 +176,9 @@ fn formula_and_motion_name_the_same_region_all_over_the_plane() {
                 libm::exp(-1.2 + 0.09 * f64::from(i)),
                 0.0131 + 0.0333 * f64::from(j),
             );
-            let answer = anisotropic::Problem { q, lambda0 }.solve().unwrap();
+            let answer = anisotropic::AnisotropicProblem { q, lambda0 }
+                .solve()
+                .unwrap();
             assert!(answer.digits >= Some(10), "{q} {lambda0}: {answer:?}");
         }
     }
@@ -176,7 +186,11 @@ fn formula_and_motion_name_the_same_region_all_over_the_plane() {
 
 #[test]
 fn the_digits_of_a_small_drift_are_its_own() {
-    let solve = |q, lambda0| anisotropic::Problem { q, lambda0 }.solve().unwrap();
+    let solve = |q, lambda0| {
+        anisotropic::AnisotropicProblem { q, lambda0 }
+            .solve()
+            .unwrap()
+    };
     // q, λ₀, positive, drift, by quadrature with forty digits.
     for (q, lambda0, positive, drift) in [
         (1.2, 0.999_999_9, 1.341_640_806_27e-3, 4.5e-14),
@@ -211,7 +225,9 @@ fn the_note_says_where_the_printed_list_errs() {
         // Every third point lies between the curve E and C, or close below C.
         let reach = if i % 3 == 0 { 1.0 } else { 1.3 * q };
         let lambda0 = (0.01 + reach * random.f64()) / q;
-        let answer = anisotropic::Problem { q, lambda0 }.solve().unwrap();
+        let answer = anisotropic::AnisotropicProblem { q, lambda0 }
+            .solve()
+            .unwrap();
         let listed = region(lambda0, &Curves::at(q).unwrap().printed).unwrap();
         let errs = ["I", "II", "III", "IV", "V"][listed - 1] != answer.best.region;
         erring += usize::from(errs);

@@ -1,10 +1,10 @@
 //! The turntable's boundary.
 
-use crate::claims::solve::rest::Problem;
+use crate::claims::solve::rest::BoundaryProblem;
 
 #[test]
 fn the_boundary_by_bisection_and_near_the_corner() {
-    let solve = |alpha, psi| Problem { alpha, psi }.solve().unwrap();
+    let solve = |alpha, psi| BoundaryProblem { alpha, psi }.solve().unwrap();
     assert_eq!(solve(0.0, 1.0).best.a, 1.0);
     let near = solve(1e-7, 0.5);
     assert!((near.best.a - (1.0 - 1e-7 * 0.25_f64.cos().powi(2))).abs() < 1e-13);

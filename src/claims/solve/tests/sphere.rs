@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::claims::solve::constant::At;
-use crate::claims::solve::sphere::{Problem, State};
+use crate::claims::solve::sphere::{SphereProblem, SphereState};
 use std::f64::consts::PI;
 
 #[test]
@@ -55,7 +55,7 @@ fn spheres_by_time_and_back_by_angle() {
         ),
     ];
     for ([gamma, u0, theta0, kappa, tau], [u, theta, u_x, u_y, zeta_x, zeta_y]) in cases {
-        let problem = |at| Problem {
+        let problem = |at| SphereProblem {
             gamma,
             u0,
             theta0,
@@ -81,7 +81,7 @@ fn spheres_by_time_and_back_by_angle() {
 
 #[test]
 fn a_sphere_rolls_on_with_the_spin_that_rolling_gives() {
-    let problem = |at| Problem {
+    let problem = |at| SphereProblem {
         gamma: 1.0,
         u0: 1.0,
         theta0: PI,
@@ -97,8 +97,8 @@ fn a_sphere_rolls_on_with_the_spin_that_rolling_gives() {
 }
 
 /// A solid sphere: κ = 2/5, where b = 7/2.
-fn solid(gamma: f64, u0: f64, theta0: f64, at: At) -> Answer<State> {
-    let problem = Problem {
+fn solid(gamma: f64, u0: f64, theta0: f64, at: At) -> Answer<SphereState> {
+    let problem = SphereProblem {
         gamma,
         u0,
         theta0,
@@ -142,7 +142,7 @@ fn slip_along_the_axis_ends_when_uniform_deceleration_says() {
     }
     // Against it, where friction only just holds: it falls at the rate b + γ = 7.
     let solid = |gamma: f64, u0: f64, theta0: f64, at: At| {
-        let problem = Problem {
+        let problem = SphereProblem {
             gamma: Double::from(gamma),
             u0: u0.into(),
             theta0: theta0.into(),
@@ -195,7 +195,7 @@ fn a_sphere_that_was_thrown_aslant_rolls_with_the_angle_to_which_its_slip_tended
 #[test]
 fn an_angle_that_only_the_formula_reaches_has_an_answer() {
     for (gamma, theta) in [(0.1, 0.01), (0.01, 0.5), (1.0, 1e-8)] {
-        let problem = Problem {
+        let problem = SphereProblem {
             gamma,
             u0: 1.0,
             theta0: 1.0,
@@ -221,7 +221,7 @@ fn an_angle_that_only_the_formula_reaches_has_an_answer() {
 #[test]
 fn the_strongest_pushes_are_followed_and_faster_ones_refused() {
     let solve = |gamma, theta0, u0, time| {
-        let problem = Problem {
+        let problem = SphereProblem {
             gamma,
             u0,
             theta0,

@@ -1,11 +1,11 @@
 //! The turntable.
 
 use super::*;
-use crate::claims::solve::turntable::{Moment, Problem};
+use crate::claims::solve::turntable::{Moment, TurntableProblem};
 
 #[test]
 fn fates_on_the_table() {
-    let polar = |rho, p, psi| Problem::Polar { rho, p, psi };
+    let polar = |rho, p, psi| TurntableProblem::Polar { rho, p, psi };
     // ρ, p, ψ; σ, τ.
     for ([rho, p, psi], [sigma, tau]) in [
         ([0.5, 0.3, 1.0], [0.5388513871127943, 0.47019289739479453]),
@@ -33,13 +33,13 @@ fn fates_on_the_table() {
 #[test]
 fn the_three_ways_to_give_a_start_agree() {
     let (rho, p, psi): (f64, f64, f64) = (0.5, 0.3, 1.0);
-    let polar = Problem::Polar { rho, p, psi };
-    let hyperbolic = Problem::Hyperbolic {
+    let polar = TurntableProblem::Polar { rho, p, psi };
+    let hyperbolic = TurntableProblem::Hyperbolic {
         a: (rho * rho - p * p).sqrt(),
         alpha: (p / rho).atanh(),
         psi,
     };
-    let cartesian = Problem::Cartesian {
+    let cartesian = TurntableProblem::Cartesian {
         position: [0.0, rho],
         velocity: [p * psi.sin(), p * psi.cos()],
     };
@@ -53,7 +53,7 @@ fn the_three_ways_to_give_a_start_agree() {
 
 #[test]
 fn moments_on_the_table() {
-    let at = |rho, p, psi, tau| Problem::Polar { rho, p, psi }.at(tau).unwrap();
+    let at = |rho, p, psi, tau| TurntableProblem::Polar { rho, p, psi }.at(tau).unwrap();
     agrees(
         &at(0.5, 0.3, 1.0, 0.2),
         &[
@@ -92,7 +92,7 @@ fn moments_on_the_table() {
 fn a_start_from_rest_goes_straight_out_wherever_it_is() {
     for angle in [0.3, 1.7, 3.0, -2.2_f64] {
         let out = [angle.cos(), angle.sin()];
-        let start = Problem::Cartesian {
+        let start = TurntableProblem::Cartesian {
             position: out.map(|c| 2.0 * c),
             velocity: [0.0; 2],
         };
@@ -116,7 +116,7 @@ fn a_start_from_rest_goes_straight_out_wherever_it_is() {
 fn rest_has_no_angle_whatever_the_signs_of_its_zeros() {
     for (x, y) in [(-0.5, -0.3), (0.5, 0.0), (-0.5, 0.0), (0.0, 0.0)] {
         for zero in [0.0, -0.0] {
-            let start = Problem::Cartesian {
+            let start = TurntableProblem::Cartesian {
                 position: [x, y],
                 velocity: [zero, -zero],
             };
@@ -126,7 +126,7 @@ fn rest_has_no_angle_whatever_the_signs_of_its_zeros() {
     }
     let mut rng = fastrand::Rng::with_seed(20);
     for _ in 0..40 {
-        let start = Problem::Polar {
+        let start = TurntableProblem::Polar {
             rho: rng.f64(),
             p: rng.f64(),
             psi: 6.0 * rng.f64() - 3.0,
@@ -141,11 +141,11 @@ fn a_typed_decimal_is_taken_as_it_stands() {
     // 1 − 0.999999 = 10⁻⁶, as no f64 has it. By an implicit integration in ln p, 1 − ρ and ψ.
     let given = ["0.999999", "0.000001", "0"].map(|text| text.parse::<Double>().unwrap());
     let [rho, p, psi] = given;
-    let answer = Problem::Polar { rho, p, psi }.fate().unwrap();
+    let answer = TurntableProblem::Polar { rho, p, psi }.fate().unwrap();
     assert_eq!(answer.digits, Some(15));
     let tau = answer.best.tau_rest.unwrap();
     assert!((tau - 7.4570627).abs() < 5e-8, "{tau}");
-    let near = Problem::Polar {
+    let near = TurntableProblem::Polar {
         rho: 0.999999,
         p: 0.000001,
         psi: 0.0,

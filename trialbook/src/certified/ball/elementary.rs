@@ -1,6 +1,7 @@
-//! π, the sine and the cosine, the inverse sine, to any number of bits.
+//! π, the sine and the cosine, the inverse sine, the exponential function and the logarithm, to any number of bits.
 
 use super::Ball;
+use crate::certified::interval::Interval;
 use crate::certified::root::refine;
 use crate::scalar::Scalar;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
@@ -8,6 +9,9 @@ use dashu_int::{IBig, UBig};
 
 /// Of arguments from 2 to the power of this on, the sine and the cosine are not told.
 const LARGEST: usize = 32;
+
+/// Of arguments from 2 to the power of this on, the exponential function is not told.
+const LARGEST_POWER: usize = 10;
 
 impl Ball {
     /// The circle's ratio, by the series of the Chudnovskys,
@@ -100,6 +104,62 @@ impl Ball {
         })
     }
 
+    /// The exponential function; `None` for a ball that is wider than 1 or reaches 2¹⁰.
+    pub fn exp(&self) -> Option<Self> {
+        let one = UBig::ONE << self.bits;
+        let size = self.mid.clone().unsigned_abs().bit_len();
+        let size = size.saturating_sub(self.bits);
+        if size > LARGEST_POWER || self.rad > one {
+            return None;
+        }
+        // x is halved so often that few terms are left, and the result squared as often; it is below 2 to the growth.
+        let halvings = (self.bits as f64).sqrt() as usize / 3 + 3 + size;
+        let growth = (3 << size) / 2 + 2;
+        let extra = halvings + growth + 16;
+        let work = self.bits + extra;
+        let (mut e, mut miss) = exponential_of_small(&self.mid << (extra - halvings), work);
+        for _ in 0..halvings {
+            // |x² − e²| ≤ (2e + |x − e|) |x − e|, and a unit is cut off.
+            miss = (((&e * 2u8 + &miss) * &miss) >> work) + 2u8;
+            e = (&e * &e) >> work;
+        }
+        let mid = e >> extra;
+        let rad = (miss >> extra) + 2u8;
+        // |exp x − exp m| ≤ 2 exp m |x − m| as far as 1.
+        let spread = ((&mid + &rad) * 2u8 * &self.rad) >> self.bits;
+        Some(Ball {
+            mid: mid.into(),
+            rad: rad + spread + 1u8,
+            bits: self.bits,
+        })
+    }
+
+    /// The natural logarithm; `None` unless all of the ball is positive.
+    pub fn ln(&self) -> Option<Self> {
+        if self.bounds()[0] <= IBig::ZERO {
+            return None;
+        }
+        let work = self.bits + 16;
+        let root = |x: &Ball, start: Interval| {
+            let equation = |y: &Ball| y.exp().map(|e| [&e - x, e]);
+            Some(refine(equation, start, work).ok()?.value)
+        };
+        // The middle is 2ᵏ y, with y from 1/2 to 1.
+        let length = self.mid.clone().unsigned_abs().bit_len();
+        let k = length as i64 - self.bits as i64;
+        let y = Ball {
+            mid: self.mid.clone(),
+            rad: UBig::ZERO,
+            bits: length,
+        };
+        let y = y.with_bits(work.max(length));
+        let of_y = root(&y, Scalar::ln(y.interval()).widened(1e-3))?;
+        let of_2 = root(&Self::int(2, work), Interval::new(0.69, 0.7))?;
+        let of_middle = (of_y + Self::int(k, work) * of_2).with_bits(self.bits);
+        // ln x − ln m = (x − m)/z with a z between m and x.
+        Some(of_middle + (self - &self.middle()).over(self)?)
+    }
+
     /// n/m; `None` for m = 0.
     pub fn ratio(n: i64, m: i64, bits: usize) -> Option<Self> {
         Self::int(n, bits).over(&Self::int(m, bits))
@@ -133,6 +193,19 @@ fn sine_of_small(t: IBig, work: usize) -> (IBig, UBig) {
     }
     // Each term is off by less than two units, what is left out by less than the last term and its error.
     (sum, UBig::from(k + 4))
+}
+
+/// The exponential function of t (in units 2⁻ʷᵒʳᵏ, below 1/8), by its series, and by how many units it may be off.
+fn exponential_of_small(t: IBig, work: usize) -> (UBig, UBig) {
+    let (mut sum, mut term) = (IBig::ONE << work, IBig::ONE << work);
+    let mut k = 1u32;
+    while term != IBig::ZERO {
+        term = ((term * &t) >> work) / k;
+        sum += &term;
+        k += 1;
+    }
+    // Each term is off by less than two units, and so is all that is left out.
+    (sum.unsigned_abs(), UBig::from(2 * k + 2))
 }
 
 #[cfg(test)]

@@ -18,7 +18,11 @@ fn the_radius_covers_what_more_bits_show() {
         let x = Ball::ratio(7 * k + 3, 11, 120).unwrap();
         let fine = Ball::ratio(7 * k + 3, 11, 400).unwrap();
         let pairs = x.sin_cos().into_iter().zip(fine.sin_cos());
-        for (coarse, fine) in pairs.chain([(&x * &x, &fine * &fine)]) {
+        let powers = (x.exp().unwrap(), fine.exp().unwrap());
+        let logs = x.ln().zip(fine.ln());
+        assert_eq!(logs.is_some(), k >= 0);
+        let more = [(&x * &x, &fine * &fine), powers];
+        for (coarse, fine) in pairs.chain(more).chain(logs) {
             assert!(coarse.meets(&fine), "{k}");
             assert!(coarse.known_bits() > 100, "{k}");
         }
@@ -35,9 +39,24 @@ fn functions_fulfil_their_equations() {
         assert!((&s * &s + &c * &c).meets(&Ball::int(1, 500)));
         let root = x.sqrt().unwrap();
         assert!((&root * &root).meets(&x));
+        let log = x.ln().unwrap();
+        let back = log.exp().unwrap();
+        assert!(back.meets(&x) && back.known_bits() > 480);
+        let (power, inverse) = (x.exp().unwrap(), (-&x).exp().unwrap());
+        assert!((&power * &inverse).meets(&Ball::int(1, 500)) && inverse.known_bits() > 480);
     }
+    // e and the logarithm of 10³⁰, by their decimals.
+    let e = Ball::int(1, 120).exp().unwrap();
+    assert_eq!(e.decimal(30).unwrap(), "2.718281828459045235360287471353");
+    let large = whole_power_of_ten(30).ln().unwrap();
+    assert_eq!(large.decimal(25).unwrap(), "69.0775527898213705205397436");
     let [s, c] = Ball::pi(300).sin_cos();
     assert!(s.holds_zero() && s.known_bits() > 290 && c.meets(&Ball::int(-1, 300)));
+}
+
+fn whole_power_of_ten(n: usize) -> Ball {
+    let ten = Ball::int(10, 120);
+    std::iter::repeat_n(&ten, n).fold(Ball::int(1, 120), |power, ten| &power * ten)
 }
 
 #[test]
@@ -57,6 +76,10 @@ fn what_has_no_value_is_none() {
     assert!(around_zero.sqrt().is_none());
     assert!(Ball::int(1, 60).over(&around_zero).is_none());
     assert!(around_zero.asin().is_none());
+    assert!(around_zero.ln().is_none() && Ball::int(-1, 60).ln().is_none());
+    assert!(Ball::int(1 << 10, 60).exp().is_none() && Ball::int(1000, 60).exp().is_some());
+    let wide = Ball::enclosing(Interval::new(-2.0, 2.0), 60).unwrap();
+    assert!(wide.exp().is_none());
     assert!(Ball::enclosing(Interval::WHOLE, 60).is_none());
 }
 
@@ -73,6 +96,8 @@ proptest! {
         let known = [
             ("sqrt", ball.sqrt(), libm::sqrt as fn(f64) -> f64),
             ("asin", ball.asin(), libm::asin),
+            ("exp", ball.exp(), libm::exp),
+            ("ln", ball.ln(), libm::log),
             ("1/x", Ball::int(1, bits).over(&ball), |x| 1.0 / x),
             ("sin", Some(ball.sin_cos()[0].clone()), libm::sin),
             ("cos", Some(ball.sin_cos()[1].clone()), libm::cos),

@@ -1,6 +1,7 @@
 //! The search for a number among the known ones, digit by digit.
 
-use super::{ENCLOSED, Value, decimal, places};
+use super::{ENCLOSED, Value, decimal, fraction, on_balls, places, shortest};
+use crate::certified::ball::Ball;
 use crate::claims::compare::Failure;
 use crate::numerics::expression::expression;
 use serde::Serialize;
@@ -52,14 +53,14 @@ const LONGEST: usize = 1000;
 /// Wrong numbers are graded if at least so many of their first digits are right.
 const ENOUGH: usize = 3;
 
-/// Digits that are asked of an expression which cannot be enclosed.
-const COMPUTED: usize = 14;
+/// An expression is 0 if with twice 32 bits, doubled so often, it cannot be told from it.
+const FINEST: usize = 7;
 
-/// The decimal number that a text is: itself, or the value of an expression such as `2/sqrt(4+pi^2)` to as many digits
-/// as can be had.
+/// The decimal number that a text is: itself, or the value of an expression such as `2/sqrt(4+pi^2)`, rounded to
+/// twenty digits.
 ///
 /// # Errors
-/// A text that is neither, and an expression that is 0 or no finite number.
+/// A text that is neither, and an expression that is 0, has no value or has one beyond floating-point numbers.
 pub fn decimal_of(given: &str) -> Result<String, Failure> {
     let fits = given
         .parse::<f64>()
@@ -67,23 +68,51 @@ pub fn decimal_of(given: &str) -> Result<String, Failure> {
     if fits && Digits::read(given).is_some() {
         return Ok(given.to_owned());
     }
-    let value: f64 = expression(given, |digits| digits.parse().ok()).map_err(|e| e.to_string())?;
-    if !value.is_finite() {
-        return Err(format!("`{given}` has no finite value").into());
+    let formula = expression(given, fraction).map_err(|e| e.to_string())?;
+    let ball = |bits| on_balls(formula, bits, &|_| None);
+    let mut bits = (1..=FINEST).map(|doublings| 32 << doublings);
+    let told = bits.find(|bits| ball(*bits).is_some_and(|ball| !ball.holds_zero()));
+    let value = told.and_then(|bits| size(&ball(2 * bits)?));
+    match value.filter(|value| value.is_finite()) {
+        None if ball(32 << FINEST).is_some() && told.is_none() => {
+            Err(format!("`{given}` is 0, or not to be told from it").into())
+        }
+        None => Err(format!("`{given}` has no finite value, or too large a one").into()),
+        Some(value) => {
+            let all = places(value, ENCLOSED);
+            let text = shortest(all, |places| decimal(given, places));
+            let text = text.map(|text| with_power(&text));
+            Ok(text.ok_or_else(|| format!("the digits of `{given}` cannot be told"))?)
+        }
     }
-    if value == 0.0 {
-        return Err(NotDecimal(given.to_owned()).into());
+}
+
+/// The number in a ball that does not hold 0, about.
+fn size(ball: &Ball) -> Option<f64> {
+    let value = ball.interval().mid();
+    if value.abs() > 1.0 {
+        return Some(value);
     }
-    let size = value.abs();
-    let exact = (1e-30..1e30)
-        .contains(&size)
-        .then(|| decimal(given, places(value, ENCLOSED)));
-    Ok(exact
-        .flatten()
-        .unwrap_or_else(|| match (1e-4..1e13).contains(&size) {
-            true => format!("{value:.*}", places(value, COMPUTED)),
-            false => format!("{value:.*e}", COMPUTED - 1),
-        }))
+    // In an interval as narrow as that a small number would lose its digits.
+    let inverse = Ball::int(1, ball.bits()).over(ball)?;
+    Some(1.0 / inverse.interval().mid())
+}
+
+/// A number that begins with many zeros, with a power of ten.
+fn with_power(text: &str) -> String {
+    let digits = text.trim_start_matches(['-', '0', '.']);
+    match text.split_once('.') {
+        Some((_, decimals)) if decimals.len() > digits.len() + 3 => {
+            let (sign, power) = (
+                if text.starts_with('-') { "-" } else { "" },
+                decimals.len() - digits.len() + 1,
+            );
+            let (first, rest) = digits.split_at(1);
+            let point = if rest.is_empty() { "" } else { "." };
+            format!("{sign}{first}{point}{rest}e-{power}")
+        }
+        _ => text.to_owned(),
+    }
 }
 
 /// Of `values`, those that agree with `given` to all of its digits; if there is none, those that begin like it, with the
