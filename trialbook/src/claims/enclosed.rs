@@ -97,7 +97,7 @@ pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball
                 _ => any_power(&of(x)?, &of(power)?)?,
             },
             Node::Neg(n) => match n.node() {
-                Node::Int(n) => Ball::int(1, bits).over(&whole_power(&of(x)?, n, bits)?)?,
+                Node::Int(n) => whole_power(&of(x)?, n.checked_neg()?, bits)?,
                 _ => any_power(&of(x)?, &of(power)?)?,
             },
             _ => any_power(&of(x)?, &of(power)?)?,
@@ -143,10 +143,17 @@ fn any_power(x: &Ball, power: &Ball) -> Option<Ball> {
 /// The largest power that is multiplied out.
 const LARGEST_POWER: usize = 1000;
 
-/// xⁿ for n from 0 to [`LARGEST_POWER`].
+/// xⁿ for n of at most [`LARGEST_POWER`] in size.
 fn whole_power(x: &Ball, n: i64, bits: usize) -> Option<Ball> {
-    let factors = usize::try_from(n).ok().filter(|n| *n <= LARGEST_POWER)?;
-    Some(std::iter::repeat_n(x, factors).fold(Ball::int(1, bits), |power, x| &power * x))
+    let factors = usize::try_from(n.unsigned_abs()).ok()?;
+    if factors > LARGEST_POWER {
+        return None;
+    }
+    let power = std::iter::repeat_n(x, factors).fold(Ball::int(1, bits), |power, x| &power * x);
+    match n {
+        0.. => Some(power),
+        _ => Ball::int(1, bits).over(&power),
+    }
 }
 
 #[cfg(test)]
@@ -166,6 +173,44 @@ mod tests {
         for (formula, whole) in [(power(3, 2), 8), (x().pow(Expr::int(5)), 32)] {
             assert!(value(formula).meets(&Ball::int(whole, 64)));
         }
-        assert!(on_balls(power(1, 3), 64, &two).is_none());
+        let root = value(power(1, 3));
+        assert!((&root * &root * &root).meets(&Ball::int(4, 64)) && root.known_bits() > 50);
+        let negative = |of: &str| (of == "x").then(|| Ball::int(-2, 64));
+        let cube = x().pow(Expr::int(-3));
+        assert!(
+            on_balls(cube, 64, &negative)
+                .unwrap()
+                .meets(&Ball::ratio(-1, 8, 64).unwrap())
+        );
+        assert!(on_balls(x().pow(Expr::int(1) / Expr::int(3)), 64, &negative).is_none());
+    }
+
+    #[test]
+    fn functions_on_balls_are_those_of_numbers() {
+        let third = |_: &str| Ball::ratio(1, 3, 64);
+        let x = Expr::symbol("x");
+        for formula in [
+            x.sin(),
+            x.cos(),
+            x.tan(),
+            x.asin(),
+            x.acos(),
+            x.sinh(),
+            x.cosh(),
+            x.tanh(),
+            x.exp(),
+            x.ln(),
+            x.sqrt(),
+            x.pow(x),
+            x.cosh() / x.sinh(),
+        ] {
+            let ball = on_balls(formula, 64, &third).unwrap();
+            let number = formula.evaluate(&|_| Some(1.0_f64 / 3.0)).unwrap();
+            assert!(
+                ball.interval().widened(1e-14).contains(number),
+                "{formula:?}"
+            );
+            assert!(ball.known_bits() > 50, "{formula:?}");
+        }
     }
 }
