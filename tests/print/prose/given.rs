@@ -10,9 +10,9 @@ use crate::hold::Library;
 use slipbook::exact::Expr;
 use slipbook::exact::latex::{Value, statements};
 
-/// How a formula is listed that nothing tries: it says for which values something is said; what a name means; how one thing
-/// follows from another, or what is so; or it is an expression within a sentence.
-pub const NOT_TRIED: [&str; 4] = ["case", "name", "open", "term"];
+/// How a formula is listed that nothing tries: it says for which values something is said; what a name means; or it is an
+/// expression within a sentence.
+pub const NOT_TRIED: [&str; 3] = ["case", "name", "term"];
 
 /// Whether a formula holds where this is given; if not, why.
 pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String> {
