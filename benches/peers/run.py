@@ -47,7 +47,7 @@ ROWS = [
      "w5_symbolic.py --peer sympy-halfangle --repeats 3"),
     ("everything, against five figures", "w6-everything", "main job", 1, "SciPy and matplotlib",
      "w6_notebook.py --peer script --repeats 2"),
-    ("answer of an explorer, in the reader's browser", "w7-explorer", "w7_explorer.py --peer slipbook", 1, "SciPy with events",
+    ("answer of an explorer, in WebAssembly", "w7-explorer", "w7_explorer.py --peer slipbook", 1, "SciPy with events",
      "w7_explorer.py --peer scipy"),
     ("from nothing to everything, against five figures", "w8-fresh", "w8_fresh.py --peer slipbook", 1, "SciPy and matplotlib",
      "w8_fresh.py --peer scipy"),
