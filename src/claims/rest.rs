@@ -6,6 +6,7 @@ pub mod certified;
 mod dichotomy;
 pub mod exact;
 pub mod excepted;
+pub mod fates;
 pub mod radius;
 pub mod stops;
 pub mod surfaces;

@@ -353,6 +353,111 @@ pub fn basin(list: &[Basin]) -> Result<Figure, FigureError> {
     plot.figure(table)
 }
 
+/// Fates at one A: simulated, and proved on both sides of a line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fates {
+    /// A.
+    pub a: f64,
+    /// Cells along each side; cells row by row from the lowest α, true for rest.
+    pub side: usize,
+    /// Rest or not, by simulation.
+    pub simulated: Vec<bool>,
+    /// Largest α.
+    pub reach: f64,
+    /// (ψ, α) below which all are proved to come to rest.
+    pub rests: Vec<[f64; 2]>,
+    /// (ψ, α) above which all are proved to escape.
+    pub escapes: Vec<[f64; 2]>,
+    /// (ψ, α) on the boundary, by simulation, in the part that is shown larger.
+    pub found: Vec<[f64; 2]>,
+}
+
+/// Maps of fates, and a part of the last one so large that the gap between what is proved on both sides is seen.
+///
+/// Fails as [`Plot::figure`] and [`Raster::new`] do.
+pub fn fates(list: &[Fates]) -> Result<Figure, FigureError> {
+    use std::f64::consts::PI;
+    let mut table = Table::new(&["A", "psi (rad)", "alpha", "proved"]);
+    let mut plot = Plot::new("rest-fates", "Who comes to rest, proved")
+        .caption(
+            "Sections through the phase space. Shaded: cells whose middle comes to rest, by simulation. The two lines, \
+             which cannot be told apart, are proved by validated integration: from every start below the lower one the \
+             particle comes to rest, from every start above the upper one it escapes. The last panel shows a piece of the panel \
+             before it so large that there are two; the dots between them are the simulated boundary.",
+        )
+        .alt(
+            "Three panels with ψ from −π to π to the right and α from 0 to 1.5 upwards. Shaded is what lies below a curve that \
+             is lowest near ψ = 0 and rises towards both sides; the larger A, the lower it runs. In the last panel two lines \
+             run side by side, with dots between them.",
+        )
+        .columns(2);
+    let angles = [(-PI, "−π"), (0.0, "0"), (PI, "π")];
+    for map in list {
+        for (proved, edge) in [("rest", &map.rests), ("escape", &map.escapes)] {
+            for [psi, alpha] in edge {
+                table.row([map.a.into(), (*psi).into(), (*alpha).into(), proved.into()])?;
+            }
+        }
+        let cells = map.simulated.iter().map(|rests| u8::from(!rests)).collect();
+        let raster = Raster::new(map.side, map.side, (-PI, PI), (0.0, map.reach), cells)?
+            .class("rest", 0, 0.35)
+            .class("escape", 1, 0.08);
+        let within = |edge: &[[f64; 2]]| {
+            Curve::new(edge.iter().map(|&[psi, alpha]| [psi.clamp(-PI, PI), alpha])).ink()
+        };
+        let panel = Panel::new(
+            Axis::linear("ψ").range(-PI, PI).ticks(angles),
+            Axis::linear("α").range(0.0, map.reach),
+        )
+        .title(format!("A = {}", map.a))
+        .height(240.0)
+        .raster(raster)
+        .curve(within(&map.rests))
+        .curve(within(&map.escapes));
+        plot = plot.panel(panel);
+    }
+    if let Some(map) = list.last() {
+        plot = plot.panel(larger(map));
+    }
+    plot.figure(table)
+}
+
+/// The part of a map about the dots.
+fn larger(map: &Fates) -> Panel {
+    let ends = |axis: usize| {
+        let along = map.found.iter().map(|point| point[axis]);
+        along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        })
+    };
+    let (from, to) = ends(0);
+    let (low, high) = ends(1);
+    let room = 5e-4 * map.reach;
+    let edge = |edge: &[[f64; 2]]| Curve::new(between(edge, (from, to))).ink();
+    Panel::new(
+        Axis::linear("ψ").range(from, to),
+        Axis::linear("α").range(low - room, high + room),
+    )
+    .title(format!("A = {}, larger", map.a))
+    .height(240.0)
+    .curve(edge(&map.rests))
+    .curve(edge(&map.escapes).stroke(Stroke::Dashed))
+    .points(Points::new(map.found.iter().copied()).ink())
+}
+
+/// The piece of a line between two values of its first coordinate.
+fn between(line: &[[f64; 2]], (from, to): (f64, f64)) -> Vec<[f64; 2]> {
+    let mut piece = Vec::new();
+    for ends in line.windows(2) {
+        let [[x0, y0], [x1, y1]] = [ends[0], ends[1]];
+        let (left, right) = (x0.max(from), x1.min(to));
+        if left < right {
+            piece.extend([left, right].map(|x| [x, y0 + (x - x0) / (x1 - x0) * (y1 - y0)]));
+        }
+    }
+    piece
+}
+
 /// A stop: the velocity on the table, along the position and counterclockwise across it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {

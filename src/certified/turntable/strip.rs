@@ -4,7 +4,7 @@
 use super::super::flow::Tilted;
 use super::super::interval::Interval;
 use super::super::jet::Jet;
-use super::{Judged, Law, STEPS, judge};
+use super::{Judged, Law, judge};
 use crate::scalar::Scalar;
 
 /// Starts with one A, a range of ψ, and α from 0 to a largest one.
@@ -33,16 +33,19 @@ pub struct Margins {
 const TERMS: usize = 10;
 const ACCURACY: f64 = 1e-7;
 
+/// Steps after which a cell's fate is not proved.
+const STEPS: usize = 400;
+
 /// A set as wide as this in a coordinate is not followed farther.
 const WIDE: f64 = 1.0;
 
-/// Layers that are tried, each reaching half as near to the line as the one before.
-const LAYERS: i32 = 40;
+/// Layers reach down to this share at the nearest.
+const NEAREST: f64 = 1e-12;
 
-/// Halvings of a layer's cell: of the first, which are thick, and of the others.
-const THICK: i32 = 4;
+/// Halvings of a layer's cell: of layers that begin farther out than `THICK`, and of the others.
+const THICK: f64 = 1.0 / 16.0;
 const HALVINGS: u32 = 12;
-const HALVINGS_OF_THIN: u32 = 4;
+const HALVINGS_OF_THIN: u32 = 9;
 
 /// A side of the line.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -51,12 +54,21 @@ enum Side {
     Above,
 }
 
+impl Margins {
+    /// Nothing is proved.
+    pub const NONE: Margins = Margins {
+        rest: 1.0,
+        escape: 1.0,
+    };
+}
+
 impl Strip {
-    /// What can be proved, by at most 40 layers on each side, each of at most 4096 cells.
-    pub fn margins(&self) -> Margins {
+    /// What can be proved beyond what is `known` already, no nearer to the line than `aim` or 10⁻¹² of the way, by layers
+    /// that each come half as near to it as the one before. At most 40 layers on a side, each of at most 4096 cells.
+    pub fn margins(&self, known: Margins, aim: Margins) -> Margins {
         Margins {
-            rest: self.margin(Side::Below),
-            escape: self.margin(Side::Above),
+            rest: self.margin(Side::Below, known.rest, aim.rest),
+            escape: self.margin(Side::Above, known.escape, aim.escape),
         }
     }
 
@@ -67,15 +79,31 @@ impl Strip {
         (to - from) * (margins.rest * middle + margins.escape * (self.reach - middle))
     }
 
-    fn margin(&self, side: Side) -> f64 {
+    /// What is proved of a part of this strip, with a line of its own, where `known` is proved of the whole.
+    pub fn inherited(&self, known: Margins, part: &Strip) -> Margins {
+        // Along straight lines the one bound is within the other where it is so at the part's ends.
+        let share = |side, known| {
+            let proved = Interval::int(1) - Interval::point(known);
+            let shares = part.psi.map(|psi| {
+                let whole = self.height_at(psi, side);
+                Interval::int(1) - proved * whole / part.height_at(psi, side)
+            });
+            shares[0].hi().max(shares[1].hi()).clamp(0.0, 1.0)
+        };
+        Margins {
+            rest: share(Side::Below, known.rest),
+            escape: share(Side::Above, known.escape),
+        }
+    }
+
+    fn margin(&self, side: Side, known: f64, aim: f64) -> f64 {
         let psi = Interval::new(self.psi[0], self.psi[1]);
-        let mut margin = 1.0;
-        for layer in 1..=LAYERS {
-            let nearer = libm::ldexp(1.0, -layer);
-            let halvings = if layer <= THICK {
-                HALVINGS
-            } else {
-                HALVINGS_OF_THIN
+        let mut margin = known;
+        while margin > aim.max(NEAREST) {
+            let nearer = (0.5 * margin).max(aim);
+            let halvings = match margin > THICK {
+                true => HALVINGS,
+                false => HALVINGS_OF_THIN,
             };
             if !self.all([Interval::new(nearer, margin), psi], side, halvings) {
                 break;
@@ -83,6 +111,21 @@ impl Strip {
             margin = nearer;
         }
         margin
+    }
+
+    /// From the strip's end on a side to the line, at an angle.
+    fn height_at(&self, psi: f64, side: Side) -> Interval {
+        let line = self.line_at(number(psi)).value;
+        match side {
+            Side::Below => line,
+            Side::Above => Interval::point(self.reach) - line,
+        }
+    }
+
+    fn line_at(&self, psi: Jet<2>) -> Jet<2> {
+        let [from, to] = self.psi.map(number);
+        let [first, last] = self.line.map(number);
+        first + (psi - from) * ((last - first) / (to - from))
     }
 
     /// From the line's higher end to the strip's.
@@ -146,9 +189,7 @@ impl Strip {
     }
 
     fn alpha(&self, [share, psi]: [Jet<2>; 2], side: Side) -> Jet<2> {
-        let [from, to] = self.psi.map(number);
-        let [first, last] = self.line.map(number);
-        let line = first + (psi - from) * ((last - first) / (to - from));
+        let line = self.line_at(psi);
         match side {
             Side::Below => (number(1.0) - share) * line,
             Side::Above => line + share * (number(self.reach) - line),
@@ -183,10 +224,16 @@ mod tests {
         }
     }
 
+    /// As near to the line as can be.
+    const LINE: Margins = Margins {
+        rest: 0.0,
+        escape: 0.0,
+    };
+
     #[test]
     fn fates_are_proved_nearly_up_to_the_boundary() {
         let strip = strip(0.7547);
-        let margins = strip.margins();
+        let margins = strip.margins(Margins::NONE, LINE);
         assert!(margins.rest < 1e-2 && margins.escape < 1e-2, "{margins:?}");
         let area = 0.04 * (margins.rest * 0.7547 + margins.escape * 0.2453);
         assert!((strip.undecided(&margins) - area).abs() < 1e-15);
@@ -195,9 +242,47 @@ mod tests {
     #[test]
     fn beyond_the_boundary_nothing_is_proved() {
         // The line is 0.05 too low, then too high: what lies between it and the boundary stays open.
-        let low = strip(0.7047).margins();
+        let low = strip(0.7047).margins(Margins::NONE, LINE);
         assert!(low.escape * 0.2953 > 0.05 && low.rest < 1e-6, "{low:?}");
-        let high = strip(0.8047).margins();
+        let high = strip(0.8047).margins(Margins::NONE, LINE);
         assert!(high.rest * 0.8047 > 0.05 && high.escape < 1e-6, "{high:?}");
+    }
+
+    #[test]
+    fn it_goes_no_nearer_than_it_has_to() {
+        let aim = Margins {
+            rest: 0.3,
+            escape: 0.2,
+        };
+        assert_eq!(strip(0.7547).margins(Margins::NONE, aim), aim);
+        assert_eq!(strip(0.7547).margins(LINE, aim), LINE);
+    }
+
+    #[test]
+    fn a_part_inherits_no_more_than_is_proved_of_the_whole() {
+        let whole = Strip {
+            line: [0.5, 0.75],
+            ..strip(0.0)
+        };
+        let known = Margins {
+            rest: 0.25,
+            escape: 0.5,
+        };
+        // Proved up to α = 0.375 at one end and 0.5625 at the other, and from 0.75 and 0.875 on; in the middle 0.46875 and
+        // 0.8125.
+        let part = Strip {
+            psi: [-0.02, 0.0],
+            line: [0.5, 0.75],
+            ..whole
+        };
+        let inherited = whole.inherited(known, &part);
+        let rest = f64::max(1.0 - 0.375 / 0.5, 1.0 - 0.46875 / 0.75);
+        let escape = f64::max(1.0 - 0.25 / 0.5, 1.0 - 0.1875 / 0.25);
+        for (inherited, by_hand) in [(inherited.rest, rest), (inherited.escape, escape)] {
+            assert!(
+                inherited >= by_hand && inherited - by_hand < 1e-12,
+                "{inherited} {by_hand}"
+            );
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::AllFiguresError;
 use crate::claims::escape::straight::straight_in;
-use crate::claims::rest::boundary;
+use crate::claims::rest::{boundary, fates as maps};
 use crate::figures::{Figure, rest as rest_figures};
 use crate::motion::MotionError;
 use crate::motion::turntable::ensemble::rests;
@@ -17,6 +17,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
         basin()?,
         census()?,
         around()?,
+        fates()?,
         space()?,
     ])
 }
@@ -256,6 +257,46 @@ fn basin() -> Result<Figure, AllFiguresError> {
             |rho, u| [0.0, u - rho],
         )?,
     ])?)
+}
+
+/// Cells along each side of what is simulated of a map of fates.
+const FATES: usize = 64;
+
+/// The angles at which the boundary is found for the part that is shown larger.
+const PART: [f64; 5] = [0.60, 0.62, 0.64, 0.66, 0.68];
+
+/// What is proved of the fates in three sections, beside what is simulated.
+fn fates() -> Result<Figure, AllFiguresError> {
+    let recorded = maps::recorded();
+    let recorded =
+        recorded.ok_or_else(|| AllFiguresError::Data("snapshots/fates.csv: a line is no strip".into()))?;
+    let one = |rows: Vec<maps::Row>| -> Result<_, AllFiguresError> {
+        let a = rows.first().map_or(f64::NAN, |row| row.a);
+        let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / FATES as f64;
+        let start = |k: usize| {
+            Start::hyperbolic(a, at((0.0, maps::REACH), k / FATES), at((-PI, PI), k % FATES))
+        };
+        let starts: Result<Vec<_>, _> = (0..FATES * FATES).map(start).collect();
+        let certain: Option<Vec<bool>> = rests(&starts?)?.into_iter().collect();
+        let undecided = || AllFiguresError::Data("the fate of a cell is not certain".into());
+        let edge = |ends: fn(&maps::Row) -> [f64; 2]| {
+            let ends = rows.iter().flat_map(|row| std::iter::zip(row.psi, ends(row)));
+            ends.map(|(psi, alpha)| [psi, alpha]).collect()
+        };
+        Ok(rest_figures::Fates {
+            a,
+            side: FATES,
+            simulated: certain.ok_or_else(undecided)?,
+            reach: maps::REACH,
+            rests: edge(maps::Row::rests),
+            escapes: edge(maps::Row::escapes),
+            found: (PART.iter())
+                .map(|&psi| Ok([psi, maps::line(a, psi)?]))
+                .collect::<Result<_, MotionError>>()?,
+        })
+    };
+    let list: Result<Vec<_>, _> = recorded.into_iter().map(one).collect();
+    Ok(rest_figures::fates(&list?)?)
 }
 
 /// The velocity before a stop.
