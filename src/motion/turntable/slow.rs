@@ -85,27 +85,6 @@ static COEFFICIENTS: LazyLock<[[i128; WEIGHT + 1]; POWERS]> = LazyLock::new(|| {
 /// the beginning of a step, so that no coefficient leaves the range of the numbers.
 pub(super) struct Slow<T> {
     coefficients: Vec<Vec<T>>,
-    /// By weight: so small have p and |w| to be for terms of a larger weight to be left out of a step.
-    enough: [f64; WEIGHT + 1],
-}
-
-/// By how much p and |w| grow in a step, or less; and which part of a rounding all that is left out may come to.
-const GROWTH: f64 = 4.0;
-const UNSEEN: f64 = 1e-3;
-
-/// The sizes below which the terms of a larger weight than this come to less than a part of G, which is about 1.
-fn enough(part: f64) -> [f64; WEIGHT + 1] {
-    let of_weight = |m: usize| -> f64 {
-        let terms = (0..=m / 2).map(|j| COEFFICIENTS[j][m - 2 * j] as f64);
-        terms.sum()
-    };
-    std::array::from_fn(|weight| {
-        let sizes = (weight + 1..=WEIGHT).map(|m| {
-            // As if each of them were the only one, and all together ten times as much.
-            libm::pow(0.1 * part / of_weight(m), 1.0 / m as f64) / GROWTH
-        });
-        sizes.fold(f64::INFINITY, f64::min)
-    })
 }
 
 impl<T: Width> Slow<T> {
@@ -119,7 +98,6 @@ impl<T: Width> Slow<T> {
         };
         Self {
             coefficients: COEFFICIENTS.iter().enumerate().map(row).collect(),
-            enough: enough(UNSEEN * T::ROUNDING),
         }
     }
 
@@ -150,9 +128,8 @@ impl<T: Width> Slow<T> {
     }
 }
 
-/// Of a step: the largest weight of the terms that count, ds by the time of the equations, and the series of P, powers of w from the second on, the stages of Horner's rule for G, the last first, and G².
+/// Of a step: ds by the time of the equations, and the series of P, powers of w from the second on, the stages of Horner's rule for G, the last first, and G².
 pub(super) struct Work<T> {
-    weight: usize,
     pace: T,
     square: Vec<T>,
     powers: Vec<Vec<T>>,
@@ -163,7 +140,6 @@ pub(super) struct Work<T> {
 impl<T: Number> Default for Work<T> {
     fn default() -> Self {
         Self {
-            weight: WEIGHT,
             pace: T::from_f64(1.0),
             square: Vec::new(),
             powers: (2..=WEIGHT).map(|_| Vec::new()).collect(),
@@ -179,7 +155,6 @@ impl<T: Number, const N: usize> System<T, 5, N> for Slow<T> {
     fn begin(&self, _: &T, [_, p, w, ..]: &[T; 5], work: &mut Work<T>) {
         let size = p.magnitude().max(w.magnitude());
         work.pace = T::from_f64(libm::ldexp(1.0, -libm::ilogb(size)));
-        work.weight = (self.enough.iter().position(|enough| size <= *enough)).unwrap_or(WEIGHT);
         work.square.clear();
         work.g_square.clear();
         for series in work.powers.iter_mut().chain(&mut work.stages) {
@@ -190,14 +165,12 @@ impl<T: Number, const N: usize> System<T, 5, N> for Slow<T> {
     fn derivative(&self, k: usize, x: &[[T; N]; 5], work: &mut Work<T>) -> [T; 5] {
         let [_, p, w, _, _] = x;
         work.square.push(square(p, k));
-        for i in 0..work.weight.saturating_sub(1) {
+        for i in 0..work.powers.len() {
             let (lower, rest) = work.powers.split_at_mut(i);
             let below = lower.last().map_or(&w[..], |series| series);
             rest[0].push(product(below, w, k));
         }
-        let rows = self.coefficients[..=work.weight / 2].iter().enumerate();
-        for (stage, (j, row)) in rows.rev().enumerate() {
-            let row = &row[..=work.weight - 2 * j];
+        for (stage, row) in self.coefficients.iter().rev().enumerate() {
             let constant = if k == 0 {
                 row[0].clone()
             } else {
@@ -211,7 +184,7 @@ impl<T: Number, const N: usize> System<T, 5, N> for Slow<T> {
             }
             work.stages[stage].push(sum);
         }
-        let g = &work.stages[work.weight / 2];
+        let g = &work.stages[POWERS - 1];
         work.g_square.push(square(g, k));
         let slopes = [
             p[k].clone(),
