@@ -1,0 +1,116 @@
+//! What is proved of a particle, carried over to the sphere: its slip velocity moves, and stays 0, as a particle's velocity does
+//! with bμ in place of μ.
+
+use super::{S3_REDUCTION, body};
+use crate::claims::anisotropic::motions;
+use crate::claims::compare::Compared;
+use crate::claims::periodic::exact as pulses;
+use crate::claims::statement::{Statement, given};
+use crate::evidence::Subject;
+use crate::exact::{Expr, Obstacle, Proof, Prover, Ring};
+use crate::paper::{anisotropic, sinusoidal, sphere as paper};
+
+/// The pulse train.
+pub const PULSE: Statement = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that (44) to (46) are proved",
+    ),
+    || {
+        let [b, mu, g, a0] = symbols();
+        paper::eq84_lambda(b, mu, g, a0)
+    },
+    pulse,
+);
+
+/// Anisotropic friction.
+pub const ANISOTROPIC: Statement = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu_\pm$ in place of $\mu_\pm$, which makes (85) of (49) and $q$ times (85) of (50); for that the regions, with E, are proved for every $q\ge1$",
+    ),
+    || {
+        let [b, mu, g, a0] = symbols();
+        paper::eq85_lambda(b, mu, g, a0)
+    },
+    regions,
+);
+
+fn symbols() -> [Expr; 4] {
+    Expr::symbols(["b", "μ", "g", "A₀"])
+}
+
+/// A proof that starts from the reduction to the particle.
+fn carried(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
+    let mut ring = Ring::new();
+    for name in ["b", "μ", "g", "A₀", "q"] {
+        ring.symbol(name);
+    }
+    Proof::of(title, &ring, |p| {
+        given(p, &[&S3_REDUCTION])?;
+        p.rests_on(&body::prove_rolling())?;
+        steps(p)
+    })
+}
+
+fn pulse(lambda0: Expr) -> Proof {
+    carried("The pulse train of the sphere", |p| {
+        let [b, mu, g, a0] = symbols();
+        let stated = p.read("λ₀ by (84)", lambda0)?;
+        let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
+        let particle = p.read("λ₀ of the particle with bμ, by (22)", particle)?;
+        p.equal("The two", &stated, &particle)?;
+        given(p, &[&pulses::EQ44, &pulses::EQ45, &pulses::EQ46])
+    })
+}
+
+fn regions(lambda0: Expr) -> Proof {
+    carried("The regions of the sphere", |p| {
+        let [b, mu, g, a0] = symbols();
+        let q = Expr::symbol("q");
+        p.note("μ is that of slip towards +x", "qμ that of slip towards −x");
+        let forward = anisotropic::eq47_lambda_plus(b * mu, g, a0);
+        let backward = anisotropic::eq48_lambda_minus(b * q * mu, g, a0);
+        for (says, particle, stated) in [
+            (
+                "λ₊ of the particle with bμ, by (47)",
+                forward,
+                anisotropic::eq49_lambda_plus(lambda0),
+            ),
+            (
+                "λ₋ of the particle with bqμ, by (48)",
+                backward,
+                anisotropic::eq50_lambda_minus(q, lambda0),
+            ),
+        ] {
+            let particle = p.read(says, particle)?;
+            let stated = p.read("By (85) and (49) or (50)", stated)?;
+            p.equal("The two", &particle, &stated)?;
+        }
+        given(
+            p,
+            &[
+                &motions::FIRST,
+                &motions::SECOND,
+                &motions::THIRD,
+                &motions::FOURTH,
+                &motions::FIFTH,
+            ],
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_is_proved_and_another_friction_breaks_it() {
+        let wrong = |stated: Expr| stated * Expr::int(1_000_001) / Expr::int(1_000_000);
+        for statement in [PULSE, ANISOTROPIC] {
+            let stated = (statement.formulas)();
+            assert!(statement.proof().holds(), "{}", statement.proof());
+            assert!(!(statement.prove)(wrong(stated)).holds());
+        }
+    }
+}
