@@ -69,7 +69,7 @@ pub const MEASURED: &[Measured] = &[
     },
     Measured {
         reason: "It carries over to the sphere what is measured of the particle; the step itself, that the slip velocity moves as a particle's velocity does, is proved.",
-        claims: &["s32-rolling-trichotomy", "s33-any-drive"],
+        claims: &["s33-any-drive"],
     },
     Measured {
         reason: "It needs the formulas of an article of which only the abstract and the first lines could be read.",

@@ -487,6 +487,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &exact::carried::TRICHOTOMY,
             driven::trichotomy_census,
             driven::trichotomy_motion,
             driven::rolling_ends,
