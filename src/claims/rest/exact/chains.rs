@@ -8,7 +8,7 @@ use crate::claims::escape::exact::chains::{
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
-use crate::exact::{Expr, Proof};
+use crate::exact::{Expr, Proof, Rational};
 use crate::paper::{rest as printed, turntable as motion};
 
 /// Rest or escape.
@@ -47,8 +47,7 @@ fn dichotomy(third: Expr, bound: Expr, acceleration: [Expr; 2]) -> Proof {
             "At the bound it creeps for ever: this is excepted. The bound",
             bound,
         )?;
-        let place = p.ring().read(Expr::int(1))?;
-        p.equal("It is 1", &one, &place)?;
+        p.equal("It is 1", &one, &Rational::int(1))?;
         let third = p.read("The number of other fates, as stated", third)?;
         p.zero("It", &third)
     })
@@ -108,6 +107,7 @@ fn near_rest([alpha, psi]: [Expr; 2], ahead: Expr) -> Proof {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Scalar;
 
     #[test]
     fn each_link_holds_and_another_law_breaks_it() {
