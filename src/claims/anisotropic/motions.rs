@@ -229,7 +229,7 @@ fn forward_slip(rate: Expr) -> Proof {
         rate,
         [
             "2 cos((φ + α)/2) sin((φ − α)/2)",
-            "it is positive from α to π − α, negative from there to 2π + α: a forward slip from α on, or from later on before π − α, ends once, between π − α and 2π + α, as a period later its velocity would be −2πλ₀",
+            "it is positive from α to π − α, negative from there to 2π + α: a forward slip from α on, or from later on before π − α, ends between π − α and 2π + α, and its velocity has no other zero within a period, at whose end it would have risen to −2πλ₀",
         ],
         product,
         lambda0,
@@ -245,7 +245,7 @@ fn backward_slip(rate: Expr) -> Proof {
         rate,
         [
             "2 sin((φ + β)/2) cos((φ − β)/2)",
-            "it is negative from π + β to 2π − β, positive from there to 3π + β: a backward slip from between the first two ends once, between 2π − β and 3π + β, as a period later its velocity would be 2πqλ₀",
+            "it is negative from π + β to 2π − β, positive from there to 3π + β: a backward slip from between the first two ends between 2π − β and 3π + β, and its velocity has no other zero within a period, at whose end it would have fallen to 2πqλ₀",
         ],
         product,
         -q_lambda0,
