@@ -10,6 +10,7 @@ pub mod drift;
 pub mod exact;
 mod frictions;
 mod mirror;
+pub mod motions;
 pub mod panels;
 mod regions;
 pub mod rows;
@@ -205,6 +206,7 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ55,
             curves::eq55_root,
             curves::eq55_census,
+            &motions::CURVE_C,
             curves::eq55_corrected_root,
             curves::eq55_corrected_census
         ],
@@ -301,6 +303,7 @@ const CLAIMS: &[Claim] = &[
         ],
         depends_on: &["eq-51", "eq-52", "eq-53"],
         trials: trials![
+            &motions::FIRST,
             regions::first_census,
             regions::first_ends,
             regions::first_outside,
@@ -327,6 +330,7 @@ const CLAIMS: &[Claim] = &[
             curves::e_census,
             curves::e_limit,
             certified::e_once,
+            &motions::SECOND,
             regions::second_corrected_census,
             regions::second_corrected_ends,
             regions::between_e_and_c,
@@ -347,7 +351,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Stated,
         }],
         depends_on: &["eq-51", "eq-52", "eq-54", "eq-55"],
-        trials: trials![regions::third_census, regions::third_ends],
+        trials: trials![&motions::THIRD, regions::third_census, regions::third_ends],
         ..Claim::BLANK
     },
     Claim {
@@ -368,6 +372,7 @@ const CLAIMS: &[Claim] = &[
         ],
         depends_on: &["eq-51", "eq-52", "eq-55", "eq-56"],
         trials: trials![
+            &motions::FOURTH,
             regions::fourth_census,
             regions::fourth_ends,
             regions::down_to_e,
@@ -386,7 +391,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Stated,
         }],
         depends_on: &["eq-51", "eq-52", "eq-56"],
-        trials: trials![regions::fifth_census, regions::fifth_ends],
+        trials: trials![&motions::FIFTH, regions::fifth_census, regions::fifth_ends],
         ..Claim::BLANK
     },
     Claim {

@@ -169,6 +169,7 @@ const CLAIMS: &[Claim] = &[
         conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-111", "eq-112"],
         trials: trials![
+            &exact::chains::ESCAPES,
             onset::above_one_census,
             onset::eq127_root,
             onset::above_one_straight,
@@ -446,6 +447,7 @@ const CLAIMS: &[Claim] = &[
         conditions: SMALL_ALPHA_ALONE,
         depends_on: &["eq-115", "eq-124", "eq-126"],
         trials: trials![
+            &exact::chains::RELAXES,
             onset::small_alpha_angle,
             onset::small_alpha_rate,
             onset::small_alpha_straight,
@@ -464,6 +466,7 @@ const CLAIMS: &[Claim] = &[
         conditions: INNER_NOT_STRAIGHT,
         depends_on: &["eq-126", "eq-127", "s4-A-never-decreases", "s4-small-alpha"],
         trials: trials![
+            &exact::chains::ESCAPES,
             onset::above_one_within,
             onset::a_grows,
             onset::straight_stops,
@@ -480,7 +483,11 @@ const CLAIMS: &[Claim] = &[
         plain: "If A > 1 at the start, α grows without end, like A.",
         conditions: INNER,
         depends_on: &["eq-128", "s4-escape-if-A-above-1"],
-        trials: trials![onset::alpha_grows, onset::alpha_census],
+        trials: trials![
+            &exact::chains::ALPHA_GROWS,
+            onset::alpha_grows,
+            onset::alpha_census
+        ],
         ..Claim::BLANK
     },
 ];

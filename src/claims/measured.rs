@@ -61,42 +61,18 @@ pub const MEASURED: &[Measured] = &[
             "s22-rest-interval",
             "s22-no-rest-below",
             "s22-trichotomy",
-            "s24-region-1",
-            "s24-region-3",
-            "s24-region-4",
-            "s24-region-5",
         ],
     },
     Measured {
-        reason: "A part of it is proved: the order of the curves between which the regions lie, and that between E and C nothing moves backward. Which motion belongs to which region is counted at many points.",
-        claims: &["eq-55", "s24-region-2", "fig-5"],
-    },
-    Measured {
-        reason: "The step to it from (145) is proved; that the surfaces on which the motion comes to rest are others is measured.",
-        claims: &["eq-146", "eq-147"],
+        reason: "The step to it from (145) and (146) is proved, and that the boundary is another surface; but nothing is put in its place, which could be proved.",
+        claims: &["eq-147"],
     },
     Measured {
         reason: "It carries over to the sphere what is measured of the particle; the step itself, that the slip velocity moves as a particle's velocity does, is proved.",
-        claims: &[
-            "s32-rolling-trichotomy",
-            "s33-any-drive",
-            "s33-pulse",
-            "s34-anisotropic",
-        ],
+        claims: &["s33-any-drive"],
     },
     Measured {
         reason: "It needs the formulas of an article of which only the abstract and the first lines could be read.",
         claims: &["s21-portrait-consistent"],
-    },
-    Measured {
-        reason: "It speaks about every motion on the turntable from a region of starts. Power series show motions of that kind; that there are no others they cannot show.",
-        claims: &[
-            "eq-127",
-            "s4-small-alpha",
-            "s4-escape-if-A-above-1",
-            "s4-alpha-unbounded",
-            "s4-near-rest",
-            "s4-dichotomy",
-        ],
     },
 ];

@@ -251,7 +251,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &exact::EQ146,
             boundary::real_surfaces,
-            boundary::closing_surfaces
+            boundary::closing_surfaces,
+            &exact::saddle::CORRECTED
         ],
         ..Claim::BLANK
     },
@@ -289,8 +290,9 @@ const CLAIMS: &[Claim] = &[
         latex: r"As the particle comes to rest, $\alpha$ and $\psi$ tend to zero; (140) to (145) say how.",
         plain: "As the particle comes to rest, α and ψ tend to zero; (140) to (145) say how.",
         depends_on: &["eq-140", "eq-141", "eq-142", "eq-143", "eq-144", "eq-145"],
-        conditions: &[TO_ZERO],
+        conditions: &[INNER[0], TO_ZERO],
         trials: trials![
+            &exact::chains::NEAR_REST,
             approach::near_rest_angle,
             approach::near_rest_census,
             approach::near_rest_straight,
@@ -307,10 +309,11 @@ const CLAIMS: &[Claim] = &[
         plain: "Every start leads either to rest or to an unbounded motion.",
         depends_on: &["eq-127", "eq-139", "s4-A-never-decreases"],
         conditions: &[Condition {
-            text: r"the start is not on the boundary $\mathbb S$ itself: from there the particle creeps towards $\rho=1$ for ever",
+            text: r"the particle does not creep towards $\rho=1$ for ever, as it does from the boundary $\mathbb S$ itself",
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &exact::chains::DICHOTOMY,
             dichotomy::fates,
             dichotomy::followed,
             dichotomy::on_the_boundary,

@@ -487,6 +487,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &exact::carried::TRICHOTOMY,
             driven::trichotomy_census,
             driven::trichotomy_motion,
             driven::rolling_ends,
@@ -517,7 +518,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"With $\lambda_0$ of (84), the pulse train of (42), (43) has the same boundary $\lambda_\mathrm{c}=\eta$ for the sphere.",
         plain: "With λ₀ of (84), the pulse train of (42), (43) has the same boundary λ_c = η for the sphere.",
         depends_on: &["eq-42", "eq-43", "eq-46", "eq-84", "s3-reduction"],
-        trials: trials![driven::pulse_census, driven::pulse_motion],
+        trials: trials![
+            &exact::carried::PULSE,
+            driven::pulse_census,
+            driven::pulse_motion
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -527,7 +532,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"With $\lambda_0$ of (85), the slip velocity has the regions I to V of the particle.",
         plain: "With λ₀ of (85), the slip velocity has the regions I to V of the particle.",
         depends_on: &["fig-5", "eq-85", "s3-reduction"],
-        trials: trials![driven::anisotropic_census, driven::anisotropic_motion],
+        trials: trials![
+            &exact::carried::ANISOTROPIC,
+            driven::anisotropic_census,
+            driven::anisotropic_motion
+        ],
         ..Claim::BLANK
     },
 ];

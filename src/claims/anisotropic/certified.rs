@@ -10,10 +10,10 @@
 //! q < q_Y and none beyond, E none before q_Y and one beyond. A root of (53) there is for every q, as its left side falls
 //! from ∞ to 0.
 
-mod arcs;
+pub(super) mod arcs;
 pub mod points;
 
-use super::exact;
+use super::{exact, motions};
 use crate::certified::cover::{Said, everywhere, everywhere_written};
 use crate::certified::drive::{self, Edge, arc};
 use crate::certified::error::CertifiedError;
@@ -188,13 +188,25 @@ fn prove_order(on_a: fn(Jet<1>) -> Jet<1>, on_c: fn(Expr) -> Expr) -> Outcome {
     Ok(equal + b + e + prove_a_lowest(on_a)?)
 }
 
-/// The order of the curves. Which motion lies between which of them it does not say.
+/// The motion in each region.
+fn regions() -> [Proof; 5] {
+    [
+        motions::FIRST.proof(),
+        motions::SECOND.proof(),
+        motions::THIRD.proof(),
+        motions::FOURTH.proof(),
+        motions::FIFTH.proof(),
+    ]
+}
+
+/// The order of the curves, and which motion lies between which of them.
 pub fn order() -> Evidence {
     let compared = Compared::shown(
-        r"$A<B<C<D$ for all $1<q<q_Y$ and $A<E<C<D$ for all $q>q_Y$, with $A=B$ and $C=D$ at $q=1$, where the slopes of their differences have a sign",
+        r"$A<B<C<D$ for all $1<q<q_Y$ and $A<E<C<D$ for all $q>q_Y$, with $A=B$ and $C=D$ at $q=1$, where the slopes of their differences have a sign; and between the curves lie the regions as they are proved for every $q\ge1$",
     );
-    let proof = prove_order(on_a, printed::eq55_lambda0);
-    certified(proof, Subject::Corrected, compared).of_a_part()
+    let order = prove_order(on_a, printed::eq55_lambda0);
+    let proof = order.and_then(|parts| given(&regions(), || Ok(parts)));
+    certified(proof, Subject::Corrected, compared)
 }
 
 /// Between E and C there is no backward motion: E is where the arc to the last moment is zero. About the rest of the

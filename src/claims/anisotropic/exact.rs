@@ -113,7 +113,7 @@ pub const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
 );
 
 /// (53): forward motion from φ = α, where a rest would end, for 2K; backward motion for the rest of the period.
-fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
+pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     let balance = || {
         let mut ring = Ring::new();
         ring.symbol("q");
@@ -319,7 +319,7 @@ fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
 /// The touch is of the first order; two more orders follow.
 const ORDER: usize = 3;
 
-fn plane() -> Result<Ring, ExactError> {
+pub(super) fn plane() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     ring.angle("φ");
     ring.symbol("q");
@@ -404,7 +404,7 @@ fn prove_mirror([forward, backward]: [Expr; 2], [other_q, other_lambda0]: [Expr;
     })
 }
 
-fn printed_rates() -> [Expr; 2] {
+pub(super) fn printed_rates() -> [Expr; 2] {
     let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
     [
         printed::eq51_rate(lambda0, phi),

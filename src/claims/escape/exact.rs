@@ -1,5 +1,6 @@
 //! The laws of escape, exactly: against the motion's own series at large times, which Newton's law gives.
 
+pub mod chains;
 pub mod late;
 
 use crate::claims::compare::Compared;

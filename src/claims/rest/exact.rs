@@ -2,6 +2,8 @@
 //! and the boundary are power series, in [`series`] and [`boundary`].
 
 pub mod boundary;
+pub mod chains;
+pub mod saddle;
 pub mod series;
 pub mod surfaces;
 

@@ -5,6 +5,7 @@
 
 mod angle;
 mod body;
+pub mod carried;
 mod newton;
 #[cfg(test)]
 mod tests;

@@ -428,6 +428,29 @@ pub(super) fn prove_reduction(particle: Components) -> Proof {
     )
 }
 
+/// The force m𝐀/b, which static friction can give up to |𝐀| = bμg, keeps the slip velocity as it is.
+pub(super) fn prove_rolling() -> Proof {
+    prove(
+        "A sphere rolls on where a particle with bμ stays at rest",
+        Friction::Any,
+        |p, body| {
+            for ((axis, w), a) in AXES.iter().zip(slip()).zip(acceleration()).take(2) {
+                let w = p.read(&format!("w {axis}"), w)?;
+                let rate = p.derivative("Its rate", &w, &body.motion)?;
+                let force = ["F_x", "F_y"][usize::from(*axis != AXES[0])];
+                let force = Expr::symbol("b") * Expr::symbol(force) / Expr::symbol("m");
+                let balance = p.read("b F/m − A", force - a)?;
+                p.equal("The two", &rate, &balance)?;
+            }
+            p.note(
+                "So w = 0 is kept by F = mA/b",
+                "that is at most μmg exactly if |A| ≤ bμg",
+            );
+            Ok(())
+        },
+    )
+}
+
 /// dω_z/dt.
 pub(super) fn spin_rate() -> Components {
     vec![paper::s3_zeta3_rate()]

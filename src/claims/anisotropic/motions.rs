@@ -1,0 +1,616 @@
+//! Section 2.4 for every q ≥ 1 and λ₀ > 0: the one motion that repeats itself, region by region, and that all are drawn to it.
+//!
+//! Where they exist, α = asin λ₀ and β = asin(qλ₀), between 0 and π/2: from rest forward motion begins at the phase α,
+//! backward motion at π + β. Each link is an identity of the ring, and a term that has a sign.
+
+use super::certified::arcs::{a_falls, b_falls, corner_falls, e_grows};
+use super::exact::{
+    arc, frictions, plane, printed_rates, prove, prove_e, prove_eq53, prove_eq54, sides_of_a,
+    sides_of_b, sides_of_e,
+};
+use crate::claims::compare::Compared;
+use crate::claims::statement::Statement;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::anisotropic as printed;
+use crate::scalar::Scalar;
+
+type Rates = [Expr; 2];
+type Sides = [Expr; 2];
+
+/// K of (53), and its sides.
+type CurveA = (Expr, Sides);
+
+/// Region I.
+pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion is drawn; the drive exceeds friction at both phases",
+    ),
+    || (printed_rates(), curve_a(), printed::s24_first_signs()),
+    |(rates, a, signs)| first(rates, a, signs),
+);
+
+/// Region II, as corrected.
+pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::new(
+    Subject::Corrected,
+    Compared::shown(
+        r"for every $q\ge1$ and $\lambda_0$ above A, below B if $q\le q_Y$ and below E if $q>q_Y$: forward from $\sin^{-1}\lambda_0$, at once backward, then rest; between E and C forward, then rest; every motion is drawn to this one",
+    ),
+    || {
+        let signs = (printed::s24_second_signs(), printed::s24_fourth_signs());
+        (
+            printed_rates(),
+            curve_a(),
+            [sides_of_b(), sides_of_e()],
+            signs,
+        )
+    },
+    |(rates, a, ends, signs)| second(rates, a, ends, signs),
+);
+
+/// The signs of region II and of region IV.
+type Lists = ([Expr; 3], [Expr; 2]);
+
+/// Region III.
+pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $1\le q<q_Y$ and $\lambda_0$ between B and C: forward from $\sin^{-1}\lambda_0$, rest, backward from $\pi+\sin^{-1}(q\lambda_0)$, rest; every motion is drawn to this one",
+    ),
+    || {
+        (
+            printed_rates(),
+            sides_of_b(),
+            on_c(),
+            printed::s24_third_signs(),
+        )
+    },
+    |(rates, b, c, signs)| third(rates, b, c, signs),
+);
+
+/// Region IV.
+pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $q\ge1$ and $1/q<\lambda_0<1$: forward from $\sin^{-1}\lambda_0$, then rest; every motion is drawn to this one",
+    ),
+    || {
+        let curves = [on_c(), printed::eq56_lambda0()];
+        (printed_rates(), curves, printed::s24_fourth_signs())
+    },
+    |(rates, curves, signs)| fourth(rates, curves, signs),
+);
+
+/// Region V.
+pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $q\ge1$ and $\lambda_0>1$ the rates (51) and (52) oppose the motion by $\lambda_0-1$ at least: from every start the particle is at rest after a finite time, and stays",
+    ),
+    || {
+        (
+            printed_rates(),
+            printed::eq56_lambda0(),
+            printed::s24_fifth_signs(),
+        )
+    },
+    |(rates, d, signs)| fifth(rates, d, signs),
+);
+
+/// C, as far as it is a border.
+pub const CURVE_C: Statement = Statement::new(
+    Subject::Corrected,
+    Compared::shown(
+        r"for every $1\le q\le q_Y$ there is backward motion just below (55), as in III or, at $q_Y$, in II, and none between it and D",
+    ),
+    on_c,
+    border,
+);
+
+fn curve_a() -> CurveA {
+    (printed::eq53_k(Expr::symbol("q")), sides_of_a())
+}
+
+fn on_c() -> Expr {
+    printed::eq55_lambda0(Expr::symbol("q"))
+}
+
+fn int(n: i64) -> Expr {
+    Expr::int(n)
+}
+
+/// The list says of the intervals of a period what was found.
+fn listed<const N: usize>(
+    p: &mut Prover<'_>,
+    signs: [Expr; N],
+    found: [i64; N],
+) -> Result<(), Obstacle> {
+    for (sign, found) in signs.into_iter().zip(found) {
+        let says = match found {
+            0 => "A rest, 0 in the list",
+            1 => "Forward motion, 1 in the list",
+            _ => "Backward motion, −1 in the list",
+        };
+        let sign = p.read(says, sign)?;
+        p.equal("It is", &sign, &Rational::int(found))?;
+    }
+    Ok(())
+}
+
+/// All motions of one drive come together, in one that repeats itself.
+fn drawn([forward, backward]: Rates) -> Proof {
+    prove(
+        "Every motion is drawn to the one that repeats itself",
+        plane(),
+        |p| {
+            let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
+            let [ahead, back] = [p.read("(51)", forward)?, p.read("(52)", backward)?];
+            let apart = p.read("(1 + q) λ₀, which is positive", (int(1) + q) * lambda0)?;
+            p.equal("(52) exceeds (51) by that", &(&back - &ahead), &apart)?;
+            p.note(
+                "At rest",
+                "friction balances the drive: the rate is 0, not below (51) and not above (52)",
+            );
+            p.note(
+            "So",
+            "the distance of two velocities never grows, and shrinks while one particle goes forward and the other backward",
+        );
+            let whole = int(2) * Expr::pi();
+            for (rate, friction) in [(&ahead, lambda0), (&back, -q * lambda0)] {
+                let velocity = -phi.cos() - friction * phi;
+                let element = p.read("A velocity", velocity)?;
+                let slope = p.derivative("Its rate", &element, &p.ring().by("φ")?)?;
+                p.equal("It is that rate", &slope, rate)?;
+                let change = velocity.with("φ", phi + whole) - velocity;
+                let change = p.read("Its change in a period", change)?;
+                let lost = p.read("What friction takes or gives", -whole * friction)?;
+                p.equal("The two", &change, &lost)?;
+            }
+            p.note(
+            "So",
+            "nothing goes one way for ever, and great velocities are smaller a period later: some velocity is the same a period later, as the change is continuous",
+        );
+            p.note(
+            "Two motions that repeat themselves",
+            "have a fixed distance d: so never different directions, and the slower one has no velocity between −d and 0; it would stay ≥ 0, and the other go forward for ever, or stay ≤ −d, and go backward for ever: there is one only",
+        );
+            p.note(
+            "Any other motion",
+            "never crosses it and comes no farther: period by period its velocity falls or rises to a limit, which repeats itself",
+        );
+            Ok(())
+        },
+    )
+}
+
+/// The ring of both frictions, with a phase φ, the phase s of a start, and q as their ratio.
+fn slips() -> Result<Ring, ExactError> {
+    let mut ring = frictions()?;
+    for name in ["φ", "s"] {
+        ring.angle(name);
+    }
+    let [alpha, beta] = Expr::symbols(["α", "β"]);
+    ring.define("q", ring.read(beta.sin() / alpha.sin())?)?;
+    Ok(ring)
+}
+
+/// A slip in the ring of both frictions: its rate as a product, and the velocity that it leads to.
+fn slip(title: &str, rate: Expr, product: [&str; 2], of: Expr, friction: Expr) -> Proof {
+    prove(title, slips(), |p| {
+        let [phi, s] = Expr::symbols(["φ", "s"]);
+        let rate = p.read("The printed rate", rate)?;
+        let factors = p.read(product[0], of)?;
+        p.equal("The two", &rate, &factors)?;
+        p.note("So", product[1]);
+        let velocity = arc(s, phi, friction);
+        let element = p.read("The velocity since a start at s", velocity)?;
+        let slope = p.derivative("Its rate", &element, &p.ring().by("φ")?)?;
+        p.equal("It is the printed rate", &slope, &rate)?;
+        let whole = int(2) * Expr::pi();
+        for (says, end, left) in [
+            ("At s it is", s, int(0)),
+            ("A period later it is", s + whole, -whole * friction),
+        ] {
+            let end = p.read(says, velocity.with("φ", end))?;
+            let left = p.ring().read(left)?;
+            p.equal("which is 0, or what friction does", &end, &left)?;
+        }
+        Ok(())
+    })
+}
+
+/// Forward motion.
+fn forward_slip(rate: Expr) -> Proof {
+    let [phi, alpha, lambda0] = Expr::symbols(["φ", "α", "λ₀"]);
+    let product = int(2) * ((phi + alpha) / int(2)).cos() * ((phi - alpha) / int(2)).sin();
+    slip(
+        "Forward motion speeds up and slows down once",
+        rate,
+        [
+            "2 cos((φ + α)/2) sin((φ − α)/2)",
+            "it is positive from α to π − α, negative from there to 2π + α: a forward slip from α on, or from later on before π − α, ends between π − α and 2π + α, and its velocity has no other zero within a period, at whose end it would have risen to −2πλ₀",
+        ],
+        product,
+        lambda0,
+    )
+}
+
+/// Backward motion.
+fn backward_slip(rate: Expr) -> Proof {
+    let [phi, beta, q_lambda0] = Expr::symbols(["φ", "β", "qλ₀"]);
+    let product = int(2) * ((phi + beta) / int(2)).sin() * ((phi - beta) / int(2)).cos();
+    slip(
+        "Backward motion speeds up and slows down once",
+        rate,
+        [
+            "2 sin((φ + β)/2) cos((φ − β)/2)",
+            "it is negative from π + β to 2π − β, positive from there to 3π + β: a backward slip from between the first two ends between 2π − β and 3π + β, and its velocity has no other zero within a period, at whose end it would have fallen to 2πqλ₀",
+        ],
+        product,
+        -q_lambda0,
+    )
+}
+
+fn rests_on_slips(p: &mut Prover<'_>, rates: Rates) -> Result<(), Obstacle> {
+    p.rests_on(&drawn(rates))?;
+    p.rests_on(&forward_slip(rates[0]))?;
+    p.rests_on(&backward_slip(rates[1]))
+}
+
+/// That an angle with this sine exists below A: 1 less the square of the sine.
+fn middle([left, right]: Sides) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        ring.angle("K");
+        let lambda0 = ring.symbol("λ₀");
+        ring.root(&(Rational::int(1) - &lambda0 * &lambda0), 2)?;
+        Ok(ring)
+    };
+    prove("Below A: λ₀K < sin K", ring(), |p| {
+        let [k, lambda0] = Expr::symbols(["K", "λ₀"]);
+        let spare = int(1) - (lambda0 * k / k.sin()).squared();
+        let spare = p.read("1 − (λ₀K/sin K)²", spare)?;
+        let square = (lambda0 * (k.sin() - k * k.cos()) / k.sin().squared()).squared();
+        let parts = lambda0.squared() * (left.squared() - right.squared()) + square;
+        let parts = p.read(
+            "λ₀² times the difference of the squared sides of (53), which is positive below A, and a square",
+            parts,
+        )?;
+        p.equal("The two", &spare, &parts)
+    })
+}
+
+/// A forward slip of the length 2K around m, and a backward one for the rest of the period; K = π/2 + y.
+fn whole_period() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["y", "m"] {
+        ring.angle(name);
+    }
+    let [y, m, k] = Expr::symbols(["y", "m", "K"]);
+    ring.define("K", ring.read(Expr::pi() / int(2) + y)?)?;
+    let lambda0 = ring.read(m.sin() * k.sin() / k)?;
+    ring.root(&ring.normal(&(Rational::int(1) - &lambda0 * &lambda0)), 2)?;
+    ring.define("λ₀", lambda0)?;
+    ring.define("q", ring.read(k / (Expr::pi() - k))?)?;
+    Ok(ring)
+}
+
+fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> Proof {
+    prove("Region I", whole_period(), |p| {
+        rests_on_slips(p, rates)?;
+        p.rests_on(&prove_eq53(k_formula, [left, right]))?;
+        p.rests_on(&a_falls([left, right]))?;
+        p.rests_on(&middle([left, right]))?;
+        p.note(
+            "Below A the left side L of (53) exceeds the right side R > 0",
+            "so there is an m between π/2 and π with sin m = λ₀K/sin K; K = π/2 + y, 0 ≤ y < π/2, as q ≥ 1",
+        );
+        let [y, m, k, q, lambda0] = Expr::symbols(["y", "m", "K", "q", "λ₀"]);
+        let length = p.read("K by (53), for q = K/(π − K)", k_formula)?;
+        let own = p.ring().named("K")?;
+        p.equal("It is K", &length, &own)?;
+        let (begin, turn) = (m - k, m + k);
+        let whole = int(2) * Expr::pi();
+        let ahead = p.read("Forward from m − K: 𝔴 at m + K", arc(begin, turn, lambda0))?;
+        p.zero("It", &ahead)?;
+        let back = arc(turn, begin + whole, -q * lambda0);
+        let back = p.read("Backward from there: 𝔴 at m − K + 2π", back)?;
+        p.zero("It", &back)?;
+        let pull = p.read("The pull at m − K, sin(m − K) − λ₀,", begin.sin() - lambda0)?;
+        let factor = -m.cos() * k.sin() + lambda0 * (int(1) + k * y.tan());
+        let factor = p.read("−cos m sin K + λ₀ (1 + K tan y), which is positive", factor)?;
+        let both = (lambda0 * k.sin()).squared() * (left - right) * (left + right);
+        let both = p.read("(λ₀ sin K)² (L − R)(L + R), which is positive", both)?;
+        p.equal("Their product is that", &(&pull * &factor), &both)?;
+        let other = p.read(
+            "The pull back at m + K, −sin(m + K) − qλ₀,",
+            -turn.sin() - q * lambda0,
+        )?;
+        let (quarter, near) = (Expr::pi().squared() / int(4), Expr::pi() / int(2) - y);
+        let rest = (quarter - y.squared()) * y.sin() - y * y.cos();
+        let more = p.read(
+            "2λ₀/((π/2 − y) cos y) times (π²/4 − y²) sin y − y cos y",
+            int(2) * lambda0 * rest / (near * y.cos()),
+        )?;
+        p.equal("It exceeds the other by that", &(&other - &pull), &more)?;
+        let rest = p.read("Here (π²/4 − y²) sin y − y cos y", rest)?;
+        let chord = int(2) * y / Expr::pi();
+        let terms =
+            (quarter - y.squared()) * (y.sin() - chord) + y * (near - y.cos()) + near * chord * y;
+        let terms = p.read(
+            "(π²/4 − y²)(sin y − 2y/π) + y (π/2 − y − cos y) + (π/2 − y) 2y²/π, of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y",
+            terms,
+        )?;
+        p.equal("The two", &rest, &terms)?;
+        p.note(
+            "So the drive exceeds friction where each slip begins, and each slip ends where the other begins",
+            "this motion repeats itself, without rest",
+        );
+        listed(p, signs, [1, -1])
+    })
+}
+
+fn second(rates: Rates, (k_formula, a): CurveA, [b, e]: [Sides; 2], signs: Lists) -> Proof {
+    let ring = || {
+        let mut ring = slips()?;
+        ring.angle("end");
+        Ok(ring)
+    };
+    prove("Region II, and between E and C", ring(), |p| {
+        rests_on_slips(p, rates)?;
+        for premise in [
+            prove_eq53(k_formula, a),
+            a_falls(a),
+            prove_eq54(b),
+            b_falls(),
+            prove_e(e),
+            e_grows(),
+            corner_falls(),
+        ] {
+            p.rests_on(&premise)?;
+        }
+        p.note(
+            "A forward slip begins at α, and ends at a phase “end”",
+            "before π + β, where backward motion can begin, exactly if 𝔴 would be negative there, left less right side of (54); before 2π − β, where it can no longer begin, exactly if left less right side of E is negative",
+        );
+        p.note(
+            "At β = π/2 both are sin α (cot α + α − 3π/2), negative before q_Y and positive beyond",
+            "so up to q_Y E's is negative for all β, and B's positive below B; beyond, B's is positive for all β, and E's negative below E and positive above",
+        );
+        p.note(
+            "So, in region II",
+            "the slip ends between π + β and 2π − β, where by (52) backward motion follows at once",
+        );
+        let [alpha, end, q, lambda0] = Expr::symbols(["α", "end", "q", "λ₀"]);
+        let whole = int(2) * Expr::pi();
+        let both = arc(alpha, end, lambda0) + arc(end, alpha + whole, -q * lambda0);
+        let both = p.read(
+            "𝔴 at 2π + α, if the backward motion lasted until then,",
+            both,
+        )?;
+        let left = (int(1) + q) * lambda0 * (alpha + int(2) * k_formula - end);
+        let left = p.read("(1 + q) λ₀ times (α + 2K less the end)", left)?;
+        p.equal("The two", &both, &left)?;
+        p.note(
+            "Above A",
+            "left is less than right side of (53), and the slip ends before α + 2K: backward motion ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
+        );
+        listed(p, signs.0, [1, -1, 0])?;
+        p.note(
+            "Between E and C",
+            "the slip ends between 2π − β and 2π + α: static friction holds until the slip from 2π + α",
+        );
+        listed(p, signs.1, [1, 0])
+    })
+}
+
+fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
+    prove("Region III", slips(), |p| {
+        rests_on_slips(p, rates)?;
+        p.rests_on(&prove_eq54(b))?;
+        p.rests_on(&b_falls())?;
+        let [alpha, beta, q, lambda0] = Expr::symbols(["α", "β", "q", "λ₀"]);
+        let below = p.read("q (C − λ₀), by (55)", q * (c - lambda0))?;
+        let square = p.read(
+            "(cos(β/2) − sin(β/2))²: below C there is a β < π/2 with sin β = qλ₀",
+            ((beta / int(2)).cos() - (beta / int(2)).sin()).squared(),
+        )?;
+        p.equal("The two", &below, &square)?;
+        p.note(
+            "Above B left is less than right side of (54)",
+            "the slip from α ends before π + β, and after π − α, where −qλ₀ < sin φ < λ₀: static friction holds until π + β, where a backward slip begins",
+        );
+        let d = beta - alpha;
+        let size = alpha.cos() + beta.cos();
+        let end = arc(Expr::pi() + beta, int(2) * Expr::pi() + alpha, -q * lambda0);
+        let end = p.read("Its 𝔴 at 2π + α", end)?;
+        let weighted = &p.ring().read(Expr::pi() + d)? * &end;
+        let short = p.read(
+            "Right less left side of (54), which is positive",
+            b[1] - b[0],
+        )?;
+        let first = &p.ring().read(Expr::pi() - d)? * &short;
+        let tangent = (d / int(2)).tan();
+        let product = Expr::pi().squared() - d.squared();
+        let second = p.read(
+            "(cos α + cos β) times (π² − d²) tan(d/2) − 2d, where d = β − α",
+            size * (product * tangent - int(2) * d),
+        )?;
+        p.equal(
+            "π + d times 𝔴 is π − d times that, and this",
+            &weighted,
+            &(&first + &second),
+        )?;
+        let excess = p.read(
+            "Here (π² − d²) tan(d/2) − 2d",
+            product * tangent - int(2) * d,
+        )?;
+        let terms = product * (tangent - d / int(2)) + d / int(2) * (product - int(4));
+        let terms = p.read(
+            "(π² − d²)(tan(d/2) − d/2) + (d/2)(π² − d² − 4), of which no term is negative, as 0 ≤ d < π/2",
+            terms,
+        )?;
+        p.equal("The two", &excess, &terms)?;
+        p.note(
+            "So 𝔴 is positive there",
+            "the backward slip ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
+        );
+        listed(p, signs, [1, 0, -1, 0])
+    })
+}
+
+fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        for name in ["α", "φ"] {
+            ring.angle(name);
+        }
+        ring.symbol("q");
+        ring.define("λ₀", ring.read(Expr::symbol("α").sin())?)?;
+        Ok(ring)
+    };
+    prove("Region IV", ring(), |p| {
+        p.rests_on(&drawn(rates))?;
+        p.rests_on(&forward_slip(rates[0]))?;
+        let [alpha, phi, q, lambda0] = Expr::symbols(["α", "φ", "q", "λ₀"]);
+        let square = |x: Expr| ((x / int(2)).sin() + (x / int(2)).cos()).squared();
+        let below = p.read("D − λ₀, by (56)", d - lambda0)?;
+        let room = p.read(
+            "(sin(α/2) − cos(α/2))²: below D there is an α < π/2 with sin α = λ₀",
+            square(-alpha),
+        )?;
+        p.equal("The two", &below, &room)?;
+        let back = p.read("(52)", rates[1])?;
+        let terms = p.read(
+            "q (λ₀ − C), by (55), and a square",
+            q * (lambda0 - c) + square(phi),
+        )?;
+        p.equal("The two", &back, &terms)?;
+        p.note(
+            "So above C",
+            "backward motion ends after a finite time, and never begins again: −qλ₀ < −1 ≤ sin φ",
+        );
+        p.note(
+            "The forward slip from α ends between π − α and 2π + α",
+            "there −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
+        );
+        listed(p, signs, [1, 0])
+    })
+}
+
+fn fifth([forward, backward]: Rates, d: Expr, signs: [Expr; 1]) -> Proof {
+    prove("Region V", plane(), |p| {
+        let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
+        let half = phi / int(2);
+        let excess = lambda0 - d;
+        let ahead = p.read("(51)", forward)?;
+        let least = excess + (half.sin() - half.cos()).squared();
+        let least = p.read("λ₀ less (56), and a square", least)?;
+        p.equal("Forward motion slows down by that", &-&ahead, &least)?;
+        let back = p.read("(52)", backward)?;
+        let least = excess + (q - int(1)) * lambda0 + (half.sin() + half.cos()).squared();
+        let least = p.read("λ₀ less (56), (q − 1) λ₀, and a square", least)?;
+        p.equal("So does backward motion, as q ≥ 1", &back, &least)?;
+        p.note(
+            "So",
+            "a particle with |𝔴| at the start is at rest after |𝔴|/(λ₀ − 1) at the latest, and stays: −qλ₀ < sin φ < λ₀",
+        );
+        listed(p, signs, [0])
+    })
+}
+
+fn border(c: Expr) -> Proof {
+    let (rates, b, _, signs) = (THIRD.formulas)();
+    let (_, [_, d], [ahead, rest]) = (FOURTH.formulas)();
+    prove("Curve C up to Y", plane(), |p| {
+        p.rests_on(&third(rates, b, c, signs))?;
+        p.rests_on(&SECOND.proof())?;
+        p.rests_on(&fourth(rates, [c, d], [ahead, rest]))?;
+        p.rests_on(&corner_falls())?;
+        let q = Expr::symbol("q");
+        let product = p.read("q times (55): there qλ₀ is the drive's amplitude", q * c)?;
+        p.equal("It is 1", &product, &Rational::int(1))?;
+        p.note(
+            "Before q_Y B ends below C, at q_Y on it",
+            "just below C lies region III, at q_Y region II, both with backward motion; above C region IV, without",
+        );
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn little() -> Expr {
+        int(1) / int(1_000_000)
+    }
+
+    #[test]
+    fn each_region_is_proved() {
+        for proof in [
+            FIRST.proof(),
+            SECOND.proof(),
+            THIRD.proof(),
+            FOURTH.proof(),
+            FIFTH.proof(),
+            CURVE_C.proof(),
+        ] {
+            assert!(proof.holds(), "{proof}");
+        }
+    }
+
+    #[test]
+    fn another_rate_breaks_each() {
+        for i in 0..2 {
+            let wrong = |mut rates: Rates| {
+                rates[i] = rates[i] + little() * Expr::symbol("λ₀");
+                rates
+            };
+            let (rates, a, signs) = (FIRST.formulas)();
+            assert!(!first(wrong(rates), a, signs).holds());
+            let (rates, a, ends, signs) = (SECOND.formulas)();
+            assert!(!second(wrong(rates), a, ends, signs).holds());
+            let (rates, b, c, signs) = (THIRD.formulas)();
+            assert!(!third(wrong(rates), b, c, signs).holds());
+            let (rates, curves, signs) = (FOURTH.formulas)();
+            assert!(!fourth(wrong(rates), curves, signs).holds());
+            let (rates, d, signs) = (FIFTH.formulas)();
+            assert!(!fifth(wrong(rates), d, signs).holds());
+        }
+    }
+
+    #[test]
+    fn another_curve_breaks_each() {
+        let (rates, (k, [left, right]), signs) = (FIRST.formulas)();
+        assert!(!first(rates, (k + little(), [left, right]), signs).holds());
+        assert!(!first(rates, (k, [left, right + little()]), signs).holds());
+        let (rates, a, [b, e], signs) = (SECOND.formulas)();
+        assert!(!second(rates, (a.0 - little(), a.1), [b, e], signs).holds());
+        assert!(!second(rates, a, [e, b], signs).holds());
+        let (rates, [left, right], c, signs) = (THIRD.formulas)();
+        assert!(!third(rates, [left + little(), right], c, signs).holds());
+        assert!(!third(rates, [left, right], c + little(), signs).holds());
+        let (rates, [c, d], signs) = (FOURTH.formulas)();
+        assert!(!fourth(rates, [c - little(), d], signs).holds());
+        assert!(!fourth(rates, [c, d + little()], signs).holds());
+        let (rates, d, signs) = (FIFTH.formulas)();
+        assert!(!fifth(rates, d - little(), signs).holds());
+        assert!(!border(on_c() + little()).holds());
+    }
+
+    #[test]
+    fn another_list_breaks_each() {
+        let (rates, a, [ahead, back]) = (FIRST.formulas)();
+        assert!(!first(rates, a, [back, ahead]).holds());
+        let (rates, a, ends, ([x, y, z], fourth_signs)) = (SECOND.formulas)();
+        assert!(!second(rates, a, ends, ([x, z, y], fourth_signs)).holds());
+        let (rates, b, c, [x, y, z, u]) = (THIRD.formulas)();
+        assert!(!third(rates, b, c, [x, z, y, u]).holds());
+        let (rates, curves, [x, y]) = (FOURTH.formulas)();
+        assert!(!fourth(rates, curves, [y, x]).holds());
+        let (rates, d, _) = (FIFTH.formulas)();
+        assert!(!fifth(rates, d, [x]).holds());
+    }
+}

@@ -1,0 +1,400 @@
+//! Theorems about every motion that begins with p < ρ and A > 1, or near α = 0: each link is an identity of the ring, and a
+//! term that has a sign.
+
+use crate::claims::compare::Compared;
+use crate::claims::rest::exact::eq139;
+use crate::claims::statement::{Statement, given};
+use crate::claims::turntable::exact::{self as turntable, Setting};
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
+use crate::paper::{escape as printed, turntable as motion};
+use crate::scalar::Scalar;
+
+/// What the theorems on escape say of a bound, by the printed law of motion.
+#[derive(Debug, Clone, Copy)]
+pub struct Beyond {
+    /// The number that A has to exceed.
+    pub bound: Expr,
+    /// d²𝛒/dτ² in `x`, `y` and the velocity p (cos χ, sin χ).
+    pub acceleration: [Expr; 2],
+    /// dξ/dτ in p and ℓ.
+    pub ahead: Expr,
+}
+
+impl Beyond {
+    /// As printed.
+    fn printed() -> Self {
+        let [p, ell] = Expr::symbols(["p", "ℓ"]);
+        Beyond {
+            bound: printed::eq127_least_a(),
+            acceleration: acceleration(),
+            ahead: motion::eq101_xi_rate(p, ell),
+        }
+    }
+}
+
+/// (127), and what follows from it in words.
+pub const ESCAPES: Statement<Beyond> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"from every start with $p<\rho$ and $A$ above the bound $A$ grows without end, and the speed vanishes only if $\psi\to\pi$; for every $A$ below the bound the particle comes to rest if $\alpha$ is small enough",
+    ),
+    Beyond::printed,
+    escapes,
+);
+
+/// α grows too.
+pub const ALPHA_GROWS: Statement<Beyond> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"from every start with $p<\rho$ and $A>1$, also one that comes straight in, $\xi=\rho\cos\psi$ grows without end, so that $p/\tau\to\infty$ while $\rho-p$ grows at most as $\tau$, and $\mathrm e^{-2\alpha}=\frac{\rho-p}{\rho+p}\to0$",
+    ),
+    Beyond::printed,
+    alpha_grows,
+);
+
+/// ψ relaxes near α = 0.
+pub const RELAXES: Statement = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"for every $A>0$ at the start, $\lvert\psi\rvert<\pi$ and $\varepsilon>0$, however small: if $\alpha$ is small enough at the start, then within a time below $\varepsilon$ the angle $\psi$ comes closer than $\varepsilon$ to 0 and so to $\psi_1$, stays there while $\alpha$ is small, and $\mathrm d\alpha/\mathrm d\tau$ is then as close to (126)",
+    ),
+    || printed::eq126_alpha_rate(Expr::symbol("A")),
+    relaxes,
+);
+
+fn int(n: i64) -> Expr {
+    Expr::int(n)
+}
+
+fn prove(
+    title: &str,
+    ring: Result<Ring, ExactError>,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+) -> Proof {
+    match ring {
+        Ok(ring) => Proof::of(title, &ring, steps),
+        Err(error) => Proof::impossible(title, error),
+    }
+}
+
+/// (89) for the velocity p (cos χ, sin χ).
+pub fn acceleration() -> [Expr; 2] {
+    let [x, y, p, chi] = Expr::symbols(["x", "y", "p", "χ"]);
+    motion::eq89_acceleration([x, y], [p * chi.cos(), p * chi.sin()])
+}
+
+/// A particle on a bounded path beyond `bound` is pushed outwards for good, at rest or not: friction is 1 at most.
+pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        for name in ["x", "y"] {
+            ring.symbol(name);
+        }
+        let p = ring.symbol("p");
+        for name in ["χ", "θ"] {
+            ring.angle(name);
+        }
+        ring.root_is(&(&p * &p), 2, &p)?;
+        Ok(ring)
+    };
+    prove(
+        "No particle stays near a place beyond the bound",
+        ring(),
+        |p| {
+            given(p, &[&turntable::EQ89, &turntable::EQ103])?;
+            p.note(
+            "If ρ stayed bounded",
+            "ρ² − p², which by (103) grows at the rate 2p, would converge; so would the way ∫ p dτ, the place, and p², to 0",
+        );
+            let [x, y, speed, chi, theta] = Expr::symbols(["x", "y", "p", "χ", "θ"]);
+            let outwards = [theta.cos(), theta.sin()];
+            let along = |[a, b]: [Expr; 2]| a * outwards[0] + b * outwards[1];
+            let push = p.read(
+                "The part of (89) in the direction θ of that place",
+                along(acceleration),
+            )?;
+            let least = along([x, y]) - bound - int(2) * speed;
+            let least = p.read(
+            "The place's own part less the bound, less 2p: positive by a fixed amount in the end, if the place is beyond the bound",
+            least,
+        )?;
+            let half = (chi - theta) / int(2);
+            let squares = int(2) * speed * (half.sin() + half.cos()).squared()
+                + int(2) * half.sin().squared();
+            let squares = p.read("Two squares, for Coriolis force and friction", squares)?;
+            p.equal("The push exceeds that by them", &(&push - &least), &squares)?;
+            p.note(
+                "Where it stops for an instant",
+                "p = 0, and friction, whatever its direction, is 1 at most: the push is no less",
+            );
+            p.note(
+            "So",
+            "the outward velocity would grow without end, against p → 0: beyond the bound no path is bounded",
+        );
+            Ok(())
+        },
+    )
+}
+
+/// p + ρ below the bound: rest, inside the bound.
+pub fn comes_to_rest(bound: Expr) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        for name in ["p", "ρ"] {
+            ring.symbol(name);
+        }
+        ring.angle("ψ");
+        Ok(ring)
+    };
+    prove(
+        "Where p + ρ is below the bound the particle comes to rest",
+        ring(),
+        |p| {
+            given(p, &[&turntable::EQ107, &turntable::EQ108])?;
+            let [speed, rho, psi] = Expr::symbols(["p", "ρ", "ψ"]);
+            let rate = motion::eq107_p_rate(rho, psi) + motion::eq108_rho_rate(speed, psi);
+            let rate = p.read("The rate of p + ρ by (107) and (108)", rate)?;
+            let sum = speed + rho;
+            let fall = bound - sum + int(2) * sum * (psi / int(2)).sin().squared();
+            let fall = p.read("The bound less p + ρ, and what is not negative", fall)?;
+            p.equal("The sum falls by them", &-&rate, &fall)?;
+            p.rests_on(&eq139(bound))?;
+            p.note(
+            "So",
+            "p + ρ falls at a rate that only grows, until p = 0 after a finite time, at a ρ below the bound, where static friction holds",
+        );
+            Ok(())
+        },
+    )
+}
+
+/// Where p → 0, the position is along the velocity: the angle ψ tends to 0 or to π.
+pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
+    given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
+    let [speed, ell, rho, xi] = Expr::symbols(["p", "ℓ", "ρ", "ξ"]);
+    let rate = p.read("dξ/dτ by (101)", ahead)?;
+    let square = p.read(
+        "A square over p: ξ never falls",
+        (speed + ell).squared() / speed,
+    )?;
+    p.equal("The two", &rate, &square)?;
+    let least = p.read("ℓ²/2p less p", ell.squared() / (int(2) * speed) - speed)?;
+    let rest = (int(2) * speed + ell).squared() / (int(2) * speed);
+    let rest = p.read("Another square over 2p", rest)?;
+    p.equal("dξ/dτ exceeds it by that", &(&rate - &least), &rest)?;
+    let across = p.read("ℓ²", ell.squared())?;
+    let left = p.read("ρ² − ξ²", rho.squared() - xi.squared())?;
+    p.equal("The two", &across, &left)?;
+    p.note(
+        "Let p → 0 as τ → T, at ρ > 0",
+        "ξ, never falling and at most ρ, converges; by (99) p ≤ (1 + ρ_max)(T − τ), so that ℓ²/2p has no finite integral unless ℓ → 0",
+    );
+    p.note("So", "ξ → ±ρ: ψ → 0 or ψ → π");
+    Ok(())
+}
+
+/// The polar ring, and the steps of a proof in it.
+pub fn polar(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
+    prove(title, Setting::polar().map(|setting| setting.ring), steps)
+}
+
+fn escapes(beyond: Beyond) -> Proof {
+    let Beyond {
+        bound,
+        acceleration,
+        ahead,
+    } = beyond;
+    polar("Beyond the bound of (127)", |p| {
+        given(p, &[&turntable::EQ110])?;
+        p.rests_on(&pushed(bound, acceleration))?;
+        p.note(
+            "A² = ρ² − p² never falls, so that ρ stays above the bound, and at the limit of a bounded path ρ = A",
+            "no path is bounded: ρ grows beyond every number",
+        );
+        p.note(
+            "While A is bounded, so is the way ∫ p dτ, and with it ρ",
+            "so A grows without end",
+        );
+        stops_along(p, ahead)?;
+        let [xi] = Expr::symbols(["ξ"]);
+        let faster = p.read("dp/dτ by (99)", motion::eq99_p_rate(xi))?;
+        let excess = p.read("ξ less the bound", xi - bound)?;
+        p.equal("The two", &faster, &excess)?;
+        p.note(
+            "At ψ → 0 beyond the bound",
+            "ξ → ρ, and p grows: so p → 0 with ψ → π only, where the particle comes straight in",
+        );
+        p.note(
+            "From such a stop",
+            "it starts outwards, ξ = ρ above the bound for good, and is never slower again",
+        );
+        p.rests_on(&comes_to_rest(bound))?;
+        let [a, alpha] = Expr::symbols(["A", "α"]);
+        p.rests_on(&sum(motion::eq111_p(a, alpha), motion::eq112_rho(a, alpha)))?;
+        p.note(
+            "For an A below the bound",
+            "p + ρ = A exp(α) is below it too, if α is small enough: no smaller number would do",
+        );
+        Ok(())
+    })
+}
+
+/// p + ρ = A exp(α) and ρ − p = A exp(−α).
+fn sum(p_formula: Expr, rho: Expr) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        ring.symbol("A");
+        ring.hyperbolic("α");
+        Ok(ring)
+    };
+    prove(
+        "(111) and (112): the sum of p and ρ, and their difference",
+        ring(),
+        |p| {
+            let [a, alpha] = Expr::symbols(["A", "α"]);
+            for (says, combined, power) in [
+                ("ρ + p", rho + p_formula, alpha),
+                ("ρ − p", rho - p_formula, -alpha),
+            ] {
+                let combined = p.read(says, combined)?;
+                let stated = p.read("A times an exponential", a * power.exp())?;
+                p.equal("The two", &combined, &stated)?;
+            }
+            Ok(())
+        },
+    )
+}
+
+fn alpha_grows(beyond: Beyond) -> Proof {
+    polar("α grows without end", |p| {
+        p.rests_on(&escapes(beyond))?;
+        given(
+            p,
+            &[&turntable::EQ103, &turntable::EQ107, &turntable::EQ108],
+        )?;
+        stops_along(p, beyond.ahead)?;
+        p.note(
+            "While ξ ≤ 1",
+            "p does not grow, by (99), but ρ ≥ A and with it ℓ² = ρ² − ξ² do without end: ℓ²/2p − p, and so ξ, would; ξ passes 1",
+        );
+        p.note("From then on", "dp/dτ = ξ − 1 ≥ δ > 0, and cos ψ > 0");
+        let [speed, rho, psi, ell, xi] = Expr::symbols(["p", "ρ", "ψ", "ℓ", "ξ"]);
+        let lag = motion::eq108_rho_rate(speed, psi) - motion::eq107_p_rate(rho, psi);
+        let lag = p.read("The rate of ρ − p by (107) and (108)", lag)?;
+        let below = p.read("1 less that", int(1) - (rho - speed) * psi.cos())?;
+        p.equal("It is 1 less (ρ − p) cos ψ ≥ 0", &lag, &below)?;
+        p.note("So", "ρ − p ≤ c + τ with a constant c");
+        let rate = p.read("dξ/dτ by (101)", beyond.ahead)?;
+        let weight = p.read("p (p − ℓ)²", speed * (speed - ell).squared())?;
+        let size = rho.squared() - speed.squared();
+        let square = p.read("(A² − ξ²)²", (size - xi.squared()).squared())?;
+        p.equal("It times that", &(&rate * &weight), &square)?;
+        p.note(
+            "If ξ stayed bounded",
+            "p and ρ would be at most, p at least proportional to τ, and A² = 2 ∫ p dτ + … at least to τ²: as |p − ℓ| ≤ p + ρ, dξ/dτ would grow at least as τ, and ξ without end",
+        );
+        p.note("So", "ξ → ∞, p/τ → ∞ by (99), (ρ − p)/p → 0");
+        let [a, alpha] = Expr::symbols(["A", "α"]);
+        p.rests_on(&sum(motion::eq111_p(a, alpha), motion::eq112_rho(a, alpha)))?;
+        p.note("So", "exp(−2α) = (ρ − p)/(ρ + p) → 0");
+        Ok(())
+    })
+}
+
+fn relaxes(formula: Expr) -> Proof {
+    let near = || {
+        let mut ring = Ring::new();
+        ring.symbol("A");
+        ring.hyperbolic("α");
+        ring.angle("ψ");
+        Ok(ring)
+    };
+    let rate = prove("(126) and (114)", near(), |p| {
+        given(p, &[&turntable::EQ114])?;
+        let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
+        let rate = p.read("(114)", motion::eq114_alpha_rate(a, alpha, psi))?;
+        let stated = p.read("(126)", formula)?;
+        let small = int(2) * (psi / int(2)).sin().squared()
+            + int(2) * (alpha / int(2)).sinh().squared() / a;
+        let small = p.read("Two terms that vanish with ψ and α", small)?;
+        p.equal("They differ by these", &(&stated - &rate), &small)
+    });
+    polar("ψ relaxes near α = 0", |p| {
+        given(
+            p,
+            &[
+                &turntable::EQ107,
+                &turntable::EQ108,
+                &turntable::EQ109,
+                &turntable::EQ124,
+            ],
+        )?;
+        let [speed, rho, psi] = Expr::symbols(["p", "ρ", "ψ"]);
+        let turn = p.read("dψ/dτ by (109)", motion::eq109_psi_rate(speed, rho, psi))?;
+        let along = p.ring().along(&[("ψ", turn)])?;
+        let tangent = p.read("t = tan(ψ/2)", (psi / int(2)).tan())?;
+        let fall = p.derivative("dt/dτ", &tangent, &along)?;
+        let t = (psi / int(2)).tan();
+        let parts = speed * (int(1) + t.squared()) - (rho + speed.squared() / rho) * t;
+        let parts = p.read("p (1 + t²) − (ρ + p²/ρ) t", parts)?;
+        let by = p.ring().read(speed)?;
+        p.equal("By s with dτ = p ds, dt/ds is that", &(&fall * &by), &parts)?;
+        let faster = p.read("dp/dτ by (107)", motion::eq107_p_rate(rho, psi))?;
+        let most = p.read("1 + ρ", int(1) + rho)?;
+        let spare = int(2) + int(2) * rho * (psi / int(2)).sin().squared();
+        let spare = p.read("2 + 2ρ sin²(ψ/2), which is not negative", spare)?;
+        p.equal("It lies below 1 + ρ by that", &(&most - &faster), &spare)?;
+        p.note(
+            "Up to a given s",
+            "p ≤ p₀ exp((1 + ρ) s), as small as one likes with p₀ = A sinh α; ρ changes by ∫ p² ds at most, and τ = ∫ p ds",
+        );
+        p.note(
+            "So, while ρ > A/2 and p → 0",
+            "|t| ≤ |t₀| exp(−As/2) + what goes to 0 with p₀: first s is chosen, then p₀",
+        );
+        p.note(
+            "At |t| = ε later on",
+            "|t| falls while p (1 + ε²) < ρ ε: it stays below ε while p, and so α, is small",
+        );
+        p.note("ψ₁ by (124)", "asin(tanh 2α), which goes to 0 with α");
+        p.rests_on(&rate)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_link_holds() {
+        for proof in [ESCAPES.proof(), ALPHA_GROWS.proof(), RELAXES.proof()] {
+            assert!(proof.holds(), "{proof}");
+        }
+    }
+
+    #[test]
+    fn another_bound_friction_or_rate_breaks_them() {
+        let little = int(1) / int(1_000_000);
+        let printed = Beyond::printed();
+        let bounds = [printed.bound + little, printed.bound - little];
+        let [x, y] = printed.acceleration;
+        let mut wrong: Vec<_> = bounds.map(|bound| Beyond { bound, ..printed }).into();
+        wrong.push(Beyond {
+            acceleration: [x * (int(1) + little), y],
+            ..printed
+        });
+        wrong.push(Beyond {
+            ahead: printed.ahead * (int(1) - little),
+            ..printed
+        });
+        for wrong in wrong {
+            assert!(
+                !escapes(wrong).holds() && !alpha_grows(wrong).holds(),
+                "{wrong:?}"
+            );
+        }
+        let stated = printed::eq126_alpha_rate(Expr::symbol("A"));
+        assert!(!relaxes(stated * (int(1) + little)).holds());
+    }
+}

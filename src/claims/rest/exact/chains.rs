@@ -1,0 +1,128 @@
+//! Theorems about every motion on the table: that it rests or goes away, and how it stops.
+
+use super::series;
+use crate::claims::compare::Compared;
+use crate::claims::escape::exact::chains::{
+    acceleration, comes_to_rest, polar, pushed, stops_along,
+};
+use crate::claims::statement::{Statement, given};
+use crate::claims::turntable::exact as turntable;
+use crate::evidence::Subject;
+use crate::exact::{Expr, Proof, Rational};
+use crate::paper::{rest as printed, turntable as motion};
+
+/// Rest or escape.
+pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"every motion from every start, for which $\rho$ stays bounded and which never comes to rest, has a place to which it converges, with $p\to0$: at $\rho<1$ it would come to rest, at $\rho>1$ be pushed away; at $\rho=1$ it creeps",
+    ),
+    || {
+        (
+            printed::s4_third_fates(),
+            printed::eq139_largest_sigma(),
+            acceleration(),
+        )
+    },
+    |(third, bound, acceleration)| dichotomy(third, bound, acceleration),
+);
+
+fn dichotomy(third: Expr, bound: Expr, acceleration: [Expr; 2]) -> Proof {
+    polar("Rest, escape, or creeping towards ρ = 1", |p| {
+        p.note(
+            "Let a motion never come to rest, and ρ stay bounded",
+            "it converges to a place, as follows, with p → 0",
+        );
+        p.rests_on(&pushed(bound, acceleration))?;
+        p.note(
+            "If that place is beyond the bound",
+            "there is no such motion",
+        );
+        p.rests_on(&comes_to_rest(bound))?;
+        p.note(
+            "If it is inside the bound",
+            "p + ρ falls below the bound at some time, and the particle comes to rest: there is no such motion",
+        );
+        let one = p.read(
+            "At the bound it creeps for ever: this is excepted. The bound",
+            bound,
+        )?;
+        p.equal("It is 1", &one, &Rational::int(1))?;
+        let third = p.read("The number of other fates, as stated", third)?;
+        p.zero("It", &third)
+    })
+}
+
+/// How the particle comes to rest.
+pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"for every motion with $p<\rho$ that comes to rest, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved",
+    ),
+    || {
+        let [p, ell] = Expr::symbols(["p", "ℓ"]);
+        (
+            printed::s4_near_rest_limits(),
+            motion::eq101_xi_rate(p, ell),
+        )
+    },
+    |(limits, ahead)| near_rest(limits, ahead),
+);
+
+fn near_rest([alpha, psi]: [Expr; 2], ahead: Expr) -> Proof {
+    polar("α and ψ near rest", |p| {
+        given(
+            p,
+            &[
+                &turntable::EQ103,
+                &turntable::EQ110,
+                &turntable::EQ111,
+                &turntable::EQ112,
+            ],
+        )?;
+        p.note(
+            "At rest",
+            "ρ = σ > 0, as ρ² − p² is positive and never falls; so tanh α = p/ρ → 0",
+        );
+        let alpha = p.read("The stated limit of α", alpha)?;
+        p.zero("It", &alpha)?;
+        stops_along(p, ahead)?;
+        p.note("Straight in, ψ → π, is excepted", "ψ → 0");
+        let psi = p.read("The stated limit of ψ", psi)?;
+        p.zero("It", &psi)?;
+        given(
+            p,
+            &[
+                &series::EQ140,
+                &series::EQ141,
+                &series::EQ142,
+                &series::EQ143,
+                &series::EQ144,
+                &series::EQ145,
+            ],
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::Scalar;
+
+    #[test]
+    fn each_link_holds_and_another_law_breaks_it() {
+        let little = Expr::int(1) / Expr::int(1_000_000);
+        assert!(DICHOTOMY.proof().holds(), "{}", DICHOTOMY.proof());
+        let (third, bound, [x, y]) = (DICHOTOMY.formulas)();
+        assert!(!dichotomy(third + little, bound, [x, y]).holds());
+        assert!(!dichotomy(third, bound + little, [x, y]).holds());
+        assert!(!dichotomy(third, bound - little, [x, y]).holds());
+        assert!(!dichotomy(third, bound, [x, y + little]).holds());
+
+        assert!(NEAR_REST.proof().holds(), "{}", NEAR_REST.proof());
+        let ([alpha, psi], ahead) = (NEAR_REST.formulas)();
+        assert!(!near_rest([alpha + little, psi], ahead).holds());
+        assert!(!near_rest([alpha, psi - little], ahead).holds());
+        assert!(!near_rest([alpha, psi], ahead + little).holds());
+    }
+}

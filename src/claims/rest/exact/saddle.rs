@@ -1,0 +1,120 @@
+//! The surfaces of starts that come to rest close to ρ = 1: hyperbolas around a saddle.
+
+use crate::claims::compare::Compared;
+use crate::claims::statement::{Statement, given};
+use crate::claims::turntable::exact as turntable;
+use crate::corrections::rest as corrected;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Rational, Ring, Series};
+use crate::paper::turntable as motion;
+use crate::scalar::Scalar;
+
+/// The lowest order is wanted; one more follows.
+const ORDER: i64 = 2;
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["a", "x", "y", "σ", "α"] {
+        ring.symbol(name);
+    }
+    let [sigma, alpha] = Expr::symbols(["σ", "α"]);
+    let square = ring.read((Expr::int(1) - sigma).squared() + alpha.squared())?;
+    ring.root(&square, 2)?;
+    Ok(ring)
+}
+
+/// A formula for ∂A/∂σ is that of the surfaces that the motion makes.
+pub fn prove(formula: Expr) -> Proof {
+    let title = "The surfaces of constant σ close to ρ = 1";
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        given(p, &[&turntable::EQ113, &turntable::EQ114])?;
+        let ring = p.ring();
+        p.note(
+            "Close to ρ = 1, where ψ has relaxed",
+            "A = 1 + εa, α = εx, ψ = εy, with a small ε",
+        );
+        let scaled = |name| Ok::<_, ExactError>(Series::new(1, vec![ring.named(name)?]));
+        let one = Series::constant(Rational::int(1), ORDER);
+        let values = [
+            ("A", &one.plus(&scaled("a")?)),
+            ("α", &scaled("x")?),
+            ("ψ", &scaled("y")?),
+        ];
+        let [size, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
+        let mut found = Vec::new();
+        for (says, formula, name) in [
+            ("dA/dτ by (113)", motion::eq113_a_rate(alpha), "x"),
+            (
+                "dα/dτ by (114)",
+                motion::eq114_alpha_rate(size, alpha, psi),
+                "a",
+            ),
+        ] {
+            let rate = p.expand(says, formula, &values, ("ε", ORDER))?;
+            let order = |k| rate.coefficient(k).ok_or(Obstacle::Empty);
+            p.zero("It has no term without ε", &order(0)?)?;
+            p.equal(
+                &format!("At the order ε it is {name}"),
+                &order(1)?,
+                &ring.named(name)?,
+            )?;
+            found.push(order(1)?);
+        }
+        let saddle = ring.along(&[("a", found.remove(0)), ("x", found.remove(0))])?;
+        let [a, x, sigma] = Expr::symbols(["a", "x", "σ"]);
+        let kept = p.read("a² − x²", a.squared() - x.squared())?;
+        let rate = p.derivative("Its rate", &kept, &saddle)?;
+        p.zero("It", &rate)?;
+        p.note(
+            "At rest α = 0 and A = σ",
+            "so (A − 1)² − α² is (1 − σ)²: A = 1 − √((1 − σ)² + α²)",
+        );
+        let deficit = Expr::int(1) - sigma;
+        let surface = Expr::int(1) - (deficit.squared() + alpha.squared()).sqrt();
+        let square = p.read(
+            "(A − 1)² − α² with this A",
+            (surface - Expr::int(1)).squared() - alpha.squared(),
+        )?;
+        let stated = p.read("(1 − σ)²", deficit.squared())?;
+        p.equal("The two", &square, &stated)?;
+        let surface = p.read("A", surface)?;
+        let slope = p.derivative("∂A/∂σ", &surface, &ring.by("σ")?)?;
+        let stated = p.read("The corrected formula", formula)?;
+        p.equal("The two", &slope, &stated)
+    })
+}
+
+/// (146) as corrected.
+pub const CORRECTED: Statement = Statement::new(
+    Subject::Corrected,
+    Compared::one(
+        r"the corrected $\mathrm dA/\mathrm d\sigma$",
+        r"that of the surfaces that (113) and (114) make, to the lowest order in $1-\sigma$ and $\alpha$, with $\psi$ of the order of $\alpha$",
+    ),
+    || {
+        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
+        corrected::surface_slope(sigma, alpha)
+    },
+    prove,
+);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_printed_slope_is_disproved() {
+        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
+        assert!(CORRECTED.proof().holds(), "{}", CORRECTED.proof());
+        let printed = crate::paper::rest::eq146_right(sigma, alpha);
+        let proof = prove(printed);
+        assert!(
+            matches!(proof.obstacle(), Some(Obstacle::NotZero { .. })),
+            "{proof}"
+        );
+    }
+}

@@ -1,0 +1,224 @@
+//! What is proved of a particle, carried over to the sphere: its slip velocity moves, and stays 0, as a particle's velocity does
+//! with bμ in place of μ.
+
+use super::{S3_REDUCTION, body};
+use crate::claims::anisotropic::{exact as anisotropy, motions};
+use crate::claims::compare::Compared;
+use crate::claims::general::chains;
+use crate::claims::periodic::exact as pulses;
+use crate::claims::statement::{Statement, given};
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::{anisotropic, sinusoidal, sphere as paper};
+use crate::scalar::Scalar;
+
+/// The pulse train.
+pub const PULSE: Statement = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that (44) to (46) are proved",
+    ),
+    || {
+        let [b, mu, g, a0] = symbols();
+        paper::eq84_lambda(b, mu, g, a0)
+    },
+    pulse,
+);
+
+/// The sinusoidal drive.
+pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"for every sphere, every start and every $\lambda_0>0$ of (84): the slip velocity is drawn to the one motion along $x$ that repeats itself, that of the regions at $q=1$: below A, which is (37) there, two zeros in a period, above it and below 1 two rests, above 1 rest",
+    ),
+    || {
+        let [b, mu, g, a0] = symbols();
+        [
+            paper::eq84_lambda(b, mu, g, a0),
+            sinusoidal::eq37_lambda_c(),
+        ]
+    },
+    trichotomy,
+);
+
+/// Anisotropic friction.
+pub const ANISOTROPIC: Statement = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu_\pm$ in place of $\mu_\pm$, which makes (85) of (49) and $q$ times (85) of (50); for that the regions, with E, are proved for every $q\ge1$",
+    ),
+    || {
+        let [b, mu, g, a0] = symbols();
+        paper::eq85_lambda(b, mu, g, a0)
+    },
+    regions,
+);
+
+fn symbols() -> [Expr; 4] {
+    Expr::symbols(["b", "μ", "g", "A₀"])
+}
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["b", "μ", "g", "A₀", "q"] {
+        ring.symbol(name);
+    }
+    // For (37).
+    let square = ring.read(Expr::int(4) + Expr::pi() * Expr::pi())?;
+    ring.root(&square, 2)?;
+    Ok(ring)
+}
+
+/// A proof that starts from the reduction to the particle.
+fn carried(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        given(p, &[&S3_REDUCTION])?;
+        p.rests_on(&body::prove_rolling())?;
+        steps(p)
+    })
+}
+
+fn pulse(lambda0: Expr) -> Proof {
+    carried("The pulse train of the sphere", |p| {
+        let [b, mu, g, a0] = symbols();
+        let stated = p.read("λ₀ by (84)", lambda0)?;
+        let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
+        let particle = p.read("λ₀ of the particle with bμ, by (22)", particle)?;
+        p.equal("The two", &stated, &particle)?;
+        given(p, &[&pulses::EQ44, &pulses::EQ45, &pulses::EQ46])
+    })
+}
+
+/// Two motions of one drive on the plane come no farther apart.
+fn together() -> Proof {
+    let mut ring = Ring::new();
+    for name in ["v", "w"] {
+        ring.symbol(name);
+    }
+    for name in ["χ", "θ"] {
+        ring.angle(name);
+    }
+    Proof::of(
+        "Two motions of one drive come no farther apart",
+        &ring,
+        |p| {
+            let [v, w, chi, theta] = Expr::symbols(["v", "w", "χ", "θ"]);
+            p.note(
+                "Velocities v (cos χ, sin χ) and w (cos θ, sin θ)",
+                "the drive changes both alike, and friction by −μg times the unit vectors",
+            );
+            let apart = [
+                (v * chi.cos() - w * theta.cos()) * (chi.cos() - theta.cos()),
+                (v * chi.sin() - w * theta.sin()) * (chi.sin() - theta.sin()),
+            ];
+            let loss = p.read(
+                "Their difference times that of the unit vectors",
+                apart[0] + apart[1],
+            )?;
+            let two = Expr::int(2);
+            let square = two * ((chi - theta) / two).sin().squared();
+            let square = p.read("2 (v + w) sin²((χ − θ)/2)", (v + w) * square)?;
+            p.equal("It is that, which is not negative", &loss, &square)?;
+            p.note(
+                "If one is at rest",
+                "friction on it is any vector of size μg at most, and the product is no less",
+            );
+            Ok(())
+        },
+    )
+}
+
+fn trichotomy([lambda0, critical]: [Expr; 2]) -> Proof {
+    carried("The driven sphere", |p| {
+        let [b, mu, g, a0] = symbols();
+        let stated = p.read("λ₀ by (84)", lambda0)?;
+        let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
+        let particle = p.read("λ₀ of the particle with bμ, by (22)", particle)?;
+        p.equal("The two", &stated, &particle)?;
+        given(p, &[&chains::ACROSS, &chains::STOPS])?;
+        p.rests_on(&together())?;
+        given(
+            p,
+            &[
+                &motions::FIRST,
+                &motions::THIRD,
+                &motions::FIFTH,
+                &anisotropy::X,
+            ],
+        )?;
+        p.note(
+            "The velocity across vanishes at late times",
+            "where a motion comes to, period by period, is then a set of velocities along x, all at one distance from the motion along x that repeats itself; from each of them the motion is drawn to that: the distance is 0",
+        );
+        let [q, at] = anisotropic::eq57_x::<Expr>();
+        let same = p.read("q of X, where A and B meet", q)?;
+        p.equal("It is 1", &same, &Rational::int(1))?;
+        let at = p.read("λ₀ there", at)?;
+        let critical = p.read("λ_c by (37)", critical)?;
+        p.equal("The two", &at, &critical)?;
+        p.note(
+            "So at q = 1, where C and D are 1",
+            "below λ_c region I, from λ_c to 1 region III, above 1 region V",
+        );
+        Ok(())
+    })
+}
+
+fn regions(lambda0: Expr) -> Proof {
+    carried("The regions of the sphere", |p| {
+        let [b, mu, g, a0] = symbols();
+        let q = Expr::symbol("q");
+        p.note("μ is that of slip towards +x", "qμ that of slip towards −x");
+        let forward = anisotropic::eq47_lambda_plus(b * mu, g, a0);
+        let backward = anisotropic::eq48_lambda_minus(b * q * mu, g, a0);
+        for (says, particle, stated) in [
+            (
+                "λ₊ of the particle with bμ, by (47)",
+                forward,
+                anisotropic::eq49_lambda_plus(lambda0),
+            ),
+            (
+                "λ₋ of the particle with bqμ, by (48)",
+                backward,
+                anisotropic::eq50_lambda_minus(q, lambda0),
+            ),
+        ] {
+            let particle = p.read(says, particle)?;
+            let stated = p.read("By (85) and (49) or (50)", stated)?;
+            p.equal("The two", &particle, &stated)?;
+        }
+        given(
+            p,
+            &[
+                &motions::FIRST,
+                &motions::SECOND,
+                &motions::THIRD,
+                &motions::FOURTH,
+                &motions::FIFTH,
+            ],
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_is_proved_and_another_friction_breaks_it() {
+        let wrong = |stated: Expr| stated * Expr::int(1_000_001) / Expr::int(1_000_000);
+        for statement in [PULSE, ANISOTROPIC] {
+            let stated = (statement.formulas)();
+            assert!(statement.proof().holds(), "{}", statement.proof());
+            assert!(!(statement.prove)(wrong(stated)).holds());
+        }
+        let [lambda0, critical] = (TRICHOTOMY.formulas)();
+        assert!(TRICHOTOMY.proof().holds(), "{}", TRICHOTOMY.proof());
+        assert!(!trichotomy([wrong(lambda0), critical]).holds());
+        assert!(!trichotomy([lambda0, wrong(critical)]).holds());
+    }
+}
