@@ -3,11 +3,11 @@
 use super::exact::prove;
 use crate::claims::compare::Compared;
 use crate::claims::general::chains::{decays, ring_across};
+use crate::claims::general::law::eq1;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Proof};
 use crate::paper::anisotropic as printed;
-use crate::paper::general::eq1_velocity_rate;
 use crate::scalar::Scalar;
 
 /// v_y → 0.
@@ -16,11 +16,7 @@ pub const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::new(
     Compared::shown(
         r"with $\bm A$ along $x$, $\lvert\bm A\rvert\le a$, and in (1) a coefficient $\mu\ge m>0$ that may change with the direction of the velocity and with time: $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2mg/a}$ never grows, so that $v_y\to0$ from every start",
     ),
-    || {
-        let [ax, ay, mu, g, vx, vy] = Expr::symbols(["A_x", "A_y", "μ", "g", "v_x", "v_y"]);
-        let law = eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
-        (law, printed::s24_late_vy())
-    },
+    || (eq1(), printed::s24_late_vy()),
     |(law, limit)| vanishes(law, limit),
 );
 

@@ -47,19 +47,19 @@ pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
 fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
     prove("Very large friction: rest", ring(sign), |p| {
         given(p, &[&STOPS])?;
-        let [psi, phi, start] = Expr::symbols(["ψ", "φ", "𝔴₀"]);
+        let [psi, start] = Expr::symbols(["ψ", "𝔴₀"]);
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
         let signed = Expr::int(sign);
         let speed = p.read("d|𝔴|/dφ by (26)", signed * rate)?;
         let room = p.read("The left less the right side", left - right)? - &speed;
         let half = psi / Expr::int(2);
         let square = (half.sin() - signed * half.cos()).squared();
-        let square = p.read("A square, 1 − |h| at least", square)?;
+        let square = p.read("A square, which is not negative", square)?;
         p.equal("That less the rate, and the square", &room, &square)?;
         let time = start / (right - left);
         let end = p.read(
             "The line |𝔴₀| − (right − left) φ at φ = |𝔴₀|/(right − left), with 𝔴₀ for its size",
-            start - (right - left) * phi.with("φ", time),
+            start - (right - left) * time,
         )?;
         p.zero("It", &end)?;
         p.note(
@@ -179,7 +179,7 @@ fn normalised([pulse, gap]: [Expr; 2], largest: Expr) -> Proof {
 
 /// What (42), (43) and (46) give at a share of pulses.
 #[derive(Debug, Clone, Copy)]
-struct Pulses {
+pub struct Pulses {
     /// h in a pulse and in a gap, then the same half a period later.
     h: [Expr; 4],
     /// Where the pulse ends.

@@ -4,13 +4,14 @@
 //! Two motions under one drive come no farther apart. Where the one passes through zero, or rests, they come closer by an amount
 //! that depends on their distance alone, once in each period; so the distance goes to zero. All is in units of A₀ and ϖ.
 
-use super::chains::{VX_STAYS, WEAK_DRIVE_STOPS, eq1, eq2, eq21, in_units};
+use super::chains::{VX_STAYS, WEAK_DRIVE_STOPS, eq21, in_units};
 use super::exact::{
     EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove, prove_eq33, prove_eq38, ring_of_phi_t1, ring_of_phi1,
 };
 use super::order::slip;
 use crate::claims::compare::Compared;
 use crate::claims::general::apart::never_farther_apart;
+use crate::claims::general::law::{eq1, eq2, eq2_proof};
 use crate::claims::statement::{Statement, given};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
@@ -64,6 +65,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
     prove("Every motion is drawn to (38)", ring(), |p| {
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&passes(motion))?;
+        p.rests_on(&eq2_proof(eq2()))?;
         let [lambda0, other, d, vx, vy, phi] = Expr::symbols(["λ₀", "W", "D", "v_x", "v_y", "φ"]);
         let [one, two] = [1, 2].map(Expr::int);
         let speed = (vx.squared() + vy.squared()).sqrt();
@@ -93,18 +95,29 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         let grows = p.read("dv/dφ by (2)", grows)?;
         let sine = phi.sin();
         for (says, rate, sign, room) in [
-            ("dv_x/dφ", &along, 1, one - sine + lambda0 * (one + cosine)),
-            ("dv_x/dφ", &along, -1, one + sine + lambda0 * (one - cosine)),
-            ("dv/dφ", &grows, 1, one - sine * cosine + two * lambda0),
-            ("dv/dφ", &grows, -1, one + sine * cosine),
+            (
+                "1 + λ₀ less dv_x/dφ",
+                &along,
+                -1,
+                one - sine + lambda0 * (one + cosine),
+            ),
+            (
+                "1 + λ₀ and dv_x/dφ",
+                &along,
+                1,
+                one + sine + lambda0 * (one - cosine),
+            ),
+            (
+                "1 + λ₀ less dv/dφ",
+                &grows,
+                -1,
+                one - sine * cosine + two * lambda0,
+            ),
+            ("1 + λ₀ and dv/dφ", &grows, 1, one + sine * cosine),
         ] {
-            let left = p.read("1 + λ₀", most)? - &Rational::int(sign) * rate;
+            let left = p.ring().read(most)? + &Rational::int(sign) * rate;
             let room = p.read("Terms of which none is negative", room)?;
-            p.equal(
-                &format!("1 + λ₀ less {sign} times {says}, and these"),
-                &left,
-                &room,
-            )?;
+            p.equal(says, &left, &room)?;
         }
         p.note(
             "So v ± v_x",
@@ -151,6 +164,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
     prove("Every motion becomes (33)", ring(), |p| {
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&prove_eq33(cases))?;
+        p.rests_on(&eq2_proof(law))?;
         p.rests_on(&slip())?;
         given(p, &[&EQ34, &EQ35, &EQ36])?;
         let [beta, lambda0, vx, vy, phi] = Expr::symbols(["β", "λ₀", "v_x", "v_y", "φ"]);

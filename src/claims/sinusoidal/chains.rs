@@ -4,28 +4,12 @@
 use super::exact::prove;
 use crate::claims::compare::Compared;
 use crate::claims::general::chains::{decays, ring_across, stops};
+use crate::claims::general::law::{eq1, eq2};
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
-use crate::paper::general as law;
 use crate::paper::sinusoidal as paper;
 use crate::scalar::Scalar;
-
-const NAMES: [&str; 6] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"];
-
-fn symbols() -> [Expr; 6] {
-    NAMES.map(Expr::symbol)
-}
-
-pub(super) fn eq1() -> [Expr; 2] {
-    let [ax, ay, mu, g, vx, vy] = symbols();
-    law::eq1_velocity_rate([ax, ay], mu, g, [vx, vy])
-}
-
-pub(super) fn eq2() -> Expr {
-    let [ax, ay, mu, g, vx, vy] = symbols();
-    law::eq2_speed_rate([ax, ay], mu, g, [vx, vy])
-}
 
 /// (21) at the phase φ.
 pub(super) fn eq21() -> [Expr; 2] {

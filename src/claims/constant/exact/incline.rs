@@ -1,19 +1,12 @@
 //! An inclined plane at rest has the law of a drive that is constant, and none that of a drive that changes with time.
 
 use crate::claims::compare::Compared;
+use crate::claims::general::law::{self, eq1};
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::paper::constant as paper;
-use crate::paper::general::eq1_velocity_rate;
 use crate::scalar::Scalar;
-
-const NAMES: [&str; 6] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"];
-
-fn law() -> [Expr; 2] {
-    let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
-    eq1_velocity_rate([ax, ay], mu, g, [vx, vy])
-}
 
 /// Weight, normal force and friction in space give (1) with (3).
 pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
@@ -21,17 +14,15 @@ pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     Compared::shown(
         r"for every slope $\beta$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
     ),
-    || (law(), paper::eq3_acceleration(Expr::symbol("A"))),
+    || (eq1(), paper::eq3_acceleration(Expr::symbol("A"))),
     |(law, drive)| on_an_incline(law, drive),
 );
 
 fn on_an_incline(law: [Expr; 2], drive: [Expr; 2]) -> Proof {
     let title = "An incline is a constant drive";
     let ring = || -> Result<Ring, ExactError> {
-        let mut ring = Ring::new();
-        let [_, _, vx, vy] = ["μ", "g", "v_x", "v_y"].map(|name| ring.symbol(name));
+        let mut ring = law::ring()?;
         ring.angle("β");
-        ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
     let ring = match ring() {
@@ -92,19 +83,17 @@ pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::new(
     Compared::shown(
         r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: where $\bm A$ changes, no inclined plane gives the same rates at all velocities",
     ),
-    law,
+    eq1,
     only_constant,
 );
 
 fn only_constant(law: [Expr; 2]) -> Proof {
     let title = "No incline has a drive that changes";
     let ring = || -> Result<Ring, ExactError> {
-        let mut ring = Ring::new();
-        let [_, _, _, _, vx, vy] = NAMES.map(|name| ring.symbol(name));
+        let mut ring = law::ring()?;
         for name in ["P_x", "P_y", "k"] {
             ring.symbol(name);
         }
-        ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
     let ring = match ring() {
@@ -112,7 +101,7 @@ fn only_constant(law: [Expr; 2]) -> Proof {
         Err(error) => return Proof::impossible(title, error),
     };
     Proof::of(title, &ring, |p| {
-        let [ax, ay, _, _, vx, vy] = NAMES.map(Expr::symbol);
+        let [ax, ay, vx, vy] = Expr::symbols(["A_x", "A_y", "v_x", "v_y"]);
         let [px, py, k] = Expr::symbols(["P_x", "P_y", "k"]);
         let (two, speed) = (Expr::int(2), (vx.squared() + vy.squared()).sqrt());
         p.note(
@@ -156,7 +145,7 @@ mod tests {
     fn the_pull_is_told_by_opposite_velocities_and_another_law_is_refused() {
         let proof = ONLY_CONSTANT.proof();
         assert!(proof.holds(), "{proof}");
-        let [x, y] = law();
+        let [x, y] = eq1();
         let more = Expr::symbol("μ") / Expr::int(1_000_000);
         assert!(!only_constant([x + more, y]).holds());
         assert!(!only_constant([x, y * Expr::int(2)]).holds());
