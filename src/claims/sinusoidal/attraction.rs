@@ -91,7 +91,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         let [rate, _] = in_units(law, drive);
         let most = one + lambda0;
         let along = p.read("dv_x/dφ by (1)", rate)?;
-        let grows = in_units([eq2(), eq2()], drive)[0];
+        let [grows] = in_units([eq2()], drive);
         let grows = p.read("dv/dφ by (2)", grows)?;
         let sine = phi.sin();
         for (says, rate, sign, room) in [
@@ -121,7 +121,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         }
         p.note(
             "So v ± v_x",
-            "changes by 2 (1 + λ₀) at most in each unit of the phase",
+            "changes by 2 (1 + λ₀) at most in each unit of the phase, and at rest not at all",
         );
 
         let length = d / (Expr::int(4) * most);
@@ -181,7 +181,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         p.equal("The two", &excess, &product)?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let drive = eq21();
-        let rate = in_units([law, law], drive)[0];
+        let [rate] = in_units([law], drive);
         let rate = p.read(
             "While (33) rests the distance is v, with the rate by (2)",
             rate,
@@ -316,7 +316,7 @@ fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
         let [lambda0, vx, vy, phi] = Expr::symbols(["λ₀", "v_x", "v_y", "φ"]);
         let speed = (vx.squared() + vy.squared()).sqrt();
         let drive = eq21();
-        let growth = in_units([eq2(), eq2()], drive)[0];
+        let [growth] = in_units([eq2()], drive);
         let growth = p.read("For λ₀ ≥ 1, dv/dφ by (2)", growth)?;
         let along = p.read(
             "sin φ v_x/v less λ₀, at most |sin φ| − λ₀",

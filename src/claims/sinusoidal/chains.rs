@@ -104,8 +104,8 @@ pub const VX_STAYS: Statement<([Expr; 2], [Expr; 2], [Expr; 2])> = Statement::ne
     |(law, drive, phases)| vx_stays(law, drive, phases),
 );
 
-/// The velocity in units in which A₀ and ϖ are 1, so that μg is λ₀: by (1) and (21).
-pub(super) fn in_units(law: [Expr; 2], [ax, ay]: [Expr; 2]) -> [Expr; 2] {
+/// Rates by (1) or (2) in units in which A₀ and ϖ are 1, so that μg is λ₀, with (21) or another acceleration in those units.
+pub(super) fn in_units<const N: usize>(law: [Expr; N], [ax, ay]: [Expr; 2]) -> [Expr; N] {
     let unit = |x: Expr| x.with("A₀", Expr::int(1));
     law.map(|rate| {
         let rate = rate.with("μ", Expr::symbol("λ₀")).with("g", Expr::int(1));
