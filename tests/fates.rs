@@ -31,10 +31,19 @@ fn simulation_agrees_just_inside_what_is_proved() {
     for row in maps().concat() {
         let middle = |ends: [f64; 2]| 0.5 * (ends[0] + ends[1]);
         let (inside, outside) = (middle(row.rests()), middle(row.escapes()));
-        let sides = [(inside, true), (0.9 * inside, true), (outside, false), (1.1 * outside, false)];
+        let sides = [
+            (inside, true),
+            (0.9 * inside, true),
+            (outside, false),
+            (1.1 * outside, false),
+        ];
         for (alpha, expected) in sides {
             let start = Start::hyperbolic(row.a, alpha, middle(row.psi)).unwrap();
-            assert_eq!(rests(&start).unwrap(), Some(expected), "{row:?}, α = {alpha}");
+            assert_eq!(
+                rests(&start).unwrap(),
+                Some(expected),
+                "{row:?}, α = {alpha}"
+            );
         }
     }
 }

@@ -215,7 +215,8 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             again::friction_again,
             again::pull_again,
-            again::pull_again_on_a_plane
+            again::pull_again_on_a_plane,
+            &chains::AGAIN
         ],
         correction: Some(Correction {
             change: Change::Symbol,

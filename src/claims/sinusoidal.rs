@@ -673,7 +673,8 @@ const CLAIMS: &[Claim] = &[
             rest_of_period::printed_root,
             rest_of_period::printed_quadrature,
             rest_of_period::corrected_root,
-            rest_of_period::corrected_quadrature
+            rest_of_period::corrected_quadrature,
+            &order::PERIOD_ENDS
         ],
         correction: Some(Correction {
             change: Change::Symbol,

@@ -4,6 +4,7 @@
 use crate::claims::compare::Compared;
 use crate::claims::general::chains::{STOPS, prove};
 use crate::claims::statement::{Statement, given};
+use crate::corrections::periodic as corrected;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
 use crate::paper::periodic as printed;
@@ -265,6 +266,44 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
     })
 }
 
+/// What becomes nonzero again at π.
+pub const AGAIN: Statement<(Expr, Pulses, Expr)> = Statement::new(
+    Subject::Corrected,
+    Compared::shown(
+        r"for every $\lambda_0>0$ and every $\eta$ between 0 and 1: what (26) gives a particle without friction is $h$, by (42) 0 in the gap before $\pi$ and by (43) $-1$ in the pulse behind it; friction gives one that slides $\mp\lambda_0$ before and after, which is never 0",
+    ),
+    || {
+        let h = Expr::symbol("ψ").sin();
+        (rate(), pulses(), corrected::nonzero_again(h))
+    },
+    |(rate, pulses, again)| for_both_signs(|sign| nonzero_again(rate, pulses, again, sign)),
+);
+
+fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
+    prove("What becomes nonzero again", ring(sign), |p| {
+        let [lambda0, psi] = Expr::symbols(["λ₀", "ψ"]);
+        p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
+        let drive = p.read(
+            "d𝔴/dφ by (26) without friction",
+            rate.with("λ₀", Expr::int(0)),
+        )?;
+        let stated = p.read("What is said to become nonzero again", again)?;
+        p.equal("The two", &drive, &stated)?;
+        let gap = p.read("h in the gap", pulses.h[1])?;
+        p.zero("It", &gap)?;
+        let there = p.read("What is said, with that h", again.with("ψ", Expr::int(0)))?;
+        p.zero("It", &there)?;
+        let pulse = p.read("h in the pulse from π on", pulses.h[2])?;
+        p.equal("It is not 0, but", &pulse, &Rational::int(-1))?;
+        let friction = p.read("What friction gives by (26)", rate - psi.sin())?;
+        let constant = p.read(
+            "λ₀ against the velocity, at every h",
+            -(Expr::int(sign) * lambda0),
+        )?;
+        p.equal("The two", &friction, &constant)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -329,5 +368,19 @@ mod tests {
             assert!(!extremes(rate, wrong, 1).holds(), "{wrong:?}");
         }
         assert!(!extremes(-rate, right, -1).holds());
+    }
+
+    #[test]
+    fn the_drive_becomes_nonzero_again_and_friction_does_not() {
+        assert!(AGAIN.proof().holds(), "{}", AGAIN.proof());
+        let (rate, right, again) = (AGAIN.formulas)();
+        let [a, b, c, d] = right.h;
+        let friction = rate - again;
+        assert!(!nonzero_again(rate, right, printed::s23_nonzero_again(friction), 1).holds());
+        assert!(!nonzero_again(rate, right, -again, 1).holds());
+        for h in [[a, a, c, d], [a, b, b, d]] {
+            assert!(!nonzero_again(rate, Pulses { h, ..right }, again, 1).holds());
+        }
+        assert!(!nonzero_again(rate + small(), right, again, -1).holds());
     }
 }

@@ -4,6 +4,7 @@
 use super::exact::{EQ31, EQ32, EQ36, prove, ring_of_phi1, with_lambda_c};
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
+use crate::corrections::sinusoidal as corrected;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Proof, Rational};
 use crate::paper::sinusoidal as paper;
@@ -119,6 +120,49 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
     })
 }
 
+/// Where the period ends that begins with the slip at φ₁.
+pub const PERIOD_ENDS: Statement = Statement::new(
+    Subject::Corrected,
+    Compared::shown(
+        r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above friction at $\phi_1$ only, and again a period later; in between it gives nothing. From no other phase of the slip does a period end there",
+    ),
+    || corrected::rest_of_period_end(paper::eq27_phi1(Expr::symbol("λ₀"))),
+    period_ends,
+);
+
+fn period_ends(end: Expr) -> Proof {
+    let title = "The period of the slip ends where the next slip begins";
+    prove(title, ring_of_phi1(), |p| {
+        let [first, second, third, fourth] = phases();
+        p.rests_on(&four_points([first, second, third, fourth], Expr::int(4)))?;
+        let [beta, lambda0] = Expr::symbols(["β", "λ₀"]);
+        for (says, phase) in [("φ₁", first), ("the stated end", end)] {
+            let drive = p.read(&format!("The drive, sin φ, at {says}"), phase.sin())?;
+            let friction = p.read("λ₀", lambda0)?;
+            p.equal("The two", &drive, &friction)?;
+            let slope = p.read("Its slope there", phase.cos())?;
+            let rises = p.read("cos β, positive for 0 < β < π/2", beta.cos())?;
+            p.equal("The two", &slope, &rises)?;
+        }
+        let slope = p.read("The slope at φ₂", second.cos())?;
+        let falls = p.read("−cos β: there the drive falls", -beta.cos())?;
+        p.equal("The two", &slope, &falls)?;
+        for (says, phase) in [("φ₃", third), ("φ₄", fourth)] {
+            let drive = p.read(&format!("The drive at {says}"), phase.sin())?;
+            let backward = p.read("−λ₀: there it is backward", -lambda0)?;
+            p.equal("The two", &drive, &backward)?;
+        }
+        let length = p.read("From φ₁ to the stated end", end - first)?;
+        let period = p.read(
+            "2π, so that it is the next such phase",
+            Expr::int(2) * Expr::pi(),
+        )?;
+        p.equal("The two", &length, &period)?;
+        let given = p.read("What the drive gives on the way", first.cos() - end.cos())?;
+        p.zero("It", &given)
+    })
+}
+
 /// The slip (31) from rest rises to φ₂ and falls from there on to φ₁ + 2π, and has sunk below zero at φ₄: it ends between the two.
 pub fn slip() -> Proof {
     let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
@@ -229,6 +273,21 @@ fn outlasts(w: Expr, left: Expr) -> Proof {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_period_ends_a_period_after_its_start_and_nowhere_else() {
+        assert!(PERIOD_ENDS.proof().holds(), "{}", PERIOD_ENDS.proof());
+        let end = (PERIOD_ENDS.formulas)();
+        let period = Expr::int(2) * Expr::pi();
+        let others = [
+            end + period,
+            end - period,
+            paper::s22_rest_of_period_end(Expr::symbol("φ")),
+        ];
+        for other in others {
+            assert!(!period_ends(other).holds());
+        }
+    }
 
     #[test]
     fn four_points_are_counted_and_another_number_or_phase_is_refused() {

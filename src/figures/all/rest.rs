@@ -268,19 +268,26 @@ const PART: [f64; 5] = [0.60, 0.62, 0.64, 0.66, 0.68];
 /// What is proved of the fates in three sections, beside what is simulated.
 fn fates() -> Result<Figure, AllFiguresError> {
     let recorded = maps::recorded();
-    let recorded =
-        recorded.ok_or_else(|| AllFiguresError::Data("snapshots/fates.csv: a line is no strip".into()))?;
+    let recorded = recorded
+        .ok_or_else(|| AllFiguresError::Data("snapshots/fates.csv: a line is no strip".into()))?;
     let one = |rows: Vec<maps::Row>| -> Result<_, AllFiguresError> {
         let a = rows.first().map_or(f64::NAN, |row| row.a);
-        let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / FATES as f64;
+        let at =
+            |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / FATES as f64;
         let start = |k: usize| {
-            Start::hyperbolic(a, at((0.0, maps::REACH), k / FATES), at((-PI, PI), k % FATES))
+            Start::hyperbolic(
+                a,
+                at((0.0, maps::REACH), k / FATES),
+                at((-PI, PI), k % FATES),
+            )
         };
         let starts: Result<Vec<_>, _> = (0..FATES * FATES).map(start).collect();
         let certain: Option<Vec<bool>> = rests(&starts?)?.into_iter().collect();
         let undecided = || AllFiguresError::Data("the fate of a cell is not certain".into());
         let edge = |ends: fn(&maps::Row) -> [f64; 2]| {
-            let ends = rows.iter().flat_map(|row| std::iter::zip(row.psi, ends(row)));
+            let ends = rows
+                .iter()
+                .flat_map(|row| std::iter::zip(row.psi, ends(row)));
             ends.map(|(psi, alpha)| [psi, alpha]).collect()
         };
         Ok(rest_figures::Fates {
