@@ -5,6 +5,7 @@ pub mod census;
 pub mod certified;
 mod corners;
 mod curves;
+mod decays;
 pub mod drawn;
 pub mod drift;
 pub mod exact;
@@ -262,13 +263,14 @@ const CLAIMS: &[Claim] = &[
         plain: "With a friction that depends on the direction of the velocity, too, only the component along the acceleration can be nonzero at large times.",
         conditions: &[
             Condition {
-                text: "friction acts against the velocity, as in (1), with a coefficient that is positive in all directions",
+                text: "friction acts against the velocity, as in (1), with a coefficient that in all directions is above some positive number",
                 sort: Sort::Stated,
             },
             FRICTION_ACROSS,
         ],
         depends_on: &["eq-1", "eq-21"],
         trials: trials![
+            &decays::VY_VANISHES,
             across::vanishes,
             across::never_grows,
             across::outside,

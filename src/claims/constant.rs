@@ -401,6 +401,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &exact::CANNOT_HOLD,
             from_rest::census,
             from_rest::velocity,
             from_rest::outside,
@@ -420,6 +421,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &exact::ALIGNS,
             extremes::small_friction_limit,
             extremes::small_friction_census,
             extremes::small_friction_outside,
@@ -495,7 +497,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"The motion on an inclined plane is that on a surface with constant acceleration.",
         plain: "The motion on an inclined plane is that on a surface with constant acceleration.",
         depends_on: &["eq-1", "eq-3"],
-        trials: trials![incline::law, incline::same_motion],
+        trials: trials![&exact::ON_AN_INCLINE, incline::law, incline::same_motion],
         ..Claim::BLANK
     },
     Claim {
@@ -509,7 +511,11 @@ const CLAIMS: &[Claim] = &[
             text: "an inclined plane at rest; one that is shaken along its slope is another matter",
             sort: Sort::Reading,
         }],
-        trials: trials![only_constant::turns, only_constant::both_ways],
+        trials: trials![
+            &exact::ONLY_CONSTANT,
+            only_constant::turns,
+            only_constant::both_ways
+        ],
         ..Claim::BLANK
     },
     Claim {

@@ -1,11 +1,13 @@
 //! Sliding on an accelerating plane: the claims.
 
+pub(super) mod apart;
 pub mod chains;
 mod examples;
 pub mod excepted;
 pub mod law;
 mod planes;
 mod properties;
+pub mod strong;
 
 use super::attempt::trials;
 use super::{Claim, Condition, Sort, Topic};
@@ -91,6 +93,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &strong::MOVES,
             properties::rest_census,
             properties::rest_integration,
             properties::rest_outside,
@@ -110,6 +113,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Substance,
         }],
         trials: trials![
+            &strong::SPEEDS_UP,
             properties::grows_census,
             properties::grows_integration,
             properties::grows_outside

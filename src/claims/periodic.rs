@@ -1,6 +1,7 @@
 //! Any periodic acceleration: the claims.
 
 pub mod again;
+pub mod chains;
 pub mod drawn;
 pub mod drives;
 pub mod exact;
@@ -122,7 +123,12 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Stated,
         }],
         depends_on: &["eq-26"],
-        trials: trials![rest::within_time, rest::stopping_time, rest::sharp],
+        trials: trials![
+            &chains::REST_ABOVE_ONE,
+            rest::within_time,
+            rest::stopping_time,
+            rest::sharp
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -191,7 +197,12 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26"],
-        trials: trials![mostly::limit, mostly::census, mostly::two_valued],
+        trials: trials![
+            &chains::MOSTLY_AT_REST,
+            mostly::limit,
+            mostly::census,
+            mostly::two_valued
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -225,6 +236,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &chains::NORMALISED,
             again::largest_census,
             again::largest_integration,
             again::largest_outside,
@@ -244,6 +256,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &chains::EXTREMES,
             pulses::extremes_census,
             pulses::extremes_limit,
             pulses::extremes_outside,

@@ -19,11 +19,6 @@ pub const ELSEWHERE: &[Elsewhere] = &[
         reason: BY_THE_LAW,
     },
     Elsewhere {
-        claim: "s2-perpendicular-decays",
-        trial: "chains::ACROSS",
-        reason: BY_THE_LAW,
-    },
-    Elsewhere {
         claim: "s4-A-never-decreases",
         trial: "exact::NEVER_DECREASES",
         reason: BY_THE_LAW,

@@ -2,12 +2,15 @@
 
 mod across;
 mod argument;
+pub mod attraction;
 pub mod certified;
+pub mod chains;
 mod decay;
 pub mod drawn;
 pub mod exact;
 pub mod excepted;
 mod kinds;
+pub mod order;
 mod periodic;
 mod phases;
 mod rest_of_period;
@@ -448,6 +451,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["s2-perpendicular-decays", "eq-21"],
         conditions: &[FRICTION_ACROSS],
         trials: trials![
+            &chains::VY_VANISHES,
             across::vanishes_limit,
             across::vanishes_motion,
             across::vanishes_census,
@@ -463,7 +467,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $A_0<\mu g$, $v_x$ too vanishes at large times.",
         plain: "For A₀ < μ g, v_x too vanishes at large times.",
         depends_on: &["s2-stops-if-weak", "eq-21"],
-        trials: trials![kinds::weak_drive_motion, kinds::weak_drive_census],
+        trials: trials![
+            &chains::WEAK_DRIVE_STOPS,
+            kinds::weak_drive_motion,
+            kinds::weak_drive_census
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -473,7 +481,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $A_0>\mu g$, $v_x$ does not tend to zero at large times.",
         plain: "For A₀ > μ g, v_x does not tend to zero at large times.",
         depends_on: &["eq-21", "eq-25"],
-        trials: trials![argument::stays_census, argument::stays_motion],
+        trials: trials![
+            &chains::VX_STAYS,
+            argument::stays_census,
+            argument::stays_motion
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -493,7 +505,11 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-1", "eq-21"],
-        trials: trials![argument::across_rate, argument::across_proportional],
+        trials: trials![
+            &chains::FRICTION_ACROSS,
+            argument::across_rate,
+            argument::across_proportional
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -528,6 +544,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-26", "s22-vy-vanishes"],
         conditions: &[FRICTION_ACROSS],
         trials: trials![
+            &attraction::IGNORES_VY,
             across::ignores_motion,
             across::ignores_census,
             across::ignores_outside,
@@ -564,6 +581,7 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         trials: trials![
+            &order::FOUR_POINTS,
             phases::four_points_census,
             phases::four_points_root,
             phases::four_points_outside,
@@ -578,7 +596,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"Within $[0,2\pi]$ an interval of rest can end only at $\phi_1$ or $\phi_3$.",
         plain: "Within [0, 2π] an interval of rest can end only at φ₁ or φ₃.",
         depends_on: &["eq-26", "eq-27", "eq-29"],
-        trials: trials![phases::rest_ends_motion, phases::rest_ends_census],
+        trials: trials![
+            &order::REST_ENDS,
+            phases::rest_ends_motion,
+            phases::rest_ends_census
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -609,6 +631,7 @@ const CLAIMS: &[Claim] = &[
         plain: "If φ̃₂ < φ₃, the large-time motion is (33), at rest on [φ̃₂, φ₃] and again half a period later.",
         depends_on: &["eq-33"],
         trials: trials![
+            &attraction::REST_INTERVAL,
             periodic::rest_interval_root,
             periodic::rest_interval_reached,
             periodic::eq33_unique
@@ -627,6 +650,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![
+            &order::OUTLASTS,
             argument::outlasts_census,
             kinds::no_rest_motion,
             argument::outlasts_outside,
@@ -665,7 +689,11 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda_0<\lambda_\mathrm{c}$ no periodic motion vanishes on an interval.",
         plain: "For λ₀ < λ_c no periodic motion vanishes on an interval.",
         depends_on: &["eq-26", "eq-32", "eq-36", "s22-rest-ends"],
-        trials: trials![kinds::no_rest_census, kinds::no_rest_motion],
+        trials: trials![
+            &attraction::NO_REST_BELOW,
+            kinds::no_rest_census,
+            kinds::no_rest_motion
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -683,6 +711,7 @@ const CLAIMS: &[Claim] = &[
         ],
         conditions: &[SOME_FRICTION],
         trials: trials![
+            &attraction::TRICHOTOMY,
             kinds::trichotomy_census,
             kinds::trichotomy_motion,
             kinds::trichotomy_outside,

@@ -4,12 +4,16 @@
 //! [`crate::paper::constant`], as trees. All holds for 0 < θ, θ₀ < π, where tan(θ/2) is positive.
 
 mod cases;
+mod incline;
+mod late;
 mod sliding;
 #[cfg(test)]
 mod tests;
 
 use crate::claims::compare::Compared;
 use cases::*;
+pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
+pub use late::{ALIGNS, CANNOT_HOLD};
 use sliding::*;
 
 use crate::claims::statement::Statement;

@@ -6,6 +6,7 @@ use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::general as printed;
 use crate::scalar::Scalar;
 
 /// A weak drive lets the particle stop.
@@ -19,16 +20,19 @@ pub const STOPS: Statement = Statement::new(
 );
 
 /// The velocity across a drive of fixed direction decays.
-pub const ACROSS: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+pub const ACROSS: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
+    Subject::Within,
     Compared::shown(
-        r"with $\bm A$ along $x$, (1) gives $v_y^2$ the rate $-2\mu g\,v_y^2/v$; with $\lvert\bm A\rvert\le a$ as well, $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2\mu g/a}$ never grows",
+        r"with $\bm A$ along $x$ and $\mu>0$, (1) gives $v_y^2$ the rate $-2\mu g\,v_y^2/v$; with $\lvert\bm A\rvert\le a$ as well, $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2\mu g/a}$ never grows, so that $v_y\to0$",
     ),
-    eq1,
-    across,
+    || {
+        let said = [printed::s2_across_trend(), printed::s2_across_limit()];
+        (eq1(), said)
+    },
+    |(law, said)| across(law, said),
 );
 
-fn prove(
+pub(in crate::claims) fn prove(
     title: &str,
     ring: Result<Ring, ExactError>,
     steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
@@ -42,14 +46,14 @@ fn prove(
 /// The ring of the law, with a bound a of |𝐀|, the speed v₀ at the beginning, and the time.
 fn with_bound() -> Result<Ring, ExactError> {
     let mut ring = ring()?;
-    for name in ["a", "v₀", "t"] {
+    for name in ["a", "v₀", "t", "C", "ε"] {
         ring.symbol(name);
     }
     Ok(ring)
 }
 
 /// −𝐀·𝐯/v ≤ |𝐀|, by Lagrange's identity.
-fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obstacle> {
+pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let [ax, ay, _, _, vx, vy] = NAMES.map(Expr::symbol);
     let sizes = (ax.squared() + ay.squared()) * (vx.squared() + vy.squared());
     let rest = sizes - (ax * vx + ay * vy).squared();
@@ -64,7 +68,7 @@ fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     p.equal("The two", &rest, &square)
 }
 
-fn stops(formula: Expr) -> Proof {
+pub(in crate::claims) fn stops(formula: Expr) -> Proof {
     prove("A weak drive lets the particle stop", with_bound(), |p| {
         p.rests_on(&eq2_proof(formula))?;
         let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
@@ -100,54 +104,78 @@ fn stops(formula: Expr) -> Proof {
     })
 }
 
-fn across(formula: [Expr; 2]) -> Proof {
-    let ring = || {
-        let mut ring = with_bound()?;
-        let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
-        let [_, _, mu, g, ..] = NAMES.map(Expr::symbol);
-        let base = ring.read(v0 + a * t)?;
-        let exponent = ring.read(Expr::int(2) * mu * g / a)?;
-        ring.power(&base, &exponent)?;
-        Ok(ring)
-    };
-    prove("The velocity across the drive decays", ring(), |p| {
-        p.rests_on(&eq1_proof(formula))?;
-        let [_, _, mu, g, vx, vy] = NAMES.map(Expr::symbol);
-        let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
-        let two = Expr::int(2);
-        let along = formula.map(|rate| rate.with("A_y", Expr::int(0)));
-        let speed = (vx.squared() + vy.squared()).sqrt();
-        let rate = p.read("dv_y/dt by (1), with an acceleration along x", along[1])?;
-        let motion = p.ring().along(&[("v_y", rate.clone())])?;
-        let square = p.read("v_y²", vy.squared())?;
-        let fall = p.derivative("Its rate", &square, &motion)?;
-        let stated = p.read(
-            "−2μg v_y²/v, which is not positive",
-            -(two * mu * g * vy.squared() / speed),
-        )?;
-        p.equal("The two", &fall, &stated)?;
-        at_most_its_size(p)?;
-        p.note(
-            "So, with an acceleration of a at most and by (2)",
-            "dv/dt ≤ a, and v ≤ v₀ + a t",
-        );
-        let base = v0 + a * t;
-        let weighted = vy.squared() * base.pow(two * mu * g / a);
-        let weighted = p.read("v_y² (v₀ + a t)^(2μg/a)", weighted)?;
-        let motion = p.ring().along(&[("v_y", rate), ("t", Rational::int(1))])?;
-        let growth = p.derivative("Its rate", &weighted, &motion)?;
-        let factor = two * mu * g * (Expr::int(1) / base - Expr::int(1) / speed);
-        let factor = p.read(
-            "2μg (1/(v₀ + a t) − 1/v), which is not positive, times it",
-            factor,
-        )?;
-        p.equal("The two", &growth, &(&factor * &weighted))?;
-        p.note(
-            "So",
-            "the velocity across is at most a constant times (v₀ + a t)^(−μg/a), which goes to 0",
-        );
-        Ok(())
-    })
+/// The ring of a coefficient μ that may change with the direction of the velocity, and of its least value.
+pub(in crate::claims) fn ring_across(least: Expr) -> Result<Ring, ExactError> {
+    let mut ring = with_bound()?;
+    let [a, v0, t, g] = Expr::symbols(["a", "v₀", "t", "g"]);
+    ring.symbol("m");
+    let base = ring.read(v0 + a * t)?;
+    let exponent = ring.read(Expr::int(2) * least * g / a)?;
+    ring.power(&base, &exponent)?;
+    Ok(ring)
+}
+
+/// That v_y, of which (1) as given says the rate, decays under a drive along x of the size a at most, with a coefficient of the
+/// value `least` at least. `trend` is the sign of its rate as stated, and `limit` that to which it tends.
+pub(in crate::claims) fn decays(
+    p: &mut Prover<'_>,
+    law: [Expr; 2],
+    least: Expr,
+    [trend, limit]: [Expr; 2],
+) -> Result<(), Obstacle> {
+    p.rests_on(&eq1_proof(law))?;
+    let [_, _, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+    let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
+    let two = Expr::int(2);
+    let along = law.map(|rate| rate.with("A_y", Expr::int(0)));
+    let speed = (vx.squared() + vy.squared()).sqrt();
+    let rate = p.read("dv_y/dt by (1), with an acceleration along x", along[1])?;
+    let motion = p.ring().along(&[("v_y", rate.clone())])?;
+    let square = p.read("v_y²", vy.squared())?;
+    let fall = p.derivative("Its rate", &square, &motion)?;
+    let stated = trend * (two * mu * g * vy.squared() / speed);
+    let stated = p.read("−2μg v_y²/v, which is not positive", stated)?;
+    p.equal("The two", &fall, &stated)?;
+    at_most_its_size(p)?;
+    p.note(
+        "So, with an acceleration of a at most and by (2)",
+        "dv/dt ≤ a, and v ≤ v₀ + a t",
+    );
+    let base = v0 + a * t;
+    let weight = base.pow(two * least * g / a);
+    let weighted = p.read("v_y² by a growing weight", vy.squared() * weight)?;
+    let motion = p.ring().along(&[("v_y", rate), ("t", Rational::int(1))])?;
+    let growth = p.derivative("Its rate", &weighted, &motion)?;
+    let excess = (mu - least) / speed + least * (Expr::int(1) / speed - Expr::int(1) / base);
+    let factor = p.read(
+        "Terms of which none is negative, as friction is not below its least value and v not above v₀ + a t",
+        excess,
+    )?;
+    let lost = p.read("−2g times them", -(two * g))? * &factor * &weighted;
+    p.equal(
+        "The rate and −2g times them, by the weighted square",
+        &growth,
+        &lost,
+    )?;
+    p.note(
+        "So v_y² is at most C ε",
+        "C is the weighted square at the beginning, ε one over the weight, which goes to 0",
+    );
+    let [c, small] = Expr::symbols(["C", "ε"]);
+    let bound = p.read("The bound", c * small)?;
+    let small = p.ring().read(small)?;
+    let late = p.ring().put(&bound, &[(&small, &Rational::int(0))])?;
+    let limit = p.read("The square of what v_y is said to tend to", limit.squared())?;
+    p.equal("It and the bound at ε = 0", &limit, &late)
+}
+
+fn across(law: [Expr; 2], said: [Expr; 2]) -> Proof {
+    let mu = Expr::symbol("μ");
+    prove(
+        "The velocity across the drive decays",
+        ring_across(mu),
+        |p| decays(p, law, mu, said),
+    )
 }
 
 #[cfg(test)]
@@ -160,7 +188,9 @@ mod tests {
         assert!(ACROSS.proof().holds(), "{}", ACROSS.proof());
         let more = Expr::symbol("μ") / Expr::int(1_000_000);
         assert!(!stops(eq2() - more).holds());
-        let [x, y] = eq1();
-        assert!(!across([x, y - more]).holds());
+        let ([x, y], said) = (ACROSS.formulas)();
+        assert!(!across([x, y - more], said).holds());
+        assert!(!across([x, y], [said[0], more]).holds());
+        assert!(!across([x, y], [-said[0], said[1]]).holds());
     }
 }

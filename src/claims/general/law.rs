@@ -213,20 +213,20 @@ pub const EQ1: Statement<[Expr; 2]> = Statement::new(
 
 pub(super) const NAMES: [&str; 6] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"];
 
-pub(super) fn eq1() -> [Expr; 2] {
+pub(in crate::claims) fn eq1() -> [Expr; 2] {
     let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
     printed::eq1_velocity_rate([ax, ay], mu, g, [vx, vy])
 }
 
 /// The components of the velocity and the speed.
-pub(super) fn ring() -> Result<Ring, ExactError> {
+pub(in crate::claims) fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     let [_, _, _, _, vx, vy] = NAMES.map(|name| ring.symbol(name));
     ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
     Ok(ring)
 }
 
-pub(super) fn eq1_proof(formula: [Expr; 2]) -> Proof {
+pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
     let title = "(1): the rate of the velocity relative to the plane";
     let setting = || -> Result<Ring, ExactError> {
         let mut ring = ring()?;
@@ -276,12 +276,12 @@ pub const EQ2: Statement = Statement::new(
     eq2_proof,
 );
 
-pub(super) fn eq2() -> Expr {
+pub(in crate::claims) fn eq2() -> Expr {
     let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
     printed::eq2_speed_rate([ax, ay], mu, g, [vx, vy])
 }
 
-pub(super) fn eq2_proof(formula: Expr) -> Proof {
+pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
     let title = "(2): the rate of the speed";
     let ring = match ring() {
         Ok(ring) => ring,

@@ -304,7 +304,7 @@ pub const EQ25: Statement<[Expr; 2]> = Statement::new(
     prove_eq25,
 );
 
-fn prove_eq33(cases: [Expr; 4]) -> Proof {
+pub(super) fn prove_eq33(cases: [Expr; 4]) -> Proof {
     let ring = || {
         let mut ring = ring_of_phi1()?;
         ring.angle("φ̃₂");
@@ -343,17 +343,20 @@ fn prove_eq33(cases: [Expr; 4]) -> Proof {
 pub const EQ33: Statement<[Expr; 4]> = Statement::new(
     Subject::Printed,
     Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
-    || {
-        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        paper::eq33_w(
-            lambda0,
-            paper::eq27_phi1(lambda0),
-            paper::eq29_phi3(lambda0),
-            phi,
-        )
-    },
+    eq33,
     prove_eq33,
 );
+
+/// The four cases of (33).
+pub(super) fn eq33() -> [Expr; 4] {
+    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+    paper::eq33_w(
+        lambda0,
+        paper::eq27_phi1(lambda0),
+        paper::eq29_phi3(lambda0),
+        phi,
+    )
+}
 
 fn prove_eq35(left: Expr) -> Proof {
     prove("(35): (34) in the friction alone", ring_of_phi1(), |p| {
@@ -377,7 +380,7 @@ pub const EQ35: Statement = Statement::new(
 );
 
 /// Adds √(4 + π²), and √π² = π.
-fn with_lambda_c(mut ring: Ring) -> Result<Ring, ExactError> {
+pub(super) fn with_lambda_c(mut ring: Ring) -> Result<Ring, ExactError> {
     let pi = ring.read(Expr::pi())?;
     ring.root(&(Rational::int(4) + &pi * &pi), 2)?;
     ring.root_is(&(&pi * &pi), 2, &pi)?;
@@ -464,7 +467,7 @@ pub const EQ40: Statement<[Expr; 2]> = Statement::new(
     prove_eq40,
 );
 
-fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
+pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
     prove("(38): no rest", ring_of_phi_t1(), |p| {
         let [forward, backward] = cases;
         slip(p, forward, 1, ends[0])?;
@@ -486,13 +489,16 @@ pub const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
         "the slopes of (38), and both its ends,",
         "(26), and 0 by (39)",
     ),
-    || {
-        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        let turn = paper::eq39_phi_t1(lambda0);
-        (paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn))
-    },
+    eq38,
     |(a, b)| prove_eq38(a, b),
 );
+
+/// The cases of (38), and their ends.
+pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
+    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+    let turn = paper::eq39_phi_t1(lambda0);
+    (paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn))
+}
 
 fn prove_eq39(turn: Expr) -> Proof {
     prove("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {

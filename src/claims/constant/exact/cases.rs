@@ -63,7 +63,7 @@ pub(super) fn eq18() -> Expr {
 }
 
 /// λ = 1: the speed, after a proof that θ reaches 0 at no finite time.
-fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Obstacle> {
+pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Obstacle> {
     let [lambda, v0, theta0, theta, a] = Expr::symbols(["λ", "v₀", "θ₀", "θ", "A"]);
     p.rests_on(&prove_eq11(eq11()))?;
     let speed = paper::eq11_speed(lambda, v0, theta0, theta);

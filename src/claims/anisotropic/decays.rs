@@ -1,0 +1,47 @@
+//! The velocity across the drive dies under every friction that depends on the direction, but is nowhere below some size.
+
+use super::exact::prove;
+use crate::claims::compare::Compared;
+use crate::claims::general::chains::{decays, ring_across};
+use crate::claims::general::law::eq1;
+use crate::claims::statement::Statement;
+use crate::evidence::Subject;
+use crate::exact::{Expr, Proof};
+use crate::paper::anisotropic as printed;
+use crate::scalar::Scalar;
+
+/// v_y → 0.
+pub const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"with $\bm A$ along $x$, $\lvert\bm A\rvert\le a$, and in (1) a coefficient $\mu\ge m>0$ that may change with the direction of the velocity and with time: $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2mg/a}$ never grows, so that $v_y\to0$ from every start",
+    ),
+    || (eq1(), printed::s24_late_vy()),
+    |(law, limit)| vanishes(law, limit),
+);
+
+fn vanishes(law: [Expr; 2], limit: Expr) -> Proof {
+    let least = Expr::symbol("m");
+    let title = "v_y vanishes under a friction that depends on the direction";
+    prove(title, ring_across(least), |p| {
+        p.note(
+            "μ stands for the coefficient at that instant",
+            "m for its least value",
+        );
+        decays(p, law, least, [-Expr::int(1), limit])
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_lies_across_vanishes_and_another_law_or_limit_is_refused() {
+        assert!(VY_VANISHES.proof().holds(), "{}", VY_VANISHES.proof());
+        let ([x, y], limit) = (VY_VANISHES.formulas)();
+        let small = Expr::symbol("m") / Expr::int(1_000_000);
+        assert!(!vanishes([x, y - small], limit).holds());
+        assert!(!vanishes([x, y], small).holds());
+    }
+}

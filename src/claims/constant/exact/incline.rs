@@ -1,0 +1,153 @@
+//! An inclined plane at rest has the law of a drive that is constant, and none that of a drive that changes with time.
+
+use crate::claims::compare::Compared;
+use crate::claims::general::law::{self, eq1};
+use crate::claims::statement::Statement;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Proof, Ring};
+use crate::paper::constant as paper;
+use crate::scalar::Scalar;
+
+/// Weight, normal force and friction in space give (1) with (3).
+pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every slope $\beta$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
+    ),
+    || (eq1(), paper::eq3_acceleration(Expr::symbol("A"))),
+    |(law, drive)| on_an_incline(law, drive),
+);
+
+fn on_an_incline(law: [Expr; 2], drive: [Expr; 2]) -> Proof {
+    let title = "An incline is a constant drive";
+    let ring = || -> Result<Ring, ExactError> {
+        let mut ring = law::ring()?;
+        ring.angle("β");
+        Ok(ring)
+    };
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        let [mu, g, vx, vy, beta] = Expr::symbols(["μ", "g", "v_x", "v_y", "β"]);
+        let [zero, one] = [0, 1].map(Expr::int);
+        let (sine, cosine) = (beta.sin(), beta.cos());
+        let (down, across, normal) = (
+            [cosine, zero, -sine],
+            [zero, one, zero],
+            [sine, zero, cosine],
+        );
+        let along = |a: [Expr; 3], b: [Expr; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        p.note("Down the slope", "x̂ = (cos β, 0, −sin β)");
+        p.note("Across it", "ŷ = (0, 1, 0), the normal (sin β, 0, cos β)");
+        let weight = [zero, zero, -g];
+        let push = -along(weight, normal);
+        p.read(
+            "The normal force per mass, which balances weight along the normal",
+            push,
+        )?;
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let sum = [0, 1, 2].map(|i| {
+            let velocity = vx * down[i] + vy * across[i];
+            weight[i] + push * normal[i] - mu * push * velocity / speed
+        });
+        let [ax, ay] = drive.map(|c| c.with("A", g * sine));
+        let on_plane = |rate: Expr| rate.with("g", g * cosine).with("A_x", ax).with("A_y", ay);
+        for (says, axis, stated) in [
+            ("down the slope", down, on_plane(law[0])),
+            ("across it", across, on_plane(law[1])),
+            ("along the normal", normal, zero),
+        ] {
+            let found = p.read(&format!("All forces per mass, {says}"), along(sum, axis))?;
+            let stated = p.read("(1) with (3), and 0 along the normal", stated)?;
+            p.equal("The two", &found, &stated)?;
+        }
+        let pull = p.read(
+            "At rest: the weight's part down the slope",
+            along(weight, down),
+        )?;
+        let inertial = p.read("−A_x of (3)", -ax)?;
+        p.equal("The two", &pull, &inertial)?;
+        p.note(
+            "The greatest friction",
+            "μ times the normal force, μg cos β, there and here",
+        );
+        Ok(())
+    })
+}
+
+/// The rates at a velocity and at the opposite one add up to twice the pull.
+pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: where $\bm A$ changes, no inclined plane gives the same rates at all velocities",
+    ),
+    eq1,
+    only_constant,
+);
+
+fn only_constant(law: [Expr; 2]) -> Proof {
+    let title = "No incline has a drive that changes";
+    let ring = || -> Result<Ring, ExactError> {
+        let mut ring = law::ring()?;
+        for name in ["P_x", "P_y", "k"] {
+            ring.symbol(name);
+        }
+        Ok(ring)
+    };
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        let [ax, ay, vx, vy] = Expr::symbols(["A_x", "A_y", "v_x", "v_y"]);
+        let [px, py, k] = Expr::symbols(["P_x", "P_y", "k"]);
+        let (two, speed) = (Expr::int(2), (vx.squared() + vy.squared()).sqrt());
+        p.note(
+            "On an inclined plane",
+            "weight gives the pull P along the slope, friction k against the velocity, both constant",
+        );
+        let incline = [px - k * vx / speed, py - k * vy / speed];
+        let opposite = |rate: Expr| rate.with("v_x", -vx).with("v_y", -vy);
+        for ((plane, incline), [a, pull]) in law.into_iter().zip(incline).zip([[ax, px], [ay, py]])
+        {
+            for (rate, sum) in [(plane, -(two * a)), (incline, two * pull)] {
+                let both = p.read("A component at v and at −v, added", rate + opposite(rate))?;
+                let stated = p.read("Without friction, twice", sum)?;
+                p.equal("The two", &both, &stated)?;
+            }
+        }
+        p.note(
+            "With the same rates at all velocities",
+            "𝐀 would be −P at every time",
+        );
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_incline_has_the_law_and_another_law_or_pull_is_refused() {
+        let proof = ON_AN_INCLINE.proof();
+        assert!(proof.holds(), "{proof}");
+        let ([x, y], drive) = (ON_AN_INCLINE.formulas)();
+        let more = Expr::symbol("μ") / Expr::int(1_000_000);
+        assert!(!on_an_incline([x + more, y], drive).holds());
+        assert!(!on_an_incline([x, -y], drive).holds());
+        assert!(!on_an_incline([x, y], [-drive[0], drive[1]]).holds());
+    }
+
+    #[test]
+    fn the_pull_is_told_by_opposite_velocities_and_another_law_is_refused() {
+        let proof = ONLY_CONSTANT.proof();
+        assert!(proof.holds(), "{proof}");
+        let [x, y] = eq1();
+        let more = Expr::symbol("μ") / Expr::int(1_000_000);
+        assert!(!only_constant([x + more, y]).holds());
+        assert!(!only_constant([x, y * Expr::int(2)]).holds());
+    }
+}

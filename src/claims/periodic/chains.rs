@@ -1,0 +1,333 @@
+//! Theorems about every drive h of size 1 at most, by (26) with h for the sine: when all motion ends, and how much of the time is
+//! rest; and what the pulses are at their two extremes.
+
+use crate::claims::compare::Compared;
+use crate::claims::general::chains::{STOPS, prove};
+use crate::claims::statement::{Statement, given};
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
+use crate::paper::periodic as printed;
+use crate::paper::sinusoidal::eq26_rate;
+use crate::scalar::Scalar;
+
+/// d𝔴/dφ by (26) where h is the sine of some angle ψ: any number from −1 to 1 is one.
+fn rate() -> Expr {
+    let [lambda0, psi, w] = Expr::symbols(["λ₀", "ψ", "𝔴"]);
+    eq26_rate(lambda0, psi, w)
+}
+
+/// The ring of (26), with the sign of 𝔴.
+fn ring(sign: i64) -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["λ₀", "η", "φ", "𝔴₀", "s", "m", "E"] {
+        ring.symbol(name);
+    }
+    ring.angle("ψ");
+    let w = ring.symbol("𝔴");
+    ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
+    Ok(ring)
+}
+
+/// A proof for both signs of 𝔴.
+fn for_both_signs(prove: impl Fn(i64) -> Proof) -> Proof {
+    let forward = prove(1);
+    if forward.holds() { prove(-1) } else { forward }
+}
+
+/// λ₀ > 1: rest.
+pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $h$ with $\lvert h\rvert\le1$, every $\lambda_0>1$ and every start (26) with $h$ for the sine gives $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le1-\lambda_0<0$, so that the particle is at rest after $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ at the latest, and stays, as $\lvert h\rvert<\lambda_0$",
+    ),
+    || (rate(), printed::s23_rest_sides(Expr::symbol("λ₀"))),
+    |(rate, sides)| for_both_signs(|sign| rest_above_one(rate, sides, sign)),
+);
+
+fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
+    prove("Very large friction: rest", ring(sign), |p| {
+        given(p, &[&STOPS])?;
+        let [psi, start] = Expr::symbols(["ψ", "𝔴₀"]);
+        p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
+        let signed = Expr::int(sign);
+        let speed = p.read("d|𝔴|/dφ by (26)", signed * rate)?;
+        let room = p.read("The left less the right side", left - right)? - &speed;
+        let half = psi / Expr::int(2);
+        let square = (half.sin() - signed * half.cos()).squared();
+        let square = p.read("A square, which is not negative", square)?;
+        p.equal("That less the rate, and the square", &room, &square)?;
+        let time = start / (right - left);
+        let end = p.read(
+            "The line |𝔴₀| − (right − left) φ at φ = |𝔴₀|/(right − left), with 𝔴₀ for its size",
+            start - (right - left) * time,
+        )?;
+        p.zero("It", &end)?;
+        p.note(
+            "So",
+            "𝔴 is 0 by then, and at rest the drive is below the greatest static friction; with a velocity across it falls as fast, by (2)",
+        );
+        Ok(())
+    })
+}
+
+/// The part of the time that is rest tends to all of it as λ₀ → 1.
+pub const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the particle moves for at most the share $s/(1-s)$ of the time while $\lvert h\rvert\le1-s$; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
+    ),
+    || (rate(), printed::s23_late_share()),
+    |(rate, share)| for_both_signs(|sign| mostly_at_rest(rate, share, sign)),
+);
+
+fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
+    prove("Rest for most of the time", ring(sign), |p| {
+        let [lambda0, psi, s, m, e] = Expr::symbols(["λ₀", "ψ", "s", "m", "E"]);
+        let [one, two] = [1, 2].map(Expr::int);
+        p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
+        let speed = p.read("d|𝔴|/dφ by (26)", Expr::int(sign) * rate)?;
+        let most = p.read(
+            "±h − λ₀, at most |h| − λ₀",
+            Expr::int(sign) * psi.sin() - lambda0,
+        )?;
+        p.equal("The two", &speed, &most)?;
+        p.note("While the particle rests", "|𝔴| stays 0");
+
+        let friction = one - s.squared();
+        let fast = p.read(
+            "With λ₀ = 1 − s², |h| − λ₀ is at most 1 − λ₀",
+            one - friction,
+        )?;
+        let slow = p.read("and, where |h| ≤ 1 − s, at most", one - s - friction)?;
+        let stated = p.read("−s (1 − s)", -(s * (one - s)))?;
+        p.equal("The last two", &slow, &stated)?;
+        p.note(
+            "m: for how long in a period, in the mean over many, the particle moves while |h| ≤ 1 − s",
+            "per period |𝔴| grows in the mean by 2π times the first and m times the second at most; it does not sink below 0, so that in the limit of many periods this is not negative",
+        );
+        let gain = p.read(
+            "2π s² − m s (1 − s)",
+            two * Expr::pi() * s.squared() - m * s * (one - s),
+        )?;
+        let by_parts = &p.ring().read(two * Expr::pi())? * &fast + &p.ring().read(m)? * &slow;
+        p.equal("What is not negative, and that", &by_parts, &gain)?;
+        let bound = two * Expr::pi() * s / (one - s);
+        let room = p.read(
+            "s (1 − s) times what m is below 2π s/(1 − s)",
+            s * (one - s) * (bound - m),
+        )?;
+        p.equal("The two", &gain, &room)?;
+        p.note(
+            "E: the share of the phases with |h| > 1 − s",
+            "it tends to 0 with s, if |h| is 1 at single instants",
+        );
+        let rest = p.read(
+            "The share of rest is at least",
+            one - bound / (two * Expr::pi()) - e,
+        )?;
+        let [small, share_of_strong] = [s, e].map(|x| p.ring().read(x));
+        let zero = Rational::int(0);
+        let late = p
+            .ring()
+            .put(&rest, &[(&small?, &zero), (&share_of_strong?, &zero)])?;
+        let share = p.read("The stated limit of the share", share)?;
+        p.equal("It and that for s = 0 and E = 0", &share, &late)
+    })
+}
+
+/// The largest |h| of the pulses.
+pub const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"for every $\eta>0$ the pulse of (42), which has the length $\eta\pi>0$, has the stated size, and the gap and both mirrored by (43) have none that is larger",
+    ),
+    || (printed::eq42_cases(), printed::s23_largest()),
+    |(cases, largest)| normalised(cases, largest),
+);
+
+fn normalised([pulse, gap]: [Expr; 2], largest: Expr) -> Proof {
+    prove("The size of the pulses", ring(1), |p| {
+        let length = p.read(
+            "The length of a pulse by (42)",
+            printed::eq42_end(Expr::symbol("η")),
+        )?;
+        let stated = p.read("ηπ, positive for η > 0", Expr::symbol("η") * Expr::pi())?;
+        p.equal("The two", &length, &stated)?;
+        let size = p.read("The stated size", largest)?;
+        let first = p.read("h in a pulse by (42)", pulse)?;
+        p.equal("The two", &first, &size)?;
+        let one = Rational::int(1);
+        let none = p.read("In a gap", gap)?;
+        p.zero("h", &none)?;
+        for (says, h, least) in [
+            (
+                "in the mirrored pulse",
+                printed::eq43_h(pulse),
+                Rational::int(0),
+            ),
+            ("in the mirrored gap", printed::eq43_h(gap), one),
+        ] {
+            let room = p.read(
+                &format!("The square of the size less that of h {says}"),
+                largest.squared() - h.squared(),
+            )?;
+            p.equal("It is not negative", &room, &least)?;
+        }
+        Ok(())
+    })
+}
+
+/// What (42), (43) and (46) give at a share of pulses.
+#[derive(Debug, Clone, Copy)]
+pub struct Pulses {
+    /// h in a pulse and in a gap, then the same half a period later.
+    h: [Expr; 4],
+    /// Where the pulse ends.
+    end: Expr,
+    /// λ_c.
+    critical: Expr,
+}
+
+fn pulses() -> Pulses {
+    let [pulse, gap] = printed::eq42_cases();
+    let eta = Expr::symbol("η");
+    Pulses {
+        h: [pulse, gap, printed::eq43_h(pulse), printed::eq43_h(gap)],
+        end: printed::eq42_end(eta),
+        critical: printed::eq46_lambda_c(eta),
+    }
+}
+
+/// η = 1 and η = 0.
+pub const EXTREMES: Statement<(Expr, Pulses)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"at $\eta=1$ the pulses of (42), (43) leave no gap, so that $\lvert h\rvert=1>\lambda_0$ at all times for every $\lambda_0<1$ and nothing rests, and $\lambda_\mathrm c$ of (46) is 1; at $\eta=0$ they have no length, so that $h=0$, for every $\lambda_0>0$ the particle is at rest after $\lvert\mathfrak w_0\rvert/\lambda_0$ by (26) and stays, and $\lambda_\mathrm c$ is 0",
+    ),
+    || (rate(), pulses()),
+    |(rate, pulses)| for_both_signs(|sign| extremes(rate, pulses, sign)),
+);
+
+fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
+    prove("The two extremes of the pulses", ring(sign), |p| {
+        let [lambda0, start] = Expr::symbols(["λ₀", "𝔴₀"]);
+        let [zero, one] = [0, 1].map(Expr::int);
+        let at = |formula: Expr, eta: Expr| formula.with("η", eta);
+        p.note("The sign of 𝔴", sign.to_string());
+
+        let end = p.read("At η = 1 a pulse ends at", at(pulses.end, one))?;
+        let half = p.read("Half a period", Expr::pi())?;
+        p.equal("The two", &end, &half)?;
+        for (says, h, way) in [
+            ("h in a pulse", pulses.h[0], 1),
+            ("h half a period later", pulses.h[2], -1),
+        ] {
+            let h = p.read(says, h)?;
+            p.equal(&format!("It and {way}"), &h, &Rational::int(way))?;
+        }
+        p.note(
+            "So |h| = 1 at all times",
+            "for λ₀ < 1 friction holds nothing, and there is no rest",
+        );
+        let critical = p.read("λ_c at η = 1", at(pulses.critical, one))?;
+        p.equal(
+            "It and 1, above which all rests",
+            &critical,
+            &Rational::int(1),
+        )?;
+
+        let end = p.read("At η = 0 a pulse ends at", at(pulses.end, zero))?;
+        p.zero("It", &end)?;
+        for (says, h) in [
+            ("h in a gap", pulses.h[1]),
+            ("h half a period later", pulses.h[3]),
+        ] {
+            let h = p.read(says, h)?;
+            p.zero("It", &h)?;
+        }
+        let slows = p.read(
+            "d|𝔴|/dφ by (26) with h = 0",
+            Expr::int(sign) * rate.with("ψ", zero),
+        )?;
+        let friction = p.read("−λ₀", -lambda0)?;
+        p.equal("The two", &slows, &friction)?;
+        let stop = p.read(
+            "The size left after |𝔴₀|/λ₀, with 𝔴₀ for its size",
+            start - lambda0 * (start / lambda0),
+        )?;
+        p.zero("It", &stop)?;
+        p.note(
+            "So, for λ₀ > 0",
+            "the particle comes to rest and stays: |h| = 0 < λ₀",
+        );
+        let critical = p.read("λ_c at η = 0", at(pulses.critical, zero))?;
+        p.zero("It, below which no λ₀ is", &critical)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn small() -> Expr {
+        Expr::symbol("λ₀") / Expr::int(1_000_000)
+    }
+
+    #[test]
+    fn very_large_friction_stops_and_another_border_is_refused() {
+        assert!(REST_ABOVE_ONE.proof().holds(), "{}", REST_ABOVE_ONE.proof());
+        let (rate, [left, right]) = (REST_ABOVE_ONE.formulas)();
+        for (rate, sides) in [
+            (rate + small(), [left, right]),
+            (rate, [left, right.squared()]),
+            (rate, [left - small(), right]),
+        ] {
+            let holds = |sign| rest_above_one(rate, sides, sign).holds();
+            assert!(!(holds(1) && holds(-1)));
+        }
+    }
+
+    #[test]
+    fn it_rests_most_of_the_time_and_another_share_or_rate_is_refused() {
+        assert!(MOSTLY_AT_REST.proof().holds(), "{}", MOSTLY_AT_REST.proof());
+        let (rate, share) = (MOSTLY_AT_REST.formulas)();
+        assert!(!mostly_at_rest(rate, share - small(), 1).holds());
+        assert!(!mostly_at_rest(rate + small(), share, -1).holds());
+    }
+
+    #[test]
+    fn the_pulses_have_the_size_one_and_no_other() {
+        assert!(NORMALISED.proof().holds(), "{}", NORMALISED.proof());
+        let ([pulse, gap], largest) = (NORMALISED.formulas)();
+        assert!(!normalised([pulse, gap], -largest).holds());
+        assert!(!normalised([pulse, pulse], largest).holds());
+    }
+
+    #[test]
+    fn the_extremes_are_as_stated_and_other_pulses_are_refused() {
+        assert!(EXTREMES.proof().holds(), "{}", EXTREMES.proof());
+        let (rate, right) = (EXTREMES.formulas)();
+        let [a, b, c, d] = right.h;
+        for wrong in [
+            Pulses {
+                h: [a, b, a, d],
+                ..right
+            },
+            Pulses {
+                h: [a, a, c, d],
+                ..right
+            },
+            Pulses {
+                end: right.end / Expr::int(2),
+                ..right
+            },
+            Pulses {
+                critical: right.critical.squared() + small(),
+                ..right
+            },
+        ] {
+            assert!(!extremes(rate, wrong, 1).holds(), "{wrong:?}");
+        }
+        assert!(!extremes(-rate, right, -1).holds());
+    }
+}

@@ -1,0 +1,398 @@
+//! Every motion under the sine, with any velocity across it, is drawn to one and the same: to (38) for 0 < λ₀ ≤ λ_c, to (33) for
+//! λ_c < λ₀ < 1, to rest for λ₀ ≥ 1.
+//!
+//! Two motions under one drive come no farther apart. Where the one passes through zero, or rests, they come closer by an amount
+//! that depends on their distance alone, once in each period; so the distance goes to zero. All is in units of A₀ and ϖ.
+
+use super::chains::{VX_STAYS, WEAK_DRIVE_STOPS, eq21, in_units};
+use super::exact::{
+    EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove, prove_eq33, prove_eq38, ring_of_phi_t1, ring_of_phi1,
+};
+use super::order::slip;
+use crate::claims::compare::Compared;
+use crate::claims::general::apart::never_farther_apart;
+use crate::claims::general::law::{eq1, eq2, eq2_proof};
+use crate::claims::statement::{Statement, given};
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
+use crate::scalar::Scalar;
+
+type NoRest = ([Expr; 2], [Expr; 3]);
+
+/// (38) is a motion: forward from φ̃₁ on for half a period, then the mirror, and nowhere else zero.
+fn passes((cases, ends): NoRest) -> Proof {
+    prove("(38) passes through zero twice", ring_of_phi_t1(), |p| {
+        p.rests_on(&prove_eq38(cases, ends))?;
+        given(p, &[&EQ40])?;
+        let [phi, pi] = [Expr::symbol("φ"), Expr::pi()];
+        let [forward, backward] = cases;
+        let w = p.read("The forward case", forward)?;
+        let by = p.ring().by("φ")?;
+        let slope = p.derivative("Its slope", &w, &by)?;
+        let bend = p.derivative("The slope of that", &slope, &by)?;
+        let cosine = p.read("cos φ", phi.cos())?;
+        p.equal("The two", &bend, &cosine)?;
+        p.note(
+            "From φ̃₁, where the slope sin φ̃₁ − λ₀ is not negative, to π/2",
+            "the slope grows: the case rises from 0 at φ̃₁",
+        );
+        p.note(
+            "From π/2 to φ̃₁ + π, where it is 0 again",
+            "it is concave, so that it is positive between",
+        );
+        let later = p.read(
+            "The backward case, half a period later",
+            backward.with("φ", phi + pi),
+        )?;
+        p.equal("It is the negative", &later, &-&w)?;
+        p.note(
+            "At φ̃₁ the drive is not below friction, and rises",
+            "so the particle does not stay there, nor half a period later",
+        );
+        Ok(())
+    })
+}
+
+/// For 0 < λ₀ ≤ λ_c: how much closer a motion comes to (38) in a period.
+fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
+    let ring = || -> Result<Ring, ExactError> {
+        let mut ring = Ring::new();
+        let [_, _, _, vx, vy] = ["λ₀", "W", "D", "v_x", "v_y"].map(|name| ring.symbol(name));
+        ring.angle("φ");
+        ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
+        Ok(ring)
+    };
+    prove("Every motion is drawn to (38)", ring(), |p| {
+        p.rests_on(&never_farther_apart())?;
+        p.rests_on(&passes(motion))?;
+        p.rests_on(&eq2_proof(eq2()))?;
+        let [lambda0, other, d, vx, vy, phi] = Expr::symbols(["λ₀", "W", "D", "v_x", "v_y", "φ"]);
+        let [one, two] = [1, 2].map(Expr::int);
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let cosine = vx / speed;
+        p.note(
+            "Beside v let u be (38), W its size",
+            "the rate of the squared distance is −2λ₀ (v + W) (1 − cos)",
+        );
+        for (says, sign) in [("u backward, before φ̃₁", 1), ("u forward, after φ̃₁", -1)] {
+            let sign = Expr::int(sign);
+            p.note("With", says);
+            let pull = (speed + other) * (one + sign * cosine);
+            let pull = p.read("(v + W) (1 − cos)", pull)?;
+            let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
+            let terms = p.read(
+                "v ± v_x and W (1 ± v_x/v), which is not negative",
+                least + more,
+            )?;
+            p.equal("The two", &pull, &terms)?;
+        }
+
+        let drive = eq21();
+        let [rate, _] = in_units(law, drive);
+        let most = one + lambda0;
+        let along = p.read("dv_x/dφ by (1)", rate)?;
+        let [grows] = in_units([eq2()], drive);
+        let grows = p.read("dv/dφ by (2)", grows)?;
+        let sine = phi.sin();
+        for (says, rate, sign, room) in [
+            (
+                "1 + λ₀ less dv_x/dφ",
+                &along,
+                -1,
+                one - sine + lambda0 * (one + cosine),
+            ),
+            (
+                "1 + λ₀ and dv_x/dφ",
+                &along,
+                1,
+                one + sine + lambda0 * (one - cosine),
+            ),
+            (
+                "1 + λ₀ less dv/dφ",
+                &grows,
+                -1,
+                one - sine * cosine + two * lambda0,
+            ),
+            ("1 + λ₀ and dv/dφ", &grows, 1, one + sine * cosine),
+        ] {
+            let left = p.ring().read(most)? + &Rational::int(sign) * rate;
+            let room = p.read("Terms of which none is negative", room)?;
+            p.equal(says, &left, &room)?;
+        }
+        p.note(
+            "So v ± v_x",
+            "changes by 2 (1 + λ₀) at most in each unit of the phase, and at rest not at all",
+        );
+
+        let length = d / (Expr::int(4) * most);
+        let rest = p.read(
+            "D less that much for D/(4 (1 + λ₀))",
+            d - two * most * length,
+        )?;
+        let half = p.read("D/2", d / two)?;
+        p.equal("The two", &rest, &half)?;
+        p.note(
+            "At φ̃₁ u = 0 and v is the distance, D",
+            "if v_x ≥ 0 there, v + v_x is D at least, and D/2 at least for D/(4 (1 + λ₀)) before; if v_x < 0, v − v_x after",
+        );
+        let lost = p.read(
+            "The squared distance falls by 2λ₀ (D/2) for so long",
+            two * lambda0 * (d / two) * length,
+        )?;
+        let stated = p.read(
+            "λ₀ D²/(4 (1 + λ₀))",
+            lambda0 * d.squared() / (Expr::int(4) * most),
+        )?;
+        p.equal("The two", &lost, &stated)?;
+        p.note(
+            "Or, if that is longer than the half period for which u keeps its sign",
+            "by πλ₀ D: in each period by the smaller of the two at least, so that D → 0",
+        );
+        Ok(())
+    })
+}
+
+/// For λ_c < λ₀ < 1: a motion has become (33) after some rests of (33).
+fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
+    let ring = || -> Result<Ring, ExactError> {
+        let mut ring = ring_of_phi1()?;
+        ring.angle("x");
+        let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
+        ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
+        Ok(ring)
+    };
+    prove("Every motion becomes (33)", ring(), |p| {
+        p.rests_on(&never_farther_apart())?;
+        p.rests_on(&prove_eq33(cases))?;
+        p.rests_on(&eq2_proof(law))?;
+        p.rests_on(&slip())?;
+        given(p, &[&EQ34, &EQ35, &EQ36])?;
+        let [beta, lambda0, vx, vy, phi] = Expr::symbols(["β", "λ₀", "v_x", "v_y", "φ"]);
+        let pi = Expr::pi();
+        p.note(
+            "φ̃₂ < φ₃, where (31) is negative at φ₃: for λ₀ > λ_c",
+            "with π − β < φ̃₂ (33) rests from φ̃₂ to φ₃ = π + β, within the phases at which |sin φ| < λ₀:",
+        );
+        let x = Expr::symbol("x");
+        let excess = (pi + beta - x).sin().squared() - lambda0.squared();
+        let excess = p.read("sin²φ − λ₀² at φ = π + β − x", excess)?;
+        let product = -(x.sin() * (Expr::int(2) * beta - x).sin());
+        let product = p.read("−sin x sin(2β − x), negative for 0 < x < 2β", product)?;
+        p.equal("The two", &excess, &product)?;
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let drive = eq21();
+        let [rate] = in_units([law], drive);
+        let rate = p.read(
+            "While (33) rests the distance is v, with the rate by (2)",
+            rate,
+        )?;
+        let along = p.read("sin φ v_x/v", phi.sin() * vx / speed)?;
+        let friction = p.ring().read(lambda0)?;
+        p.equal("The rate and that less λ₀", &rate, &(&along - &friction))?;
+        let whole = p.read(
+            "sin²φ less its square",
+            phi.sin().squared() - (phi.sin() * vx / speed).squared(),
+        )?;
+        let square = p.read("A square", (phi.sin() * vy / speed).squared())?;
+        p.equal("The two", &whole, &square)?;
+        p.note(
+            "So v falls by λ₀ − |sin φ| > 0 at least",
+            "in each rest by the same amount, or to 0: from then on the motion is (33)",
+        );
+        Ok(())
+    })
+}
+
+/// Drawn to (33), from every start.
+pub const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $\lambda_0$ with $\tilde\phi_2<\phi_3$: two motions under one drive never part, while (33) rests the speed of any other motion falls by $\lambda_0-\lvert\sin\phi\rvert>0$ at least, and so from every start, with any $v_y$, the distance from (33) is 0 after a finite number of its rests",
+    ),
+    || (eq2(), eq33()),
+    |(law, cases)| drawn_to_rests(law, cases),
+);
+
+/// Drawn to (38), from every start, so that no other motion is periodic.
+pub const NO_REST_BELOW: Statement<([Expr; 2], NoRest)> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $0<\lambda_0<\lambda_\mathrm c$: two motions under one drive never part, and in each period the distance $D$ of any motion from (38) shrinks by an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",
+    ),
+    || (eq1(), eq38()),
+    |(law, motion)| no_rest_below(law, motion),
+);
+
+fn empty() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    ring.angle("φ");
+    for name in ["v_x", "v_y", "λ₀"] {
+        ring.symbol(name);
+    }
+    let [vx, vy] = Expr::symbols(["v_x", "v_y"]);
+    let square = ring.read(vx.squared() + vy.squared())?;
+    ring.root(&square, 2)?;
+    Ok(ring)
+}
+
+fn no_rest_below(law: [Expr; 2], motion: NoRest) -> Proof {
+    prove("No periodic motion rests below λ_c", empty(), |p| {
+        p.rests_on(&drawn_to_no_rest(law, motion))?;
+        p.note(
+            "A periodic motion, however long its period is in units of 2π, has the same distance from (38) again and again",
+            "so that it is 0: it is (38), which is at rest on no interval",
+        );
+        let [phi, zero] = [Expr::symbol("φ"), Expr::int(0)];
+        let [rate, _] = in_units(law, eq21());
+        let free = p.read("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero))?;
+        let sine = p.read("sin φ", phi.sin())?;
+        p.equal("The two", &free, &sine)?;
+        p.note("It is 0", "on no interval, and so v_x neither");
+        Ok(())
+    })
+}
+
+/// The three kinds.
+pub const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"from every start, with any $v_y$: for every $0<\lambda_0<\lambda_\mathrm c$ the motion tends to (38), and beside its two zeros in a period, where $\mathrm dv_x/\mathrm d\phi$ has a sign by (1), $v_x$ has one zero each; for every $\lambda_\mathrm c<\lambda_0<1$ it has become (33), with two intervals of rest, after a finite time; for every $\lambda_0>1$ it rests after a finite time for ever",
+    ),
+    || (eq1(), eq38(), eq33()),
+    |(law, no_rest, rests)| trichotomy(law, no_rest, rests),
+);
+
+fn trichotomy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
+    prove("Small, large and very large friction", empty(), |p| {
+        p.rests_on(&drawn_to_no_rest(law, no_rest))?;
+        p.rests_on(&drawn_to_rests(eq2(), rests))?;
+        given(p, &[&WEAK_DRIVE_STOPS, &VX_STAYS, &EQ36, &EQ40])?;
+        let [lambda0, vx, vy, phi] = Expr::symbols(["λ₀", "v_x", "v_y", "φ"]);
+        let cosine = vx / (vx.squared() + vy.squared()).sqrt();
+        let [rate, _] = in_units(law, eq21());
+        let rate = p.read("For λ₀ < λ_c: dv_x/dφ by (1)", rate)?;
+        let one = Expr::int(1);
+        for (says, size, more) in [
+            (
+                "sin φ − λ₀, positive beside φ̃₁, and λ₀ (1 − v_x/v), which is not negative",
+                phi.sin() - lambda0,
+                lambda0 * (one - cosine),
+            ),
+            (
+                "sin φ + λ₀, negative beside φ̃₁ + π, less λ₀ (1 + v_x/v), which is not negative",
+                phi.sin() + lambda0,
+                -(lambda0 * (one + cosine)),
+            ),
+        ] {
+            let terms = p.read(says, size + more)?;
+            p.equal("The two", &rate, &terms)?;
+        }
+        p.note(
+            "So v_x, late and close to (38), is monotone beside each zero of (38)",
+            "and has one zero there; elsewhere (38) is far from zero, and so is v_x",
+        );
+        p.note(
+            "For λ_c < λ₀ < 1 v_x becomes (33) exactly",
+            "which is not zero during its slips, and rests in between, twice in a period",
+        );
+        Ok(())
+    })
+}
+
+/// The start across the drive is forgotten, but matters before.
+pub const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
+    ),
+    || (eq1(), eq38(), eq33()),
+    |(law, no_rest, rests)| ignores_vy(law, no_rest, rests),
+);
+
+fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
+    prove("The start across the drive is forgotten", empty(), |p| {
+        p.rests_on(&drawn_to_no_rest(law, no_rest))?;
+        p.rests_on(&drawn_to_rests(eq2(), rests))?;
+        let [lambda0, vx, vy, phi] = Expr::symbols(["λ₀", "v_x", "v_y", "φ"]);
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let drive = eq21();
+        let [growth] = in_units([eq2()], drive);
+        let growth = p.read("For λ₀ ≥ 1, dv/dφ by (2)", growth)?;
+        let along = p.read(
+            "sin φ v_x/v less λ₀, at most |sin φ| − λ₀",
+            phi.sin() * vx / speed - lambda0,
+        )?;
+        p.equal("The two", &growth, &along)?;
+        let whole = -phi.cos() - lambda0 * phi;
+        let gain = whole.with("φ", Expr::pi()) - whole.with("φ", Expr::int(0));
+        let gain = p.read(
+            "So in half a period v grows by −cos φ − λ₀φ from 0 to π at most",
+            gain,
+        )?;
+        let lost = p.read(
+            "2 − πλ₀, at most 2 − π",
+            Expr::int(2) - Expr::pi() * lambda0,
+        )?;
+        p.equal("The two", &gain, &lost)?;
+        p.note(
+            "So v is 0 after a finite time",
+            "and stays, as |sin φ| ≤ λ₀",
+        );
+
+        let [rate, _] = in_units(law, drive);
+        let rate = p.read("On the way: dv_x/dφ by (1)", rate)?;
+        let slope = p.derivative("Its slope by v_y", &rate, &p.ring().by("v_y")?)?;
+        let stated = lambda0 * vx * vy / speed.pow(Expr::int(3));
+        let stated = p.read("λ₀ v_x v_y/v³, not 0 but where v_x or v_y is", stated)?;
+        p.equal("The two", &slope, &stated)?;
+        p.note(
+            "Two motions with the same v_x ≠ 0",
+            "and another |v_y| do not keep the same v_x",
+        );
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::PAPER;
+    use crate::claims::statement::Proved;
+    use crate::seeded::with;
+
+    #[test]
+    fn every_motion_is_drawn_to_the_one() {
+        let all: [&dyn Proved; 4] = [&REST_INTERVAL, &NO_REST_BELOW, &TRICHOTOMY, &IGNORES_VY];
+        for statement in all {
+            let proof = statement.proof();
+            assert!(proof.holds(), "{proof}");
+        }
+    }
+
+    #[test]
+    fn a_mistake_in_the_print_is_refused() {
+        let all: [(&dyn Proved, &[&str]); 4] = [
+            (&REST_INTERVAL, &["eq2_speed_rate", "eq31_w", "eq33_w"]),
+            (&NO_REST_BELOW, &["eq1_velocity_rate", "eq38_w"]),
+            (&TRICHOTOMY, &["eq1_velocity_rate", "eq33_w", "eq38_w"]),
+            (&IGNORES_VY, &["eq1_velocity_rate", "eq33_w", "eq38_w"]),
+        ];
+        for (statement, formulas) in all {
+            for formula in formulas {
+                let variants = PAPER.formulas.variants_of(formula);
+                assert!(!variants.is_empty(), "{formula}");
+                for variant in variants {
+                    let holds = with(variant.seed, || statement.proof().holds());
+                    assert!(!holds, "{formula}: {}", variant.text);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_friction_that_grows_with_the_speed_is_refused() {
+        let (law, motion) = (NO_REST_BELOW.formulas)();
+        let more = Expr::symbol("v_x") / Expr::int(1_000_000);
+        assert!(!no_rest_below([law[0] - more, law[1]], motion).holds());
+    }
+}

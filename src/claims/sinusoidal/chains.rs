@@ -1,0 +1,286 @@
+//! Theorems about every motion under the sinusoidal drive (21), by the law (1): v_y dies, a weak drive ends all, a strong one
+//! nothing, and how friction acts across.
+
+use super::exact::prove;
+use crate::claims::compare::Compared;
+use crate::claims::general::chains::{decays, ring_across, stops};
+use crate::claims::general::law::{eq1, eq2};
+use crate::claims::statement::Statement;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::sinusoidal as paper;
+use crate::scalar::Scalar;
+
+/// (21) at the phase φ.
+pub(super) fn eq21() -> [Expr; 2] {
+    let [a0, phi] = Expr::symbols(["A₀", "φ"]);
+    paper::eq21_acceleration(a0, Expr::int(1), phi)
+}
+
+/// (21) is along x and of the size A₀ at most.
+fn bounded([ax, ay]: [Expr; 2]) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        ring.symbol("A₀");
+        ring.angle("φ");
+        Ok(ring)
+    };
+    prove("The size of (21)", ring(), |p| {
+        let [a0, phi] = Expr::symbols(["A₀", "φ"]);
+        let across = p.read("(21) across x, at the phase φ", ay)?;
+        p.zero("It", &across)?;
+        let below = p.read("A₀² less the square of (21)", a0.squared() - ax.squared())?;
+        let square = p.read(
+            "A square, which is not negative",
+            (a0 * phi.cos()).squared(),
+        )?;
+        p.equal("The two", &below, &square)
+    })
+}
+
+/// v_y → 0.
+pub const VY_VANISHES: Statement<([Expr; 2], [Expr; 2], Expr)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"(21) is along $x$ and of the size $A_0$ at most, and with $\mu>0$ and any start (1) lets $v_y^2\,(v_0+A_0t)^{2\mu g/A_0}$ never grow, so that $v_y\to0$",
+    ),
+    || (eq21(), eq1(), paper::s22_late_vy()),
+    |(drive, law, limit)| vy_vanishes(drive, law, limit),
+);
+
+fn vy_vanishes(drive: [Expr; 2], law: [Expr; 2], limit: Expr) -> Proof {
+    let mu = Expr::symbol("μ");
+    prove("v_y vanishes under the sine", ring_across(mu), |p| {
+        p.rests_on(&bounded(drive))?;
+        p.note("So", "the drive is along x, and a below may be A₀");
+        decays(p, law, mu, [-Expr::int(1), limit])
+    })
+}
+
+/// A₀ < μg: v_x vanishes too.
+pub const WEAK_DRIVE_STOPS: Statement<([Expr; 2], Expr)> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"(21) is of the size $A_0$ at most, so that for every $A_0<\mu g$ and every start the particle, with its $v_x$, is at rest after $v_0/(\mu g-A_0)$ at the latest, and stays",
+    ),
+    || (eq21(), eq2()),
+    |(drive, speed)| weak_drive_stops(drive, speed),
+);
+
+fn weak_drive_stops(drive: [Expr; 2], speed: Expr) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        for name in ["μ", "g", "A₀", "v₀"] {
+            ring.symbol(name);
+        }
+        Ok(ring)
+    };
+    prove("A weak sine lets the particle stop", ring(), |p| {
+        p.rests_on(&bounded(drive))?;
+        p.rests_on(&stops(speed))?;
+        let [mu, g, a0, v0] = Expr::symbols(["μ", "g", "A₀", "v₀"]);
+        let time = v0 / (mu * g - a0);
+        let end = p.read(
+            "The line below which v lies, with a = A₀, at t = v₀/(μg − A₀)",
+            v0 - (mu * g - a0) * time,
+        )?;
+        p.zero("It", &end)?;
+        p.note("So v is 0 by then", "and with it v_x");
+        Ok(())
+    })
+}
+
+/// A₀ > μg: v_x does not tend to zero.
+pub const VX_STAYS: Statement<([Expr; 2], [Expr; 2], [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $A_0>\mu g$ and every motion, (1) and (21) give $\mathrm d\mathfrak w/\mathrm d\phi\ge\sin\phi-\lambda_0$, so that from $\phi_1$ of (27) to $\phi_2$ of (28) in each period $\mathfrak w$ grows by $2(\sin b-b\cos b)$ at least, $b=\pi/2-\phi_1>0$: the same positive number in each period, by which no $\mathfrak w$ that tends to zero can grow",
+    ),
+    || {
+        let lambda0 = Expr::symbol("λ₀");
+        let phases = [paper::eq27_phi1(lambda0), paper::eq28_phi2(lambda0)];
+        (eq1(), eq21(), phases)
+    },
+    |(law, drive, phases)| vx_stays(law, drive, phases),
+);
+
+/// Rates by (1) or (2) in units in which A₀ and ϖ are 1, so that μg is λ₀, with (21) or another acceleration in those units.
+pub(super) fn in_units<const N: usize>(law: [Expr; N], [ax, ay]: [Expr; 2]) -> [Expr; N] {
+    let unit = |x: Expr| x.with("A₀", Expr::int(1));
+    law.map(|rate| {
+        let rate = rate.with("μ", Expr::symbol("λ₀")).with("g", Expr::int(1));
+        rate.with("A_x", unit(ax)).with("A_y", unit(ay))
+    })
+}
+
+fn vx_stays(law: [Expr; 2], drive: [Expr; 2], [phi1, phi2]: [Expr; 2]) -> Proof {
+    let ring = || -> Result<Ring, ExactError> {
+        let mut ring = super::exact::ring_of_phi1()?;
+        let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
+        ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
+        Ok(ring)
+    };
+    prove("A strong drive moves the particle for ever", ring(), |p| {
+        let [lambda0, phi, vx, vy, beta] = Expr::symbols(["λ₀", "φ", "v_x", "v_y", "β"]);
+        let (one, two) = (Expr::int(1), Expr::int(2));
+        p.note(
+            "In units of A₀ and ϖ",
+            "μg is λ₀ = sin β, 0 < β < π/2 or β = 0",
+        );
+        let [rate, _] = in_units(law, drive);
+        let rate = p.read("d𝔴/dφ by (1) and (21)", rate)?;
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let terms = phi.sin() - lambda0 + lambda0 * (one - vx / speed);
+        let terms = p.read(
+            "sin φ − λ₀ and λ₀ (1 − v_x/v), which is not negative",
+            terms,
+        )?;
+        p.equal("The two", &rate, &terms)?;
+        p.note(
+            "Where sin φ > λ₀",
+            "no rest lasts: the rate is so from φ₁ to φ₂, but for single instants",
+        );
+        let whole = -phi.cos() - lambda0 * phi;
+        let slope = p.read("−cos φ − λ₀ φ", whole)?;
+        let slope = p.derivative("Its slope", &slope, &p.ring().by("φ")?)?;
+        let least = p.read("sin φ − λ₀", phi.sin() - lambda0)?;
+        p.equal("The two", &slope, &least)?;
+        let gain = whole.with("φ", phi2) - whole.with("φ", phi1);
+        let gain = p.read("From φ₁ to φ₂ it grows by", gain)?;
+        let b = Expr::pi() / two - beta;
+        let stated = p.read(
+            "2 (sin b − b cos b), b = π/2 − β",
+            two * (b.sin() - b * b.cos()),
+        )?;
+        p.equal("The two", &gain, &stated)?;
+        let slope = p.derivative("Its slope by β", &stated, &p.ring().by("β")?)?;
+        let falls = p.read("2 b sin b, positive for 0 < b ≤ π/2", two * b * b.sin())?;
+        p.equal("The slope is less than 0 by that", &-&slope, &falls)?;
+        let end = p.read(
+            "At β = π/2, b = 0, it is",
+            two * (Expr::int(0).sin() - Expr::int(0)),
+        )?;
+        p.zero("That", &end)?;
+        p.note(
+            "So for β < π/2 it is positive",
+            "𝔴 grows by it once in each period",
+        );
+        Ok(())
+    })
+}
+
+/// Friction across the drive, and along it, exactly.
+pub const FRICTION_ACROSS: Statement<([Expr; 2], Expr)> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for all $\mathfrak w\ne0$ and $\mathfrak w_y$, with $r=\sqrt{1+(\mathfrak w_y/\mathfrak w)^2}$: by (1) friction is $1/r$ times what is stated across the drive, and $1/r$ times $-\lambda_0\,\mathfrak w/\lvert\mathfrak w\rvert$ along it, and $0\le1-1/r\le\frac12(\mathfrak w_y/\mathfrak w)^2$",
+    ),
+    || {
+        let [w, wy] = Expr::symbols(["𝔴", "𝔴_y"]);
+        let stated = paper::s22_across_friction(Expr::symbol("λ₀"), w, wy);
+        (eq1(), stated)
+    },
+    |(law, stated)| {
+        let forward = friction_across(law, stated, 1);
+        if forward.holds() {
+            friction_across(law, stated, -1)
+        } else {
+            forward
+        }
+    },
+);
+
+fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {
+    let ring = || -> Result<Ring, ExactError> {
+        let mut ring = Ring::new();
+        let [w, wy, _] = ["𝔴", "𝔴_y", "λ₀"].map(|name| ring.symbol(name));
+        ring.root(&(w.pow(2) + wy.pow(2)), 2)?;
+        ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
+        Ok(ring)
+    };
+    let still = [Expr::int(0), Expr::int(0)];
+    prove("Friction across the drive", ring(), |p| {
+        p.note("The sign of 𝔴", sign.to_string());
+        let [w, wy, lambda0] = Expr::symbols(["𝔴", "𝔴_y", "λ₀"]);
+        let friction = in_units(law, still).map(|c| c.with("v_x", w).with("v_y", wy));
+        let ratio = (w.squared() + wy.squared()).sqrt() / (Expr::int(sign) * w);
+        let along = -(Expr::int(sign) * lambda0);
+        for (says, exact, stated) in [
+            ("across the drive", friction[1], stated),
+            ("along the drive", friction[0], along),
+        ] {
+            let exact = p.read(&format!("Friction {says}, by (1)"), exact)?;
+            let part = p.read("What is stated, over r", stated / ratio)?;
+            p.equal("The two", &exact, &part)?;
+        }
+        close(p, ratio, (wy / w).squared())
+    })
+}
+
+/// 0 ≤ 1 − 1/r ≤ s/2 for r = √(1 + s).
+fn close(p: &mut Prover<'_>, r: Expr, s: Expr) -> Result<(), Obstacle> {
+    let (one, two) = (Expr::int(1), Expr::int(2));
+    let off = one - one / r;
+    let part = p.read("1 − 1/r", off)?;
+    let positive = p.read(
+        "(𝔴_y/𝔴)²/(r (r + 1)), which is not negative",
+        s / (r * (r + one)),
+    )?;
+    p.equal("The two", &part, &positive)?;
+    let room = p.read("Half of (𝔴_y/𝔴)² less that", s / two - off)?;
+    let square = (r - one).squared() * (r + two) / (two * r);
+    let square = p.read("(r − 1)² (r + 2)/(2r), which is not negative", square)?;
+    p.equal("The two", &room, &square)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn small() -> Expr {
+        Expr::symbol("μ") / Expr::int(1_000_000)
+    }
+
+    #[test]
+    fn what_lies_across_vanishes_and_another_drive_law_or_limit_is_refused() {
+        assert!(VY_VANISHES.proof().holds(), "{}", VY_VANISHES.proof());
+        let (drive, [x, y], limit) = (VY_VANISHES.formulas)();
+        let across = [drive[0], Expr::symbol("A₀")];
+        assert!(!vy_vanishes(across, [x, y], limit).holds());
+        assert!(!vy_vanishes(drive, [x, y - small()], limit).holds());
+        assert!(!vy_vanishes(drive, [x, y], small()).holds());
+    }
+
+    #[test]
+    fn a_weak_drive_stops_and_a_larger_one_or_another_law_is_refused() {
+        let proof = WEAK_DRIVE_STOPS.proof();
+        assert!(proof.holds(), "{proof}");
+        let (drive, speed) = (WEAK_DRIVE_STOPS.formulas)();
+        let larger = [drive[0] * Expr::int(2), drive[1]];
+        assert!(!weak_drive_stops(larger, speed).holds());
+        assert!(!weak_drive_stops(drive, speed + small()).holds());
+    }
+
+    #[test]
+    fn a_strong_drive_goes_on_and_other_phases_or_another_law_are_refused() {
+        assert!(VX_STAYS.proof().holds(), "{}", VX_STAYS.proof());
+        let ([x, y], drive, [phi1, phi2]) = (VX_STAYS.formulas)();
+        assert!(!vx_stays([x, y], drive, [phi2, phi1]).holds());
+        assert!(!vx_stays([x - small(), y], drive, [phi1, phi2]).holds());
+        let against = [-drive[0], drive[1]];
+        assert!(!vx_stays([x, y], against, [phi1, phi2]).holds());
+    }
+
+    #[test]
+    fn friction_across_is_as_stated_and_nothing_else_for_both_signs() {
+        let proof = FRICTION_ACROSS.proof();
+        assert!(proof.holds(), "{proof}");
+        let (law, stated) = (FRICTION_ACROSS.formulas)();
+        let one = |stated| [1, -1].map(|sign| friction_across(law, stated, sign).holds());
+        assert_eq!(one(stated), [true; 2]);
+        assert_eq!(one(-stated), [false; 2]);
+        // Right for one sign of 𝔴 only.
+        let [lambda0, w, wy] = Expr::symbols(["λ₀", "𝔴", "𝔴_y"]);
+        assert_eq!(one(-(lambda0 * wy / w)), [true, false]);
+    }
+}
