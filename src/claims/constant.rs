@@ -39,6 +39,12 @@ const REGULAR_TIME: Correction = Correction {
     plain: "t = (v₀/A) [cos²(θ₀/2) (1 − r^(λ−1))/(λ − 1) + sin²(θ₀/2) (1 − r^(λ+1))/(λ + 1)]",
 };
 
+/// Where the velocity has no direction in the end.
+const NOT_THE_ONE_THAT_STOPS: Condition = Condition {
+    text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it",
+    sort: Sort::Degenerate,
+};
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-3",
@@ -416,10 +422,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda\leq1$, $\theta\to0$ at large times, and the particle slides along the line of the acceleration.",
         plain: "For λ ≤ 1, θ → 0 at large times, and the particle slides along the line of the acceleration.",
         depends_on: &["eq-13"],
-        conditions: &[Condition {
-            text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it",
-            sort: Sort::Degenerate,
-        }],
+        conditions: &[NOT_THE_ONE_THAT_STOPS],
         trials: trials![
             &exact::ALIGNS,
             extremes::small_friction_limit,
@@ -473,15 +476,20 @@ const CLAIMS: &[Claim] = &[
         title: "the sense of the sliding",
         latex: r"For $\lambda\leq1$, at large times, the particle slides along the plane's acceleration: $\bm v/\lvert\bm v\rvert\to\bm A/\lvert\bm A\rvert$.",
         plain: "For λ ≤ 1, at large times, the particle slides along the plane's acceleration: 𝐯/|𝐯| → 𝐀/|𝐀|.",
-        conditions: &[Condition {
-            text: r"“along” is read as in the sense of the acceleration, not merely on its line; the formula is ours",
-            sort: Sort::Reading,
-        }],
+        conditions: &[
+            Condition {
+                text: r"“along” is read as in the sense of the acceleration, not merely on its line; the formula is ours",
+                sort: Sort::Reading,
+            },
+            NOT_THE_ONE_THAT_STOPS,
+        ],
         depends_on: &["eq-1", "eq-3", "s21-small-friction-aligns"],
         trials: trials![
             sense::along,
             sense::against,
-            sense::against_in_the_laboratory
+            sense::against_in_the_laboratory,
+            &exact::AGAINST,
+            excepted::small_friction
         ],
         correction: Some(Correction {
             change: Change::Sign,

@@ -15,10 +15,6 @@ pub const MEASURED: &[Measured] = &[
         claims: &["fig-1", "fig-2", "fig-3", "fig-4", "fig-6"],
     },
     Measured {
-        reason: "It says in words in which sense something goes: which of two senses is meant is a reading; it is tried on motions.",
-        claims: &["s21-along-acceleration"],
-    },
-    Measured {
         reason: "That there are rests above the mean of $\\lvert h\\rvert$, and none where friction is small enough, is argued on its page, with integrals over sets of phases that the program does not know; that rests may come and go more than once is seen in simulated examples.",
         claims: &["s23-threshold-exists"],
     },

@@ -13,7 +13,7 @@ mod tests;
 use crate::claims::compare::Compared;
 use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
-pub use late::{ALIGNS, CANNOT_HOLD};
+pub use late::{AGAINST, ALIGNS, CANNOT_HOLD};
 use sliding::*;
 
 use crate::claims::statement::Statement;

@@ -4,7 +4,8 @@ use super::cases::late_speed;
 use super::sliding::{eq6, eq7, prove_eq6, prove_eq7};
 use super::{Friction, definitions, prove, prove_definitions};
 use crate::claims::compare::Compared;
-use crate::claims::statement::Statement;
+use crate::claims::statement::{Statement, given};
+use crate::corrections::constant as corrected;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Proof};
 use crate::paper::constant as paper;
@@ -97,6 +98,33 @@ fn at_the_border() -> Proof {
     )
 }
 
+/// In the end the particle slides against the plane's acceleration.
+pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
+    Subject::Corrected,
+    Compared::shown(
+        r"for every $\lambda\le1$, but for $\lambda=1$ with $\theta_0=\pi$: by (3) the cosine of the angle between $\bm v$ and $\bm A$ is $-\cos\theta$, and $\theta\to0$ is proved",
+    ),
+    || {
+        let drive = paper::eq3_acceleration(Expr::symbol("A"));
+        (corrected::late_sense(), drive)
+    },
+    |(sense, drive)| against(sense, drive),
+);
+
+fn against(sense: Expr, [ax, ay]: [Expr; 2]) -> Proof {
+    prove("The sense of the sliding", Friction::Any, |p, _| {
+        given(p, &[&ALIGNS])?;
+        let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
+        let product = v * theta.cos() * ax + v * theta.sin() * ay;
+        let cosine = p.read("𝐯·𝐀 over both sizes", product / (v * a))?;
+        let stated = p.read("−cos θ", -theta.cos())?;
+        p.equal("The two", &cosine, &stated)?;
+        let limit = p.read("It at θ = 0", (product / (v * a)).with("θ", Expr::int(0)))?;
+        let sense = p.read("The stated sense", sense)?;
+        p.equal("The two", &limit, &sense)
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -115,5 +143,14 @@ mod tests {
         let ([left, right], angle) = (ALIGNS.formulas)();
         assert!(!aligns([left.squared(), right], angle).holds());
         assert!(!aligns([left, right], right).holds());
+    }
+
+    #[test]
+    fn it_slides_against_the_acceleration_and_another_sense_or_drive_is_refused() {
+        assert!(AGAINST.proof().holds(), "{}", AGAINST.proof());
+        let (sense, [ax, ay]) = (AGAINST.formulas)();
+        assert!(!against(paper::s21_late_sense(), [ax, ay]).holds());
+        assert!(!against(sense, [-ax, ay]).holds());
+        assert!(!against(sense, [ax, ax]).holds());
     }
 }
