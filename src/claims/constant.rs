@@ -41,7 +41,7 @@ const REGULAR_TIME: Correction = Correction {
 
 /// Where the velocity has no direction in the end.
 const NOT_THE_ONE_THAT_STOPS: Condition = Condition {
-    text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it",
+    text: r"not $\lambda=1$ with $\theta_0=\pi$: that particle stops, and static friction holds it, as it holds one that starts at rest",
     sort: Sort::Degenerate,
 };
 

@@ -245,8 +245,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-145", "s4-psi-free", "s4-envelope-is-boundary"],
         correction: Some(Correction {
             change: Change::Statement,
-            latex: r"\frac{\mathrm{d} A}{\mathrm{d} \sigma}=\frac{1-\sigma}{\sqrt{(1-\sigma)^2+\alpha^2}}+\cdots\quad\text{near rest}",
-            plain: "dA/dσ = (1 − σ)/√((1 − σ)² + α²) + ⋯ near rest",
+            latex: r"\frac{\mathrm{d} A}{\mathrm{d} \sigma}=\frac{1-\sigma}{\sqrt{(1-\sigma)^2+\alpha^2}}+\cdots\quad\text{near rest at the edge of the region of rest, once the angle has relaxed}",
+            plain: "dA/dσ = (1 − σ)/√((1 − σ)² + α²) + ⋯ near rest at the edge of the region of rest, once the angle has relaxed",
         }),
         trials: trials![
             &exact::EQ146,

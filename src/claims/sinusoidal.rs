@@ -665,16 +665,23 @@ const CLAIMS: &[Claim] = &[
         latex: r"The slip on $[\phi_1,\tilde\phi_2]$ is followed by an interval that ends, with the period, at $\phi+2\pi$.",
         plain: "The slip on [φ₁, φ̃₂] is followed by an interval that ends, with the period, at φ + 2π.",
         depends_on: &["eq-27", "eq-31"],
-        conditions: &[Condition {
-            text: r"$\lambda_0<\lambda_\mathrm{c}$",
-            sort: Sort::Stated,
-        }],
+        conditions: &[
+            Condition {
+                text: r"$\lambda_0<\lambda_\mathrm{c}$",
+                sort: Sort::Stated,
+            },
+            Condition {
+                text: r"$0<\lambda_0$: without friction the slip lasts for the whole period",
+                sort: Sort::Degenerate,
+            },
+        ],
         trials: trials![
             rest_of_period::printed_root,
             rest_of_period::printed_quadrature,
             rest_of_period::corrected_root,
             rest_of_period::corrected_quadrature,
-            &order::PERIOD_ENDS
+            &order::PERIOD_ENDS,
+            excepted::no_friction
         ],
         correction: Some(Correction {
             change: Change::Symbol,

@@ -25,7 +25,7 @@ type CurveA = (Expr, Sides);
 pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion is drawn; the drive exceeds friction at both phases",
+        r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion along $x$ is drawn; the drive exceeds friction at both phases",
     ),
     || (printed_rates(), curve_a(), printed::s24_first_signs()),
     |(rates, a, signs)| first(rates, a, signs),
@@ -35,7 +35,7 @@ pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::new(
 pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::new(
     Subject::Corrected,
     Compared::shown(
-        r"for every $q\ge1$ and $\lambda_0$ above A, below B if $q\le q_Y$ and below E if $q>q_Y$: forward from $\sin^{-1}\lambda_0$, at once backward, then rest; between E and C forward, then rest; every motion is drawn to this one",
+        r"for every $q\ge1$ and $\lambda_0$ above A, below B if $q\le q_Y$ and below E if $q>q_Y$: forward from $\sin^{-1}\lambda_0$, at once backward, then rest; between E and C forward, then rest; every motion along $x$ is drawn to this one",
     ),
     || {
         let signs = (printed::s24_second_signs(), printed::s24_fourth_signs());
@@ -56,7 +56,7 @@ type Lists = ([Expr; 3], [Expr; 2]);
 pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every $1\le q<q_Y$ and $\lambda_0$ between B and C: forward from $\sin^{-1}\lambda_0$, rest, backward from $\pi+\sin^{-1}(q\lambda_0)$, rest; every motion is drawn to this one",
+        r"for every $1\le q<q_Y$ and $\lambda_0$ between B and C: forward from $\sin^{-1}\lambda_0$, rest, backward from $\pi+\sin^{-1}(q\lambda_0)$, rest; every motion along $x$ is drawn to this one",
     ),
     || {
         (
@@ -73,7 +73,7 @@ pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::new(
 pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every $q\ge1$ and $1/q<\lambda_0<1$: forward from $\sin^{-1}\lambda_0$, then rest; every motion is drawn to this one",
+        r"for every $q\ge1$ and $1/q<\lambda_0<1$: forward from $\sin^{-1}\lambda_0$, then rest; every motion along $x$ is drawn to this one",
     ),
     || {
         let curves = [on_c(), printed::eq56_lambda0()];
@@ -86,7 +86,7 @@ pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::new(
 pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every $q\ge1$ and $\lambda_0>1$ the rates (51) and (52) oppose the motion by $\lambda_0-1$ at least: from every start the particle is at rest after a finite time, and stays",
+        r"for every $q\ge1$ and $\lambda_0>1$ the rates (51) and (52) oppose the motion by $\lambda_0-1$ at least: from every velocity along $x$ the particle is at rest after a finite time, and stays",
     ),
     || {
         (
@@ -102,7 +102,7 @@ pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
 pub const CURVE_C: Statement = Statement::new(
     Subject::Corrected,
     Compared::shown(
-        r"for every $1\le q\le q_Y$ there is backward motion just below (55), as in III or, at $q_Y$, in II, and none between it and D",
+        r"for every $1\le q\le q_Y$ there is backward motion just below (55), as in III or, at $q_Y$, in I or II, and none between it and D",
     ),
     on_c,
     border,
@@ -525,6 +525,7 @@ fn border(c: Expr) -> Proof {
     let (_, [_, d], [ahead, rest]) = (FOURTH.formulas)();
     prove("Curve C up to Y", plane(), |p| {
         p.rests_on(&third(rates, b, c, signs))?;
+        p.rests_on(&FIRST.proof())?;
         p.rests_on(&SECOND.proof())?;
         p.rests_on(&fourth(rates, [c, d], [ahead, rest]))?;
         p.rests_on(&corner_falls())?;
@@ -533,7 +534,7 @@ fn border(c: Expr) -> Proof {
         p.equal("It is 1", &product, &Rational::int(1))?;
         p.note(
             "Before q_Y B ends below C, at q_Y on it",
-            "just below C lies region III, at q_Y region II, both with backward motion; above C region IV, without",
+            "just below C lies region III, at q_Y region II, or I if A were above it, all with backward motion; above C region IV, without",
         );
         Ok(())
     })

@@ -1,6 +1,7 @@
 //! Theorems about every drive h of size 1 at most, by (26) with h for the sine: when all motion ends, and how much of the time is
 //! rest; and what the pulses are at their two extremes.
 
+use super::exact::{EQ44, EQ46};
 use crate::claims::compare::Compared;
 use crate::claims::general::chains::{STOPS, prove};
 use crate::claims::statement::{Statement, given};
@@ -75,7 +76,7 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
 pub const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the particle moves for at most the share $s/(1-s)$ of the time while $\lvert h\rvert\le1-s$; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
+        r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the phases at which it moves although $\lvert h\rvert\le1-s$ are, in the mean over many periods, at most $s/(1-s)$ of all; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
     ),
     || (rate(), printed::s23_late_share()),
     |(rate, share)| for_both_signs(|sign| mostly_at_rest(rate, share, sign)),
@@ -270,7 +271,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
 pub const AGAIN: Statement<(Expr, Pulses, Expr)> = Statement::new(
     Subject::Corrected,
     Compared::shown(
-        r"for every $\lambda_0>0$ and every $\eta$ between 0 and 1: what (26) gives a particle without friction is $h$, by (42) 0 in the gap before $\pi$ and by (43) $-1$ in the pulse behind it; friction gives one that slides $\mp\lambda_0$ before and after, which is never 0",
+        r"for every $\lambda_0>0$ and every $\eta$ between 0 and 1: what (26) gives a particle without friction is $h$, by (42) 0 in the gap before $\pi$ and by (43) $-1$ in the pulse behind it; friction gives one that still slides $\mp\lambda_0$, before $\pi$ as after it. By (44) the slip ends before that if $\lambda_0>\eta$, which is $\lambda_\mathrm c$ of (46), and not otherwise",
     ),
     || {
         let h = Expr::symbol("ψ").sin();
@@ -300,7 +301,13 @@ fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
             "λ₀ against the velocity, at every h",
             -(Expr::int(sign) * lambda0),
         )?;
-        p.equal("The two", &friction, &constant)
+        p.equal("The two", &friction, &constant)?;
+        given(p, &[&EQ44, &EQ46])?;
+        let [_, stop] = printed::eq44_ends(lambda0, Expr::symbol("η"));
+        let room = p.read("π less the end of the slip by (44)", Expr::pi() - stop)?;
+        let excess = Expr::pi() * (lambda0 - pulses.critical) / lambda0;
+        let excess = p.read("π (λ₀ − λ_c)/λ₀, positive for λ₀ > λ_c only", excess)?;
+        p.equal("The two", &room, &excess)
     })
 }
 

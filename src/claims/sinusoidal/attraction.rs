@@ -239,8 +239,8 @@ fn no_rest_below(law: [Expr; 2], motion: NoRest) -> Proof {
     prove("No periodic motion rests below λ_c", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, motion))?;
         p.note(
-            "A periodic motion, however long its period is in units of 2π, has the same distance from (38) again and again",
-            "so that it is 0: it is (38), which is at rest on no interval",
+            "A motion with the period P, as its distance from (38) goes to 0",
+            "so does the change of (38) over P, which repeats itself every 2π and so is 0: P is a period of (38), and the distance, which returns after P, is 0: the motion is (38), which is at rest on no interval",
         );
         let [phi, zero] = [Expr::symbol("φ"), Expr::int(0)];
         let [rate, _] = in_units(law, eq21());

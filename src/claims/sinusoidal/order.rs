@@ -124,7 +124,7 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
 pub const PERIOD_ENDS: Statement = Statement::new(
     Subject::Corrected,
     Compared::shown(
-        r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above friction at $\phi_1$ only, and again a period later; in between it gives nothing. From no other phase of the slip does a period end there",
+        r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above $+\lambda_0$ at $\phi_1$ only, and again a period later; in between it gives nothing, and the slip ends before",
     ),
     || corrected::rest_of_period_end(paper::eq27_phi1(Expr::symbol("λ₀"))),
     period_ends,
@@ -135,6 +135,11 @@ fn period_ends(end: Expr) -> Proof {
     prove(title, ring_of_phi1(), |p| {
         let [first, second, third, fourth] = phases();
         p.rests_on(&four_points([first, second, third, fourth], Expr::int(4)))?;
+        p.rests_on(&slip())?;
+        p.note(
+            "The slip ends before φ₁ + 2π",
+            "and an interval is left until then",
+        );
         let [beta, lambda0] = Expr::symbols(["β", "λ₀"]);
         for (says, phase) in [("φ₁", first), ("the stated end", end)] {
             let drive = p.read(&format!("The drive, sin φ, at {says}"), phase.sin())?;

@@ -12,7 +12,7 @@ use crate::scalar::Scalar;
 pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every slope $\beta$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
+        r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
     ),
     || (eq1(), paper::eq3_acceleration(Expr::symbol("A"))),
     |(law, drive)| on_an_incline(law, drive),
@@ -81,7 +81,7 @@ fn on_an_incline(law: [Expr; 2], drive: [Expr; 2]) -> Proof {
 pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: where $\bm A$ changes, no inclined plane gives the same rates at all velocities",
+        r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: at a time at which $-\bm A$ is not that pull a motion that passes with the velocity $\bm v$, or one with $-\bm v$, is none on the inclined plane",
     ),
     eq1,
     only_constant,

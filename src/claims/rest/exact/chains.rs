@@ -57,7 +57,7 @@ fn dichotomy(third: Expr, bound: Expr, acceleration: [Expr; 2]) -> Proof {
 pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::new(
     Subject::Within,
     Compared::shown(
-        r"for every motion with $p<\rho$ that comes to rest, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved",
+        r"for every motion with $p<\rho$ that comes to rest after a finite time, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved under their conditions",
     ),
     || {
         let [p, ell] = Expr::symbols(["p", "ℓ"]);

@@ -4,8 +4,8 @@
 use super::{S3_REDUCTION, body};
 use crate::claims::anisotropic::{exact as anisotropy, motions};
 use crate::claims::compare::Compared;
-use crate::claims::general::chains;
 use crate::claims::periodic::exact as pulses;
+use crate::claims::sinusoidal::attraction;
 use crate::claims::statement::{Statement, given};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
@@ -29,7 +29,7 @@ pub const PULSE: Statement = Statement::new(
 pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::new(
     Subject::Within,
     Compared::shown(
-        r"for every sphere, every start and every $\lambda_0>0$ of (84): the slip velocity is drawn to the one motion along $x$ that repeats itself, that of the regions at $q=1$: below A, which is (37) there, two zeros in a period, above it and below 1 two rests, above 1 rest",
+        r"for every sphere, every start and every $\lambda_0>0$ of (84): the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that the three kinds are proved, with the zeros and the rests, and that $\lambda_\mathrm c$ of (37) is where the curves A and B meet",
     ),
     || {
         let [b, mu, g, a0] = symbols();
@@ -93,45 +93,6 @@ fn pulse(lambda0: Expr) -> Proof {
     })
 }
 
-/// Two motions of one drive on the plane come no farther apart.
-fn together() -> Proof {
-    let mut ring = Ring::new();
-    for name in ["v", "w"] {
-        ring.symbol(name);
-    }
-    for name in ["χ", "θ"] {
-        ring.angle(name);
-    }
-    Proof::of(
-        "Two motions of one drive come no farther apart",
-        &ring,
-        |p| {
-            let [v, w, chi, theta] = Expr::symbols(["v", "w", "χ", "θ"]);
-            p.note(
-                "Velocities v (cos χ, sin χ) and w (cos θ, sin θ)",
-                "the drive changes both alike, and friction by −μg times the unit vectors",
-            );
-            let apart = [
-                (v * chi.cos() - w * theta.cos()) * (chi.cos() - theta.cos()),
-                (v * chi.sin() - w * theta.sin()) * (chi.sin() - theta.sin()),
-            ];
-            let loss = p.read(
-                "Their difference times that of the unit vectors",
-                apart[0] + apart[1],
-            )?;
-            let two = Expr::int(2);
-            let square = two * ((chi - theta) / two).sin().squared();
-            let square = p.read("2 (v + w) sin²((χ − θ)/2)", (v + w) * square)?;
-            p.equal("It is that, which is not negative", &loss, &square)?;
-            p.note(
-                "If one is at rest",
-                "friction on it is any vector of size μg at most, and the product is no less",
-            );
-            Ok(())
-        },
-    )
-}
-
 fn trichotomy([lambda0, critical]: [Expr; 2]) -> Proof {
     carried("The driven sphere", |p| {
         let [b, mu, g, a0] = symbols();
@@ -139,31 +100,13 @@ fn trichotomy([lambda0, critical]: [Expr; 2]) -> Proof {
         let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
         let particle = p.read("λ₀ of the particle with bμ, by (22)", particle)?;
         p.equal("The two", &stated, &particle)?;
-        given(p, &[&chains::ACROSS, &chains::STOPS])?;
-        p.rests_on(&together())?;
-        given(
-            p,
-            &[
-                &motions::FIRST,
-                &motions::THIRD,
-                &motions::FIFTH,
-                &anisotropy::X,
-            ],
-        )?;
-        p.note(
-            "The velocity across vanishes at late times",
-            "where a motion comes to, period by period, is then a set of velocities along x, all at one distance from the motion along x that repeats itself; from each of them the motion is drawn to that: the distance is 0",
-        );
+        given(p, &[&attraction::TRICHOTOMY, &anisotropy::X])?;
         let [q, at] = anisotropic::eq57_x::<Expr>();
         let same = p.read("q of X, where A and B meet", q)?;
         p.equal("It is 1", &same, &Rational::int(1))?;
         let at = p.read("λ₀ there", at)?;
         let critical = p.read("λ_c by (37)", critical)?;
         p.equal("The two", &at, &critical)?;
-        p.note(
-            "So at q = 1, where C and D are 1",
-            "below λ_c region I, from λ_c to 1 region III, above 1 region V",
-        );
         Ok(())
     })
 }
@@ -172,7 +115,10 @@ fn regions(lambda0: Expr) -> Proof {
     carried("The regions of the sphere", |p| {
         let [b, mu, g, a0] = symbols();
         let q = Expr::symbol("q");
-        p.note("μ is that of slip towards +x", "qμ that of slip towards −x");
+        p.note(
+            "μ is that of slip towards +x, qμ that of slip towards −x",
+            "static friction F = mA/b lies between −μmg and qμmg as long as −bμg ≤ A ≤ bqμg",
+        );
         let forward = anisotropic::eq47_lambda_plus(b * mu, g, a0);
         let backward = anisotropic::eq48_lambda_minus(b * q * mu, g, a0);
         for (says, particle, stated) in [
