@@ -309,7 +309,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Every start leads either to rest or to an unbounded motion.",
         depends_on: &["eq-127", "eq-139", "s4-A-never-decreases"],
         conditions: &[Condition {
-            text: r"the particle does not creep towards $\rho=1$ for ever, as it does from the boundary $\mathbb S$ itself",
+            text: r"the particle does not creep towards $\rho=1$ for ever, as it does from the boundary itself",
             sort: Sort::Degenerate,
         }],
         trials: trials![

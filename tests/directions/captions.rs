@@ -81,6 +81,7 @@ const UNTRIED: &[(&str, &str)] = &[
         "rest-census",
         "dotted small right upwards below falls steeply solid dashed",
     ),
+    ("rest-fates", "below lower above right upwards rises"),
     ("rest-boundary", "dashed"),
     (
         "rest-space",

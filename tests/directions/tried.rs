@@ -377,6 +377,22 @@ pub const TRIED: &[Said] = &[
         let keys = data.keys("(147)");
         !keys.is_empty() && keys.iter().all(|key| key.1)
     }),
+    ("rest-fates", "the larger A, the lower it runs", |data| {
+        let rows = data.rows();
+        let mut of = column(&rows, 0);
+        of.dedup();
+        of.sort_by(f64::total_cmp);
+        of.dedup();
+        let off = |row: &&Vec<f64>, psi: f64| (row[1] - psi).abs();
+        let near = |a: f64, psi: f64| {
+            let map = rows.iter().filter(|row| row[0] == a);
+            map.min_by(|x, y| off(x, psi).total_cmp(&off(y, psi)))
+        };
+        [-3.0, -1.5, 0.0, 1.5, 3.0].iter().all(|psi| {
+            let at = of.iter().map(|a| near(*a, *psi).unwrap()[2]);
+            falls(&at.collect::<Vec<_>>())
+        })
+    }),
     (
         "rest-boundary",
         "dashed line runs at 1.4, above all of them",

@@ -138,11 +138,8 @@ fn parts(mut row: Row, halvings: u32) -> Result<Vec<Row>, MotionError> {
             ..part
         }
     });
-    let [mut first, second] = halves.map(|half| parts(half, halvings - 1));
-    if let Ok(first) = &mut first {
-        first.extend(second?);
-    }
-    first
+    let [first, second] = halves.map(|half| parts(half, halvings - 1));
+    Ok([first?, second?].concat())
 }
 
 /// How near to the line proofs can come, for all that simulation says; and whether that is as near as they have to.
@@ -174,7 +171,10 @@ pub fn recorded() -> Option<Vec<Vec<Row>>> {
     let mut maps: Vec<Vec<Row>> = Vec::new();
     for line in RECORD.lines().skip(1) {
         let cells: Result<Vec<f64>, _> = line.split(',').map(str::parse).collect();
-        let &[a, from, to, first, last, rest, escape] = cells.ok()?.as_slice() else {
+        let Ok(cells) = cells else {
+            return None;
+        };
+        let &[a, from, to, first, last, rest, escape] = cells.as_slice() else {
             return None;
         };
         let row = Row {
