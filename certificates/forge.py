@@ -1,0 +1,276 @@
+#!/usr/bin/env python3
+"""Forges certificates, one for each thing that the checker demands, and asks that this demand is what refuses it.
+
+    python3 forge.py FOLDER
+
+`corrupt.py` spoils files at random; these are meant to be right in all but one respect. Exit code 0 if each is refused for its own reason.
+"""
+import copy
+import hashlib
+import json
+import os
+import sys
+
+import check
+from field import identity
+from formula import Wrong
+from intervals import Interval, ONE, coefficients, dyadic, enclosing, range_, root
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+SEVEN, FOUR, TWO, HALF = ({"above": [[n, []]], "number": below, "below": []} for n, below in (("7", "1"), ("4", "1"), ("2", "1"), ("1", "2")))
+
+
+def of_kind(kind, fits=lambda w: True):
+    """The first witness of a kind, if it is fit."""
+    return lambda c: next((w for w in c["witnesses"] if w["kind"] == kind and fits(w)), None)
+
+
+def moved(text, by):
+    """A number as it is written, and so many of its units more."""
+    n, *power = text.split("*2^")
+    return "*2^".join([str(int(n) + by), *power])
+
+
+def finer(text, by, bits):
+    """The same in units of 2 to the minus `bits`, so many more."""
+    return f"{int(dyadic(text) * 2**bits) + by}*2^-{bits}"
+
+
+# On witnesses: which, what is done to it, and why it has to be refused.
+
+def idle_part(w):
+    w["parts"].append({"read": "7"})
+    w["gives"].append(None)
+
+
+def idle_power(w):
+    w["powers"].append({"of": FOUR, "to": HALF, "is": TWO})
+
+
+def disproved(w):
+    w["fails"] = True
+
+
+def worked_out(w):
+    i = next(i for i, x in enumerate(w["gives"]) if x not in (None, SEVEN))
+    w["gives"][i] = SEVEN
+
+
+def not_there(w):
+    w["given"].append("a proof that nobody made")
+
+
+def with_itself(w):
+    w["equal"][0]["right"] = w["equal"][0]["left"]
+
+
+def other_inverse(w):
+    inverse = w["inverses"][0]
+    inverse["function"] = {"arcsin": "arccos", "arccos": "arcsin"}[inverse["function"]]
+
+
+def volume(part):
+    size = 1
+    for low, high in part["at"]:
+        size *= dyadic(high) - dyadic(low)
+    return size
+
+
+def alike(w):
+    """Two parts of the same size that ask for the same: the numbers of both."""
+    parts = w["parts"]
+    return next(((i, j) for i, p in enumerate(parts) for j, q in enumerate(parts) if 0 < i < j and volume(p) == volume(q) and p["by"] == q["by"]), None)
+
+
+def gap(w):
+    i, j = alike(w)
+    w["parts"][j] = copy.deepcopy(w["parts"][i])
+
+
+def overlap(w):
+    w["parts"].append(copy.deepcopy(w["parts"][-1]))
+
+
+def idle_condition(w):
+    """Of parts of which there are none."""
+    w["cases"].insert(0, {**copy.deepcopy(w["cases"][0]), "of": {"below": [0, "-1000"]}})
+
+
+def other_sign(w):
+    condition = w["cases"][0]["conditions"][0]
+    condition["sign"] = -condition["sign"]
+
+
+def other_corner(w):
+    w["corners"][0][0] = moved(w["corners"][0][0], 3)
+
+
+def other_matrix(w):
+    w["preconditioner"][0][0] = finer(w["preconditioner"][0][0], 3, 20)
+
+
+def other_root(w):
+    w["root"][0] = moved(w["root"][0], 2)
+
+
+def wide_number(w):
+    """What is stated is off by 1, and is written so that its bounds are wide."""
+    nothing = ["-", w["found"], w["found"]]
+    w["stated"] = ["+", ["+", w["found"], "1"], ["*", "1" + "0" * 90, nothing]]
+
+
+def other_law(w):
+    w["law"][0] = ["-", w["law"][0]]
+
+
+def elsewhere(w):
+    w["start"][0] = [finer(end, 8, 44) for end in w["start"][0]]
+
+
+def nearer_walls(w):
+    wall = w["steps"][0]["walls"][0]
+    wall[0] = finer(wall[0], 1, 20)
+
+
+def narrower(w):
+    side = w["steps"][-1]["state"][0]
+    side[0] = finer(side[0], 2, 44)
+
+
+def too_early(w):
+    w["steps"].pop()
+
+
+def other_end(w):
+    w["end"] = {"rest": "escape", "escape": "rest"}[w["end"]]
+
+
+IN_WITNESSES = [
+    (of_kind("identity"), idle_part, "an idle part"),
+    (of_kind("identity"), idle_power, "something known that is not needed"),
+    (of_kind("identity", lambda w: not w["fails"] and w["equal"]), disproved, "equal, which it is not to be"),
+    (of_kind("identity", lambda w: any(x not in (None, SEVEN) for x in w["gives"])), worked_out, "a part is something else"),
+    (of_kind("identity"), not_there, "it rests on a proof that is not there"),
+    (of_kind("identity", lambda w: w["equal"]), with_itself, "something is compared with itself"),
+    (of_kind("identity", lambda w: w["inverses"]), other_inverse, "an inverse that is none"),
+    (of_kind("range", alike), gap, "the parts leave a gap"),
+    (of_kind("range"), overlap, "the parts overlap"),
+    (of_kind("range"), idle_condition, "an idle condition"),
+    (of_kind("range"), other_sign, "a condition that is not fulfilled"),
+    (of_kind("root"), other_corner, "another value at a corner"),
+    (of_kind("root"), other_matrix, "another preconditioner"),
+    (of_kind("root"), other_root, "the root is elsewhere"),
+    (of_kind("number"), wide_number, "the numbers differ"),
+    (of_kind("motion"), other_law, "another law of motion"),
+    (of_kind("motion"), elsewhere, "the start is elsewhere"),
+    (of_kind("motion", lambda w: w["steps"]), nearer_walls, "a motion leaves its walls, or they are far"),
+    (of_kind("motion", lambda w: w["steps"]), narrower, "the motion ends elsewhere"),
+    (of_kind("motion", lambda w: w["steps"]), too_early, "what is to decide is not so"),
+    (of_kind("motion"), other_end, "that decides nothing"),
+]
+
+
+# On files.
+
+def hashed(c):
+    c["sha256"] = hashlib.sha256(c["statement"].encode()).hexdigest()
+
+
+def other_hash(c, other):
+    c["sha256"] = other["sha256"]
+
+
+def other_statement(c, other):
+    c["statement"] = other["statement"]
+    hashed(c)
+
+
+def without_its_end(c, other):
+    c["witnesses"].pop()
+
+
+def other_name(c, other):
+    c["trial"] = other["trial"]
+
+
+IN_FILES = [
+    (other_hash, "the hash is not that of the statement"),
+    (other_statement, "the statement is not printed so"),
+    (without_its_end, "not what is listed"),
+    (other_name, "another file's name"),
+]
+
+
+# Witnesses of what is false, or not proved by them.
+
+def at_the_end():
+    """The root of x, at the end of a box: the image lies in it, and not strictly inside."""
+    unit = 1 << 30
+    return root, {"kind": "root", "variables": ["x"], "functions": ["x"], "within": [["0", "1"]], "corners": [["0"], [str(unit)]],
+                  "preconditioner": [["1"]], "root": ["0*2^-10"]}, "the image is not inside the box"
+
+
+def above_the_sine():
+    """That the sine is below 255/256 between 5/4 and 15/8, where both ends are and the top is not."""
+    formula, cell = ["-", "255*2^-8", ["sin", "x"]], [enclosing(dyadic("5*2^-2"), dyadic("15*2^-3"))]
+    [value] = coefficients(formula, ["x"], [x.middle() for x in cell])
+    middle = str((value.low * 2**31 + ONE) // (2 * ONE))
+    condition = {"formula": formula, "by": 0, "power": 0, "sign": 1, "middle": [middle]}
+    return range_, {"kind": "range", "variables": ["x"], "within": [["5*2^-2", "15*2^-3"]], "parts": [{"at": [["5*2^-2", "15*2^-3"]], "by": None}],
+                    "cases": [{"of": "rest", "choice": False, "conditions": [condition]}]}, "a condition that is not fulfilled"
+
+
+def cube_root():
+    """That the cube root has the slope of a square root."""
+    generators = [{"rule": "pi"}, {"rule": "free", "name": "x"}, {"rule": "root", "of": {"above": [["1", [0, 1]]], "number": "1", "below": []}, "degree": 3}]
+    own, rate = {"above": [["1", [0, 0, 1]]], "number": "1", "below": []}, {"above": [["1", []]], "number": "1", "below": []}
+    # x r′ is r/3, and is said to be r/2.
+    half = {"above": [["1", [0, 0, 1]]], "number": "2", "below": []}
+    parts = [{"element": own}, {"element": rate}, {"derivative": [0, [[1, 1]]]}, {"read": "x"}, {"product": [2, 3]}, {"element": half}]
+    return identity, {"kind": "identity", "title": "a slope", "given": [], "generators": generators, "symbols": [], "powers": [], "inverses": [],
+                      "parts": parts, "gives": [None] * len(parts), "equal": [{"says": "x r′", "left": 4, "right": 5}], "fails": False}, "not equal"
+
+
+FALSE = [at_the_end, above_the_sine, cube_root]
+
+
+def refused(reason, call):
+    """Nothing if it is refused for this reason; else what became of it."""
+    try:
+        call()
+    except Wrong as wrong:
+        return None if reason in str(wrong) else f"refused, as {wrong}"
+    except Exception as error:  # a checker that breaks off has not refused
+        return f"{type(error).__name__}: {error}"
+    return "accepted"
+
+
+def forged(whole, files, prints):
+    """What each forgery is called, and what became of it if that is not as it has to be."""
+    for pick, spoil, reason in IN_WITNESSES:
+        i = next(i for i, c in enumerate(whole) if pick(c))
+        c = copy.deepcopy(whole[i])
+        spoil(pick(c))
+        yield reason, refused(reason, lambda: check.check(c, files[i], prints))
+    for spoil, reason in IN_FILES:
+        i = next(i for i, c in enumerate(whole) if [w["kind"] for w in c["witnesses"]][1:] == ["number", "number"])
+        c = copy.deepcopy(whole[i])
+        spoil(c, next(other for other in whole if other["claim"] not in (c["claim"], "s24-X") and "$" not in other["statement"]))
+        yield reason, refused(reason, lambda: check.check(c, files[i], prints))
+    for make in FALSE:
+        by, witness, reason = make()
+        yield make.__name__, refused(reason, lambda: by(witness, []))
+
+
+def main(folder):
+    prints = check.Prints(os.path.join(HERE, ".."))
+    files = sorted(name for name in os.listdir(folder) if name.endswith(".json"))
+    whole = [json.load(open(os.path.join(folder, name), encoding="utf-8")) for name in files]
+    all_ = list(forged(whole, files, prints))
+    wrong = [f"{name}: {what}" for name, what in all_ if what]
+    print("\n".join(wrong + [f"{len(all_)} forged, {len(wrong)} not refused for their own reason"]))
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
