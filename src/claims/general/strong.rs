@@ -30,8 +30,8 @@ fn moves(bound: Expr) -> Proof {
     prove("A strong drive ends every rest", ring(), |p| {
         let [ax, ay, mu, g, ..] = NAMES.map(Expr::symbol);
         p.note(
-            "A particle at rest moves as the plane does: by Newton's law in the laboratory friction per mass is",
-            "𝐀",
+            "A particle at rest moves as the plane does",
+            "by Newton's law in the laboratory friction gives it the plane's acceleration",
         );
         let size = (ax.squared() + ay.squared()).sqrt();
         let needed = p.read("Its size squared", size.squared())?;
