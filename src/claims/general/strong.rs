@@ -36,13 +36,16 @@ fn moves(bound: Expr) -> Proof {
         let size = (ax.squared() + ay.squared()).sqrt();
         let needed = p.read("Its size squared", size.squared())?;
         let components = p.ring().read(ax.squared() + ay.squared())?;
-        p.equal("That of 𝐀 squared", &needed, &components)?;
+        p.equal("The squares of the components, added", &needed, &components)?;
         let lack = p.read("What is needed less the greatest friction", size - mu * g)?;
-        let beyond = p.read("What |𝐀| is above the stated bound", size - bound)?;
+        let beyond = p.read(
+            "What the size of the drive is above the stated bound",
+            size - bound,
+        )?;
         p.equal("The two", &lack, &beyond)?;
         p.note(
             "So",
-            "while |𝐀| is above the bound no friction of μg at most keeps the particle at rest",
+            "while the drive is above the bound no friction of μg at most keeps the particle at rest",
         );
         Ok(())
     })

@@ -120,7 +120,7 @@ fn only_constant(law: [Expr; 2]) -> Proof {
         }
         p.note(
             "With the same rates at all velocities",
-            "𝐀 would be −P at every time",
+            "the drive would be the opposite of the pull at every time",
         );
         Ok(())
     })
