@@ -13,7 +13,7 @@ use std::fmt;
 pub const REACH: f64 = 1.5;
 
 /// The range of ψ: a little more than once round.
-pub const ROUND: f64 = 3.1416;
+pub const ROUND: f64 = 31_416.0 / 10_000.0;
 
 /// Strips of a map, and how often one is halved where a straight line does not follow the boundary.
 pub const STRIPS: u32 = 32;
