@@ -86,8 +86,8 @@ pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr
             let speed = (vx.squared() + vy.squared()).sqrt();
             let (cosine, most) = (vx / speed, mu * g);
             p.note(
-                "The drive",
-                "−𝐀 = a x̂ with a the stated bound, δ > 0 and some e ≥ 0",
+                "The pull of the drive",
+                "along x, of the size a: the stated bound, δ > 0 and some e ≥ 0, added",
             );
             let pull = bound + margin + more;
             let driven = |rate: Expr| rate.with("A_x", -pull).with("A_y", Expr::int(0));

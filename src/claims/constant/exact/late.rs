@@ -116,7 +116,7 @@ fn against(sense: Expr, [ax, ay]: [Expr; 2]) -> Proof {
         given(p, &[&ALIGNS])?;
         let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
         let product = v * theta.cos() * ax + v * theta.sin() * ay;
-        let cosine = p.read("𝐯·𝐀 over both sizes", product / (v * a))?;
+        let cosine = p.read("The cosine of the angle between the two", product / (v * a))?;
         let stated = p.read("−cos θ", -theta.cos())?;
         p.equal("The two", &cosine, &stated)?;
         let limit = p.read("It at θ = 0", (product / (v * a)).with("θ", Expr::int(0)))?;

@@ -105,7 +105,7 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
             given(p, &[&turntable::EQ89, &turntable::EQ103])?;
             p.note(
             "If ρ stayed bounded",
-            "ρ² − p², which by (103) grows at the rate 2p, would converge; so would the way ∫ p dτ, the place, and p², to 0",
+            "ρ² − p², which by (103) grows at the rate 2p, would converge; so would the way, which grows at the rate p, the place, and p², to 0",
         );
             let [x, y, speed, chi, theta] = Expr::symbols(["x", "y", "p", "χ", "θ"]);
             let outwards = [theta.cos(), theta.sin()];
@@ -188,7 +188,7 @@ pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
     p.equal("The two", &across, &left)?;
     p.note(
         "Let p → 0 as τ → T, at ρ > 0",
-        "ξ, never falling and at most ρ, converges; by (99) p ≤ (1 + ρ_max)(T − τ), so that ℓ²/2p has no finite integral unless ℓ → 0",
+        "ξ, never falling and at most ρ, converges; by (99) p ≤ (1 + R)(T − τ) with the largest ρ as R, so that ℓ²/2p has no finite integral unless ℓ → 0",
     );
     p.note("So", "ξ → ±ρ: ψ → 0 or ψ → π");
     Ok(())
@@ -213,7 +213,7 @@ fn escapes(beyond: Beyond) -> Proof {
             "no path is bounded: ρ grows beyond every number",
         );
         p.note(
-            "While A is bounded, so is the way ∫ p dτ, and with it ρ",
+            "While A is bounded, so is the way, which grows at the rate p, and with it ρ",
             "so A grows without end",
         );
         stops_along(p, ahead)?;
@@ -292,7 +292,7 @@ fn alpha_grows(beyond: Beyond) -> Proof {
         p.equal("It times that", &(&rate * &weight), &square)?;
         p.note(
             "If ξ stayed bounded",
-            "p and ρ would be at most, p at least proportional to τ, and A² = 2 ∫ p dτ + … at least to τ²: as |p − ℓ| ≤ p + ρ, dξ/dτ would grow at least as τ, and ξ without end",
+            "p and ρ would be at most, p at least proportional to τ, and A², which grows at the rate 2p, at least to τ²: as |p − ℓ| ≤ p + ρ, dξ/dτ would grow at least as τ, and ξ without end",
         );
         p.note("So", "ξ → ∞, p/τ → ∞ by (99), (ρ − p)/p → 0");
         let [a, alpha] = Expr::symbols(["A", "α"]);
@@ -347,7 +347,7 @@ fn relaxes(formula: Expr) -> Proof {
         p.equal("It lies below 1 + ρ by that", &(&most - &faster), &spare)?;
         p.note(
             "Up to a given s",
-            "p ≤ p₀ exp((1 + ρ) s), as small as one likes with p₀ = A sinh α; ρ changes by ∫ p² ds at most, and τ = ∫ p ds",
+            "p ≤ p₀ exp((1 + ρ) s), as small as one likes with p₀ = A sinh α; in s ρ changes at the rate p² at most, and τ at the rate p",
         );
         p.note(
             "So, while ρ > A/2 and p → 0",
