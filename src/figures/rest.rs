@@ -387,10 +387,9 @@ pub fn fates(list: &[Fates]) -> Result<Figure, FigureError> {
         )
         .alt(
             "Three panels with ψ from −π to π to the right and α from 0 to 1.5 upwards. Shaded is what lies below a curve that \
-             is lowest near ψ = 0 and rises towards both sides; the larger A, the lower it runs. In the last panel two lines \
+             is lowest near ψ = 0 and rises towards both sides; the larger A, the lower it runs. In a fourth panel two lines \
              run side by side, with dots between them.",
-        )
-        .columns(2);
+        );
     let angles = [(-PI, "−π"), (0.0, "0"), (PI, "π")];
     for map in list {
         for (proved, edge) in [("rest", &map.rests), ("escape", &map.escapes)] {

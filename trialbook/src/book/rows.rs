@@ -106,16 +106,17 @@ fn wide(node: &Node, display: bool) -> f64 {
     match name(tag) {
         "mo" => match sign(node).unwrap_or_default() {
             "\u{2061}" => 0.2,
-            "(" | ")" | "[" | "]" | "|" | "," | "⋅" | "·" => 0.45,
+            "(" | ")" | "[" | "]" | "|" | "," => 0.5,
+            "⋅" | "·" => 0.7,
             _ => 1.3,
         },
         "mi" | "mn" | "mtext" => match inside.as_slice() {
-            [Node::Text(text)] => 0.56 * text.chars().count() as f64,
-            _ => 0.56,
+            [Node::Text(text)] => text.chars().map(letter).sum(),
+            _ => letter('x'),
         },
         "mspace" => 0.3,
-        "msub" | "msup" => part(0, display) + 0.72 * part(1, false),
-        "msubsup" => part(0, display) + 0.72 * part(1, false).max(part(2, false)),
+        "msub" | "msup" => part(0, display) + 0.1 + 0.85 * part(1, false),
+        "msubsup" => part(0, display) + 0.1 + 0.85 * part(1, false).max(part(2, false)),
         "mfrac" => {
             let size = if display { 1.0 } else { 0.72 };
             0.2 + size * part(0, false).max(part(1, false))
@@ -127,6 +128,15 @@ fn wide(node: &Node, display: bool) -> f64 {
             .map(|node| wide(node, display))
             .fold(0.0, f64::max),
         _ => width(inside, display),
+    }
+}
+
+/// How wide a letter or digit is; browsers set Greek in wide fonts.
+fn letter(sign: char) -> f64 {
+    match sign {
+        'm' | 'w' | 'M' | 'W' => 0.95,
+        'A'..='Z' | 'α'..='ω' => 0.85,
+        _ => 0.58,
     }
 }
 
