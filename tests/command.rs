@@ -1221,3 +1221,28 @@ fn json_counts_the_mistakes_that_pass() {
         "{shown}"
     );
 }
+
+/// What the pages tell to type for an ensemble, with fewer particles.
+#[test]
+fn ensembles_on_the_pages_run() {
+    let mut count = 0;
+    for page in [
+        include_str!("../book/src/python.md"),
+        include_str!("../book/src/speed.md"),
+    ] {
+        for line in page
+            .lines()
+            .filter_map(|line| line.strip_prefix("slipbook ensemble "))
+        {
+            let line = line.split(" > ").next().unwrap().replace(":1000", ":4");
+            let arguments: Vec<_> = ["ensemble"].into_iter().chain(line.split(' ')).collect();
+            let output = slipbook(&arguments);
+            assert!(
+                output.status.success() && !output.stdout.is_empty(),
+                "{line}"
+            );
+            count += 1;
+        }
+    }
+    assert_eq!(count, 2);
+}

@@ -1,6 +1,7 @@
 //! What the explorers show: the module in the pages gives the crate's own numbers, and these agree with what the claims
 //! found elsewhere.
 
+use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::simulated::Curves;
 use slipbook::explorers::{
     Answer, anisotropic, answer, constant, periodic, plane, sphere, turntable,
@@ -443,6 +444,42 @@ fn the_guesses_have_the_answers_that_are_given() {
             "less far, with the floor"
         ]
     );
+}
+
+/// What a hint or a title says in numbers.
+#[test]
+fn the_numbers_around_an_explorer_are_those_of_the_claims() {
+    let mut script = include_str!("../book/theme/explorers-list.js").to_owned();
+    let value = |id| PAPER.value(id).unwrap().number().unwrap();
+    for words in [
+        format!("From λc on, at {:.3}, the block rests", value("lambda-c")),
+        format!(
+            "(κ is {} if it is solid, {:.2} if hollow)",
+            value("kappa-solid"),
+            2.0 / 3.0
+        ),
+        format!("κ (solid {:.2})", value("kappa-solid")),
+        format!("ρ/τ²; dashed: {}/9, as printed", 9.0 * value("p-printed")),
+    ] {
+        assert!(script.contains(&words), "it does not say: {words}");
+        script = script.replace(&words, "");
+    }
+    for part in ["hint: '", "title: '"] {
+        let others = script
+            .split(part)
+            .skip(1)
+            .map(|rest| rest.split("',").next().unwrap());
+        for words in others {
+            let sure = ["below 1", "from 1 on for ever", "(147)", "0 rest"];
+            let left = sure
+                .iter()
+                .fold(words.to_owned(), |left, known| left.replace(known, ""));
+            assert!(
+                !left.contains(|c: char| c.is_ascii_digit()),
+                "nothing tries the number in: {words}"
+            );
+        }
+    }
 }
 
 /// Without scripts the figure that follows takes the explorer's place.

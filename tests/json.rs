@@ -128,3 +128,35 @@ fn every_field_is_described_and_every_described_field_is_written() {
         );
     }
 }
+
+/// What the page says of places, held against answers.
+#[test]
+fn places_are_counted_as_the_page_says() {
+    for words in [
+        "how many of the significant digits given are right |",
+        "which significant digit is the first wrong one, from 1 |",
+        "where it stands in `number`, from 0 |",
+        "by their places in `mistakes`, from 0 |",
+    ] {
+        assert!(PAGE.contains(words), "the page does not say: {words}");
+    }
+    // λc begins with 0.53702: four of the five digits are right.
+    let found = written("find 0.53701 --json");
+    let best = &found["matches"][0];
+    assert_eq!(
+        (&best["right"], &best["first_wrong"]),
+        (&4.into(), &5.into())
+    );
+    let column = best["column"].as_u64().unwrap() as usize;
+    assert_eq!(&found["number"].as_str().unwrap()[column..], "1");
+    // The angle of (124) is found by iteration, and every mistake in it is noticed.
+    let distrusted = written("distrust eq-124 --json");
+    let mistakes = distrusted["mistakes"].as_array().unwrap().iter();
+    let own = mistakes.enumerate().filter(|(_, m)| m["claim"] == "eq-124");
+    let own: Vec<Value> = own.map(|(place, _)| place.into()).collect();
+    let mut trials = distrusted["trials"].as_array().unwrap().iter();
+    let found = trials
+        .find(|trial| trial["trial"] == "fixed::psi1")
+        .unwrap();
+    assert!(own.len() > 10 && found["rejects"] == Value::from(own));
+}

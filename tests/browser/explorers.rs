@@ -95,8 +95,9 @@ const STATES: [(&str, &[&str]); 9] = [
     ),
 ];
 
-/// What an explorer must show at a state: the values, in order, from the crate.
-fn expected(name: &str, state: &[f64]) -> Result<Vec<String>, Failure> {
+/// What an explorer must show at a state, from the crate: the values with their names and units, in order; and what it says,
+/// or a part of it.
+fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure> {
     let mut given = [0.0; 4];
     given[..state.len()].copy_from_slice(state);
     if name == "sinusoidal" {
@@ -113,56 +114,152 @@ fn expected(name: &str, state: &[f64]) -> Result<Vec<String>, Failure> {
     };
     let found = answer(number, given).map_err(|error| error.to_string())?;
     let values = found.values;
-    let fixed = |x: f64| {
-        let text = format!("{x:.4}");
-        if text == "-0.0000" {
-            "0.0000".into()
-        } else {
-            text.replace('-', "−")
+    let rounded = |x: f64, decimals: usize| {
+        let text = format!("{x:.decimals$}");
+        match text.trim_start_matches(['-', '0', '.']) {
+            "" => text.replace('-', ""),
+            _ => text.replace('-', "−"),
         }
     };
+    let fixed = |x: f64| rounded(x, 4);
+    let named = |names: &[&str], values: &[String]| -> Vec<String> {
+        let pairs = names.iter().zip(values);
+        pairs
+            .map(|(name, value)| format!("{name}: {value}"))
+            .collect()
+    };
+    let manners = |intervals: &[f64], names: [&str; 3], between: &str| {
+        let signs = intervals.chunks(3).map(|i| i[0] as i32 + 1);
+        let words: Vec<_> = signs.map(|sign| names[sign as usize]).collect();
+        words.join(between)
+    };
+    let ways = |intervals: &[f64]| manners(intervals, ["backwards", "rest", "forwards"], ", ");
+    let fate = |fate: f64, sigma: f64, tau: f64| match fate {
+        1.0 => format!(
+            "it comes to rest at the distance σ = {} after τ = {}",
+            fixed(sigma),
+            fixed(tau)
+        ),
+        0.0 => format!(
+            "it goes away for ever, which is certain after τ = {}",
+            fixed(tau)
+        ),
+        _ => "the start is so near the boundary that rounding decides".to_owned(),
+    };
     Ok(match (name, values.as_slice()) {
-        ("constant", [rests, t, vx, vy, x, y]) => {
-            let end = if *rests == 1.0 {
-                [t, x, y]
-            } else {
-                [t, vx, vy]
-            };
-            end.map(|value| fixed(*value)).into()
-        }
+        ("constant", [1.0, t, _, _, x, y]) => (
+            named(
+                &["T (v₀/A)", "x there (v₀²/A)", "y there (v₀²/A)"],
+                &[t, x, y].map(|x| fixed(*x)),
+            ),
+            format!("It comes to rest after T = {} v₀/A.", fixed(*t)),
+        ),
+        ("constant", [_, t, vx, vy, ..]) => (
+            named(
+                &["t (v₀/A)", "vx then (v₀)", "vy then (v₀)"],
+                &[t, vx, vy].map(|x| fixed(*x)),
+            ),
+            format!(
+                "It is not at rest by {} v₀/A; then its velocity is ({}, {}) v₀.",
+                rounded(*t, 0),
+                fixed(*vx),
+                fixed(*vy)
+            ),
+        ),
         ("anisotropic", [region, mean, largest, rest, _, intervals @ ..]) => {
-            let sign = |i: &[f64]| ["−", "0", "+"][(i[0] + 1.0) as usize];
-            let order: Vec<_> = intervals.chunks(3).map(sign).collect();
             let region = ["none of the five", "I", "II", "III", "IV", "V"][*region as usize];
-            let numbers = [mean, largest, rest].map(|value| fixed(*value));
-            [region.into(), order.join(" ")]
-                .into_iter()
-                .chain(numbers)
-                .collect()
+            let [mean, largest, rest] = [mean, largest, rest].map(|value| fixed(*value));
+            (
+                named(
+                    &["region", "order", "mean 𝔴", "largest |𝔴|", "share of rest"],
+                    &[
+                        region.to_owned(),
+                        manners(intervals, ["−", "0", "+"], " "),
+                        mean,
+                        largest,
+                        rest,
+                    ],
+                ),
+                format!("region {region}, in each period {}.", ways(intervals)),
+            )
         }
-        ("sinusoidal", [_, _, largest, rest, ..]) => vec![fixed(*largest), fixed(*rest)],
+        ("sinusoidal", [_, _, largest, rest, _, intervals @ ..]) => (
+            named(
+                &["largest |𝔴|, periodic", "share of rest"],
+                &[fixed(*largest), fixed(*rest)],
+            ),
+            format!("in the end, in each period {}.", ways(intervals)),
+        ),
         ("periodic", [_, largest, rest, _, intervals @ ..]) => {
             let rests = intervals.chunks(3).filter(|i| i[0] == 0.0).count();
-            vec![rests.to_string(), fixed(*largest), fixed(*rest)]
+            let words = match rests {
+                0 => "no rest".to_owned(),
+                1 => "one rest".to_owned(),
+                _ => format!("{rests} rests"),
+            };
+            (
+                named(
+                    &["rests per period", "largest |𝔴|", "share of rest"],
+                    &[rests.to_string(), fixed(*largest), fixed(*rest)],
+                ),
+                format!(": {words} in each period."),
+            )
         }
         ("escape", []) => {
             let last = found.curves[0].last().map_or(f64::NAN, |point| point[1]);
-            vec![fixed(last), fixed(eq136_rho(1.0))]
+            let [last, printed] = [last, eq136_rho(1.0)].map(fixed);
+            (
+                named(
+                    &["ρ/τ² at τ = 10⁴", "as printed"],
+                    &[last.clone(), printed.clone()],
+                ),
+                format!("at τ = 10⁴ the distance is {last} τ², and not {printed} τ²."),
+            )
         }
         // It says in a sentence what becomes of the coin.
-        ("record", _) => Vec::new(),
-        ("turntable" | "rest", [fate, sigma, tau, _]) => match fate {
-            1.0 => vec!["rest".into(), fixed(*sigma), fixed(*tau)],
-            0.0 => vec!["escape".into(), fixed(*tau)],
-            _ => vec!["undecided".into(), fixed(*tau)],
-        },
-        ("sphere", [b, first, share, slip, ..]) => {
-            let first = if *first < 0.0 {
-                "not within 8π".into()
-            } else {
-                fixed(*first)
+        ("record", [of, sigma, tau, _]) => (
+            Vec::new(),
+            format!("relative to the record {}. By the", fate(*of, *sigma, *tau)),
+        ),
+        ("turntable" | "rest", [of, sigma, tau, _]) => {
+            let [sigma_of, tau_of] = [*sigma, *tau].map(fixed);
+            let certain = ["fate", "certain at τ (1/Ω)"];
+            let values = match of {
+                1.0 => named(
+                    &["fate", "σ (μg/Ω²)", "τ (1/Ω)"],
+                    &["rest".into(), sigma_of, tau_of],
+                ),
+                0.0 => named(&certain, &["escape".into(), tau_of]),
+                _ => named(&certain, &["undecided".into(), tau_of]),
             };
-            vec![fixed(*b), first, fixed(*share), fixed(*slip)]
+            (values, format!("): {}.", fate(*of, *sigma, *tau)))
+        }
+        ("sphere", [b, first, share, slip, ..]) => {
+            let (value, words) = match *first < 0.0 {
+                true => (
+                    "not within 8π".to_owned(),
+                    "it does not roll within four periods".to_owned(),
+                ),
+                false => (
+                    fixed(*first),
+                    format!("it first rolls at φ = {}", fixed(*first)),
+                ),
+            };
+            (
+                named(
+                    &[
+                        "b",
+                        "first rolls at φ",
+                        "share of rolling, last period",
+                        "|slip| at 8π",
+                    ],
+                    &[fixed(*b), value, fixed(*share), fixed(*slip)],
+                ),
+                format!(
+                    ": {words}; in the last of four periods it rolls for {} % of the time.",
+                    rounded(100.0 * share, 1)
+                ),
+            )
         }
         _ => return Err(format!("{name} shows {values:?}")),
     })
@@ -242,14 +339,16 @@ impl<'p, 'b> Explorer<'p, 'b> {
     fn right(&mut self) -> Result<Vec<f64>, Failure> {
         let (name, state) = (self.name, self.state()?);
         let shown = self.page.texts(&format!(
-            "[...document.querySelectorAll('#explore-{name} dd')].map(e => e.textContent)"
+            "[...document.querySelectorAll('#explore-{name} dd')].map(e => `${{e.previousElementSibling.textContent}}: ${{e.textContent}}`)"
         ))?;
-        let expected = expected(name, &state)?;
-        if shown == expected {
+        let says = self.value("host.querySelector('.says').textContent")?;
+        let says = says.as_str().unwrap_or_default();
+        let (values, words) = expected(name, &state)?;
+        if shown == values && says.contains(&words) {
             Ok(state)
         } else {
             Err(format!(
-                "{name} at {state:?} shows {shown:?}, but the crate says {expected:?}"
+                "{name} at {state:?} shows {shown:?} and says {says}, but the crate says {values:?}: {words}"
             ))
         }
     }

@@ -18,6 +18,7 @@ const PAGES: &[&str] = &[
     "escape",
     "general",
     "index",
+    "methods",
     "new",
     "periodic",
     "rest",
@@ -35,6 +36,8 @@ const WORDS: &[&str] = &[
     "backwards",
     "behind",
     "below",
+    "clockwise",
+    "counterclockwise",
     "decreases",
     "downwards",
     "earlier",
@@ -58,6 +61,7 @@ const WORDS: &[&str] = &[
     "larger",
     "largest",
     "later",
+    "left",
     "less",
     "linearly",
     "longer",
@@ -71,6 +75,7 @@ const WORDS: &[&str] = &[
     "outside",
     "outwards",
     "positive",
+    "right",
     "rise",
     "rises",
     "shorter",
@@ -89,6 +94,7 @@ const WORDS: &[&str] = &[
     "vanishes",
     "weak",
     "weaker",
+    "wrong",
 ];
 
 /// A page on one line: without code and placeholders, a formula as §.

@@ -7,9 +7,11 @@ use slipbook::corrections::{
     anisotropic as border, escape, periodic as pulses, sinusoidal as swing,
 };
 use slipbook::motion::turntable::boundary::between;
-use slipbook::motion::turntable::{Fate, Start, boundary, critical_radius, critical_speed, fate};
+use slipbook::motion::turntable::{
+    Fate, Start, Table, boundary, critical_radius, critical_speed, fate, inertial,
+};
 use slipbook::motion::{Launch, State};
-use slipbook::paper::{anisotropic, constant, periodic};
+use slipbook::paper::{anisotropic, constant, escape as growing, periodic, turntable as print};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 
 /// A page, its words (a formula as §), and whether it is so.
@@ -206,6 +208,71 @@ pub const SAID: &[Said] = &[
         || {
             let moment = soon(0.0, 1.0, 0.0);
             (moment.psi - 1e-2).abs() < 1e-4
+        },
+    ),
+    (
+        "turntable",
+        "which points against the velocity *relative to the record*",
+        || {
+            // At rest in the room it is carried along; at rest on the record friction only holds it.
+            let room = |v| State {
+                t: 0.0,
+                x: [0.5, 0.0],
+                v: [0.0, v],
+            };
+            let later = |v| {
+                inertial::run(&Table::default(), &room(v), 0.1)
+                    .unwrap()
+                    .at(0.1)
+                    .unwrap()
+            };
+            let carried = later(0.5);
+            later(0.0).v[1] > 0.09 && (carried.speed() - 0.5).abs() < 1e-12
+        },
+    ),
+    (
+        "turntable",
+        "the angular velocity §, counterclockwise seen from above",
+        || {
+            let at_rest = State {
+                t: 0.1,
+                x: [1.0, 0.0],
+                v: [0.0; 2],
+            };
+            let seen = Table::default().to_laboratory(&at_rest);
+            seen.x[1] > 0.0 && seen.v[1] > 0.0
+        },
+    ),
+    (
+        "turntable",
+        "measured counterclockwise from the velocity to the position",
+        || {
+            let moment = soon(1.0, 1.0, 0.5);
+            let ([x, y], [u, v]) = (moment.position, moment.velocity);
+            let turned = y.atan2(x) - v.atan2(u);
+            (turned - moment.psi).abs() < 1e-12 && (turned - 0.5).abs() < 0.02
+        },
+    ),
+    (
+        "turntable",
+        "§ is the component of the position along the velocity, and § its component to the left of it",
+        || {
+            let moment = soon(1.0, 1.0, 0.5);
+            let ([x, y], [u, v]) = (moment.position, moment.velocity);
+            let along = (x * u + y * v) / moment.p;
+            let left = (y * u - x * v) / moment.p;
+            let [xi, ell] = [print::eq94_xi, print::eq95_ell].map(|of| of(moment.rho, moment.psi));
+            (along - xi).abs() < 1e-12 && (left + ell).abs() < 1e-12
+        },
+    ),
+    (
+        "escape",
+        "The power is right. The prefactor is wrong",
+        || {
+            let growth = |of: fn(f64) -> f64| (of(2e3) / of(1e3)).log2();
+            let printed: fn(f64) -> f64 = growing::eq136_rho;
+            let right: fn(f64) -> f64 = escape::rho;
+            (growth(printed) - growth(right)).abs() < 1e-12 && printed(1.0) != right(1.0)
         },
     ),
     (

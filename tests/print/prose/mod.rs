@@ -7,6 +7,7 @@ mod given;
 mod letters;
 mod numbers;
 mod pages;
+mod references;
 
 use crate::hold::Library;
 use formulas::{Found, Given, found};
@@ -18,6 +19,9 @@ use std::collections::BTreeSet;
 const FORMULAS: &str = include_str!("../../data/formulas.txt");
 /// What counts and is not computed.
 const COUNTS: &str = include_str!("../../data/counts.txt");
+
+/// What the text refers to, and with which words.
+const REFERENCES: &str = include_str!("../../data/references.txt");
 
 /// The formulas of a paragraph, on one line each.
 fn formulas_of(paragraph: &str) -> Vec<String> {
@@ -196,4 +200,22 @@ fn every_value_in_the_text_stands_where_it_is_listed() {
         "not where they are listed:\n{}",
         failures.join("\n")
     );
+}
+
+#[test]
+fn every_reference_stands_with_the_words_that_are_listed() {
+    let mut failures = Vec::new();
+    for (page, text) in pages::with_code() {
+        let listed = counts::listed(REFERENCES, &page);
+        let mut left: Vec<&str> = listed.iter().map(|(_, words)| *words).collect();
+        for words in references::around(&text) {
+            match left.iter().position(|known| *known == words) {
+                Some(i) => drop(left.remove(i)),
+                None => failures.push(format!("{page}: text: {words}")),
+            }
+        }
+        let gone = left.into_iter();
+        failures.extend(gone.map(|words| format!("{page}: listed, but not there: {words}")));
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -40,8 +40,14 @@ pub fn sections() -> Vec<Section> {
 
 /// The pages without code, each on one line.
 pub fn one_line() -> Vec<(String, String)> {
+    let line = |(page, text): (String, String)| (page, without(&text, "`", "`"));
+    with_code().into_iter().map(line).collect()
+}
+
+/// The pages without blocks of code, each on one line.
+pub fn with_code() -> Vec<(String, String)> {
     let line = |(page, text): (String, String)| {
-        let prose = without(&without(&text, "```", "```"), "`", "`");
+        let prose = without(&text, "```", "```");
         (page, prose.split_whitespace().collect::<Vec<_>>().join(" "))
     };
     pages().into_iter().map(line).collect()
