@@ -1246,3 +1246,14 @@ fn ensembles_on_the_pages_run() {
     }
     assert_eq!(count, 2);
 }
+
+#[test]
+fn the_readme_gives_the_exit_codes() {
+    let readme = include_str!("../README.md")
+        .split_whitespace()
+        .collect::<Vec<_>>();
+    let says = "exit code is 0 when every verdict is the recorded one, 1 when one differs, 2 for bad usage or a failure.";
+    assert!(readme.join(" ").contains(says));
+    assert_eq!(slipbook(&["verify", "eq-11"]).status.code(), Some(0));
+    assert_eq!(slipbook(&["verify", "no-claim"]).status.code(), Some(2));
+}

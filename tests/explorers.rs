@@ -460,11 +460,16 @@ fn the_numbers_around_an_explorer_are_those_of_the_claims() {
         ),
         format!("κ (solid {:.2})", value("kappa-solid")),
         format!("ρ/τ²; dashed: {}/9, as printed", 9.0 * value("p-printed")),
+        // What the guesses are about, and what is answered, is computed above.
+        "with λ = 2. It stops".to_owned(),
+        "the friction λ₀ = 0.3. In the end".to_owned(),
+        "with λ₀ = 0.08, and".to_owned(),
+        "it lags behind: 2/7 as far as the floor".to_owned(),
     ] {
         assert!(script.contains(&words), "it does not say: {words}");
         script = script.replace(&words, "");
     }
-    for part in ["hint: '", "title: '"] {
+    for part in ["hint: '", "title: '", "asks: '", "says: '"] {
         let others = script
             .split(part)
             .skip(1)

@@ -73,9 +73,21 @@ fn the_descriptions_of_the_crate_agree() {
     let paper = &meta["referencePublication"];
     assert!(cited.contains(&format!("version: {}", env!("CARGO_PKG_VERSION"))));
     assert!(cited.contains(paper["name"].as_str().unwrap()));
-    for author in paper["author"].as_array().unwrap() {
-        assert!(cited.contains(author["familyName"].as_str().unwrap()));
-    }
+    let authors = paper["author"].as_array().unwrap().iter();
+    let families = authors.map(|author| author["familyName"].as_str().unwrap());
+    let (_, of_paper) = cited.split_once("references:").unwrap();
+    let names = of_paper.split("- family-names: ").skip(1).map(|name| {
+        let (family, rest) = name.split_once("given-names: ").unwrap();
+        let given = rest.split_whitespace().next().unwrap();
+        (family.trim(), given)
+    });
+    let all: Vec<_> = names.collect();
+    assert!(all.iter().map(|(family, _)| *family).eq(families));
+    let all: Vec<_> = all
+        .iter()
+        .map(|(family, given)| format!("{given} {family}"))
+        .collect();
+    assert_eq!(all.join(", "), PAPER.authors.replace(" and ", ", "));
     let checked = include_str!("../codecheck.yml");
     assert!(checked.contains(paper["name"].as_str().unwrap()));
     assert!(checked.contains(paper["url"].as_str().unwrap()));

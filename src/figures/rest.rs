@@ -383,7 +383,8 @@ pub fn fates(list: &[Fates]) -> Result<Figure, FigureError> {
             "Sections through the phase space. Shaded: cells whose middle comes to rest, by simulation. The two lines, \
              which cannot be told apart, are proved by validated integration: from every start below the lower one the \
              particle comes to rest, from every start above the upper one it escapes. The last panel shows a piece of the panel \
-             before it so large that there are two; the dots between them are the simulated boundary.",
+             before it so large that there are two, solid for rest and dashed for escape; the dots between them, just above the \
+             solid one, are the simulated boundary.",
         )
         .alt(
             "Three panels with ψ from −π to π to the right and α from 0 to 1.5 upwards. Shaded is what lies below a curve that \
@@ -392,7 +393,11 @@ pub fn fates(list: &[Fates]) -> Result<Figure, FigureError> {
         );
     let angles = [(-PI, "−π"), (0.0, "0"), (PI, "π")];
     for map in list {
-        for (proved, edge) in [("rest", &map.rests), ("escape", &map.escapes)] {
+        for (proved, edge) in [
+            ("rest", &map.rests),
+            ("escape", &map.escapes),
+            ("neither: the boundary by simulation", &map.found),
+        ] {
             for [psi, alpha] in edge {
                 table.row([map.a.into(), (*psi).into(), (*alpha).into(), proved.into()])?;
             }

@@ -4,6 +4,7 @@ use crate::directed;
 use crate::said::SAID;
 use slipbook::claims::PAPER;
 use slipbook::claims::by_hand::CASES;
+use slipbook::claims::measured::MEASURED;
 use slipbook::claims::values::VALUES;
 use std::collections::BTreeSet;
 use std::fs;
@@ -11,56 +12,79 @@ use std::fs;
 /// The words with a direction that nothing here computes.
 const LISTED: &str = include_str!("../data/directions.txt");
 
-/// The pages that speak of the physics.
-const PAGES: &[&str] = &[
-    "anisotropic",
-    "constant",
-    "escape",
-    "general",
-    "index",
-    "methods",
-    "new",
-    "periodic",
-    "rest",
-    "sinusoidal",
-    "sphere",
-    "turntable",
-];
+/// The pages, and what the repository's own says.
+fn pages() -> Vec<String> {
+    let files = fs::read_dir("book/src").unwrap();
+    let names = files.map(|file| file.unwrap().file_name().into_string().unwrap());
+    let mut pages: Vec<_> = names
+        .filter_map(|name| Some(name.strip_suffix(".md")?.to_owned()))
+        .collect();
+    pages.push("README".to_owned());
+    pages.sort();
+    pages
+}
+
+fn text_of(page: &str) -> String {
+    let file = match page {
+        "README" => "README.md".to_owned(),
+        _ => format!("book/src/{page}.md"),
+    };
+    fs::read_to_string(file).unwrap()
+}
 
 const WORDS: &[&str] = &[
     "above",
+    "across",
+    "against",
     "ahead",
+    "along",
     "always",
     "attracts",
     "backward",
     "backwards",
     "behind",
     "below",
+    "both",
     "clockwise",
+    "converges",
     "counterclockwise",
     "decreases",
+    "difference",
+    "diverges",
     "downwards",
     "earlier",
     "exceeds",
+    "excluded",
     "exponentially",
     "fall",
     "falls",
     "farther",
     "fast",
     "faster",
+    "fastest",
+    "finite",
+    "first",
     "forward",
     "forwards",
+    "free",
     "gains",
     "grow",
     "growing",
     "grows",
     "higher",
+    "horizontal",
+    "included",
     "increases",
+    "infinite",
+    "inner",
     "inside",
+    "inverse",
     "inwards",
     "larger",
     "largest",
+    "last",
     "later",
+    "least",
     "left",
     "less",
     "linearly",
@@ -72,26 +96,36 @@ const WORDS: &[&str] = &[
     "nearer",
     "negative",
     "never",
+    "not",
+    "opposite",
+    "outer",
     "outside",
     "outwards",
     "positive",
     "right",
     "rise",
     "rises",
+    "same",
+    "second",
     "shorter",
     "shrink",
     "shrinks",
     "slow",
     "slower",
+    "slowest",
     "slowly",
     "smaller",
     "sooner",
+    "stable",
     "steeper",
     "strong",
     "stronger",
+    "sum",
     "unbounded",
+    "unstable",
     "upwards",
     "vanishes",
+    "vertical",
     "weak",
     "weaker",
     "wrong",
@@ -99,7 +133,7 @@ const WORDS: &[&str] = &[
 
 /// A page on one line: without code and placeholders, a formula as §.
 fn flat(page: &str) -> String {
-    let text = fs::read_to_string(format!("book/src/{page}.md")).unwrap();
+    let text = text_of(page);
     let odd_out = |text: &str, mark: &str, instead: &str| -> String {
         let parts = text.split(mark).enumerate();
         parts
@@ -114,10 +148,10 @@ fn flat(page: &str) -> String {
 }
 
 /// What the code says in words and no page: of what is wrong, by hand; and the values' meanings.
-const SPOKEN: [&str; 4] = ["by hand", "conditions", "titles", "values"];
+const SPOKEN: [&str; 5] = ["by hand", "conditions", "measured", "titles", "values"];
 
 /// Words that turn round what those say, beside the others.
-const TURNING: &[&str] = &["across", "against", "along", "first", "last", "not", "one"];
+const TURNING: &[&str] = &["one"];
 
 fn spoken(page: &str) -> String {
     let claims = PAPER.claims().map(|(_, claim)| claim);
@@ -130,6 +164,7 @@ fn spoken(page: &str) -> String {
             .flat_map(|claim| claim.conditions)
             .map(|condition| condition.text)
             .collect(),
+        "measured" => MEASURED.iter().map(|row| row.reason).collect(),
         "titles" => claims.map(|claim| claim.title).collect(),
         _ => VALUES.iter().map(|value| value.meaning).collect(),
     };
@@ -174,12 +209,14 @@ fn every_direction_on_a_page_is_computed_or_listed() {
     let listed = listed();
     let mut used = BTreeSet::new();
     let mut failures = Vec::new();
-    for page in PAGES.iter().chain(&SPOKEN) {
-        let (mut text, extra) = match SPOKEN.contains(page) {
+    let pages = pages();
+    let pages = pages.iter().map(String::as_str);
+    for page in pages.chain(SPOKEN) {
+        let (mut text, extra) = match SPOKEN.contains(&page) {
             true => (spoken(page), TURNING),
             false => (flat(page), &[][..]),
         };
-        for (_, words, holds) in SAID.iter().filter(|said| said.0 == *page) {
+        for (_, words, holds) in SAID.iter().filter(|said| said.0 == page) {
             if !text.contains(words) {
                 failures.push(format!("{page}: it does not say {words:?}"));
             }
@@ -191,7 +228,7 @@ fn every_direction_on_a_page_is_computed_or_listed() {
         for words in around(&text, extra) {
             match listed
                 .iter()
-                .position(|row| (row.0, row.2) == (page, &words))
+                .position(|row| (row.0, row.2) == (page, words.as_str()))
             {
                 Some(row) => drop(used.insert(row)),
                 None => failures.push(format!("{page}: text: {words}")),
@@ -211,8 +248,8 @@ fn every_direction_on_a_page_is_computed_or_listed() {
 
 #[test]
 fn no_bound_in_the_code_of_a_page_lets_everything_pass() {
-    for page in PAGES {
-        let text = fs::read_to_string(format!("book/src/{page}.md")).unwrap();
+    for page in pages() {
+        let text = text_of(&page);
         let code = text.split("```").skip(1).step_by(2);
         for bound in code.flat_map(|code| code.split(".abs() < ").skip(1)) {
             let number: String = bound

@@ -377,6 +377,39 @@ pub const TRIED: &[Said] = &[
         let keys = data.keys("(147)");
         !keys.is_empty() && keys.iter().all(|key| key.1)
     }),
+    (
+        "rest-fates",
+        "solid for rest and dashed for escape; the dots between them, just above the solid one",
+        |data| {
+            let of = |kind: &str| -> Vec<Vec<f64>> {
+                let rows = data.0.iter().filter(|row| row[3].starts_with(kind));
+                let numbers = |row: &Vec<String>| {
+                    row[..3]
+                        .iter()
+                        .map(|x| x.parse::<f64>().unwrap())
+                        .collect::<Vec<_>>()
+                };
+                rows.map(numbers).collect()
+            };
+            let (rests, escapes) = (of("rest"), of("escape"));
+            let height = |edge: &[Vec<f64>], at: &[f64]| {
+                let ends = edge.windows(2).find(|two| {
+                    two[0][0] == at[0]
+                        && two[1][0] == at[0]
+                        && (two[0][1]..=two[1][1]).contains(&at[1])
+                });
+                let [from, to] = [0, 1].map(|i| &ends.unwrap()[i]);
+                from[2] + (at[1] - from[1]) / (to[1] - from[1]) * (to[2] - from[2])
+            };
+            let dots = of("neither");
+            dots.len() >= 5
+                && dots.iter().all(|dot| {
+                    let above = dot[2] - height(&rests, dot);
+                    let below = height(&escapes, dot) - dot[2];
+                    0.0 < above && above < below
+                })
+        },
+    ),
     ("rest-fates", "the larger A, the lower it runs", |data| {
         let rows = data.rows();
         let mut of = column(&rows, 0);

@@ -1,5 +1,5 @@
-//! What a sentence refers to: equations by their numbers, points, curves and regions by their names, special phases, and the
-//! numbers within code. Two of a kind are easily exchanged.
+//! What a sentence refers to: equations by their numbers, points, curves and regions by their names, special phases, symbols, and
+//! the numbers within code. Two of a kind are easily exchanged.
 
 /// Names of points, curves and regions; A is an article too.
 const NAMES: [&str; 14] = [
@@ -14,10 +14,19 @@ fn refers(before: &str, word: &str) -> bool {
     let inside = |open: &str, close: &str| bare.strip_prefix(open)?.strip_suffix(close);
     let number =
         inside("(", ")").is_some_and(|n| !n.is_empty() && n.bytes().all(|b| b.is_ascii_digit()));
-    let phase = inside("$\\phi_", "$").is_some_and(|n| n.len() == 1);
     let code = inside("`", "`").is_some_and(|code| code.contains(|c: char| c.is_ascii_digit()));
+    let symbol = word
+        .split_once('$')
+        .and_then(|(_, rest)| rest.split_once('$'));
+    let symbol = symbol.is_some_and(|(formula, after)| !after.contains('$') && is_symbol(formula));
     let named = NAMES.contains(&bare) && (bare != "A" || NAMING.contains(&before));
-    number || phase || code || named || bare.starts_with("{{ref:")
+    number || code || named || symbol || bare.starts_with("{{ref:")
+}
+
+/// Whether a formula is a symbol, perhaps with a factor: others are tried or listed as formulas.
+fn is_symbol(formula: &str) -> bool {
+    let relates = ["=", "<", ">", "+", "/", "^", r"\l", r"\g", r"\to"];
+    formula.len() <= 16 && !relates.iter().any(|sign| formula.contains(sign))
 }
 
 /// Each reference of a text on one line, with the three words before it and the two behind it.
