@@ -150,4 +150,33 @@ mod tests {
         assert!(Series::new(constant, [0.0, 10.0]).is_ok());
         assert!(Series::new(whole, [0.0, f64::NAN]).is_err());
     }
+
+    #[test]
+    fn breaks_of_both_components_are_met_in_order() {
+        let pulse = |from, to| Signal::Pulse { from, to };
+        let (early, late) = (pulse(1.0, 3.0), pulse(2.0, 4.0));
+        for [x, y] in [[&early, &late], [&late, &early]] {
+            let plane = Plane {
+                x: x.clone(),
+                y: y.clone(),
+            };
+            let breaks = [0.0, 1.0, 2.0, 3.0, 4.0].map(|t| plane.next_break(t));
+            assert_eq!(breaks, [Some(1.0), Some(2.0), Some(3.0), Some(4.0), None]);
+        }
+        // Where one has none, those of the other are left.
+        let still = || Signal::constant(1.0);
+        for plane in [
+            Plane {
+                x: early.clone(),
+                y: still(),
+            },
+            Plane {
+                x: still(),
+                y: early.clone(),
+            },
+        ] {
+            let breaks = [0.0, 1.0, 3.0].map(|t| plane.next_break(t));
+            assert_eq!(breaks, [Some(1.0), Some(3.0), None]);
+        }
+    }
 }

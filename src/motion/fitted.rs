@@ -447,4 +447,29 @@ mod tests {
             Err(FitError::Rows { rows: 0, .. })
         ));
     }
+
+    /// A jolt in the last row alone, of an even and of an odd number. The spline through every second row and the last is
+    /// known from its tridiagonal system; of the rows left out it misses the last but one most.
+    #[test]
+    fn the_last_row_is_among_those_that_tell_the_error() {
+        for (rows, error) in [(8, 33.0 / 164.0), (9, 179.0 / 448.0)] {
+            for i in 0..2 {
+                let jolt = |k: i32| {
+                    let mut values = [0.0; 2];
+                    values[i] = f64::from(u8::from(k == rows - 1));
+                    (f64::from(k), values)
+                };
+                let table: Vec<_> = (0..rows).map(jolt).collect();
+                let stated = Fitted::from_table(&table).unwrap().error();
+                assert!((stated - error).abs() < 1e-15, "{rows} {i}: {stated}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_columns_of_a_file_are_t_and_x_and_y() {
+        let file: String = (0..9).map(|k| format!("{k},{},{}\n", 3 * k, -k)).collect();
+        let [x, y] = Fitted::from_csv(&file).unwrap().coefficients(2.5);
+        assert!((x[0] - 7.5).abs() < 1e-14 && (y[0] + 2.5).abs() < 1e-14);
+    }
 }

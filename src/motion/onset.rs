@@ -20,20 +20,21 @@ use crate::numerics::{NumericsError, events};
 pub struct Onset {
     /// Coefficients of c about the start, in powers of the time since.
     pub velocity: [Coefficients; 2],
-    /// Time for which they serve, in the unit of their powers; infinite for a series that ends.
+    /// Time for which they serve, in the unit of their powers.
     pub h: f64,
 }
 
 /// |f₀| − L below this part of L counts as zero: then the start is at the very moment when f outgrows friction.
 const THRESHOLD: f64 = 1e-12;
 
-/// The start under a drive f whose coefficient m is `drive(m, c)`, from the coefficients of c up to m; `limit` is L.
-/// The drive at m = 0 must not be zero.
+/// The start under a drive f whose coefficient m is `drive(m, c)`, from the coefficients of c up to m; `limit` is L. A series
+/// that ends serves for the time `longest`, for which the drive's does. The drive at m = 0 must not be zero.
 ///
 /// # Errors
 /// [`NumericsError::NotFinite`] when a coefficient or the velocity is not.
 pub fn onset(
     limit: f64,
+    longest: f64,
     mut drive: impl FnMut(usize, &[Coefficients; 2]) -> [f64; 2],
 ) -> Result<Onset, NumericsError> {
     let zero = [0.0; TERMS];
@@ -82,7 +83,7 @@ pub fn onset(
         .fold(f64::INFINITY, f64::min);
     if h == f64::INFINITY {
         // The series of an angle may end; that of its direction does not.
-        h = reach(&sine).min(reach(&cosine));
+        h = reach(&sine).min(reach(&cosine)).min(longest);
     }
     if velocity.iter().flatten().any(|c| !c.is_finite()) || h.is_nan() {
         return Err(NumericsError::NotFinite {
@@ -120,7 +121,7 @@ mod tests {
     fn a_steady_drive_speeds_up_by_what_friction_leaves() {
         // f = (3, −4) and L = 2: 3 along the unit vector (0.6, −0.8).
         let steady = |m: usize, _: &_| if m == 0 { [3.0, -4.0] } else { [0.0; 2] };
-        let start = onset(2.0, steady).unwrap();
+        let start = onset(2.0, f64::INFINITY, steady).unwrap();
         assert_eq!(start.h, f64::INFINITY);
         for t in [0.0, 0.5, 7.0] {
             let [x, y] = start.at(t);
@@ -136,10 +137,53 @@ mod tests {
                 5 => [bad, 0.0],
                 _ => [0.0; 2],
             };
-            let Err(NumericsError::NotFinite { what, .. }) = onset(2.0, drive) else {
+            let Err(NumericsError::NotFinite { what, .. }) = onset(2.0, 1.0, drive) else {
                 panic!("{bad}")
             };
             assert!(what.contains("coefficient"), "{what}");
         }
+    }
+
+    /// Units of 2ᵏ round nothing: what the first moments are does not depend on them, close to the threshold either.
+    #[test]
+    fn units_change_no_bit_of_the_first_moments() {
+        for excess in [0.0, 3e-13, 1e-10, 0.5] {
+            let of = |unit: f64| {
+                let drive = move |m: usize, _: &_| match m {
+                    0 => [unit * (1.0 + excess), 0.0],
+                    1 => [0.5 * unit, -0.25 * unit],
+                    _ => [0.0; 2],
+                };
+                onset(unit, 10.0, drive).unwrap()
+            };
+            let one = of(1.0);
+            for k in [-60, -20, 20, 60] {
+                let unit = libm::ldexp(1.0, k);
+                let other = of(unit);
+                assert_eq!(other.velocity, one.velocity.map(|c| c.map(|c| unit * c)));
+                assert_eq!(other.h, one.h, "{excess} {k}");
+            }
+            // Just above the threshold it begins with what is above it.
+            if excess == 1e-10 {
+                assert!((one.velocity[0][1] / excess - 1.0).abs() < 1e-5);
+            }
+        }
+    }
+
+    /// f = 6/5 − t and L = 1: q = t/5 − t²/2 stops at t = 2/5, and the slide proper has to lead there.
+    #[test]
+    fn first_moments_end_before_a_stop() {
+        let drive = |m: usize, _: &_| match m {
+            0 => [0.72, 0.96],
+            1 => [-0.6, -0.8],
+            _ => [0.0; 2],
+        };
+        for longest in [0.5, 1e3] {
+            let start = onset(1.0, longest, drive).unwrap();
+            let [x, y] = start.at(start.h);
+            assert!(0.1 < start.h && start.h < 0.39, "{}", start.h);
+            assert!(x > 0.0 && y > 0.0);
+        }
+        assert_eq!(onset(1.0, 0.3, drive).unwrap().h, 0.3);
     }
 }

@@ -294,4 +294,40 @@ mod tests {
         let error = spring.run(&NONE, at(0.0, 0.0), 1.0).unwrap_err();
         assert!(error.to_string().starts_with("frequency = -1"), "{error}");
     }
+
+    /// 3t − t² passes 1 at (3 − √5)/2 and −1 at (3 + √13)/2, before the end.
+    #[test]
+    fn of_two_ways_it_goes_the_one_that_opens_first() {
+        let free = Spring {
+            frequency: 0.0,
+            friction: 1.0,
+        };
+        let from = 0.5 * (3.0 - 5.0_f64.sqrt());
+        for side in [1.0, -1.0] {
+            let pull = Signal::Polynomial(vec![0.0, 3.0 * side, -side]);
+            let held = free.run(&pull, at(0.0, 0.0), 0.999 * from).unwrap();
+            assert_eq!((held.end.x, held.end.v), (0.0, 0.0));
+            let moved = free.run(&pull, at(0.0, 0.0), 3.4).unwrap();
+            let gained = |t: f64| 1.5 * t * t - t * t * t / 3.0 - t;
+            let v = side * (gained(3.4) - gained(from));
+            assert!((moved.end.v - v).abs() < 1e-13, "{moved:?} {v}");
+        }
+    }
+
+    /// v = (t − 1)² touches zero and goes on; with a little less pull it stops, with a little more it comes close.
+    #[test]
+    fn what_grazes_zero_does_not_turn() {
+        let free = Spring {
+            frequency: 0.0,
+            friction: 0.5,
+        };
+        for (less, turns) in [(0.0, 0), (1e-6, 1), (-1e-6, 0)] {
+            for side in [1.0, -1.0] {
+                let pull = Signal::Polynomial(vec![side * (-1.5 - less), 2.0 * side]);
+                let motion = free.run(&pull, at(0.0, side), 2.0).unwrap();
+                assert_eq!(motion.turns.len(), turns, "{less} {motion:?}");
+                assert!((motion.end.x - side * 2.0 / 3.0).abs() < 4e-6);
+            }
+        }
+    }
 }

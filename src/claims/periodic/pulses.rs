@@ -447,5 +447,13 @@ mod tests {
             let cases = beside.map(|phi| supplied::small_friction_case(eta, phi));
             assert_eq!(cases, [case, case + 1]);
         }
+        // Of the drive itself: with the pulse's share 0 there is none, not even at the beginning.
+        let end = printed::eq42_end(eta);
+        let phases = [0.0, end.next_down(), end, PI.next_down()];
+        assert_eq!(
+            phases.map(|phi| printed::eq42_h(eta, phi)),
+            [1.0, 1.0, 0.0, 0.0]
+        );
+        assert_eq!(printed::eq42_h(0.0, 0.0), 0.0);
     }
 }

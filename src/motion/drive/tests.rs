@@ -91,16 +91,24 @@ fn square_wave_with_little_friction_by_hand() {
 #[test]
 fn square_wave_with_unequal_friction_by_hand() {
     // Up at a, down at b: (1−p)(π−a) = (1+p)(b−π) and (1−m)(2π−b) = (1+m) a.
-    let (p, m) = (0.3, 0.6);
-    let (k, l) = ((1.0 - p) / (1.0 + p), (1.0 - m) / (1.0 + m));
-    let a = l * PI * (1.0 - k) / (1.0 - k * l);
-    let b = PI + k * (PI - a);
-    let drive = square();
-    let found = settle(&drive, p, m, ORIGIN);
-    assert_list(&found, &[(Positive, a, b), (Negative, b, a + TAU)], 1e-13);
-    // Two triangles: displacement is half of base times height.
-    let area = 0.5 * (b - a) * (1.0 - p) * (PI - a) - 0.5 * (a + TAU - b) * (1.0 - m) * (TAU - b);
-    assert!((found.displacement() - area).abs() < 1e-12);
+    for (p, m) in [(0.3, 0.6), (0.6, 0.3)] {
+        let (k, l) = ((1.0 - p) / (1.0 + p), (1.0 - m) / (1.0 + m));
+        let a = l * PI * (1.0 - k) / (1.0 - k * l);
+        let b = PI + k * (PI - a);
+        let drive = square();
+        let found = settle(&drive, p, m, ORIGIN);
+        assert_list(&found, &[(Positive, a, b), (Negative, b, a + TAU)], 1e-13);
+        // Two triangles: displacement is half of base times height.
+        let area =
+            0.5 * (b - a) * (1.0 - p) * (PI - a) - 0.5 * (a + TAU - b) * (1.0 - m) * (TAU - b);
+        assert!((found.displacement() - area).abs() < 1e-12);
+        // A small dw is dφ (1 − p) where it rises and dφ (1 + p) where it falls to the next zero; and so below.
+        assert!((found.contraction() - k * l).abs() < 1e-14);
+        let margins = found.margins();
+        assert!((margins.crossing - (1.0 - f64::max(p, m))).abs() < 1e-14);
+        let shortest = f64::min(b - a, a + TAU - b);
+        assert!((margins.shortest - shortest).abs() < 1e-13);
+    }
 }
 
 #[test]
@@ -704,5 +712,40 @@ fn a_drive_that_comes_back_to_the_friction_at_a_jump_has_stopped_the_motion() {
         };
         assert!((moving.end - (1.0 - libm::sqrt(0.5))).abs() < 1e-14);
         assert_eq!((rest.sign, rest.end), (Rest, 1.0));
+    }
+}
+
+#[test]
+fn what_touches_zero_where_the_drive_is_back_at_the_level_grazes() {
+    // h = x − 1/2 up to 1, λ = 1/2: w = w₀ − x + x²/2 is w₀ − 1/2 there.
+    for side in [1.0, -1.0] {
+        let h = move |x: f64| side * if x < 1.0 { x - 0.5 } else { 1.5 };
+        let drive = Drive::new(h, &[1.0]).unwrap();
+        for (w, touches, sign) in [(0.5, true, 1.0), (0.51, false, 1.0), (0.49, false, 0.0)] {
+            let mut walker = Walker::new(&drive, friction(0.5, 0.5), 0.0, side * w);
+            walker.run_to(drive.shape().locate(1.0), &mut Vec::new());
+            assert_eq!(walker.touches(), touches, "{w}");
+            let now = side * walker.w();
+            assert!((now - sign * (w - 0.5)).abs() < 1e-15, "{w} {now}");
+        }
+    }
+}
+
+#[test]
+fn a_rest_holds_by_what_a_jump_leaves() {
+    // 0, then a jump to the level of the drive, from where it falls evenly to 0 again.
+    for (level, hold) in [(0.4, 0.1), (0.5, 0.0)] {
+        for side in [1.0, -1.0] {
+            let h = move |x: f64| match x < 1.0 {
+                true => 0.0,
+                false => side * level * (TAU - x) / (TAU - 1.0),
+            };
+            let drive = Drive::new(h, &[1.0]).unwrap();
+            let (p, m) = if side > 0.0 { (0.5, 0.8) } else { (0.8, 0.5) };
+            let found = settle(&drive, p, m, ORIGIN);
+            assert_list(&found, &[(Rest, 0.0, TAU)], 1e-15);
+            let margins = found.margins();
+            assert!((margins.hold - hold).abs() < 1e-15, "{level} {margins:?}");
+        }
     }
 }

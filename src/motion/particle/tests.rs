@@ -107,6 +107,10 @@ fn one_dimension_by_hand() {
     assert_eq!(motion.stops().len(), 1);
     near(motion.stops()[0], 2.0, 4e-15);
     assert_eq!(motion.starts(), motion.stops());
+    // A stop parts two slides, however short it is.
+    let slides = motion.phases().iter().map(|p| (p.kind, p.from, p.to));
+    let stop = motion.stops()[0];
+    assert!(slides.eq([(PhaseKind::Slide, 0.0, stop), (PhaseKind::Slide, stop, 6.0)]));
     near(motion.at(1.0).unwrap().v[0], -1.5, 4e-15);
     near(motion.at(4.0).unwrap().v[0], 1.0, 4e-15);
     near(motion.end().x[0], -3.0 + 0.25 * 16.0, 1e-13);

@@ -253,7 +253,7 @@ impl Run<'_> {
     /// The first moments of sliding.
     fn begin_sliding(&mut self, local: &Local, give: f64) -> Result<(), MotionError> {
         let limit = self.sphere.yielding(self.sphere.friction());
-        let start = onset(limit, |m, _| local.a.map(|a| -a[m]))?;
+        let start = onset(limit, local.left, |m, _| local.a.map(|a| -a[m]))?;
         let c = start.velocity;
         // The force that the plane must exert for c to change as it does.
         let force = [0, 1].map(|i| {

@@ -461,3 +461,48 @@ fn a_direction_that_begins_to_turn_late_turns_by_the_law() {
         }
     }
 }
+
+/// A = 4 − t, κ = 2/5: q′ = 4 − t − 7/2 until it is zero at t = 1; v′ = 1 − A until then, −5A/7 from then on.
+#[test]
+fn a_pull_that_grows_weaker_lets_it_roll_again() {
+    let sphere = Sphere::with_kappa(0.4);
+    for side in [1.0, -1.0] {
+        let plane = Plane {
+            x: Signal::Polynomial(vec![4.0 * side, -side]),
+            y: Signal::constant(0.0),
+        };
+        let motion = sphere.run(&plane, &ball([0.0; 2], [0.0; 3]), 3.0).unwrap();
+        assert_eq!(motion.contact(0.5).unwrap(), Contact::Sliding);
+        let [again] = motion.transitions() else {
+            unreachable!("{:?}", motion.transitions())
+        };
+        assert!((again.t - 1.0).abs() < 1e-12 && again.to == Contact::Rolling);
+        let end = motion.end();
+        assert!((end.v[0] + side * (2.5 + 20.0 / 7.0)).abs() < 1e-12);
+    }
+}
+
+/// Let go at the time T under A = sin(t − T + asin 0.999) with the limit 0.999: also where a step of the square is over sooner.
+#[test]
+fn it_is_let_go_however_long_it_has_rolled() {
+    let level = 0.999;
+    let sphere = Sphere {
+        mu: level / 3.5,
+        ..Sphere::with_kappa(0.4)
+    };
+    for k in 1..=30 {
+        let time = 0.1 * f64::from(k);
+        let sine = Signal::Sine {
+            frequency: 1.0,
+            phase: libm::asin(level) - time,
+        };
+        let plane = Plane::along([0.6, -0.8], sine);
+        let motion = sphere
+            .run(&plane, &ball([0.0; 2], [0.0; 3]), time + 0.01)
+            .unwrap();
+        let [release] = motion.transitions() else {
+            unreachable!("{time} {:?}", motion.transitions())
+        };
+        assert!((release.t - time).abs() < 1e-12, "{time} {release:?}");
+    }
+}

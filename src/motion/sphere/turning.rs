@@ -144,4 +144,33 @@ mod tests {
             Err(MotionError::Argument { name: "mu", .. })
         ));
     }
+
+    /// F = mP/2 holds a hoop on a slope, and F = mΩv/2 turns one on a turning plane: μ = 1/4 does where g = 1, and no less.
+    #[test]
+    fn it_rolls_where_friction_just_suffices() {
+        for (omega, v, pull) in [
+            (0.0, [0.0; 2], [0.5, 0.0]),
+            (0.0, [0.0; 2], [0.0, -0.5]),
+            (1.0, [0.5, 0.0], [0.0; 2]),
+            (-1.0, [0.0, 0.5], [0.0; 2]),
+            (1.0, [0.25, 0.0], [0.0, -0.25]),
+        ] {
+            let turning = Turning { omega, pull };
+            let rolls = |mu: f64| {
+                let sphere = Sphere {
+                    mu,
+                    ..Sphere::with_kappa(1.0)
+                };
+                turning.roll(&sphere, [[0.0; 2], v], 1e-3)
+            };
+            assert!(rolls(0.25).is_ok(), "{turning:?}");
+            assert!(
+                matches!(
+                    rolls(0.25_f64.next_down()),
+                    Err(MotionError::Argument { name: "mu", .. })
+                ),
+                "{turning:?}"
+            );
+        }
+    }
 }

@@ -888,4 +888,57 @@ mod tests {
             .parts;
         assert!((there.p - exact.p).abs() < 1e-10 && (there.zeta - exact.zeta).abs() < 1e-10);
     }
+
+    /// Just inside the horizon and nearly along it, where the rounding of the place makes most of the time.
+    #[test]
+    fn the_time_of_a_crossing_is_known_as_closely_as_the_place_is() {
+        let horizon = Horizon {
+            rho: 3.0,
+            tau: 50.0,
+        };
+        let mut worst = 0.0_f64;
+        for k in 4..=40 {
+            let rho = 3.0 - 2.0 * f64::from(k) * f64::EPSILON;
+            let (p, psi) = (1.0, 0.5 * std::f64::consts::PI - 3e-5);
+            let wide = [rho, p, psi].map(Double::from);
+            let End::Far { tau: exact, .. } =
+                horizon.follow_exactly(wide[0], wide[1], wide[2]).unwrap()
+            else {
+                panic!("{k}")
+            };
+            let start = Start::polar(rho, p, psi).unwrap();
+            let [End::Far { tau, tau_error }] = horizon.follow(&[start]).unwrap()[..] else {
+                panic!("{k}")
+            };
+            println!("{k} {tau:e} {exact:e} {tau_error:e}");
+            assert!(
+                (tau - exact).abs() <= tau_error,
+                "{tau} {exact} {tau_error}"
+            );
+            worst = worst.max((tau - exact).abs() / tau_error);
+        }
+        assert!(worst > 0.1, "{worst}");
+    }
+
+    /// States near rest whose w weakens by at most a thousandth, by ζ for the most part and by p beside it.
+    #[test]
+    fn the_last_moments_leave_out_no_more_than_the_square_of_what_they_add() {
+        for w in [0.2, 0.6, 1.0, 1.4] {
+            for (p, zeta) in [(1e-5, 0.02), (1e-5, -0.02), (1e-3, 0.01), (1e-3, -0.01)] {
+                let start = Start {
+                    p,
+                    xi: 1.0 - w,
+                    zeta,
+                };
+                let last = last_moments(&[0.0, p, w, zeta]);
+                let exact = Exact::from(&start);
+                let (ending, _) = fate::follow::<Double, EXACTLY>(&exact, true).unwrap();
+                let fate::Ending::Certain(fate::Certain::Rest(rest)) = ending else {
+                    panic!("{w} {p}")
+                };
+                let square = last.weakening * last.weakening;
+                assert!((rest.tau.to_f64() / last.time - 1.0).abs() < 2.0 * square);
+            }
+        }
+    }
 }

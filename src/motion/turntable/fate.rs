@@ -336,6 +336,8 @@ pub(crate) fn judge<T: Width>(&[tau, p, w, zeta]: &[T; 4]) -> Option<(Certain<T>
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::numerics::double::Double;
+    use crate::numerics::number::Number;
 
     #[test]
     fn a_state_makes_certain_what_its_bounds_allow() {
@@ -438,5 +440,48 @@ mod tests {
                 "{time}"
             );
         }
+    }
+
+    /// In numbers of twice the width, what is lost is nothing beside this.
+    #[test]
+    fn place_and_time_are_known_as_closely_as_is_said() {
+        let mut worst = [0.0_f64; 2];
+        for psi in [0.0, 0.7, 1.4, 2.1, -0.7, -1.6] {
+            for alpha in [0.1, 0.3, 0.9] {
+                let a = crate::motion::turntable::boundary(alpha, psi).unwrap();
+                for k in 1..=12 {
+                    let start =
+                        Start::hyperbolic(a * (1.0 - libm::exp2(-f64::from(k))), alpha, psi);
+                    let start = start.unwrap();
+                    let (exact, _) = follow::<Double, 44>(&Exact::from(&start), true).unwrap();
+                    let Ending::Certain(Certain::Rest(exact)) = exact else {
+                        panic!("{start:?}")
+                    };
+                    let (near, speeds) = follow::<f64, ORDER>(&Exact::from(&start), true).unwrap();
+                    let Ending::Certain(Certain::Rest(rest)) = near else {
+                        panic!("{start:?}")
+                    };
+                    let stated = rest.errors(LOST * f64::EPSILON, speeds);
+                    let off = [
+                        exact.sigma - Double::from(rest.sigma),
+                        exact.tau - Double::from(rest.tau),
+                    ];
+                    for i in 0..2 {
+                        let share = off[i].magnitude() / stated[i];
+                        assert!(share <= 1.0, "{start:?} {share}");
+                        if speeds.entry.is_none() {
+                            if share > worst[i] {
+                                println!(
+                                    "{i} {psi} {alpha} {k} gap {:e} {share} {:?} late {:e} {:e}",
+                                    rest.gap, stated, rest.late, rest.error
+                                );
+                            }
+                            worst[i] = worst[i].max(share);
+                        }
+                    }
+                }
+            }
+        }
+        assert!(worst[1] > 0.2, "{worst:?}");
     }
 }

@@ -176,7 +176,7 @@ fn first_moments(
     let omega = table.omega;
     let mut x = [[0.0; TERMS]; 2];
     let mut v = [[0.0; TERMS]; 2];
-    let start = onset(table.friction(), |m, w| {
+    let start = onset(table.friction(), f64::INFINITY, |m, w| {
         for i in 0..2 {
             x[i][m] = if m == 0 {
                 place[i]

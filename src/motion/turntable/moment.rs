@@ -186,3 +186,49 @@ fn when<T: Width, const N: usize>(clock: &[T; N], left: T, h: f64) -> T {
     }
     at
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::turntable::Start;
+    use crate::numerics::double::Double;
+    use crate::numerics::number::Real;
+
+    /// From rest at ρ it is driven by ρ − 1 at first: dp/dτ = ρ − 1, straight away from the axis. Before and behind the moment
+    /// from which it is followed step by step.
+    #[test]
+    fn out_of_rest_the_speed_grows_from_the_first_moment() {
+        for rho in [1.5, 3.0] {
+            let start = Exact::polar(rho, 0.0, 0.0);
+            for until in [1e-40, 1e-21, 0.999e-20, 1.001e-20, 1e-18, 1e-12] {
+                let there = moment::<f64, 24>(&start, until).unwrap();
+                let share = there.p / ((rho - 1.0) * until);
+                assert!((share - 1.0).abs() < 1e-11, "{rho} {until}: {share}");
+                assert!((there.xi - rho).abs() < 1e-11 && there.eta.abs() < 1e-11);
+                assert!(there.turned.abs() < 1e-11);
+            }
+        }
+        let still = moment::<f64, 24>(&Exact::polar(1.0, 0.0, 0.0), 1e3).unwrap();
+        assert_eq!((still.p, still.xi), (0.0, 1.0));
+    }
+
+    /// It hovers near rest at ρ = 1, by the slow equations, and goes; numbers of twice the width leave them sooner.
+    #[test]
+    fn a_motion_that_has_hovered_goes_as_in_wider_numbers() {
+        for (rho, p) in [(0.9999, 1.1e-4), (0.9995, 5.5e-4), (0.999, 1.2e-3)] {
+            let start = Start::polar(rho, p, 0.0).unwrap();
+            for until in [5.0, 8.0, 11.0, 14.0, 17.0] {
+                let near = moment::<f64, 24>(&Exact::from(&start), until).unwrap();
+                let wide = moment::<Double, 44>(&Exact::from(&start), until.into()).unwrap();
+                let off = |a: f64, b: Double| (a - b.to_f64()).abs() / (1e-3 + b.to_f64().abs());
+                let off = [
+                    off(near.p, wide.p),
+                    off(near.xi, wide.xi),
+                    off(near.eta, wide.eta),
+                ];
+                println!("{rho} {p} {until} {} {:?} {}", near.p, off, near.slow);
+                assert!(off.iter().all(|off| *off < 1e-9), "{rho} {until} {off:?}");
+            }
+        }
+    }
+}

@@ -120,7 +120,7 @@ fn first_moments(
 ) -> Result<(f64, Box<[Coefficients; 4]>), MotionError> {
     let omega = table.omega;
     let mut x = [[0.0; TERMS]; 2];
-    let start = onset(table.friction(), |m, v| {
+    let start = onset(table.friction(), f64::INFINITY, |m, v| {
         for i in 0..2 {
             x[i][m] = if m == 0 {
                 place[i]
