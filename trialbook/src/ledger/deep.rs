@@ -245,6 +245,12 @@ impl<'a> Deep<'a> {
 #[derive(Debug, Default)]
 pub struct Rounds(BTreeMap<u32, String>);
 
+/// Of which claim and trial a line of a round is.
+fn name(line: &str) -> String {
+    let columns: Vec<_> = line.split('\t').take(2).collect();
+    columns.join("\t")
+}
+
 /// What goes before the number of a round.
 const HEAD: &str = "round\t";
 
@@ -288,11 +294,16 @@ impl Rounds {
     /// [`DeepError::Missing`], [`DeepError::Beyond`] and [`DeepError::Unfinished`] where these are not all rounds and no others,
     /// each with all trials; and as for [`Ledger::add`].
     pub fn in_place_of(&self, ledger: &Ledger, rounds: u32) -> Result<Ledger, DeepError> {
-        let trials = ledger.entries.iter().flat_map(Entry::measured).count();
+        let names = |text: &str| -> Vec<String> {
+            let mut names: Vec<_> = text.lines().map(name).collect();
+            names.sort_unstable();
+            names
+        };
+        let trials = names(&ledger.round());
         let mut deep = ledger.unmeasured();
         for number in 0..rounds {
             let round = self.0.get(&number).ok_or(DeepError::Missing(number))?;
-            if round.lines().count() != trials {
+            if names(round) != trials {
                 return Err(DeepError::Unfinished(number));
             }
             deep.add(round)?;
@@ -300,6 +311,45 @@ impl Rounds {
         match self.0.keys().next_back() {
             Some(&round) if round >= rounds => Err(DeepError::Beyond { round, rounds }),
             _ => Ok(deep.judged()),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::example;
+    use super::*;
+
+    #[test]
+    fn a_round_has_one_line_for_each_trial() {
+        let ledger = example::ledger();
+        let all = ledger.round();
+        let lines: Vec<_> = all.split_inclusive('\n').collect();
+        let [first, second, ..] = lines[..] else {
+            panic!("{all}")
+        };
+        let joined = |brought: &str| {
+            let mut rounds = Rounds::default();
+            rounds.read(&Rounds::headed(0, brought)).unwrap();
+            rounds.in_place_of(&ledger, 1)
+        };
+        // Sixteen trials of twenty points, in any order.
+        let backwards: String = lines.iter().rev().copied().collect();
+        for brought in [&all, &backwards] {
+            let deep = joined(brought).unwrap();
+            assert_eq!(deep.measured_points(), 320);
+            assert_eq!(deep.counts(), ledger.counts());
+        }
+        let without = |n: usize| [&lines[..n], &lines[n + 1..]].concat().concat();
+        for wrong in [
+            without(0),
+            without(lines.len() - 1),
+            format!("{all}{first}"),
+            format!("{second}{}", without(0)),
+            String::new(),
+        ] {
+            let error = joined(&wrong).unwrap_err();
+            assert_eq!(error, DeepError::Unfinished(0), "{wrong}");
         }
     }
 }
