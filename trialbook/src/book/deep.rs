@@ -94,3 +94,43 @@ pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
     ];
     Ok(table("deep", head, rows?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::code::Code;
+    use super::super::maths::Maths;
+    use super::*;
+    use crate::edition::Edition;
+    use crate::ledger::example::{PAPER, ledger};
+
+    static EDITION: Edition = Edition::of("examples", &PAPER);
+
+    #[test]
+    fn a_row_has_all_points_of_a_route_and_the_fewest_of_a_trial() {
+        let mut ledger = ledger();
+        ledger.entries[0].evidence[0].points += 30;
+        let record = ledger.record("2026-01-02", 3);
+        let deep = Deep::read(&record).unwrap();
+        let context = Context {
+            edition: &EDITION,
+            ledger: &ledger,
+            figures: &[],
+            errata: &[],
+            code: &Code::new(&EDITION),
+            maths: &Maths::new(),
+            deep: Some((deep, ledger.clone())),
+        };
+        let html = table_of(&context).unwrap();
+        // Nine trials by root-finding, five by a limit and two counts have twenty points each, and one has thirty more.
+        for row in [
+            "<td>root</td><td>9</td><td>210</td><td>20</td>",
+            "<td>limit</td><td>5</td><td>100</td><td>20</td>",
+            "<td>census</td><td>2</td><td>40</td><td>20</td>",
+        ] {
+            assert!(html.contains(row), "{row}\n{html}");
+        }
+        assert_eq!(html.matches("<tr>").count(), 4);
+        assert_eq!(number(&context, "comparisons").unwrap(), "350");
+        assert_eq!(number(&context, "rounds").unwrap(), "3");
+    }
+}

@@ -71,7 +71,7 @@ fn item(context: &Context<'_>, stem: &str, erratum: &Erratum) -> Result<String, 
         ("Reason", Some(&erratum.reason)),
         ("By hand", erratum.case.as_ref()),
     ] {
-        if let Some(words) = words {
+        if let Some(words) = words.filter(|words| !words.is_empty()) {
             html.push_str(&format!(
                 "<p><strong>{label}:</strong> {}.</p>",
                 maths.words(&sentence(words))?

@@ -17,10 +17,7 @@ pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
         .enumerate()
         .map(|(i, e)| (e.claim.id, i))
         .collect();
-    let failing = entries.iter().filter(|e| e.judgement.verdict.is_wrong());
-    let shaken: BTreeSet<_> = failing
-        .flat_map(|e| ledger.resting_on(e.claim.id))
-        .collect();
+    let shaken = shaken(ledger);
     let nodes = entries.iter().map(|entry| {
         let claim = entry.claim;
         let name = claim.name();
@@ -58,6 +55,14 @@ pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
         .map(|topic| topic.title)
         .collect();
     map(&topics, &nodes.collect::<Vec<_>>())
+}
+
+/// Ids of the claims that rest on one that is false as printed.
+fn shaken(ledger: &Ledger) -> BTreeSet<&'static str> {
+    let entries = ledger.entries.iter();
+    let failing = entries.filter(|e| e.judgement.verdict.is_wrong());
+    let resting = failing.flat_map(|e| ledger.resting_on(e.claim.id));
+    resting.collect()
 }
 
 /// The signs and what they mean.
@@ -124,4 +129,15 @@ pub(super) fn list(context: &Context<'_>) -> Result<String, Fault> {
         ));
     }
     Ok(html)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::ledger::example::ledger;
+
+    #[test]
+    fn what_rests_on_an_error_is_shaken_and_not_what_rests_on_a_condition() {
+        let shaken = super::shaken(&ledger());
+        assert_eq!(shaken, ["eq-2", "eq-3", "eq-6"].into());
+    }
 }

@@ -433,3 +433,23 @@ pub(super) fn idle(context: &Context<'_>) -> Result<String, Fault> {
     let head = ["Claim", "Trial", "What no formula says"];
     Ok(table("idle", head, rows?))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn proofs_are_counted_by_what_they_are() {
+        let html = proofs(&crate::ledger::example::ledger());
+        let cells = |name: &str| {
+            let (_, row) = html.split_once(&format!("<td>{name}</td>")).unwrap();
+            let row = row.split("</tr>").next().unwrap();
+            row.replace("</td><td>", " ")
+        };
+        // Exactly (6) and (8), by enclosure (7), and (1) to (5) are measured.
+        for name in ["Numbered, not a definition", "All"] {
+            assert_eq!(cells(name), "<td>2 1 5 8</td>");
+        }
+        assert_eq!(cells("Numbered definitions"), "<td>0 0 0 0</td>");
+    }
+}

@@ -162,6 +162,34 @@ mod tests {
     use crate::scalar::Scalar;
 
     #[test]
+    fn what_is_known_to_fewer_digits_is_no_agreement() {
+        let compared = Compared::one("$x$", "the number");
+        let third = Enclosure(|bits| Ok(Ball::ratio(1, 3, bits).expect("a number")));
+        // A third with this many of its bits known, and this far off in units of 2⁻²⁰⁰.
+        let stated = |known: usize, off: i64| {
+            let wide = Ball::ratio(1, 3, known).expect("a number").with_bits(200);
+            let unit = Ball::ratio(1, 2, 200).expect("a number");
+            let shift = (0..40).fold(Ball::int(off, 200), |shift, _| &shift * &unit);
+            Some(&wide + &shift)
+        };
+        // Fifty digits are 166 bits and a few to spare.
+        for (known, off, worst) in [
+            (190, 0, 0.0),
+            (178, 0, 0.0),
+            (170, 0, f64::NAN),
+            (140, 0, f64::NAN),
+            (100, 0, f64::NAN),
+            (190, 1, f64::INFINITY),
+        ] {
+            let evidence = numbers([("x", third)], Subject::Printed, compared, |_| {
+                [stated(known, off)]
+            });
+            let same = evidence.worst == worst || evidence.worst.is_nan() && worst.is_nan();
+            assert!(same, "{known} {off}: {}, {}", evidence.worst, evidence.at);
+        }
+    }
+
+    #[test]
     fn signs_are_kept_on_balls() {
         let two = |_: &str| Some(Ball::int(2, 64));
         let x = || Expr::symbol("x");

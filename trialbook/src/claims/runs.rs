@@ -157,3 +157,36 @@ impl<T> Runs<Vec<T>> {
         runs.iter().map(Ok).chain(failure)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::witness::{Number, Tree, Witness};
+    use std::sync::atomic::{AtomicUsize, Ordering};
+
+    #[test]
+    fn what_is_derived_once_leaves_its_proof_in_every_recording() {
+        static MADE: AtomicUsize = AtomicUsize::new(0);
+        static DERIVED: Derived<i32> = Derived::new(|| {
+            MADE.fetch_add(1, Ordering::Relaxed);
+            let [stated, found] = ["1", "1"].map(|x| Tree::Leaf(x.to_owned()));
+            witness::leave(|| {
+                Witness::Number(Number {
+                    root: 0,
+                    stated,
+                    found,
+                })
+            });
+            7
+        });
+        let proof = || DERIVED.with(|seven| *seven);
+        for _ in 0..3 {
+            assert_eq!(proof(), 7);
+        }
+        assert_eq!(MADE.load(Ordering::Relaxed), 1);
+        for _ in 0..2 {
+            let (seven, left) = witness::of(proof);
+            assert_eq!((seven, left.len()), (7, 1));
+        }
+    }
+}

@@ -164,3 +164,42 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
         witnesses,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::tolerances::NONE;
+    use crate::evidence::{Change, Compared, Route};
+
+    #[test]
+    fn a_certificate_bears_what_its_proof_speaks_of() {
+        let printed = Claim::equation("eq-6", "1", "top", "H=+1");
+        let corrected = printed.corrected(Change::Sign, "H=-1");
+        let compared = Compared::one("$H$", "the motion");
+        let proof = |subject| Evidence::new(Route::Exact, subject, compared, NONE);
+        for subject in [
+            Subject::Printed,
+            Subject::Within,
+            Subject::Outside,
+            Subject::Corrected,
+            Subject::Step,
+            Subject::Excepted,
+            Subject::Remark,
+        ] {
+            let evidence = proof(subject);
+            let of = |claim: &Claim| certificate(claim, &evidence, Vec::new());
+            let expected = match subject {
+                Subject::Corrected => "H=-1",
+                _ => "H=+1",
+            };
+            assert_eq!(of(&corrected).statement, expected, "{subject:?}");
+            assert_eq!(of(&printed).statement, "H=+1", "{subject:?}");
+        }
+        // As `printf H=+1 | sha256sum` has it.
+        let bears = certificate(&printed, &proof(Subject::Printed), Vec::new());
+        assert_eq!(
+            bears.sha256,
+            "d26b42f2fa7fe7147b6f8a888de4bbfb865980388bdfa85b60e2dc87c781d77a"
+        );
+    }
+}

@@ -91,13 +91,7 @@ pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Resul
     let corners: Vec<_> = pairs
         .map(|(v, noticed)| corner_row(paper, v, noticed))
         .collect();
-    let coarse = slight
-        .iter()
-        .any(|row| !row.noticed && row.excuse.is_none());
-    let cut = corners
-        .iter()
-        .any(|row| row.noticed == Some(false) && row.excuse.is_none());
-    let code = u8::from(rows.iter().any(TrialRow::is_at_fault) || coarse || cut);
+    let code = code(&rows, &slight, &corners);
     match format {
         Format::Text => {
             say(&text(&rows, &variants))?;
@@ -126,6 +120,14 @@ pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Resul
         }
     }
     Ok(code)
+}
+
+/// The exit code: 1 if a trial is at fault, or if nobody says why a slight mistake or one in a corner is not noticed.
+fn code(rows: &[TrialRow<'_>], slight: &[SlightRow<'_>], corners: &[CornerRow<'_>]) -> u8 {
+    let coarse = |row: &SlightRow<'_>| !row.noticed && row.excuse.is_none();
+    let cut = |row: &CornerRow<'_>| row.noticed == Some(false) && row.excuse.is_none();
+    let at_fault = rows.iter().any(TrialRow::is_at_fault);
+    u8::from(at_fault || slight.iter().any(coarse) || corners.iter().any(cut))
 }
 
 fn mistake(variant: &Variant) -> MistakeRow<'_> {
@@ -246,4 +248,54 @@ fn text(rows: &[TrialRow<'_>], variants: &[Variant]) -> String {
         agree.count()
     );
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mistake_that_passes_without_a_reason_is_a_failure() {
+        let (claim, trial, formula, text) = ("", "", "", "");
+        let why = Some("a reason");
+        let row = |agrees, rejects: &[usize], excuse, leans_on| TrialRow {
+            claim,
+            trial,
+            agrees,
+            rejects: rejects.to_vec(),
+            passes: vec![7],
+            excuse,
+            leans_on,
+        };
+        for (row, expected) in [
+            (row(true, &[3], None, None), 0),
+            (row(true, &[], None, None), 1),
+            (row(true, &[], why, None), 0),
+            (row(false, &[], None, None), 0),
+            (row(true, &[3], None, Some(3)), 1),
+            (row(true, &[], why, Some(3)), 1),
+        ] {
+            assert_eq!(code(&[row], &[], &[]), expected);
+        }
+        for (noticed, excuse, expected) in [(true, None, 0), (false, None, 1), (false, why, 0)] {
+            let slight = SlightRow {
+                claim,
+                trial,
+                formula,
+                noticed,
+                excuse,
+            };
+            assert_eq!(code(&[], &[slight], &[]), expected);
+            let noticed = Some(noticed);
+            let corner = |noticed| CornerRow {
+                claim,
+                text,
+                noticed,
+                excuse,
+            };
+            assert_eq!(code(&[], &[], &[corner(noticed)]), expected);
+            // Nobody measures there.
+            assert_eq!(code(&[], &[], &[corner(None)]), 0);
+        }
+    }
 }

@@ -245,6 +245,12 @@ impl<'a> Deep<'a> {
 #[derive(Debug, Default)]
 pub struct Rounds(BTreeMap<u32, String>);
 
+/// Of which claim and trial a line of a round is.
+fn name(line: &str) -> String {
+    let columns: Vec<_> = line.split('\t').take(2).collect();
+    columns.join("\t")
+}
+
 /// What goes before the number of a round.
 const HEAD: &str = "round\t";
 
@@ -288,11 +294,16 @@ impl Rounds {
     /// [`DeepError::Missing`], [`DeepError::Beyond`] and [`DeepError::Unfinished`] where these are not all rounds and no others,
     /// each with all trials; and as for [`Ledger::add`].
     pub fn in_place_of(&self, ledger: &Ledger, rounds: u32) -> Result<Ledger, DeepError> {
-        let trials = ledger.entries.iter().flat_map(Entry::measured).count();
+        let names = |text: &str| -> Vec<String> {
+            let mut names: Vec<_> = text.lines().map(name).collect();
+            names.sort_unstable();
+            names
+        };
+        let trials = names(&ledger.round());
         let mut deep = ledger.unmeasured();
         for number in 0..rounds {
             let round = self.0.get(&number).ok_or(DeepError::Missing(number))?;
-            if round.lines().count() != trials {
+            if names(round) != trials {
                 return Err(DeepError::Unfinished(number));
             }
             deep.add(round)?;

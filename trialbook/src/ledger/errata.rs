@@ -26,7 +26,7 @@ pub struct Erratum {
     pub new: String,
     /// What is wrong, in one sentence; formulas in `$…$`.
     pub wrong: String,
-    /// Why; formulas in `$…$`.
+    /// Why; formulas in `$…$`. Empty where nobody says so.
     pub reason: String,
     /// A case that can be checked on paper, with its numbers; formulas in `$…$`.
     pub case: Option<String>,
@@ -220,7 +220,7 @@ fn new_text(entry: &Entry, inherits: &[String]) -> String {
     }
 }
 
-/// Why a condition is needed: what happens without it.
+/// Why a condition is needed: what happens without it; empty where nothing does.
 fn reason_of_condition(entry: &Entry) -> String {
     let outside = entry
         .evidence
@@ -230,7 +230,10 @@ fn reason_of_condition(entry: &Entry) -> String {
     let (failed, points) = fails.fold((0, 0), |(failed, points), e| {
         (failed + e.failed, points + e.points)
     });
-    format!("Without the condition {failed} of {points} comparisons disagree")
+    match points {
+        0 => String::new(),
+        _ => format!("Without the condition {failed} of {points} comparisons disagree"),
+    }
 }
 
 /// A trial in sentences.
@@ -238,4 +241,37 @@ fn said(e: &Evidence, conditional: bool) -> String {
     let (about, route) = (e.about(conditional), e.route.name());
     let (comparison, measured) = (e.comparison(), e.measured());
     format!("{about}, by {route}. {comparison} {measured}")
+}
+
+#[cfg(all(test, feature = "trials"))]
+mod tests {
+    use super::super::example::ledger;
+
+    #[test]
+    fn errors_come_from_others_unless_the_step_from_them_fails() {
+        let ledger = ledger();
+        let errata = ledger.errata().unwrap();
+        let of = |id| errata.iter().find(|e| e.id == id).unwrap();
+        for (id, inherits, fallen, standing) in [
+            ("eq-1", &[][..], &["eq-3"][..], &[][..]),
+            ("eq-2", &[], &["eq-3"], &[]),
+            ("eq-3", &["eq-1", "eq-2"], &[], &[]),
+            ("eq-4", &[], &[], &["eq-6"]),
+            ("eq-5", &[], &[], &["eq-7"]),
+        ] {
+            let erratum = of(id);
+            assert_eq!(erratum.inherits, inherits, "{id}");
+            assert_eq!(erratum.fallen, fallen, "{id}");
+            assert_eq!(erratum.standing, standing, "{id}");
+        }
+        assert_eq!(errata.len(), 5);
+        assert_eq!((ledger.wrong(), ledger.roots_and_heirs()), (4, [2, 1]));
+        assert_eq!(
+            of("eq-5").reason,
+            "Without the condition 11 of 40 comparisons disagree"
+        );
+        assert_eq!(of("eq-1").reason, "");
+        assert_eq!(of("eq-3").new, "nothing takes its place; see (1), (2)");
+        assert_eq!(of("eq-5").new, "add: $x>0$");
+    }
 }

@@ -286,7 +286,9 @@ trait Style {
         let mut text = self.title(name, erratum) + &self.wrong(erratum);
         text += &self.entry(as_printed(erratum), &erratum.old);
         text += &self.entry("Should be", &erratum.new);
-        text += &self.entry("Reason", &closed(&erratum.reason));
+        if !erratum.reason.is_empty() {
+            text += &self.entry("Reason", &closed(&erratum.reason));
+        }
         if let Some(case) = &erratum.case {
             text += &self.entry("A case by hand", &closed(case));
         }
@@ -528,6 +530,31 @@ mod tests {
         assert_eq!(tex_words("A/τ^(3/2) = -5"), r"$A/\tau^{3/2} = -5$");
         assert_eq!(tex_words(r"so $\left[a+b\right]$"), r"so $\bigl[a+b\bigr]$");
         assert_eq!(tex_words("“so”"), "``so''");
+    }
+
+    #[test]
+    fn a_letter_counts_and_tells_everything_once() {
+        let letter = super::super::example::ledger().letter(Format::Text);
+        let letter = letter.unwrap();
+        let words = letter.split_whitespace().collect::<Vec<_>>().join(" ");
+        for said in [
+            "All 8 numbered equations and statements",
+            "We found 2 independent errors, 1 further statement that inherit them, and 1 misprint; 1 statement needs a \
+             condition.",
+            "1. Section 1: (1), an error",
+            "Also to be changed: (3): nothing takes its place; see (1), (2) 2. Section 1: (2), another error",
+            "Also to be changed: (3), as above",
+            "(4): d = 1 should be d = −1.",
+            "(5): holds if x > 0.",
+        ] {
+            assert!(words.contains(said), "{said}\n{letter}");
+        }
+        assert_eq!(words.matches("Also to be changed").count(), 2, "{letter}");
+        // Nobody says why, and there is no condition.
+        assert!(
+            !words.contains("Reason") && !words.contains("comparisons"),
+            "{letter}"
+        );
     }
 
     #[test]

@@ -8,6 +8,8 @@ pub mod deep;
 pub mod distrust;
 #[cfg(feature = "book")]
 mod errata;
+#[cfg(all(test, feature = "trials"))]
+pub(crate) mod example;
 #[cfg(feature = "book")]
 mod letter;
 #[cfg(feature = "trials")]
@@ -102,13 +104,8 @@ impl Entry {
     /// Of the measurements that agree, the one whose worst disagreement is closest to its tolerance.
     pub fn closest(&self) -> Option<&Evidence> {
         let agrees = |e: &&Evidence| !e.route.is_proof() && e.outcome() == Outcome::Agrees;
-        let excess = |e: &Evidence| match e.tolerance.value {
-            // Nothing may differ, and nothing does.
-            0.0 => 0.0,
-            tolerance => e.worst / tolerance,
-        };
         let measured = self.evidence.iter().filter(agrees);
-        measured.max_by(|a, b| excess(a).total_cmp(&excess(b)))
+        measured.max_by(|a, b| a.excess().total_cmp(&b.excess()))
     }
 
     /// The largest disagreement that was measured inside the conditions, by its tolerance.
@@ -118,10 +115,18 @@ impl Entry {
             .filter(|e| {
                 !matches!(e.subject, Subject::Outside | Subject::Excepted) && !e.route.is_proof()
             })
-            .max_by(|a, b| {
-                let excess = |e: &Evidence| e.worst / e.tolerance.value;
-                excess(a).total_cmp(&excess(b))
-            })
+            .max_by(|a, b| a.excess().total_cmp(&b.excess()))
+    }
+}
+
+impl Evidence {
+    /// The worst disagreement by its tolerance.
+    fn excess(&self) -> f64 {
+        match self.worst {
+            // Where nothing may differ either, the quotient would be no number.
+            0.0 => 0.0,
+            worst => worst / self.tolerance.value,
+        }
     }
 }
 
@@ -153,5 +158,51 @@ impl Ledger {
     pub fn points(&self) -> usize {
         let evidence = self.entries.iter().flat_map(|entry| &entry.evidence);
         evidence.map(|e| e.points).sum()
+    }
+}
+
+#[cfg(all(test, feature = "trials"))]
+mod tests {
+    use super::example::{ledger, tried};
+    use super::*;
+    use crate::claims::tolerances::NONE;
+
+    #[test]
+    fn the_verdicts_of_the_example_are_these() {
+        let counts = ledger().counts().into_iter().filter(|(_, n)| *n > 0);
+        let expected = [
+            (Verdict::Confirmed, 3),
+            (Verdict::Conditional, 1),
+            (Verdict::Misprint, 1),
+            (Verdict::Misderived, 2),
+            (Verdict::Inherited, 1),
+        ];
+        assert_eq!(counts.collect::<Vec<_>>(), expected);
+    }
+
+    #[test]
+    fn the_worst_disagreement_is_not_sought_where_there_has_to_be_one() {
+        let ledger = ledger();
+        let worst = |entry: &Entry| entry.worst().map(|e| (e.subject, e.worst));
+        let conditional = ledger.entry("eq-5").unwrap();
+        assert_eq!(worst(conditional), Some((Subject::Within, 1e-16)));
+        assert_eq!(
+            worst(ledger.entry("eq-1").unwrap()),
+            Some((Subject::Printed, 1.0))
+        );
+        assert_eq!(worst(ledger.entry("eq-8").unwrap()), None);
+        // What is excepted may be found by a count; and a count that is right is the best that there is.
+        let mut entry = conditional.clone();
+        let counted = |subject, worst| Evidence {
+            worst,
+            tolerance: NONE,
+            ..tried(Route::Census, subject, 0)
+        };
+        entry.evidence.push(counted(Subject::Excepted, 1.0));
+        entry.evidence.push(counted(Subject::Within, 0.0));
+        assert_eq!(worst(&entry), Some((Subject::Within, 1e-16)));
+        assert_eq!(entry.closest().unwrap().worst, 1e-16);
+        entry.evidence.push(counted(Subject::Within, 1e-300));
+        assert_eq!(worst(&entry), Some((Subject::Within, 1e-300)));
     }
 }

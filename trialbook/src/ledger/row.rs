@@ -135,3 +135,23 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
         runs: e.runs.iter().map(ToString::to_string).collect(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::example::tried;
+    use super::evidence;
+    use crate::evidence::{Route, Subject};
+
+    #[test]
+    fn a_row_counts_those_that_disagree() {
+        for (failed, worst) in [(0, 1e-16), (3, 1.0), (20, 1.0)] {
+            let evidence_of = tried(Route::Census, Subject::Printed, failed);
+            let row = evidence(&evidence_of);
+            assert_eq!((row.points, row.failed), (20, failed.into()));
+            assert_eq!(
+                (row.worst, row.tolerance),
+                (worst, evidence_of.tolerance.value)
+            );
+        }
+    }
+}

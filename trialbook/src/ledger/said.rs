@@ -204,3 +204,36 @@ pub(crate) fn counted(n: usize, noun: &str) -> String {
     let plural = if n == 1 { "" } else { "s" };
     format!("{} {noun}{plural}", count(n))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_bound_is_never_below_what_it_bounds() {
+        for (size, bound) in [
+            (1.2e-13, "2e-13"),
+            (1.7e-13, "2e-13"),
+            (3e-13, "3e-13"),
+            (9.1e-13, "1e-12"),
+            (9.6e-13, "1e-12"),
+            (0.21, "0.3"),
+            (0.96, "1"),
+        ] {
+            assert_eq!(rounded_up(size), bound, "{size}");
+        }
+    }
+
+    #[test]
+    fn thousands_are_parted() {
+        for (n, written) in [
+            (0, "0"),
+            (999, "999"),
+            (1000, "1,000"),
+            (327_046, "327,046"),
+            (12_345_678, "12,345,678"),
+        ] {
+            assert_eq!(count(n), written);
+        }
+    }
+}

@@ -29,7 +29,7 @@ pub struct Root {
     pub way: Way,
 }
 
-/// The roots of a series in (0, `h`], in order. One at 0 (first coefficients exactly zero) does not count, nor
+/// The roots of a series in (0, `h`], in order; of several that rounding does not part the first. One at 0 (first coefficients exactly zero) does not count, nor
 /// does a series that is zero altogether have roots.
 ///
 /// # Errors
@@ -198,6 +198,20 @@ mod tests {
         assert!((found[0].at - 0.5).abs() < 1e-9 && (found[1].at - 0.500001).abs() < 1e-9);
         // (u − ½)² + 10⁻⁸ comes near and does not touch.
         assert!(roots(&[0.25 + 1e-8, -1.0, 1.0], 1.0).unwrap().is_empty());
+    }
+
+    #[test]
+    fn of_roots_that_rounding_does_not_part_the_first_is_found() {
+        // Between the two that it touches the function is below 10⁻¹⁷.
+        let series = with_roots(&[0.3, 0.3, 0.3001, 0.3001]);
+        for h in [1.0, 0.7] {
+            let found = roots(&series, h).unwrap();
+            assert_eq!(found.len(), 1, "{found:?}");
+            assert!(
+                (found[0].at - 0.3).abs() < 2e-5 && found[0].way == Way::Touching,
+                "{found:?}"
+            );
+        }
     }
 
     #[test]

@@ -117,6 +117,7 @@ fn launches_along_the_axis() {
     );
     for (lambda, theta0, theta) in [
         (0.5, 0.0, 0.1),
+        (1.0, PI, 0.0),
         (2.0, PI, 0.0),
         (0.5, PI, 1.0),
         (0.5, 1.0, 0.0),

@@ -131,6 +131,59 @@ fn a_quotient_holds_all_quotients_even_where_its_middle_is_cut_to_zero() {
     assert!(lo <= IBig::ZERO && hi >= IBig::from(99), "{quotient:?}");
 }
 
+/// All small balls of some bits: what is cut off counts most there.
+fn small_balls() -> impl Iterator<Item = Ball> + Clone {
+    let of = |bits| (-9..=9).flat_map(move |mid| (0..=3).map(move |rad| (mid, rad, bits)));
+    (0..=2).flat_map(of).map(|(mid, rad, bits)| Ball {
+        mid: IBig::from(mid),
+        rad: UBig::from(rad as u8),
+        bits,
+    })
+}
+
+/// The ends in units of 2⁻⁸.
+fn ends(ball: &Ball) -> [i64; 2] {
+    let unit = 1 << (8 - ball.bits);
+    ball.bounds().map(|end| i64::try_from(end).unwrap() * unit)
+}
+
+#[test]
+fn with_fewer_bits_no_number_is_lost() {
+    for ball in small_balls() {
+        let [low, high] = ends(&ball);
+        for bits in 0..=4 {
+            let [from, to] = ends(&ball.with_bits(bits));
+            assert!(from <= low && high <= to, "{ball:?} {bits}");
+            // By two units and what their rounding takes, at most.
+            let wider = if bits < ball.bits { 3 << (8 - bits) } else { 0 };
+            assert!(low - from <= wider && to - high <= wider, "{ball:?} {bits}");
+        }
+    }
+}
+
+#[test]
+fn sums_products_and_quotients_hold_those_of_the_ends() {
+    for (a, b) in small_balls().flat_map(|a| small_balls().map(move |b| (a.clone(), b))) {
+        let [sum, difference, product] = [&a + &b, &a - &b, &a * &b].map(|ball| ends(&ball));
+        let quotient = a.over(&b).map(|ball| ends(&ball));
+        let holds = |[from, to]: [i64; 2], x: i64| from <= x && x <= to;
+        for x in ends(&a) {
+            for y in ends(&b) {
+                let all = holds(sum, x + y) && holds(difference, x - y);
+                // x y is in units of 2⁻¹⁶.
+                let times = product.map(|end| 256 * end);
+                assert!(all && holds(times, x * y), "{a:?} {b:?}");
+                if let Some([from, to]) = quotient {
+                    let over = [from * y, to * y];
+                    let over = if y > 0 { over } else { [over[1], over[0]] };
+                    assert!(holds(over, 256 * x), "{a:?} {b:?}");
+                }
+            }
+        }
+        assert_eq!(quotient.is_none(), holds(ends(&b), 0), "{b:?}");
+    }
+}
+
 #[test]
 fn a_ball_that_reaches_below_zero_has_no_root() {
     let mostly_positive = Ball::enclosing(Interval::new(-1.0, 3.0), 60).unwrap();

@@ -75,3 +75,39 @@ fn is_short_product(a: f64, b: f64, p: f64) -> bool {
     let zeros = |x: f64| (x.to_bits() | 1 << 52).trailing_zeros();
     zeros(a) + zeros(b) >= 53 && (1e-200..1e200).contains(&p.abs())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_are_exact_up_to_53_bits_and_strictly_enclosed_beyond() {
+        // Odd numbers, all of whose bits are ones.
+        let ones = |bits: u32| (1_u64 << bits) - 1;
+        for (a, b) in (1..=53).flat_map(|a| (1..=53).map(move |b| (a, b))) {
+            let exact = u128::from(ones(a)) * u128::from(ones(b));
+            let [m, n] = [a, b].map(|bits| ones(bits) as f64);
+            let product = [product_down(m, n), product_up(m, n)];
+            let [low, high] = product.map(|x| x as u128);
+            if a + b <= 53 {
+                assert_eq!([low, high], [exact; 2], "{a} {b}");
+                let [p, _] = product;
+                assert_eq!([quotient_down(p, n), quotient_up(p, n)], [m; 2], "{a} {b}");
+                assert!(a != b || sqrt(p) == [m; 2], "{a}");
+            } else if exact >= 1 << 53 {
+                // An odd number of more bits is no f64.
+                assert!(low < exact && exact < high, "{a} {b}");
+            } else {
+                assert!(low <= exact && exact <= high, "{a} {b}");
+            }
+        }
+    }
+
+    #[test]
+    fn near_the_smallest_numbers_nothing_counts_as_exact() {
+        // 2⁻¹⁰⁷⁴ is the last one: half of it is lost.
+        let [small, half] = [libm::ldexp(1.0, -1074), 0.5];
+        assert!(product_down(small, half) <= 0.0 && product_up(small, half) >= small);
+        assert_eq!(quotient_up(small, 2.0), small);
+    }
+}

@@ -241,12 +241,14 @@ mod tests {
     use super::*;
     use std::f64::consts::PI;
 
-    static VALUES: [Value; 3] = [
+    static VALUES: [Value; 5] = [
         Value::new("lambda-c", "eq-1", 10, "", || {
             Ok(2.0 / libm::sqrt(4.0 + PI * PI))
         }),
         Value::new("q", "eq-2", 10, "", || Ok(4.603_338_848_751_7)),
         Value::new("minus", "eq-3", 10, "", || Ok(-0.0858)),
+        Value::new("half", "eq-4", 10, "", || Ok(3.5)).closed("7/2"),
+        Value::new("five", "eq-5", 10, "", || Ok(0.732_51)),
     ];
 
     /// Names, digits that are right, and the place and column of the first wrong one.
@@ -277,6 +279,42 @@ mod tests {
     fn the_first_wrong_digit_is_marked_where_it_stands() {
         assert_eq!(found("0.53701"), [("lambda-c", 4, Some(5), Some(6))]);
         assert_eq!(found("5371e-4"), [("lambda-c", 3, Some(4), Some(3))]);
+    }
+
+    #[test]
+    fn digits_are_cut_or_rounded_by_the_next_one() {
+        // 2/√(4 + π²) = 0.53702927…, 4.6033388487517
+        for (given, form) in [
+            ("0.537", Form::Rounded),
+            ("0.53703", Form::Rounded),
+            ("0.53702", Form::Cut),
+            ("4.60333", Form::Cut),
+            ("4.60334", Form::Rounded),
+            ("4.6033", Form::Rounded),
+            // Before a 5, and rounded there.
+            ("0.732", Form::Cut),
+            ("0.733", Form::Rounded),
+            ("-0.085", Form::Cut),
+            ("-0.086", Form::Rounded),
+            ("3.5", Form::Exact),
+            ("3.500", Form::Exact),
+        ] {
+            let found = search(&VALUES, given).unwrap();
+            let [m] = &found[..] else {
+                panic!("{given}: {found:?}")
+            };
+            assert_eq!(m.form, Some(form), "{given}");
+        }
+    }
+
+    #[test]
+    fn fewer_than_three_right_digits_are_none() {
+        for given in ["0.51", "0.533", "0.5391", "4.7", "4.61", "-0.0851"] {
+            let right = found(given);
+            assert!(right.is_empty(), "{given}: {right:?}");
+        }
+        assert_eq!(found("0.5374"), [("lambda-c", 3, Some(4), Some(5))]);
+        assert_eq!(found("4.601"), [("q", 3, Some(4), Some(4))]);
     }
 
     #[test]
