@@ -435,9 +435,7 @@ fn no_value_is_no_agreement() {
         assert_eq!(of(none, 1.0, 1.0), f64::INFINITY);
         assert!(of(1.0, none, 1.0).is_nan() && of(1.0, 1.0, none).is_nan());
     }
-    for scale in [0.0, -1.0] {
-        assert!(of(1.0, 1.0, scale).is_nan() && of(2.0, 1.0, scale).is_nan());
-    }
+    assert!(of(1.0, 1.0, 0.0).is_nan() && of(1.0, 1.0, -1.0).is_nan());
     assert_eq!([of(1.0, 3.0, 4.0), of(3.0, 1.0, 4.0)], [0.5, 0.5]);
 }
 

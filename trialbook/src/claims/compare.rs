@@ -293,6 +293,26 @@ mod tests {
     }
 
     #[test]
+    fn without_a_size_nothing_is_compared() {
+        let of = |stated, found, scale| {
+            let at = String::new();
+            let pair = Pair {
+                at,
+                stated,
+                found,
+                scale,
+            };
+            pair.disagreement()
+        };
+        for scale in [0.0, -0.0, -1.0, f64::NAN, f64::INFINITY] {
+            for found in [1.0, 2.0] {
+                assert!(of(1.0, found, scale).is_nan(), "{found} {scale}");
+            }
+        }
+        assert_eq!(of(1.0, 2.0, 4.0), 0.25);
+    }
+
+    #[test]
     fn what_cancels_in_a_formula_widens_no_scale() {
         let plain = |x: Double| x.squared();
         let padded = |x: Double| x.squared() + Double::int(1_000_000) - Double::int(1_000_000);

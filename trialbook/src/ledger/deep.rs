@@ -314,3 +314,42 @@ impl Rounds {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::example;
+    use super::*;
+
+    #[test]
+    fn a_round_has_one_line_for_each_trial() {
+        let ledger = example::ledger();
+        let all = ledger.round();
+        let lines: Vec<_> = all.split_inclusive('\n').collect();
+        let [first, second, ..] = lines[..] else {
+            panic!("{all}")
+        };
+        let joined = |brought: &str| {
+            let mut rounds = Rounds::default();
+            rounds.read(&Rounds::headed(0, brought)).unwrap();
+            rounds.in_place_of(&ledger, 1)
+        };
+        // Sixteen trials of twenty points, in any order.
+        let backwards: String = lines.iter().rev().copied().collect();
+        for brought in [&all, &backwards] {
+            let deep = joined(brought).unwrap();
+            assert_eq!(deep.measured_points(), 320);
+            assert_eq!(deep.counts(), ledger.counts());
+        }
+        let without = |n: usize| [&lines[..n], &lines[n + 1..]].concat().concat();
+        for wrong in [
+            without(0),
+            without(lines.len() - 1),
+            format!("{all}{first}"),
+            format!("{second}{}", without(0)),
+            String::new(),
+        ] {
+            let error = joined(&wrong).unwrap_err();
+            assert_eq!(error, DeepError::Unfinished(0), "{wrong}");
+        }
+    }
+}
