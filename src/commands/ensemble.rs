@@ -62,6 +62,15 @@ struct Counts {
     bad: u64,
 }
 
+impl Counts {
+    fn take(&mut self, end: &Result<End, String>) {
+        self.done += 1;
+        self.rest += u64::from(matches!(end, Ok(End::Rest { .. })));
+        self.far += u64::from(matches!(end, Ok(End::Far { .. })));
+        self.bad += u64::from(end.is_err());
+    }
+}
+
 impl Ensemble {
     pub(super) fn run(&self, format: Format) -> Result<u8, Failure> {
         let total = [self.p.count(), self.psi.count()]
@@ -123,7 +132,7 @@ impl Ensemble {
         total: u64,
         horizon: &Horizon,
         stop: &AtomicBool,
-        writer: &mut Writer,
+        writer: &mut Writer<impl Write + Sync>,
     ) -> Result<Counts, Stop> {
         let range = writer.shard.range(total);
         let bar = progress(
@@ -165,12 +174,9 @@ impl Ensemble {
                 })
                 .collect();
             for (row, end) in rows {
-                counts.rest += u64::from(matches!(end, Ok(End::Rest { .. })));
-                counts.far += u64::from(matches!(end, Ok(End::Far { .. })));
-                counts.bad += u64::from(end.is_err());
+                counts.take(&end);
                 writer.out.write_all(row.as_bytes())?;
             }
-            counts.done += places.len() as u64;
             next = piece.end;
             writer.out.flush()?;
             bar.set_position(counts.done);
@@ -235,14 +241,14 @@ impl From<Failure> for Stop {
     }
 }
 
-/// Standard output, row by row.
-struct Writer {
+/// What is written, row by row.
+struct Writer<W> {
     format: Format,
-    out: BufWriter<io::Stdout>,
+    out: W,
     shard: Shard,
 }
 
-impl Writer {
+impl<W: Write> Writer<W> {
     fn begin(&mut self) -> io::Result<()> {
         match self.format {
             _ if !self.shard.is_first() => Ok(()),
@@ -365,5 +371,101 @@ mod tests {
         }
         let start = Start::polar(0.5, 0.1, 0.2).unwrap();
         assert!(is_rough(&End::Unfinished(start)) && !is_rough(&End::Late(start)));
+    }
+
+    /// A rest whose σ is known to three digits and whose τ to nine.
+    const REST: Result<End, String> = Ok(End::Rest {
+        sigma: 0.512_345_678_9,
+        sigma_error: 2e-4,
+        tau: 3.123_456_789_012,
+        tau_error: 2e-9,
+    });
+
+    /// What is written of these ends, all or the first ones, of so many.
+    fn written(format: Format, ends: &[Result<End, String>], total: u64) -> String {
+        let mut writer = Writer {
+            format,
+            out: Vec::new(),
+            shard: Shard::WHOLE,
+        };
+        let mut counts = Counts::default();
+        writer.begin().unwrap();
+        for (n, end) in ends.iter().enumerate() {
+            let row = writer.row(n as u64, &[0.5, 0.25, -1.0], end);
+            writer.out.extend(row.bytes());
+            counts.take(end);
+        }
+        writer.end(&counts, ends.len() as u64, total).unwrap();
+        String::from_utf8(writer.out).unwrap()
+    }
+
+    #[test]
+    fn each_number_has_its_own_digits() {
+        let far = Ok(End::Far {
+            tau: 7.5,
+            tau_error: 2e-5,
+        });
+        let csv = written(Format::Csv, &[REST, far.clone()], 2);
+        let rows: Vec<_> = csv.lines().skip(1).collect();
+        assert_eq!(
+            rows,
+            [
+                "0.5,0.25,-1,rest,0.512,3.12345679,3,9,",
+                "0.5,0.25,-1,far,,7.5,,5,"
+            ]
+        );
+        let whole: serde_json::Value =
+            serde_json::from_str(&written(Format::Json, &[REST, far], 2)).unwrap();
+        let [rest, far] = [&whole["ends"][0], &whole["ends"][1]];
+        assert_eq!([&rest["sigma"], &rest["tau"]], [0.512, 3.123_456_79]);
+        assert_eq!([&rest["sigma_digits"], &rest["tau_digits"]], [3, 9]);
+        assert!(far["sigma_digits"].is_null() && far["tau_digits"] == 5);
+    }
+
+    #[test]
+    fn what_was_stopped_can_be_read() {
+        for done in 0..=3 {
+            let said = written(Format::Json, &vec![REST; done], 3);
+            let whole: serde_json::Value = serde_json::from_str(&said).unwrap();
+            assert_eq!(whole["ends"].as_array().unwrap().len(), done);
+            assert_eq!((&whole["done"], &whole["of"]), (&done.into(), &3.into()));
+        }
+    }
+
+    #[test]
+    fn every_start_is_counted_once() {
+        let start = Start::polar(0.5, 0.1, 0.2).unwrap();
+        let late = || Ok(End::Late(start));
+        let refused = || Err("no".to_owned());
+        let far = Ok(End::Far {
+            tau: 7.5,
+            tau_error: 0.0,
+        });
+        for (ends, said) in [
+            (
+                vec![
+                    REST,
+                    refused(),
+                    late(),
+                    REST,
+                    far,
+                    refused(),
+                    late(),
+                    late(),
+                    REST,
+                ],
+                "9 starts: 3 come to rest, 1 goes away, 3 are still under way, 2 are out of range\n",
+            ),
+            (
+                vec![refused(), late()],
+                "2 starts: 0 come to rest, 0 go away, 1 is still under way, 1 is out of range\n",
+            ),
+            (
+                vec![REST],
+                "1 start: 1 comes to rest, 0 go away, 0 are still under way\n",
+            ),
+        ] {
+            assert_eq!(written(Format::Text, &ends, ends.len() as u64), said);
+        }
     }
 }

@@ -133,3 +133,25 @@ fn row(task: &Task, sat: &Sat) -> Vec<String> {
         answer(&sat.motion),
     ]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_answer_and_that_of_the_motion_keep_their_names() {
+        let sat = Sat {
+            answer: Answer::Number(0.25),
+            error: Some(2e-3),
+            basis: Basis::Certified,
+            motion: Answer::Number(0.5),
+        };
+        let task = &TASKS[0];
+        let row = row(task, &sat);
+        assert_eq!(row[..3], [task.id, &given(task), task.question]);
+        assert_eq!(row[3..], ["0.25", "2.0e-3", "certified", "0.5"]);
+        let value = value(task, &sat);
+        assert_eq!([&value["answer"], &value["by_motion"]], [0.25, 0.5]);
+        assert!(text(task, &sat).ends_with("0.25   (certified within 2.0e-3)"));
+    }
+}

@@ -132,3 +132,48 @@ pub(super) fn as_text(curve: &Curve) -> String {
 
 /// The bits of a Braille character by row and column.
 const DOTS: [[u8; 2]; 4] = [[0x01, 0x08], [0x02, 0x10], [0x04, 0x20], [0x40, 0x80]];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The first and the last dots of the first and the last row.
+    fn corners(points: [[f64; 2]; 2]) -> [[char; 2]; 2] {
+        let curve = Curve {
+            title: "A line",
+            x: "x",
+            y: "y",
+            equal: false,
+            points: points.into(),
+        };
+        let text = as_text(&curve);
+        let rows: Vec<_> = text.lines().filter_map(|row| row.split_once('┤')).collect();
+        assert_eq!(rows.len(), SIZE[1]);
+        let (low, high) = (rows[SIZE[1] - 1], rows[0]);
+        assert_eq!([low.0.trim(), high.0.trim()], ["-1", "3"]);
+        let across = text.lines().last().unwrap().split_whitespace();
+        assert_eq!(across.collect::<Vec<_>>(), ["0", "5"]);
+        [high.1, low.1].map(|dots| {
+            let dots: Vec<_> = dots.chars().collect();
+            [dots[0], dots[dots.len() - 1]]
+        })
+    }
+
+    #[test]
+    fn up_is_up_and_right_is_right() {
+        let none = '\u{2800}';
+        // From the lowest dot of the first column to the highest of the last one.
+        let [[a, high], [low, b]] = corners([[0.0, -1.0], [5.0, 3.0]]);
+        assert!([a, b] == [none; 2] && high != none && low != none);
+        assert_eq!(
+            [u32::from(low) & 0x40, u32::from(high) & 0x08],
+            [0x40, 0x08]
+        );
+        let [[high, a], [b, low]] = corners([[0.0, 3.0], [5.0, -1.0]]);
+        assert!([a, b] == [none; 2] && high != none && low != none);
+        assert_eq!(
+            [u32::from(low) & 0x80, u32::from(high) & 0x01],
+            [0x80, 0x01]
+        );
+    }
+}

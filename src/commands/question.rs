@@ -108,3 +108,23 @@ impl Question {
         Ok(fields.iter().map(|field| field.name).collect())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_curve_ends_where_its_answer_is() {
+        let [half, p, psi, time] = [0.5, 0.3, 1.0, 0.2].map(Double::from);
+        let start = turntable::TurntableProblem::Polar { rho: half, p, psi };
+        let fate = start.fate().unwrap().best;
+        let there = start.at(time).unwrap().best;
+        assert!(fate.tau_rest.unwrap() > 2.0 * 0.2);
+        let end = |question: Question| *question.curve().unwrap().points.last().unwrap();
+        let [x, y] = end(Question::Moment(start, time));
+        let off = libm::hypot(x - there.position[0], y - there.position[1]);
+        assert!(off < 1e-9, "{off}");
+        let [x, y] = end(Question::Fate(start));
+        assert!((libm::hypot(x, y) - fate.sigma.unwrap()).abs() < 1e-9);
+    }
+}

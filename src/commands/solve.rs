@@ -433,7 +433,9 @@ impl Problem {
             Problem::Constant(given) => of(given.weight.mu, &["lambda"]),
             Problem::Sinusoidal(friction)
             | Problem::Pulse { friction, .. }
-            | Problem::Anisotropic { friction, .. } => of(friction.weight.mu, &["lambda0"]),
+            | Problem::Anisotropic { friction, .. } => {
+                of(friction.weight.mu, &["lambda0", "q lambda0"])
+            }
             Problem::Sphere(given) => of(given.weight.mu, &["gamma"]),
             Problem::Turntable(given) => of(given.mu, &["rho", "p"]),
             Problem::TurntableBoundary { .. } => &[],
@@ -598,4 +600,53 @@ fn table(report: &Report) -> Result<(), Failure> {
         ],
         rows,
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn of_si_units_an_error_says_what_they_come_to() {
+        for (line, told) in [
+            (
+                "constant --mu 0.3 --accel 1e-20 --v0 1 --theta0 1 --time 1",
+                true,
+            ),
+            ("constant --lambda 3e20 --v0 1 --theta0 1 --time 1", false),
+            (
+                "constant --mu 0.3 --v0 1e30 --accel 1 --theta0 1 --time 1",
+                false,
+            ),
+            ("sinusoidal --mu 0.3 --a0 1e9", true),
+            ("sinusoidal --lambda0 1e-9", false),
+            ("pulse --eta 0.5 --mu 0.3 --a0 1e9", true),
+            ("pulse --eta 1.5 --mu 0.3 --a0 1", false),
+            ("anisotropic --q 2 --mu 0.3 --a0 1e9", true),
+            ("anisotropic --q 1000 --mu 0.3 --a0 1e-4", true),
+            ("anisotropic --q 1000 --lambda0 1e5", false),
+            (
+                "sphere --mu 0.3 --accel 1e12 --u0 1 --theta0 1 --time 1",
+                true,
+            ),
+            ("sphere --gamma 1e12 --u0 1 --theta0 1 --time 1", false),
+            (
+                "turntable --mu 0.3 --omega 1 --r 1e12 --speed 1 --psi 1",
+                true,
+            ),
+            (
+                "turntable --mu 0.3 --omega 1 --r 1 --speed 1e12 --psi 1",
+                true,
+            ),
+            ("turntable --rho 1e12 --p 1 --psi 1", false),
+        ] {
+            let asked = command().no_binary_name(true);
+            let matches = asked.try_get_matches_from(line.split(' ')).unwrap();
+            let problem = Solve::from_arg_matches(&matches).unwrap().problem;
+            let error = problem.question(&mut Point::new(0)).report().unwrap_err();
+            let said = problem.explained(error).to_string();
+            let units = "; that is what the SI units given come to";
+            assert_eq!(said.ends_with(units), told, "{line}: {said}");
+        }
+    }
 }

@@ -13,13 +13,6 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
         .iter()
         .map(|task| {
             let sat = task.sit()?;
-            let error = match (sat.error, sat.basis) {
-                // Of a fraction, the enclosure is as narrow as one asks for.
-                (Some(error), _) if error < 1e-20 => "exact".to_owned(),
-                (Some(error), Basis::Certified) => format!("certainly below {}", digit(error)),
-                (Some(error), Basis::Integrated) => format!("about {}", digit(error)),
-                (None, _) => "two integrators agree".to_owned(),
-            };
             Ok([
                 format!("<code>{}</code>", task.id),
                 format!(
@@ -28,12 +21,32 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
                     escape(task.question)
                 ),
                 escape(&sat.text()),
-                error,
+                error(sat.error, sat.basis),
             ])
         })
         .collect();
     let head = ["Task", "Set-up and question", "Answer", "Error"];
     Ok(Filled::Block(table("exam tasks", head, rows?)))
+}
+
+/// How well an answer is known, in words.
+fn error(error: Option<f64>, basis: Basis) -> String {
+    match (error, basis) {
+        // Of a fraction, the enclosure is as narrow as one asks for.
+        (Some(error), _) if error < 1e-20 => "exact".to_owned(),
+        (Some(error), Basis::Certified) => format!("certainly below {}", digit(above(error))),
+        (Some(error), Basis::Integrated) => format!("about {}", digit(error)),
+        (None, _) => "two integrators agree".to_owned(),
+    }
+}
+
+/// The next number of one digit that is larger.
+fn above(x: f64) -> f64 {
+    let text = format!("{x:e}");
+    let (mantissa, power) = text.split_once('e').unwrap_or((&text, "0"));
+    let first = mantissa.chars().next().and_then(|c| c.to_digit(10));
+    let next = first.map(|digit| format!("{}e{power}", digit + 1));
+    next.and_then(|next| next.parse().ok()).unwrap_or(x)
 }
 
 /// A number with one digit, as 3 × 10⁻⁵ in HTML; 0 as it is.
@@ -233,6 +246,17 @@ fn rounded(x: f64) -> f64 {
     format!("{x:.10e}").parse().unwrap_or(x)
 }
 
+/// How many numbers agree with ours, how far the farthest is off, and how far one may be.
+fn all_beside(all: &[Beside]) -> [String; 3] {
+    let agree = all.iter().filter(|beside| beside.agrees()).count();
+    let largest = |of: fn(&Beside) -> f64| digit(all.iter().map(of).fold(0.0, f64::max));
+    [
+        format!("{agree} of {}", all.len()),
+        largest(|beside| beside.apart),
+        largest(|beside| beside.allowed),
+    ]
+}
+
 /// pySLAMMER's harmonic cases beside ours, by their yield acceleration.
 pub(super) fn sliding() -> Result<Filled, Failure> {
     let rows = sliding::yields()?.into_iter().map(|known| {
@@ -242,13 +266,7 @@ pub(super) fn sliding() -> Result<Filled, Failure> {
                 .iter()
                 .map(|case| beside(&known, case))
                 .collect();
-            let agree = all.iter().filter(|beside| beside.agrees()).count();
-            let largest = |of: fn(&Beside) -> f64| digit(all.iter().map(of).fold(0.0, f64::max));
-            [
-                format!("{agree} of {}", all.len()),
-                largest(|beside| beside.apart),
-                largest(|beside| beside.allowed),
-            ]
+            all_beside(&all)
         });
         let own = [
             format!("{}", known.at),
@@ -276,4 +294,61 @@ pub(super) fn sliding() -> Result<Filled, Failure> {
 /// What of it was read.
 pub(super) fn sliding_read() -> Result<Filled, Failure> {
     Ok(Filled::Inline(escape(sliding::PYSLAMMER.read)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_said_of_an_error_holds() {
+        let power = |digit, power| format!("{digit}\u{a0}×\u{a0}10<sup>−{power}</sup>");
+        for (size, certified, integrated) in [
+            (0.0, "exact".to_owned(), "exact".to_owned()),
+            (
+                1.4e-13,
+                format!("certainly below {}", power(2, 13)),
+                format!("about {}", power(1, 13)),
+            ),
+            (
+                1.6e-13,
+                format!("certainly below {}", power(2, 13)),
+                format!("about {}", power(2, 13)),
+            ),
+            (
+                9.7e-13,
+                format!("certainly below {}", power(1, 12)),
+                format!("about {}", power(1, 12)),
+            ),
+            (
+                3e-17,
+                format!("certainly below {}", power(4, 17)),
+                format!("about {}", power(3, 17)),
+            ),
+        ] {
+            let said = [Basis::Certified, Basis::Integrated].map(|basis| error(Some(size), basis));
+            assert_eq!(said, [certified, integrated], "{size}");
+        }
+        for basis in [Basis::Certified, Basis::Integrated] {
+            assert_eq!(error(None, basis), "two integrators agree");
+        }
+    }
+
+    #[test]
+    fn what_is_off_stands_before_what_is_allowed() {
+        let beside = |apart, allowed| Beside {
+            apart,
+            allowed,
+            ours: 1.0,
+        };
+        let all = [beside(0.2, 0.3), beside(0.1, 0.1), beside(0.4, 0.3)];
+        assert_eq!(
+            all_beside(&all),
+            [
+                "2 of 3",
+                "4\u{a0}×\u{a0}10<sup>−1</sup>",
+                "3\u{a0}×\u{a0}10<sup>−1</sup>"
+            ]
+        );
+    }
 }

@@ -81,6 +81,73 @@ fn an_answer_on_which_the_ways_differ_is_none() {
 }
 
 #[test]
+fn two_ways_agree_to_ten_digits_beside_the_width_of_an_enclosure() {
+    let sat = |motion, other| {
+        let task = Task {
+            motion,
+            other,
+            ..plane::STOP_TIME
+        };
+        task.sit()
+            .ok()
+            .map(|sat| (sat.answer, sat.error.unwrap(), sat.basis))
+    };
+    let two = || Ok(Answer::Number(2.0));
+    let certified = |x, error| Some((Answer::Number(x), error, Basis::Certified));
+    let integrated = |x, error| Some((Answer::Number(x), error, Basis::Integrated));
+    // The error of an enclosure is how far its ends are from its middle.
+    assert_eq!(
+        sat(two, Other::Within(|| Ok(Interval::new(1.5, 2.5)))),
+        certified(2.0, 0.5)
+    );
+    assert_eq!(
+        sat(two, Other::Within(|| Ok(Interval::new(2.0, 3.0)))),
+        certified(2.5, 0.5)
+    );
+    assert_eq!(
+        sat(two, Other::Within(|| Ok(Interval::new(2.125, 3.0)))),
+        None
+    );
+    assert_eq!(
+        sat(two, Other::Within(|| Ok(Interval::point(2.0 + 1e-10)))),
+        certified(2.0 + 1e-10, 0.0)
+    );
+    assert_eq!(
+        sat(two, Other::Within(|| Ok(Interval::point(2.0 + 3e-10)))),
+        None
+    );
+    // That of two integrators is their difference, and never nothing.
+    assert_eq!(
+        sat(two, Other::Integrated(|| Ok(Answer::Number(2.0)))),
+        integrated(2.0, 2e-13)
+    );
+    let near = 2.0_f64.next_up();
+    assert_eq!(
+        sat(
+            two,
+            Other::Integrated(|| Ok(Answer::Number(2.0_f64.next_up())))
+        ),
+        integrated(near, 2e-13)
+    );
+    let off = 2.0 + 1e-10;
+    assert_eq!(
+        sat(two, Other::Integrated(|| Ok(Answer::Number(2.0 + 1e-10)))),
+        integrated(off, off - 2.0)
+    );
+    assert_eq!(
+        sat(two, Other::Integrated(|| Ok(Answer::Number(2.0 + 3e-10)))),
+        None
+    );
+    // Of large numbers it is the digits that count.
+    let large = || Ok(Answer::Number(2e6));
+    assert!(sat(large, Other::Integrated(|| Ok(Answer::Number(2e6 + 1e-4)))).is_some());
+    assert_eq!(
+        sat(large, Other::Integrated(|| Ok(Answer::Number(2e6 + 3e-4)))),
+        None
+    );
+}
+
+#[test]
 fn no_more_digits_are_written_than_are_known() {
     let sat = |x: f64, error| Sat {
         answer: Answer::Number(x),

@@ -159,3 +159,28 @@ fn edge(
 fn start(rho: f64, v: [f64; 2]) -> Result<Start, MotionError> {
     Start::cartesian([rho, 0.0], v)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_growth_ends_with_the_rest() {
+        let shown = |rho| growth(rho).unwrap().curves.remove(0);
+        // Shortly before the critical radius, 0.8719…, and beyond it.
+        let Fate::Rest { sigma, tau, .. } = fate(&Start::put_down(0.8719).unwrap()).unwrap() else {
+            panic!("it comes to rest")
+        };
+        let resting = shown(0.8719);
+        let [decades, ratio] = resting[resting.len() - 1];
+        assert!(
+            decades <= libm::log10(tau) && libm::log10(tau) - decades < 0.05,
+            "{decades} {tau}"
+        );
+        // There it has nearly the distance at which it rests.
+        let last = libm::exp10(decades);
+        assert!((ratio * last * last - sigma).abs() < 0.1, "{ratio} {sigma}");
+        let escaping = shown(1.0);
+        assert!((escaping[escaping.len() - 1][0] - 4.0).abs() < 1e-12 && escaping.len() == 141);
+    }
+}

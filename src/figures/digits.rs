@@ -18,12 +18,23 @@ pub struct Count {
 /// Numbers of digits: 0 to 15.
 const SIDE: usize = 16;
 
+/// Cases by digits claimed, to the right, and digits true, upwards, all calculators together.
+fn cells(counts: &[Count]) -> [usize; SIDE * SIDE] {
+    let mut cells = [0; SIDE * SIDE];
+    for count in counts {
+        let (x, y) = (count.claimed as usize, count.true_digits as usize);
+        if x < SIDE && y < SIDE {
+            cells[y * SIDE + x] += count.cases;
+        }
+    }
+    cells
+}
+
 /// Digits claimed against digits true, all calculators together.
 ///
 /// Fails as [`Plot::figure`] and [`Raster::new`] do.
 pub fn digits(counts: &[Count]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["calculator", "claimed", "true", "cases"]);
-    let mut cells = vec![0_usize; SIDE * SIDE];
     for count in counts {
         table.row([
             count.calculator.as_str().into(),
@@ -31,11 +42,8 @@ pub fn digits(counts: &[Count]) -> Result<Figure, FigureError> {
             f64::from(count.true_digits).into(),
             (count.cases as f64).into(),
         ])?;
-        let (x, y) = (count.claimed as usize, count.true_digits as usize);
-        if x < SIDE && y < SIDE {
-            cells[y * SIDE + x] += count.cases;
-        }
     }
+    let cells = cells(counts);
     let class = |cases: &usize| match cases {
         0 => super::BLANK,
         1..10 => 0,
@@ -75,4 +83,34 @@ pub fn digits(counts: &[Count]) -> Result<Figure, FigureError> {
         )
         .panel(panel)
         .figure(table)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_claimed_goes_to_the_right_and_what_is_true_upwards() {
+        let count = |claimed, true_digits, cases| Count {
+            calculator: "one".to_owned(),
+            claimed,
+            true_digits,
+            cases,
+        };
+        let counts = [
+            count(3, 12, 5),
+            count(3, 12, 2),
+            count(15, 0, 1),
+            count(0, 15, 4),
+            count(0, 16, 9),
+        ];
+        let found = cells(&counts);
+        // Row by row from the lowest.
+        for (x, y, cases) in [(3, 12, 7), (12, 3, 0), (15, 0, 1), (0, 15, 4)] {
+            assert_eq!(found[16 * y + x], cases, "{x} {y}");
+        }
+        assert_eq!(found.iter().sum::<usize>(), 12);
+        let figure = digits(&counts).unwrap();
+        assert!(figure.csv.contains("one,3,12,5"), "{}", figure.csv);
+    }
 }

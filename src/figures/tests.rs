@@ -504,3 +504,52 @@ proptest::proptest! {
         }
     }
 }
+
+/// What the tables beside the figures call the columns is what stands there.
+#[test]
+fn tables_have_what_their_columns_say() {
+    let [alpha, a] = [(0.0, 0.5), (2.0, 4.0)];
+    let census = rest::Census {
+        psi: "0",
+        side: 2,
+        rests: vec![true, true, false, true],
+        alpha,
+        a,
+        printed: vec![[0.0, 3.0], [0.5, 2.5]],
+        corrected: vec![[0.0, 3.0], [0.5, 2.75]],
+        found: vec![[0.25, 3.25]],
+    };
+    let rows = |figure: Figure| -> Vec<String> { figure.csv.lines().map(str::to_owned).collect() };
+    assert_eq!(
+        rows(rest::census(&[census]).unwrap()),
+        [
+            "psi,alpha,A,rests",
+            "0,0.125,2.5,1",
+            "0,0.375,2.5,1",
+            "0,0.125,3.5,0",
+            "0,0.375,3.5,1",
+            "0,0.25,3.25,border",
+        ]
+    );
+    let quantity = escape::Compensated {
+        name: "p/tau^2",
+        axis: "p",
+        range: (0.0, 1.0),
+        printed: Some(0.25),
+        corrected: 0.5,
+        escapes: vec![
+            vec![[10.0, 0.25], [20.0, 0.5]],
+            vec![[30.0, 0.75], [40.0, 0.5]],
+        ],
+    };
+    assert_eq!(
+        rows(escape::compensated(&[quantity]).unwrap()),
+        [
+            "quantity,escape,tau,value",
+            "p/tau^2,1,10,0.25",
+            "p/tau^2,1,20,0.5",
+            "p/tau^2,2,30,0.75",
+            "p/tau^2,2,40,0.5",
+        ]
+    );
+}

@@ -126,6 +126,34 @@ fn a_formula_is_trusted_where_rounding_explains_what_the_motion_says() {
 }
 
 #[test]
+fn a_wide_motion_is_trusted_as_far_as_narrower_numbers_explain_the_second() {
+    #[derive(Clone, Debug)]
+    struct One(f64);
+    impl Fields for One {
+        fn fields(&self) -> Vec<Field> {
+            vec![Field::new("x", self.0)]
+        }
+    }
+    // How far the second is off, what the nudge and what the rounding moves; digits.
+    for (off, nudged, rounded, expected) in [
+        (0.0, 0.0, 0.0, 15),
+        (0.0, 2e-9, 0.0, 8),
+        // Within what two integrations differ anyway, or what the nudge or the rounding explains.
+        (9e-10, 1e-14, 0.0, 14),
+        (1e-6, 1e-20, 0.0, 15),
+        (1e-6, 0.0, 1e-6, 15),
+        // By nothing that is known.
+        (1e-6, 0.0, 0.0, 6),
+        (1e-6, 1e-23, 4e-7, 6),
+        (0.3, 1e-20, 1e-3, 0),
+    ] {
+        let moved = [vec![nudged], vec![rounded]];
+        let answer = Answer::by_wide_motion(One(1.0), &One(1.0 - off), moved, "").unwrap();
+        assert_eq!(answer.digits, Some(expected), "{off} {nudged} {rounded}");
+    }
+}
+
+#[test]
 fn zero_has_no_sign_and_differs_from_nothing_but_other_values() {
     let Value::Number(zero) = Value::from(-0.0) else {
         panic!("a number")

@@ -117,6 +117,7 @@ fn launches_along_the_axis() {
     );
     for (lambda, theta0, theta) in [
         (0.5, 0.0, 0.1),
+        (1.0, PI, 0.0),
         (2.0, PI, 0.0),
         (0.5, PI, 1.0),
         (0.5, 1.0, 0.0),
@@ -247,6 +248,30 @@ fn against_the_force_there_is_no_velocity_across() {
             &answer,
             &[("stop_time", 1.5 / accel), ("v", 3.0 - 0.2 * accel)],
         );
+    }
+}
+
+#[test]
+fn at_the_moment_of_the_stop_both_ways_have_the_angle_to_which_it_tended() {
+    // Against the force the stop is at v₀/(λ + 1), a number without rounding here.
+    for (lambda, v0) in [(1.0, 1.0), (1.0, 2.0), (3.0, 2.0), (7.0, 4.0), (15.0, 3.0)] {
+        let stop = v0 / (lambda + 1.0);
+        let answer = constant([lambda, v0, PI, 1.0], At::Time(stop)).solve();
+        let answer = answer.unwrap();
+        for state in [
+            answer.best,
+            answer.by_formula.unwrap(),
+            answer.by_motion.unwrap(),
+        ] {
+            assert!(
+                state.v < 1e-15 && state.theta == PI,
+                "{lambda} {v0}: {answer:?}"
+            );
+            assert!(
+                (state.stop_time.unwrap() - stop).abs() <= 1e-15 * stop,
+                "{answer:?}"
+            );
+        }
     }
 }
 

@@ -238,4 +238,18 @@ fn the_note_says_where_the_printed_list_errs() {
         );
     }
     assert!(erring > 20, "{erring}");
+    // On C itself, qλ₀ = 1, where powers of two leave no rounding, the list is right.
+    for q in [2.0, 4.0, 8.0, 16.0] {
+        let answer = anisotropic::AnisotropicProblem {
+            q,
+            lambda0: 1.0 / q,
+        };
+        let answer = answer.solve().unwrap();
+        assert_eq!((answer.best.region, answer.best.negative), ("IV", 0.0));
+        assert!(
+            !answer.note.contains("printed list"),
+            "{q}: {}",
+            answer.note
+        );
+    }
 }
