@@ -38,7 +38,7 @@ struct DriveStep {
     /// Where it ends, as a part of the half period.
     end: Fraction,
     h: Fraction,
-    /// |h| less 1/8.
+    /// h² less the square of 1/8.
     excess: Size,
 }
 
@@ -47,17 +47,17 @@ const DRIVE: [DriveStep; 3] = [
     DriveStep {
         end: [3, 8],
         h: [1, 1],
-        excess: [7, 8],
+        excess: [63, 64],
     },
     DriveStep {
         end: [1, 2],
         h: [-1, 6],
-        excess: [1, 24],
+        excess: [7, 576],
     },
     DriveStep {
         end: [1, 1],
         h: [1, 1],
-        excess: [7, 8],
+        excess: [63, 64],
     },
 ];
 
@@ -178,11 +178,11 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
             "The drive",
             "h = 1 up to 3π/8, −1/6 from there to π/2, and 1 up to π; then the same with the other sign",
         );
-        p.note("For λ₀ = 1/8", "friction is nowhere enough:");
+        p.note("For λ₀ = 1/8", "friction holds nothing in any step:");
         for step in DRIVE {
-            let room = ratio(step.h).squared().sqrt() - ratio([1, 8]);
-            let room = p.read("|h| less λ₀ in a step", room)?;
-            let stated = p.read("positive", size(step.excess))?;
+            let room = ratio(step.h).squared() - ratio([1, 8]).squared();
+            let room = p.read("h² − λ₀² in a step", room)?;
+            let stated = p.read("positive: friction is too weak", size(step.excess))?;
             p.equal("The two", &room, &stated)?;
         }
         let stated = p.read("What is stated for little friction, 0 for no rest", little)?;
@@ -191,7 +191,7 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
             follow(p, rate, half)?;
         }
         let seen = halves.map(|half| half.kind().to_string()).join(", ");
-        p.note("Rests at these three λ₀, 1 if there are", seen.clone());
+        p.note("Rests at these three λ₀, 1 if there are", seen);
         let [come, go, again] = halves.map(|half| Expr::int(half.kind()));
         let turns = p.read(
             "Changes among them",
@@ -320,10 +320,10 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         "so that it goes to 0",
     );
     let room = p.read(
-        "Where this motion is 0, |h| less λ₀",
-        half.h(from, from + 1)?.squared().sqrt() - ratio([n, d]),
+        "Where this motion is 0, h² − λ₀²",
+        half.h(from, from + 1)?.squared() - ratio([n, d]).squared(),
     )?;
-    let stated = p.read("1/2, positive", ratio([1, 2]))?;
+    let stated = p.read("positive: friction is too weak", ratio([3, 4]))?;
     p.equal("The two", &room, &stated)?;
     p.note(
         "So a late motion is 0 only near these places, inside the steps",
