@@ -208,7 +208,10 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
     let motion = p.ring().along(&motion)?;
     let friction = p.read("G = 𝔴 − (H − c)", w - (level - median))?;
     let slope = p.derivative("Its rate by (26), with h for that of H", &friction, &motion)?;
-    let stated = p.read("∓λ₀, and in a rest not larger", -(signed * lambda0))?;
+    let stated = p.read(
+        "−λ₀ by the sign of 𝔴, and in a rest not larger in size",
+        -(signed * lambda0),
+    )?;
     p.equal("The two", &slope, &stated)?;
     let room = pi.squared() - length * (two * pi - length);
     let room = p.read(

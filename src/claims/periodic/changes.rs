@@ -237,7 +237,7 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
                 let slope = own(signed) - sine + h;
                 let end = w + slope * ratio([until - at, parts]);
                 w = Expr::int(sign) * size(left);
-                let end = p.read(&format!("At the part {until} 𝔴/π is, by (26),"), end)?;
+                let end = p.read(&format!("By (26), at the part {until}, for 𝔴 over π"), end)?;
                 let stated = p.read("of the sign that friction was given, or 0", w)?;
                 p.equal("The two", &end, &stated)?;
             }
