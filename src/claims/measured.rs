@@ -15,20 +15,12 @@ pub const MEASURED: &[Measured] = &[
         claims: &["fig-1", "fig-2", "fig-3", "fig-4", "fig-6"],
     },
     Measured {
-        reason: "That there are rests above the mean of $\\lvert h\\rvert$, and none where friction is small enough, is argued on its page, with integrals over sets of phases that the program does not know; that rests may come and go more than once is seen in simulated examples.",
-        claims: &["s23-threshold-exists"],
-    },
-    Measured {
         reason: "It is about how fast $v_y$ dies, to leading order as $v_y\\to0$, beside each zero of $v_x$; that it dies is proved, but no bound of what the leading order leaves out.",
         claims: &["s22-vy-two-stages"],
     },
     Measured {
         reason: "The step to it from (145) and (146) is proved, and that the boundary is another surface; but nothing is put in its place, which could be proved.",
         claims: &["eq-147"],
-    },
-    Measured {
-        reason: "It carries over to the sphere what is measured of the particle; the step itself, that the slip velocity moves as a particle's velocity does, is proved.",
-        claims: &["s33-any-drive"],
     },
     Measured {
         reason: "It needs the formulas of an article of which only the abstract and the first lines could be read.",

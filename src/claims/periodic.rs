@@ -1,7 +1,9 @@
 //! Any periodic acceleration: the claims.
 
 pub mod again;
+pub mod borders;
 pub mod chains;
+mod changes;
 pub mod drawn;
 pub mod drives;
 pub mod exact;
@@ -161,6 +163,8 @@ const CLAIMS: &[Claim] = &[
         ],
         depends_on: &["eq-26"],
         trials: trials![
+            &borders::THRESHOLD,
+            &changes::CHANGES,
             threshold::both_ends,
             threshold::two_zeros_root,
             threshold::again_and_again,

@@ -508,7 +508,11 @@ const CLAIMS: &[Claim] = &[
             "s23-threshold-exists",
             "s3-reduction",
         ],
-        trials: trials![any_drive::census, any_drive::parts],
+        trials: trials![
+            &exact::carried::ANY_DRIVE,
+            any_drive::census,
+            any_drive::parts
+        ],
         ..Claim::BLANK
     },
     Claim {

@@ -13,7 +13,7 @@ use crate::paper::sinusoidal::eq26_rate;
 use crate::scalar::Scalar;
 
 /// d𝔴/dφ by (26) where h is the sine of some angle ψ: any number from −1 to 1 is one.
-fn rate() -> Expr {
+pub(super) fn rate() -> Expr {
     let [lambda0, psi, w] = Expr::symbols(["λ₀", "ψ", "𝔴"]);
     eq26_rate(lambda0, psi, w)
 }
@@ -31,7 +31,7 @@ fn ring(sign: i64) -> Result<Ring, ExactError> {
 }
 
 /// A proof for both signs of 𝔴.
-fn for_both_signs(prove: impl Fn(i64) -> Proof) -> Proof {
+pub(super) fn for_both_signs(prove: impl Fn(i64) -> Proof) -> Proof {
     let forward = prove(1);
     if forward.holds() { prove(-1) } else { forward }
 }

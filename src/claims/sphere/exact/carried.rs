@@ -4,6 +4,8 @@
 use super::{S3_REDUCTION, body};
 use crate::claims::anisotropic::{exact as anisotropy, motions};
 use crate::claims::compare::Compared;
+use crate::claims::periodic::borders::THRESHOLD;
+use crate::claims::periodic::chains::{MOSTLY_AT_REST, REST_ABOVE_ONE};
 use crate::claims::periodic::exact as pulses;
 use crate::claims::sinusoidal::attraction;
 use crate::claims::statement::{Statement, given};
@@ -23,6 +25,19 @@ pub const PULSE: Statement = Statement::new(
         paper::eq84_lambda(b, mu, g, a0)
     },
     pulse,
+);
+
+/// Any periodic drive.
+pub const ANY_DRIVE: Statement = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every sphere and every start: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22), and (26) with $h$ for the sine is its equation; for that it is proved that all rests above $\lambda_0=1$, that the share of rest tends to 1 below it if $\lvert h\rvert=1$ at single instants, and that some $\lambda_\mathrm c$ divides large friction, with rests, from small, without",
+    ),
+    || {
+        let [b, mu, g, a0] = symbols();
+        paper::eq84_lambda(b, mu, g, a0)
+    },
+    any_drive,
 );
 
 /// The sinusoidal drive.
@@ -82,24 +97,32 @@ fn carried(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstac
     })
 }
 
+/// That (84) is (22) with bμ in place of μ.
+fn as_of_a_particle(p: &mut Prover<'_>, lambda0: Expr) -> Result<(), Obstacle> {
+    let [b, mu, g, a0] = symbols();
+    let stated = p.read("λ₀ by (84)", lambda0)?;
+    let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
+    let particle = p.read("λ₀ of the particle with bμ, by (22)", particle)?;
+    p.equal("The two", &stated, &particle)
+}
+
 fn pulse(lambda0: Expr) -> Proof {
     carried("The pulse train of the sphere", |p| {
-        let [b, mu, g, a0] = symbols();
-        let stated = p.read("λ₀ by (84)", lambda0)?;
-        let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
-        let particle = p.read("λ₀ of the particle with bμ, by (22)", particle)?;
-        p.equal("The two", &stated, &particle)?;
+        as_of_a_particle(p, lambda0)?;
         given(p, &[&pulses::EQ44, &pulses::EQ45, &pulses::EQ46])
+    })
+}
+
+fn any_drive(lambda0: Expr) -> Proof {
+    carried("The sphere under any periodic drive", |p| {
+        as_of_a_particle(p, lambda0)?;
+        given(p, &[&REST_ABOVE_ONE, &MOSTLY_AT_REST, &THRESHOLD])
     })
 }
 
 fn trichotomy([lambda0, critical]: [Expr; 2]) -> Proof {
     carried("The driven sphere", |p| {
-        let [b, mu, g, a0] = symbols();
-        let stated = p.read("λ₀ by (84)", lambda0)?;
-        let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
-        let particle = p.read("λ₀ of the particle with bμ, by (22)", particle)?;
-        p.equal("The two", &stated, &particle)?;
+        as_of_a_particle(p, lambda0)?;
         given(p, &[&attraction::TRICHOTOMY, &anisotropy::X])?;
         let [q, at] = anisotropic::eq57_x::<Expr>();
         let same = p.read("q of X, where A and B meet", q)?;
@@ -157,7 +180,7 @@ mod tests {
     #[test]
     fn each_is_proved_and_another_friction_breaks_it() {
         let wrong = |stated: Expr| stated * Expr::int(1_000_001) / Expr::int(1_000_000);
-        for statement in [PULSE, ANISOTROPIC] {
+        for statement in [PULSE, ANISOTROPIC, ANY_DRIVE] {
             let stated = (statement.formulas)();
             assert!(statement.proof().holds(), "{}", statement.proof());
             assert!(!(statement.prove)(wrong(stated)).holds());
