@@ -19,14 +19,6 @@ pub const MEASURED: &[Measured] = &[
         claims: &["s23-threshold-exists"],
     },
     Measured {
-        reason: "It is about how fast $v_y$ dies, to leading order as $v_y\\to0$, beside each zero of $v_x$; that it dies is proved, but no bound of what the leading order leaves out.",
-        claims: &["s22-vy-two-stages"],
-    },
-    Measured {
-        reason: "The step to it from (145) and (146) is proved, and that the boundary is another surface; but nothing is put in its place, which could be proved.",
-        claims: &["eq-147"],
-    },
-    Measured {
         reason: "It carries over to the sphere what is measured of the particle; the step itself, that the slip velocity moves as a particle's velocity does, is proved.",
         claims: &["s33-any-drive"],
     },
