@@ -15,14 +15,6 @@ pub const MEASURED: &[Measured] = &[
         claims: &["fig-1", "fig-2", "fig-3", "fig-4", "fig-6"],
     },
     Measured {
-        reason: "It is about how fast $v_y$ dies, to leading order as $v_y\\to0$, beside each zero of $v_x$; that it dies is proved, but no bound of what the leading order leaves out.",
-        claims: &["s22-vy-two-stages"],
-    },
-    Measured {
-        reason: "The step to it from (145) and (146) is proved, and that the boundary is another surface; but nothing is put in its place, which could be proved.",
-        claims: &["eq-147"],
-    },
-    Measured {
         reason: "It needs the formulas of an article of which only the abstract and the first lines could be read.",
         claims: &["s21-portrait-consistent"],
     },

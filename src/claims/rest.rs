@@ -265,7 +265,18 @@ const CLAIMS: &[Claim] = &[
         latex: r"A=\left(1-\frac{\alpha}{\sqrt{2}}\right)^2+\cdots",
         plain: "A = (1 − α/√2)² + ⋯",
         depends_on: &["eq-145", "eq-146"],
-        trials: trials![&exact::EQ147, boundary::printed_slow],
+        correction: Some(Correction {
+            change: Change::Statement,
+            latex: r"A=1-\alpha+\tfrac76\alpha^2+\cdots\quad\text{where the boundary between rest and escape is lowest}",
+            plain: "A = 1 − α + (7/6) α² + ⋯ where the boundary between rest and escape is lowest",
+        }),
+        trials: trials![
+            &exact::EQ147,
+            boundary::printed_slow,
+            &exact::least::PRINTED,
+            boundary::least_root,
+            &exact::least::CORRECTED
+        ],
         ..Claim::BLANK
     },
     Claim {

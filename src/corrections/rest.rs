@@ -38,6 +38,9 @@
 //! With C = cos(ψ/2), S = sin(ψ/2),
 //!
 //! f₁ = C²,  f₂ = (7/6) C⁴ + 2SC³ − S²C² + (2/3) S³C − S⁴/4.
+//!
+//! *Its lowest points.* f₁ = 1 − S² and f₂ = 7/6 + SG with a bounded G, so that A = 1 − α + 7α²/6 + α (S + αG/2)² − α³G²/4: no
+//! less than 1 − α + 7α²/6 but for terms of the order α³, and no more where ψ is of the order of α.
 
 use crate::scalar::Scalar;
 use crate::seeded::formulas;
@@ -100,6 +103,13 @@ pub fn boundary_curvature<S: Scalar>(psi: S) -> S {
     let ratio = |n: i64, m: i64| S::int(n) / S::int(m);
     ratio(7, 6) * c2 * c2 + S::int(2) * s * c * c2 - s2 * c2 + ratio(2, 3) * s * s2 * c
         - ratio(1, 4) * s2 * s2
+}
+
+/// In place of (147): the least A on the boundary between rest and escape at a given α, to second order in α; the boundary has it
+/// where ψ is of the order of α.
+claim "eq-147";
+pub fn boundary_least<S: Scalar>(alpha: S) -> S {
+    S::int(1) - alpha + S::int(7) / S::int(6) * alpha.squared()
 }
 
 /// In place of (147): A on the boundary between rest and escape, to second order in α, for every ψ.

@@ -144,6 +144,7 @@ pub const CORRECTED: &[Line] = &[
     ("eq-136", 0, Side(0, 1), "escape::late_rho", NONE),
     ("eq-137", 0, Side(0, 1), "escape::late_s", NONE),
     ("eq-146", 0, Side(0, 1), "rest::surface_slope", NONE),
+    ("eq-147", 0, Side(0, 1), "rest::boundary_least", NONE),
     (
         "s22-rest-of-period",
         2,
@@ -160,14 +161,14 @@ pub const CORRECTED: &[Line] = &[
     ),
     (
         "s22-vy-two-stages",
-        12,
+        13,
         Side(0, 1),
         "sinusoidal::drive_at_zero",
         PHI_1,
     ),
     (
         "s22-vy-two-stages",
-        15,
+        16,
         Side(0, 0),
         "sinusoidal::passage_factor",
         NONE,

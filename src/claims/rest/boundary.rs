@@ -133,6 +133,30 @@ pub fn corrected_root() -> Evidence {
     })
 }
 
+/// The least A of the boundary over ψ: the least of those at twelve angles all round, and at some of the order of α.
+pub fn least_root() -> Evidence {
+    let compared = Compared::one(
+        r"$1-\alpha+\frac76\alpha^2$",
+        r"the least $A$, over 21 $\psi$, at which the motion passes from rest to escape, in units of $1000\alpha^3$",
+    );
+    let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
+    trial.over(0..20, |i| {
+        let alpha = 0.01 + 0.01 * f64::from(i);
+        let round = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
+        let near = (-4..=4).map(|k| alpha * f64::from(k));
+        let mut least = f64::INFINITY;
+        for psi in round.chain(near) {
+            least = least.min(border(alpha, psi)?.a);
+        }
+        Ok(Pair {
+            at: format!("α = {alpha}"),
+            stated: corrected::boundary_least(alpha),
+            found: least,
+            scale: unit(alpha),
+        })
+    })
+}
+
 /// The second-order boundary so close to A = 1, α = 0 that it is one to a part in 10⁸ or less.
 pub fn corrected_close() -> Evidence {
     let compared = Compared::one(

@@ -3,6 +3,7 @@
 
 pub mod boundary;
 pub mod chains;
+pub mod least;
 pub mod saddle;
 pub mod series;
 pub mod surfaces;

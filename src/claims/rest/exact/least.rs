@@ -1,0 +1,126 @@
+//! The least A of the boundary between rest and escape, over all ψ: what there is in place of the envelope (147).
+
+use super::boundary;
+use crate::claims::compare::Compared;
+use crate::claims::statement::Statement;
+use crate::corrections::rest as corrected;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Rational, Ring, Series};
+use crate::scalar::Scalar;
+
+/// The boundary is stated to this power of α.
+const ORDER: i64 = 2;
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["α", "y"] {
+        ring.symbol(name);
+    }
+    ring.angle("ψ");
+    // For (147), which has √2.
+    ring.root(&Rational::int(2), 2)?;
+    Ok(ring)
+}
+
+/// A formula for A is the boundary's where ψ is of the order of α, and A is nowhere less.
+pub fn prove(formula: Expr) -> Proof {
+    let title = "the least A of the boundary between rest and escape";
+    let ring = match ring() {
+        Ok(ring) => ring,
+        Err(error) => return Proof::impossible(title, error),
+    };
+    Proof::of(title, &ring, |p| {
+        p.rests_on(&boundary::prove(boundary::stated(), ORDER))?;
+        let small = Series::monomial(Rational::int(1), 1, boundary::ENOUGH);
+        let angle = Series::monomial(p.ring().named("y")?, 1, boundary::ENOUGH);
+        p.note(
+            "Where ψ is of the order of α",
+            "ψ = y α, with any y: as on the way to rest, where y is 2",
+        );
+        let values = [("α", &small), ("ψ", &angle)];
+        let there = p.expand("A there", boundary::stated(), &values, ("α", ORDER))?;
+        let stated = p.expand("The formula", formula, &[("α", &small)], ("α", ORDER))?;
+        for k in 0..=ORDER {
+            let [stated, found] =
+                [&stated, &there].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
+            p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
+        }
+
+        let [alpha, psi] = Expr::symbols(["α", "ψ"]);
+        let half = psi / Expr::int(2);
+        let (c, s) = (half.cos(), half.sin());
+        let ratio = |n, m| Expr::int(n) / Expr::int(m);
+        p.note("With any ψ", "S is sin(ψ/2), C is cos(ψ/2)");
+        let above = p.read("A less the formula", boundary::stated() - formula)?;
+        let g = Expr::int(2) * c.pow(Expr::int(3))
+            - ratio(7, 6) * s * (Expr::int(1) + c.squared())
+            - s * c.squared()
+            + ratio(2, 3) * s.squared() * c
+            - ratio(1, 4) * s.pow(Expr::int(3));
+        p.read("G, of which the size is 25/4 at most", g)?;
+        let square = alpha * (s + alpha * g / Expr::int(2)).squared();
+        let parts = square - alpha.pow(Expr::int(3)) * g.squared() / Expr::int(4);
+        let parts = p.read("α (S + α G/2)², less α³ G²/4", parts)?;
+        p.equal("The two", &above, &parts)?;
+        p.note(
+            "So A is nowhere less than the formula",
+            "but for terms of the order of α³, as are those left out of the boundary",
+        );
+        Ok(())
+    })
+}
+
+/// What there is in place of (147).
+pub const CORRECTED: Statement = Statement::new(
+    Subject::Corrected,
+    Compared::one(
+        r"$1-\alpha+\frac76\alpha^2$",
+        r"the least $A$, over all $\psi$, of the power series in $\alpha$ that solves the equations of motion, to the order $\alpha^2$",
+    ),
+    || corrected::boundary_least(Expr::symbol("α")),
+    prove,
+);
+
+/// (147) as that.
+pub const PRINTED: Statement = Statement::new(
+    Subject::Printed,
+    Compared::one(
+        "(147)",
+        r"the power series in $\alpha$ that solves the equations of motion, with $\psi$ of the order of $\alpha$",
+    ),
+    || crate::paper::rest::eq147_a(Expr::symbol("α")),
+    prove,
+);
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::PAPER;
+    use crate::seeded::with;
+
+    #[test]
+    fn the_least_is_as_corrected_and_as_nothing_else() {
+        assert!(CORRECTED.proof().holds(), "{}", CORRECTED.proof());
+        let proof = PRINTED.proof();
+        let refused = matches!(proof.obstacle(), Some(Obstacle::NotZero { .. }));
+        assert!(refused, "{proof}");
+        let alpha = Expr::symbol("α");
+        let formula = (CORRECTED.formulas)();
+        // Less by the third order, it is below the boundary and not on it.
+        assert!(!prove(formula - alpha.pow(Expr::int(3))).holds());
+        let little = alpha.squared() / Expr::int(1_000_000);
+        assert!(!prove(formula - little).holds());
+    }
+
+    #[test]
+    fn mistakes_are_refused() {
+        for formula in ["boundary_least", "boundary_slope", "boundary_curvature"] {
+            let variants = PAPER.formulas.variants_of(formula);
+            assert!(!variants.is_empty(), "{formula}");
+            for variant in variants {
+                let holds = with(variant.seed, || CORRECTED.proof().holds());
+                assert!(!holds, "{formula}: {}", variant.text);
+            }
+        }
+    }
+}
