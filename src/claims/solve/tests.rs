@@ -143,8 +143,8 @@ fn a_wide_motion_is_trusted_as_far_as_narrower_numbers_explain_the_second() {
         (1e-6, 1e-20, 0.0, 15),
         (1e-6, 0.0, 1e-6, 15),
         // By nothing that is known.
-        (1e-6, 0.0, 0.0, 6),
-        (1e-6, 1e-23, 4e-7, 6),
+        (9e-7, 0.0, 0.0, 6),
+        (9e-7, 1e-23, 4e-7, 6),
         (0.3, 1e-20, 1e-3, 0),
     ] {
         let moved = [vec![nudged], vec![rounded]];
