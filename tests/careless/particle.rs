@@ -88,8 +88,8 @@ proptest! {
     }
 
     #[test]
-    fn first_moments_have_numbers(limit in any(), drive in each::<8>(), elapsed in 0.0..=1.0) {
-        let begun = onset(limit, |m, c| match m {
+    fn first_moments_have_numbers(limit in any(), longest in any(), drive in each::<8>(), elapsed in 0.0..=1.0) {
+        let begun = onset(limit, longest.abs(), |m, c| match m {
             0..4 => [drive[2 * m], drive[2 * m + 1]],
             _ => [c[1][m - 1], -c[0][m - 1]],
         });

@@ -910,7 +910,6 @@ mod tests {
             let [End::Far { tau, tau_error }] = horizon.follow(&[start]).unwrap()[..] else {
                 panic!("{k}")
             };
-            println!("{k} {tau:e} {exact:e} {tau_error:e}");
             assert!(
                 (tau - exact).abs() <= tau_error,
                 "{tau} {exact} {tau_error}"

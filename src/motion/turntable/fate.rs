@@ -470,12 +470,6 @@ mod tests {
                         let share = off[i].magnitude() / stated[i];
                         assert!(share <= 1.0, "{start:?} {share}");
                         if speeds.entry.is_none() {
-                            if share > worst[i] {
-                                println!(
-                                    "{i} {psi} {alpha} {k} gap {:e} {share} {:?} late {:e} {:e}",
-                                    rest.gap, stated, rest.late, rest.error
-                                );
-                            }
                             worst[i] = worst[i].max(share);
                         }
                     }

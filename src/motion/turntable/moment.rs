@@ -226,7 +226,6 @@ mod tests {
                     off(near.xi, wide.xi),
                     off(near.eta, wide.eta),
                 ];
-                println!("{rho} {p} {until} {} {:?} {}", near.p, off, near.slow);
                 assert!(off.iter().all(|off| *off < 1e-9), "{rho} {until} {off:?}");
             }
         }
