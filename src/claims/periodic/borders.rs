@@ -28,20 +28,20 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             let mut ring = Ring::new();
             ring.symbol("λ₀");
             ring.angle("ψ");
-            for (name, sign) in [("𝔴", sign), ("𝔲", sign), ("𝔳", -sign)] {
+            for (name, sign) in [("𝔴", sign), ("𝔴₁", sign), ("𝔴₂", -sign)] {
                 let w = ring.symbol(name);
                 ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
             }
             Ok(ring)
         };
         prove("Two velocities under one h", ring(), |p| {
-            p.note("The sign of 𝔴 and 𝔲, against that of 𝔳", sign.to_string());
-            let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔲", "𝔳"]);
-            let apart = p.read("d(𝔴 − 𝔲)/dφ by (26)", rate - rate.with("𝔴", same))?;
+            p.note("The sign of 𝔴 and 𝔴₁, against that of 𝔴₂", sign.to_string());
+            let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
+            let apart = p.read("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
             p.zero("It", &apart)?;
             let signed = Expr::int(sign);
             let closer = signed * (rate - rate.with("𝔴", other));
-            let closer = p.read("The rate of the distance from 𝔳", closer)?;
+            let closer = p.read("The rate of the distance from 𝔴₂", closer)?;
             let stated = p.read("−2λ₀", -(Expr::int(2) * lambda0))?;
             p.equal("The two", &closer, &stated)?;
             let alone = p.read("That of the distance from rest", signed * rate)?;

@@ -161,7 +161,7 @@ fn ring() -> Result<Ring, ExactError> {
         ring.symbol(name);
     }
     ring.angle("ψ");
-    for (name, sign) in [("𝔴", 1), ("𝔲", -1)] {
+    for (name, sign) in [("𝔴", 1), ("𝔴₁", -1)] {
         let w = ring.symbol(name);
         ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
     }
@@ -232,7 +232,7 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
                 let signed = if sign > 0 {
                     rate
                 } else {
-                    rate.with("𝔴", Expr::symbol("𝔲"))
+                    rate.with("𝔴", Expr::symbol("𝔴₁"))
                 };
                 let slope = own(signed) - sine + h;
                 let end = w + slope * ratio([until - at, parts]);
@@ -271,7 +271,7 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
 
 /// That all motions tend to one without rest that slides forward for half a period and backward for the other.
 fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
-    let [lambda0, psi, other, d] = Expr::symbols(["λ₀", "ψ", "𝔲", "D"]);
+    let [lambda0, psi, other, d] = Expr::symbols(["λ₀", "ψ", "𝔴₁", "D"]);
     let (one, two, h) = (Expr::int(1), Expr::int(2), psi.sin());
     p.note(
         "A motion with a velocity across",
