@@ -328,9 +328,9 @@ mod tests {
     fn each_part_refuses_a_friction_that_grows_with_the_velocity() {
         let w = Expr::symbol("𝔴");
         let (rate, wrong) = (rate(), rate() - small() * w);
-        let part: [fn(&mut Prover<'_>, Expr, i64) -> Result<(), Obstacle>; 3] =
-            [above_the_mean, near_the_median, against_a_mean];
-        for steps in part {
+        type Steps = fn(&mut Prover<'_>, Expr, i64) -> Result<(), Obstacle>;
+        let parts: [Steps; 3] = [above_the_mean, near_the_median, against_a_mean];
+        for steps in parts {
             for sign in [1, -1] {
                 let holds = |rate| prove("A part", ring(sign), |p| steps(p, rate, sign)).holds();
                 assert!(holds(rate));
