@@ -1093,6 +1093,13 @@ fn a_claim_is_tried_in_depth() {
         said.contains("1 of 1 verdicts as recorded, in 3 rounds and 3001 comparisons"),
         "{said}"
     );
+    // An error that is inherited is one at every depth, whether or not what it comes from is asked for.
+    let output = slipbook(&["verify", "eq-83", "--depth", "2"]);
+    let said = text(&output.stdout);
+    assert!(
+        said.contains("1 of 1 verdicts as recorded, in 2 rounds"),
+        "{said}"
+    );
     // The rounds are at other points.
     let [first, second] =
         ["1", "2"].map(|round| text(&slipbook(&["verify", "eq-16", "--round", round]).stdout));

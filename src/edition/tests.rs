@@ -107,6 +107,7 @@ fn ledger() -> Ledger {
     Ledger {
         paper: &DEEP,
         entries: entries.collect(),
+        beside: Vec::new(),
     }
 }
 

@@ -184,10 +184,12 @@ impl Ledger {
 
     /// The same evidence, judged anew.
     pub fn judged(mut self) -> Self {
+        let ids: Vec<_> = self.entries.iter().map(|e| e.claim.id).collect();
+        self.entries.append(&mut self.beside);
         for entry in &mut self.entries {
             entry.judgement = entry.claim.judged(&entry.evidence);
         }
-        Self::of(self.paper, self.entries)
+        Self::of(self.paper, self.entries).about(&ids)
     }
 }
 

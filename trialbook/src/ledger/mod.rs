@@ -137,6 +137,8 @@ pub struct Ledger {
     pub paper: &'static Paper,
     /// One entry per claim.
     pub entries: Vec<Entry>,
+    /// Neighbours on which their verdicts may rest, tried with them and no part of the ledger; none where the paper is whole.
+    pub beside: Vec<Entry>,
 }
 
 impl Ledger {

@@ -123,9 +123,14 @@ impl Ledger {
                 .filter(|(_, claim)| entries.iter().any(|e| e.looks_at(claim)))
                 .collect();
         }
-        let mut ledger = Self::of(paper, entries);
-        ledger.entries.retain(|e| ids.contains(&e.claim.id));
-        ledger
+        Self::of(paper, entries).about(ids)
+    }
+
+    /// Only the claims of these ids, with the others beside them.
+    pub(super) fn about(mut self, ids: &[&str]) -> Self {
+        let asked = |e: &Entry| ids.contains(&e.claim.id);
+        (self.entries, self.beside) = self.entries.into_iter().partition(asked);
+        self
     }
 
     /// The entries, each judged in view of the others.
@@ -134,7 +139,11 @@ impl Ledger {
         while let Some((i, judgement)) = entries.iter().enumerate().find_map(changed(&entries)) {
             entries[i].judgement = judgement;
         }
-        Ledger { paper, entries }
+        Ledger {
+            paper,
+            entries,
+            beside: Vec::new(),
+        }
     }
 }
 
