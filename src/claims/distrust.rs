@@ -232,6 +232,11 @@ pub const CORNERED: &[Survivor] = &[
         "surface_slope 1 % more where 0 < α < 0.01",
         "at the distance at which it is measured, the law itself is right to one in a hundred",
     ),
+    cornered(
+        "eq-147",
+        "boundary_least 1 % more where 0 < α < 0.01",
+        "it is measured from α = 0.01 on; below that its series is proved",
+    ),
 ];
 
 const BORDER: &str = "it is a border, and no motion that is tried is within one in a hundred of it";
