@@ -2,9 +2,14 @@
 
 use crate::{config, each, finite};
 use proptest::prelude::*;
+use proptest::test_runner::TestRunner;
+use rayon::prelude::*;
 use slipbook::claims::solve::constant::At;
 use slipbook::claims::solve::*;
 use slipbook::explorers::{QUESTIONS, answer};
+
+/// Questions of the boundary at a time.
+const MANY: usize = 32;
 
 /// All numbers of an answer are finite.
 fn sound<T: Fields>(answer: Result<Answer<T>, SolveError>) -> bool {
@@ -74,19 +79,26 @@ proptest! {
     }
 }
 
-proptest! {
-    // By far the longest of all: two at a time.
-    #![proptest_config(ProptestConfig { cases: config().cases.div_ceil(2), ..config() })]
-
-    #[test]
-    fn the_boundary_of_rest_has_numbers(asked in [each(), each()]) {
-        let two = asked.map(|[alpha, psi]| rest::BoundaryProblem { alpha, psi });
-        let numbers = |boundary: rest::BoundaryProblem| sound(boundary.solve()) && drawn(boundary.curve());
-        let answers = std::thread::scope(|scope| {
-            two.map(|boundary| scope.spawn(move || numbers(boundary))).map(|thread| thread.join())
+/// By far the longest of all: many at a time, on all cores. Not by the macro, for which `PROPTEST_CASES` is the number
+/// of times, whatever is set here.
+#[test]
+fn the_boundary_of_rest_has_numbers() {
+    let times = config().cases.div_ceil(MANY as u32);
+    let config = ProptestConfig {
+        cases: times,
+        ..config()
+    };
+    let asked = prop::collection::vec(each(), MANY);
+    let tried = TestRunner::new(config).run(&asked, |asked| {
+        let problem = |[alpha, psi]: [f64; 2]| rest::BoundaryProblem { alpha, psi };
+        let wrong = asked.into_par_iter().map(problem).find_any(|boundary| {
+            let numbers = || sound(boundary.solve()) && drawn(boundary.curve());
+            !std::panic::catch_unwind(numbers).is_ok_and(|sound| sound)
         });
-        for (boundary, answer) in two.iter().zip(answers) {
-            prop_assert!(answer.is_ok_and(|sound| sound), "{boundary:?}");
-        }
+        prop_assert!(wrong.is_none(), "{wrong:?}");
+        Ok(())
+    });
+    if let Err(why) = tried {
+        panic!("{why}");
     }
 }

@@ -46,6 +46,9 @@ impl Width for Double {
     const CLOSE: f64 = 1e-26;
 }
 
+/// What is below this part of a rounding is left out of G.
+const UNSEEN: f64 = 1e-3;
+
 /// The slow equations hold when ζ is what they say to so many roundings.
 const REACHED: f64 = 16.0;
 
@@ -85,6 +88,8 @@ static COEFFICIENTS: LazyLock<[[i128; WEIGHT + 1]; POWERS]> = LazyLock::new(|| {
 /// the beginning of a step, so that no coefficient leaves the range of the numbers.
 pub(super) struct Slow<T> {
     coefficients: Vec<Vec<T>>,
+    /// Sums of the coefficients of each weight.
+    sizes: [f64; WEIGHT + 1],
 }
 
 impl<T: Width> Slow<T> {
@@ -98,6 +103,10 @@ impl<T: Width> Slow<T> {
         };
         Self {
             coefficients: COEFFICIENTS.iter().enumerate().map(row).collect(),
+            sizes: std::array::from_fn(|weight| {
+                let of = |j: usize| COEFFICIENTS[j][weight - 2 * j] as f64;
+                (0..=weight / 2).map(of).sum()
+            }),
         }
     }
 
@@ -128,9 +137,10 @@ impl<T: Width> Slow<T> {
     }
 }
 
-/// Of a step: ds by the time of the equations, and the series of P, powers of w from the second on, the stages of Horner's rule for G, the last first, and G².
+/// Of a step: ds by the time of the equations, the largest weight that shows, and the series of P, powers of w from the second on, the stages of Horner's rule for G by the power of P, and G².
 pub(super) struct Work<T> {
     pace: T,
+    weight: usize,
     square: Vec<T>,
     powers: Vec<Vec<T>>,
     stages: Vec<Vec<T>>,
@@ -141,6 +151,7 @@ impl<T: Number> Default for Work<T> {
     fn default() -> Self {
         Self {
             pace: T::from_f64(1.0),
+            weight: WEIGHT,
             square: Vec::new(),
             powers: (2..=WEIGHT).map(|_| Vec::new()).collect(),
             stages: (0..POWERS).map(|_| Vec::new()).collect(),
@@ -149,12 +160,17 @@ impl<T: Number> Default for Work<T> {
     }
 }
 
-impl<T: Number, const N: usize> System<T, 5, N> for Slow<T> {
+impl<T: Width, const N: usize> System<T, 5, N> for Slow<T> {
     type Work = Work<T>;
 
     fn begin(&self, _: &T, [_, p, w, ..]: &[T; 5], work: &mut Work<T>) {
         let size = p.magnitude().max(w.magnitude());
         work.pace = T::from_f64(libm::ldexp(1.0, -libm::ilogb(size)));
+        // Within a step neither p nor w doubles.
+        let shows = |weight: &usize| {
+            self.sizes[*weight] * libm::pow(2.0 * size, *weight as f64) > UNSEEN * T::ROUNDING
+        };
+        work.weight = (2..=WEIGHT).rev().find(shows).unwrap_or(1);
         work.square.clear();
         work.g_square.clear();
         for series in work.powers.iter_mut().chain(&mut work.stages) {
@@ -165,35 +181,35 @@ impl<T: Number, const N: usize> System<T, 5, N> for Slow<T> {
     fn derivative(&self, k: usize, x: &[[T; N]; 5], work: &mut Work<T>) -> [T; 5] {
         let [_, p, w, _, _] = x;
         work.square.push(square(p, k));
-        for i in 0..work.powers.len() {
+        for i in 0..work.weight - 1 {
             let (lower, rest) = work.powers.split_at_mut(i);
             let below = lower.last().map_or(&w[..], |series| series);
             rest[0].push(product(below, w, k));
         }
-        for (stage, row) in self.coefficients.iter().rev().enumerate() {
-            let constant = if k == 0 {
-                row[0].clone()
-            } else {
-                T::from_f64(0.0)
-            };
+        for j in (0..=work.weight / 2).rev() {
+            let row = &self.coefficients[j][..=work.weight - 2 * j];
+            let constant = if k == 0 { row[0] } else { T::from_f64(0.0) };
             let powers = std::iter::once(&w[k]).chain(work.powers.iter().map(|series| &series[k]));
             let terms = row[1..].iter().zip(powers);
-            let mut sum = terms.fold(constant, |sum, (c, power)| sum + c.clone() * power.clone());
-            if let Some(last) = stage.checked_sub(1) {
-                sum = sum + product(&work.stages[last], &work.square, k);
+            let mut sum = terms.fold(constant, |sum, (c, power)| sum + *c * *power);
+            if let Some(higher) = work.stages[j + 1..]
+                .first()
+                .filter(|series| !series.is_empty())
+            {
+                sum = sum + product(higher, &work.square, k);
             }
-            work.stages[stage].push(sum);
+            work.stages[j].push(sum);
         }
-        let g = &work.stages[POWERS - 1];
+        let g = &work.stages[0];
         work.g_square.push(square(g, k));
         let slopes = [
-            p[k].clone(),
+            p[k],
             -product(p, w, k),
             -product(&work.square, &work.g_square, k),
-            product(p, g, k) - p[k].clone(),
-            work.square[k].clone(),
+            product(p, g, k) - p[k],
+            work.square[k],
         ];
-        slopes.map(|slope| slope * work.pace.clone())
+        slopes.map(|slope| slope * work.pace)
     }
 }
 
