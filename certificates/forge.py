@@ -5,11 +5,15 @@
 
 `corrupt.py` spoils files at random; these are meant to be right in all but one respect. Exit code 0 if each is refused for its own reason.
 """
+import contextlib
 import copy
 import hashlib
+import io
 import json
 import os
+import shutil
 import sys
+import tempfile
 
 import check
 from field import identity
@@ -185,6 +189,11 @@ def other_statement(c, other):
     hashed(c)
 
 
+def other_sign(c, other):
+    c["statement"] = c["statement"].replace("-", "+", 1)
+    hashed(c)
+
+
 def without_its_end(c, other):
     c["witnesses"].pop()
 
@@ -196,6 +205,7 @@ def other_name(c, other):
 IN_FILES = [
     (other_hash, "the hash is not that of the statement"),
     (other_statement, "the statement is not printed so"),
+    (other_sign, "the statement is not printed so"),
     (without_its_end, "not what is listed"),
     (other_name, "another file's name"),
 ]
@@ -253,7 +263,8 @@ def forged(whole, files, prints):
         spoil(pick(c))
         yield reason, refused(reason, lambda: check.check(c, files[i], prints))
     for spoil, reason in IN_FILES:
-        i = next(i for i, c in enumerate(whole) if [w["kind"] for w in c["witnesses"]][1:] == ["number", "number"])
+        numbers = (i for i, c in enumerate(whole) if [w["kind"] for w in c["witnesses"]][1:] == ["number", "number"])
+        i = next(numbers if spoil != other_sign else (i for i, c in enumerate(whole) if "-" in c["statement"]))
         c = copy.deepcopy(whole[i])
         spoil(c, next(other for other in whole if other["claim"] not in (c["claim"], "s24-X") and "$" not in other["statement"]))
         yield reason, refused(reason, lambda: check.check(c, files[i], prints))
@@ -262,11 +273,19 @@ def forged(whole, files, prints):
         yield make.__name__, refused(reason, lambda: by(witness, []))
 
 
+def incomplete(folder, file):
+    """What becomes of a folder with this one file alone, which is right."""
+    with tempfile.TemporaryDirectory() as few, contextlib.redirect_stdout(io.StringIO()) as said:
+        shutil.copy(os.path.join(folder, file), few)
+        code = check.main(few)
+    return None if code == 1 and "1 of 1 files accepted" in said.getvalue() else "accepted"
+
+
 def main(folder):
     prints = check.Prints(os.path.join(HERE, ".."))
     files = sorted(name for name in os.listdir(folder) if name.endswith(".json"))
     whole = [json.load(open(os.path.join(folder, name), encoding="utf-8")) for name in files]
-    all_ = list(forged(whole, files, prints))
+    all_ = [*forged(whole, files, prints), ("all files but one missing", incomplete(folder, files[0]))]
     wrong = [f"{name}: {what}" for name, what in all_ if what]
     print("\n".join(wrong + [f"{len(all_)} forged, {len(wrong)} not refused for their own reason"]))
     return 1 if wrong else 0

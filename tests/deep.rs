@@ -10,45 +10,46 @@ fn stop_time() -> Ledger {
 
 #[test]
 fn a_round_adds_its_points_and_keeps_the_worse_of_two() {
-    let mut ledger = stop_time();
+    let ledger = stop_time();
     let (before, round) = (ledger.points(), ledger.round());
-    ledger.add(&round).unwrap();
+    let ledger = ledger.with(&round).unwrap();
     let evidence = &ledger.entries[0].evidence;
     let proofs = evidence.iter().filter(|e| e.route.is_proof()).count();
     assert_eq!(ledger.points() + proofs, 2 * before);
-    let ledger = ledger.judged();
     assert_eq!(ledger.entries[0].judgement.verdict, Verdict::Confirmed);
 }
 
 #[test]
 fn a_round_that_disagrees_or_has_no_number_changes_the_verdict() {
     for worst in ["0.5", "inf", "NaN"] {
-        let mut ledger = stop_time();
+        let ledger = stop_time();
         let trial = ledger.entries[0].evidence[1].trial;
         let round = format!("eq-20\t{trial}\t7\t{worst}\tλ = 3");
-        ledger.add(&round).unwrap();
+        let ledger = ledger.with(&round).unwrap();
         let evidence = &ledger.entries[0].evidence[1];
         assert_eq!((evidence.points, evidence.at.as_str()), (707, "λ = 3"));
-        let verdict = ledger.judged().entries[0].judgement.verdict;
+        let verdict = ledger.entries[0].judgement.verdict;
         assert_eq!(verdict, Verdict::Undecided, "{worst}");
     }
 }
 
 #[test]
-fn a_line_that_is_none_of_a_round_adds_nothing() {
-    let mut ledger = stop_time();
-    let before = ledger.entries[0].evidence.clone();
-    let trial = before[1].trial;
+fn a_line_that_is_none_of_a_round_is_refused() {
+    let ledger = stop_time();
+    let trial = ledger.entries[0].evidence[1].trial;
     let good = format!("eq-20\t{trial}\t7\t0.0\tλ = 3\n");
-    let error = ledger
-        .add(&format!("{good}eq-20\t{trial}\tseven\t0.0\t"))
-        .unwrap_err();
+    let with = |strange: &str| {
+        ledger
+            .clone()
+            .with(&format!("{good}{strange}"))
+            .unwrap_err()
+    };
+    let error = with(&format!("eq-20\t{trial}\tseven\t0.0\t"));
     assert!(matches!(error, DeepError::Line { line: 2, .. }), "{error}");
     for strange in ["eq-20\tnone\t7\t0.0\t", "eq-21\tnone\t7\t0.0\t"] {
-        let error = ledger.add(&format!("{good}{strange}")).unwrap_err();
+        let error = with(strange);
         assert!(matches!(error, DeepError::Trial { line: 2, .. }), "{error}");
     }
-    assert_eq!(ledger.entries[0].evidence, before);
 }
 
 #[test]
@@ -88,9 +89,8 @@ fn rounds_from_any_parts_are_one_run() {
     as_run.read(&Rounds::headed(0, &brought[0])).unwrap();
     whole = as_run.in_place_of(&whole, 1).unwrap();
     for brought in &brought[1..] {
-        whole.add(brought).unwrap();
+        whole = whole.with(brought).unwrap();
     }
-    let whole = whole.judged();
     let parts = |numbers: &[u32]| -> String {
         let of = |&n: &u32| Rounds::headed(n, &brought[n as usize]);
         numbers.iter().map(of).collect()

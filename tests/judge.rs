@@ -165,6 +165,32 @@ fn a_condition_must_be_needed_and_must_suffice() {
     );
 }
 
+/// Whatever a trial speaks of: without a number, or with too few points, it is none, and nothing is judged by it.
+#[test]
+fn a_trial_that_brings_nothing_leaves_its_claim_undecided() {
+    let all = |change: fn(Evidence) -> Evidence, at: usize| {
+        let mut e = [
+            evidence(Route::Integration, Subject::Within, GOOD),
+            evidence(Route::Quadrature, Subject::Within, GOOD),
+            evidence(Route::Integration, Subject::Outside, BAD),
+            evidence(Route::Root, Subject::Corrected, GOOD),
+            evidence(Route::Census, Subject::Remark, GOOD),
+        ];
+        e[at] = change(e[at].clone());
+        verdict(Kind::Equation, None, &e)
+    };
+    let no_number = |e| Evidence {
+        worst: f64::NAN,
+        ..e
+    };
+    let few = |e| Evidence { points: 19, ..e };
+    for at in 0..5 {
+        assert_eq!(all(|e| e, at), Verdict::Conditional);
+        assert_eq!(all(no_number, at), Verdict::Undecided, "{at}");
+        assert_eq!(all(few, at), Verdict::Undecided, "{at}");
+    }
+}
+
 #[test]
 fn a_form_for_everywhere_must_hold_everywhere() {
     let with = |worst| {
@@ -271,12 +297,18 @@ fn an_error_is_inherited_from_something_that_is_wrong() {
         seen(&[("a", Verdict::Confirmed), ("b", Verdict::Inherited)]),
         Verdict::Inherited
     );
-    for right in [
-        Verdict::Confirmed,
-        Verdict::Degenerate,
-        Verdict::Conditional,
-    ] {
-        assert_eq!(seen(&[("a", right)]), Verdict::Undecided);
+    for verdict in Verdict::ALL {
+        let wrong = [
+            Verdict::Misprint,
+            Verdict::Misderived,
+            Verdict::Inherited,
+            Verdict::Refuted,
+        ];
+        let expected = match wrong.contains(&verdict) {
+            true => Verdict::Inherited,
+            false => Verdict::Undecided,
+        };
+        assert_eq!(seen(&[("a", verdict)]), expected, "{verdict:?}");
     }
 }
 
@@ -464,4 +496,143 @@ fn nineteen_points_are_too_few_by_any_measured_route() {
             [Outcome::TooFewPoints, Outcome::Agrees]
         );
     }
+}
+
+/// What the page says of the judge's rules, each with the verdict that the judge gives in that case.
+#[test]
+fn the_page_gives_the_rules_of_the_judge() {
+    use Subject::{Corrected, Outside, Printed, Step, Within};
+    let page = include_str!("../book/src/methods.md");
+    let rules = page.split("## The judge {#judge}").nth(1).unwrap();
+    let rules = rules.split("So a verdict is").next().unwrap();
+    let rules = rules.split_whitespace().collect::<Vec<_>>().join(" ");
+    let by = |subject, worst: &[f64]| -> Vec<Evidence> {
+        let routes = [Route::Integration, Route::Quadrature];
+        let pairs = routes.into_iter().zip(worst);
+        pairs
+            .map(|(route, worst)| evidence(route, subject, *worst))
+            .collect()
+    };
+    let two = [GOOD, GOOD];
+    let judged = |parts: &[Vec<Evidence>], change| verdict(Kind::Equation, change, &parts.concat());
+    let wrong = |kind| {
+        let e = [by(Printed, &[BAD]), by(Corrected, &two)].concat();
+        verdict(kind, Some(Change::Statement), &e)
+    };
+    let degenerate = || {
+        let sort = Sort::Degenerate;
+        let conditions = [Condition {
+            text: "x > 0",
+            sort,
+        }];
+        let outside = [
+            by(Within, &two),
+            by(Outside, &[BAD]),
+            by(Subject::Excepted, &[0.0]),
+        ];
+        judge(Kind::Equation, None, &conditions, &outside.concat()).verdict
+    };
+    let consistent = [evidence(Route::Consistency, Printed, GOOD)];
+    let misprint = || {
+        judged(
+            &[by(Printed, &[BAD]), by(Corrected, &two)],
+            Some(Change::Sign),
+        )
+    };
+    let remark = || {
+        let sort = Sort::Remark;
+        let e = [by(Printed, &two), by(Subject::Remark, &[BAD])].concat();
+        judge(
+            Kind::Equation,
+            None,
+            &[Condition {
+                text: "x > 0",
+                sort,
+            }],
+            &e,
+        )
+        .verdict
+    };
+    let heir = || in_view_of(own(misprint()), &[], &[("b", Verdict::Inherited)]).verdict;
+    let said = [
+        (
+            "No trial, too few points, or a result that is not a number: ",
+            judged(&[], None),
+        ),
+        (
+            "If the step to it is right and what it starts from is wrong, it ",
+            judged(&[by(Printed, &[BAD]), by(Step, &[GOOD])], None),
+        ),
+        (
+            "by two independent routes or by a proof, or the claim is ",
+            judged(
+                &[by(Printed, &[BAD]), by(Corrected, &[GOOD])],
+                Some(Change::Sign),
+            ),
+        ),
+        (
+            "Where a sign, a factor or a symbol is changed it is a ",
+            misprint(),
+        ),
+        (
+            "a formula that needs a larger change is ",
+            wrong(Kind::Equation),
+        ),
+        ("and a statement in words is ", wrong(Kind::Property)),
+        (
+            "a condition that the paper does not state, and fails without it: it ",
+            judged(&[by(Within, &two), by(Outside, &[BAD])], None),
+        ),
+        (
+            "if it holds on both, the condition was the wrong one, and the claim is ",
+            judged(&[by(Within, &two), by(Outside, &[GOOD])], None),
+        ),
+        (
+            "Where all that is excepted is degenerate, the claim is ",
+            degenerate(),
+        ),
+        (
+            "A definition that is consistent with the use made of it: ",
+            verdict(Kind::Definition, None, &consistent),
+        ),
+        (
+            "The claim holds by two independent routes or by a proof: ",
+            judged(&[by(Printed, &two)], None),
+        ),
+        (
+            "By fewer, or in a part only: ",
+            judged(&[by(Printed, &[GOOD])], None),
+        ),
+        (
+            "a remark has to be tried and to hold, or the claim is ",
+            remark(),
+        ),
+        ("and what looks like a misprint is ", heir()),
+    ];
+    for (words, verdict) in said {
+        let sentence = format!("{words}**{}**", verdict.words());
+        assert!(rules.contains(&sentence), "{sentence}");
+    }
+    assert_eq!(rules.matches("**").count(), 2 * said.len());
+
+    let pair = |stated, found| {
+        let at = String::new();
+        Pair {
+            at,
+            stated,
+            found,
+            scale: 1.0,
+        }
+        .disagreement()
+    };
+    let page = page.split_whitespace().collect::<Vec<_>>().join(" ");
+    let size = if pair(f64::NAN, 1.0) == f64::INFINITY {
+        "infinite"
+    } else {
+        "finite"
+    };
+    let sentence =
+        format!("no value at a point where the motion has one, the disagreement is {size}.");
+    assert!(page.contains(&sentence), "{sentence}");
+    assert!(pair(1.0, f64::NAN).is_nan());
 }

@@ -3,6 +3,7 @@
 use slipbook::claims::formulas::formulas;
 use slipbook::seeded::{Formula, symbol};
 use slipbook::symbols::SYMBOLS;
+use std::path::Path;
 
 /// How a number with this unit grows when length, time and mass are counted in units that are smaller by these factors.
 fn growth(unit: &str, [length, time, mass]: [f64; 3]) -> Option<f64> {
@@ -90,4 +91,69 @@ fn a_formula_gives_the_same_in_other_units() {
     }
     assert!(failures.is_empty(), "{failures:#?}");
     assert!(asked > 40, "{asked}");
+}
+
+/// Every text that names the table's unit of length or of speed: the pages, and what the code says and comments.
+fn texts_in(folder: &Path, texts: &mut Vec<(String, String)>) {
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            texts_in(&path, texts);
+        } else if path
+            .extension()
+            .is_some_and(|end| end == "md" || end == "rs")
+        {
+            let text = std::fs::read_to_string(&path).unwrap();
+            let words: Vec<_> = text.split_whitespace().collect();
+            texts.push((path.display().to_string(), words.join(" ")));
+        }
+    }
+}
+
+/// A distance is one over μg/Ω², a speed one over μg/Ω: of the words that say which, the last before the unit counts.
+#[test]
+fn lengths_and_speeds_of_the_table_have_their_own_units() {
+    let mut all = Vec::new();
+    for folder in ["book/src", "src"] {
+        texts_in(
+            &Path::new(env!("CARGO_MANIFEST_DIR")).join(folder),
+            &mut all,
+        );
+    }
+    let lengths = [
+        "distance",
+        "length",
+        "radius",
+        "place",
+        "position",
+        "ξ",
+        "where a particle",
+        "ρ, in",
+        "σ ",
+    ];
+    let speeds = ["speed", "velocity", "how fast", "p, in"];
+    let last =
+        |before: &str, words: &[&str]| words.iter().filter_map(|word| before.rfind(word)).max();
+    let mut asked = 0;
+    for (path, text) in &all {
+        for unit in [r"\mu g/\Omega", r"\\mu g/\\Omega", "μg/Ω"] {
+            for (at, _) in text.match_indices(unit) {
+                let squared = text[at + unit.len()..].starts_with(['^', '²']);
+                let near = text[..at]
+                    .char_indices()
+                    .rev()
+                    .nth(150)
+                    .map_or(0, |(i, _)| i);
+                let before = text[near..at].to_lowercase();
+                let (length, speed) = (last(&before, &lengths), last(&before, &speeds));
+                // A list of all units is none of one quantity.
+                let list = before.contains("the answer is in units of ");
+                if length != speed && !list {
+                    assert_eq!(squared, length > speed, "{path}: …{before}{unit}");
+                    asked += 1;
+                }
+            }
+        }
+    }
+    assert!(asked >= 35, "{asked}");
 }

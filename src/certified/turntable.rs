@@ -105,18 +105,8 @@ impl<const N: usize> System<Interval, 12, N> for Law {
 ///
 /// # Errors
 /// [`CertifiedError::NotProved`] if the steps do not settle it: a start too close to the boundary, or too wide.
-pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
-    let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
-    let w = Interval::int(1) - rho * psi.cos();
-    let from = || {
-        let names = ["A", "α", "ψ"];
-        let [a_, alpha_, psi_] = names.map(Expr::symbol);
-        let (p, rho) = (a_ * alpha_.sinh(), a_ * alpha_.cosh());
-        let formulas = [p, Expr::int(1) - rho * psi_.cos(), p - rho * psi_.sin()];
-        let numbers = names.into_iter().zip([a, alpha, psi]);
-        From::new(numbers.collect(), formulas)
-    };
-    follow(from, [p, w, p - rho * psi.sin()], width)
+pub fn fate(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
+    follow::<3, Moving>(start, width)
 }
 
 /// The fate of a particle put down at rest in the laboratory at the distance `r` from the axis, with the
@@ -125,10 +115,7 @@ pub fn fate([a, alpha, psi]: [Interval; 3], width: f64) -> Result<Fate, Certifie
 /// # Errors
 /// As [`fate`].
 pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
-    // Against the table it moves across the radius with the speed r.
-    let formulas = || [Expr::symbol("r"), Expr::int(1), Expr::int(0)];
-    let from = || From::new(vec![("r", r)], formulas());
-    follow(from, [r, Interval::int(1), Interval::int(0)], width)
+    follow::<1, PutDown>([r], width)
 }
 
 /// The fate of a particle launched from the axis with the speed `u`, with the radius at rest as for [`fate`].
@@ -136,21 +123,58 @@ pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
 /// # Errors
 /// As [`fate`].
 pub fn fate_launched(u: Interval, width: f64) -> Result<Fate, CertifiedError> {
-    // On the axis the table does not move.
-    let formulas = || [Expr::symbol("u"), Expr::int(1), Expr::symbol("u")];
-    let from = || From::new(vec![("u", u)], formulas());
-    follow(from, [u, Interval::int(1), u], width)
+    follow::<1, Launched>([u], width)
 }
 
-/// Follows all motions from a box until their fate is certain; `from` gives the start as formulas.
-fn follow(
-    from: impl FnOnce() -> From,
-    start: [Interval; 3],
+/// A way to begin, by numbers that have names.
+trait Begin<const N: usize> {
+    const NAMES: [&'static str; N];
+
+    /// p, w and ζ by them.
+    fn state<S: Scalar>(numbers: [S; N]) -> [S; 3];
+}
+
+struct Moving;
+
+impl Begin<3> for Moving {
+    const NAMES: [&'static str; 3] = ["A", "α", "ψ"];
+
+    fn state<S: Scalar>([a, alpha, psi]: [S; 3]) -> [S; 3] {
+        let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
+        [p, S::int(1) - rho * psi.cos(), p - rho * psi.sin()]
+    }
+}
+
+struct PutDown;
+
+impl Begin<1> for PutDown {
+    const NAMES: [&'static str; 1] = ["r"];
+
+    fn state<S: Scalar>([r]: [S; 1]) -> [S; 3] {
+        // Against the table it moves across the radius with the speed r.
+        [r, S::int(1), S::int(0)]
+    }
+}
+
+struct Launched;
+
+impl Begin<1> for Launched {
+    const NAMES: [&'static str; 1] = ["u"];
+
+    fn state<S: Scalar>([u]: [S; 1]) -> [S; 3] {
+        // On the axis the table does not move.
+        [u, S::int(1), u]
+    }
+}
+
+/// Follows all motions from a box until their fate is certain.
+fn follow<const N: usize, B: Begin<N>>(
+    numbers: [Interval; N],
     width: f64,
 ) -> Result<Fate, CertifiedError> {
     let start = match witness::recording() {
-        0 => start,
-        _ => start.map(close_box),
+        0 => B::state(numbers),
+        _ => B::state(numbers).map(close_box),
     };
     let mut taken = Vec::new();
     let fate = settled(start, width, |step| {
@@ -158,30 +182,21 @@ fn follow(
             taken.push(step);
         }
     })?;
-    witness::leave(|| Witness::Motion(written(from(), start, &taken, fate)));
+    witness::leave(|| {
+        let named = B::NAMES.into_iter().zip(numbers);
+        Witness::Motion(Motion {
+            numbers: named
+                .map(|(name, x)| (name.to_owned(), number(x)))
+                .collect(),
+            from: B::state(B::NAMES.map(Expr::symbol)).map(tree).to_vec(),
+            ..written(start, &taken, fate)
+        })
+    });
     Ok(fate)
 }
 
-/// A start: numbers, and its p, w and ζ by them.
-struct From {
-    numbers: Vec<(String, Tree)>,
-    formulas: [Tree; 3],
-}
-
-impl From {
-    fn new(numbers: Vec<(&str, Interval)>, formulas: [Expr; 3]) -> Self {
-        let numbers = numbers.into_iter();
-        From {
-            numbers: numbers
-                .map(|(name, x)| (name.to_owned(), number(x)))
-                .collect(),
-            formulas: formulas.map(tree),
-        }
-    }
-}
-
-/// A motion and its fate, as a witness has them.
-fn written(from: From, start: [Interval; 3], taken: &[Taken], fate: Fate) -> Motion {
+/// A motion from a box and its fate, as a witness has them; not how the box is begun from.
+fn written(start: [Interval; 3], taken: &[Taken], fate: Fate) -> Motion {
     let names = ["p", "w", "ζ"];
     let [p, w, zeta] = names.map(Expr::symbol);
     let (rests, steps) = match fate {
@@ -195,8 +210,8 @@ fn written(from: From, start: [Interval; 3], taken: &[Taken], fate: Fate) -> Mot
         law: [-(p * w), -(zeta * zeta), w * zeta - p - zeta]
             .map(tree)
             .to_vec(),
-        numbers: from.numbers,
-        from: from.formulas.to_vec(),
+        numbers: Vec::new(),
+        from: Vec::new(),
         start: start.map(ends).to_vec(),
         steps: taken.iter().map(Taken::written).collect(),
         end: if rests { "rest" } else { "escape" }.to_owned(),

@@ -649,4 +649,29 @@ mod tests {
             assert_eq!(said.ends_with(units), told, "{line}: {said}");
         }
     }
+
+    #[test]
+    fn of_every_angle_of_any_size_it_is_asked_whether_it_is_in_degrees() {
+        for (line, angle) in [
+            ("turntable --rho 0.5 --p 1 --psi 120", Some(120.0)),
+            ("turntable --A 0.5 --alpha 1 --psi 90", Some(90.0)),
+            ("turntable --x 0.5 --y 1 --vx 0 --vy 1", None),
+            ("turntable-boundary --alpha 0.5 --psi 45", Some(45.0)),
+            ("sinusoidal --lambda0 0.5", None),
+        ] {
+            let asked = command().no_binary_name(true);
+            let matches = asked.try_get_matches_from(line.split(' ')).unwrap();
+            let problem = Solve::from_arg_matches(&matches).unwrap().problem;
+            let warned = problem
+                .angle()
+                .map(|axis| is_it_degrees("psi", axis).unwrap());
+            let expected = angle.map(|x| format!("psi = {x} is in radians"));
+            match (&warned, &expected) {
+                (Some(warned), Some(expected)) => {
+                    assert!(warned.starts_with(expected), "{line}: {warned}")
+                }
+                _ => assert_eq!(warned, expected, "{line}"),
+            }
+        }
+    }
 }

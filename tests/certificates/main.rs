@@ -62,6 +62,15 @@ fn the_equations_hold_for_numbers_modulo_a_prime_and_no_others_do() {
     let mut random = fastrand::Rng::with_seed(1);
     let (mut right, mut beyond, mut spoilt, mut missed) = (0, Vec::new(), 0, Vec::new());
     for Left { name, witness, .. } in of_kind("identity") {
+        // What is compared with itself is equal whatever it is.
+        for equal in list(&witness["equal"]) {
+            let [left, right] = ["left", "right"].map(|side| equal[side].as_u64());
+            assert_ne!(
+                left, right,
+                "{name}: {}: {}",
+                witness["title"], equal["says"]
+            );
+        }
         match modular::holds(witness, &mut random) {
             Ok(true) => right += 1,
             Ok(false) => panic!("{name}: {} does not hold", witness["title"]),

@@ -309,4 +309,22 @@ mod tests {
         assert!((drift(way(3e-30), way(0.0)) / 3e-30 - 1.0).abs() < 0.1);
         assert_eq!(drift(0.75.into(), 0.5.into()), 0.25);
     }
+
+    /// A rest that is longer than rounding has digits of its own, however short it is beside the period.
+    #[test]
+    fn a_short_rest_is_compared_by_its_own_length() {
+        let with = |rest_after_positive| Period {
+            region: "III",
+            positive: 3.0,
+            negative: 2.0,
+            rest_after_positive,
+            rest_after_negative: 1.0,
+            drift_per_period: 0.5,
+        };
+        for (length, expected) in [(1e-2, 0.5), (1e-4, 0.5), (2e-6, 0.5), (1e-7, 5e-2)] {
+            let [rest, half] = [length, 0.5 * length].map(|length| with(length).fields());
+            let apart = rest[3].difference(&half[3]);
+            assert!((apart - expected).abs() < 1e-12, "{length}: {apart}");
+        }
+    }
 }

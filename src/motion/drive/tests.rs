@@ -661,6 +661,7 @@ fn lengths_of_zero_inside_a_stretch_are_noticed() {
     let drops = |list: &[f64]| intervals::drops_one(&marks(list), 7.0);
     assert!(drops(&[1.0, 2.0, 2.0]) && drops(&[0.5, 1.0, 3.0, 3.0, 4.0]));
     assert!(!drops(&[1.0, 2.0, 3.0]) && !drops(&[1.0]));
+    assert!(drops(&[0.125, 0.5, 0.5 + 0.9e-14]) && !drops(&[0.125, 0.5, 0.5 + 1.1e-14]));
     // Not at the ends.
     assert!(!drops(&[1.0, 1.0, 2.0]) && !drops(&[1.0, 7.0, 7.0]));
 }

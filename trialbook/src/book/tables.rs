@@ -7,7 +7,7 @@ use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
 use crate::claims::measured::Measured;
 use crate::claims::variants::{Coarse, Idle, Spared, Survivor};
-use crate::evidence::{Kind, Route, Tolerance};
+use crate::evidence::{Evidence, Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -349,19 +349,29 @@ pub(super) fn measured(context: &Context<'_>) -> Result<String, Fault> {
     ))
 }
 
+/// How many points, the worst disagreement at them and what is allowed.
+fn sizes(measured: &Evidence) -> [String; 3] {
+    [
+        count(measured.points),
+        size(measured.worst),
+        size(measured.tolerance.value),
+    ]
+}
+
 /// Of every claim that was measured, the comparison that came closest to its tolerance.
 pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
     let row = |entry: &Entry| {
         let Some(closest) = entry.closest() else {
             return Ok(None);
         };
+        let [points, worst, tolerance] = sizes(closest);
         Ok(Some([
             context.link(entry)?,
             closest.route.name().to_owned(),
             closest.subject.words(entry.is_conditional()).to_owned(),
-            count(closest.points),
-            size(closest.worst),
-            size(closest.tolerance.value),
+            points,
+            worst,
+            tolerance,
         ]))
     };
     let rows = context.ledger.entries.iter().map(row);
@@ -437,6 +447,7 @@ pub(super) fn idle(context: &Context<'_>) -> Result<String, Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::evidence::Subject;
 
     #[test]
     fn proofs_are_counted_by_what_they_are() {
@@ -451,5 +462,12 @@ mod tests {
             assert_eq!(cells(name), "<td>2 1 5 8</td>");
         }
         assert_eq!(cells("Numbered definitions"), "<td>0 0 0 0</td>");
+    }
+
+    #[test]
+    fn a_measurement_is_told_by_what_was_found_and_then_by_what_is_allowed() {
+        let measured = crate::ledger::example::tried(Route::Root, Subject::Printed, 3);
+        let allowed = size(measured.tolerance.value);
+        assert_eq!(sizes(&measured), ["20".to_owned(), size(1.0), allowed]);
     }
 }

@@ -86,20 +86,8 @@ pub(super) fn certify(
         });
     }
     let folder = book::replace(out, edition.name, "certificates", &files)?;
-    let bare = rows.iter().filter(|row| row.witnesses == 0).count();
     match format {
-        Format::Text => {
-            let without = rows.iter().filter(|row| row.witnesses == 0);
-            let names: Vec<_> = without
-                .map(|row| format!("  {} {}\n", row.claim, row.trial))
-                .collect();
-            say(&format!(
-                "{} certificates in {}; {bare} proofs have none\n{}",
-                files.len(),
-                folder.display(),
-                names.concat()
-            ))?;
-        }
+        Format::Text => say(&text(&rows, &folder))?,
         Format::Json => json(&List {
             version: VERSION,
             folder: folder.display().to_string(),
@@ -122,6 +110,21 @@ pub(super) fn certify(
         }
     }
     Ok(0)
+}
+
+/// How many certificates there are, and which proofs have none.
+fn text(rows: &[Row], folder: &Path) -> String {
+    let (bare, with): (Vec<_>, Vec<_>) = rows.iter().partition(|row| row.witnesses == 0);
+    let names = bare
+        .iter()
+        .map(|row| format!("  {} {}\n", row.claim, row.trial));
+    format!(
+        "{} certificates in {}; {} proofs have none\n{}",
+        with.len(),
+        folder.display(),
+        bare.len(),
+        names.collect::<String>()
+    )
 }
 
 /// Carries out all proofs of these claims, or of all claims, in the order of the paper.
@@ -170,6 +173,28 @@ mod tests {
     use super::*;
     use crate::claims::tolerances::NONE;
     use crate::evidence::{Change, Compared, Route};
+
+    #[test]
+    fn proofs_without_a_certificate_are_named_and_not_counted() {
+        let row = |claim, witnesses| Row {
+            claim,
+            trial: "t",
+            file: String::new(),
+            witnesses,
+            bytes: 9,
+        };
+        let rows = [
+            row("a", 3),
+            row("b", 0),
+            row("c", 1),
+            row("d", 0),
+            row("e", 2),
+        ];
+        assert_eq!(
+            text(&rows, Path::new("folder")),
+            "3 certificates in folder; 2 proofs have none\n  b t\n  d t\n"
+        );
+    }
 
     #[test]
     fn a_certificate_bears_what_its_proof_speaks_of() {

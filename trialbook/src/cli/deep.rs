@@ -43,13 +43,13 @@ pub(super) fn deepened(
         let Some(brought) = round(rounds, ids, depth.jobs, &stop)? else {
             break;
         };
-        ledger.add(&brought)?;
+        ledger = ledger.with(&brought)?;
         rounds += 1;
         bar.inc(1);
         bar.set_message(format!("{} comparisons", ledger.points()));
     }
     bar.finish_and_clear();
-    Ok((ledger.judged(), rounds))
+    Ok((ledger, rounds))
 }
 
 /// Prints what the rounds of this part bring.

@@ -298,4 +298,36 @@ mod tests {
             assert_eq!(code(&[], &[], &[corner(None)]), 0);
         }
     }
+
+    #[test]
+    fn small_mistakes_are_counted_by_what_became_of_them() {
+        let (claim, trial, formula, text) = ("c", "t", "f", "x");
+        let slight = |noticed, excuse| SlightRow {
+            claim,
+            trial,
+            formula,
+            noticed,
+            excuse,
+        };
+        let corner = |noticed, excuse| CornerRow {
+            claim,
+            text,
+            noticed,
+            excuse,
+        };
+        let why = Some("a reason");
+        let said = small(
+            &[slight(true, None), slight(false, why), slight(false, None)],
+            &[
+                corner(Some(true), None),
+                corner(Some(true), None),
+                corner(Some(false), why),
+                corner(None, None),
+            ],
+        );
+        let last = "of 3 mistakes of twice the tolerance 1 noticed, of 3 in a corner 2";
+        assert_eq!(said.lines().last(), Some(last), "{said}");
+        assert_eq!(said.matches("a reason").count(), 2, "{said}");
+        assert_eq!(said.matches("NOT NOTICED").count(), 1, "{said}");
+    }
 }

@@ -346,3 +346,43 @@ fn with_progress(paper: &'static Paper, ids: Option<&[&str]>) -> Ledger {
     bar.finish_and_clear();
     ledger
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ledger::example;
+
+    #[test]
+    fn a_difference_names_what_is_recorded_and_what_is_found() {
+        let difference = |recorded, found| Difference {
+            id: "eq-8".into(),
+            recorded,
+            found,
+        };
+        let (right, wrong) = (Some(Verdict::Confirmed), Some(Verdict::Misprint));
+        for (recorded, found, [was, is], code) in [
+            (right, wrong, [Some("confirmed"), Some("misprint")], 1),
+            (None, right, [None, Some("confirmed")], 1),
+            (wrong, None, [Some("misprint"), None], 1),
+        ] {
+            let tried = Tried {
+                ledger: example::ledger(),
+                rounds: 1,
+                differences: vec![difference(recorded, found)],
+            };
+            let rows = tried.rows(&tried.all(), None);
+            let [row] = &rows.differences[..] else {
+                panic!("one difference")
+            };
+            assert_eq!((row.id, row.recorded, row.found), ("eq-8", was, is));
+            let words = |v: Option<Verdict>| v.map_or("no such claim", Verdict::words);
+            let said = format!(
+                "eq-8: recorded as {}, found {}\n",
+                words(recorded),
+                words(found)
+            );
+            assert!(tried.text().contains(&said), "{}", tried.text());
+            assert_eq!(tried.code(), code);
+        }
+    }
+}

@@ -103,7 +103,7 @@ impl Entry {
 }
 
 impl Ledger {
-    /// What this round has brought: a line a measured trial, for [`Ledger::add`].
+    /// What this round has brought: a line a measured trial, for [`Ledger::with`].
     pub fn round(&self) -> String {
         let mut text = String::new();
         for entry in &self.entries {
@@ -123,11 +123,11 @@ impl Ledger {
         text
     }
 
-    /// Adds what another round has brought to the evidence; the verdicts are judged anew by [`Ledger::judged`].
+    /// The ledger with what another round has brought, judged anew.
     ///
     /// # Errors
-    /// [`DeepError`] for the first line that cannot be read or belongs to no trial; nothing is added then.
-    pub fn add(&mut self, round: &str) -> Result<(), DeepError> {
+    /// [`DeepError`] for the first line that cannot be read or belongs to no trial.
+    pub fn with(mut self, round: &str) -> Result<Self, DeepError> {
         let read = |(i, text): (usize, &'_ str)| {
             let line = i + 1;
             let brought = Brought::read(text).ok_or_else(|| DeepError::Line {
@@ -157,7 +157,7 @@ impl Ledger {
                 self.entries[entry].evidence[trial].take(&brought);
             }
         }
-        Ok(())
+        Ok(self.judged())
     }
 
     /// The record of this run, of so many rounds, for [`Deep::read`].
@@ -183,7 +183,7 @@ impl Ledger {
     }
 
     /// The same evidence, judged anew.
-    pub fn judged(mut self) -> Self {
+    fn judged(mut self) -> Self {
         let ids: Vec<_> = self.entries.iter().map(|e| e.claim.id).collect();
         self.entries.append(&mut self.beside);
         for entry in &mut self.entries {
@@ -231,13 +231,12 @@ impl<'a> Deep<'a> {
     /// have is left without points.
     ///
     /// # Errors
-    /// As for [`Ledger::add`]; [`DeepError::Comparisons`] where lines are missing, or are there twice.
+    /// As for [`Ledger::with`]; [`DeepError::Comparisons`] where lines are missing, or are there twice.
     pub fn in_place_of(&self, ledger: &Ledger) -> Result<Ledger, DeepError> {
-        let mut deep = ledger.unmeasured();
-        deep.add(self.brought)?;
+        let deep = ledger.unmeasured().with(self.brought)?;
         let (counted, found) = (self.comparisons, deep.measured_points());
         match counted == found {
-            true => Ok(deep.judged()),
+            true => Ok(deep),
             false => Err(DeepError::Comparisons { counted, found }),
         }
     }
@@ -294,7 +293,7 @@ impl Rounds {
     ///
     /// # Errors
     /// [`DeepError::Missing`], [`DeepError::Beyond`] and [`DeepError::Unfinished`] where these are not all rounds and no others,
-    /// each with all trials; and as for [`Ledger::add`].
+    /// each with all trials; and as for [`Ledger::with`].
     pub fn in_place_of(&self, ledger: &Ledger, rounds: u32) -> Result<Ledger, DeepError> {
         let names = |text: &str| -> Vec<String> {
             let mut names: Vec<_> = text.lines().map(name).collect();
@@ -308,18 +307,18 @@ impl Rounds {
             if names(round) != trials {
                 return Err(DeepError::Unfinished(number));
             }
-            deep.add(round)?;
+            deep = deep.with(round)?;
         }
         match self.0.keys().next_back() {
             Some(&round) if round >= rounds => Err(DeepError::Beyond { round, rounds }),
-            _ => Ok(deep.judged()),
+            _ => Ok(deep),
         }
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::example;
+    use super::super::{Verdict, example};
     use super::*;
 
     #[test]
@@ -352,6 +351,33 @@ mod tests {
         ] {
             let error = joined(&wrong).unwrap_err();
             assert_eq!(error, DeepError::Unfinished(0), "{wrong}");
+        }
+    }
+
+    /// One comparison that disagrees in a later round is worth as much as one in the first, by whichever way it comes in.
+    #[test]
+    fn what_a_round_brings_is_judged() {
+        let ledger = example::ledger();
+        let verdict = |ledger: &Ledger| ledger.entry("eq-5").unwrap().judgement.verdict;
+        let before = verdict(&ledger);
+        let all = ledger.round();
+        let line = all
+            .lines()
+            .find(|line| line.starts_with("eq-5\texample::RootWithin"));
+        let columns: Vec<_> = line.unwrap().split('\t').collect();
+        let off = [&columns[..3], &["1.0", "x = 2"]].concat().join("\t");
+        let bad = all.replace(line.unwrap(), &off);
+        let mut rounds = Rounds::default();
+        rounds.read(&Rounds::headed(0, &all)).unwrap();
+        rounds.read(&Rounds::headed(1, &bad)).unwrap();
+        let record = format!("2026-11-26\t1\t320\n{bad}");
+        for deep in [
+            ledger.clone().with(&bad).unwrap(),
+            rounds.in_place_of(&ledger, 2).unwrap(),
+            Deep::read(&record).unwrap().in_place_of(&ledger).unwrap(),
+        ] {
+            assert_ne!(before, Verdict::Undecided);
+            assert_eq!(verdict(&deep), Verdict::Undecided);
         }
     }
 }

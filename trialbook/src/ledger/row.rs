@@ -152,6 +152,7 @@ mod tests {
                 (row.worst, row.tolerance),
                 (worst, evidence_of.tolerance.value)
             );
+            assert!(!row.partial && evidence(&evidence_of.of_a_part()).partial);
         }
     }
 }

@@ -254,7 +254,9 @@ fn against_the_force_there_is_no_velocity_across() {
 #[test]
 fn at_the_moment_of_the_stop_both_ways_have_the_angle_to_which_it_tended() {
     // Against the force the stop is at v₀/(λ + 1), a number without rounding here.
-    for (lambda, v0) in [(1.0, 1.0), (1.0, 2.0), (3.0, 2.0), (7.0, 4.0), (15.0, 3.0)] {
+    let frictions = [1.0, 3.0, 7.0, 15.0, 31.0];
+    let launches = frictions.map(|lambda| (1..=16).map(move |n| (lambda, f64::from(n) / 4.0)));
+    for (lambda, v0) in launches.into_iter().flatten() {
         let stop = v0 / (lambda + 1.0);
         let answer = constant([lambda, v0, PI, 1.0], At::Time(stop)).solve();
         let answer = answer.unwrap();

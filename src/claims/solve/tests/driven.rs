@@ -74,6 +74,13 @@ fn pulses() {
     ] {
         assert_eq!(word(&solve(eta, lambda0)), regime, "{eta} {lambda0}");
     }
+    for (answer, begins) in [
+        (small, "by the solution below λ_c = η"),
+        (large, "by (44)"),
+        (solve(0.5, 1.5), "at rest"),
+    ] {
+        assert!(answer.note.starts_with(begins), "{}", answer.note);
+    }
 }
 
 #[test]

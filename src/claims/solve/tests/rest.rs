@@ -19,6 +19,9 @@ fn the_boundary_by_bisection_and_near_the_corner() {
         let answer = solve(alpha, psi);
         assert!(answer.digits >= Some(10), "{alpha} {psi}: {answer:?}");
     }
+    // The expansion stands beside the motion as far as a claim tries it.
+    let trial = |alpha| solve(alpha, 1.0).by_formula.is_some();
+    assert!(trial(0.3) && !trial(0.301));
     assert!(solve(1e-3, 1.0).disagreement < Some(1e-8));
     // From an extrapolating integrator in extended precision, bisected to 2e-12.
     for (alpha, psi, a) in [
