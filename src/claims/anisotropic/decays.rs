@@ -1,6 +1,5 @@
 //! The velocity across the drive dies under every friction that depends on the direction, but is nowhere below some size.
 
-use super::exact::prove;
 use crate::claims::compare::Compared;
 use crate::claims::general::chains::{decays, ring_across};
 use crate::claims::general::law::eq1;
@@ -23,7 +22,7 @@ pub const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::new(
 fn vanishes(law: [Expr; 2], limit: Expr) -> Proof {
     let least = Expr::symbol("m");
     let title = "v_y vanishes under a friction that depends on the direction";
-    prove(title, ring_across(least), |p| {
+    Proof::within(title, ring_across(least), |p| {
         p.note(
             "μ stands for the coefficient at that instant",
             "m for its least value",

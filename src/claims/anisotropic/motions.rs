@@ -5,8 +5,8 @@
 
 use super::certified::arcs::{a_falls, b_falls, corner_falls, e_grows};
 use super::exact::{
-    arc, frictions, plane, printed_rates, prove, prove_e, prove_eq53, prove_eq54, sides_of_a,
-    sides_of_b, sides_of_e,
+    arc, frictions, plane, printed_rates, prove_e, prove_eq53, prove_eq54, sides_of_a, sides_of_b,
+    sides_of_e,
 };
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
@@ -140,7 +140,7 @@ fn listed<const N: usize>(
 
 /// All motions of one drive come together, in one that repeats itself.
 fn drawn([forward, backward]: Rates) -> Proof {
-    prove(
+    Proof::within(
         "Every motion is drawn to the one that repeats itself",
         plane(),
         |p| {
@@ -197,7 +197,7 @@ fn slips() -> Result<Ring, ExactError> {
 
 /// A slip in the ring of both frictions: its rate as a product, and the velocity that it leads to.
 fn slip(title: &str, rate: Expr, product: [&str; 2], of: Expr, friction: Expr) -> Proof {
-    prove(title, slips(), |p| {
+    Proof::within(title, slips(), |p| {
         let [phi, s] = Expr::symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
         let factors = p.read(product[0], of)?;
@@ -267,7 +267,7 @@ fn middle([left, right]: Sides) -> Proof {
         ring.root(&(Rational::int(1) - &lambda0 * &lambda0), 2)?;
         Ok(ring)
     };
-    prove("Below A: λ₀K < sin K", ring(), |p| {
+    Proof::within("Below A: λ₀K < sin K", ring(), |p| {
         let [k, lambda0] = Expr::symbols(["K", "λ₀"]);
         let spare = int(1) - (lambda0 * k / k.sin()).squared();
         let spare = p.read("1 − (λ₀K/sin K)²", spare)?;
@@ -297,7 +297,7 @@ fn whole_period() -> Result<Ring, ExactError> {
 }
 
 fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> Proof {
-    prove("Region I", whole_period(), |p| {
+    Proof::within("Region I", whole_period(), |p| {
         rests_on_slips(p, rates)?;
         p.rests_on(&prove_eq53(k_formula, [left, right]))?;
         p.rests_on(&a_falls([left, right]))?;
@@ -357,7 +357,7 @@ fn second(rates: Rates, (k_formula, a): CurveA, [b, e]: [Sides; 2], signs: Lists
         ring.angle("end");
         Ok(ring)
     };
-    prove("Region II, and between E and C", ring(), |p| {
+    Proof::within("Region II, and between E and C", ring(), |p| {
         rests_on_slips(p, rates)?;
         for premise in [
             prove_eq53(k_formula, a),
@@ -406,7 +406,7 @@ fn second(rates: Rates, (k_formula, a): CurveA, [b, e]: [Sides; 2], signs: Lists
 }
 
 fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
-    prove("Region III", slips(), |p| {
+    Proof::within("Region III", slips(), |p| {
         rests_on_slips(p, rates)?;
         p.rests_on(&prove_eq54(b))?;
         p.rests_on(&b_falls())?;
@@ -470,7 +470,7 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
         ring.define("λ₀", ring.read(Expr::symbol("α").sin())?)?;
         Ok(ring)
     };
-    prove("Region IV", ring(), |p| {
+    Proof::within("Region IV", ring(), |p| {
         p.rests_on(&drawn(rates))?;
         p.rests_on(&forward_slip(rates[0]))?;
         let [alpha, phi, q, lambda0] = Expr::symbols(["α", "φ", "q", "λ₀"]);
@@ -500,7 +500,7 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
 }
 
 fn fifth([forward, backward]: Rates, d: Expr, signs: [Expr; 1]) -> Proof {
-    prove("Region V", plane(), |p| {
+    Proof::within("Region V", plane(), |p| {
         let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
         let half = phi / int(2);
         let excess = lambda0 - d;
@@ -523,7 +523,7 @@ fn fifth([forward, backward]: Rates, d: Expr, signs: [Expr; 1]) -> Proof {
 fn border(c: Expr) -> Proof {
     let (rates, b, _, signs) = (THIRD.formulas)();
     let (_, [_, d], [ahead, rest]) = (FOURTH.formulas)();
-    prove("Curve C up to Y", plane(), |p| {
+    Proof::within("Curve C up to Y", plane(), |p| {
         p.rests_on(&third(rates, b, c, signs))?;
         p.rests_on(&FIRST.proof())?;
         p.rests_on(&SECOND.proof())?;

@@ -1,6 +1,6 @@
 //! Two particles under one drive come no farther apart in velocity.
 
-use super::chains::{at_most_its_size, prove};
+use super::chains::at_most_its_size;
 use super::law::{NAMES, eq1, eq1_proof};
 use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::scalar::Scalar;
@@ -21,7 +21,7 @@ pub fn never_farther_apart() -> Proof {
 }
 
 fn by_law(law: [Expr; 2]) -> Proof {
-    prove("Two motions under one drive never part", ring(), |p| {
+    Proof::within("Two motions under one drive never part", ring(), |p| {
         p.rests_on(&eq1_proof(law))?;
         let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
         let [ux, uy] = OTHER.map(Expr::symbol);

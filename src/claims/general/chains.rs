@@ -32,17 +32,6 @@ pub const ACROSS: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     |(law, said)| across(law, said),
 );
 
-pub(in crate::claims) fn prove(
-    title: &str,
-    ring: Result<Ring, ExactError>,
-    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
-) -> Proof {
-    match ring {
-        Ok(ring) => Proof::of(title, &ring, steps),
-        Err(error) => Proof::impossible(title, error),
-    }
-}
-
 /// The ring of the law, with a bound a of |𝐀|, the speed v₀ at the beginning, and the time.
 fn with_bound() -> Result<Ring, ExactError> {
     let mut ring = ring()?;
@@ -69,7 +58,7 @@ pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obst
 }
 
 pub(in crate::claims) fn stops(formula: Expr) -> Proof {
-    prove("A weak drive lets the particle stop", with_bound(), |p| {
+    Proof::within("A weak drive lets the particle stop", with_bound(), |p| {
         p.rests_on(&eq2_proof(formula))?;
         let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
         let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
@@ -171,7 +160,7 @@ pub(in crate::claims) fn decays(
 
 fn across(law: [Expr; 2], said: [Expr; 2]) -> Proof {
     let mu = Expr::symbol("μ");
-    prove(
+    Proof::within(
         "The velocity across the drive decays",
         ring_across(mu),
         |p| decays(p, law, mu, said),

@@ -235,11 +235,7 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
         }
         Ok(ring)
     };
-    let ring = match setting() {
-        Ok(ring) => ring,
-        Err(error) => return Proof::impossible(title, error),
-    };
-    Proof::of(title, &ring, |p| {
+    Proof::within(title, setting(), |p| {
         let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
         p.note(
             "In the laboratory",
@@ -283,11 +279,7 @@ pub(in crate::claims) fn eq2() -> Expr {
 
 pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
     let title = "(2): the rate of the speed";
-    let ring = match ring() {
-        Ok(ring) => ring,
-        Err(error) => return Proof::impossible(title, error),
-    };
-    Proof::of(title, &ring, |p| {
+    Proof::within(title, ring(), |p| {
         let [_, _, _, _, vx, vy] = NAMES.map(Expr::symbol);
         let [x, y] = eq1();
         p.rests_on(&eq1_proof([x, y]))?;

@@ -1,7 +1,6 @@
 //! Theorems about drives that exceed the friction, as chains of identities of the ring and terms that have a sign: that no rest
 //! lasts, and that the speed grows in the end if the direction is fixed.
 
-use super::chains::prove;
 use super::law::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
@@ -27,7 +26,7 @@ fn moves(bound: Expr) -> Proof {
         ring.root(&(ax.pow(2) + ay.pow(2)), 2)?;
         Ok(ring)
     };
-    prove("A strong drive ends every rest", ring(), |p| {
+    Proof::within("A strong drive ends every rest", ring(), |p| {
         let [ax, ay, mu, g, ..] = NAMES.map(Expr::symbol);
         p.note(
             "A particle at rest moves as the plane does",
@@ -74,7 +73,7 @@ pub(in crate::claims) fn with_margin() -> Result<Ring, ExactError> {
 }
 
 pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr) -> Proof {
-    prove(
+    Proof::within(
         "A strong drive speeds the particle up",
         with_margin(),
         |p| {

@@ -9,7 +9,6 @@ use super::chains::rate;
 use super::exact::EQ45;
 use crate::claims::compare::Compared;
 use crate::claims::general::apart::never_farther_apart;
-use crate::claims::general::chains::prove;
 use crate::claims::general::law::eq2;
 use crate::claims::general::strong::MOVES;
 use crate::claims::statement::{Statement, given};
@@ -169,7 +168,7 @@ fn ring() -> Result<Ring, ExactError> {
 }
 
 fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) -> Proof {
-    prove("Rests that come, go and come again", ring(), |p| {
+    Proof::within("Rests that come, go and come again", ring(), |p| {
         p.rests_on(&never_part(rate))?;
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&slows(law))?;
@@ -407,8 +406,9 @@ mod tests {
                 ..come
             },
         ] {
-            let holds =
-                |half: &Half| prove("Half a period", ring(), |p| follow(p, rate(), half)).holds();
+            let holds = |half: &Half| {
+                Proof::within("Half a period", ring(), |p| follow(p, rate(), half)).holds()
+            };
             assert!(HALVES.iter().all(holds));
             assert!(!holds(&wrong), "{wrong:?}");
         }
@@ -422,7 +422,7 @@ mod tests {
             from: 6,
             stretches: &[(8, Slides(1, [3, 16])), (11, Slides(-1, [3, 32]))],
         };
-        let proof = prove("Half a period", ring(), |p| follow(p, rate(), &through));
+        let proof = Proof::within("Half a period", ring(), |p| follow(p, rate(), &through));
         let said = proof.obstacle().unwrap();
         let turned = proof.steps().last().unwrap();
         assert!(turned.says.starts_with("It turns"), "{said}");

@@ -1,7 +1,7 @@
 //! What of section 2.2 is an order of phases, for the whole range of λ₀ at once: where drive and friction are equal, where a rest
 //! can end, and how long a slip from rest lasts. All by φ₁ = β, λ₀ = sin β.
 
-use super::exact::{EQ31, EQ32, EQ36, prove, ring_of_phi1, with_lambda_c};
+use super::exact::{EQ31, EQ32, EQ36, ring_of_phi1, with_lambda_c};
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
 use crate::corrections::sinusoidal as corrected;
@@ -32,7 +32,7 @@ pub const FOUR_POINTS: Statement<([Expr; 4], Expr)> = Statement::new(
 );
 
 fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
-    prove(
+    Proof::within(
         "The drive equals friction four times",
         ring_of_phi1(),
         |p| {
@@ -88,7 +88,7 @@ pub const REST_ENDS: Statement<[Expr; 4]> = Statement::new(
 );
 
 fn rest_ends(phases: [Expr; 4]) -> Proof {
-    prove("Where a rest can end", ring_of_phi1(), |p| {
+    Proof::within("Where a rest can end", ring_of_phi1(), |p| {
         p.rests_on(&four_points(phases, Expr::int(4)))?;
         let [beta, phi] = Expr::symbols(["β", "φ"]);
         p.note(
@@ -132,7 +132,7 @@ pub const PERIOD_ENDS: Statement = Statement::new(
 
 fn period_ends(end: Expr) -> Proof {
     let title = "The period of the slip ends where the next slip begins";
-    prove(title, ring_of_phi1(), |p| {
+    Proof::within(title, ring_of_phi1(), |p| {
         let [first, second, third, fourth] = phases();
         p.rests_on(&four_points([first, second, third, fourth], Expr::int(4)))?;
         p.rests_on(&slip())?;
@@ -175,7 +175,7 @@ pub fn slip() -> Proof {
 }
 
 fn ends_once(w: Expr) -> Proof {
-    prove("A slip from rest ends once", ring_of_phi1(), |p| {
+    Proof::within("A slip from rest ends once", ring_of_phi1(), |p| {
         given(p, &[&EQ31])?;
         let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
         let two = Expr::int(2);
@@ -224,7 +224,7 @@ fn outlasts(w: Expr, left: Expr) -> Proof {
         ring.angle("φ̃₂");
         Ok(ring)
     };
-    prove("A slip outlasts half the period", ring(), |p| {
+    Proof::within("A slip outlasts half the period", ring(), |p| {
         given(p, &[&EQ32, &EQ36])?;
         p.rests_on(&ends_once(w))?;
         let [beta, lambda0, phi, end] = Expr::symbols(["β", "λ₀", "φ", "φ̃₂"]);

@@ -88,6 +88,18 @@ impl Proof {
         proof
     }
 
+    /// The same in a ring that may be impossible to set up.
+    pub fn within(
+        title: impl Into<String>,
+        ring: Result<Ring, ExactError>,
+        steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+    ) -> Self {
+        match ring {
+            Ok(ring) => Proof::of(title, &ring, steps),
+            Err(error) => Proof::impossible(title, error),
+        }
+    }
+
     /// Carries out steps that find something, for other proofs to start from; nothing is found where they fail.
     pub fn finding<T>(
         title: impl Into<String>,
@@ -95,13 +107,10 @@ impl Proof {
         steps: impl FnOnce(&mut Prover<'_>) -> Result<T, Obstacle>,
     ) -> (Option<T>, Self) {
         let mut found = None;
-        let proof = match ring {
-            Err(error) => Proof::impossible(title, error),
-            Ok(ring) => Proof::of(title, &ring, |p| {
-                found = Some(steps(p)?);
-                Ok(())
-            }),
-        };
+        let proof = Proof::within(title, ring, |p| {
+            found = Some(steps(p)?);
+            Ok(())
+        });
         (found, proof)
     }
 

@@ -6,7 +6,7 @@ use crate::claims::rest::exact::eq139;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact::{self as turntable, Setting};
 use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
+use crate::exact::{Expr, Obstacle, Proof, Prover, Ring};
 use crate::paper::{escape as printed, turntable as motion};
 use crate::scalar::Scalar;
 
@@ -67,17 +67,6 @@ fn int(n: i64) -> Expr {
     Expr::int(n)
 }
 
-fn prove(
-    title: &str,
-    ring: Result<Ring, ExactError>,
-    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
-) -> Proof {
-    match ring {
-        Ok(ring) => Proof::of(title, &ring, steps),
-        Err(error) => Proof::impossible(title, error),
-    }
-}
-
 /// (89) for the velocity p (cos χ, sin χ).
 pub fn acceleration() -> [Expr; 2] {
     let [x, y, p, chi] = Expr::symbols(["x", "y", "p", "χ"]);
@@ -98,7 +87,7 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
         ring.root_is(&(&p * &p), 2, &p)?;
         Ok(ring)
     };
-    prove(
+    Proof::within(
         "No particle stays near a place beyond the bound",
         ring(),
         |p| {
@@ -147,7 +136,7 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
         ring.angle("ψ");
         Ok(ring)
     };
-    prove(
+    Proof::within(
         "Where p + ρ is below the bound the particle comes to rest",
         ring(),
         |p| {
@@ -196,7 +185,7 @@ pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
 
 /// The polar ring, and the steps of a proof in it.
 pub fn polar(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
-    prove(title, Setting::polar().map(|setting| setting.ring), steps)
+    Proof::within(title, Setting::polar().map(|setting| setting.ring), steps)
 }
 
 fn escapes(beyond: Beyond) -> Proof {
@@ -248,7 +237,7 @@ fn sum(p_formula: Expr, rho: Expr) -> Proof {
         ring.hyperbolic("α");
         Ok(ring)
     };
-    prove(
+    Proof::within(
         "(111) and (112): the sum of p and ρ, and their difference",
         ring(),
         |p| {
@@ -310,7 +299,7 @@ fn relaxes(formula: Expr) -> Proof {
         ring.angle("ψ");
         Ok(ring)
     };
-    let rate = prove("(126) and (114)", near(), |p| {
+    let rate = Proof::within("(126) and (114)", near(), |p| {
         given(p, &[&turntable::EQ114])?;
         let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
         let rate = p.read("(114)", motion::eq114_alpha_rate(a, alpha, psi))?;

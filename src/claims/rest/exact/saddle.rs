@@ -26,11 +26,7 @@ fn ring() -> Result<Ring, ExactError> {
 /// A formula for ∂A/∂σ is that of the surfaces that the motion makes.
 pub fn prove(formula: Expr) -> Proof {
     let title = "The surfaces of constant σ close to ρ = 1";
-    let ring = match ring() {
-        Ok(ring) => ring,
-        Err(error) => return Proof::impossible(title, error),
-    };
-    Proof::of(title, &ring, |p| {
+    Proof::within(title, ring(), |p| {
         given(p, &[&turntable::EQ113, &turntable::EQ114])?;
         let ring = p.ring();
         p.note(

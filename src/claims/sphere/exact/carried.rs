@@ -86,11 +86,7 @@ fn ring() -> Result<Ring, ExactError> {
 
 /// A proof that starts from the reduction to the particle.
 fn carried(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
-    let ring = match ring() {
-        Ok(ring) => ring,
-        Err(error) => return Proof::impossible(title, error),
-    };
-    Proof::of(title, &ring, |p| {
+    Proof::within(title, ring(), |p| {
         given(p, &[&S3_REDUCTION])?;
         p.rests_on(&body::prove_rolling())?;
         steps(p)
