@@ -22,7 +22,7 @@ pub const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::new(
 fn vanishes(law: [Expr; 2], limit: Expr) -> Proof {
     let least = Expr::symbol("m");
     let title = "v_y vanishes under a friction that depends on the direction";
-    Proof::within(title, ring_across(least), |p| {
+    Proof::in_ring(title, ring_across(least), |p| {
         p.note(
             "μ stands for the coefficient at that instant",
             "m for its least value",

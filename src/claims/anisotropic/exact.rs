@@ -57,7 +57,7 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
         ring.angle("φ");
         Ok(ring)
     };
-    Proof::within("(51) and (52)", ring(), |p| {
+    Proof::in_ring("(51) and (52)", ring(), |p| {
         let ring = p.ring();
         let [a0, g, phi] = Expr::symbols(["A₀", "g", "φ"]);
         p.note(
@@ -109,7 +109,7 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
         ring.symbol("λ₀");
         Ok(ring)
     };
-    let balanced = Proof::within("(53): K", balance(), |p| {
+    let balanced = Proof::in_ring("(53): K", balance(), |p| {
         let [q, lambda0] = Expr::symbols(["q", "λ₀"]);
         p.note(
             "Over a period",
@@ -129,7 +129,7 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
         ring.angle("K");
         Ok(ring)
     };
-    Proof::within("(53): curve A", angles(), |p| {
+    Proof::in_ring("(53): curve A", angles(), |p| {
         p.rests_on(&balanced)?;
         let [alpha, k, lambda0] = Expr::symbols(["α", "K", "λ₀"]);
         let two = Expr::int(2);
@@ -145,7 +145,7 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
 
 /// (54): forward motion from α ends where backward motion could begin, at π + β.
 pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
-    Proof::within("(54): curve B", frictions(), |p| {
+    Proof::in_ring("(54): curve B", frictions(), |p| {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         let end = p.read("𝔴 at π + β", arc(alpha, Expr::pi() + beta, lambda0))?;
         let stated = p.read("Left less right side", left - right)?;
@@ -155,7 +155,7 @@ pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
 
 /// E: forward motion from α ends where backward motion could begin for the last time, at 2π − β.
 pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
-    Proof::within("Curve E", frictions(), |p| {
+    Proof::in_ring("Curve E", frictions(), |p| {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         let late = Expr::int(2) * Expr::pi() - beta;
         let end = p.read("𝔴 at 2π − β", arc(alpha, late, lambda0))?;
@@ -188,7 +188,7 @@ fn prove_x([q, lambda0]: [Expr; 2]) -> Proof {
         ring.define("alike", alpha)?;
         Ok(ring)
     };
-    let same = Proof::within("A and B at q = 1", equal(), |p| {
+    let same = Proof::in_ring("A and B at q = 1", equal(), |p| {
         let [alpha, lambda0] = Expr::symbols(["α", "λ₀"]);
         let [left, right] = sides_of_a();
         let a = p.read("A: left less right side", left - right)?;
@@ -208,7 +208,7 @@ fn prove_x([q, lambda0]: [Expr; 2]) -> Proof {
         ring.root(&square, 2)?;
         Ok(ring)
     };
-    Proof::within("(57): X", root(), |p| {
+    Proof::in_ring("(57): X", root(), |p| {
         p.rests_on(&same)?;
         let sine = p.read("sin α, the printed λ₀", lambda0)?;
         let cosine = p.read("cos α = π sin α/2", Expr::pi() * lambda0 / Expr::int(2))?;
@@ -224,7 +224,7 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
         ring.symbol("x");
         Ok(ring)
     };
-    Proof::within("B and C touch at Y", ring(), |p| {
+    Proof::in_ring("B and C touch at Y", ring(), |p| {
         let b = p.read("B: left less right side", left - right)?;
         let by_alpha = p.derivative("Its slope along α", &b, &p.ring().by("α")?)?;
         let by_beta = p.derivative("Its slope along β", &b, &p.ring().by("β")?)?;
@@ -319,7 +319,7 @@ pub(super) fn plane() -> Result<Ring, ExactError> {
 /// The rate of a slip with friction, against the excess of a curve's friction over it and a square: the drive can
 /// start that slip exactly where the excess is positive.
 fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
-    Proof::within(title, plane(), |p| {
+    Proof::in_ring(title, plane(), |p| {
         let rate = p.read("The rate by (51) or (52)", rate)?;
         let parts = p.read(
             "By how far λ₀ is from the curve, and a square",
@@ -371,7 +371,7 @@ pub const EQ56: Statement = Statement::new(
 
 /// The mirror takes each printed rate into the other.
 fn prove_mirror([forward, backward]: [Expr; 2], [other_q, other_lambda0]: [Expr; 2]) -> Proof {
-    Proof::within("The mirror", plane(), |p| {
+    Proof::in_ring("The mirror", plane(), |p| {
         let [phi] = Expr::symbols(["φ"]);
         let mirrored = |rate: Expr| {
             let [apart, both] = ["q there", "λ₀ there"];

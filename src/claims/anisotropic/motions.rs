@@ -140,7 +140,7 @@ fn listed<const N: usize>(
 
 /// All motions of one drive come together, in one that repeats itself.
 fn drawn([forward, backward]: Rates) -> Proof {
-    Proof::within(
+    Proof::in_ring(
         "Every motion is drawn to the one that repeats itself",
         plane(),
         |p| {
@@ -197,7 +197,7 @@ fn slips() -> Result<Ring, ExactError> {
 
 /// A slip in the ring of both frictions: its rate as a product, and the velocity that it leads to.
 fn slip(title: &str, rate: Expr, product: [&str; 2], of: Expr, friction: Expr) -> Proof {
-    Proof::within(title, slips(), |p| {
+    Proof::in_ring(title, slips(), |p| {
         let [phi, s] = Expr::symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
         let factors = p.read(product[0], of)?;
@@ -267,7 +267,7 @@ fn middle([left, right]: Sides) -> Proof {
         ring.root(&(Rational::int(1) - &lambda0 * &lambda0), 2)?;
         Ok(ring)
     };
-    Proof::within("Below A: λ₀K < sin K", ring(), |p| {
+    Proof::in_ring("Below A: λ₀K < sin K", ring(), |p| {
         let [k, lambda0] = Expr::symbols(["K", "λ₀"]);
         let spare = int(1) - (lambda0 * k / k.sin()).squared();
         let spare = p.read("1 − (λ₀K/sin K)²", spare)?;
@@ -297,7 +297,7 @@ fn whole_period() -> Result<Ring, ExactError> {
 }
 
 fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> Proof {
-    Proof::within("Region I", whole_period(), |p| {
+    Proof::in_ring("Region I", whole_period(), |p| {
         rests_on_slips(p, rates)?;
         p.rests_on(&prove_eq53(k_formula, [left, right]))?;
         p.rests_on(&a_falls([left, right]))?;
@@ -357,7 +357,7 @@ fn second(rates: Rates, (k_formula, a): CurveA, [b, e]: [Sides; 2], signs: Lists
         ring.angle("end");
         Ok(ring)
     };
-    Proof::within("Region II, and between E and C", ring(), |p| {
+    Proof::in_ring("Region II, and between E and C", ring(), |p| {
         rests_on_slips(p, rates)?;
         for premise in [
             prove_eq53(k_formula, a),
@@ -406,7 +406,7 @@ fn second(rates: Rates, (k_formula, a): CurveA, [b, e]: [Sides; 2], signs: Lists
 }
 
 fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
-    Proof::within("Region III", slips(), |p| {
+    Proof::in_ring("Region III", slips(), |p| {
         rests_on_slips(p, rates)?;
         p.rests_on(&prove_eq54(b))?;
         p.rests_on(&b_falls())?;
@@ -470,7 +470,7 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
         ring.define("λ₀", ring.read(Expr::symbol("α").sin())?)?;
         Ok(ring)
     };
-    Proof::within("Region IV", ring(), |p| {
+    Proof::in_ring("Region IV", ring(), |p| {
         p.rests_on(&drawn(rates))?;
         p.rests_on(&forward_slip(rates[0]))?;
         let [alpha, phi, q, lambda0] = Expr::symbols(["α", "φ", "q", "λ₀"]);
@@ -500,7 +500,7 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
 }
 
 fn fifth([forward, backward]: Rates, d: Expr, signs: [Expr; 1]) -> Proof {
-    Proof::within("Region V", plane(), |p| {
+    Proof::in_ring("Region V", plane(), |p| {
         let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
         let half = phi / int(2);
         let excess = lambda0 - d;
@@ -523,7 +523,7 @@ fn fifth([forward, backward]: Rates, d: Expr, signs: [Expr; 1]) -> Proof {
 fn border(c: Expr) -> Proof {
     let (rates, b, _, signs) = (THIRD.formulas)();
     let (_, [_, d], [ahead, rest]) = (FOURTH.formulas)();
-    Proof::within("Curve C up to Y", plane(), |p| {
+    Proof::in_ring("Curve C up to Y", plane(), |p| {
         p.rests_on(&third(rates, b, c, signs))?;
         p.rests_on(&FIRST.proof())?;
         p.rests_on(&SECOND.proof())?;

@@ -198,7 +198,7 @@ fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
         ring.define("λ", ring.read(lambda)?)?;
         Ok(ring)
     };
-    Proof::within(title, setting(), |p| {
+    Proof::in_ring(title, setting(), |p| {
         let [lambda, a, theta, mu, g] = Expr::symbols(["λ", "A", "θ", "μ", "g"]);
         p.read("λ by (5)", lambda)?;
         let rates = eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);

@@ -21,7 +21,7 @@ pub fn never_farther_apart() -> Proof {
 }
 
 fn by_law(law: [Expr; 2]) -> Proof {
-    Proof::within("Two motions under one drive never part", ring(), |p| {
+    Proof::in_ring("Two motions under one drive never part", ring(), |p| {
         p.rests_on(&eq1_proof(law))?;
         let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
         let [ux, uy] = OTHER.map(Expr::symbol);

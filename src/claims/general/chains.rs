@@ -58,7 +58,7 @@ pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obst
 }
 
 pub(in crate::claims) fn stops(formula: Expr) -> Proof {
-    Proof::within("A weak drive lets the particle stop", with_bound(), |p| {
+    Proof::in_ring("A weak drive lets the particle stop", with_bound(), |p| {
         p.rests_on(&eq2_proof(formula))?;
         let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
         let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
@@ -160,7 +160,7 @@ pub(in crate::claims) fn decays(
 
 fn across(law: [Expr; 2], said: [Expr; 2]) -> Proof {
     let mu = Expr::symbol("μ");
-    Proof::within(
+    Proof::in_ring(
         "The velocity across the drive decays",
         ring_across(mu),
         |p| decays(p, law, mu, said),

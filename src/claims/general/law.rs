@@ -235,7 +235,7 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
         }
         Ok(ring)
     };
-    Proof::within(title, setting(), |p| {
+    Proof::in_ring(title, setting(), |p| {
         let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
         p.note(
             "In the laboratory",
@@ -279,7 +279,7 @@ pub(in crate::claims) fn eq2() -> Expr {
 
 pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
     let title = "(2): the rate of the speed";
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         let [_, _, _, _, vx, vy] = NAMES.map(Expr::symbol);
         let [x, y] = eq1();
         p.rests_on(&eq1_proof([x, y]))?;

@@ -26,7 +26,7 @@ fn moves(bound: Expr) -> Proof {
         ring.root(&(ax.pow(2) + ay.pow(2)), 2)?;
         Ok(ring)
     };
-    Proof::within("A strong drive ends every rest", ring(), |p| {
+    Proof::in_ring("A strong drive ends every rest", ring(), |p| {
         let [ax, ay, mu, g, ..] = NAMES.map(Expr::symbol);
         p.note(
             "A particle at rest moves as the plane does",
@@ -73,7 +73,7 @@ pub(in crate::claims) fn with_margin() -> Result<Ring, ExactError> {
 }
 
 pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr) -> Proof {
-    Proof::within(
+    Proof::in_ring(
         "A strong drive speeds the particle up",
         with_margin(),
         |p| {

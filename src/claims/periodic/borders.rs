@@ -33,7 +33,7 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             }
             Ok(ring)
         };
-        Proof::within("Two velocities under one h", ring(), |p| {
+        Proof::in_ring("Two velocities under one h", ring(), |p| {
             p.note("The sign of 𝔴 and 𝔴₁, against that of 𝔴₂", sign.to_string());
             let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
             let apart = p.read("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
@@ -62,7 +62,7 @@ pub(super) fn slows(law: Expr) -> Proof {
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
-    Proof::within("The speed under h and friction", ring(), |p| {
+    Proof::in_ring("The speed under h and friction", ring(), |p| {
         p.rests_on(&eq2_proof(law))?;
         let [lambda0, vx, vy] = Expr::symbols(["λ₀", "v_x", "v_y"]);
         let speed = (vx.squared() + vy.squared()).sqrt();
@@ -103,7 +103,7 @@ fn ring(sign: i64) -> Result<Ring, ExactError> {
 }
 
 fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Proof {
-    Proof::within("Between small and large friction", ring(sign), |p| {
+    Proof::in_ring("Between small and large friction", ring(sign), |p| {
         p.rests_on(&never_part(rate))?;
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&slows(law))?;
@@ -332,7 +332,7 @@ mod tests {
         for steps in parts {
             for sign in [1, -1] {
                 let holds =
-                    |rate| Proof::within("A part", ring(sign), |p| steps(p, rate, sign)).holds();
+                    |rate| Proof::in_ring("A part", ring(sign), |p| steps(p, rate, sign)).holds();
                 assert!(holds(rate));
                 assert!(!holds(wrong));
             }

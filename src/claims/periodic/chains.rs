@@ -47,7 +47,7 @@ pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
 );
 
 fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
-    Proof::within("Very large friction: rest", ring(sign), |p| {
+    Proof::in_ring("Very large friction: rest", ring(sign), |p| {
         given(p, &[&STOPS])?;
         let [psi, start] = Expr::symbols(["ψ", "𝔴₀"]);
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
@@ -83,7 +83,7 @@ pub const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::new(
 );
 
 fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
-    Proof::within("Rest for most of the time", ring(sign), |p| {
+    Proof::in_ring("Rest for most of the time", ring(sign), |p| {
         let [lambda0, psi, s, m, e] = Expr::symbols(["λ₀", "ψ", "s", "m", "E"]);
         let [one, two] = [1, 2].map(Expr::int);
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
@@ -148,7 +148,7 @@ pub const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
 );
 
 fn normalised([pulse, gap]: [Expr; 2], largest: Expr) -> Proof {
-    Proof::within("The size of the pulses", ring(1), |p| {
+    Proof::in_ring("The size of the pulses", ring(1), |p| {
         let length = p.read(
             "The length of a pulse by (42)",
             printed::eq42_end(Expr::symbol("η")),
@@ -211,7 +211,7 @@ pub const EXTREMES: Statement<(Expr, Pulses)> = Statement::new(
 );
 
 fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
-    Proof::within("The two extremes of the pulses", ring(sign), |p| {
+    Proof::in_ring("The two extremes of the pulses", ring(sign), |p| {
         let [lambda0, start] = Expr::symbols(["λ₀", "𝔴₀"]);
         let [zero, one] = [0, 1].map(Expr::int);
         let at = |formula: Expr, eta: Expr| formula.with("η", eta);
@@ -281,7 +281,7 @@ pub const AGAIN: Statement<(Expr, Pulses, Expr)> = Statement::new(
 );
 
 fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
-    Proof::within("What becomes nonzero again", ring(sign), |p| {
+    Proof::in_ring("What becomes nonzero again", ring(sign), |p| {
         let [lambda0, psi] = Expr::symbols(["λ₀", "ψ"]);
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
         let drive = p.read(

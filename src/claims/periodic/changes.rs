@@ -168,7 +168,7 @@ fn ring() -> Result<Ring, ExactError> {
 }
 
 fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) -> Proof {
-    Proof::within("Rests that come, go and come again", ring(), |p| {
+    Proof::in_ring("Rests that come, go and come again", ring(), |p| {
         p.rests_on(&never_part(rate))?;
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&slows(law))?;
@@ -407,7 +407,7 @@ mod tests {
             },
         ] {
             let holds = |half: &Half| {
-                Proof::within("Half a period", ring(), |p| follow(p, rate(), half)).holds()
+                Proof::in_ring("Half a period", ring(), |p| follow(p, rate(), half)).holds()
             };
             assert!(HALVES.iter().all(holds));
             assert!(!holds(&wrong), "{wrong:?}");
@@ -422,7 +422,7 @@ mod tests {
             from: 6,
             stretches: &[(8, Slides(1, [3, 16])), (11, Slides(-1, [3, 32]))],
         };
-        let proof = Proof::within("Half a period", ring(), |p| follow(p, rate(), &through));
+        let proof = Proof::in_ring("Half a period", ring(), |p| follow(p, rate(), &through));
         let said = proof.obstacle().unwrap();
         let turned = proof.steps().last().unwrap();
         assert!(turned.says.starts_with("It turns"), "{said}");

@@ -27,7 +27,7 @@ fn ring() -> Result<Ring, ExactError> {
 }
 
 fn prove(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
-    Proof::within(title, ring(), steps)
+    Proof::in_ring(title, ring(), steps)
 }
 
 /// (139): no push starts a motion, dp/dτ ≤ 0 in every direction ψ, exactly where σ is not above the bound.

@@ -21,7 +21,7 @@ type NoRest = ([Expr; 2], [Expr; 3]);
 
 /// (38) is a motion: forward from φ̃₁ on for half a period, then the mirror, and nowhere else zero.
 fn passes((cases, ends): NoRest) -> Proof {
-    Proof::within("(38) passes through zero twice", ring_of_phi_t1(), |p| {
+    Proof::in_ring("(38) passes through zero twice", ring_of_phi_t1(), |p| {
         p.rests_on(&prove_eq38(cases, ends))?;
         given(p, &[&EQ40])?;
         let [phi, pi] = [Expr::symbol("φ"), Expr::pi()];
@@ -62,7 +62,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
-    Proof::within("Every motion is drawn to (38)", ring(), |p| {
+    Proof::in_ring("Every motion is drawn to (38)", ring(), |p| {
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&passes(motion))?;
         p.rests_on(&eq2_proof(eq2()))?;
@@ -161,7 +161,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
-    Proof::within("Every motion becomes (33)", ring(), |p| {
+    Proof::in_ring("Every motion becomes (33)", ring(), |p| {
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&prove_eq33(cases))?;
         p.rests_on(&eq2_proof(law))?;
@@ -236,7 +236,7 @@ fn empty() -> Result<Ring, ExactError> {
 }
 
 fn no_rest_below(law: [Expr; 2], motion: NoRest) -> Proof {
-    Proof::within("No periodic motion rests below λ_c", empty(), |p| {
+    Proof::in_ring("No periodic motion rests below λ_c", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, motion))?;
         p.note(
             "A motion with the period P, as its distance from (38) goes to 0",
@@ -263,7 +263,7 @@ pub const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new
 );
 
 fn trichotomy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
-    Proof::within("Small, large and very large friction", empty(), |p| {
+    Proof::in_ring("Small, large and very large friction", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, no_rest))?;
         p.rests_on(&drawn_to_rests(eq2(), rests))?;
         given(p, &[&WEAK_DRIVE_STOPS, &VX_STAYS, &EQ36, &EQ40])?;
@@ -310,7 +310,7 @@ pub const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new
 );
 
 fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
-    Proof::within("The start across the drive is forgotten", empty(), |p| {
+    Proof::in_ring("The start across the drive is forgotten", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, no_rest))?;
         p.rests_on(&drawn_to_rests(eq2(), rests))?;
         let [lambda0, vx, vy, phi] = Expr::symbols(["λ₀", "v_x", "v_y", "φ"]);

@@ -24,7 +24,7 @@ fn bounded([ax, ay]: [Expr; 2]) -> Proof {
         ring.angle("φ");
         Ok(ring)
     };
-    Proof::within("The size of (21)", ring(), |p| {
+    Proof::in_ring("The size of (21)", ring(), |p| {
         let [a0, phi] = Expr::symbols(["A₀", "φ"]);
         let across = p.read("(21) across x, at the phase φ", ay)?;
         p.zero("It", &across)?;
@@ -49,7 +49,7 @@ pub const VY_VANISHES: Statement<([Expr; 2], [Expr; 2], Expr)> = Statement::new(
 
 fn vy_vanishes(drive: [Expr; 2], law: [Expr; 2], limit: Expr) -> Proof {
     let mu = Expr::symbol("μ");
-    Proof::within("v_y vanishes under the sine", ring_across(mu), |p| {
+    Proof::in_ring("v_y vanishes under the sine", ring_across(mu), |p| {
         p.rests_on(&bounded(drive))?;
         p.note("So", "the drive is along x, and a below may be A₀");
         decays(p, law, mu, [-Expr::int(1), limit])
@@ -74,7 +74,7 @@ fn weak_drive_stops(drive: [Expr; 2], speed: Expr) -> Proof {
         }
         Ok(ring)
     };
-    Proof::within("A weak sine lets the particle stop", ring(), |p| {
+    Proof::in_ring("A weak sine lets the particle stop", ring(), |p| {
         p.rests_on(&bounded(drive))?;
         p.rests_on(&stops(speed))?;
         let [mu, g, a0, v0] = Expr::symbols(["μ", "g", "A₀", "v₀"]);
@@ -119,7 +119,7 @@ fn vx_stays(law: [Expr; 2], drive: [Expr; 2], [phi1, phi2]: [Expr; 2]) -> Proof 
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
-    Proof::within("A strong drive moves the particle for ever", ring(), |p| {
+    Proof::in_ring("A strong drive moves the particle for ever", ring(), |p| {
         let [lambda0, phi, vx, vy, beta] = Expr::symbols(["λ₀", "φ", "v_x", "v_y", "β"]);
         let (one, two) = (Expr::int(1), Expr::int(2));
         p.note(
@@ -198,7 +198,7 @@ fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {
         Ok(ring)
     };
     let still = [Expr::int(0), Expr::int(0)];
-    Proof::within("Friction across the drive", ring(), |p| {
+    Proof::in_ring("Friction across the drive", ring(), |p| {
         p.note("The sign of 𝔴", sign.to_string());
         let [w, wy, lambda0] = Expr::symbols(["𝔴", "𝔴_y", "λ₀"]);
         let friction = in_units(law, still).map(|c| c.with("v_x", w).with("v_y", wy));

@@ -61,7 +61,7 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
         ring.define("λ₀", ring.read(friction)?)?;
         Ok(ring)
     };
-    Proof::within("(26): d𝔴/dφ", ring(), |p| {
+    Proof::in_ring("(26): d𝔴/dφ", ring(), |p| {
         let [varpi, mu, g, phi] = Expr::symbols(["ϖ", "μ", "g", "φ"]);
         p.note("The velocity's sign", sign.to_string());
         p.read("λ₀ by (22)", friction)?;
@@ -116,7 +116,7 @@ pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
 /// sin of a printed phase is ±λ₀, and its cosine, by which the drive grows or falls there, is that of asin λ₀ or its negative:
 /// two phases in a period have the same sine.
 fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
-    Proof::within("The drive at the printed phase", ring_of_phi1(), |p| {
+    Proof::in_ring("The drive at the printed phase", ring_of_phi1(), |p| {
         let slope = p.read("The slope of the drive there", phase.cos())?;
         let first = Expr::symbol("λ₀").asin().cos();
         let expected = p.read("That at asin λ₀, with its sign", Expr::int(growth) * first)?;
@@ -184,7 +184,7 @@ fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obsta
 }
 
 fn prove_eq31(w: Expr) -> Proof {
-    Proof::within("(31): the slip after a rest", ring_of_phi1(), |p| {
+    Proof::in_ring("(31): the slip after a rest", ring_of_phi1(), |p| {
         slip(p, w, 1, paper::eq27_phi1(Expr::symbol("λ₀")))
     })
 }
@@ -210,7 +210,7 @@ fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
         ring.angle("φ̃₂");
         Ok(ring)
     };
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let slip = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
         p.rests_on(&prove_eq31(slip))?;
@@ -266,7 +266,7 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
         ring.angle("φ");
         Ok(ring)
     };
-    Proof::within("(25): where the drive can start a slip", ring(), |p| {
+    Proof::in_ring("(25): where the drive can start a slip", ring(), |p| {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let excess = p.read("The drive less friction, by (26)", phi.sin() - lambda0)?;
         let half = phi / Expr::int(2);
@@ -298,7 +298,7 @@ pub(super) fn prove_eq33(cases: [Expr; 4]) -> Proof {
         ring.angle("φ̃₂");
         Ok(ring)
     };
-    Proof::within("(33): slips and rests", ring(), |p| {
+    Proof::in_ring("(33): slips and rests", ring(), |p| {
         let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
         let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
         let [forward, first_rest, backward, second_rest] = cases;
@@ -347,7 +347,7 @@ pub(super) fn eq33() -> [Expr; 4] {
 }
 
 fn prove_eq35(left: Expr) -> Proof {
-    Proof::within("(35): (34) in the friction alone", ring_of_phi1(), |p| {
+    Proof::in_ring("(35): (34) in the friction alone", ring_of_phi1(), |p| {
         let lambda0 = Expr::symbol("λ₀");
         let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
         let first = p.read(
@@ -376,7 +376,7 @@ pub(super) fn with_lambda_c(mut ring: Ring) -> Result<Ring, ExactError> {
 }
 
 fn prove_eq37(critical: Expr) -> Proof {
-    Proof::within(
+    Proof::in_ring(
         "(37): the critical friction",
         with_lambda_c(Ring::new()),
         |p| {
@@ -414,7 +414,7 @@ fn prove_eq36(sides: [Expr; 2]) -> Proof {
         ring.root(&(Rational::int(1) - &lambda0 * &lambda0), 2)?;
         with_lambda_c(ring)
     };
-    Proof::within("(36): (35) squared", ring(), |p| {
+    Proof::in_ring("(36): (35) squared", ring(), |p| {
         let lambda0 = Expr::symbol("λ₀");
         let left = paper::eq35_left(lambda0);
         // (a − b)(a + b) with a − b the left side of (35) and b = π λ₀.
@@ -436,7 +436,7 @@ pub const EQ36: Statement<[Expr; 2]> = Statement::new(
 
 fn prove_eq40(sides: [Expr; 2]) -> Proof {
     let ring = || with_lambda_c(ring_of_phi_t1()?);
-    Proof::within("(40): the drive where (38) vanishes", ring(), |p| {
+    Proof::in_ring("(40): the drive where (38) vanishes", ring(), |p| {
         let lambda0 = Expr::symbol("λ₀");
         let drive = paper::eq39_phi_t1(lambda0).sin();
         beside_lambda_c(p, drive.squared() - lambda0.squared(), sides)
@@ -456,7 +456,7 @@ pub const EQ40: Statement<[Expr; 2]> = Statement::new(
 );
 
 pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
-    Proof::within("(38): no rest", ring_of_phi_t1(), |p| {
+    Proof::in_ring("(38): no rest", ring_of_phi_t1(), |p| {
         let [forward, backward] = cases;
         slip(p, forward, 1, ends[0])?;
         slip(p, backward, -1, ends[1])?;
@@ -489,7 +489,7 @@ pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
 }
 
 fn prove_eq39(turn: Expr) -> Proof {
-    Proof::within("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
+    Proof::in_ring("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
         let lambda0 = Expr::symbol("λ₀");
         let [forward, _] = paper::eq38_w(lambda0, turn, turn + Expr::pi());
         let end = p.read("(38) half a period after φ̃₁", forward)?;

@@ -32,7 +32,7 @@ pub const FOUR_POINTS: Statement<([Expr; 4], Expr)> = Statement::new(
 );
 
 fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
-    Proof::within(
+    Proof::in_ring(
         "The drive equals friction four times",
         ring_of_phi1(),
         |p| {
@@ -88,7 +88,7 @@ pub const REST_ENDS: Statement<[Expr; 4]> = Statement::new(
 );
 
 fn rest_ends(phases: [Expr; 4]) -> Proof {
-    Proof::within("Where a rest can end", ring_of_phi1(), |p| {
+    Proof::in_ring("Where a rest can end", ring_of_phi1(), |p| {
         p.rests_on(&four_points(phases, Expr::int(4)))?;
         let [beta, phi] = Expr::symbols(["β", "φ"]);
         p.note(
@@ -132,7 +132,7 @@ pub const PERIOD_ENDS: Statement = Statement::new(
 
 fn period_ends(end: Expr) -> Proof {
     let title = "The period of the slip ends where the next slip begins";
-    Proof::within(title, ring_of_phi1(), |p| {
+    Proof::in_ring(title, ring_of_phi1(), |p| {
         let [first, second, third, fourth] = phases();
         p.rests_on(&four_points([first, second, third, fourth], Expr::int(4)))?;
         p.rests_on(&slip())?;
@@ -175,7 +175,7 @@ pub fn slip() -> Proof {
 }
 
 fn ends_once(w: Expr) -> Proof {
-    Proof::within("A slip from rest ends once", ring_of_phi1(), |p| {
+    Proof::in_ring("A slip from rest ends once", ring_of_phi1(), |p| {
         given(p, &[&EQ31])?;
         let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
         let two = Expr::int(2);
@@ -224,7 +224,7 @@ fn outlasts(w: Expr, left: Expr) -> Proof {
         ring.angle("φ̃₂");
         Ok(ring)
     };
-    Proof::within("A slip outlasts half the period", ring(), |p| {
+    Proof::in_ring("A slip outlasts half the period", ring(), |p| {
         given(p, &[&EQ32, &EQ36])?;
         p.rests_on(&ends_once(w))?;
         let [beta, lambda0, phi, end] = Expr::symbols(["β", "λ₀", "φ", "φ̃₂"]);

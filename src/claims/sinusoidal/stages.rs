@@ -53,7 +53,7 @@ fn velocity() -> [Expr; 3] {
 
 /// While v_y is large its slope is the stated one.
 fn first_stage(law: Law, slope: Expr) -> Proof {
-    Proof::within(
+    Proof::in_ring(
         "A large velocity across falls linearly",
         ring_of_motion(),
         |p| {
@@ -89,7 +89,7 @@ fn first_stage(law: Law, slope: Expr) -> Proof {
 
 /// How v_y and the direction of the velocity change together.
 fn turning(law: Law) -> Proof {
-    Proof::within(
+    Proof::in_ring(
         "The velocity across and the direction",
         ring_of_motion(),
         |p| {
@@ -190,7 +190,7 @@ fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
-    Proof::within("The zeros of v_x settle", ring(), |p| {
+    Proof::in_ring("The zeros of v_x settle", ring(), |p| {
         p.rests_on(&turning(law))?;
         p.rests_on(&prove_eq38(cases, ends))?;
         given(p, &[&TRICHOTOMY])?;
@@ -273,7 +273,7 @@ fn passages(law: Law, motion: NoRest, passage: Passage) -> Proof {
         Ok(ring)
     };
     let title = "A passage multiplies the logarithm of the velocity across";
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         p.rests_on(&turning(law))?;
         p.rests_on(&zeros_settle(law, motion, passage))?;
         given(p, &[&VY_VANISHES])?;
@@ -353,7 +353,7 @@ fn passages(law: Law, motion: NoRest, passage: Passage) -> Proof {
 
 /// v_y is lost only where the particle sticks.
 fn lost_at_rest(law: Law) -> Proof {
-    Proof::within("Where the velocity across is lost", ring_of_motion(), |p| {
+    Proof::in_ring("Where the velocity across is lost", ring_of_motion(), |p| {
         p.rests_on(&turning(law))?;
         p.rests_on(&eq2_proof(eq2()))?;
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
@@ -392,7 +392,7 @@ fn lost_at_rest(law: Law) -> Proof {
 
 /// How long what is left of v_y lasts where friction exceeds the drive; `phase` is the stated bound.
 fn last_stage(law: Law, phase: Expr) -> Proof {
-    Proof::within("The last of the velocity across", ring_of_motion(), |p| {
+    Proof::in_ring("The last of the velocity across", ring_of_motion(), |p| {
         p.rests_on(&eq1_proof(law))?;
         let [lambda0, d, h] = Expr::symbols(["λ₀", "d", "h"]);
         let ([vx, vy, v], one) = (velocity(), Expr::int(1));
@@ -440,7 +440,7 @@ fn last_stage(law: Law, phase: Expr) -> Proof {
 }
 
 fn two_stages(law: Law, slope: Expr, motion: NoRest, passage: Passage, phase: Expr) -> Proof {
-    Proof::within("The two stages, as corrected", ring_of_motion(), |p| {
+    Proof::in_ring("The two stages, as corrected", ring_of_motion(), |p| {
         p.rests_on(&first_stage(law, slope))?;
         p.rests_on(&passages(law, motion, passage))?;
         p.rests_on(&lost_at_rest(law))?;
@@ -479,7 +479,7 @@ pub const TWO_STAGES: Statement<(Law, Expr, NoRest, Passage, Expr)> = Statement:
 
 /// Below λ_c: by what factor the fall of ln v_y in a period grows in the limit.
 fn ratio_of_falls(ratio: Expr, law: Law, motion: NoRest, passage: Passage) -> Proof {
-    Proof::within(
+    Proof::in_ring(
         "The falls of the logarithm in two periods",
         ring_of_passage(),
         |p| {

@@ -89,7 +89,7 @@ impl Proof {
     }
 
     /// The same in a ring that may be impossible to set up.
-    pub fn within(
+    pub fn in_ring(
         title: impl Into<String>,
         ring: Result<Ring, ExactError>,
         steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
@@ -107,7 +107,7 @@ impl Proof {
         steps: impl FnOnce(&mut Prover<'_>) -> Result<T, Obstacle>,
     ) -> (Option<T>, Self) {
         let mut found = None;
-        let proof = Proof::within(title, ring, |p| {
+        let proof = Proof::in_ring(title, ring, |p| {
             found = Some(steps(p)?);
             Ok(())
         });

@@ -14,9 +14,12 @@ pub struct Read {
     pub runs: BTreeSet<&'static Location<'static>>,
 }
 
+/// So many formulas take turns in a motion.
+const TURNS: usize = 6;
+
 thread_local! {
-    /// The formula read last, while anything watches.
-    static LAST: Cell<Option<&'static str>> = const { Cell::new(None) };
+    /// Formulas that were noted last, while anything watches: most are read many times, by turns.
+    static LAST: Cell<Option<[&'static str; TURNS]>> = const { Cell::new(None) };
     static READ: RefCell<Option<Read>> = const { RefCell::new(None) };
 }
 
@@ -25,14 +28,14 @@ struct Before(Option<Read>);
 
 impl Before {
     fn set_aside(now: Option<Read>) -> Self {
-        LAST.set(now.as_ref().map(|_| ""));
+        LAST.set(now.as_ref().map(|_| [""; TURNS]));
         Before(READ.replace(now))
     }
 }
 
 impl Drop for Before {
     fn drop(&mut self) {
-        LAST.set(self.0.as_ref().map(|_| ""));
+        LAST.set(self.0.as_ref().map(|_| [""; TURNS]));
         READ.set(self.0.take());
     }
 }
@@ -40,11 +43,14 @@ impl Drop for Before {
 /// Notes that a formula is read on this thread.
 #[inline]
 pub(super) fn note(formula: &'static str) {
-    // Most are read many times in a row.
-    if LAST.get().is_some_and(|last| !ptr::eq(last, formula)) {
-        LAST.set(Some(formula));
-        READ.with_borrow_mut(|read| read.as_mut().map(|read| read.formulas.insert(formula)));
+    let Some(mut last) = LAST.get() else { return };
+    if last.iter().any(|last| ptr::eq(*last, formula)) {
+        return;
     }
+    last.rotate_right(1);
+    last[0] = formula;
+    LAST.set(Some(last));
+    READ.with_borrow_mut(|read| read.as_mut().map(|read| read.formulas.insert(formula)));
 }
 
 /// Notes that shared runs are read on this thread.

@@ -18,7 +18,7 @@ fn ratios() -> Result<Ring, ExactError> {
 
 /// B's arc, which ends at π + β, is 2 at β = 0 and falls with β while q stays.
 pub fn b_falls() -> Proof {
-    Proof::within("B's arc falls", ratios(), |p| {
+    Proof::in_ring("B's arc falls", ratios(), |p| {
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let to_b = |alpha: Expr, beta: Expr| arc(alpha, Expr::pi() + beta, alpha.sin());
         let zero = Expr::int(0);
@@ -43,7 +43,7 @@ pub fn b_falls() -> Proof {
 
 /// E's arc, which ends at 2π − β, is λ₀ times what grows with λ₀ while q stays, from −2π on.
 pub fn e_grows() -> Proof {
-    Proof::within("E's arc over λ₀ grows", ratios(), |p| {
+    Proof::in_ring("E's arc over λ₀ grows", ratios(), |p| {
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let late = Expr::int(2) * Expr::pi() - beta;
         let all = p.read("The arc from α to 2π − β", arc(alpha, late, alpha.sin()))?;
@@ -65,7 +65,7 @@ pub fn corner_falls() -> Proof {
         ring.angle("α");
         Ok(ring)
     };
-    Proof::within("The corner", ring(), |p| {
+    Proof::in_ring("The corner", ring(), |p| {
         let alpha = Expr::symbol("α");
         let three = Expr::int(3) * Expr::pi() / Expr::int(2);
         let all = p.read("The arc from α to 3π/2", arc(alpha, three, alpha.sin()))?;
@@ -85,7 +85,7 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
         ring.angle("K");
         Ok(ring)
     };
-    Proof::within("The sides of (53)", ring(), |p| {
+    Proof::in_ring("The sides of (53)", ring(), |p| {
         let [alpha, k] = Expr::symbols(["α", "K"]);
         let left = p.read("The left side", left)?;
         let cotangent = p.read("cot α", alpha.cot())?;
@@ -108,7 +108,7 @@ pub fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
         ring.symbol("q");
         Ok(ring)
     };
-    Proof::within("C falls", ring(), |p| {
+    Proof::in_ring("C falls", ring(), |p| {
         let q = Expr::symbol("q");
         let first = p.read("C at q = 1", on_c(Expr::int(1)))?;
         p.equal("It is D", &first, &p.ring().read(printed::eq56_lambda0())?)?;
@@ -140,7 +140,7 @@ pub fn a_below() -> Proof {
         }
         Ok(ring)
     };
-    Proof::within("A far out", ring(), |p| {
+    Proof::in_ring("A far out", ring(), |p| {
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let first = (q.squared() - Expr::int(1)) * alpha.sin() / (alpha.cos() + beta.cos());
         let by_angles = p.read(

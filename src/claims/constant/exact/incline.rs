@@ -25,7 +25,7 @@ fn on_an_incline(law: [Expr; 2], drive: [Expr; 2]) -> Proof {
         ring.angle("β");
         Ok(ring)
     };
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         let [mu, g, vx, vy, beta] = Expr::symbols(["μ", "g", "v_x", "v_y", "β"]);
         let [zero, one] = [0, 1].map(Expr::int);
         let (sine, cosine) = (beta.sin(), beta.cos());
@@ -92,7 +92,7 @@ fn only_constant(law: [Expr; 2]) -> Proof {
         }
         Ok(ring)
     };
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         let [ax, ay, vx, vy] = Expr::symbols(["A_x", "A_y", "v_x", "v_y"]);
         let [px, py, k] = Expr::symbols(["P_x", "P_y", "k"]);
         let (two, speed) = (Expr::int(2), (vx.squared() + vy.squared()).sqrt());

@@ -87,7 +87,7 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
         ring.root_is(&(&p * &p), 2, &p)?;
         Ok(ring)
     };
-    Proof::within(
+    Proof::in_ring(
         "No particle stays near a place beyond the bound",
         ring(),
         |p| {
@@ -136,7 +136,7 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
         ring.angle("ψ");
         Ok(ring)
     };
-    Proof::within(
+    Proof::in_ring(
         "Where p + ρ is below the bound the particle comes to rest",
         ring(),
         |p| {
@@ -185,7 +185,7 @@ pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
 
 /// The polar ring, and the steps of a proof in it.
 pub fn polar(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
-    Proof::within(title, Setting::polar().map(|setting| setting.ring), steps)
+    Proof::in_ring(title, Setting::polar().map(|setting| setting.ring), steps)
 }
 
 fn escapes(beyond: Beyond) -> Proof {
@@ -237,7 +237,7 @@ fn sum(p_formula: Expr, rho: Expr) -> Proof {
         ring.hyperbolic("α");
         Ok(ring)
     };
-    Proof::within(
+    Proof::in_ring(
         "(111) and (112): the sum of p and ρ, and their difference",
         ring(),
         |p| {
@@ -299,7 +299,7 @@ fn relaxes(formula: Expr) -> Proof {
         ring.angle("ψ");
         Ok(ring)
     };
-    let rate = Proof::within("(126) and (114)", near(), |p| {
+    let rate = Proof::in_ring("(126) and (114)", near(), |p| {
         given(p, &[&turntable::EQ114])?;
         let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
         let rate = p.read("(114)", motion::eq114_alpha_rate(a, alpha, psi))?;

@@ -127,7 +127,7 @@ static SOLUTION: Derived<(Option<Series>, Proof)> =
 /// A formula for A agrees with the boundary up to this power of α.
 pub fn prove(formula: Expr, order: i64) -> Proof {
     let title = "the boundary between rest and escape";
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         SOLUTION.with(|(series, proof)| {
             p.carry_on(proof)?;
             let a = series.as_ref().ok_or(Obstacle::Empty)?;

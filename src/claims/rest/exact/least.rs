@@ -25,7 +25,7 @@ fn ring() -> Result<Ring, ExactError> {
 /// A formula for A is the boundary's where ψ is of the order of α, and A is nowhere less.
 pub fn prove(formula: Expr) -> Proof {
     let title = "the least A of the boundary between rest and escape";
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         p.rests_on(&boundary::prove(boundary::stated(), ORDER))?;
         let small = Series::monomial(Rational::int(1), 1, boundary::ENOUGH);
         let angle = Series::monomial(p.ring().named("y")?, 1, boundary::ENOUGH);

@@ -26,7 +26,7 @@ fn ring() -> Result<Ring, ExactError> {
 /// A formula for ∂A/∂σ is that of the surfaces that the motion makes.
 pub fn prove(formula: Expr) -> Proof {
     let title = "The surfaces of constant σ close to ρ = 1";
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         given(p, &[&turntable::EQ113, &turntable::EQ114])?;
         let ring = p.ring();
         p.note(

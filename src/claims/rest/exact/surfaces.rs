@@ -27,7 +27,7 @@ fn ring() -> Result<Ring, ExactError> {
 /// A formula for A consists of motions, and is (145) at ψ = 0.
 pub fn prove(formula: Expr) -> Proof {
     let title = "the surface of starts that come to rest at σ";
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         given(
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],

@@ -8,7 +8,7 @@ use crate::scalar::Scalar;
 /// slope sin φ − λ₀.
 pub fn phases(printed: [Expr; 3], left: Expr) -> Proof {
     let [beta, lambda0, phi] = ["β", "λ₀", "φ"].map(Expr::symbol);
-    Proof::within("the phases by φ₁ = β", ring_of_phi1(), |p| {
+    Proof::in_ring("the phases by φ₁ = β", ring_of_phi1(), |p| {
         let names = ["φ₁", "φ₂", "φ₄"];
         for ((name, printed), ours) in names.into_iter().zip(printed).zip(by_phi1(beta)) {
             let printed = p.read(name, printed)?;
@@ -29,7 +29,7 @@ pub fn by_phi1<S: Scalar>(phi1: S) -> [S; 3] {
 
 /// With λ₀ = 2 cos φ̃₁/π, (39) gives φ̃₁.
 pub fn turn(printed: Expr) -> Proof {
-    Proof::within("(39) by φ̃₁", ring_of_phi_t1(), |p| {
+    Proof::in_ring("(39) by φ̃₁", ring_of_phi_t1(), |p| {
         let printed = p.read("(39) with λ₀ = 2 cos φ̃₁/π", printed)?;
         let ours = p.ring().named("φ̃₁")?;
         p.equal("It and φ̃₁", &printed, &ours)
@@ -38,7 +38,7 @@ pub fn turn(printed: Expr) -> Proof {
 
 /// A function of b vanishes at b = 0 with its first `order` − 1 derivatives.
 pub fn vanishing(f: Expr, order: usize) -> Proof {
-    Proof::within("next to the end", Ok(Ring::new()), |p| {
+    Proof::in_ring("next to the end", Ok(Ring::new()), |p| {
         let last = order as i64;
         let b = Series::monomial(Rational::int(1), 1, last + 1);
         let series = p.expand("In powers of b", f, &[("b", &b)], ("b", last + 1))?;
@@ -52,7 +52,7 @@ pub fn vanishing(f: Expr, order: usize) -> Proof {
 
 /// A number is zero.
 pub fn solution(left: Expr) -> Proof {
-    Proof::within("without friction", Ok(Ring::new()), |p| {
+    Proof::in_ring("without friction", Ok(Ring::new()), |p| {
         let left = p.read("The left side of (32) at φ₄", folded(left, &|_| None))?;
         p.zero("It", &left)
     })

@@ -86,7 +86,7 @@ fn ring() -> Result<Ring, ExactError> {
 
 /// A proof that starts from the reduction to the particle.
 fn carried(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
-    Proof::within(title, ring(), |p| {
+    Proof::in_ring(title, ring(), |p| {
         given(p, &[&S3_REDUCTION])?;
         p.rests_on(&body::prove_rolling())?;
         steps(p)
