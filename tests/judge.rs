@@ -27,6 +27,15 @@ fn verdict(kind: Kind, change: Option<Change>, evidence: &[Evidence]) -> Verdict
     judge(kind, change, conditions, evidence).verdict
 }
 
+/// The verdict under one condition of this sort.
+fn under(sort: Sort, evidence: &[Evidence]) -> Verdict {
+    let condition = Condition {
+        text: "x > 0",
+        sort,
+    };
+    judge(Kind::Equation, None, &[condition], evidence).verdict
+}
+
 /// A condition of substance, where there is evidence without it.
 const NEEDED: &[Condition] = &[Condition {
     text: "x > 0",
@@ -352,21 +361,9 @@ fn a_condition_that_is_added_has_to_be_tried_without() {
         evidence(Route::Integration, Subject::Printed, GOOD),
         evidence(Route::Quadrature, Subject::Printed, GOOD),
     ];
-    let under = |sort| {
-        judge(
-            Kind::Equation,
-            None,
-            &[Condition {
-                text: "x > 0",
-                sort,
-            }],
-            &e,
-        )
-        .verdict
-    };
-    assert_eq!(under(Sort::Stated), Verdict::Confirmed);
-    assert_eq!(under(Sort::Degenerate), Verdict::Undecided);
-    assert_eq!(under(Sort::Substance), Verdict::Undecided);
+    assert_eq!(under(Sort::Stated, &e), Verdict::Confirmed);
+    assert_eq!(under(Sort::Degenerate, &e), Verdict::Undecided);
+    assert_eq!(under(Sort::Substance, &e), Verdict::Undecided);
 }
 
 #[test]
@@ -376,23 +373,22 @@ fn a_reading_has_no_effect_and_a_remark_has_to_be_tried() {
         evidence(Route::Quadrature, Subject::Printed, GOOD),
     ];
     let fails = [evidence(Route::Integration, Subject::Printed, BAD)];
-    let with = |sort, e: &[Evidence]| {
-        let text = "x is small";
-        judge(Kind::Equation, None, &[Condition { text, sort }], e).verdict
-    };
     let remark = |worst| evidence(Route::Limit, Subject::Remark, worst);
     let beside = |e: &[Evidence], worst| [e, &[remark(worst)]].concat();
-    assert_eq!(with(Sort::Reading, &holds), Verdict::Confirmed);
-    assert_eq!(with(Sort::Reading, &fails), Verdict::Undecided);
-    assert_eq!(with(Sort::Remark, &holds), Verdict::Undecided);
+    assert_eq!(under(Sort::Reading, &holds), Verdict::Confirmed);
+    assert_eq!(under(Sort::Reading, &fails), Verdict::Undecided);
+    assert_eq!(under(Sort::Remark, &holds), Verdict::Undecided);
     assert_eq!(
-        with(Sort::Remark, &beside(&holds, GOOD)),
+        under(Sort::Remark, &beside(&holds, GOOD)),
         Verdict::Confirmed
     );
-    assert_eq!(with(Sort::Remark, &beside(&holds, BAD)), Verdict::Undecided);
+    assert_eq!(
+        under(Sort::Remark, &beside(&holds, BAD)),
+        Verdict::Undecided
+    );
     // It speaks for nothing but itself.
     assert_eq!(
-        with(Sort::Remark, &beside(&holds[..1], GOOD)),
+        under(Sort::Remark, &beside(&holds[..1], GOOD)),
         Verdict::Undecided
     );
 }
@@ -520,17 +516,9 @@ fn the_page_gives_the_rules_of_the_judge() {
         verdict(kind, Some(Change::Statement), &e)
     };
     let degenerate = || {
-        let sort = Sort::Degenerate;
-        let conditions = [Condition {
-            text: "x > 0",
-            sort,
-        }];
-        let outside = [
-            by(Within, &two),
-            by(Outside, &[BAD]),
-            by(Subject::Excepted, &[0.0]),
-        ];
-        judge(Kind::Equation, None, &conditions, &outside.concat()).verdict
+        let excepted = by(Subject::Excepted, &[0.0]);
+        let e = [by(Within, &two), by(Outside, &[BAD]), excepted];
+        under(Sort::Degenerate, &e.concat())
     };
     let consistent = [evidence(Route::Consistency, Printed, GOOD)];
     let misprint = || {
@@ -540,18 +528,8 @@ fn the_page_gives_the_rules_of_the_judge() {
         )
     };
     let remark = || {
-        let sort = Sort::Remark;
-        let e = [by(Printed, &two), by(Subject::Remark, &[BAD])].concat();
-        judge(
-            Kind::Equation,
-            None,
-            &[Condition {
-                text: "x > 0",
-                sort,
-            }],
-            &e,
-        )
-        .verdict
+        let e = [by(Printed, &two), by(Subject::Remark, &[BAD])];
+        under(Sort::Remark, &e.concat())
     };
     let heir = || in_view_of(own(misprint()), &[], &[("b", Verdict::Inherited)]).verdict;
     let said = [
