@@ -67,12 +67,18 @@ def check(certificate, name, prints):
     return tie.split(",")[0]
 
 
+def digest(witnesses):
+    """What tells these witnesses from all others; the tests of the crate compute it too, of what it proves today."""
+    text = json.dumps(witnesses, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
 def record(path, date, accepted):
     """Writes who accepted what, and when."""
     import flint
     versions = f"Python {sys.version.split()[0]}, python-flint {flint.__version__}, FLINT {flint.__FLINT_VERSION__}"
     with open(path, "w", encoding="utf-8") as out:
-        out.write(f"{date},{versions}\n" + "".join(f"{claim},{trial},{tie}\n" for claim, trial, tie in accepted))
+        out.write(f"{date},{versions}\n" + "".join(",".join(line) + "\n" for line in accepted))
 
 
 def listed(folder, files):
@@ -95,12 +101,13 @@ def main(folder, date=None):
         try:
             with open(os.path.join(folder, name), encoding="utf-8") as file:
                 certificate = json.load(file)
-            accepted.append((certificate["claim"], certificate["trial"], check(certificate, name, prints)))
+            tie = check(certificate, name, prints)
+            accepted.append((certificate["claim"], certificate["trial"], tie, digest(certificate["witnesses"])))
         except Exception as error:  # whatever a broken file brings about
             rejected.append(f"{name}: {type(error).__name__}: {error}")
     missing = sorted(set(prints.ties) - set(files))
     print("\n".join(rejected + [f"{name}: missing" for name in missing]))
-    ties = [tie for _, _, tie in accepted]
+    ties = [line[2] for line in accepted]
     print(f"{len(accepted)} of {len(files)} files accepted; the printed formula is", {tie: ties.count(tie) for tie in sorted(set(ties))})
     if date and not rejected and not missing:
         record(os.path.join(prints.root, "snapshots/certificates.csv"), date, accepted)

@@ -123,6 +123,17 @@ def wide_number(w):
     w["stated"] = ["+", ["+", w["found"], "1"], ["*", "1" + "0" * 90, nothing]]
 
 
+def decimal(w):
+    return w["stated"][0] == "/" and str(w["stated"][2]).strip("0") == "1"
+
+
+def digit(by):
+    """What is stated, a decimal, with another last digit."""
+    def spoil(w):
+        w["stated"][1] = str(int(w["stated"][1]) + by)
+    return spoil
+
+
 def other_law(w):
     w["law"][0] = ["-", w["law"][0]]
 
@@ -165,6 +176,8 @@ IN_WITNESSES = [
     (of_kind("root"), other_matrix, "another preconditioner"),
     (of_kind("root"), other_root, "the root is elsewhere"),
     (of_kind("number"), wide_number, "the numbers differ"),
+    (of_kind("number", decimal), digit(1), "the numbers differ"),
+    (of_kind("number", decimal), digit(-1), "the numbers differ"),
     (of_kind("motion"), other_law, "another law of motion"),
     (of_kind("motion"), elsewhere, "the start is elsewhere"),
     (of_kind("motion", lambda w: w["steps"]), nearer_walls, "a motion leaves its walls, or they are far"),
@@ -220,6 +233,22 @@ def at_the_end():
                   "preconditioner": [["1"]], "root": ["0*2^-10"]}, "the image is not inside the box"
 
 
+def at_the_end_of_a_side():
+    """The root of x − ½ and y, at the end of a side of the box."""
+    half, unit = 1 << 29, 1 << 30
+    return root, {"kind": "root", "variables": ["x", "y"], "functions": [["-", "x", "1*2^-1"], "y"], "within": [["0", "1"], ["0", "1"]],
+                  "corners": [[str(-half), "0"], [str(half), str(unit)]], "preconditioner": [["1", "0"], ["0", "1"]],
+                  "root": ["512*2^-10", "0*2^-10"]}, "the image is not inside the box"
+
+
+def by_the_slope_along_x():
+    """That y − ¼ is positive on a square, as it is in the middle, and does not change along x."""
+    square = [["0", "1"], ["0", "1"]]
+    condition = {"formula": ["-", "y", "1*2^-2"], "by": 0, "power": 0, "sign": 1, "middle": [str(1 << 28)]}
+    return range_, {"kind": "range", "variables": ["x", "y"], "within": square, "parts": [{"at": square, "by": None}],
+                    "cases": [{"of": "rest", "choice": False, "conditions": [condition]}]}, "a condition that is not fulfilled"
+
+
 def above_the_sine():
     """That the sine is below 255/256 between 5/4 and 15/8, where both ends are and the top is not."""
     formula, cell = ["-", "255*2^-8", ["sin", "x"]], [enclosing(dyadic("5*2^-2"), dyadic("15*2^-3"))]
@@ -241,7 +270,7 @@ def cube_root():
                       "parts": parts, "gives": [None] * len(parts), "equal": [{"says": "x r′", "left": 4, "right": 5}], "fails": False}, "not equal"
 
 
-FALSE = [at_the_end, above_the_sine, cube_root]
+FALSE = [at_the_end, at_the_end_of_a_side, by_the_slope_along_x, above_the_sine, cube_root]
 
 
 def refused(reason, call):

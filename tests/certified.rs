@@ -1,6 +1,7 @@
 //! What is enclosed is what was meant, and no wider than it has to be: held against ordinary numbers and the motion.
 
 use slipbook::certified::ball::Ball;
+use slipbook::certified::drive;
 use slipbook::certified::error::CertifiedError;
 use slipbook::certified::interval::Interval;
 use slipbook::certified::jet::over;
@@ -334,4 +335,17 @@ fn functions_of_intervals_enclose_the_values_of_numbers() {
         assert_near(Scalar::asin(Interval::point(x)), value, value, 1e-14);
     }
     assert_eq!(Number::magnitude(&Interval::new(-3.0, 2.0)), 3.0);
+}
+
+#[test]
+fn no_rest_is_enclosed_for_a_ratio_that_is_not_positive() {
+    let rest_appears = |q: i64| drive::rest_appears(&Ball::int(q, 80), 64);
+    assert!(rest_appears(1).is_ok());
+    for q in [0, -1, -3] {
+        let error = rest_appears(q).unwrap_err();
+        assert!(
+            matches!(error, CertifiedError::NotProved { .. }),
+            "{q}: {error}"
+        );
+    }
 }

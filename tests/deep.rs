@@ -24,10 +24,11 @@ fn a_round_that_disagrees_or_has_no_number_changes_the_verdict() {
     for worst in ["0.5", "inf", "NaN"] {
         let ledger = stop_time();
         let trial = ledger.entries[0].evidence[1].trial;
-        let round = format!("eq-20\t{trial}\t7\t{worst}\tλ = 3");
+        let round = format!("eq-20\t{trial}\t7\t2\t{worst}\tλ = 3");
         let ledger = ledger.with(&round).unwrap();
         let evidence = &ledger.entries[0].evidence[1];
-        assert_eq!((evidence.points, evidence.at.as_str()), (707, "λ = 3"));
+        let brought = (evidence.points, evidence.failed, evidence.at.as_str());
+        assert_eq!(brought, (707, 2, "λ = 3"));
         let verdict = ledger.entries[0].judgement.verdict;
         assert_eq!(verdict, Verdict::Undecided, "{worst}");
     }
@@ -37,16 +38,16 @@ fn a_round_that_disagrees_or_has_no_number_changes_the_verdict() {
 fn a_line_that_is_none_of_a_round_is_refused() {
     let ledger = stop_time();
     let trial = ledger.entries[0].evidence[1].trial;
-    let good = format!("eq-20\t{trial}\t7\t0.0\tλ = 3\n");
+    let good = format!("eq-20\t{trial}\t7\t0\t0.0\tλ = 3\n");
     let with = |strange: &str| {
         ledger
             .clone()
             .with(&format!("{good}{strange}"))
             .unwrap_err()
     };
-    let error = with(&format!("eq-20\t{trial}\tseven\t0.0\t"));
+    let error = with(&format!("eq-20\t{trial}\tseven\t0\t0.0\t"));
     assert!(matches!(error, DeepError::Line { line: 2, .. }), "{error}");
-    for strange in ["eq-20\tnone\t7\t0.0\t", "eq-21\tnone\t7\t0.0\t"] {
+    for strange in ["eq-20\tnone\t7\t0\t0.0\t", "eq-21\tnone\t7\t0\t0.0\t"] {
         let error = with(strange);
         assert!(matches!(error, DeepError::Trial { line: 2, .. }), "{error}");
     }
@@ -78,8 +79,8 @@ fn rounds_from_any_parts_are_one_run() {
         let lines = ledger.round();
         let lines = lines.lines().map(|line| {
             let columns: Vec<_> = line.split('\t').collect();
-            let worst = columns[3].parse::<f64>().unwrap() + shift;
-            format!("{}\t{worst:?}\tshift {shift}\n", columns[..3].join("\t"))
+            let worst = columns[4].parse::<f64>().unwrap() + shift;
+            format!("{}\t{worst:?}\tshift {shift}\n", columns[..4].join("\t"))
         });
         lines.collect::<String>()
     };

@@ -1,17 +1,26 @@
-//! What is claimed is claimed of something: for each claim a point, in sixteenths, within what it is stated for, at which all formulas of the
-//! paper and of the corrections that it tries have values, by enclosure.
+//! What is claimed is claimed of something: for each claim a point within what it is stated for, at which all formulas of the paper and of
+//! the corrections that it tries have values, by enclosure. It is given in sixteenths, but for the phases that follow from λ₀.
 
 use insta::{Settings, assert_snapshot};
 use slipbook::certified::interval::Interval;
+use slipbook::claims::PAPER;
 use slipbook::claims::corners::DOMAINS;
 use slipbook::claims::formulas::formulas;
+use slipbook::numerics::roots::root;
 use slipbook::seeded::Formula;
 use std::collections::BTreeMap;
+use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::path::Path;
 
 /// The range of a symbol in a claim: as stated, else the open unit interval, where the paper's ratios lie.
 fn range(claim: &str, letter: &str) -> [f64; 2] {
+    match (claim, letter) {
+        // λ_c is 0.537.
+        ("eq-36", "λ₀") => return [0.54, 1.0],
+        ("eq-41", "λ₀") => return [0.0, 0.53],
+        _ => {}
+    }
     let stated = DOMAINS
         .iter()
         .find(|domain| domain.claim == claim && domain.letter == letter);
@@ -27,13 +36,46 @@ fn sixteenths([low, high]: [f64; 2]) -> Vec<f64> {
     all.filter(|x| low < *x && *x < high).collect()
 }
 
-/// The `n`th choice of a value: another one for each symbol.
+/// The `n`th choice of a value: another one for each symbol. The phases are those of the `n`th λ₀.
 fn value(claim: &str, letter: &str, n: usize) -> f64 {
+    let lambda0 = || value(claim, "λ₀", n);
+    match letter {
+        "φ₁" => return lambda0().asin(),
+        "φ₃" => return lambda0().asin() + PI,
+        "φ̃₁" => return (0.5 * PI * lambda0()).acos(),
+        "φ̃₂" => {
+            let (begin, lambda0) = (lambda0().asin(), lambda0());
+            let lost = |phi: f64| begin.cos() - phi.cos() - lambda0 * (phi - begin);
+            return root(lost, PI - begin, TAU).unwrap();
+        }
+        _ => {}
+    }
     let among = sixteenths(range(claim, letter));
     let place = letter
         .bytes()
         .fold(n, |place, byte| 7 * place + usize::from(byte));
     among[place % among.len()]
+}
+
+/// Whether the point is within what the claim is stated for: its own inequality, or a condition between two symbols.
+fn is_of_domain(claim: &str, n: usize) -> bool {
+    let value = |letter| value(claim, letter, n);
+    let of = PAPER.claims().find(|(_, of)| of.id == claim);
+    let stated = of.map_or(&[][..], |(_, of)| of.conditions);
+    let when = |text: &str| {
+        stated
+            .iter()
+            .any(|condition| condition.text.starts_with(text))
+    };
+    let slower = value("p") < value("ρ");
+    match claim {
+        "eq-41" => value("φ̃₁") > value("φ₁"),
+        "eq-110" => slower,
+        "eq-116" => !slower,
+        "eq-31" | "s22-rest-of-period" => (value("φ₁")..=value("φ̃₂")).contains(&value("φ")),
+        "eq-33" => value("φ̃₂") < value("φ₃"),
+        _ => !(when(r"$p<\rho$") && !slower || when(r"$p>\rho$") && slower),
+    }
 }
 
 /// Whether all components are numbers there.
@@ -56,7 +98,9 @@ fn every_claim_with_formulas_speaks_of_a_point() {
     }
     let mut record = String::new();
     for (claim, formulas) in &of_claim {
-        let there = |n: &usize| formulas.iter().all(|formula| has_value(claim, formula, *n));
+        let there = |n: &usize| {
+            is_of_domain(claim, *n) && formulas.iter().all(|formula| has_value(claim, formula, *n))
+        };
         let Some(n) = (0..200).find(there) else {
             let none: Vec<_> = formulas
                 .iter()

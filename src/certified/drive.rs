@@ -112,6 +112,7 @@ pub fn contact(bits: usize) -> Result<Ball, CertifiedError> {
 /// [`CertifiedError::NotProved`] for q ≤ 0.
 pub fn rest_appears(q: &Ball, bits: usize) -> Result<Ball, CertifiedError> {
     let cotangent = || {
+        (q.interval().lo() > 0.0).then_some(())?;
         let one = Ball::int(1, q.bits());
         let pi = Ball::pi(q.bits());
         let d = ((&pi + &pi) * q).over(&(q + &one))?;

@@ -16,7 +16,7 @@
 //! - ζ < −p, w < p: no rest. While w ≥ 0, (ζ + p)′ = −2pw ≤ 0 where ζ = −p, so that ζ ≤ −p stays; then (p² − w²)′ =
 //!   2w (ζ² − p²) ≥ 0 keeps p² above w² by a fixed amount, and w′ = −ζ² ≤ −p² makes w negative.
 //!
-//! A particle that never rests goes away for ever: within bounds ρ² − p² would converge, and with it the way and the
+//! Such a particle goes away for ever: within bounds ρ² − p² would converge, and with it the way and the
 //! place, where the pull would have to be balanced for good.
 
 mod strip;

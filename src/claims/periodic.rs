@@ -149,7 +149,7 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Stated,
             },
             Condition {
-                text: r"generic is a drive with $\lvert h\rvert<1$ for some time in each period, and $h\neq0$ wherever the antiderivative of $h$ is at its median",
+                text: r"generic is a piecewise continuous drive with $\lvert h\rvert<1$ for some time in each period and, if its mean is 0, with $h\neq0$, also as a limit from one side, wherever the antiderivative of $h$ is at its median",
                 sort: Sort::Reading,
             },
             Condition {

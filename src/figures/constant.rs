@@ -1,7 +1,7 @@
 //! The figures of section 2.1: constant acceleration.
 //!
 //! Units throughout: speeds in v₀, the initial speed; times in v₀/A. λ = μg/A is the friction over
-//! the acceleration, θ the angle between the velocity and the acceleration, θ₀ its initial value.
+//! the acceleration, θ the angle between the velocity and the inertial force, θ₀ its initial value.
 
 use super::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
 use std::f64::consts::PI;

@@ -30,7 +30,7 @@ pub use number::{Seeded, evaluate};
 pub use parts::{Formula, Parts, Symbol, letters, symbol};
 
 #[cfg(feature = "trials")]
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 
 /// What is changed at a place.
 #[cfg(feature = "trials")]
@@ -130,7 +130,10 @@ impl Seed {
 #[cfg(feature = "trials")]
 thread_local! {
     static SEED: Cell<Option<Seed>> = const { Cell::new(None) };
-    static PLACES: RefCell<Vec<Place>> = const { RefCell::new(Vec::new()) };
+    /// How many places the evaluation has passed, and the one that is wanted.
+    static PASSED: Cell<(usize, usize)> = const { Cell::new((0, usize::MAX)) };
+    /// That place.
+    static PLACE: Cell<Option<Place>> = const { Cell::new(None) };
 }
 
 /// Calls `f` with the mistake seeded on this thread, and on no other.
@@ -171,19 +174,39 @@ pub fn is_in(formula: &'static str) -> bool {
 
 /// The places that `evaluation` of the formula of this path passes, in order.
 #[cfg(feature = "trials")]
-pub fn places(formula: &'static str, evaluation: impl FnOnce()) -> Vec<Place> {
-    with(Seed::of_value(formula, Mistake::Sign), evaluation);
-    PLACES.take()
+pub fn places(formula: &'static str, evaluation: impl Fn()) -> Vec<Place> {
+    // Where it is made it does no harm: only the place is of interest.
+    let mistake = Mistake::Branch(true);
+    let pass = |place| {
+        let seed = Seed {
+            formula,
+            place,
+            mistake,
+        };
+        PLACE.set(None);
+        with(seed, &evaluation);
+        PLACE.take()
+    };
+    (0..).map_while(pass).collect()
+}
+
+/// An evaluation with the seeded mistake begins.
+#[cfg(feature = "trials")]
+fn begin() {
+    PASSED.set((0, SEED.get().map_or(usize::MAX, |seed| seed.place)));
 }
 
 /// Passes a place: the mistake to make there, if any.
 #[cfg(feature = "trials")]
+#[inline]
 fn pass(place: Place) -> Option<Mistake> {
-    PLACES.with_borrow_mut(|places| {
-        places.push(place);
-        let here = |seed: &Seed| places.len().checked_sub(1) == Some(seed.place);
-        SEED.get().filter(here).map(|seed| seed.mistake)
-    })
+    let (passed, wanted) = PASSED.get();
+    PASSED.set((passed + 1, wanted));
+    if passed != wanted {
+        return None;
+    }
+    PLACE.set(Some(place));
+    SEED.get().map(|seed| seed.mistake)
 }
 
 /// Code of [`formulas!`] for mistakes that are seeded: with this crate's feature, whatever features the formulas' own crate has.
@@ -219,8 +242,9 @@ macro_rules! formulas {
                 $crate::where_seeded! {
                     if $crate::seeded::is_in(concat!(module_path!(), "::", stringify!($name))) {
                         use $crate::seeded;
-                        let arguments: Vec<S> = [Vec::new(), $(seeded::Parts::parts($argument)),*].concat();
-                        return seeded::evaluate(&arguments, |_next| {
+                        let arguments = &mut Vec::<S>::with_capacity(0 $(+ <$type as seeded::Parts<S>>::COUNT)*);
+                        $(seeded::Parts::lay($argument, arguments);)*
+                        return seeded::evaluate(arguments, |_next| {
                             written::<seeded::Seeded<'_, S>>($({ let $argument = seeded::Parts::of(_next); $argument }),*)
                         });
                     }
@@ -247,7 +271,9 @@ macro_rules! formulas {
                 value: |_arguments| {
                     let mut _arguments = _arguments.iter().copied();
                     let _next = &mut || _arguments.next().expect("one for each symbol");
-                    Parts::parts($name::<S>($({ let $argument = Parts::of(_next); $argument }),*))
+                    let mut parts = Vec::with_capacity(<$value as Parts<S>>::COUNT);
+                    Parts::lay($name::<S>($({ let $argument = Parts::of(_next); $argument }),*), &mut parts);
+                    parts
                 },
             }),*]
         }

@@ -2,6 +2,7 @@
 
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{GONE, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
@@ -112,6 +113,14 @@ pub fn vanishes() -> Evidence {
     })
 }
 
+/// A friction, a start and the states of the motion.
+#[derive(Debug)]
+struct Slowed {
+    rough: Rough,
+    v: [f64; 2],
+    states: Vec<Logarithms>,
+}
+
 /// On the way it never grows.
 pub fn never_grows() -> Evidence {
     let compared = Compared::one(
@@ -119,17 +128,23 @@ pub fn never_grows() -> Evidence {
         r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    let mut points = Points::stream(321);
-    trial.over(0..24, |_| {
-        let (rough, v) = (Rough::any(&mut points), start(&mut points));
-        let states = followed(|theta| rough.towards(theta), v, 1.0)?;
+    static MOTIONS: Runs<Vec<Slowed>> = Runs::new(|| {
+        let mut points = Points::stream(321);
+        every((0..24).map(|_| {
+            let (rough, v) = (Rough::any(&mut points), start(&mut points));
+            let states = followed(|theta| rough.towards(theta), v, 1.0)?;
+            Ok::<_, Failure>(Slowed { rough, v, states })
+        }))
+    });
+    trial.over(MOTIONS.each(), |motion| {
+        let Slowed { rough, v, states } = motion?;
         let logarithm = |[a, b, _]: &Logarithms| a + b;
         let grows = states
             .windows(2)
             .filter(|s| logarithm(&s[1]) >= logarithm(&s[0]));
         Ok(Pair {
-            at: at(&rough, v),
-            stated: states.iter().filter(|s| lets_grow(&rough, **s)).count() as f64,
+            at: at(rough, *v),
+            stated: states.iter().filter(|s| lets_grow(rough, **s)).count() as f64,
             found: grows.count() as f64,
             scale: 1.0,
         })

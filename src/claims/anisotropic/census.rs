@@ -2,7 +2,7 @@
 
 use super::simulated::{corrected_list, listed_digits, printed_list, simulated};
 use crate::claims::compare::Failure;
-use crate::claims::points::Points;
+use crate::claims::points::{Points, round};
 use crate::claims::runs::Runs;
 
 /// Cells of the census along q, thirty for each unit.
@@ -11,6 +11,8 @@ pub const COLUMNS: usize = 330;
 pub const ROWS: usize = 180;
 /// The ends of the census along q.
 pub const Q: (f64, f64) = (1.0, 12.0);
+/// To this q the census of every other round of a deep run goes on.
+const FAR: f64 = 30.0;
 /// The ends of the census along λ₀.
 pub const LAMBDA0: (f64, f64) = (0.0, 1.4);
 
@@ -46,6 +48,10 @@ pub fn columns() -> Result<&'static [Column], Failure> {
 fn run() -> Result<Vec<Column>, Failure> {
     let mut points = Points::stream(300);
     let step = |(from, to): (f64, f64), cells: usize| (to - from) / cells as f64;
+    let along_q = match round() % 2 {
+        0 => Q,
+        _ => (Q.1, FAR),
+    };
     let drawn: Vec<(f64, Vec<f64>)> = (0..COLUMNS)
         .map(|i| {
             let share = match i {
@@ -53,7 +59,7 @@ fn run() -> Result<Vec<Column>, Failure> {
                 _ if i + 1 == COLUMNS => 1.0,
                 _ => points.uniform(0.0, 1.0),
             };
-            let q = Q.0 + (i as f64 + share) * step(Q, COLUMNS);
+            let q = along_q.0 + (i as f64 + share) * step(along_q, COLUMNS);
             // λ₀ = 0 itself is no point of the plane.
             let lambda0 = |j| (j as f64 + points.uniform(1e-9, 1.0)) * step(LAMBDA0, ROWS);
             (q, (0..ROWS).map(lambda0).collect())

@@ -93,8 +93,8 @@ pub fn y_limit() -> Evidence {
     )
     .over(r"$\eta$ from $10^{-5}$ to $10^{-10}$");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, THREE_DECIMALS);
-    trial.over(0..24, |k| {
-        let eta = 1e-5 * libm::exp10(-f64::from(k) / 5.0);
+    trial.over(steps(732), |k| {
+        let eta = 1e-5 * libm::exp10(-k / 5.0);
         let [low, high] = opening(eta)?;
         Ok(Pair {
             at: format!("η = {eta:.5e}"),
@@ -137,8 +137,8 @@ pub fn y_contact() -> Evidence {
     )
     .over(r"$\eta$ from $10^{-3}$ to $10^{-10}$");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, CONTACT);
-    trial.over(0..24, |k| {
-        let eta = 1e-3 * libm::exp2(-f64::from(k));
+    trial.over(steps(733), |k| {
+        let eta = 1e-3 * libm::exp2(-k);
         let y = printed_y();
         let [low, high] = opening(eta)?;
         Ok(Pair {
@@ -158,9 +158,9 @@ pub fn y_curvature() -> Evidence {
     )
     .over(r"$q=q_Y\pm\delta$");
     let trial = Trial::by(Route::Root, Subject::Printed, compared, CONTACT);
-    trial.over(0..24, |k| {
+    trial.over(steps(734), |k| {
         let (y, own) = (printed_y(), own_y()?);
-        let delta = 1e-2 * libm::exp10(-f64::from(k) / 24.0);
+        let delta = 1e-2 * libm::exp10(-k / 24.0);
         let both = [own - delta, own + delta];
         let mean = |at: [f64; 2]| 0.5 * (at[0] + at[1]);
         let below = corrected::contact(y) * delta * delta;
@@ -173,6 +173,11 @@ pub fn y_curvature() -> Evidence {
             scale: mean(both.map(|q| 1.0 / q)) - found,
         })
     })
+}
+
+/// So many steps towards a limit.
+fn steps(stream: u64) -> Vec<f64> {
+    Points::stream(stream).grid((0..24).map(f64::from))
 }
 
 /// The ends in q of region II along qλ₀ = 1 − η, by simulation.

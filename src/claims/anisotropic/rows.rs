@@ -2,6 +2,7 @@
 
 use super::simulated::{Changes, START, own_y};
 use crate::claims::compare::Failure;
+use crate::claims::points::Points;
 use crate::claims::runs::Runs;
 use crate::numerics::fit::fit;
 
@@ -59,7 +60,7 @@ fn ratios() -> Vec<f64> {
     list.extend((0..22).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 22.0));
     list.extend((0..12).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 12.0));
     list.extend([14.0, 20.0, 35.0]);
-    list
+    Points::stream(730).grid(list)
 }
 
 /// Rows for all values of q at which the curves are tried.
@@ -77,10 +78,8 @@ pub fn rows() -> Result<&'static [Row], Failure> {
 /// Why there is none.
 pub fn far_rows() -> Result<&'static [Row], Failure> {
     static ROWS: Runs<Vec<Row>> = Runs::new(|| {
-        let q: Vec<f64> = (0..=20)
-            .map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0))
-            .collect();
-        all_rows(&q, 1e-12)
+        let q = (0..=20).map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0));
+        all_rows(&Points::stream(731).grid(q), 1e-12)
     });
     Ok(ROWS.get()?)
 }

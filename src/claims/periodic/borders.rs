@@ -84,7 +84,7 @@ pub(super) fn slows(law: Expr) -> Proof {
 pub const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every piecewise continuous $h$ of the period $2\pi$ with the largest size 1, which is smaller for some time, and which, if its mean $m$ is 0, does not vanish, nor has the limit 0 from one side, where its antiderivative $H$ is at its median $c$: from every start, with any velocity across, there is rest for some time and motion for some time in every late period if $\langle\lvert h\rvert\rangle<\lambda_0<1$, and from some time on no rest if $0<\lambda_0<\min(\delta,\eta/\pi)$, where $\lvert h\rvert\ge\delta$ wherever $\lvert H-c\rvert\le\eta$, or if $m\ne0$ and $0<\lambda_0<\lvert m\rvert$. So there is a least number $\lambda_\mathrm c$ such that all $\lambda_0$ between it and 1 have rests, with $0<\lambda_\mathrm c<1$; and for one $h$ the behaviour changes at two more values at least",
+        r"for every piecewise continuous $h$ of the period $2\pi$, at each phase one of its one-sided limits, with the largest size 1, which is smaller for some time, and which, if its mean $m$ is 0, does not vanish, nor has the limit 0 from one side, where its antiderivative $H$ is at its median $c$: from every start, with any velocity across, there is rest for some time and motion for some time in every late period if $\langle\lvert h\rvert\rangle<\lambda_0<1$, and from some time on no rest if $0<\lambda_0<\min(\delta,\eta/\pi)$, where $\lvert h\rvert\ge\delta$ wherever $\lvert H-c\rvert\le\eta$, or if $m\ne0$ and $0<\lambda_0<\lvert m\rvert$. So there is a least number $\lambda_\mathrm c$ such that all $\lambda_0$ between it and 1 have rests, with $0<\lambda_\mathrm c<1$; and for one $h$ the behaviour changes at two more values at least",
     ),
     || (eq2(), rate(), printed::s23_rests()),
     |(law, rate, kinds)| for_both_signs(|sign| threshold(law, rate, kinds, sign)),
@@ -164,7 +164,7 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
     p.equal("The two", &after, &below)?;
     p.note(
         "So there is another rest within a period",
-        "and motion too for λ₀ < 1: |h| > λ₀ for some time, as it comes up to 1, and no rest lasts there",
+        "and motion too for λ₀ < 1: |h| > λ₀ for some time, as one of its one-sided limits is ±1, and no rest lasts there",
     );
     Ok(())
 }
@@ -196,7 +196,7 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
     );
     p.note(
         "The velocity after a period by that before",
-        "is a function that never falls and never spreads, as two motions never part nor cross; done again and again it goes one way, and being bounded, to a value that it leaves as it is",
+        "is a function that never falls and never spreads, as the velocities of two motions neither move apart nor cross; done again and again it goes one way, and being bounded, to a value that it leaves as it is",
     );
     p.note(
         "So every motion tends to one of the period 2π",

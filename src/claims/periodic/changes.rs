@@ -315,7 +315,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         ..
     } = *half;
     p.note(
-        "In each period the distance falls by what depends on D alone",
+        "In each period the distance falls by at least what depends on D alone",
         "so that it goes to 0",
     );
     let room = p.read(

@@ -408,6 +408,7 @@ pub fn extremes_limit() -> Evidence {
     .over(r"$\eta=1-\delta$ (large friction) and $\eta=\delta$ (small friction)");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, LIMIT_OF_WIDTH);
     let distances = (1..13).map(|k| Scalar::pow(10.0, -0.25 * f64::from(k)));
+    let distances = Points::stream(746).grid(distances).into_iter();
     trial.over(
         distances.flat_map(|delta| [(delta, true), (delta, false)]),
         |(delta, nearly_one)| {

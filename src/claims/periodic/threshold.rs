@@ -172,8 +172,8 @@ pub fn again_and_again() -> Evidence {
         r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
     );
     let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    trial.over(0..20, |k| {
-        let a = 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0;
+    let amplitudes = (0..20).map(|k| 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0);
+    trial.over(Points::stream(747).grid(amplitudes), |a| {
         let drive = third_harmonic(a)?;
         let seen: Result<Vec<bool>, _> = (1..200)
             .map(|k| Ok::<_, DriveError>(phase(&drive, 0.005 * f64::from(k))?.rests()))

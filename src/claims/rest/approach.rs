@@ -11,6 +11,7 @@ use super::stops::{
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::escape::escapes::{a, alpha, rates};
 use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
+use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
@@ -153,7 +154,7 @@ struct Leaving {
 fn borders_near_one() -> impl Iterator<Item = Result<&'static Leaving, Failure>> {
     static BORDERS: Runs<Vec<Leaving>> = Runs::new(|| {
         let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
-        every(alphas.map(leaving))
+        every(Points::stream(743).grid(alphas).into_iter().map(leaving))
     });
     BORDERS.each()
 }

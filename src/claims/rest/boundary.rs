@@ -38,11 +38,15 @@ pub fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
     Ok(Border { alpha, psi, a })
 }
 
-/// Points of the boundary: α = 0.3, 0.1, 0.03, 0.01, and twelve ψ all round.
+/// Points of the boundary: four α from 0.3 to 0.01, and twelve ψ all round.
 pub fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>> {
     static BORDERS: Runs<Vec<Border>> = Runs::new(|| {
         let angles = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
-        let points = angles.flat_map(|psi| [0.3, 0.1, 0.03, 0.01].map(|alpha| (alpha, psi)));
+        let angles = Points::stream(735).grid(angles);
+        let alphas = Points::stream(736).grid([0.3, 0.1, 0.03, 0.01]);
+        let points = angles
+            .into_iter()
+            .flat_map(|psi| alphas.iter().map(move |alpha| (*alpha, psi)));
         every(points.map(|(alpha, psi)| border(alpha, psi)))
     });
     BORDERS.each()
@@ -103,8 +107,8 @@ pub fn printed_slow() -> Evidence {
     )
     .over(r"$\psi=2\alpha$");
     let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
-    trial.over(0..20, |i| {
-        let alpha = 0.02 + 0.01 * f64::from(i);
+    let alphas = (0..20).map(|i| 0.02 + 0.01 * f64::from(i));
+    trial.over(Points::stream(737).grid(alphas), |alpha| {
         let found = border(alpha, 2.0 * alpha)?.a;
         Ok(Pair {
             at: at(alpha, 2.0 * alpha),
@@ -140,8 +144,8 @@ pub fn least_root() -> Evidence {
         r"the least $A$, over 21 $\psi$, at which the motion passes from rest to escape, in units of $1000\alpha^3$",
     );
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
-    trial.over(0..20, |i| {
-        let alpha = 0.01 + 0.01 * f64::from(i);
+    let alphas = (0..20).map(|i| 0.01 + 0.01 * f64::from(i));
+    trial.over(Points::stream(738).grid(alphas), |alpha| {
         let round = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
         let near = (-4..=4).map(|k| alpha * f64::from(k));
         let mut least = f64::INFINITY;
@@ -166,6 +170,7 @@ pub fn corrected_close() -> Evidence {
     .over(r"$\alpha=10^{-3}$ and $10^{-4}$");
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
     let angles = (0..10).map(|k| PI * (f64::from(k) - 4.0) / 5.0);
+    let angles = Points::stream(739).grid(angles).into_iter();
     // A start may be counted several turns on.
     let angles = angles.chain([1.5, -2.5, 159.3].map(|turns| PI * turns));
     let points = angles.flat_map(|psi| [1e-3, 1e-4].map(|alpha| (alpha, psi)));
@@ -310,8 +315,10 @@ pub struct Surface {
 
 /// Twenty such places.
 pub fn surfaces() -> impl Iterator<Item = Result<&'static Surface, Failure>> {
-    static SURFACES: Runs<Vec<Surface>> =
-        Runs::new(|| every((0..20).map(|i| surface(0.99 + 4e-4 * f64::from(i)))));
+    static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
+        let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
+        every(Points::stream(740).grid(sigmas).into_iter().map(surface))
+    });
     SURFACES.each()
 }
 

@@ -79,8 +79,9 @@ pub fn on_the_boundary() -> Evidence {
         r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
     );
     let trial = Trial::by(Route::Root, Subject::Outside, compared, NONE);
-    trial.over(0..20, |i| {
-        let (alpha, psi) = (0.05 + 0.02 * f64::from(i), 0.1 * f64::from(i) - 1.0);
+    let places = Points::stream(741).grid((0..20).map(f64::from));
+    trial.over(places, |i| {
+        let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 1.0);
         let run = Run::new(&Start::hyperbolic(boundary(alpha, psi)?, alpha, psi)?, 8.0)?;
         let (before, after) = (run.at(4.0)?, run.at(8.0)?);
         let creeps = creeps([&before, &after].map(|s| [s.rho(), s.p()]));
@@ -105,8 +106,9 @@ pub fn beside_the_boundary() -> Evidence {
         "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
     );
     let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
-    trial.over(0..40, |i| {
-        let (alpha, psi) = (0.05 + 0.02 * f64::from(i), 0.1 * f64::from(i) - 2.0);
+    let places = Points::stream(742).grid((0..40).map(f64::from));
+    trial.over(places, |i| {
+        let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 2.0);
         let on = boundary(alpha, psi)?;
         let beside = |part: f64| -> Result<Fate, Failure> {
             Ok(fate(&Start::hyperbolic(on * (1.0 + part), alpha, psi)?)?)

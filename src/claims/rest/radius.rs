@@ -19,8 +19,8 @@ pub fn eq139_nudge() -> Evidence {
         r"the $\rho$ up to which a particle nudged by $p=10^{-4}$ comes to rest",
     );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, NEAR_CORNER);
-    trial.over(0..20, |i| {
-        let psi = 2.8 * (f64::from(i) - 9.5) / 9.5;
+    let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
+    trial.over(Points::stream(744).grid(angles), |psi| {
         let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
         Ok(Pair {
             at: format!("p = 0.0001, ψ = {psi:.6}"),

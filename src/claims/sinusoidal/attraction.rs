@@ -1,8 +1,8 @@
 //! Every motion under the sine, with any velocity across it, is drawn to one and the same: to (38) for 0 < λ₀ ≤ λ_c, to (33) for
 //! λ_c < λ₀ < 1, to rest for λ₀ ≥ 1.
 //!
-//! Two motions under one drive come no farther apart. Where the one passes through zero, or rests, they come closer by an amount
-//! that depends on their distance alone, once in each period; so the distance goes to zero. All is in units of A₀ and ϖ.
+//! Two motions under one drive come no farther apart. Where the one passes through zero, or rests, they come closer by at least an
+//! amount that depends on their distance alone, once in each period; so the distance goes to zero. All is in units of A₀ and ϖ.
 
 use super::chains::{VX_STAYS, WEAK_DRIVE_STOPS, eq21, in_units};
 use super::exact::{
@@ -197,7 +197,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         p.equal("The two", &whole, &square)?;
         p.note(
             "So v falls by λ₀ − |sin φ| > 0 at least",
-            "in each rest by the same amount, or to 0: from then on the motion is (33)",
+            "in each rest by at least the same amount, or to 0: from then on the motion is (33)",
         );
         Ok(())
     })
@@ -207,7 +207,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
 pub const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every $\lambda_0$ with $\tilde\phi_2<\phi_3$: two motions under one drive never part, while (33) rests the speed of any other motion falls by $\lambda_0-\lvert\sin\phi\rvert>0$ at least, and so from every start, with any $v_y$, the distance from (33) is 0 after a finite number of its rests",
+        r"for every $\lambda_0$ with $\tilde\phi_2<\phi_3$: the velocities of two motions under one drive never move apart, while (33) rests the speed of any other motion falls by $\lambda_0-\lvert\sin\phi\rvert>0$ at least, and so from every start, with any $v_y$, the distance from (33) is 0 after a finite number of its rests",
     ),
     || (eq2(), eq33()),
     |(law, cases)| drawn_to_rests(law, cases),
@@ -217,7 +217,7 @@ pub const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
 pub const NO_REST_BELOW: Statement<([Expr; 2], NoRest)> = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every $0<\lambda_0<\lambda_\mathrm c$: two motions under one drive never part, and in each period the distance $D$ of any motion from (38) shrinks by an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",
+        r"for every $0<\lambda_0<\lambda_\mathrm c$: the velocities of two motions under one drive never move apart, and in each period the distance $D$ of any motion from (38) shrinks by at least an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",
     ),
     || (eq1(), eq38()),
     |(law, motion)| no_rest_below(law, motion),
@@ -303,7 +303,7 @@ fn trichotomy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
 pub const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new(
     Subject::Within,
     Compared::shown(
-        r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
+        r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$, both of which they become after a finite time; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
     ),
     || (eq1(), eq38(), eq33()),
     |(law, no_rest, rests)| ignores_vy(law, no_rest, rests),

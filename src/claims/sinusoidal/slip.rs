@@ -2,6 +2,7 @@
 
 use super::settled::{ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small};
 use crate::claims::compare::{Compared, Pair, Trial};
+use crate::claims::points::Points;
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
@@ -125,9 +126,12 @@ pub fn bracket_limit() -> Evidence {
         "1",
     );
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, EDGE);
-    trial.over(0..30, |i| {
-        let small = libm::pow(10.0, -9.0 - 0.1 * f64::from(i / 2));
-        let (lambda, leading, gap) = if i % 2 == 0 {
+    let exponents = (0..15).map(|i| -9.0 - 0.1 * f64::from(i));
+    let exponents = Points::stream(749).grid(exponents).into_iter();
+    let cases = exponents.flat_map(|exponent| [true, false].map(|near_0| (exponent, near_0)));
+    trial.over(cases, |(exponent, near_0)| {
+        let small = libm::pow(10.0, exponent);
+        let (lambda, leading, gap) = if near_0 {
             let gap = printed::eq30_phi4(small) - Slip::of(small)?.end;
             (small, libm::sqrt(4.0 * PI * small), gap)
         } else {

@@ -62,22 +62,44 @@ impl Serialize for Report {
     }
 }
 
+/// What a way has found, to so many digits.
+fn rounded<T: Fields>(way: &T, digits: Option<u32>) -> Vec<Field> {
+    let fields = way.fields().into_iter();
+    let rounded = fields.map(|field| match digits {
+        Some(digits) => field.rounded(digits),
+        None => field,
+    });
+    rounded.collect()
+}
+
 impl<T: Fields> Answer<T> {
+    /// To how many digits the formula is written: to as many as are known, but where the motion denies it to those that
+    /// the two have in common, and to one at least.
+    fn of_formula(&self) -> Option<u32> {
+        let digits = self.digits?;
+        let denied = self.disagreement > Some(10.0 * libm::exp10(-f64::from(digits)));
+        let ways = self.by_formula.as_ref().zip(self.by_motion.as_ref());
+        let Some((formula, motion)) = ways.filter(|_| denied) else {
+            return Some(digits);
+        };
+        let values = |way: &T, n: u32| -> Vec<_> {
+            let fields = rounded(way, Some(n)).into_iter();
+            fields.map(|field| field.value).collect()
+        };
+        let alike = |n: &u32| values(formula, *n) == values(motion, *n);
+        Some((1..=digits).rev().find(alike).unwrap_or(digits.min(1)))
+    }
+
     /// The answer without its type, for output: no number has more digits than are known.
     pub fn report(&self, problem: &'static str) -> Report {
-        let fields = |way: &T| {
-            let fields = way.fields().into_iter();
-            let rounded = fields.map(|field| match self.digits {
-                Some(digits) => field.rounded(digits),
-                None => field,
-            });
-            rounded.collect()
-        };
         Report {
             problem,
-            fields: fields(&self.best),
-            by_formula: self.by_formula.as_ref().map(fields),
-            by_motion: self.by_motion.as_ref().map(fields),
+            fields: rounded(&self.best, self.digits),
+            by_formula: self
+                .by_formula
+                .as_ref()
+                .map(|way| rounded(way, self.of_formula())),
+            by_motion: self.by_motion.as_ref().map(|way| rounded(way, self.digits)),
             disagreement: self.disagreement,
             digits: self.digits,
             note: self.note.clone(),

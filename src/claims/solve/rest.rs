@@ -66,7 +66,7 @@ impl<T: Quantity> BoundaryProblem<T> {
                 a: corrected::boundary_a(alpha, psi),
             };
             let note = format!(
-                "{by}; the formula is the expansion to second order in α that replaces (147)"
+                "{by}; the formula is the expansion to second order in α that replaces (147), to the digits that the motion bears out"
             );
             return Ok(Answer {
                 best: motion,

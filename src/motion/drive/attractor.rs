@@ -1,6 +1,6 @@
 //! The periodic motion that a start leads to.
 //!
-//! Two motions of one drive never part and never pass each other, so the return map F of w over a period is
+//! The velocities of two motions of one drive never move apart and never pass each other, so the return map F of w over a period is
 //! monotone with slope between 0 and 1, and F(w) − w never increases. Newton's method on it, kept inside
 //! the bracket that those signs give, goes to the motion that plain following would reach, only faster; the
 //! last period is always a plain one.

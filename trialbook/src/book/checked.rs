@@ -8,8 +8,8 @@ use crate::claims::Claim;
 use crate::evidence::{Evidence, Outcome};
 use std::collections::BTreeMap;
 
-/// The record of a check: by whom and when, then a line for each certificate: claim, trial, and where its printed formula
-/// was found.
+/// The record of a check: by whom and when, then a line for each certificate: claim, trial, where its printed formula was
+/// found, and a digest of it, which the tests hold against what is proved.
 struct Record<'a> {
     when: &'a str,
     engine: &'a str,
@@ -22,7 +22,8 @@ impl<'a> Record<'a> {
         let (when, engine) = lines.next()?.split_once(',')?;
         let cells = |line: &'a str| {
             let (claim, rest) = line.split_once(',')?;
-            let (trial, tie) = rest.split_once(',')?;
+            let (trial, rest) = rest.split_once(',')?;
+            let (tie, _) = rest.split_once(',')?;
             Some([claim, trial, tie])
         };
         Some(Record {
@@ -32,9 +33,13 @@ impl<'a> Record<'a> {
         })
     }
 
-    fn has(&self, claim: &Claim, evidence: &Evidence) -> bool {
-        let known = |[id, trial, _]: &[&str; 3]| *id == claim.id && *trial == evidence.trial;
-        self.lines.iter().any(known)
+    /// What a box says of the proof that this trial of the claim is.
+    fn says(&self, claim: &str, trial: &str) -> &'static str {
+        let known = |[id, of, _]: &[&str; 3]| (*id, *of) == (claim, trial);
+        match self.lines.iter().any(known) {
+            true => "Proved, checked by a second engine",
+            false => "Proved; no certificate of it has been checked",
+        }
     }
 }
 
@@ -46,12 +51,7 @@ pub(super) fn line(context: &Context<'_>, claim: &Claim, evidence: &Evidence) ->
     if !evidence.route.is_proof() || evidence.outcome() != Outcome::Agrees {
         return String::new();
     }
-    let word = if record.has(claim, evidence) {
-        "Proved, checked by a second engine"
-    } else {
-        "Proved; no certificate of it has been checked"
-    };
-    let word = context.explained(word, "certificates");
+    let word = context.explained(record.says(claim.id, evidence.trial), "certificates");
     format!("<p class=\"measure\">{word}.</p>")
 }
 
@@ -83,4 +83,24 @@ pub(super) fn summary(context: &Context<'_>) -> Result<String, Fault> {
         [words.to_owned(), count(n)]
     });
     Ok(head + &table("certified", ["the printed formula", "certificates"], rows))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Record;
+
+    #[test]
+    fn only_a_proof_on_record_was_checked() {
+        let record = Record::of("2026-11-26,FLINT\neq-1,law::EQ1,formula,0123\n").unwrap();
+        assert_eq!((record.when, record.lines[0][2]), ("2026-11-26", "formula"));
+        for (claim, trial, checked) in [
+            ("eq-1", "law::EQ1", true),
+            ("eq-1", "law::EQ2", false),
+            ("eq-2", "law::EQ1", false),
+        ] {
+            let says = record.says(claim, trial);
+            assert_eq!(says.contains("second engine"), checked, "{says}");
+            assert_eq!(says.contains("no certificate"), !checked, "{says}");
+        }
+    }
 }

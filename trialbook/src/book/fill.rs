@@ -106,6 +106,7 @@ impl<'a> Filler<'a> {
             ["ref", id] => inline(context.link(context.entry(id)?)?),
             ["count", "claims"] => inline(count(ledger.entries.len())),
             ["count", "points"] => inline(count(ledger.points())),
+            ["count", "put"] => inline(count(ledger.mistakes_put())),
             ["count", "variants"] => inline(count(tallies(ledger, |tally| tally.tried))),
             ["count", "rejected"] => inline(count(tallies(ledger, |tally| tally.rejected))),
             ["count", "corners"] => inline(count(ledger.paper.formulas.corners().len())),

@@ -46,8 +46,48 @@ impl Points {
         (0..count).map(point).collect()
     }
 
+    /// The values of a grid as they are given; in later rounds each at random between it and the next larger one, the largest
+    /// between the one before and itself.
+    pub fn grid(self, values: impl IntoIterator<Item = f64>) -> Vec<f64> {
+        let values = values.into_iter().collect();
+        match round() {
+            0 => values,
+            _ => self.moved(&values),
+        }
+    }
+
+    fn moved(mut self, values: &[f64]) -> Vec<f64> {
+        let mut sorted = values.to_vec();
+        sorted.sort_by(f64::total_cmp);
+        let between = |x: &f64| {
+            let next = sorted.partition_point(|other| other <= x);
+            let next = next.min(sorted.len() - 1);
+            self.uniform(sorted[next.saturating_sub(1)], sorted[next])
+        };
+        values.iter().map(between).collect()
+    }
+
     /// −1 or 1.
     pub fn sign(&mut self) -> f64 {
         if self.0.bool() { 1.0 } else { -1.0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Points;
+
+    #[test]
+    fn a_grid_that_moves_stays_in_order_and_in_its_range() {
+        let [c, a, d, b] = Points::stream(1).moved(&[2.0, 0.0, 3.0, 1.0])[..] else {
+            panic!("one for each");
+        };
+        assert!(0.0 < a && a < 1.0 && 1.0 < b && b < 2.0, "{a} {b}");
+        assert!(
+            2.0 < c && c < 3.0 && 2.0 < d && d < 3.0 && c != d,
+            "{c} {d}"
+        );
+        assert_eq!(Points::stream(1).moved(&[7.0]), [7.0]);
+        assert_eq!(Points::stream(1).grid([2.0, 0.0]), [2.0, 0.0]);
     }
 }

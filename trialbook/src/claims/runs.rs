@@ -161,8 +161,41 @@ impl<T> Runs<Vec<T>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scalar::Scalar;
+    use crate::seeded::{Mistake, Seed, formulas};
     use crate::witness::{Number, Tree, Witness};
     use std::sync::atomic::{AtomicUsize, Ordering};
+
+    formulas! {
+
+    symbols &[];
+
+    pub fn twice<S: Scalar>(x: S) -> S {
+        x + x
+    }
+
+    }
+
+    #[test]
+    fn runs_that_are_made_of_a_formula_are_none() {
+        static MOTION: Runs<f64> = Runs::new(|| Ok(6.0));
+        static VALUE: Runs<f64> = Runs::new(|| Ok(twice(3.0)));
+        assert_eq!(*MOTION.get().unwrap(), 6.0);
+        let why = VALUE.get().unwrap_err().to_string();
+        assert!(why.contains("have read") && why.contains("twice"), "{why}");
+    }
+
+    #[test]
+    fn what_is_derived_of_a_formula_is_derived_anew_with_a_mistake_in_it() {
+        static DERIVED: Derived<f64> = Derived::new(|| twice(3.0));
+        let value = || DERIVED.with(|six| *six);
+        let path = formulas::<f64>()[0].path;
+        let wrong = Seed::of_value(path, Mistake::Part(2));
+        assert_eq!(
+            [value(), seeded::with(wrong, value), value()],
+            [6.0, 9.0, 6.0]
+        );
+    }
 
     #[test]
     fn what_is_derived_once_leaves_its_proof_in_every_recording() {

@@ -9,8 +9,8 @@ use std::fmt::Write;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DeepError {
-    /// A line that is not a claim, a trial, points, a disagreement and where it was.
-    #[error("what a round has brought, line {line}: expected five columns, found `{text}`")]
+    /// A line that is not a claim, a trial, points, how many of them disagree, the largest disagreement and where it was.
+    #[error("what a round has brought, line {line}: expected six columns, found `{text}`")]
     Line {
         /// Number of the line, from 1.
         line: usize,
@@ -60,25 +60,27 @@ pub enum DeepError {
     Unfinished(u32),
 }
 
-/// A line of a round: of which claim and trial, how many points, the largest disagreement, and where.
+/// A line of a round: of which claim and trial, how many points, at how many it disagrees, the largest disagreement, and where.
 struct Brought<'a> {
     claim: &'a str,
     trial: &'a str,
     points: usize,
+    failed: usize,
     worst: f64,
     at: &'a str,
 }
 
 impl<'a> Brought<'a> {
     fn read(text: &'a str) -> Option<Self> {
-        let columns: Vec<_> = text.splitn(5, '\t').collect();
-        let [claim, trial, points, worst, at] = columns[..] else {
+        let columns: Vec<_> = text.splitn(6, '\t').collect();
+        let [claim, trial, points, failed, worst, at] = columns[..] else {
             return None;
         };
         Some(Brought {
             claim,
             trial,
             points: points.parse().ok()?,
+            failed: failed.parse().ok()?,
             worst: worst.parse().ok()?,
             at,
         })
@@ -93,6 +95,7 @@ impl Evidence {
             (self.worst, self.at) = (other.worst, other.at.to_owned());
         }
         self.points += other.points;
+        self.failed += other.failed;
     }
 }
 
@@ -111,10 +114,11 @@ impl Ledger {
                 // Nothing can fail in writing to a string.
                 let _ = writeln!(
                     text,
-                    "{}\t{}\t{}\t{:?}\t{}",
+                    "{}\t{}\t{}\t{}\t{:?}\t{}",
                     entry.claim.id,
                     e.trial,
                     e.points,
+                    e.failed,
                     e.worst,
                     e.at.replace(['\t', '\n'], " ")
                 );
@@ -176,7 +180,7 @@ impl Ledger {
         let mut ledger = self.clone();
         let evidence = ledger.entries.iter_mut().flat_map(|e| &mut e.evidence);
         for e in evidence.filter(|e| !e.route.is_proof()) {
-            (e.points, e.worst) = (0, 0.0);
+            (e.points, e.failed, e.worst) = (0, 0, 0.0);
             e.at.clear();
         }
         ledger
@@ -365,7 +369,7 @@ mod tests {
             .lines()
             .find(|line| line.starts_with("eq-5\texample::RootWithin"));
         let columns: Vec<_> = line.unwrap().split('\t').collect();
-        let off = [&columns[..3], &["1.0", "x = 2"]].concat().join("\t");
+        let off = [&columns[..3], &["3", "1.0", "x = 2"]].concat().join("\t");
         let bad = all.replace(line.unwrap(), &off);
         let mut rounds = Rounds::default();
         rounds.read(&Rounds::headed(0, &all)).unwrap();
@@ -378,6 +382,9 @@ mod tests {
         ] {
             assert_ne!(before, Verdict::Undecided);
             assert_eq!(verdict(&deep), Verdict::Undecided);
+            let mut within = deep.entry("eq-5").unwrap().measured();
+            let within = within.find(|e| e.trial == "example::RootWithin");
+            assert_eq!(within.unwrap().failed, 3);
         }
     }
 }

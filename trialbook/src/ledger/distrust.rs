@@ -94,7 +94,27 @@ impl Entry {
     }
 }
 
+/// The numbers of the mistakes in each formula.
+fn by_formula(variants: &[Variant]) -> BTreeMap<&str, Vec<usize>> {
+    let mut of_formula = BTreeMap::<&str, Vec<usize>>::new();
+    for (i, variant) in variants.iter().enumerate() {
+        of_formula.entry(variant.seed.formula).or_default().push(i);
+    }
+    of_formula
+}
+
 impl Ledger {
+    /// How often [`Ledger::distrust`] puts a mistake to a trial, with [`Extent::Every`].
+    pub fn mistakes_put(&self) -> usize {
+        let variants = self.paper.formulas.variants();
+        let of_formula = by_formula(&variants);
+        let evidence = self.entries.iter().flat_map(|e| &e.evidence);
+        let read = evidence.flat_map(|e| &e.read);
+        read.filter_map(|formula| of_formula.get(formula))
+            .map(Vec::len)
+            .sum()
+    }
+
     /// What every trial does when mistakes are seeded in the formulas that it reads. `done` is called after each trial.
     pub fn distrust(
         &self,
@@ -102,10 +122,7 @@ impl Ledger {
         extent: Extent,
         done: impl Fn() + Sync,
     ) -> Vec<Tried> {
-        let mut of_formula = BTreeMap::<&str, Vec<usize>>::new();
-        for (i, variant) in variants.iter().enumerate() {
-            of_formula.entry(variant.seed.formula).or_default().push(i);
-        }
+        let of_formula = by_formula(variants);
         let entries = self.entries.iter().enumerate();
         let trials: Vec<_> = entries
             .flat_map(|(entry, e)| (0..e.evidence.len()).map(move |trial| (entry, trial)))

@@ -142,12 +142,24 @@ impl Evidence {
             n => format!(" in {n} steps"),
         };
         match self.outcome() {
-            Outcome::Agrees => format!("Proved{steps}."),
+            Outcome::Agrees => format!("Proved{steps}{}.", self.quantified()),
             Outcome::Disagrees if self.failed > 0 => {
                 format!("Disproved: {}.", self.failing().to_lowercase())
             }
             Outcome::Disagrees => format!("Disproved: {}.", self.at.trim_end_matches('.')),
             Outcome::NotANumber | Outcome::TooFewPoints => self.no_result(),
+        }
+    }
+
+    /// For what an identity holds, where the sentence does not say so itself.
+    fn quantified(&self) -> &'static str {
+        let words = self.compared.words();
+        let says = ["every ", "all ", "any "]
+            .iter()
+            .any(|of| words.contains(of));
+        match self.route == Route::Exact && self.compared.found().is_some() && !says {
+            true => ", for all values of the symbols for which both sides have one",
+            false => "",
         }
     }
 
@@ -208,6 +220,8 @@ pub(crate) fn counted(n: usize, noun: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::claims::tolerances::NONE;
+    use crate::evidence::Compared;
 
     #[test]
     fn a_bound_is_never_below_what_it_bounds() {
@@ -221,6 +235,27 @@ mod tests {
             (0.96, "1"),
         ] {
             assert_eq!(rounded_up(size), bound, "{size}");
+        }
+    }
+
+    #[test]
+    fn an_identity_says_for_what_it_holds() {
+        let said = |route, compared| {
+            let proved = Evidence {
+                points: 1,
+                ..Evidence::new(route, Subject::Printed, compared, NONE)
+            };
+            proved.result()
+        };
+        let identity = Compared::one("$a$", "$b$");
+        let all = "Proved, for all values of the symbols for which both sides have one.";
+        assert_eq!(said(Route::Exact, identity), all);
+        for (route, compared) in [
+            (Route::Certified, identity),
+            (Route::Exact, Compared::shown("it never stops")),
+            (Route::Exact, Compared::one("$a$ for every $x$", "$b$")),
+        ] {
+            assert_eq!(said(route, compared), "Proved.");
         }
     }
 

@@ -29,7 +29,7 @@ impl System<f64, DVector<f64>> for RightHandSide<'_> {
 ///
 /// # Errors
 /// [`NumericsError::Argument`] for a time, state or tolerance out of range, [`NumericsError::Library`] when the
-/// method gives up (100,000 steps, too small steps), [`NumericsError::NotFinite`] when the result is.
+/// method gives up (10,000 steps, too small steps), [`NumericsError::NotFinite`] when the result is.
 pub fn end<const D: usize>(
     f: impl Fn(f64, &[f64; D]) -> [f64; D],
     from: f64,
@@ -101,7 +101,7 @@ pub fn end<const D: usize>(
 }
 
 /// Steps allowed.
-const MAX_STEPS: u32 = 100_000;
+const MAX_STEPS: u32 = 10_000;
 
 #[cfg(test)]
 mod tests {

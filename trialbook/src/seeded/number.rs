@@ -1,6 +1,6 @@
 //! A number that counts the places of a formula, and makes a mistake at one of them.
 
-use super::{Mistake, PLACES, Parts, Place, SEED, pass};
+use super::{Mistake, Parts, Place, SEED, begin, pass};
 use crate::scalar::Scalar;
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -19,14 +19,16 @@ pub fn evaluate<'a, S: Scalar, V: Parts<Seeded<'a, S>>, R: Parts<S>>(
     arguments: &'a [S],
     written: impl FnOnce(&mut dyn FnMut() -> Seeded<'a, S>) -> V,
 ) -> R {
-    PLACES.with_borrow_mut(Vec::clear);
+    begin();
     let mut given = arguments.iter().enumerate().map(|(i, value)| Seeded {
         value: *value,
         argument: Some((i, arguments)),
     });
     let value = written(&mut || given.next().expect("one for each argument"));
     let part = SEED.get().and_then(|seed| seed.mistake.part(arguments));
-    let mut parts = value.parts().into_iter().map(|value| {
+    let mut parts = Vec::with_capacity(V::COUNT);
+    value.lay(&mut parts);
+    let mut parts = parts.into_iter().map(|value| {
         let value = value.read();
         part.map_or(value, |part| value + value / S::int(part))
     });

@@ -69,8 +69,8 @@ pub trait Parts<S> {
     const COUNT: usize;
     /// Of the next numbers.
     fn of(next: &mut dyn FnMut() -> S) -> Self;
-    /// Its numbers.
-    fn parts(self) -> Vec<S>;
+    /// Lays its numbers behind others.
+    fn lay(self, behind: &mut Vec<S>);
 }
 
 impl<S: Scalar> Parts<S> for S {
@@ -78,8 +78,8 @@ impl<S: Scalar> Parts<S> for S {
     fn of(next: &mut dyn FnMut() -> S) -> Self {
         next()
     }
-    fn parts(self) -> Vec<S> {
-        vec![self]
+    fn lay(self, behind: &mut Vec<S>) {
+        behind.push(self);
     }
 }
 
@@ -88,8 +88,8 @@ impl<S: Scalar, const N: usize> Parts<S> for [S; N] {
     fn of(next: &mut dyn FnMut() -> S) -> Self {
         std::array::from_fn(|_| next())
     }
-    fn parts(self) -> Vec<S> {
-        self.to_vec()
+    fn lay(self, behind: &mut Vec<S>) {
+        behind.extend(self);
     }
 }
 

@@ -151,7 +151,7 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
             p.rests_on(&eq139(bound))?;
             p.note(
             "So",
-            "p + ρ falls at a rate that only grows, until p = 0 after a finite time, at a ρ below the bound, where static friction holds",
+            "p + ρ falls at no less than the bound less p + ρ, which only grows, until p = 0 after a finite time, at a ρ below the bound, where static friction holds",
         );
             Ok(())
         },

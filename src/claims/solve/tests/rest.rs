@@ -1,5 +1,6 @@
 //! The turntable's boundary.
 
+use crate::claims::solve::Value;
 use crate::claims::solve::rest::BoundaryProblem;
 
 #[test]
@@ -23,6 +24,13 @@ fn the_boundary_by_bisection_and_near_the_corner() {
     let trial = |alpha| solve(alpha, 1.0).by_formula.is_some();
     assert!(trial(0.3) && !trial(0.301));
     assert!(solve(1e-3, 1.0).disagreement < Some(1e-8));
+    // No digit of it is written that the motion denies: 0.93512… beside 0.93153….
+    let written = |alpha| solve(alpha, 1.0).report("").by_formula.unwrap()[0].value;
+    assert_eq!(written(0.1), Value::Number(0.9));
+    assert_eq!(
+        solve(0.1, 1.0).report("").fields[0].value,
+        Value::Number(0.931534356734058)
+    );
     // From an extrapolating integrator in extended precision, bisected to 2e-12.
     for (alpha, psi, a) in [
         (0.1, 1.0, 0.931534356734),

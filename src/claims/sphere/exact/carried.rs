@@ -31,7 +31,7 @@ pub const PULSE: Statement = Statement::new(
 pub const ANY_DRIVE: Statement = Statement::new(
     Subject::Printed,
     Compared::shown(
-        r"for every sphere and every start: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22), and (26) with $h$ for the sine is its equation; for that it is proved that all rests above $\lambda_0=1$, that the share of rest tends to 1 below it if $\lvert h\rvert=1$ at single instants, and that some $\lambda_\mathrm c$ divides large friction, with rests, from small, without",
+        r"for every sphere and every start: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22), and (26) with $h$ for the sine is its equation; for that it is proved that all rests above $\lambda_0=1$, that the share of rest tends to 1 below it if $\lvert h\rvert=1$ at single instants, and that, under the conditions of that theorem, some $\lambda_\mathrm c$ divides large friction, with rests, from small, without",
     ),
     || {
         let [b, mu, g, a0] = symbols();
@@ -44,7 +44,7 @@ pub const ANY_DRIVE: Statement = Statement::new(
 pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::new(
     Subject::Within,
     Compared::shown(
-        r"for every sphere, every start and every $\lambda_0>0$ of (84): the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that the three kinds are proved, with the zeros and the rests, and that $\lambda_\mathrm c$ of (37) is where the curves A and B meet",
+        r"for every sphere, every start and every $\lambda_0>0$ of (84) but $\lambda_\mathrm c$ and 1: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that the three kinds are proved, with the zeros and the rests, and that $\lambda_\mathrm c$ of (37) is where the curves A and B meet",
     ),
     || {
         let [b, mu, g, a0] = symbols();
