@@ -181,7 +181,7 @@ class Field:
         n = x.number()
         return int(n.p) if n is not None and n.q == 1 else None
 
-    def exponential(self, tree):
+    def known(self, tree):
         return None
 
     def halves(self, x):
@@ -348,7 +348,7 @@ class Field:
 
         for g, (rule, *rest) in enumerate(self.rules):
             if rule in ("pi", "free"):
-                values.append(hashed(f"{salt}{g}") if g else of.pi())
+                values.append(of.number(hashed(f"{salt}{g}")) if g else of.pi())
             elif rule == "half-tangent":
                 angle = values[rest[0]] / of.number(2)
                 values.append(of.call("sin", angle) / of.call("cos", angle))

@@ -58,7 +58,7 @@ def evaluate(tree, of):
     if len(operands) == 1:
         if name in MEANT:
             return evaluate(MEANT[name](*operands), of)
-        if name == "exp" and (known := of.exponential(*operands)) is not None:
+        if (known := of.known(tree)) is not None:
             return known
         x = evaluate(*operands, of)
         demand(name == "-" or name in FUNCTIONS, f"no function: {name}")
@@ -136,12 +136,12 @@ class Expansion:
     def is_zero(self, x):
         return not x.trimmed().c
 
-    def exponential(self, tree):
+    def known(self, tree):
         """That of a multiple of a symbol of which only the exponential is given."""
-        n, name = 1, tree
-        if isinstance(name, list) and name[0] == "-" and len(name) == 2:
+        n, name = 1, tree[1] if tree[0] == "exp" else []
+        if isinstance(name, list) and name and name[0] == "-" and len(name) == 2:
             n, name = -1, name[1]
-        if isinstance(name, list) and name[0] == "*" and re.fullmatch(r"-?\d+", str(name[1])):
+        if isinstance(name, list) and name and name[0] == "*" and re.fullmatch(r"-?\d+", str(name[1])):
             n, name = n * int(name[1]), name[2]
         known = self.series.get(f"exp {name}") if isinstance(name, str) else None
         return None if known is None else self.raised(known, self.number(n))

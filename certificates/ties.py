@@ -37,7 +37,7 @@ class Anything(dict):
 
     def __missing__(self, name):
         name = latex.name(name)
-        return evaluate(SPELLED[name], Numbers(self)) if name in SPELLED else hashed(self.salt + name)
+        return evaluate(SPELLED[name], Numbers(self)) if name in SPELLED else Interval(hashed(self.salt + name))
 
 
 def worth(tree, vectors, of):
@@ -108,8 +108,8 @@ def sides(statement):
     read = []
     for text in latex.statements(statement):
         try:
-            read += [side for sides in latex.Reader(text).sides() for side in sides if side is not None]
-        except (latex.Unread, RecursionError):
+            read += [side for sides in [latex.Reader(text).sides()] for side in sides if side is not None]
+        except (Wrong, RecursionError):
             continue
     return [side for side in read if isinstance(side, list) and side[0] not in ("vector", "unit")], bool(read)
 
