@@ -5,11 +5,12 @@ from itertools import product
 
 from flint import arb, arb_mat, ctx as precision, fmpq
 
-from formula import Expansion, Series, Wrong, demand, dyadic, evaluate, index, keys
+from formula import Calculator, Expansion, Series, Wrong, demand, dyadic, evaluate, index, keys
 from latex import read
 
 precision.prec = 512
 INFINITY = arb.pos_inf()
+FLINT = {"sin": arb.sin, "cos": arb.cos, "exp": arb.exp, "ln": arb.log, "√": arb.sqrt, "arcsin": arb.asin, "arccos": arb.acos}
 
 
 class Interval:
@@ -69,7 +70,7 @@ def sine(x):
     return Interval(-1 if turns(-arb.pi() / 2) else arb.min(*ends), 1 if turns(arb.pi() / 2) else arb.max(*ends))
 
 
-class Numbers:
+class Numbers(Calculator):
     """Calculates with intervals, for names with values."""
     number = Interval
 
@@ -89,15 +90,9 @@ class Numbers:
     def whole(self, x):
         return int(x.low.unique_fmpz()) if x.low == x.high and x.low.is_integer() and abs(x.low) < 1000 else None
 
-    def known(self, tree):
-        return None
-
     def raised(self, x, y):
         n = self.whole(y)
-        if n is None:
-            return self.call("exp", y * self.call("ln", x))
-        power = reduce(lambda power, _: power * x, range(abs(n)), self.number(1))
-        return power if n >= 0 else self.number(1) / power
+        return self.call("exp", y * self.call("ln", x)) if n is None else self.repeated(x, n)
 
     def call(self, name, x):
         if name in ("cos", "sin"):
@@ -109,8 +104,7 @@ class Numbers:
             least, most = {"√": (0, INFINITY), "arcsin": (-1, 1)}.get(name, (-INFINITY, INFINITY))
             far = x.low < least - arb(2) ** -236 or x.high > most + arb(2) ** -236
             demand(not far and -INFINITY < x.low and x.high < INFINITY, f"{name} outside of its domain")
-            f = {"√": arb.sqrt, "arcsin": arb.asin, "exp": arb.exp, "ln": arb.log}[name]
-            y = Interval(f(arb.max(x.low, least)), f(arb.min(x.high, most)))
+            y = Interval(FLINT[name](arb.max(x.low, least)), FLINT[name](arb.min(x.high, most)))
         demand(y.low.is_finite() and y.high.is_finite(), "no value")
         return y
 
