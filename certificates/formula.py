@@ -55,6 +55,7 @@ class Calculator:
 
     def repeated(self, x, n):
         """The n-th power."""
+        demand(abs(n) < 1000, "too high a power")
         power = reduce(operator.mul, [x] * abs(n), self.number(1))
         return power if n >= 0 else self.number(1) / power
 
