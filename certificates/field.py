@@ -5,7 +5,7 @@ from operator import add, mul, sub, truediv
 
 from flint import fmpq, fmpz, fmpz_mpoly_ctx
 
-from formula import Calculator, Expansion, Series, Wrong, demand, dyadic, evaluate, index, keys
+from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
 from intervals import Numbers, hashed
 
 RULES = {"pi": "rule", "free": "rule name", "half-tangent": "rule of", "half-exponential": "rule of",
@@ -14,7 +14,7 @@ WORTH = {"pi": "π", "free": "free", "half-tangent": ["tan", ["/", "of", "2"]],
          "half-exponential": ["exp", ["/", "of", "2"]], "power": ["^", "of", "to"], "logarithm": ["ln", "of"]}
 
 
-class Element:
+class Element(Value):
     """Polynomials above and below the line."""
     __slots__ = ("f", "above", "below")
 
@@ -26,9 +26,6 @@ class Element:
 
     def __neg__(self):
         return Element(self.f, -self.above, self.below)
-
-    def __sub__(self, y):
-        return self + -y
 
     def __mul__(self, y):
         return self.f.fraction(self.above * y.above, self.below * y.below)
@@ -143,7 +140,7 @@ class Field(Calculator):
             for m, c in p.to_dict().items():
                 parts.setdefault(m[g] // degree, {})[m[:g] + (m[g] % degree,) + m[g + 1:]] = c
             most = max(parts)
-            p = sum((self.ctx.from_dict(part) * root.above**k * root.below ** (most - k) for k, part in parts.items()), 0 * p)
+            p = sum(self.ctx.from_dict(parts[k]) * root.above**k * root.below ** (most - k) for k in parts)
             factor *= root.below**most
         return p, factor
 
@@ -289,7 +286,8 @@ class Field(Calculator):
 
     def derivative(self, x, rates):
         of = lambda p: Element(self, p, self.one)
-        slope = lambda p: sum((of(p.derivative(g)) * self.rate(g, rates) for g, k in enumerate(p.degrees()) if k), self.number(0))
+        rate = lambda p, g: of(p.derivative(g)) * self.rate(g, rates)
+        slope = lambda p: sum((rate(p, g) for g, k in enumerate(p.degrees()) if k), self.number(0))
         return (slope(x.above) - x * slope(x.below)) / of(x.below)
 
     def rate(self, g, rates):

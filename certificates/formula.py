@@ -1,7 +1,4 @@
-"""Formulas as nested lists, and what they are worth: among elements of a field, intervals, or power series of either.
-
-Whatever calculates has `number`, `pi`, `symbol`, `call`, `raised`, `is_zero` and `whole`, and values with + - * /.
-"""
+"""Formulas as nested lists, and what they are worth: elements of a field, intervals, or power series of either."""
 import operator
 import re
 from functools import reduce
@@ -48,7 +45,17 @@ def dyadic(text):
     return fmpq(int(found[1])) * fmpq(2) ** int(found[2] or 0)
 
 
+class Value:
+    """What is calculated with: it has + * / and a sign."""
+    __slots__ = ()
+
+    def __sub__(self, y):
+        return self + -y
+
+
 class Calculator:
+    """What calculates has `number`, `pi`, `symbol`, `call`, `raised`, `is_zero` and `whole` besides."""
+
     def known(self, tree):
         """A formula's value, where this is another one than its parts say."""
         return None
@@ -83,7 +90,7 @@ def evaluate(tree, of):
     return of.raised(x, y) if name == "^" else OPERATIONS[name](x, y)
 
 
-class Series:
+class Series(Value):
     """x^start (c₀ + c₁ x + …), as far as the coefficients are known; `of` calculates with them."""
 
     def __init__(self, of, start, coefficients):
@@ -113,9 +120,6 @@ class Series:
 
     def __neg__(self):
         return Series(self.of, self.start, [-c for c in self.c])
-
-    def __sub__(self, y):
-        return self + -y
 
     def __mul__(self, y):
         x, y = self.trimmed(), y.trimmed()

@@ -5,15 +5,16 @@ from itertools import product
 
 from flint import arb, arb_mat, ctx as precision, fmpq
 
-from formula import Calculator, Expansion, Series, Wrong, demand, dyadic, evaluate, index, keys
+from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
 from latex import read
 
 precision.prec = 512
 INFINITY = arb.pos_inf()
-FLINT = {"sin": arb.sin, "cos": arb.cos, "exp": arb.exp, "ln": arb.log, "√": arb.sqrt, "arcsin": arb.asin, "arccos": arb.acos}
+FLINT = {"sin": arb.sin, "cos": arb.cos, "exp": arb.exp, "ln": arb.log, "√": arb.sqrt, "arcsin": arb.asin,
+         "arccos": arb.acos}
 
 
-class Interval:
+class Interval(Value):
     """Between exact numbers, or infinite ones: the outermost that its ends, as Arb has them, may be."""
     __slots__ = ("low", "high")
 
@@ -25,9 +26,6 @@ class Interval:
 
     def __neg__(self):
         return Interval(-self.high, -self.low)
-
-    def __sub__(self, y):
-        return self + -y
 
     def __mul__(self, y):
         """A slope is finite wherever it is multiplied by 0."""
@@ -122,7 +120,8 @@ def variables(names):
 
 
 def box(x, n):
-    demand(isinstance(x, list) and len(x) == n and all(isinstance(side, list) and len(side) == 2 for side in x), "no box")
+    sides = isinstance(x, list) and len(x) == n and all(isinstance(side, list) and len(side) == 2 for side in x)
+    demand(sides, "no box")
     ends = [[dyadic(end) for end in side] for side in x]
     demand(all(low <= high for low, high in ends), "an interval without a number")
     return [Interval(*side) for side in ends]
@@ -287,12 +286,13 @@ LAW = [read("-pw"), read("-ζζ"), read("wζ-p-ζ")]
 # Here ξ is 1 − w, and ρ² is ξ² + (p − ζ)².
 ENOUGH = {
     "rest": [[[P, 1], [read("1-p"), 1], [read("(1-p)(1-p)-((1-w)(1-w)+(p-ζ)(p-ζ))"), 1]]],
-    "escape": [[[P, 1], [read("(1-w)(1-w)+ζ(ζ-p-p)-1"), 1]], [[P, 1], [W, -1]], [[P, 1], [read("ζ+p"), -1], [read("p-w"), 1]]],
+    "escape": [[[P, 1], [read("(1-w)(1-w)+ζ(ζ-p-p)-1"), 1]], [[P, 1], [W, -1]],
+               [[P, 1], [read("ζ+p"), -1], [read("p-w"), 1]]],
 }
 
 
 def expansion(state, order):
-    """Taylor coefficients of p, w, ζ and of their derivatives by the three at the start, one after the other, from the law."""
+    """Taylor coefficients of p, w, ζ and, one after the other, of their derivatives by those at the start."""
     c, zero = [[x] for x in state], Interval(0)
     p, w, z = c[:3]
     for k in range(order):

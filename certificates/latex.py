@@ -1,16 +1,16 @@
-"""Reads a formula's LaTeX into nested lists, as certificates have them. Knows nothing of what wrote the certificates."""
+"""Reads a formula's LaTeX into nested lists, as certificates have them. Knows nothing of what wrote these."""
 import re
 import unicodedata
 
 from formula import Wrong, demand
 
-GREEK = dict(zip(
-    "alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi psi omega Omega varpi ell".split(),
-    "αβγδεζηθκλμνξπρστφψωΩϖℓ"))
+GREEK = ("alpha beta gamma delta epsilon zeta eta theta kappa lambda mu nu xi pi rho sigma tau phi psi omega Omega "
+         "varpi ell").split()
+GREEK = dict(zip(GREEK, "αβγδεζηθκλμνξπρστφψωΩϖℓ"))
 FUNCTIONS = {"\\" + f for f in "sin cos tan cot sinh cosh tanh coth exp ln".split()}
 RELATIONS = set(r"= < > \le \leq \ge \geq \sim \approx \simeq \ll \gg \to \ne \neq".split())
 CLOSED_BY = {"(": ")", "[": "]", "{": "}", r"\{": r"\}", r"\vert": r"\vert", r"\lvert": r"\rvert"}
-ENDS = RELATIONS | set(CLOSED_BY.values()) | {"+", "-", ",", ".", "|", "&", r"\\", None}
+ENDS = RELATIONS | set(CLOSED_BY.values()) | {"+", "-", ",", ".", "|", "&", r"\\", ""}
 # What binds closer and closer, and what stands for it.
 LEVELS = [{"+": "+", "-": "-"}, {"/": "/", r"\over": "/", r"\cdot": "·"}, {r"\times": "×"}]
 ACCENTS = {r"\tilde": "\u0303", r"\mathfrak": "frak"}
@@ -59,24 +59,25 @@ class Reader:
         self.t, self.i = re.findall(TOKEN, re.sub(RATE, rates, " ".join(re.findall(TOKEN, latex)))), 0
 
     def peek(self):
-        return self.t[self.i] if self.i < len(self.t) else None
+        """What comes next; nothing at the end."""
+        return self.t[self.i] if self.i < len(self.t) else ""
 
     def next(self):
-        demand(self.peek() is not None, "the end")
+        demand(self.peek(), "the end")
         self.i += 1
         return self.t[self.i - 1]
 
     def sides(self):
         """What stands between relations and commas; what cannot be read is None."""
         found = []
-        while self.peek() is not None:
+        while self.peek():
             begin = self.i
             try:
                 side = self.sum()
-                demand(self.peek() in RELATIONS | {",", ".", None}, self.peek())
+                demand(self.peek() in RELATIONS | {",", ".", ""}, self.peek())
             except Wrong:
                 side, self.i, depth = None, begin, 0
-                while self.peek() is not None and (depth or self.peek() not in RELATIONS | {","}):
+                while self.peek() and (depth or self.peek() not in RELATIONS | {","}):
                     token = self.next()
                     depth += (token in ("(", "[", "{", r"\{")) - (token in (")", "]", "}", r"\}"))
             found.append(side)
@@ -87,7 +88,7 @@ class Reader:
         """A sum, a product, or a vector product, which binds closer than others."""
         if level == len(LEVELS):
             return self.power()
-        sign = self.next() if level == 0 and self.peek() in ("+", "-") else None
+        sign = self.next() if level == 0 and self.peek() in LEVELS[0] else "+"
         x = self.sum(level + 1)
         x = ["-", x] if sign == "-" else x
         while self.peek() in LEVELS[level] or level == 1 and self.peek() not in ENDS:
@@ -98,12 +99,8 @@ class Reader:
         x = self.atom()
         while self.peek() == "^":
             self.next()
-            x = ["^", x, self.group()]
+            x = ["^", x, self.atom(one=True)]
         return x
-
-    def group(self):
-        """What stands in braces, or one token."""
-        return self.atom(one=True)
 
     def subscript(self):
         """The letters in braces, or one."""
@@ -115,9 +112,10 @@ class Reader:
         return letters
 
     def atom(self, one=False):
+        """What stands in brackets, a function, a name, a number; or one digit, or letter."""
         token = self.next()
         if token.isdigit():
-            while not one and (self.peek() or "").isdigit():
+            while not one and self.peek().isdigit():
                 token += self.next()
             return token
         if token in CLOSED_BY:
@@ -125,13 +123,13 @@ class Reader:
             demand(self.next() == CLOSED_BY[token], "a bracket")
             return ["| |", x] if "vert" in token else x
         if token in (r"\frac", r"\tfrac", r"\dfrac"):
-            return ["/", self.group(), self.group()]
+            return ["/", self.atom(one=True), self.atom(one=True)]
         if token == r"\sqrt":
-            return ["√", self.group()]
+            return ["√", self.atom(one=True)]
         if token in FUNCTIONS:
             return self.function(token[1:])
         if token in (r"\bm", r"\hat", *DOTS):
-            return self.dotted(token, self.group())
+            return self.dotted(token, self.atom(one=True))
         letters = self.subscript() + ACCENTS[token] if token in ACCENTS else token
         demand(letters[0].isalpha(), token)
         if self.peek() == "_" and not one and letters != "π":
@@ -156,11 +154,11 @@ class Reader:
         power = None
         if self.peek() == "^":
             self.next()
-            power = self.group()
+            power = self.atom(one=True)
             if power == ["-", "1"] and f in ("sin", "cos"):
                 f, power = "arc" + f, None
         x = self.power()
         # sin 2α, sin ϖt: a factor without brackets belongs to the argument.
-        if isinstance(x, str) and (self.peek() or "").isalpha():
+        if isinstance(x, str) and self.peek().isalpha():
             x = ["*", x, self.power()]
         return [f, x] if power is None else ["^", [f, x], power]

@@ -100,7 +100,7 @@ def sides(statement):
 
 
 def tied(statement, witnesses):
-    """Whether a side of the printed formula, or a component of it, is among the formulas that the witnesses speak of."""
+    """Whether a side of the printed formula, or a component of it, is among the formulas that witnesses speak of."""
     if "$" in statement:
         return "words"
     wanted, readable = sides(statement)
@@ -125,6 +125,6 @@ def tied(statement, witnesses):
 
 def outline(witnesses):
     """What a certificate consists of, in short."""
-    return "; ".join(
-        f"{w['title']} ({len(w['equal'])})" if w["kind"] == "identity" else f"{w['kind']} of {' '.join(w.get('variables', []))}"
-        for w in witnesses)
+    identity = lambda w: f"{w['title']} ({len(w['equal'])})"
+    other = lambda w: f"{w['kind']} of {' '.join(w.get('variables', []))}"
+    return "; ".join(identity(w) if w["kind"] == "identity" else other(w) for w in witnesses)
