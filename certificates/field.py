@@ -3,7 +3,7 @@ import re
 from functools import cache, reduce
 from operator import add, mul, sub, truediv
 
-from flint import fmpq, fmpz, fmpz_mpoly_ctx
+from flint import fmpq, fmpz_mpoly_ctx
 
 from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
 from intervals import Numbers, hashed
@@ -39,8 +39,7 @@ class Element(Value):
 
     def number(self):
         """Its value, if it is a number."""
-        value = lambda p: p.leading_coefficient() if p != 0 else fmpz(0)
-        return None if self.occurring() else fmpq(value(self.above), value(self.below))
+        return None if self.occurring() else fmpq(sum(self.above.coeffs()), sum(self.below.coeffs()))
 
 
 class Field(Calculator):
@@ -52,7 +51,7 @@ class Field(Calculator):
         self.one = self.ctx.constant(1)
         self.g = [Element(self, g, self.one) for g in self.ctx.gens()]
         # A root is a power; of roots, radicand and degree are known too.
-        self.rules, self.roots, self.powers, self.inverses, self.symbols = [], {}, [], [], {}
+        self.rules, self.roots, self.powers, self.inverses, self.symbols = [], {}, [], [], {"π": self.g[0]}
         self.half = self.number(fmpq(1, 2))
         for g, x in enumerate(generators):
             self.rules.append(self.rule(g, x))
@@ -168,13 +167,6 @@ class Field(Calculator):
         n = fmpq(n)
         return Element(self, self.ctx.constant(n.p), self.ctx.constant(n.q))
 
-    def pi(self):
-        return self.g[0]
-
-    def symbol(self, name):
-        demand(name in self.symbols, f"no symbol {name}")
-        return self.symbols[name]
-
     def whole(self, x):
         n = x.number()
         return int(n.p) if n is not None and n.q == 1 else None
@@ -212,11 +204,8 @@ class Field(Calculator):
                     side, k = side // prime, k + sign
         return k, x / self.repeated(p, k) if k else x
 
-    def raised(self, x, e):
-        """x to the power e: of a whole e, or of products of declared powers."""
-        n = self.whole(e)
-        if n is not None:
-            return self.repeated(x, n)
+    def power(self, x, e):
+        """x to the power e, by products of declared powers."""
         if self.same(x, self.number(1)):
             return x
         for to in [known[1] for known in self.powers]:
@@ -254,7 +243,7 @@ class Field(Calculator):
         if name in ("sin", "cos"):
             return self.turn(x)[name == "sin"]
         if name == "√":
-            return self.raised(x, self.half)
+            return self.power(x, self.half)
         if name == "exp":
             powers = [self.repeated(self.g[self.find("half-exponential", g)], k) for g, k in self.halves(x).items()]
             return reduce(mul, powers, self.number(1))
@@ -271,7 +260,7 @@ class Field(Calculator):
                 self.idle.discard(("inverse", i))
                 return angle
         demand(self.is_zero(x), f"not declared: {name}")
-        return x if name == "arcsin" else self.pi() * self.half
+        return x if name == "arcsin" else self.g[0] * self.half
 
     # Derivatives, and values put in.
 
@@ -322,7 +311,7 @@ class Field(Calculator):
         values, of = [], Numbers({})
         for g, (rule, *parts) in enumerate(self.rules):
             parts = [values[y] if type(y) is int else self.value(y, values, of) for y in parts]
-            of.values = dict(zip(("of", "to"), parts)) | {"free": of.number(hashed(f"{salt}{g}"))}
+            of.symbols |= dict(zip(("of", "to"), parts)) | {"free": of.number(hashed(f"{salt}{g}"))}
             values.append(evaluate(WORTH[rule], of))
         return self.value(x, values, of)
 

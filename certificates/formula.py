@@ -54,11 +54,20 @@ class Value:
 
 
 class Calculator:
-    """What calculates has `number`, `pi`, `symbol`, `call`, `raised`, `is_zero` and `whole` besides."""
+    """What calculates has `number`, `symbols`, `call`, `power`, `is_zero` and `whole` besides."""
+    kind = "symbol"
+
+    def symbol(self, name):
+        demand(name in self.symbols, f"no {self.kind} {name}")
+        return self.symbols[name]
 
     def known(self, tree):
         """A formula's value, where this is another one than its parts say."""
         return None
+
+    def raised(self, x, y):
+        n = self.whole(y)
+        return self.power(x, y) if n is None else self.repeated(x, n)
 
     def repeated(self, x, n):
         """The n-th power."""
@@ -70,8 +79,6 @@ class Calculator:
 def evaluate(tree, of):
     """A formula's value."""
     if isinstance(tree, str):
-        if tree == "π":
-            return of.pi()
         return of.number(dyadic(tree)) if re.match(r"-?\d", tree) else of.symbol(tree)
     demand(isinstance(tree, list) and len(tree) in (2, 3) and isinstance(tree[0], str), "no formula")
     if (known := of.known(tree)) is not None:
@@ -145,14 +152,8 @@ class Expansion(Calculator):
     def number(self, n):
         return self.constant(self.of.number(n))
 
-    def pi(self):
-        return self.constant(self.of.pi())
-
     def symbol(self, name):
-        return self.series[name] if name in self.series else self.constant(self.of.symbol(name))
-
-    def is_zero(self, x):
-        return not x.trimmed().c
+        return self.series[name] if name in self.series and name != "π" else self.constant(self.of.symbol(name))
 
     def known(self, tree):
         """The exponential of a multiple of a symbol of which only the exponential is given."""
@@ -166,25 +167,24 @@ class Expansion(Calculator):
         known = self.series.get(f"exp {x}") if isinstance(x, str) else None
         return None if known is None else self.repeated(known, n)
 
-    def raised(self, x, y):
+    def whole(self, y):
         e, *others = y.plain()
         demand(all(self.of.is_zero(c) for c in others), "a varying exponent")
-        n = self.of.whole(e)
-        return self.power(x, e, lambda c: self.of.raised(c, e)) if n is None else self.repeated(x, n)
+        return self.of.whole(e)
 
-    def power(self, x, e, first):
+    def power(self, x, y, first=None):
         """y = x^e obeys x y′ = e x′ y."""
-        x, number = x.trimmed("a power of"), self.of.number
+        x, e, number = x.trimmed("a power of"), y.at(0), self.of.number
         start = self.of.whole(number(x.start) * e)
         demand(start is not None, "no whole powers")
-        y = [first(x.c[0])]
+        y = [first(x.c[0]) if first else self.of.raised(x.c[0], e)]
         for n in range(1, len(x.c)):
             weighted = [(e * number(k) - number(n - k)) * x.c[k] for k in range(n + 1)]
             y.append(x.sum(zip(weighted[1:], y[::-1])) / (x.c[0] * number(n)))
         return Series(self.of, start, y)
 
     def root(self, x):
-        return self.power(x, self.of.number(fmpq(1, 2)), lambda c: self.of.call("√", c))
+        return self.power(x, self.number(fmpq(1, 2)), lambda c: self.of.call("√", c))
 
     def call(self, name, x):
         if name == "√":

@@ -39,9 +39,6 @@ class Interval(Value):
             return -self / -y
         return self * Interval(1 / y.high, 1 / y.low if y.low != 0 else INFINITY)
 
-    def __contains__(self, x):
-        return self.low <= x <= self.high
-
     def within(self, y):
         return y.low <= self.low and self.high <= y.high
 
@@ -70,17 +67,10 @@ def sine(x):
 
 class Numbers(Calculator):
     """Calculates with intervals, for names with values."""
-    number = Interval
+    number, kind = Interval, "variable"
 
     def __init__(self, values):
-        self.values = values
-
-    def pi(self):
-        return self.number(arb.pi())
-
-    def symbol(self, name):
-        demand(name in self.values, f"no variable {name}")
-        return self.values[name]
+        self.symbols = {**values, "π": self.number(arb.pi())}
 
     def is_zero(self, x):
         return x.low == x.high == 0
@@ -88,9 +78,8 @@ class Numbers(Calculator):
     def whole(self, x):
         return int(x.low.unique_fmpz()) if x.low == x.high and x.low.is_integer() and abs(x.low) < 1000 else None
 
-    def raised(self, x, y):
-        n = self.whole(y)
-        return self.call("exp", y * self.call("ln", x)) if n is None else self.repeated(x, n)
+    def power(self, x, y):
+        return self.call("exp", y * self.call("ln", x))
 
     def call(self, name, x):
         if name in ("cos", "sin"):
@@ -137,7 +126,7 @@ def coefficients(tree, names, cell, by=0, power=0):
     of = Numbers(dict(zip(names, cell)))
     if power == 0:
         return [evaluate(tree, of)]
-    series = Series(of, 0, [of.values[names[by]], of.number(1)] + [of.number(0)] * (power - 1))
+    series = Series(of, 0, [of.symbols[names[by]], of.number(1)] + [of.number(0)] * (power - 1))
     value = evaluate(tree, Expansion(of, {names[by]: series}, power))
     return [value.at(k) for k in range(power + 1)]
 
@@ -196,7 +185,7 @@ def number(w, before):
         # A decimal, rounded to its last digit.
         same = off.within(Interval(fmpq(-1, 2 * int(stated[2])), fmpq(1, 2 * int(stated[2]))))
     else:
-        same = 0 in off and off.width() < arb(2) ** -200
+        same = Interval(0).within(off) and off.width() < arb(2) ** -200
     demand(same, "the numbers differ")
 
 

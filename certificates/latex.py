@@ -44,13 +44,6 @@ def read(latex):
     return Reader(latex).sum()
 
 
-def letter(token):
-    """One of a name's letters, or its words."""
-    found = re.fullmatch(r"\\text\{(.*)\}|([^\\])", token)
-    demand(found, token)
-    return found[1] or found[2]
-
-
 class Reader:
     def __init__(self, latex):
         for pattern, by in PLAIN:
@@ -103,12 +96,11 @@ class Reader:
         return x
 
     def subscript(self):
-        """The letters in braces, or one."""
-        token, letters = self.next(), ""
-        if token != "{":
-            return letter(token)
-        while (token := self.next()) != "}":
-            letters += letter(token)
+        """The letters and words in braces, or one."""
+        token = self.next()
+        letters = "".join(iter(self.next, "}")) if token == "{" else token
+        letters = re.sub(r"\\text\{([^{}]*)\}", r"\1", letters)
+        demand("\\" not in letters, letters)
         return letters
 
     def atom(self, one=False):

@@ -30,6 +30,7 @@ class Letters(Numbers):
     number = arb
 
     def __init__(self, salt, vectors):
+        super().__init__({})
         self.salt, self.vectors = salt, vectors
 
     def symbol(self, x):
@@ -37,6 +38,8 @@ class Letters(Numbers):
             # A vector's letter alone is its absolute value.
             return evaluate(["| |", ["vector", x]], self)
         x = name(x)
+        if x in self.symbols:
+            return self.symbols[x]
         return evaluate(SPELLED[x], self) if x in SPELLED else arb(hashed(self.salt + x))
 
     def whole(self, x):
@@ -82,15 +85,10 @@ def subtrees(tree):
 
 
 def formulas(w):
-    match w["kind"]:
-        case "identity":
-            parts = [next(iter(part.items())) for part in w["parts"]]
-            return [of if name == "read" else of[0] for name, of in parts if name in ("read", "series")]
-        case "root":
-            return w["functions"]
-        case "number":
-            return [w["stated"]]
-    return [c["formula"] for case in w.get("cases", []) for c in case["conditions"]]
+    parts = w.get("parts", [])
+    found = [part["read"] for part in parts if "read" in part] + [part["series"][0] for part in parts if "series" in part]
+    found += [c["formula"] for case in w.get("cases", []) for c in case["conditions"]]
+    return found + w.get("functions", []) + ([w["stated"]] if "stated" in w else [])
 
 
 def sides(statement):
