@@ -76,8 +76,7 @@ class Field(Calculator):
             demand(function in ("arcsin", "arccos"), "no inverse function")
             demand(self.same(self.turn(is_)[function == "arcsin"], of), "an inverse that is none")
             self.inverses.append((function, of, is_))
-        self.idle = {("power", i) for i in range(own, len(self.powers))}
-        self.idle |= {("inverse", i) for i in range(len(inverses))}
+        self.idle = {known[2] for known in self.powers[own:] + self.inverses}
 
     def rule(self, g, x):
         """A generator's rule, of earlier ones."""
@@ -217,25 +216,25 @@ class Field(Calculator):
 
     def product(self, x, to):
         """x to the power `to`, if x is a product of what is declared with this power."""
-        product, numbers = self.number(1), [(None, self.number(1), self.number(1))]
-        for i, (base, exponent, value) in enumerate(self.powers):
+        product, numbers = self.number(1), [(self.number(1), self.number(1))]
+        for base, exponent, value in self.powers:
             if self.same(exponent, to):
                 if base.number() is not None:
-                    numbers.append((i, base, value))
+                    numbers.append((base, value))
                     continue
                 k, x = self.multiplicity(x, base)
                 if k:
-                    self.idle.discard(("power", i))
+                    self.idle.discard(value)
                     product = product * self.repeated(value, k)
         n = to.number()
-        for i, base, value in numbers:
+        for base, value in numbers:
             rest = (x / base).number()
             if rest is None or rest != 1 and (n is None or n.p != 1 or rest < 0):
                 continue
             degree = 1 if rest == 1 else int(n.q)
             root = fmpq(rest.p.root(degree), rest.q.root(degree))
             if root**degree == rest:
-                self.idle.discard(("power", i))
+                self.idle.discard(value)
                 return product * value * self.number(root)
         return None
 
@@ -255,9 +254,9 @@ class Field(Calculator):
                     total += self.g[g] * self.number(k)
             demand(self.same(x, self.number(1)), "no declared logarithm")
             return total
-        for i, (function, of, angle) in enumerate(self.inverses):
+        for function, of, angle in self.inverses:
             if function == name and self.same(of, x):
-                self.idle.discard(("inverse", i))
+                self.idle.discard(angle)
                 return angle
         demand(self.is_zero(x), f"not declared: {name}")
         return x if name == "arcsin" else self.g[0] * self.half

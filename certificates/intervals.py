@@ -146,16 +146,15 @@ def root(w, before):
     within = box(within, len(names))
     values = lambda cell: [coefficients(f, names, cell)[0] for f in functions]
     slopes = lambda cell: [[coefficients(f, names, cell, j, 1)[1] for j in n] for f in functions]
-    ends = [Interval(x.low) for x in within], [Interval(x.high) for x in within]
-    for end, texts in zip(ends, corners, strict=True):
-        demand(all(map(nearest, values(end), texts)) and len(texts) == len(names), "another value at a corner")
-    # The preconditioner has 20 bits after the point: those of the inverse in the middle.
-    inverse = arb_mat([[x.low for x in row] for row in slopes([x.middle() for x in within])]).inv()
+    for end, texts in zip(("low", "high"), corners, strict=True):
+        found_there = values([Interval(getattr(x, end)) for x in within])
+        demand(len(texts) == len(names) and all(map(nearest, found_there, texts)), "another value at a corner")
     demand(all(len(row) == len(names) for row in c), "no matrix")
     c = [[dyadic(x) for x in row] for row in c]
-    fine = all((x * 2**20).q == 1 for row in c for x in row)
-    near = fine and all(abs(arb(c[i][j]) - inverse[i, j]) < arb(2) ** -20 for i in n for j in n)
-    demand(near, "another preconditioner")
+    # The preconditioner has 20 bits after the point: those of the inverse in the middle.
+    inverse = arb_mat([[x.low for x in row] for row in slopes([x.middle() for x in within])]).inv()
+    near = lambda x, y: (x * 2**20).q == 1 and abs(x - y) < arb(2) ** -20
+    demand(all(map(near, sum(c, []), inverse.entries())), "another preconditioner")
     c = [[Interval(x) for x in row] for row in c]
 
     def image(x):
@@ -181,11 +180,10 @@ def number(w, before):
     at = before[index(place, len(before))]
     demand(isinstance(at, tuple), "the number is not that of a root")
     off = coefficients(stated, *at)[0] - coefficients(found, *at)[0]
+    same = Interval(0).within(off) and off.width() < arb(2) ** -200
     if isinstance(stated, list) and stated[0] == "/" and str(stated[2]).strip("0") == "1":
         # A decimal, rounded to its last digit.
         same = off.within(Interval(fmpq(-1, 2 * int(stated[2])), fmpq(1, 2 * int(stated[2]))))
-    else:
-        same = Interval(0).within(off) and off.width() < arb(2) ** -200
     demand(same, "the numbers differ")
 
 
@@ -230,9 +228,8 @@ def range_(w, before):
     demand(covered(within, cells), "the parts leave a gap")
     volume = lambda cell: reduce(lambda v, side: v * side.width(), cell, arb(1))
     demand(sum(map(volume, cells)) == volume(within), "the parts overlap")
-    cases = [keys(case, "of choice conditions") for case in cases]
     cases = [(which(of, n), choice, [keys(c, "formula by power sign middle") for c in conditions])
-             for of, choice, conditions in cases]
+             for of, choice, conditions in (keys(case, "of choice conditions") for case in cases)]
     used = set()
     for at, by in parts:
         place = next((i for i, (of, _, _) in enumerate(cases) if of(at)), None)
@@ -246,8 +243,8 @@ def range_(w, before):
                 index(by_, n if index(power, 10) else 1)
                 demand(type(sign) is int and abs(sign) == 1, "no sign")
                 values = coefficients(tree, names, [x.middle() for x in at], by_, power)
-                same = len(values) == len(middle) and all(map(nearest, values, middle))
-                demand(same, "another value in the middle")
+                near = len(values) == len(middle) and all(map(nearest, values, middle))
+                demand(near, "another value in the middle")
             used.add((place, i))
             demand(holds(condition, names, at), "a condition that is not fulfilled")
     demand(len(used) == sum(len(conditions) for _, _, conditions in cases), "an idle condition")

@@ -86,7 +86,7 @@ def subtrees(tree):
 
 def formulas(w):
     parts = w.get("parts", [])
-    found = [part["read"] for part in parts if "read" in part] + [part["series"][0] for part in parts if "series" in part]
+    found = [part.get("read") or part["series"][0] for part in parts if part.keys() & {"read", "series"}]
     found += [c["formula"] for case in w.get("cases", []) for c in case["conditions"]]
     return found + w.get("functions", []) + ([w["stated"]] if "stated" in w else [])
 
