@@ -59,7 +59,7 @@ def sine(x):
     def turns(extreme):
         """Whether one of the angles that differ from this one by whole turns lies in between."""
         before, after = (((end - extreme) / (2 * arb.pi())) for end in (x.low, x.high))
-        return before.lower().floor() != after.upper().floor()
+        return not before.lower().floor() == after.upper().floor()
 
     ends = x.low.sin(), x.high.sin()
     return Interval(-1 if turns(-arb.pi() / 2) else arb.min(*ends), 1 if turns(arb.pi() / 2) else arb.max(*ends))
@@ -266,6 +266,8 @@ def which(of, n):
 ORDER = 17
 # Bits after the point.
 WALL, STATE = 20, 44
+# The derivatives by the start, at the start.
+UNIT = [Interval(int(i == j)) for i, j in product(range(3), repeat=2)]
 P, W, Z = "p", "w", "ζ"
 LAW = [read("-pw"), read("-ζζ"), read("wζ-p-ζ")]
 # What decides, as the book proves it: p + ρ < 1 for rest; ρ² − p² > 1, w < 0, or ζ < −p and w < p for escape.
@@ -292,10 +294,6 @@ def expansion(state, order):
             for x, rate in zip((p1, w1, z1), rates):
                 x.append(rate / Interval(k + 1))
     return c
-
-
-def extended(state):
-    return state + [Interval(int(i == j)) for i, j in product(range(3), repeat=2)]
 
 
 def close(x, cell, bits):
@@ -327,7 +325,7 @@ def motion(w, before):
 
 def taken(state, h, walls):
     """The state after a step that does not leave the walls."""
-    begin, during = extended(state), Interval(0, h.high)
+    begin, during = state + UNIT, Interval(0, h.high)
     reached = lambda walls: [x + during * rate[1] for x, rate in zip(begin, expansion(walls, 1))]
     inside = all(close(x, wall, WALL) for x, wall in zip(reached(walls), walls))
     demand(inside, "a motion leaves its walls, or they are far")
@@ -351,6 +349,6 @@ def taken(state, h, walls):
             total = [t * h + c[k] for t, c in zip(total, series)]
         return total
 
-    all_, centre = sums(begin), sums(extended(middle))
+    all_, centre = sums(begin), sums(middle + UNIT)
     off = [[all_[3 + 3 * j + i] * (state[j] - middle[j]) for j in range(3)] for i in range(3)]
     return [sum(off[i], centre[i]).meet(all_[i]) for i in range(3)]

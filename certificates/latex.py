@@ -121,26 +121,23 @@ class Reader:
         if token in FUNCTIONS:
             return self.function(token[1:])
         if token in (r"\bm", r"\hat", *DOTS):
-            return self.dotted(token, self.atom(one=True))
+            # A vector, or the rate of a letter or vector.
+            match token, self.atom(one=True):
+                case r"\bm", str(x):
+                    return ["vector", x]
+                case r"\hat", ["vector", x]:
+                    return ["unit", x]
+                case (r"\dot" | r"\ddot"), str(x):
+                    return name(x + DOTS[token])
+                case (r"\dot" | r"\ddot"), ["vector", x]:
+                    return ["vector", name(x + DOTS[token])]
+            raise Wrong(token)
         letters = self.subscript() + ACCENTS[token] if token in ACCENTS else token
         demand(letters[0].isalpha(), token)
         if self.peek() == "_" and not one and letters != "π":
             self.next()
             letters += self.subscript()
         return name(letters) if letters != "π" else letters
-
-    def dotted(self, token, x):
-        """A vector, or the rate of a letter or vector."""
-        match token, x:
-            case r"\bm", str():
-                return ["vector", x]
-            case r"\hat", ["vector", of]:
-                return ["unit", of]
-            case (r"\dot" | r"\ddot"), str():
-                return name(x + DOTS[token])
-            case (r"\dot" | r"\ddot"), ["vector", of]:
-                return ["vector", name(of + DOTS[token])]
-        raise Wrong(token)
 
     def function(self, f):
         power = None
