@@ -149,10 +149,8 @@ class Field(Calculator):
             return Element(self, a, self.one)
         a, b = a * down, b * up
         common = a.gcd(b)
-        a, b = a // common, b // common
-        if any(self.reduced(x)[0] != x for x in (a, b)):
-            return self.fraction(a, b)
-        return Element(self, a, b) if b.leading_coefficient() > 0 else Element(self, -a, -b)
+        common = common if b.leading_coefficient() > 0 else -common
+        return Element(self, a // common, b // common)
 
     def is_zero(self, x):
         return self.reduced(x.above)[0] == 0
