@@ -184,6 +184,7 @@ class Expansion(Calculator):
         return Series(self.of, start, y)
 
     def root(self, x):
+        demand(x.trimmed().c and x.trimmed().start % 2 == 0, "no root in whole powers")
         return self.power(x, self.number(fmpq(1, 2)), lambda c: self.of.call("√", c))
 
     def call(self, name, x):
