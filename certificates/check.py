@@ -8,9 +8,12 @@ The format is described in the book, on the page "Certificates". Exit code 0 if 
 """
 import hashlib
 import json
-import os
 import re
 import sys
+from collections import Counter
+from pathlib import Path
+
+import flint
 
 from field import identity
 from formula import demand, keys
@@ -30,22 +33,25 @@ class Prints:
     """The statements as they stand in the repository: the numbered equations, and the rows of the claims."""
 
     def __init__(self, root_):
-        self.root = root_
-        lines = open(os.path.join(root_, "tests/data/equations.md"), encoding="utf-8").read().splitlines()
+        self.root = Path(root_)
+        lines = (self.root / "tests/data/equations.md").read_text("utf-8").splitlines()
         cells = [[cell.strip() for cell in line.split(" | ")] for line in lines if re.match(r"\| \d", line)]
         self.equations = {"eq-" + c[0].strip("| "): " | ".join(c[3:]).rstrip("| ").strip("`") for c in cells}
-        rows = ""
-        for folder, _, names in sorted(os.walk(os.path.join(root_, "src/claims"))):
-            rows += "".join(open(os.path.join(folder, n), encoding="utf-8").read() for n in sorted(names) if n.endswith(".rs"))
+        rows = "".join(path.read_text("utf-8") for path in (self.root / "src/claims").rglob("*.rs"))
         self.rows = re.sub(r"\\\n\s*", "", rows)
-        with open(os.path.join(root_, "certificates/ties.csv"), encoding="utf-8") as file:
-            self.ties = dict(line.rstrip("\n").split(",", 1) for line in file)
+        listed = (self.root / "certificates/ties.csv").read_text("utf-8").splitlines()
+        self.ties = dict(line.split(",", 1) for line in listed)
 
     def has(self, claim, statement, corrected):
         if claim in self.equations and not corrected:
             return plain(self.equations[claim]) == plain(statement)
-        quoted = statement.replace("\\", "\\\\")
-        return any(f'"{text}"' in self.rows for text in (statement, quoted))
+        return any(f'"{text}"' in self.rows for text in (statement, statement.replace("\\", "\\\\")))
+
+
+def listed(certificate):
+    """What a file has to be about: to be read before it is committed."""
+    statement, sha256, witnesses = (certificate[key] for key in ("statement", "sha256", "witnesses"))
+    return f"{tied(statement, witnesses)},{sha256[:16]},{outline(witnesses)}"
 
 
 def check(certificate, name, prints):
@@ -61,10 +67,10 @@ def check(certificate, name, prints):
     for w in witnesses:
         demand(w.get("kind") in KINDS, f"no kind of witness: {w.get('kind')}")
         before.append(KINDS[w["kind"]](w, before))
-    tie = f"{tied(statement, witnesses)},{sha256[:16]},{outline(witnesses)}"
+    tie = listed(certificate)
     demand(name in prints.ties, "a file that is not listed")
     demand(prints.ties[name] == tie, f"not what is listed: {tie}")
-    return tie.split(",")[0]
+    return f"{claim},{trial},{tie.split(',')[0]},{digest(witnesses)}"
 
 
 def digest(witnesses):
@@ -73,45 +79,28 @@ def digest(witnesses):
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
-def record(path, date, accepted):
-    """Writes who accepted what, and when."""
-    import flint
-    versions = f"Python {sys.version.split()[0]}, python-flint {flint.__version__}, FLINT {flint.__FLINT_VERSION__}"
-    with open(path, "w", encoding="utf-8") as out:
-        out.write(f"{date},{versions}\n" + "".join(",".join(line) + "\n" for line in accepted))
-
-
-def listed(folder, files):
-    """The table of what each file has to be about: to be read before it is committed."""
-    for name in files:
-        with open(os.path.join(folder, name), encoding="utf-8") as file:
-            c = json.load(file)
-        yield f"{name},{tied(c['statement'], c['witnesses'])},{c['sha256'][:16]},{outline(c['witnesses'])}\n"
-
-
 def main(folder, date=None):
-    prints = Prints(os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
-    files = sorted(name for name in os.listdir(folder) if name.endswith(".json"))
+    prints = Prints(Path(__file__).resolve().parent.parent)
+    files = sorted(Path(folder).glob("*.json"))
     if date == "--list":
-        with open(os.path.join(prints.root, "certificates/ties.csv"), "w", encoding="utf-8") as out:
-            out.writelines(listed(folder, files))
+        lines = [f"{file.name},{listed(json.loads(file.read_text('utf-8')))}\n" for file in files]
+        (prints.root / "certificates/ties.csv").write_text("".join(lines), "utf-8")
         return 0
     accepted, rejected = [], []
-    for name in files:
+    for file in files:
         try:
-            with open(os.path.join(folder, name), encoding="utf-8") as file:
-                certificate = json.load(file)
-            tie = check(certificate, name, prints)
-            accepted.append((certificate["claim"], certificate["trial"], tie, digest(certificate["witnesses"])))
+            accepted.append(check(json.loads(file.read_text("utf-8")), file.name, prints))
         except Exception as error:  # whatever a broken file brings about
-            rejected.append(f"{name}: {type(error).__name__}: {error}")
-    missing = sorted(set(prints.ties) - set(files))
-    print("\n".join(rejected + [f"{name}: missing" for name in missing]))
-    ties = [line[2] for line in accepted]
-    print(f"{len(accepted)} of {len(files)} files accepted; the printed formula is", {tie: ties.count(tie) for tie in sorted(set(ties))})
-    if date and not rejected and not missing:
-        record(os.path.join(prints.root, "snapshots/certificates.csv"), date, accepted)
-    return 1 if rejected or missing or not files else 0
+            rejected.append(f"{file.name}: {type(error).__name__}: {error}")
+    rejected += [f"{name}: missing" for name in sorted(prints.ties.keys() - {file.name for file in files})]
+    ties = dict(sorted(Counter(line.split(",")[2] for line in accepted).items()))
+    print("\n".join(rejected))
+    print(f"{len(accepted)} of {len(files)} files accepted; the printed formula is", ties)
+    if date and not rejected:
+        # Who accepted what, and when.
+        by = f"Python {sys.version.split()[0]}, python-flint {flint.__version__}, FLINT {flint.__FLINT_VERSION__}"
+        (prints.root / "snapshots/certificates.csv").write_text("\n".join([f"{date},{by}", *accepted, ""]), "utf-8")
+    return 1 if rejected or not files else 0
 
 
 if __name__ == "__main__":

@@ -18,7 +18,7 @@ import tempfile
 import check
 from field import identity
 from formula import Wrong
-from intervals import Interval, ONE, coefficients, dyadic, enclosing, range_, root
+from intervals import Interval, coefficients, dyadic, range_, root
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 SEVEN, FOUR, TWO, HALF = ({"above": [[n, []]], "number": below, "below": []} for n, below in (("7", "1"), ("4", "1"), ("2", "1"), ("1", "2")))
@@ -251,9 +251,9 @@ def by_the_slope_along_x():
 
 def above_the_sine():
     """That the sine is below 255/256 between 5/4 and 15/8, where both ends are and the top is not."""
-    formula, cell = ["-", "255*2^-8", ["sin", "x"]], [enclosing(dyadic("5*2^-2"), dyadic("15*2^-3"))]
+    formula, cell = ["-", "255*2^-8", ["sin", "x"]], [Interval(dyadic("5*2^-2"), dyadic("15*2^-3"))]
     [value] = coefficients(formula, ["x"], [x.middle() for x in cell])
-    middle = str((value.low * 2**31 + ONE) // (2 * ONE))
+    middle = str((value.low * 2**30 + 0.5).floor().unique_fmpz())
     condition = {"formula": formula, "by": 0, "power": 0, "sign": 1, "middle": [middle]}
     return range_, {"kind": "range", "variables": ["x"], "within": [["5*2^-2", "15*2^-3"]], "parts": [{"at": [["5*2^-2", "15*2^-3"]], "by": None}],
                     "cases": [{"of": "rest", "choice": False, "conditions": [condition]}]}, "a condition that is not fulfilled"

@@ -1,9 +1,7 @@
-"""Formulas as nested lists, and what they are worth: among elements of a field, intervals, or power series of either.
-
-Whatever calculates has `number`, `pi`, `symbol`, `call`, `raised`, `is_zero` and `whole`, and values with + - * /.
-"""
+"""Formulas as nested lists, and what they are worth: elements of a field, intervals, or power series of either."""
 import operator
 import re
+from functools import reduce
 
 from flint import fmpq
 
@@ -47,75 +45,102 @@ def dyadic(text):
     return fmpq(int(found[1])) * fmpq(2) ** int(found[2] or 0)
 
 
+class Value:
+    """What is calculated with: it has + * / and a sign."""
+    __slots__ = ()
+
+    def __sub__(self, y):
+        return self + -y
+
+
+class Calculator:
+    """What calculates has `number`, `symbols`, `call`, `power`, `is_zero` and `whole` besides."""
+    kind = "symbol"
+
+    def symbol(self, name):
+        demand(name in self.symbols, f"no {self.kind} {name}")
+        return self.symbols[name]
+
+    def known(self, tree):
+        """A formula's value, where this is another one than its parts say."""
+        return None
+
+    def raised(self, x, y):
+        n = self.whole(y)
+        return self.power(x, y) if n is None else self.repeated(x, n)
+
+    def repeated(self, x, n):
+        """The n-th power."""
+        demand(abs(n) < 1000, "too high a power")
+        power = reduce(operator.mul, [x] * abs(n), self.number(1))
+        return power if n >= 0 else self.number(1) / power
+
+
 def evaluate(tree, of):
     """A formula's value."""
     if isinstance(tree, str):
-        if tree == "π":
-            return of.pi()
         return of.number(dyadic(tree)) if re.match(r"-?\d", tree) else of.symbol(tree)
     demand(isinstance(tree, list) and len(tree) in (2, 3) and isinstance(tree[0], str), "no formula")
+    if (known := of.known(tree)) is not None:
+        return known
     name, *operands = tree
     if len(operands) == 1:
         if name in MEANT:
             return evaluate(MEANT[name](*operands), of)
-        if name == "exp" and (known := of.exponential(*operands)) is not None:
-            return known
         x = evaluate(*operands, of)
         demand(name == "-" or name in FUNCTIONS, f"no function: {name}")
         return -x if name == "-" else of.call(name, x)
     demand(name == "^" or not any(str(operand).startswith("-") for operand in operands), "a number with a sign inside")
     x, y = (evaluate(operand, of) for operand in operands)
     demand(name == "^" or name in OPERATIONS, f"no operation: {name}")
+    demand(name not in ("+", "-") or type(x) is type(y), "a sum of unlike things")
     return of.raised(x, y) if name == "^" else OPERATIONS[name](x, y)
 
 
-class Series:
+class Series(Value):
     """x^start (c₀ + c₁ x + …), as far as the coefficients are known; `of` calculates with them."""
 
     def __init__(self, of, start, coefficients):
-        self.of, self.start, self.c = of, start, coefficients
+        self.of, self.start, self.c, self.end = of, start, coefficients, start + len(coefficients)
 
     def at(self, k):
-        demand(k < self.start + len(self.c), "a coefficient that is not known")
+        demand(k < self.end, "a coefficient that is not known")
         return self.c[k - self.start] if k >= self.start else self.of.number(0)
 
-    def trimmed(self):
+    def trimmed(self, why=None):
         """Without zeros at the beginning."""
         first = next((i for i, c in enumerate(self.c) if not self.of.is_zero(c)), len(self.c))
+        demand(why is None or first < len(self.c), f"{why} a series without a term")
         return Series(self.of, self.start + first, self.c[first:])
 
     def plain(self):
         """The coefficients, if none is of a negative power."""
         demand(all(self.of.is_zero(self.at(k)) for k in range(self.start, 0)), "no series in whole powers")
-        return [self.at(k) for k in range(self.start + len(self.c))]
+        return [self.at(k) for k in range(self.end)]
 
     def sum(self, terms):
         return sum((a * b for a, b in terms), self.of.number(0))
 
     def __add__(self, y):
-        start, end = min(self.start, y.start), min(self.start + len(self.c), y.start + len(y.c))
+        start, end = min(self.start, y.start), min(self.end, y.end)
         return Series(self.of, start, [self.at(k) + y.at(k) for k in range(start, end)])
 
     def __neg__(self):
         return Series(self.of, self.start, [-c for c in self.c])
 
-    def __sub__(self, y):
-        return self + -y
-
     def __mul__(self, y):
         x, y = self.trimmed(), y.trimmed()
-        n = min(len(x.c), len(y.c))
-        return Series(self.of, x.start + y.start, [self.sum((x.c[k], y.c[m - k]) for k in range(m + 1)) for m in range(n)])
+        product = [self.sum(zip(x.c[:n], y.c[n - 1::-1])) for n in range(1, min(len(x.c), len(y.c)) + 1)]
+        return Series(self.of, x.start + y.start, product)
 
     def __truediv__(self, y):
-        y, q = y.trimmed(), []
-        demand(y.c, "division by a series without a term")
+        y, q = y.trimmed("division by"), []
         for m in range(min(len(self.c), len(y.c))):
             q.append((self.c[m] - self.sum((q[k], y.c[m - k]) for k in range(m))) / y.c[0])
         return Series(self.of, self.start - y.start, q)
 
 
-class Expansion:
+class Expansion(Calculator):
     """Calculates with power series, where some symbols are such."""
 
     def __init__(self, of, series, order):
@@ -127,84 +152,56 @@ class Expansion:
     def number(self, n):
         return self.constant(self.of.number(n))
 
-    def pi(self):
-        return self.constant(self.of.pi())
-
     def symbol(self, name):
-        return self.series[name] if name in self.series else self.constant(self.of.symbol(name))
+        return self.series[name] if name in self.series and name != "π" else self.constant(self.of.symbol(name))
 
-    def is_zero(self, x):
-        return not x.trimmed().c
+    def known(self, tree):
+        """The exponential of a multiple of a symbol of which only the exponential is given."""
+        n, x = 1, tree[1] if tree[0] == "exp" else None
+        match x:
+            case ["-", of]:
+                n, x = -1, of
+        match x:
+            case ["*", str(factor), of] if re.fullmatch(r"-?\d+", factor):
+                n, x = n * int(factor), of
+        known = self.series.get(f"exp {x}") if isinstance(x, str) else None
+        return None if known is None else self.repeated(known, n)
 
-    def exponential(self, tree):
-        """That of a multiple of a symbol of which only the exponential is given."""
-        n, name = 1, tree
-        if isinstance(name, list) and name[0] == "-" and len(name) == 2:
-            n, name = -1, name[1]
-        if isinstance(name, list) and name[0] == "*" and re.fullmatch(r"-?\d+", str(name[1])):
-            n, name = n * int(name[1]), name[2]
-        known = self.series.get(f"exp {name}") if isinstance(name, str) else None
-        return None if known is None else self.raised(known, self.number(n))
-
-    def raised(self, x, y):
+    def whole(self, y):
         e, *others = y.plain()
         demand(all(self.of.is_zero(c) for c in others), "a varying exponent")
-        n = self.of.whole(e)
-        if n is not None:
-            power = self.number(1)
-            for _ in range(abs(n)):
-                power = power * x
-            return power if n >= 0 else self.number(1) / power
-        return self.power(x, e)
+        return self.of.whole(e)
 
-    def power(self, x, e):
+    def power(self, x, y, first=None):
         """y = x^e obeys x y′ = e x′ y."""
-        x = x.trimmed()
-        demand(x.c, "a power of a series without a term")
-        start, number = self.of.whole(self.of.number(x.start) * e), self.of.number
+        x, e, number = x.trimmed("a power of"), y.at(0), self.of.number
+        start = self.of.whole(number(x.start) * e)
         demand(start is not None, "no whole powers")
-        y = [self.of.raised(x.c[0], e)]
+        y = [first(x.c[0]) if first else self.of.raised(x.c[0], e)]
         for n in range(1, len(x.c)):
-            weights = [e * number(k) - number(n - k) for k in range(n + 1)]
-            y.append(x.sum((weights[k] * x.c[k], y[n - k]) for k in range(1, n + 1)) / (x.c[0] * number(n)))
+            weighted = [(e * number(k) - number(n - k)) * x.c[k] for k in range(n + 1)]
+            y.append(x.sum(zip(weighted[1:], y[::-1])) / (x.c[0] * number(n)))
         return Series(self.of, start, y)
 
     def root(self, x):
-        x = x.trimmed()
-        demand(x.c and x.start % 2 == 0, "no root in whole powers")
-        y = [self.of.call("√", x.c[0])]
-        for n in range(1, len(x.c)):
-            y.append((x.c[n] - x.sum((y[k], y[n - k]) for k in range(1, n))) / (y[0] * self.of.number(2)))
-        return Series(self.of, x.start // 2, y)
-
-    def integral(self, start, x, y):
-        """start + ∫ dx/y"""
-        number = self.of.number
-        rate = Series(self.of, 0, [c * number(k) for k, c in enumerate(x.plain())]) / y
-        return Series(self.of, 0, [start] + [rate.at(k) / number(k) for k in range(1, rate.start + len(rate.c))])
+        demand(x.trimmed().c and x.trimmed().start % 2 == 0, "no root in whole powers")
+        return self.power(x, self.number(fmpq(1, 2)), lambda c: self.of.call("√", c))
 
     def call(self, name, x):
         if name == "√":
             return self.root(x)
-        c = x.plain()
+        c, number = x.plain(), self.of.number
         demand(c, "a function of a series without a term")
-        first = self.of.call(name, c[0])
-        if name == "ln":
-            return self.integral(first, x, x)
-        if name in ("arcsin", "arccos"):
-            slope = self.root(self.number(1) - x * x)
-            return self.integral(first, x, slope if name == "arcsin" else -slope)
-        # (eˣ)′ = x′ eˣ, sin′ = x′ cos, cos′ = −x′ sin.
-        other = {"sin": "cos", "cos": "sin"}.get(name)
-        y, z = [first], [self.of.call(other, c[0])] if other else None
-        sign = {"sin": 1, "cos": -1}.get(name)
+        # (eˣ)′ = x′ eˣ, sin′ = x′ cos, cos′ = −x′ sin; each of these has its coefficients.
+        names = {"sin": ("sin", "cos"), "cos": ("cos", "sin")}.get(name, (name,))
+        y = [[self.of.call(f, c[0])] for f in names]
+        rates = [number(k) * a for k, a in enumerate(c)]
+        if name in ("ln", "arcsin", "arccos"):
+            rate = Series(self.of, 0, rates) / (x if name == "ln" else self.root(self.number(1) - x * x))
+            rate = -rate if name == "arccos" else rate
+            return Series(self.of, 0, y[0] + [rate.at(k) / number(k) for k in range(1, rate.end)])
         for n in range(1, len(c)):
-            rates = [c[k] * self.of.number(k) / self.of.number(n) for k in range(n + 1)]
-            by = lambda other: x.sum((rates[k], other[n - k]) for k in range(1, n + 1))
-            if other is None:
-                y.append(by(y))
-            else:
-                up, down = by(z), by(y)
-                y.append(up if sign > 0 else -up)
-                z.append(-down if sign > 0 else down)
-        return Series(self.of, 0, y)
+            growth = [x.sum(zip(rates[1:n + 1], of[::-1])) / number(n) for of in y]
+            for f, of, g in zip(names, y, reversed(growth)):
+                of.append(-g if f == "cos" else g)
+        return Series(self.of, 0, y[0])
