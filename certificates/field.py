@@ -1,9 +1,10 @@
 """Identities: rational functions of generators, with roots, angles, exponentials, powers and logarithms."""
 import re
 from functools import cache, reduce
+from itertools import combinations_with_replacement
 from operator import add, mul, sub, truediv
 
-from flint import fmpq, fmpz_mpoly_ctx
+from flint import arb, fmpq, fmpz_mpoly_ctx
 
 from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
 from intervals import Numbers, hashed
@@ -36,6 +37,12 @@ class Element(Value):
 
     def occurring(self):
         return {g for p in (self.above, self.below) for g, k in enumerate(p.degrees()) if k > 0}
+
+    def at(self, values):
+        """Its value where the generators have these."""
+        over, under = (sum(reduce(mul, (x ** int(k) for x, k in zip(values, m) if k), arb(int(c))) for m, c in p.to_dict().items())
+                       for p in (self.above, self.below))
+        return over / under
 
     def number(self):
         """Its value, if it is a number."""
@@ -77,6 +84,21 @@ class Field(Calculator):
             demand(self.same(self.turn(is_)[function == "arcsin"], of), "an inverse that is none")
             self.inverses.append((function, of, is_))
         self.idle = {known[2] for known in self.powers[own:] + self.inverses}
+        principal = any(self.principal(self.powers[own:], minus) for minus in combinations_with_replacement(range(self.n), 2))
+        demand(principal, "roots or angles that are on their principal branches nowhere together")
+
+    def principal(self, roots, minus):
+        """Whether what is known are positive roots, and angles on their principal branches, where all symbols are small and
+        positive, but for two, which may be negative."""
+        values = []
+        for g, (rule, *of) in enumerate(self.rules):
+            at = [x.at(values) if isinstance(x, Element) else values[x] for x in of]
+            values.append({"pi": lambda: arb.pi(), "free": lambda: arb(-1 if g in minus else 1) / (9 + g * g),
+                           "half-tangent": lambda x: (x / 2).tan(), "half-exponential": lambda x: (x / 2).exp(),
+                           "power": pow, "logarithm": arb.log}[rule](*at))
+        within = {"arcsin": lambda x: 2 * abs(x) <= arb.pi(), "arccos": lambda x: 0 <= x <= arb.pi()}
+        angles = all(within[function](is_.at(values)) for function, _, is_ in self.inverses)
+        return angles and all(is_.at(values) > 0 for _, _, is_ in roots)
 
     def rule(self, g, x):
         """A generator's rule, of earlier ones."""

@@ -270,7 +270,15 @@ def cube_root():
                       "parts": parts, "gives": [None] * len(parts), "equal": [{"says": "x r′", "left": 4, "right": 5}], "fails": False}, "not equal"
 
 
-FALSE = [at_the_end, at_the_end_of_a_side, by_the_slope_along_x, above_the_sine, cube_root]
+def other_branch():
+    """That the arcsine of 0 is π."""
+    zero, pi = ({"above": above, "number": "1", "below": []} for above in ([], [["1", [1]]]))
+    return identity, {"kind": "identity", "title": "an angle", "given": [], "generators": [{"rule": "pi"}], "symbols": [], "powers": [],
+                      "inverses": [{"function": "arcsin", "of": zero, "is": pi}], "parts": [{"read": ["arcsin", "0"]}, {"element": pi}],
+                      "gives": [None, None], "equal": [{"says": "arcsin 0", "left": 0, "right": 1}], "fails": False}, "principal branches"
+
+
+FALSE = [other_branch, at_the_end, at_the_end_of_a_side, by_the_slope_along_x, above_the_sine, cube_root]
 
 
 def refused(reason, call):
