@@ -101,7 +101,7 @@ pub const EQ135: Statement = theorem(
 /// (136) as corrected.
 pub const EQ136: Statement = theorem(
     from_every_start!(
-        r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
+        r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$, while the particle turns about the axis, in the laboratory, by the angle $\sqrt2\ln\tau+o(\ln\tau)$"
     ),
     super::EQ136,
     eq136,
@@ -466,6 +466,44 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     Ok(())
 }
 
+/// How fast the particle turns about the axis.
+fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
+    given(
+        p,
+        &[
+            &turntable::EQ95,
+            &turntable::EQ96,
+            &turntable::EQ111,
+            &turntable::EQ112,
+        ],
+    )?;
+    let [a, alpha] = Expr::symbols(["A", "α"]);
+    let [_, _, h, t] = state();
+    let (rho, psi) = (motion::eq112_rho(a, alpha), Expr::pi() / int(2) - delta());
+    let across = motion::eq95_ell(rho, psi);
+    p.note(
+        "In the laboratory the particle turns about the axis with the table",
+        "and on it, where pℓ is ρ² times the rate by (96)",
+    );
+    let turn = int(1) + speed() * across / rho.squared();
+    let turn = p.read("The rate 1 + pℓ/ρ², over t", turn / t)?;
+    let stated = (int(1) - h) / t + int(2) * h * cosine(t) * t;
+    let stated = p.read("w + 2hkt", stated)?;
+    p.equal("The two", &turn, &stated)?;
+    let [_, predator, h, _] = found.limit();
+    let square = p.read("w² = 4Ph in the limit", int(4) * predator * h)?;
+    let stated = p.read(
+        "The square of the winding",
+        law::winding::<Expr>().squared(),
+    )?;
+    p.equal("The two", &square, &stated)?;
+    p.note(
+        "So, as tτ → 1",
+        "the angle in the laboratory is √2 ln τ + o(ln τ)",
+    );
+    Ok(())
+}
+
 /// Every escape ends on the spiral.
 fn spiral(found: Species) -> Proof {
     Proof::in_ring(
@@ -474,7 +512,8 @@ fn spiral(found: Species) -> Proof {
         |p| {
             moves(p, &found)?;
             comes_to_rest(p, &found)?;
-            falls_behind(p, &found)
+            falls_behind(p, &found)?;
+            turns(p, &found)
         },
     )
 }
@@ -494,24 +533,26 @@ fn after(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle
     })
 }
 
-/// A quantity, and the power of t which, times it, has a limit: `relation`, which is 1, says which.
+/// A positive quantity: its m-th power, m being 1, 2 or 4, times t^n is a value that tends to a limit. So is the law's, with
+/// τ for 1/t.
 fn has_limit(
     p: &mut Prover<'_>,
-    (quantity, power): (Expr, i64),
-    relation: fn(Expr, State) -> Expr,
+    (quantity, m, n): (Expr, i64, i64),
+    value: fn(State) -> Expr,
     first: Expr,
 ) -> Result<(), Obstacle> {
     let own = state();
-    let one = Rational::int(1);
-    let exact = relation(quantity * own[3].pow(int(power)), own);
+    let exact = quantity.pow(int(m)) * own[3].pow(int(n));
     let exact = p.read("At any time", exact)?;
-    p.equal("It is 1", &exact, &one)?;
-    let limit = relation(first / tau().pow(int(power)), Species::found().limit());
-    let limit = p.read(
-        "With the limits of N, P, h and t, and the law's first term, 1/τ for t",
-        limit,
-    )?;
-    p.equal("It is 1 too", &limit, &one)
+    let stated = p.read("In N, P, h and t", value(own))?;
+    p.equal("The two", &exact, &stated)?;
+    let mut limit = value(Species::found().limit()) * tau().pow(int(n));
+    for _ in 0..m.ilog2() {
+        limit = limit.sqrt();
+    }
+    let limit = p.read("So it goes, as the positive root, with 1/τ for t", limit)?;
+    let first = p.read("The law's first term", first)?;
+    p.equal("The two", &limit, &first)
 }
 
 /// A law's first term.
@@ -549,29 +590,31 @@ fn eq128(law: Expr) -> Proof {
         let rate = p.read("dα/dτ over t, by (114)", rate)?;
         let stated = p.read("2k − 2N, with k = 1/(1 + t²)", int(2) * (cosine(t) - n))?;
         p.equal("The two", &rate, &stated)?;
-        let limit = Species::found().limit();
-        let half_less = p.read("2 − 2N with the limit", int(2) - int(2) * limit[0])?;
-        let half = p.read("Not 0", half())?;
-        p.equal("The two", &half_less, &half)?;
         let friction = alpha.cosh() / a;
         let second = p.read("cosh α/A, over t", friction / t)?;
         let stated = p.read("2N", int(2) * n)?;
         p.equal("The two", &second, &stated)?;
-        let first = |[_, predator, h, _]: State| {
-            let sum = int(1) + h;
+        let square = |[_, predator, h, _]: State| {
             let squares = int(1) + h.squared();
-            int(8) * predator * h * sum.squared() / squares.squared()
+            int(4) * predator * h * (int(1) + h).squared() / squares.squared()
         };
-        let pull = ((law + friction) / t).squared();
-        let pull = p.read("What (128) has beside that, over t, squared", pull)?;
-        let stated = p.read("8Ph (1 + h)²/(1 + h²)²", first([n, predator, h, t]))?;
-        p.equal("The two", &pull, &stated)?;
-        let most = p.read("With the limits", first(limit))?;
-        p.equal("It is 2²", &most, &Rational::int(4))?;
-        p.note(
-            "So, as tτ → 1",
-            "both sides times τ tend to 2 − 2 · 3/4 = 1/2",
-        );
+        let slow = int(1) / (t * (int(2) * alpha).cosh()).squared();
+        let slow = p.read("1/(t cosh 2α)²", slow)?;
+        let stated = p.read("4Ph (1 + h)²/(1 + h²)²", square([n, predator, h, t]))?;
+        p.equal("The two", &slow, &stated)?;
+        let limit = Species::found().limit();
+        let slow = p.read("The positive root, in the limit", square(limit).sqrt())?;
+        let factor = (law + friction) * (int(2) * alpha).cosh();
+        let factor = p.read("The factor of 1/cosh 2α in the law", factor)?;
+        let own = p.read(
+            "k in place of it, twice, in the limit",
+            int(2) * cosine(limit[3]),
+        )?;
+        p.equal("The product of the two, and that", &(&slow * &factor), &own)?;
+        let left = p.read("2 − 2N in the limit", int(2) - int(2) * limit[0])?;
+        let half = p.read("Not 0", half())?;
+        p.equal("The two", &left, &half)?;
+        p.note("So, as tτ → 1", "both sides times τ tend to 1/2");
         Ok(())
     })
 }
@@ -580,31 +623,24 @@ fn eq129(law: Expr) -> Proof {
     after("(129) in every escape", |p| {
         let [a, alpha] = Expr::symbols(["A", "α"]);
         let product = crate::paper::escape::eq129_a(alpha) / a;
-        let relation = |x: Expr, [n, predator, h, _]: State| {
-            let squares = n * (int(1) + h.squared());
-            x.squared() * predator * h * (int(1) + h).squared() / squares.squared()
+        let value = |[n, predator, h, _]: State| {
+            let above = n * (int(1) + h.squared());
+            above.squared() / (predator * h * (int(1) + h).squared())
         };
-        has_limit(p, (product, 0), relation, law / a)?;
-        p.note(
-            "So, both being positive",
-            "the product over A tends to the law's",
-        );
-        Ok(())
+        has_limit(p, (product, 2, 0), value, law / a)
     })
 }
 
 fn eq130(law: Expr) -> Proof {
     after("(130) in every escape", |p| {
         let [a, alpha] = Expr::symbols(["A", "α"]);
-        let over = a.pow(int(4));
-        let relation = |x: Expr, [n, predator, h, t]: State| {
-            let sum = int(1) / predator + t.squared();
-            let size = predator * h * n.pow(int(4)) * (int(1) + h).squared();
-            x / (int(64) * sum.pow(int(3)) * size)
+        let value = |state: State| {
+            let [_, predator, _, t] = state;
+            (int(1) / predator + t.squared()).pow(int(3)) / fourth_power(state)
         };
         let powers = [(int(12) * alpha).exp(), exponential(law, 12)];
-        let [own, stated] = powers.map(|power| power / over);
-        has_limit(p, (own, 0), relation, stated)?;
+        let [own, stated] = powers.map(|power| power / a.pow(int(4)));
+        has_limit(p, (own, 1, 0), value, stated)?;
         p.note(
             "So exp(12α)/A⁴ tends to that of the law",
             "the difference of α and the law goes to 0, while A grows without end",
@@ -641,18 +677,15 @@ fn eq131(law: Expr) -> Proof {
     })
 }
 
+/// A⁴ t⁶.
+fn fourth_power([n, predator, h, _]: State) -> Expr {
+    int(1) / (int(64) * predator * h * n.pow(int(4)) * (int(1) + h).squared())
+}
+
 fn eq132(law: Expr) -> Proof {
     after("(132) in every escape", |p| {
         let [a] = Expr::symbols(["A"]);
-        let relation = |x: Expr, [n, predator, h, _]: State| {
-            let size = predator * h * n.pow(int(4)) * (int(1) + h).squared();
-            int(64) * size * x.squared()
-        };
-        has_limit(p, (a.squared(), 3), relation, first(law).squared())?;
-        p.note(
-            "A and the law are positive",
-            "A t^(3/2) has the law's limit, up to the order of t",
-        );
+        has_limit(p, (a, 4, 6), fourth_power, first(law))?;
         in_its_time(p, law)
     })
 }
@@ -660,9 +693,9 @@ fn eq132(law: Expr) -> Proof {
 fn eq133(law: Expr) -> Proof {
     after("(133) in every escape", |p| {
         let [alpha] = Expr::symbols(["α"]);
-        let relation = |x: Expr, [_, predator, _, t]: State| predator * (x - t.squared());
+        let value = |[_, predator, _, t]: State| int(1) / predator + t.squared();
         let own = (int(4) * alpha).exp();
-        has_limit(p, (own, 2), relation, exponential(law, 4))?;
+        has_limit(p, (own, 1, 2), value, exponential(law, 4))?;
         p.note(
             "So exp(4α)/τ² tends to that of the law",
             "the difference of α and the law goes to 0",
@@ -685,17 +718,16 @@ fn eq134(law: Expr) -> Proof {
     })
 }
 
+/// (ρt²)².
+fn distance([n, predator, h, _]: State) -> Expr {
+    int(1) / (int(16) * predator * h * n.squared() * (int(1) + h).squared())
+}
+
 fn eq135(law: Expr) -> Proof {
     after("(135) in every escape", |p| {
         given(p, &[&turntable::EQ111])?;
-        let relation = |x: Expr, [n, predator, h, _]: State| {
-            int(16) * predator * n.squared() * (int(1) + h).squared() * x.squared() / h
-        };
-        has_limit(p, (speed(), 2), relation, first(law))?;
-        p.note(
-            "p and the law are positive",
-            "p t² has the law's limit, up to the order of t",
-        );
+        let value = |state: State| state[2].squared() * distance(state);
+        has_limit(p, (speed(), 2, 4), value, first(law))?;
         in_its_time(p, law)
     })
 }
@@ -704,14 +736,8 @@ fn eq136(law: Expr) -> Proof {
     after("(136) in every escape", |p| {
         given(p, &[&turntable::EQ112])?;
         let [a, alpha] = Expr::symbols(["A", "α"]);
-        let relation = |x: Expr, [n, predator, h, _]: State| {
-            int(16) * predator * h * n.squared() * (int(1) + h).squared() * x.squared()
-        };
-        has_limit(p, (motion::eq112_rho(a, alpha), 2), relation, first(law))?;
-        p.note(
-            "ρ and the law are positive",
-            "ρ t² has the law's limit, up to the order of t",
-        );
+        let rho = motion::eq112_rho(a, alpha);
+        has_limit(p, (rho, 2, 4), distance, first(law))?;
         in_its_time(p, law)
     })
 }
