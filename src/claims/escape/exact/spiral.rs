@@ -546,11 +546,12 @@ fn has_limit(
     let exact = p.read("At any time", exact)?;
     let stated = p.read("In N, P, h and t", value(own))?;
     p.equal("The two", &exact, &stated)?;
-    let mut limit = value(Species::found().limit()) * tau().pow(int(n));
+    let mut limit = value(Species::found().limit());
     for _ in 0..m.ilog2() {
         limit = limit.sqrt();
     }
-    let limit = p.read("So it goes, as the positive root, with 1/τ for t", limit)?;
+    let limit = limit * tau().pow(int(n) / int(m));
+    let limit = p.read("The positive root in the limit, with 1/τ for t", limit)?;
     let first = p.read("The law's first term", first)?;
     p.equal("The two", &limit, &first)
 }
