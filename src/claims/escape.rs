@@ -194,6 +194,7 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq128_limit,
+            &exact::spiral::EQ128,
             &exact::EQ128,
             growth::corrected128_limit
         ],
@@ -215,6 +216,7 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq129_limit,
+            &exact::spiral::EQ129,
             &exact::EQ129,
             growth::corrected129_limit,
             steps::eq129
@@ -237,6 +239,7 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq130_limit,
+            &exact::spiral::EQ130,
             &exact::EQ130,
             growth::corrected130_limit,
             steps::eq130,
@@ -260,6 +263,7 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq131_limit,
+            &exact::spiral::EQ131,
             &exact::EQ131,
             growth::corrected131_limit,
             steps::eq131
@@ -283,6 +287,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq132_limit,
             growth::eq132_exponent,
+            &exact::spiral::EQ132,
             &exact::EQ132,
             growth::corrected132_limit,
             growth::corrected132_delay,
@@ -306,6 +311,7 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq133_limit,
+            &exact::spiral::EQ133,
             &exact::EQ133,
             growth::corrected133_limit,
             steps::eq133,
@@ -330,6 +336,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq134_exponent,
             growth::eq134_limit,
+            &exact::spiral::EQ134,
             &exact::EQ134,
             growth::corrected134_exponent,
             growth::corrected134_limit,
@@ -356,6 +363,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq135_limit,
             growth::eq135_exponent,
+            &exact::spiral::EQ135,
             &exact::EQ135,
             growth::corrected135_limit,
             growth::corrected135_delay,
@@ -380,6 +388,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq136_limit,
             growth::eq136_exponent,
+            &exact::spiral::EQ136,
             &exact::EQ136,
             growth::corrected136_limit,
             growth::corrected136_delay,
@@ -404,6 +413,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq137_limit,
             growth::eq137_exponent,
+            &exact::spiral::EQ137,
             &exact::EQ137,
             growth::corrected137_limit,
             growth::corrected137_delay,

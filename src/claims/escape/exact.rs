@@ -2,6 +2,7 @@
 
 pub mod chains;
 pub mod late;
+pub mod spiral;
 
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};

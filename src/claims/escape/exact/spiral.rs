@@ -1,0 +1,855 @@
+//! Every motion that begins with p < ρ and A > 1 ends on the spiral: theorems about (128) to (137) as corrected.
+//!
+//! With δ = π/2 − ψ and t = tan(δ/2), the numbers N = cosh α/(2At) and P = 1/(t² (e^(4α) − 1)) change in the time θ, for which
+//! dθ = 2t dτ, as prey and predator do:
+//!
+//! dN/dθ = N (2 − 2N − P),  dP/dθ = P (4N − 2 − 2P),
+//!
+//! up to what vanishes with t and 1 − tanh α. They come to rest at N = ¾, P = ½, from every start; all laws follow. How fast
+//! they come to rest gives the logarithm.
+
+use super::chains::ALPHA_GROWS;
+use super::{exponential, tau};
+use crate::claims::compare::Compared;
+use crate::claims::runs::Derived;
+use crate::claims::statement::{Statement, given};
+use crate::claims::turntable::exact as turntable;
+use crate::corrections::escape as law;
+use crate::evidence::Subject;
+use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::turntable as motion;
+use crate::scalar::Scalar;
+
+/// N, P, h = tanh α, and t.
+type State = [Expr; 4];
+
+const NAMES: [&str; 4] = ["N", "P", "h", "t"];
+
+/// What is shown of every start.
+macro_rules! from_every_start {
+    ($what:literal) => {
+        Compared::shown(concat!(
+            r"from every start with $p<\rho$ and $A>1$, also one that comes straight in, ",
+            $what
+        ))
+    };
+}
+
+#[track_caller]
+const fn theorem(compared: Compared, of: Statement, prove: fn(Expr) -> Proof) -> Statement {
+    Statement::new(Subject::Corrected, compared, of.formulas, prove)
+}
+
+/// (128) as corrected.
+pub const EQ128: Statement = theorem(
+    from_every_start!(
+        r"$\tau\,\mathrm d\alpha/\mathrm d\tau\to\frac12$ as $\tau\to\infty$, and $\tau$ times the corrected right side tends to the same"
+    ),
+    super::EQ128,
+    eq128,
+);
+/// (129) as corrected.
+pub const EQ129: Statement = theorem(
+    from_every_start!(r"$(\cosh\alpha)\cosh(2\alpha)/A\to\frac{3\sqrt2}4$ as $\tau\to\infty$"),
+    super::EQ129,
+    eq129,
+);
+/// (130) as corrected.
+pub const EQ130: Statement = theorem(
+    from_every_start!(r"$A$ grows without end and $\alpha-\frac13\ln(3\sqrt2A)\to0$"),
+    super::EQ130,
+    eq130,
+);
+/// (131) as corrected.
+pub const EQ131: Statement = theorem(
+    from_every_start!(
+        r"$A$ grows without end and the ratio of $\mathrm dA/\mathrm d\tau$ to $\frac12(3\sqrt2A)^{1/3}$ tends to 1"
+    ),
+    super::EQ131,
+    eq131,
+);
+/// (132) as corrected.
+pub const EQ132: Statement = theorem(
+    from_every_start!(
+        r"$A=\frac{2^{1/4}}3\tau^{3/2}\left[1-\frac{9\sqrt2}8\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
+    ),
+    super::EQ132,
+    eq132,
+);
+/// (133) as corrected.
+pub const EQ133: Statement = theorem(
+    from_every_start!(r"$\alpha-\frac12\ln(\sqrt2\,\tau)\to0$ as $\tau\to\infty$"),
+    super::EQ133,
+    eq133,
+);
+/// (134) as corrected.
+pub const EQ134: Statement = theorem(
+    from_every_start!(
+        r"$\frac\pi2-\psi=\frac2\tau\left[1+\frac{3\sqrt2}4\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
+    ),
+    super::EQ134,
+    eq134,
+);
+/// (135) as corrected.
+pub const EQ135: Statement = theorem(
+    from_every_start!(
+        r"$p=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
+    ),
+    super::EQ135,
+    eq135,
+);
+/// (136) as corrected.
+pub const EQ136: Statement = theorem(
+    from_every_start!(
+        r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$, while the particle turns about the axis, in the laboratory, by the angle $\sqrt2\ln\tau+o(\ln\tau)$"
+    ),
+    super::EQ136,
+    eq136,
+);
+/// (137) as corrected.
+pub const EQ137: Statement = theorem(
+    from_every_start!(
+        r"$s=\frac{\tau^3}{9\sqrt2}\left[1-\frac{9\sqrt2}4\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
+    ),
+    super::EQ137,
+    eq137,
+);
+
+fn int(n: i64) -> Expr {
+    Expr::int(n)
+}
+
+fn half() -> Expr {
+    int(1) / int(2)
+}
+
+/// What the theorem says of the two numbers.
+#[derive(Debug, Clone, Copy)]
+struct Species {
+    /// dN/dθ over N and dP/dθ over P, in the symbols of a [`State`].
+    rates: [Expr; 2],
+    /// Where N and P come to rest.
+    rest: [Expr; 2],
+    /// By how much 1/t falls behind τ, per unit of ln τ.
+    delay: Expr,
+}
+
+impl Species {
+    fn found() -> Self {
+        let [n, p, h, t] = Expr::symbols(NAMES);
+        let (k, less) = (cosine(t), int(1) - t.squared());
+        let more = int(1) + t.squared() * p;
+        let prey = int(1) + k * h - int(2) * h * n - less * p;
+        let predator = int(2) * (int(1) - less * p - int(2) * more * k + int(2) * more * n);
+        Species {
+            rates: [prey, predator],
+            rest: [int(3) / int(4), half()],
+            delay: law::delay(),
+        }
+    }
+
+    /// The rates in another state.
+    fn rates_at(&self, state: State) -> [Expr; 2] {
+        let put = |formula: Expr, (name, value): (&'static str, Expr)| formula.with(name, value);
+        self.rates
+            .map(|rate| NAMES.into_iter().zip(state).fold(rate, put))
+    }
+
+    /// The state to which every escape comes.
+    fn limit(&self) -> State {
+        let [n, p] = self.rest;
+        [n, p, int(1), int(0)]
+    }
+}
+
+/// k = cos²(δ/2).
+fn cosine(t: Expr) -> Expr {
+    int(1) / (int(1) + t.squared())
+}
+
+/// dt/dθ.
+fn fall(p: Expr, t: Expr) -> Expr {
+    -(t * (int(1) - (int(1) - t.squared()) * p))
+}
+
+fn delta() -> Expr {
+    Expr::symbol("δ")
+}
+
+/// The state of a motion, in A, α and δ.
+fn state() -> State {
+    let [a, alpha] = Expr::symbols(["A", "α"]);
+    let t = (delta() / int(2)).tan();
+    let less = (int(4) * alpha).exp() - int(1);
+    [
+        alpha.cosh() / (int(2) * a * t),
+        int(1) / (t.squared() * less),
+        alpha.tanh(),
+        t,
+    ]
+}
+
+/// A, α and δ; the state in symbols of its own, and what else the proof is about; τ and its logarithm L.
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    let [_, tau] = ["A", "τ"].map(|name| ring.symbol(name));
+    ring.hyperbolic("α");
+    ring.angle("δ");
+    for name in NAMES.into_iter().chain(["q", "v", "w", "x", "y", "L"]) {
+        ring.symbol(name);
+    }
+    for species in ["N", "P"] {
+        let species = ring.named(species)?;
+        ring.logarithm(&species)?;
+    }
+    ring.root(&tau, 2)?;
+    let two = ring.root(&Rational::int(2), 2)?;
+    ring.root(&two, 2)?;
+    Ok(ring)
+}
+
+/// N and P of a motion, and how they change.
+fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
+    given(
+        p,
+        &[
+            &ALPHA_GROWS,
+            &turntable::EQ113,
+            &turntable::EQ114,
+            &turntable::EQ115,
+        ],
+    )?;
+    let [a, alpha] = Expr::symbols(["A", "α"]);
+    let psi = Expr::pi() / int(2) - delta();
+    let push = int(2) / ((int(4) * alpha).exp() - int(1));
+    let turn = p.read(
+        "With δ = π/2 − ψ, dδ/dτ by (115)",
+        -motion::eq115_psi_rate(alpha, psi),
+    )?;
+    let parts = int(2) * push * delta().cos() - int(4) * (delta() / int(2)).sin().squared();
+    let parts = p.read("With e = 2/(exp(4α) − 1), 2e cos δ − 4 sin²(δ/2)", parts)?;
+    p.equal("The two", &turn, &parts)?;
+    p.note(
+        "ξ = ρ cos ψ grows without end",
+        "so that, from some time on, p > 0 and 0 < δ < π, up to whole turns",
+    );
+    p.note(
+        "Where cos δ ≤ 0",
+        "δ falls, at the rate 2 at least: it comes below π/2, and as it falls there too, it stays below",
+    );
+    let along = p.ring().along(&[
+        ("A", p.ring().read(motion::eq113_a_rate(alpha))?),
+        ("α", p.ring().read(motion::eq114_alpha_rate(a, alpha, psi))?),
+        ("δ", turn),
+    ])?;
+    let own = state();
+    let [n, predator, h, t] = own;
+    let tangent = p.read("t = tan(δ/2), then between 0 and 1", t)?;
+    let rate = p.derivative("dt/dτ", &tangent, &along)?;
+    let parts = push * (int(1) - t.squared()) - int(2) * t.squared();
+    let parts = p.read("e (1 − t²) − 2t²", parts)?;
+    p.equal("The two", &rate, &parts)?;
+    p.note(
+        "As α → ∞, e → 0; and where t ≥ η, with any η > 0",
+        "once e < η² t falls at the rate η² at least, to η, and stays below: t → 0",
+    );
+    p.note(
+        "dt/dτ ≥ −2t², so that 1/t ≤ 2τ + c",
+        "the time θ with dθ = 2t dτ grows without end, as ln τ at least",
+    );
+    let clock = p.ring().read(int(2) * t)?;
+    let slower = p.quotient("dt/dθ", &rate, &clock)?;
+    let stated = p.read("−t (1 − (1 − t²) P)", fall(predator, t))?;
+    p.equal("With P = 1/(t² (exp(4α) − 1)), the two", &slower, &stated)?;
+    let logarithmic = found.rates_at(own);
+    let species = [
+        ("N = cosh α/(2At)", n, logarithmic[0]),
+        ("P", predator, logarithmic[1]),
+    ];
+    for (name, formula, stated) in species {
+        let number = p.read(name, formula)?;
+        let rate = p.derivative("Its rate in τ", &number, &along)?;
+        let rate = p.quotient("In θ, over itself", &rate, &(&number * &clock))?;
+        let stated = p.read("Stated, with h = tanh α", stated)?;
+        p.equal("The two", &rate, &stated)?;
+    }
+    let lag = p.read("((1 − h)/t)²", ((int(1) - h) / t).squared())?;
+    let stated = p.read("4Ph", int(4) * predator * h)?;
+    p.equal("The two", &lag, &stated)?;
+    let inverse = p.ring().read(int(1) / t)?;
+    let grows = p.derivative("The rate of 1/t in τ", &inverse, &along)?;
+    let stated = int(2) - int(2) * (int(1) - t.squared()) * predator;
+    let stated = p.read("2 − 2 (1 − t²) P", stated)?;
+    p.equal("The two", &grows, &stated)
+}
+
+/// The rates in θ, of N, P and t as symbols.
+fn by_theta(p: &Prover<'_>, found: &Species) -> Result<Derivation, Obstacle> {
+    let [n, predator, _, t] = Expr::symbols(NAMES);
+    let ring = p.ring();
+    Ok(ring.along(&[
+        ("N", ring.read(n * found.rates[0])?),
+        ("P", ring.read(predator * found.rates[1])?),
+        ("t", ring.read(fall(predator, t))?),
+    ])?)
+}
+
+/// They come to rest.
+fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
+    let [n, predator, h, t] = Expr::symbols(NAMES);
+    let [n0, p0] = found.rest;
+    p.note(
+        "From here on N, P, h and t are these four as symbols",
+        "N > 0, P > 0, 0 < h < 1, 0 < t < 1, t → 0, h → 1, with k = 1/(1 + t²)",
+    );
+    for rate in found.rates_at([n, predator, int(1), int(0)]) {
+        p.read("A rate for h = 1 and t = 0", rate)?;
+    }
+    for rate in found.rates_at(found.limit()) {
+        let rate = p.read("There, at N = 3/4 and P = 1/2", rate)?;
+        p.zero("It", &rate)?;
+    }
+    let height = int(4) * (n - n0 * n.ln()) + predator - p0 * predator.ln();
+    let height = p.read("V", height)?;
+    let slopes = [
+        ("N", int(4) * (n - n0) / n),
+        ("P", (predator - p0) / predator),
+    ];
+    for (name, stated) in slopes {
+        let slope = p.derivative("Its slope", &height, &p.ring().by(name)?)?;
+        let stated = p.read("Negative before the rest, positive behind", stated)?;
+        p.equal("The two", &slope, &stated)?;
+    }
+    p.note(
+        "So V is least at the rest",
+        "and grows without end at the edges, where N or P goes to 0 or ∞: it is near its least value only near the rest",
+    );
+    let falls = p.derivative("dV/dθ", &height, &by_theta(p, found)?)?;
+    let (k, little) = (cosine(t), t.squared() * predator);
+    let last = int(1) - (int(1) + little) * k;
+    let first = (k * h - int(1)) + int(2) * (int(1) - h) * n + t.squared() * predator;
+    let second = t.squared() * predator + int(2) * last + int(2) * little * n;
+    let stated = int(4) * (n - n0) * first + int(2) * (predator - p0) * second
+        - int(8) * (n - n0).squared()
+        - int(2) * (predator - p0).squared();
+    let stated = p.read("Two squares, and two brackets", stated)?;
+    p.equal("The two", &falls, &stated)?;
+    let last = p.read("1 − (1 + t² P) k", last)?;
+    let small = p.read("k (t² − t² P)", k * (t.squared() - little))?;
+    p.equal("The two", &last, &small)?;
+    p.note(
+        "In the brackets 1, N and P have the factors 1 − kh, 1 − h, t², 1 − (1 + t² P) k and t² P = 1/(exp(4α) − 1)",
+        "all go to 0: let η be the largest of their sizes",
+    );
+    p.note(
+        "With x = |N − 3/4| and y = |P − 1/2|",
+        "the first bracket is η (1 + 2N + P), and so η (3 + 2x + y), at most, the second η (2 + 2N + P), and so η (4 + 2x + y)",
+    );
+    let [x, y] = Expr::symbols(["x", "y"]);
+    let most = int(4) * x * (int(3) + int(2) * x + y) + int(2) * y * (int(4) + int(2) * x + y);
+    let spare = int(10) + int(18) * x.squared() + int(10) * y.squared() - most;
+    let spare = p.read("10 + 18x² + 10y² less both, with their factors", spare)?;
+    let squares = int(6) * (int(1) - x).squared()
+        + int(4) * (int(1) - y).squared()
+        + int(4) * (x - y).squared();
+    let squares = p.read("Squares", squares)?;
+    p.equal("The two", &spare, &squares)?;
+    p.note(
+        "So dV/dθ ≤ −8x² − 2y² + η (10 + 18x² + 10y²)",
+        "once 10η ≤ 1, V falls at the rate x² + y² − 10η at least",
+    );
+    p.note(
+        "Where V exceeds its least value by any given amount or more",
+        "x² + y² is above a fixed number, and 10η below half of it from some time on: V falls below that amount in a finite θ, and stays there",
+    );
+    let unity = p.read("2 − 2P at the rest", int(2) - int(2) * p0)?;
+    p.equal("It is 1", &unity, &Rational::int(1))?;
+    p.note(
+        "So N → 3/4 and P → 1/2",
+        "1/t has the rate 1 in the end: tτ → 1",
+    );
+    Ok(())
+}
+
+/// The rates in θ of q = (N − ¾)/t and v = (P − ½)/t, with w = (1 − h)/t.
+fn follow([q, v, w]: [Expr; 3], [n, p, h, t]: State) -> [Expr; 2] {
+    let (k, less) = (cosine(t), int(1) - t.squared());
+    let feeds = p + int(2) * (int(1) - p) * k + int(2) * p * n;
+    let prey = -(int(2) * q) - v + w * (int(2) * n - int(1)) + t * (p - k * h);
+    let predator = int(4) * q - int(2) * v + int(2) * t * feeds;
+    [
+        n * prey + q * (int(1) - less * p),
+        p * predator + v * (int(1) - less * p),
+    ]
+}
+
+/// How far they are from rest, over t; and what 1/t makes of it.
+fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
+    let [n, predator, h, t] = Expr::symbols(NAMES);
+    let [n0, p0] = found.rest;
+    let own = [n, predator, h, t];
+    let deviations = [(n - n0) / t, (predator - p0) / t];
+    let lag = (int(1) - h) / t;
+    let stated = follow([deviations[0], deviations[1], lag], own);
+    let along = by_theta(p, found)?;
+    let names = ["q = (N − 3/4)/t", "v = (P − 1/2)/t"];
+    for ((name, formula), stated) in names.into_iter().zip(deviations).zip(stated) {
+        let deviation = p.read(name, formula)?;
+        let rate = p.derivative("Its rate in θ", &deviation, &along)?;
+        let stated = p.read("With w = (1 − h)/t", stated)?;
+        p.equal("The two", &rate, &stated)?;
+    }
+    let [q, v, w, x, y] = Expr::symbols(["q", "v", "w", "x", "y"]);
+    let root = int(2).sqrt();
+    p.note("w is positive, and w² = 4Ph → 2", "w → √2");
+    let exact = follow([q, v, w], own);
+    let limit = follow([q, v, root], found.limit());
+    let (k, slower) = (cosine(t), p0 - (int(1) - t.squared()) * predator);
+    let feeds = predator + int(2) * (int(1) - predator) * k + int(2) * predator * n;
+    let rest_of = [
+        -((n - n0) * (int(2) * q + v))
+            + (n * w * (int(2) * n - int(1)) - n0 * root * (int(2) * n0 - int(1)))
+            + n * t * (predator - k * h)
+            + q * slower,
+        (predator - p0) * (int(4) * q - int(2) * v) + int(2) * predator * t * feeds + v * slower,
+    ];
+    for ((exact, limit), rest_of) in exact.into_iter().zip(limit).zip(rest_of) {
+        let limit = p.read("A rate with the limits put in", limit)?;
+        let exact = p.ring().read(exact)?;
+        let rest_of = p.read("1, q and v with factors that go to 0", rest_of)?;
+        p.equal("The rate differs by that", &(&exact - &limit), &rest_of)?;
+    }
+    let [q0, v0] = [found.delay / int(8), found.delay / int(2)];
+    let linear = limit.map(|rate| rate.with("q", q0 + x).with("v", v0 + y));
+    for rate in linear {
+        let rate = rate.with("x", int(0)).with("y", int(0));
+        let rate = p.read("A rate with the limits, at q = 3√2/32, v = 3√2/8", rate)?;
+        p.zero("It", &rate)?;
+    }
+    let along = p.ring().along(&[
+        ("x", p.read("Of x = q − 3√2/32", linear[0])?),
+        ("y", p.read("Of y = v − 3√2/8", linear[1])?),
+    ])?;
+    let size = int(8) / int(3) * x.squared() + y.squared();
+    let size = p.read("Q", size)?;
+    let shrinks = p.derivative("Its rate with the limits", &size, &along)?;
+    let stated = -(int(16) / int(3) * x.squared()) - y.squared();
+    let stated = p.read("Squares", stated)?;
+    p.equal("The two", &shrinks, &stated)?;
+    p.note(
+        "What goes to 0 changes the two rates by η (1 + |x| + |y|) at most, with another η → 0",
+        "and dQ/dθ by 6η (|x| + |y|) (1 + |x| + |y|), as 16/3 and 2 are below 6",
+    );
+    let most = int(6) * (x + y) * (int(1) + x + y);
+    let spare = int(3) + int(18) * (x.squared() + y.squared()) - most;
+    let spare = p.read(
+        "3 + 18 (x² + y²) less that without η, with x for |x| and y for |y|",
+        spare,
+    )?;
+    let squares = int(3) * (int(1) - x - y).squared() + int(9) * (x - y).squared();
+    let squares = p.read("Squares", squares)?;
+    p.equal("The two", &spare, &squares)?;
+    p.note(
+        "Once 36η ≤ 1",
+        "Q falls at the rate (x² + y²)/2 − 3η at least: Q → 0, as V went to its least value",
+    );
+    p.note("So", "q → 3√2/32, v → 3√2/8; and N, P and h differ from their limits by an amount of the order of t");
+    let inverse = int(2) - int(2) * (int(1) - t.squared()) * predator;
+    let behind = p.read("The rate of 1/t less 1, over t", (inverse - int(1)) / t)?;
+    let stated = int(2) * predator * t - int(2) * deviations[1];
+    let stated = p.read("2Pt − 2v", stated)?;
+    p.equal("The two", &behind, &stated)?;
+    p.note(
+        "In the limit that is −κ with κ = 3√2/4",
+        "as tτ → 1, 1/t − τ has the rate −κ/τ + o(1/τ): 1/t = τ − κ ln τ + o(ln τ)",
+    );
+    Ok(())
+}
+
+/// How fast the particle turns about the axis.
+fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
+    given(
+        p,
+        &[
+            &turntable::EQ95,
+            &turntable::EQ96,
+            &turntable::EQ111,
+            &turntable::EQ112,
+        ],
+    )?;
+    let [a, alpha] = Expr::symbols(["A", "α"]);
+    let [_, _, h, t] = state();
+    let (rho, psi) = (motion::eq112_rho(a, alpha), Expr::pi() / int(2) - delta());
+    let across = motion::eq95_ell(rho, psi);
+    p.note(
+        "In the laboratory the particle turns about the axis with the table",
+        "and on it, where pℓ is ρ² times the rate by (96)",
+    );
+    let turn = int(1) + speed() * across / rho.squared();
+    let turn = p.read("The rate 1 + pℓ/ρ², over t", turn / t)?;
+    let stated = (int(1) - h) / t + int(2) * h * cosine(t) * t;
+    let stated = p.read("w + 2hkt", stated)?;
+    p.equal("The two", &turn, &stated)?;
+    let [_, predator, h, _] = found.limit();
+    let square = p.read("w² = 4Ph in the limit", int(4) * predator * h)?;
+    let stated = p.read(
+        "The square of the winding",
+        law::winding::<Expr>().squared(),
+    )?;
+    p.equal("The two", &square, &stated)?;
+    p.note(
+        "So, as tτ → 1",
+        "the angle in the laboratory is √2 ln τ + o(ln τ)",
+    );
+    Ok(())
+}
+
+/// Every escape ends on the spiral.
+fn spiral(found: Species) -> Proof {
+    Proof::in_ring(
+        "Every escape as prey and predator, which come to rest",
+        ring(),
+        |p| {
+            moves(p, &found)?;
+            comes_to_rest(p, &found)?;
+            falls_behind(p, &found)?;
+            turns(p, &found)
+        },
+    )
+}
+
+/// The same, carried out once.
+static SPIRAL: Derived<Proof> = Derived::new(|| spiral(Species::found()));
+
+/// A law, after the theorem on all escapes.
+fn after(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
+    Proof::in_ring(title, ring(), |p| {
+        SPIRAL.with(|proof| p.rests_on(proof))?;
+        p.note(
+            "From there",
+            "t = tan(π/4 − ψ/2), N = cosh α/(2At), P = 1/(t² (exp(4α) − 1)), h = tanh α; N → 3/4, P → 1/2, h → 1, up to the order of t; 1/t = τ − κ ln τ + o(ln τ) with κ = 3√2/4",
+        );
+        steps(p)
+    })
+}
+
+/// A positive quantity: its m-th power, m being 1, 2 or 4, times t^n is a value that tends to a limit. So is the law's, with
+/// τ for 1/t.
+fn has_limit(
+    p: &mut Prover<'_>,
+    (quantity, m, n): (Expr, i64, i64),
+    value: fn(State) -> Expr,
+    first: Expr,
+) -> Result<(), Obstacle> {
+    let own = state();
+    let exact = quantity.pow(int(m)) * own[3].pow(int(n));
+    let exact = p.read("At any time", exact)?;
+    let stated = p.read("In N, P, h and t", value(own))?;
+    p.equal("The two", &exact, &stated)?;
+    let mut limit = value(Species::found().limit());
+    for _ in 0..m.ilog2() {
+        limit = limit.sqrt();
+    }
+    let limit = limit * tau().pow(int(n) / int(m));
+    let limit = p.read("The positive root in the limit, with 1/τ for t", limit)?;
+    let first = p.read("The law's first term", first)?;
+    p.equal("The two", &limit, &first)
+}
+
+/// A law's first term.
+fn first(law: Expr) -> Expr {
+    law.with("L", int(0))
+}
+
+/// The law is its first term at the time 1/t.
+fn in_its_time(p: &mut Prover<'_>, law: Expr) -> Result<(), Obstacle> {
+    let stated = p.read("The law, with L = ln τ", law)?;
+    let start = p.read("Its first term", first(law))?;
+    let slope = p.derivative("The rate of that", &start, &p.ring().by("τ")?)?;
+    let shift = p.read("κ ln τ", law::delay::<Expr>() * Expr::symbol("L"))?;
+    let later = start - slope * shift;
+    p.equal("The law and its first term at τ − κ ln τ", &stated, &later)?;
+    p.note(
+        "What is of the order of t beside 1",
+        "is of the order of 1/τ, and so less than (ln τ)/τ by any factor in the end",
+    );
+    Ok(())
+}
+
+fn speed() -> Expr {
+    let [a, alpha] = Expr::symbols(["A", "α"]);
+    motion::eq111_p(a, alpha)
+}
+
+fn eq128(law: Expr) -> Proof {
+    after("(128) in every escape", |p| {
+        given(p, &[&turntable::EQ114])?;
+        let [a, alpha] = Expr::symbols(["A", "α"]);
+        let [n, predator, h, t] = state();
+        let psi = Expr::pi() / int(2) - delta();
+        let rate = motion::eq114_alpha_rate(a, alpha, psi) / t;
+        let rate = p.read("dα/dτ over t, by (114)", rate)?;
+        let stated = p.read("2k − 2N, with k = 1/(1 + t²)", int(2) * (cosine(t) - n))?;
+        p.equal("The two", &rate, &stated)?;
+        let friction = alpha.cosh() / a;
+        let second = p.read("cosh α/A, over t", friction / t)?;
+        let stated = p.read("2N", int(2) * n)?;
+        p.equal("The two", &second, &stated)?;
+        let square = |[_, predator, h, _]: State| {
+            let squares = int(1) + h.squared();
+            int(4) * predator * h * (int(1) + h).squared() / squares.squared()
+        };
+        let slow = int(1) / (t * (int(2) * alpha).cosh()).squared();
+        let slow = p.read("1/(t cosh 2α)²", slow)?;
+        let stated = p.read("4Ph (1 + h)²/(1 + h²)²", square([n, predator, h, t]))?;
+        p.equal("The two", &slow, &stated)?;
+        let limit = Species::found().limit();
+        let slow = p.read("The positive root, in the limit", square(limit).sqrt())?;
+        let factor = (law + friction) * (int(2) * alpha).cosh();
+        let factor = p.read("The factor of 1/cosh 2α in the law", factor)?;
+        let own = p.read(
+            "k in place of it, twice, in the limit",
+            int(2) * cosine(limit[3]),
+        )?;
+        p.equal("The product of the two, and that", &(&slow * &factor), &own)?;
+        let left = p.read("2 − 2N in the limit", int(2) - int(2) * limit[0])?;
+        let half = p.read("Not 0", half())?;
+        p.equal("The two", &left, &half)?;
+        p.note("So, as tτ → 1", "both sides times τ tend to 1/2");
+        Ok(())
+    })
+}
+
+fn eq129(law: Expr) -> Proof {
+    after("(129) in every escape", |p| {
+        let [a, alpha] = Expr::symbols(["A", "α"]);
+        let product = crate::paper::escape::eq129_a(alpha) / a;
+        let value = |[n, predator, h, _]: State| {
+            let above = n * (int(1) + h.squared());
+            above.squared() / (predator * h * (int(1) + h).squared())
+        };
+        has_limit(p, (product, 2, 0), value, law / a)
+    })
+}
+
+fn eq130(law: Expr) -> Proof {
+    after("(130) in every escape", |p| {
+        let [a, alpha] = Expr::symbols(["A", "α"]);
+        let value = |state: State| {
+            let [_, predator, _, t] = state;
+            (int(1) / predator + t.squared()).pow(int(3)) / fourth_power(state)
+        };
+        let powers = [(int(12) * alpha).exp(), exponential(law, 12)];
+        let [own, stated] = powers.map(|power| power / a.pow(int(4)));
+        has_limit(p, (own, 1, 0), value, stated)?;
+        p.note(
+            "So exp(12α)/A⁴ tends to that of the law",
+            "the difference of α and the law goes to 0, while A grows without end",
+        );
+        Ok(())
+    })
+}
+
+fn eq131(law: Expr) -> Proof {
+    let with_cubes = || {
+        let mut ring = ring()?;
+        let a = ring.named("A")?;
+        ring.root(&a, 3)?;
+        let number = ring.read(int(3) * int(2).sqrt())?;
+        ring.root(&number, 3)?;
+        Ok(ring)
+    };
+    Proof::in_ring("(131) in every escape", with_cubes(), |p| {
+        given(p, &[&turntable::EQ113, &EQ130])?;
+        let [alpha] = Expr::symbols(["α"]);
+        let rate = int(2) * motion::eq113_a_rate(alpha) * (-alpha).exp();
+        let rate = p.read("Twice dA/dτ by (113), over exp α", rate)?;
+        let stated = p.read(
+            "1 − exp(−2α), which tends to 1",
+            int(1) - (int(-2) * alpha).exp(),
+        )?;
+        p.equal("The two", &rate, &stated)?;
+        let cube = p.read("The cube of twice the law", (int(2) * law).pow(int(3)))?;
+        let stated = p.read(
+            "exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1",
+            exponential((EQ130.formulas)(), 3),
+        )?;
+        p.equal("The two", &cube, &stated)
+    })
+}
+
+/// A⁴ t⁶.
+fn fourth_power([n, predator, h, _]: State) -> Expr {
+    int(1) / (int(64) * predator * h * n.pow(int(4)) * (int(1) + h).squared())
+}
+
+fn eq132(law: Expr) -> Proof {
+    after("(132) in every escape", |p| {
+        let [a] = Expr::symbols(["A"]);
+        has_limit(p, (a, 4, 6), fourth_power, first(law))?;
+        in_its_time(p, law)
+    })
+}
+
+fn eq133(law: Expr) -> Proof {
+    after("(133) in every escape", |p| {
+        let [alpha] = Expr::symbols(["α"]);
+        let value = |[_, predator, _, t]: State| int(1) / predator + t.squared();
+        let own = (int(4) * alpha).exp();
+        has_limit(p, (own, 1, 2), value, exponential(law, 4))?;
+        p.note(
+            "So exp(4α)/τ² tends to that of the law",
+            "the difference of α and the law goes to 0",
+        );
+        Ok(())
+    })
+}
+
+/// The theorem's own steps stand here.
+fn eq134(law: Expr) -> Proof {
+    Proof::in_ring("(134) in every escape", ring(), |p| {
+        SPIRAL.with(|proof| p.carry_on(proof))?;
+        p.note("t = tan(δ/2) → 0", "δ is 2t, up to the order of t³");
+        let half_lag = p.read(
+            "Half the law's first term, times τ",
+            first(law) * tau() / int(2),
+        )?;
+        p.equal("It is 1, as tτ in the limit", &half_lag, &Rational::int(1))?;
+        in_its_time(p, law)
+    })
+}
+
+/// (ρt²)².
+fn distance([n, predator, h, _]: State) -> Expr {
+    int(1) / (int(16) * predator * h * n.squared() * (int(1) + h).squared())
+}
+
+fn eq135(law: Expr) -> Proof {
+    after("(135) in every escape", |p| {
+        given(p, &[&turntable::EQ111])?;
+        let value = |state: State| state[2].squared() * distance(state);
+        has_limit(p, (speed(), 2, 4), value, first(law))?;
+        in_its_time(p, law)
+    })
+}
+
+fn eq136(law: Expr) -> Proof {
+    after("(136) in every escape", |p| {
+        given(p, &[&turntable::EQ112])?;
+        let [a, alpha] = Expr::symbols(["A", "α"]);
+        let rho = motion::eq112_rho(a, alpha);
+        has_limit(p, (rho, 2, 4), distance, first(law))?;
+        in_its_time(p, law)
+    })
+}
+
+fn eq137(law: Expr) -> Proof {
+    after("(137) in every escape", |p| {
+        given(p, &[&EQ135])?;
+        let speed = motion::eq105_arc_rate((EQ135.formulas)());
+        let stated = p.read("The law, with L = ln τ", law)?;
+        let one = Rational::int(1);
+        let logarithm = p.ring().divide(&one, &p.ring().named("τ")?)?;
+        let along = p.ring().along(&[("τ", one), ("L", logarithm)])?;
+        let rate = p.derivative("Its rate", &stated, &along)?;
+        let speed = p.read("ds/dτ by (105), with p by (135) as corrected", speed)?;
+        let by = p.ring().named("τ")?;
+        let left = p.quotient("The difference over τ", &(&rate - &speed), &by)?;
+        for name in ["τ", "L"] {
+            let slope = p.derivative(&format!("Its rate by {name}"), &left, &p.ring().by(name)?)?;
+            p.zero("It", &slope)?;
+        }
+        p.note(
+            "So the law's rate is p, up to less than τ ln τ by any factor in the end",
+            "and s, the integral of p by (105), is the law, up to less than τ² ln τ",
+        );
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::paper::escape as printed;
+
+    const ALL: [Statement; 10] = [
+        EQ128, EQ129, EQ130, EQ131, EQ132, EQ133, EQ134, EQ135, EQ136, EQ137,
+    ];
+
+    fn little() -> Expr {
+        int(1) / int(1_000_000)
+    }
+
+    #[test]
+    fn each_law_holds_in_every_escape() {
+        for statement in ALL {
+            let proof = statement.proof();
+            assert!(proof.holds(), "{proof}");
+        }
+    }
+
+    #[test]
+    fn the_theorem_needs_each_rate_and_number() {
+        let found = Species::found();
+        let more = int(1) + little();
+        let [prey, predator] = found.rates;
+        let [n, p] = found.rest;
+        let wrong = [
+            ("rates", [prey * more, predator], found.rest, found.delay),
+            ("rates", [prey, predator * more], found.rest, found.delay),
+            ("rest", found.rates, [n * more, p], found.delay),
+            ("rest", found.rates, [n, p * more], found.delay),
+            ("delay", found.rates, found.rest, found.delay * more),
+            ("delay", found.rates, found.rest, -found.delay),
+        ];
+        for (what, rates, rest, delay) in wrong {
+            let proof = spiral(Species { rates, rest, delay });
+            let obstacle = proof.obstacle();
+            assert!(
+                matches!(obstacle, Some(Obstacle::NotZero { .. })),
+                "{what}: {proof}"
+            );
+        }
+    }
+
+    #[test]
+    fn another_factor_power_or_logarithm_is_no_law() {
+        let ell = Expr::symbol("L");
+        for statement in ALL {
+            let law = (statement.formulas)();
+            let mut wrong = vec![law * (int(1) + little()), -law];
+            if first(law) != law {
+                // The logarithm with another factor, and none.
+                wrong.push(law.with("L", ell * (int(1) + little())));
+                wrong.push(law.with("L", -ell));
+                wrong.push(first(law));
+                wrong.push(law * tau());
+            }
+            for wrong in wrong {
+                let proof = (statement.prove)(wrong);
+                assert!(!proof.holds(), "{wrong}: {proof}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_printed_laws_are_disproved() {
+        let [a, alpha, tau] = Expr::symbols(["A", "α", "τ"]);
+        // The ring has not the roots of 3 and 4 that (131), (132) and (134) need.
+        for (statement, printed) in [
+            (EQ128, printed::eq128_alpha_rate(alpha, a)),
+            (EQ129, a),
+            (EQ130, printed::eq130_alpha(a)),
+            (EQ133, printed::eq133_alpha(tau)),
+            (EQ135, printed::eq135_p(tau)),
+            (EQ136, printed::eq136_rho(tau)),
+            (EQ137, printed::eq137_s(tau)),
+        ] {
+            let proof = (statement.prove)(printed);
+            assert!(
+                matches!(proof.obstacle(), Some(Obstacle::NotZero { .. })),
+                "{proof}"
+            );
+        }
+    }
+}
