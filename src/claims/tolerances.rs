@@ -50,8 +50,8 @@ EXPONENTIAL = 0.1,
     "falls that are equal up to a tenth would still count as equal";
 
 /// Curve A far out against what it is the limit of.
-FAR_A = 1e-8,
-    "the first term left out on A is about 9 q⁻⁴: 6e-9 at the smallest q, 200";
+FAR_A = 2e-8,
+    "the first term left out on A is about 9 q⁻⁴: 6e-9 at the smallest q, 200; at the largest, 20,000, λ₀ is 8e-9, and the simulation rounds to 1e-16";
 
 /// Curve E far out against what it is the limit of.
 FAR_E = 2e-6,
