@@ -356,6 +356,37 @@ fn only_what_is_tried_and_found_to_be_degenerate_is_no_reproach() {
 }
 
 #[test]
+fn what_is_in_dispute_settles_nothing() {
+    let step = |route, worst| evidence(route, Subject::Step, worst);
+    let fails = evidence(Route::Integration, Subject::Printed, BAD);
+    let heir = [fails, step(Route::Root, GOOD)];
+    assert_eq!(verdict(Kind::Equation, None, &heir), Verdict::Inherited);
+    let contested = [&heir[..], &[step(Route::Quadrature, BAD)]].concat();
+    assert_eq!(verdict(Kind::Equation, None, &contested), Verdict::Undecided);
+    // Nor is a step a second route of the statement.
+    let one = [
+        evidence(Route::Integration, Subject::Printed, GOOD),
+        step(Route::Root, GOOD),
+    ];
+    assert_eq!(verdict(Kind::Equation, None, &one), Verdict::Undecided);
+
+    let needed = [
+        evidence(Route::Integration, Subject::Within, GOOD),
+        evidence(Route::Quadrature, Subject::Within, GOOD),
+        evidence(Route::Root, Subject::Outside, BAD),
+    ];
+    assert_eq!(under(Sort::Substance, &needed), Verdict::Conditional);
+    let holds = evidence(Route::Limit, Subject::Outside, GOOD);
+    let contested = [&needed[..], &[holds]].concat();
+    assert_eq!(under(Sort::Substance, &contested), Verdict::Undecided);
+    let excepted = |worst| evidence(Route::Census, Subject::Excepted, worst);
+    let degenerate = [&needed[..], &[excepted(0.0)]].concat();
+    assert_eq!(under(Sort::Degenerate, &degenerate), Verdict::Degenerate);
+    let contested = [&degenerate[..], &[excepted(BAD)]].concat();
+    assert_eq!(under(Sort::Degenerate, &contested), Verdict::Undecided);
+}
+
+#[test]
 fn a_condition_that_is_added_has_to_be_tried_without() {
     let e = [
         evidence(Route::Integration, Subject::Printed, GOOD),

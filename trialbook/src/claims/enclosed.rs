@@ -159,6 +159,8 @@ fn whole_power(x: &Ball, n: i64, bits: usize) -> Option<Ball> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certified::interval::Interval;
+    use crate::evidence::Outcome;
     use crate::scalar::Scalar;
 
     #[test]
@@ -187,6 +189,18 @@ mod tests {
             let same = evidence.worst == worst || evidence.worst.is_nan() && worst.is_nan();
             assert!(same, "{known} {off}: {}, {}", evidence.worst, evidence.at);
         }
+    }
+
+    #[test]
+    fn what_is_not_proved_is_not_disproved() {
+        let cell = [Interval::point(1.0)];
+        let outcome = |error| {
+            let evidence = certified(Err(error), Subject::Printed, Compared::shown("it holds"));
+            evidence.outcome()
+        };
+        let not_proved = CertifiedError::unproved("too wide", &cell);
+        assert_eq!(outcome(not_proved), Outcome::NotANumber);
+        assert_eq!(outcome(CertifiedError::failing(&cell)), Outcome::Disagrees);
     }
 
     #[test]
