@@ -216,7 +216,7 @@ fn escapes(beyond: Beyond) -> Proof {
         );
         p.note(
             "From such a stop",
-            "it starts outwards, ξ = ρ above the bound for good, and is never slower again",
+            "it starts outwards, as the push there is positive while p is small: so ℓ → 0 as before, back to the stop, and ξ → ρ above the bound, for good, and the particle is never slower again",
         );
         p.rests_on(&comes_to_rest(bound))?;
         let [a, alpha] = Expr::symbols(["A", "α"]);

@@ -85,7 +85,7 @@ pub const EQ133: Statement = theorem(
 /// (134) as corrected.
 pub const EQ134: Statement = theorem(
     from_every_start!(
-        r"$\frac\pi2-\psi=\frac2\tau\left[1+\frac{3\sqrt2}4\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
+        r"up to whole turns $\frac\pi2-\psi=\frac2\tau\left[1+\frac{3\sqrt2}4\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
     ),
     super::EQ134,
     eq134,
@@ -101,7 +101,7 @@ pub const EQ135: Statement = theorem(
 /// (136) as corrected.
 pub const EQ136: Statement = theorem(
     from_every_start!(
-        r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$, while the particle turns about the axis, in the laboratory, by the angle $\sqrt2\ln\tau+o(\ln\tau)$"
+        r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$, while the particle turns about the axis, in the laboratory, by the angle $\sqrt2\ln\tau+c+o(1)$ with a constant $c$"
     ),
     super::EQ136,
     eq136,
@@ -498,8 +498,8 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     )?;
     p.equal("The two", &square, &stated)?;
     p.note(
-        "So, as tτ → 1",
-        "the angle in the laboratory is √2 ln τ + o(ln τ)",
+        "As w² = 4Ph, and v and w are bounded, w is √2 up to the order of t; and t is 1/τ up to that of (ln τ)/τ²",
+        "so the rate is √2/τ up to that of (ln τ)/τ²: the angle in the laboratory less √2 ln τ converges",
     );
     Ok(())
 }
@@ -571,7 +571,7 @@ fn in_its_time(p: &mut Prover<'_>, law: Expr) -> Result<(), Obstacle> {
     p.equal("The law and its first term at τ − κ ln τ", &stated, &later)?;
     p.note(
         "What is of the order of t beside 1",
-        "is of the order of 1/τ, and so less than (ln τ)/τ by any factor in the end",
+        "is of the order of 1/τ, and so less than (ln τ)/τ by any factor in the end; so are the square of (ln τ)/τ, and over τ what 1/t has beside τ − κ ln τ",
     );
     Ok(())
 }
@@ -761,7 +761,7 @@ fn eq137(law: Expr) -> Proof {
         }
         p.note(
             "So the law's rate is p, up to less than τ ln τ by any factor in the end",
-            "and s, the integral of p by (105), is the law, up to less than τ² ln τ",
+            "and s, the integral of p by (105), is the law, up to less than τ² ln τ by any factor",
         );
         Ok(())
     })
