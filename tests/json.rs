@@ -82,6 +82,7 @@ fn every_field_is_described_and_every_described_field_is_written() {
         .find(|s| s.commands.is_empty())
         .unwrap()
         .described;
+    let mut of_all = Shape::new();
     for section in sections.iter().filter(|s| !s.commands.is_empty()) {
         let mut described = section.described.clone();
         let mut shape = Shape::new();
@@ -105,6 +106,10 @@ fn every_field_is_described_and_every_described_field_is_written() {
         for (path, kinds) in &described {
             let found = shape.remove(path).unwrap_or_default();
             let common = common.contains_key(path);
+            if common {
+                let kinds = found.iter().cloned();
+                of_all.entry(path.clone()).or_default().extend(kinds);
+            }
             assert!(
                 !found.is_empty(),
                 "{}: {path} is never written",
@@ -127,6 +132,8 @@ fn every_field_is_described_and_every_described_field_is_written() {
             section.heading
         );
     }
+    // What several write is of each described type in one at least.
+    assert_eq!(&of_all, common);
 }
 
 /// What the page says of places, held against answers.
