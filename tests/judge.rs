@@ -362,7 +362,10 @@ fn what_is_in_dispute_settles_nothing() {
     let heir = [fails, step(Route::Root, GOOD)];
     assert_eq!(verdict(Kind::Equation, None, &heir), Verdict::Inherited);
     let contested = [&heir[..], &[step(Route::Quadrature, BAD)]].concat();
-    assert_eq!(verdict(Kind::Equation, None, &contested), Verdict::Undecided);
+    assert_eq!(
+        verdict(Kind::Equation, None, &contested),
+        Verdict::Undecided
+    );
     // Nor is a step a second route of the statement.
     let one = [
         evidence(Route::Integration, Subject::Printed, GOOD),
