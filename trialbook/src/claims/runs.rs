@@ -164,6 +164,7 @@ mod tests {
     use crate::scalar::Scalar;
     use crate::seeded::{Mistake, Seed, formulas};
     use crate::witness::{Number, Tree, Witness};
+    use std::collections::BTreeSet;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     formulas! {
@@ -220,6 +221,48 @@ mod tests {
         for _ in 0..2 {
             let (seven, left) = witness::of(proof);
             assert_eq!((seven, left.len()), (7, 1));
+        }
+    }
+
+    #[test]
+    fn a_run_that_cannot_be_made_is_a_trial_that_fails() {
+        static TWO: Runs<Vec<f64>> = Runs::new(|| Ok(vec![1.0, 2.0]));
+        static NONE: Runs<Vec<f64>> = Runs::new(|| Err("it does not move".into()));
+        let found = |runs: &'static Runs<Vec<f64>>| -> Vec<_> {
+            let each = runs.each().map(|run| run.copied());
+            each.map(|run| run.map_err(|why| why.to_string())).collect()
+        };
+        assert_eq!(found(&TWO), [Ok(1.0), Ok(2.0)]);
+        for _ in 0..2 {
+            assert_eq!(found(&NONE), [Err("it does not move".to_owned())]);
+        }
+    }
+
+    /// By who makes them and by who is served them later.
+    #[test]
+    fn what_went_into_shared_runs_is_noted_by_all_who_use_them() {
+        static SETTING: Runs<f64> = Runs::setting(|| Ok(1.0));
+        static FIRST: Runs<f64> = Runs::new(|| Ok(2.0 * SETTING.get()?));
+        static SECOND: Runs<f64> = Runs::new(|| Ok(3.0 * FIRST.get()?));
+        static THIRD: Runs<Vec<f64>> = Runs::new(|| Ok(vec![5.0 * SECOND.get()?]));
+        static DERIVED: Derived<f64> = Derived::new(|| twice(SECOND.get().map_or(0.0, |x| *x)));
+        let places = |runs: &[Option<&'static Location<'static>>]| -> BTreeSet<_> {
+            runs.iter().flatten().copied().collect()
+        };
+        let (first, second, third) = (FIRST.place, SECOND.place, THIRD.place);
+        for _ in 0..2 {
+            let (value, read) = reading::of(|| THIRD.each().next().map(|run| *run.unwrap()));
+            assert_eq!(
+                (value, read.runs),
+                (Some(30.0), places(&[first, second, third]))
+            );
+            let (value, read) = reading::of(|| *SECOND.get().unwrap());
+            assert_eq!((value, read.runs), (6.0, places(&[first, second])));
+            let (value, read) = reading::of(|| DERIVED.with(|x| *x));
+            assert_eq!((value, read.runs), (12.0, places(&[first, second])));
+            assert!(read.formulas.contains(formulas::<f64>()[0].path));
+            let (_, read) = reading::of(|| *SETTING.get().unwrap());
+            assert_eq!(read, Read::default());
         }
     }
 }

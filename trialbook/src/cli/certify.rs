@@ -220,6 +220,18 @@ mod tests {
             assert_eq!(of(&corrected).statement, expected, "{subject:?}");
             assert_eq!(of(&printed).statement, "H=+1", "{subject:?}");
         }
+        // It says whether it is about the whole of that.
+        for (subject, partial, about) in [
+            (Subject::Printed, false, "as printed"),
+            (Subject::Printed, true, "as printed, a part of it"),
+            (Subject::Corrected, false, "as corrected"),
+            (Subject::Corrected, true, "as corrected, a part of it"),
+        ] {
+            let whole = proof(subject);
+            let evidence = if partial { whole.of_a_part() } else { whole };
+            let made = certificate(&corrected, &evidence, Vec::new());
+            assert_eq!(made.about, about);
+        }
         // As `printf H=+1 | sha256sum` has it.
         let bears = certificate(&printed, &proof(Subject::Printed), Vec::new());
         assert_eq!(

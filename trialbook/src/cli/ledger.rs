@@ -385,4 +385,42 @@ mod tests {
             assert_eq!(tried.code(), code);
         }
     }
+
+    /// Also where the record lacks a claim. What is not asked for counts only where everything is.
+    #[test]
+    fn each_command_that_tries_claims_tells_of_a_difference_by_its_exit_code() {
+        let codes = |kept: &str| {
+            let record = kept.to_owned().leak();
+            let paper: &'static Paper = Box::leak(Box::new(Paper {
+                record,
+                topics: example::PAPER.topics,
+                ..Paper::BLANK
+            }));
+            let (edition, csv) = (Edition::of("example", paper), Format::Csv);
+            let depth = Depth {
+                rounds: 1,
+                jobs: None,
+                parts: Vec::new(),
+            };
+            let ids = ["eq-8".to_owned()];
+            [
+                verify(&edition, &ids, &depth, csv),
+                show(&edition, &ids, &depth, csv),
+                list(paper, None, Some("2"), &depth, csv),
+                list(paper, Some("misprint"), Some("2"), &depth, csv),
+                verify(&edition, &[], &depth, csv),
+                list(paper, Some("misprint"), None, &depth, csv),
+                super::record(paper, "2026-01-01", &depth),
+            ]
+            .map(Result::unwrap)
+        };
+        let all = Record::text_of(&example::ledger());
+        let own = "eq-8: confirmed\n";
+        assert!(all.contains(own));
+        assert_eq!(codes(&all), [0; 7]);
+        assert_eq!(codes(&all.replace(own, "eq-8: refuted\n")), [1; 7]);
+        assert_eq!(codes(&all.replace(own, "")), [1; 7]);
+        let more = all + "eq-99: confirmed\n";
+        assert_eq!(codes(&more), [0, 0, 0, 0, 1, 1, 1]);
+    }
 }

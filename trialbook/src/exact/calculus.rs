@@ -245,4 +245,28 @@ mod tests {
             ["√3/3", "1/3", "√3/9"]
         );
     }
+
+    #[test]
+    fn a_power_has_a_slope_by_its_exponent_where_its_base_has_a_logarithm() {
+        let mut ring = Ring::new();
+        let (a, b, x) = (ring.symbol("a"), ring.symbol("b"), ring.symbol("x"));
+        let [of_a, of_b] = [&a, &b].map(|base| ring.power(base, &x).unwrap());
+        let ln = ring.logarithm(&a).unwrap();
+        let slope = |ring: &Ring, of: &Rational, by: &str| {
+            let by = ring.by(by).unwrap();
+            ring.derivative(of, &by)
+        };
+        let is = |found: Rational, expected: Rational| ring.is_zero(&(found - expected)).unwrap();
+        assert!(is(slope(&ring, &of_a, "x").unwrap(), &of_a * &ln));
+        let refused = slope(&ring, &of_b, "x");
+        assert!(
+            matches!(refused, Err(ExactError::VaryingExponent { .. })),
+            "{refused:?}"
+        );
+        // By the base both have one.
+        for (base, power, name) in [(&a, &of_a, "a"), (&b, &of_b, "b")] {
+            let found = slope(&ring, power, name).unwrap();
+            assert!(is(&found * base, power * &x));
+        }
+    }
 }

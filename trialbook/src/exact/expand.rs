@@ -261,6 +261,50 @@ mod tests {
         }
     }
 
+    /// To whatever order it varies.
+    #[test]
+    fn a_power_whose_exponent_varies_is_refused() {
+        let ring = Ring::new();
+        let small = Series::monomial(Rational::int(1), 1, 7);
+        let (x, one) = (Expr::symbol("x"), Expr::int(1));
+        let power = |exponent| ring.expand((one + x).pow(exponent), &[("x", &small)], 7);
+        assert!(power(one + one).is_ok());
+        for order in 1..=7 {
+            let what = power(one + x.pow(Expr::int(order)));
+            assert!(matches!(what, Err(ExactError::NoSeries { .. })), "{order}");
+        }
+    }
+
+    /// Of whatever order.
+    #[test]
+    fn what_is_expanded_about_a_pole_is_refused() {
+        let ring = Ring::new();
+        let small = Series::monomial(Rational::int(1), 1, 9);
+        let (x, one) = (Expr::symbol("x"), Expr::int(1));
+        for order in 1..=4 {
+            let pole = one / x.pow(Expr::int(order));
+            for y in [pole, pole + one + x, one - pole] {
+                for formula in [
+                    y.sin(),
+                    y.cos(),
+                    y.tan(),
+                    y.exp(),
+                    y.sinh(),
+                    y.ln(),
+                    y.asin(),
+                    y.acos(),
+                    (one + x).pow(y),
+                ] {
+                    let what = ring.expand(formula, &[("x", &small)], 5);
+                    assert!(
+                        matches!(what, Err(ExactError::NoSeries { .. })),
+                        "{formula}"
+                    );
+                }
+            }
+        }
+    }
+
     #[test]
     fn a_series_known_less_far_spoils_no_more_than_it_must() {
         let ring = Ring::new();

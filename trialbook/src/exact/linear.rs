@@ -100,4 +100,28 @@ mod tests {
         let contradiction = solved(&[x - one + x * t]);
         assert!(matches!(contradiction, Err(ExactError::Unsolvable { .. })));
     }
+
+    /// Wherever it stands among equations that agree.
+    #[test]
+    fn one_contradiction_is_enough() {
+        let [x, y] = ["x", "y"].map(Expr::symbol);
+        let one = Expr::int(1);
+        let agree = [
+            x - one,
+            y + x - one,
+            x + x - one - one,
+            y + x - one,
+            x - one,
+        ];
+        assert_eq!(solved(&agree).unwrap(), ["x = 1", "y = 0"]);
+        for place in 0..agree.len() {
+            let mut equations = agree;
+            equations[place] = equations[place] + one;
+            let contradiction = solved(&equations);
+            assert!(
+                matches!(contradiction, Err(ExactError::Unsolvable { .. })),
+                "{place}: {contradiction:?}"
+            );
+        }
+    }
 }

@@ -29,6 +29,7 @@ macro_rules! trials {
         )),*]
     };
 }
+pub(crate) use trials;
 
 const NEEDED: &[Condition] = &[Condition {
     text: "$x>0$",

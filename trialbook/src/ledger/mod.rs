@@ -207,4 +207,47 @@ mod tests {
         entry.evidence.push(counted(Subject::Within, 1e-300));
         assert_eq!(worst(&entry), Some((Subject::Within, 1e-300)));
     }
+
+    /// What is proved speaks for a claim only where the verdict rests on it.
+    #[test]
+    fn the_strongest_route_is_one_of_what_the_verdict_rests_on() {
+        let strongest = |verdict, subjects: [Subject; 2]| {
+            let mut entry = ledger().entry("eq-8").unwrap().clone();
+            entry.judgement.verdict = verdict;
+            let [first, second] = subjects;
+            entry.evidence = vec![
+                tried(Route::Exact, first, 0),
+                tried(Route::Certified, second, 0),
+                tried(Route::Exact, Subject::Remark, 0),
+                tried(Route::Exact, Subject::Step, 0),
+                tried(Route::Exact, Subject::Outside, 0),
+            ];
+            (entry.strongest(), entry.is_proved())
+        };
+        for verdict in Verdict::ALL {
+            let (held, corrected) = match verdict {
+                Verdict::Confirmed
+                | Verdict::Degenerate
+                | Verdict::Conditional
+                | Verdict::Definition => (Some(Route::Certified), Some(Route::Exact)),
+                Verdict::Misprint | Verdict::Misderived | Verdict::Inherited | Verdict::Refuted => {
+                    (Some(Route::Exact), Some(Route::Certified))
+                }
+                Verdict::Undecided => (None, None),
+            };
+            for (printed, expected) in [
+                ([Subject::Corrected, Subject::Printed], held),
+                ([Subject::Corrected, Subject::Within], held),
+                ([Subject::Printed, Subject::Corrected], corrected),
+                ([Subject::Within, Subject::Corrected], corrected),
+            ] {
+                let found = strongest(verdict, printed);
+                assert_eq!(
+                    found,
+                    (expected, expected.is_some()),
+                    "{verdict:?} {printed:?}"
+                );
+            }
+        }
+    }
 }

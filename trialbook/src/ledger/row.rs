@@ -139,8 +139,151 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::example::tried;
-    use super::evidence;
-    use crate::evidence::{Route, Subject};
+    use super::super::{Entry, Judgement, Verdict, plain_words};
+    use super::{EvidenceRow, Row, evidence};
+    use crate::claims::{Claim, Condition, Correction, Paper, Sort, Topic};
+    use crate::evidence::{Change, Compared, Evidence, Kind, Route, Subject, Tolerance};
+    use std::panic::Location;
+
+    static CLAIM: Claim = Claim {
+        id: "eq-9",
+        section: "2.1",
+        equation: Some(9),
+        kind: Kind::Number,
+        title: "a ratio",
+        latex: r"\lambda=1",
+        plain: "λ = 1",
+        conditions: &[Condition {
+            text: "$x>0$",
+            sort: Sort::Substance,
+        }],
+        depends_on: &["eq-1", "eq-2"],
+        correction: Some(Correction {
+            change: Change::Sign,
+            latex: r"\lambda=-1",
+            plain: "λ = −1",
+        }),
+        trials: &[],
+    };
+
+    static TOPIC: Topic = Topic::new("ratios", "Ratios", &[]);
+
+    static PAPER: Paper = Paper {
+        tallies: "eq-8: 3 of 4\neq-9: 7 of 12\n",
+        ..Paper::BLANK
+    };
+
+    /// Every field, with other contents than any other.
+    #[test]
+    fn a_row_says_what_the_entry_does() {
+        let [here, there] = [Location::caller(), Location::caller()];
+        let tolerance = Tolerance {
+            name: "RATIO",
+            value: 0.25,
+            reason: "the paper rounds",
+        };
+        let measured = Evidence {
+            trial: "ratios::measured",
+            points: 40,
+            failed: 3,
+            worst: 0.5,
+            at: "x = 3".into(),
+            runs: [here, there].into_iter().collect(),
+            ..Evidence::new(
+                Route::Root,
+                Subject::Within,
+                Compared::one("$a$", "the root $b$").over("$x=1$ to $3$"),
+                tolerance,
+            )
+        };
+        let proved = Evidence {
+            trial: "ratios::PROVED",
+            points: 1,
+            title: "Of ratios".into(),
+            partial: true,
+            ..Evidence::new(
+                Route::Exact,
+                Subject::Corrected,
+                Compared::shown("$a$ is less than $c$"),
+                tolerance,
+            )
+        };
+        let judgement = Judgement {
+            verdict: Verdict::Conditional,
+            ground: "two routes".into(),
+            inherits: Vec::new(),
+        };
+        let entry = Entry {
+            paper: &PAPER,
+            claim: &CLAIM,
+            topic: &TOPIC,
+            evidence: vec![measured, proved],
+            judgement,
+        };
+        let [measured, proved] = &entry.evidence[..] else {
+            panic!("two trials")
+        };
+        let common = EvidenceRow {
+            trial: "ratios::measured",
+            route: "root",
+            subject: Subject::Within,
+            compared: plain_words(&measured.comparison()),
+            stated: "a".into(),
+            found: Some("the root b".into()),
+            over: Some(plain_words("$x=1$ to $3$")),
+            points: 40,
+            failed: 3,
+            result: plain_words(&measured.measured()),
+            worst: 0.5,
+            tolerance: 0.25,
+            tolerance_name: "RATIO",
+            reason: "the paper rounds",
+            title: None,
+            proof: None,
+            partial: false,
+            runs: vec![here.to_string(), there.to_string()],
+        };
+        let expected = Row {
+            id: "eq-9",
+            equation: Some(9),
+            section: "2.1",
+            kind: "number",
+            title: "a ratio",
+            formula: r"\lambda=1",
+            plain: "λ = 1",
+            verdict: "conditional",
+            wrong: Some(plain_words("Needs a condition: $x>0$.")),
+            ground: "two routes",
+            conditions: CLAIM.conditions,
+            depends_on: &["eq-1", "eq-2"],
+            corrected: Some(r"\lambda=-1"),
+            code: Vec::new(),
+            variants: 12,
+            rejected: 7,
+            evidence: vec![
+                common.clone(),
+                EvidenceRow {
+                    trial: "ratios::PROVED",
+                    route: "exact",
+                    subject: Subject::Corrected,
+                    compared: plain_words(&proved.comparison()),
+                    stated: "a is less than c".into(),
+                    found: None,
+                    over: None,
+                    points: 1,
+                    failed: 0,
+                    result: plain_words(&proved.measured()),
+                    worst: 0.0,
+                    title: Some("Of ratios"),
+                    proof: Some("proved"),
+                    partial: true,
+                    runs: Vec::new(),
+                    ..common
+                },
+            ],
+        };
+        assert_eq!(entry.row(), expected);
+    }
 
     #[test]
     fn a_row_counts_those_that_disagree() {

@@ -149,7 +149,51 @@ impl Ledger {
 
 #[cfg(test)]
 mod tests {
+    use super::super::example::{self, trials, tried};
     use super::*;
+    use crate::evidence::{Change, Route, Subject};
+
+    const STEP_HOLDS: &[Attempt] = trials![Root Printed 20, Census Step 0];
+
+    const fn heir(id: &'static str, of: &'static [&'static str]) -> Claim {
+        Claim {
+            depends_on: of,
+            ..Claim::equation(id, "1", "an heir", "a=1").tried(STEP_HOLDS)
+        }
+    }
+
+    static CHAIN: [Claim; 4] = [
+        Claim::equation("eq-1", "1", "an error", "a=1")
+            .corrected(Change::Sign, "a=-1")
+            .tried(trials![Root Printed 20, Root Corrected 0, Limit Corrected 0]),
+        heir("eq-2", &["eq-1"]),
+        heir("eq-3", &["eq-2"]),
+        heir("eq-4", &["eq-3"]),
+    ];
+
+    static HEIRS: Paper = Paper {
+        topics: &[Topic::new("heirs", "Heirs", &CHAIN)],
+        ..Paper::BLANK
+    };
+
+    /// Whatever stands between a claim and what its verdict rests on.
+    #[test]
+    fn each_claim_has_the_same_verdict_alone() {
+        for paper in [&HEIRS, &example::PAPER] {
+            let all = Ledger::try_all(paper, |_| {});
+            for entry in &all.entries {
+                let id = entry.claim.id;
+                let alone = Ledger::try_some(paper, &[id], |_| {});
+                assert_eq!(alone.entries.len(), 1, "{id}");
+                let found = &alone.entries[0].judgement;
+                assert_eq!(found, &entry.judgement, "{id}");
+            }
+        }
+        let heirs = Ledger::try_all(&HEIRS, |_| {});
+        let verdicts = heirs.entries.iter().map(|e| e.judgement.verdict);
+        let inherited = [Verdict::Inherited; 3];
+        assert!(verdicts.eq([Verdict::Misderived].into_iter().chain(inherited)));
+    }
 
     #[test]
     fn each_keeps_to_its_part_and_then_helps_from_the_far_end() {

@@ -34,6 +34,35 @@ fn the_radius_covers_what_more_bits_show() {
     }
 }
 
+/// What an f64 is in units of 2⁻⁴⁰⁰ is exact here.
+#[test]
+fn the_interval_around_a_ball_holds_all_of_it_and_little_more() {
+    let exact = |x: f64| units(x, 400).unwrap();
+    let large = 10_i64.pow(17);
+    for (n, m) in [
+        (1, 3),
+        (2, 3),
+        (-1, 3),
+        (-2, 3),
+        (1, 1),
+        (large, 7),
+        (-5, large),
+    ] {
+        for bits in [50, 60, 89, 90, 91, 120, 300] {
+            let ball = Ball::ratio(n, m, bits).unwrap();
+            for ball in [ball.middle(), ball] {
+                let [lo, hi] = ball.with_bits(400).bounds();
+                let around = ball.interval();
+                let holds = exact(around.lo()) <= lo && hi <= exact(around.hi());
+                assert!(holds, "{n}/{m}, {bits} bits: {around}");
+                let unit = libm::ldexp(1.0, -(bits.min(90) as i32));
+                let spare = 8.0 * unit + 1e-15 * around.magnitude();
+                assert!(around.width() <= spare, "{n}/{m}, {bits} bits: {around}");
+            }
+        }
+    }
+}
+
 #[test]
 fn functions_fulfil_their_equations() {
     for k in 1..20 {
