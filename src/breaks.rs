@@ -164,4 +164,62 @@ mod tests {
             assert!(all.iter().all(|b| b.wrong != b.right), "{}", claim.id);
         }
     }
+
+    /// What each trial measures is told of the right formula first, and of the broken one behind it.
+    #[test]
+    fn an_answer_says_what_each_trial_does_itself() {
+        let claims = claims();
+        let time = claims.iter().find(|c| c.id == "eq-13").unwrap();
+        let all = breaks(time.id);
+        for (n, seed) in [(0, all[0].seed), (all.len() - 1, all[all.len() - 1].seed)] {
+            let answer = answer(time, seed);
+            assert_eq!(answer.trials.len(), time.trials.len());
+            for (said, trial) in answer.trials.iter().zip(time.trials) {
+                let both = [trial.evidence(), with(seed, || trial.evidence())];
+                let agrees = [0, 1].map(|i| both[i].outcome() == Outcome::Agrees);
+                let measured = [0, 1].map(|i| plain_words(&both[i].measured()));
+                assert_eq!((said.trial, said.agrees), (trial.name(), agrees), "{n}");
+                assert_eq!(said.measured, measured, "{n}: {}", said.trial);
+            }
+            let differ = |said: &&Said| said.measured[0] != said.measured[1];
+            assert!(n > 0 || answer.trials.iter().filter(differ).count() > 2);
+        }
+    }
+
+    /// A part is as large as is said, and each formula has them all or, where a factor does not make it wrong, none.
+    #[test]
+    fn a_value_is_made_too_large_by_the_parts_that_are_named() {
+        let mut without = BTreeSet::new();
+        for claim in claims() {
+            let all = breaks(claim.id);
+            let formulas: BTreeSet<_> = all.iter().map(|b| b.formula).collect();
+            for formula in formulas {
+                let own = all.iter().filter(|b| b.formula == formula);
+                let parts: Vec<_> = own
+                    .filter_map(|b| match b.seed.mistake {
+                        Mistake::Part(part) => Some((part, b)),
+                        _ => None,
+                    })
+                    .collect();
+                for (part, way) in &parts {
+                    assert_eq!(way.wrong, format!("({}) (1 + 1/{part})", way.right));
+                }
+                let parts: Vec<_> = parts.iter().map(|(part, _)| *part).collect();
+                if parts.is_empty() {
+                    without.insert(formula);
+                } else {
+                    assert!(!formula.ends_with("_sides"), "{formula}");
+                    assert_eq!(parts, [100, 100_000, 100_000_000], "{formula}");
+                }
+            }
+        }
+        for (formula, none) in [
+            ("eq10_invariant", true),
+            ("eq17_invariant", true),
+            ("eq11_speed", false),
+            ("eq13_time", false),
+        ] {
+            assert_eq!(without.contains(formula), none, "{formula}");
+        }
+    }
 }

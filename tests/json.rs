@@ -82,6 +82,7 @@ fn every_field_is_described_and_every_described_field_is_written() {
         .find(|s| s.commands.is_empty())
         .unwrap()
         .described;
+    let mut of_all = Shape::new();
     for section in sections.iter().filter(|s| !s.commands.is_empty()) {
         let mut described = section.described.clone();
         let mut shape = Shape::new();
@@ -105,6 +106,10 @@ fn every_field_is_described_and_every_described_field_is_written() {
         for (path, kinds) in &described {
             let found = shape.remove(path).unwrap_or_default();
             let common = common.contains_key(path);
+            if common {
+                let kinds = found.iter().cloned();
+                of_all.entry(path.clone()).or_default().extend(kinds);
+            }
             assert!(
                 !found.is_empty(),
                 "{}: {path} is never written",
@@ -125,6 +130,15 @@ fn every_field_is_described_and_every_described_field_is_written() {
             shape.is_empty(),
             "{}: not described: {shape:?}",
             section.heading
+        );
+    }
+    // What several write is of each described type somewhere; whether it is null anywhere is left open.
+    for (path, kinds) in common {
+        let found = of_all.remove(path).unwrap_or_default();
+        let mut missing = kinds.difference(&found);
+        assert!(
+            missing.all(|kind| kind == "null"),
+            "{path} is only {found:?}"
         );
     }
 }

@@ -151,7 +151,20 @@ mod tests {
         assert_eq!(row[..3], [task.id, &given(task), task.question]);
         assert_eq!(row[3..], ["0.25", "2.0e-3", "certified", "0.5"]);
         let value = value(task, &sat);
-        assert_eq!([&value["answer"], &value["by_motion"]], [0.25, 0.5]);
+        let mut expected = object!({
+            "task": task.id,
+            "setup": task.setup,
+            "given": {},
+            "question": task.question,
+            "answer": 0.25,
+            "error": 2e-3,
+            "basis": "certified",
+            "by_motion": 0.5,
+        });
+        for (name, given) in task.given {
+            expected["given"][*name] = object!(given);
+        }
+        assert_eq!(value, expected);
         assert!(text(task, &sat).ends_with("0.25   (certified within 2.0e-3)"));
     }
 }

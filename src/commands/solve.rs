@@ -674,4 +674,114 @@ mod tests {
             }
         }
     }
+
+    /// Each number that is given takes its own place in what is asked.
+    #[test]
+    fn a_line_asks_what_it_says() {
+        let cartesian = || turntable::TurntableProblem::Cartesian {
+            position: [0.5, -0.25].map(Double::from),
+            velocity: [0.125, -0.375].map(Double::from),
+        };
+        let launch = |at| {
+            Question::Constant(constant::ConstantProblem {
+                lambda: 0.5.into(),
+                v0: 1.25.into(),
+                theta0: 1.0.into(),
+                accel: 0.75.into(),
+                at,
+            })
+        };
+        let rolling = |at| {
+            Question::Sphere(sphere::SphereProblem {
+                gamma: 2.0.into(),
+                u0: 1.5.into(),
+                theta0: 1.0.into(),
+                kappa: 0.625.into(),
+                at,
+            })
+        };
+        for (line, asked) in [
+            (
+                "constant --lambda 0.5 --v0 1.25 --theta0 1 --accel 0.75 --time 2",
+                launch(At::Time(2.0.into())),
+            ),
+            (
+                "constant --lambda 0.5 --v0 1.25 --theta0 1 --accel 0.75 --theta 0.25",
+                launch(At::Theta(0.25.into())),
+            ),
+            (
+                "sinusoidal --lambda0 0.375",
+                Question::Sinusoidal(sinusoidal::SinusoidalProblem {
+                    lambda0: 0.375.into(),
+                }),
+            ),
+            (
+                "pulse --eta 0.5 --lambda0 0.25",
+                Question::Pulse(periodic::PeriodicProblem {
+                    eta: 0.5.into(),
+                    lambda0: 0.25.into(),
+                }),
+            ),
+            (
+                "anisotropic --q 2 --lambda0 0.375",
+                Question::Anisotropic(anisotropic::AnisotropicProblem {
+                    q: 2.0.into(),
+                    lambda0: 0.375.into(),
+                }),
+            ),
+            (
+                "sphere --gamma 2 --u0 1.5 --theta0 1 --kappa 0.625 --time 0.25",
+                rolling(At::Time(0.25.into())),
+            ),
+            (
+                "sphere --gamma 2 --u0 1.5 --theta0 1 --kappa 0.625 --theta 0.75",
+                rolling(At::Theta(0.75.into())),
+            ),
+            (
+                "turntable --rho 0.5 --p 0.25 --psi 1",
+                Question::Fate(turntable::TurntableProblem::Polar {
+                    rho: 0.5.into(),
+                    p: 0.25.into(),
+                    psi: 1.0.into(),
+                }),
+            ),
+            (
+                "turntable --A 0.75 --alpha 0.125 --psi 0.25 --time 0.0625",
+                Question::Moment(
+                    turntable::TurntableProblem::Hyperbolic {
+                        a: 0.75.into(),
+                        alpha: 0.125.into(),
+                        psi: 0.25.into(),
+                    },
+                    0.0625.into(),
+                ),
+            ),
+            (
+                "turntable --x 0.5 --y -0.25 --vx 0.125 --vy -0.375",
+                Question::Fate(cartesian()),
+            ),
+            (
+                "turntable --x 0.5 --y -0.25 --vx 0.125 --vy -0.375 --time 0.25",
+                Question::Moment(cartesian(), 0.25.into()),
+            ),
+            (
+                "turntable-boundary --alpha 0.5 --psi 1",
+                Question::Boundary(rest::BoundaryProblem {
+                    alpha: 0.5.into(),
+                    psi: 1.0.into(),
+                }),
+            ),
+        ] {
+            let command = command().no_binary_name(true);
+            let matches = command.try_get_matches_from(line.split(' ')).unwrap();
+            let problem = Solve::from_arg_matches(&matches).unwrap().problem;
+            let question = problem.question(&mut Point::new(0));
+            assert_eq!(question.name(), asked.name(), "{line}");
+            assert_eq!(
+                question.report().unwrap(),
+                asked.report().unwrap(),
+                "{line}"
+            );
+        }
+    }
 }

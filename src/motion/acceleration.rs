@@ -127,21 +127,23 @@ mod tests {
             phase: 0.0,
         };
         let whole = |t: f64| [sine.coefficients(t), [0.0; TERMS]];
-        let value = |t: f64| {
-            let mut c = [[0.0; TERMS]; 2];
-            c[0][0] = libm::sin(t);
-            c
-        };
-        assert!(Series::new(whole, [0.0, 10.0]).is_ok());
-        let refused = Series::new(value, [0.0, 10.0]).err().unwrap().to_string();
-        assert!(refused.contains("Fitted::from_fn"), "{refused}");
-        // Nor are value and slope.
-        let slope = |t: f64| {
-            let mut c = value(t);
-            c[0][1] = libm::cos(t);
-            c
-        };
-        assert!(Series::new(slope, [0.0, 10.0]).is_err());
+        for i in 0..2 {
+            // The other component is right.
+            let beside = |t: f64, own: &[f64]| {
+                let mut c = [sine.coefficients(t); 2];
+                c[i] = [0.0; TERMS];
+                c[i][..own.len()].copy_from_slice(own);
+                c
+            };
+            let all = |t: f64| beside(t, &sine.coefficients(t));
+            assert!(Series::new(all, [0.0, 10.0]).is_ok());
+            let value = |t: f64| beside(t, &[libm::sin(t)]);
+            let refused = Series::new(value, [0.0, 10.0]).err().unwrap().to_string();
+            assert!(refused.contains("Fitted::from_fn"), "{refused}");
+            // Nor are value and slope.
+            let slope = |t: f64| beside(t, &[libm::sin(t), libm::cos(t)]);
+            assert!(Series::new(slope, [0.0, 10.0]).is_err());
+        }
         let constant = |_: f64| {
             let mut c = [[0.0; TERMS]; 2];
             c[1][0] = -3.0;

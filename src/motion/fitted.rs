@@ -326,20 +326,79 @@ mod tests {
     /// A sine by its values moves a particle as the sine by its series does.
     #[test]
     fn a_function_moves_a_particle_as_its_series_does() {
-        let sine = Signal::Sine {
-            frequency: 3.0,
-            phase: 0.25,
+        for ([x, y], from) in [
+            ([2.0, 0.0], 0.0),
+            ([0.0, 2.0], 0.0),
+            ([1.0, -2.0], -3.0),
+            ([0.0, -2.0], 7.5),
+        ] {
+            let sine = Signal::Sine {
+                frequency: 3.0,
+                phase: 0.25,
+            };
+            let series = Plane::along([x, y], sine);
+            let function = |t: f64| [x, y].map(|a| a * libm::sin(3.0 * t + 0.25));
+            let values = Fitted::from_fn(function, [from, from + 10.0], &[]).unwrap();
+            assert!(values.error() < 1e-14 * 2.0 * 20.0, "{}", values.error());
+            let start = State { t: from, ..start() };
+            let [exact, found] = [&series as &dyn Acceleration, &values]
+                .map(|plane| run(plane, 0.5, start, from + 10.0).unwrap());
+            for later in [1.0, 3.5, 7.0, 10.0] {
+                let [a, b] = [&exact, &found].map(|motion| motion.at(from + later).unwrap());
+                for i in 0..2 {
+                    assert!((a.v[i] - b.v[i]).abs() < 1e-11, "{later}: {a:?} {b:?}");
+                }
+            }
+        }
+    }
+
+    /// Of either component, and of functions that need parts where the other one needs none.
+    #[test]
+    fn every_part_begins_at_a_break() {
+        let [from, to] = [-4.0, 6.0];
+        let quick = |t: f64| libm::sin(20.0 * t);
+        let jump = |t: f64| if t < 1.0 { 0.5 } else { -0.5 };
+        let of = |function: &dyn Fn(f64) -> [f64; 2], breaks: &[f64]| {
+            Fitted::from_fn(function, [from, to], breaks).unwrap()
         };
-        let series = Plane::along([2.0, 0.0], sine);
-        let values =
-            Fitted::from_fn(|t| [2.0 * libm::sin(3.0 * t + 0.25), 0.0], [0.0, 10.0], &[]).unwrap();
-        assert!(values.error() < 1e-14 * 2.0 * 10.0, "{}", values.error());
-        let [exact, found] = [&series as &dyn Acceleration, &values]
-            .map(|plane| run(plane, 0.5, start(), 10.0).unwrap());
-        for t in [1.0, 3.5, 7.0, 10.0] {
-            let (a, b) = (exact.at(t).unwrap(), found.at(t).unwrap());
+        for fitted in [
+            of(&|t| [quick(t), 1.0], &[]),
+            of(&|t| [1.0, quick(t)], &[]),
+            of(&|t| [jump(t), quick(t)], &[1.0]),
+            of(&|t| [quick(t), jump(t)], &[1.0]),
+        ] {
+            let begins = fitted.components.iter().flatten().map(|part| part.from);
+            let mut expected: Vec<_> = begins.filter(|t| *t > from).chain([to]).collect();
+            expected.sort_by(f64::total_cmp);
+            expected.dedup();
+            assert!(expected.len() > 10);
+            let breaks = std::iter::successors(Some(from), |t| fitted.next_break(*t));
+            assert_eq!(breaks.skip(1).collect::<Vec<_>>(), expected);
+        }
+    }
+
+    /// Where the time is not the phase of the fit.
+    #[test]
+    fn an_error_names_the_time() {
+        for (from, to, at) in [(20.0, 28.0, 23.0), (-7.0, -1.0, -2.0), (0.0, 100.0, 60.0)] {
             for i in 0..2 {
-                assert!((a.v[i] - b.v[i]).abs() < 1e-11, "{t}: {a:?} {b:?}");
+                let along = |x: f64| {
+                    let mut a = [1.0; 2];
+                    a[i] = x;
+                    a
+                };
+                let none = |t: f64| along(if t < at { 1.0 } else { f64::NAN });
+                let refused = Fitted::from_fn(none, [from, to], &[]).unwrap_err();
+                assert!(
+                    matches!(refused, FitError::Value { t, value } if value.is_nan() && (at..=to).contains(&t)),
+                    "{refused}"
+                );
+                let jump = |t: f64| along(if t < at { 1.0 } else { -1.0 });
+                let refused = Fitted::from_fn(jump, [from, to], &[]).unwrap_err();
+                assert!(
+                    matches!(refused, FitError::Unresolved { t } if (t - at).abs() < 1e-5),
+                    "{refused}"
+                );
             }
         }
     }

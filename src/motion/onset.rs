@@ -185,5 +185,16 @@ mod tests {
             assert!(x > 0.0 && y > 0.0);
         }
         assert_eq!(onset(1.0, 0.3, drive).unwrap().h, 0.3);
+        // Before the first: of q = t (t − 1)(t − 3)/10.
+        let twice = |m: usize, _: &_| match m {
+            0 => [0.6 * 1.3, 0.8 * 1.3],
+            1 => [-0.6 * 0.8, -0.8 * 0.8],
+            2 => [0.6 * 0.3, 0.8 * 0.3],
+            _ => [0.0; 2],
+        };
+        for longest in [3.5, 1e3] {
+            let start = onset(1.0, longest, twice).unwrap();
+            assert!(0.1 < start.h && start.h < 0.99, "{}", start.h);
+        }
     }
 }

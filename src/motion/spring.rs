@@ -330,4 +330,23 @@ mod tests {
             }
         }
     }
+
+    /// P t stays a number where P t²/2 does not.
+    #[test]
+    fn a_place_beyond_all_numbers_is_no_answer() {
+        let free = Spring {
+            frequency: 0.0,
+            friction: 1.0,
+        };
+        for side in [1.0, -1.0] {
+            let pull = Signal::Polynomial(vec![side * 1e300]);
+            let before = free.run(&pull, at(0.0, 0.0), 1e3).unwrap().end;
+            assert!(before.x.is_finite() && before.v.is_finite());
+            let beyond = free.run(&pull, at(0.0, 0.0), 1e5);
+            assert!(
+                matches!(beyond, Err(MotionError::Numerics(_))),
+                "{beyond:?}"
+            );
+        }
+    }
 }

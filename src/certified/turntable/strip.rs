@@ -285,4 +285,42 @@ mod tests {
             );
         }
     }
+
+    /// What differs between starts of a cell is within what the slopes over the cell allow, along a line that rises, too.
+    #[test]
+    fn the_set_that_is_followed_holds_all_starts_of_its_cell() {
+        let strip = Strip {
+            a: decimal(0.5),
+            psi: [0.25, 0.75],
+            line: [0.5, 0.875],
+            reach: 1.0,
+        };
+        let cell = [Interval::new(0.25, 0.5), Interval::new(0.25, 0.75)];
+        for side in [Side::Below, Side::Above] {
+            let slopes = strip.state(Jet::variables(&cell), side).map(|x| x.slope);
+            let at = |share, psi| strip.state([share, psi].map(number), side).map(|x| x.value);
+            let [share, psi] = cell.map(Interval::mid);
+            let middle = at(share, psi);
+            let parts = (0..=8).map(|k| f64::from(k) / 8.0);
+            let pairs = parts
+                .clone()
+                .flat_map(|a| parts.clone().map(move |b| [a, b]));
+            for place in pairs {
+                let [to, toward] =
+                    [0, 1].map(|i| cell[i].lo() + place[i] * (cell[i].hi() - cell[i].lo()));
+                let there = at(to, toward);
+                for i in 0..3 {
+                    let [by_share, by_psi] = slopes[i];
+                    let moved = middle[i]
+                        + by_share * Interval::point(to - share)
+                        + by_psi * Interval::point(toward - psi);
+                    assert!(
+                        there[i].within(moved.widened(1e-14)),
+                        "{side:?} {place:?} {i}: {} {moved}",
+                        there[i]
+                    );
+                }
+            }
+        }
+    }
 }

@@ -47,6 +47,42 @@ fn an_answer_is_written_with_its_fields_first() {
     assert!(text.contains(r#""by_formula":{"regime":"rest","#));
 }
 
+/// Every entry, with other contents than any other.
+#[test]
+fn a_report_says_what_the_answer_does() {
+    let of = |tau: f64| super::turntable::TurntableOutcome {
+        outcome: "rest",
+        sigma: Some(2.0 * tau),
+        tau_rest: Some(tau),
+    };
+    let answer = Answer {
+        best: of(0.25),
+        by_formula: Some(of(0.5)),
+        by_motion: Some(of(0.75)),
+        disagreement: Some(0.125),
+        digits: Some(3),
+        note: "by two ways".into(),
+    };
+    let entry =
+        |tau: f64| serde_json::json!({ "outcome": "rest", "sigma": 2.0 * tau, "tau_rest": tau });
+    let mut expected = entry(0.25);
+    for (name, value) in [
+        ("version", VERSION.into()),
+        ("problem", "a problem".into()),
+        ("by_formula", entry(0.5)),
+        ("by_motion", entry(0.75)),
+        ("disagreement", 0.125.into()),
+        ("digits", 3.into()),
+        ("note", "by two ways".into()),
+    ] {
+        expected[name] = value;
+    }
+    assert_eq!(
+        serde_json::to_value(answer.report("a problem")).unwrap(),
+        expected
+    );
+}
+
 #[test]
 fn digits_are_those_that_an_error_leaves() {
     for (error, expected) in [

@@ -419,4 +419,24 @@ mod tests {
         assert_eq!(plain_periods(4.0, Some(1.0), 0.0, 1.0), Some(6));
         assert_eq!(plain_periods(4.0, Some(1.0), 1.0, 1.0), None);
     }
+
+    /// Whichever start it is.
+    #[test]
+    fn of_several_starts_the_most_periods_are_told() {
+        let drive = Drive::new(libm::sin, &[]).unwrap();
+        let friction = Friction::new(0.3, 0.3).unwrap();
+        let starts = [0.0, 7.0, 40.0].map(|w| DriveState { phi: 1.0, w });
+        let alone = starts.map(|start| {
+            let outcome = drive.attractor(friction, start, 100).unwrap();
+            outcome.settled().unwrap().periods().plain.unwrap()
+        });
+        assert!(alone[0] < alone[1] && alone[1] < alone[2], "{alone:?}");
+        for n in 0..3 {
+            let mut starts = starts;
+            starts.rotate_left(n);
+            let found = drive.attractors_agree(friction, &starts, 100).unwrap();
+            assert!(found.agree);
+            assert_eq!(found.most_periods, Some(alone[2]), "{n}");
+        }
+    }
 }

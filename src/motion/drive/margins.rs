@@ -208,3 +208,33 @@ impl Attractor<'_> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Drive, DriveState, Friction};
+    use std::f64::consts::TAU;
+
+    /// A drive that begins later has the largest velocity later by as much, in the same period.
+    #[test]
+    fn the_largest_velocity_has_its_phase_within_a_period() {
+        let largest = |late: f64| {
+            let drive = Drive::new(|phi| libm::sin(phi - late), &[]).unwrap();
+            let friction = Friction::new(0.5, 0.3).unwrap();
+            let start = DriveState { phi: 0.0, w: 0.0 };
+            let settled = drive.attractor(friction, start, 100).unwrap().settled();
+            let attractor = settled.unwrap();
+            let largest = attractor.largest();
+            assert!((attractor.w(largest.phi) - largest.w).abs() < 1e-12);
+            largest
+        };
+        let first = largest(0.0);
+        assert!(first.w.abs() > 0.1, "{first:?}");
+        for k in 1..16 {
+            let late = TAU * f64::from(k) / 16.0;
+            let found = largest(late);
+            let phi = (first.phi + late).rem_euclid(TAU);
+            assert!((found.phi - phi).abs() < 1e-7, "{late}: {found:?} {phi}");
+            assert!((found.w - first.w).abs() < 1e-12, "{late}: {found:?}");
+        }
+    }
+}

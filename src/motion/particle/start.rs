@@ -139,4 +139,32 @@ mod tests {
             }
         }
     }
+
+    /// In the time t the speed is t (t − 1)(t − 3)/10: it stops at t = 1, long before friction is outgrown again at 2.2, and the
+    /// series serves beyond t = 3.
+    #[test]
+    fn of_two_stops_the_first_decides() {
+        use super::super::run;
+        use crate::motion::{Plane, Signal};
+        let pull = Signal::Polynomial(vec![0.5 + 0.3, -0.8, 0.3]);
+        for e in [[1.0, 0.0], [0.0, -1.0], [0.6, 0.8]] {
+            let plane = Plane::along(e.map(|c: f64| -c), pull.clone());
+            let rest = State {
+                t: 0.0,
+                v: [0.0; 2],
+                x: [0.0; 2],
+            };
+            let motion = run(&plane, 0.5, rest, 4.0).unwrap();
+            let stop = motion.first_stop().unwrap();
+            assert!((stop - 1.0).abs() < 1e-12, "{e:?}: {stop}");
+            for (t, way) in [
+                (0.5, 0.1 * (0.0625 / 4.0 - 0.5 / 3.0 + 0.375)),
+                (2.0, 0.5 / 12.0),
+            ] {
+                let State { x, .. } = motion.at(t).unwrap();
+                let found = x[0] * e[0] + x[1] * e[1];
+                assert!((found - way).abs() < 1e-13, "{e:?} {t}: {found} {way}");
+            }
+        }
+    }
 }

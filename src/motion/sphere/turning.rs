@@ -173,4 +173,27 @@ mod tests {
             );
         }
     }
+
+    /// From rest under a pull P a hoop goes around with the velocity of its drift, P/Ω: F is P/2 at first, and 3P/2 half a turn
+    /// later, after 2π/Ω.
+    #[test]
+    fn friction_has_to_suffice_all_the_way() {
+        let turning = Turning {
+            omega: 1.0,
+            pull: [0.3, -0.4],
+        };
+        let rolls = |mu: f64, lasts: f64| {
+            let sphere = Sphere {
+                mu,
+                ..Sphere::with_kappa(1.0)
+            };
+            turning.roll(&sphere, [[0.0; 2]; 2], lasts)
+        };
+        assert!(rolls(0.26, 1e-3).is_ok());
+        assert!(rolls(0.751, 50.0).is_ok());
+        assert!(matches!(
+            rolls(0.26, 50.0),
+            Err(MotionError::Argument { name: "mu", .. })
+        ));
+    }
 }

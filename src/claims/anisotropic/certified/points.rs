@@ -122,6 +122,11 @@ fn last_pull([q, lambda0]: [Interval; 2]) -> Interval {
     Interval::int(2) * PI - (q * lambda0).asin()
 }
 
+/// The sign of a velocity; no number where the enclosure does not tell it.
+fn sign_of(velocity: Interval) -> f64 {
+    velocity.sign().unwrap_or(f64::NAN)
+}
+
 /// A point of the printed region II where the drive never pulls the particle back.
 pub fn no_way_back() -> Evidence {
     let compared = Compared::one(
@@ -142,7 +147,7 @@ pub fn no_way_back() -> Evidence {
         Ok(Pair {
             at: "q = 9, λ₀ = 1/10".into(),
             stated: -1.0,
-            found: velocity.sign().unwrap_or(f64::NAN),
+            found: sign_of(velocity),
             scale: 1.0,
         })
     })
@@ -178,6 +183,16 @@ mod tests {
         let root = prove_x(printed::eq53_sides, printed::eq54_sides).unwrap();
         let [q, lambda0] = stated;
         assert!(prove_stated(root, [q, -lambda0]).is_err());
+    }
+
+    #[test]
+    fn a_sign_that_is_not_known_is_none() {
+        for (lo, hi, sign) in [(0.5, 2.0, 1.0), (-2.0, -0.5, -1.0)] {
+            assert_eq!(sign_of(Interval::new(lo, hi)), sign);
+        }
+        for (lo, hi) in [(-1.0, 2.0), (-1e-9, 1e-9), (f64::NEG_INFINITY, 1.0)] {
+            assert!(sign_of(Interval::new(lo, hi)).is_nan());
+        }
     }
 
     #[test]
