@@ -783,12 +783,5 @@ mod tests {
                 "{line}"
             );
         }
-        // At once nothing has changed.
-        let start = Question::Moment(cartesian(), Double::default());
-        let fields = start.report().unwrap().fields;
-        for (name, given) in [("x", 0.5), ("y", -0.25), ("vx", 0.125), ("vy", -0.375)] {
-            let field = fields.iter().find(|field| field.name == name).unwrap();
-            assert_eq!(field.value, Value::Number(given), "{name}");
-        }
     }
 }

@@ -8,7 +8,11 @@ use crate::numerics::NumericsError;
 use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::numerics::quadrature::integral_within;
+use std::cell::Cell;
 use std::f64::consts::PI;
+
+/// Values of an integrand that are asked for at most.
+const EVALUATIONS: usize = 20_000;
 
 /// A launch, and the moment at which the velocity has turned to θ.
 #[derive(Debug, Clone, Copy)]
@@ -68,11 +72,17 @@ impl Turn {
     }
 
     /// ∫ f dθ from θ₀ to θ, to within `enough`. With y = ln tan(θ/2), dθ = sin θ dy: in y, what is a power of the
-    /// tangent is an exponential function, and smooth however steep.
+    /// tangent is an exponential function, and smooth however steep. Of a wrong law that may be otherwise: what is not known
+    /// after [`EVALUATIONS`] has no value.
     pub fn integral(&self, f: impl Fn(f64) -> f64, enough: f64) -> Result<f64, NumericsError> {
         let side = 1f64.copysign(self.theta0);
         let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
+        let left = Cell::new(EVALUATIONS);
         let rate = |y: f64| {
+            left.set(left.get().saturating_sub(1));
+            if left.get() == 0 {
+                return f64::NAN;
+            }
             let theta = side * 2.0 * libm::atan(libm::exp(y));
             f(theta) * libm::sin(theta)
         };

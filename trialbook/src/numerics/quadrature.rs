@@ -33,11 +33,11 @@ impl Integrable for Integrand<'_> {
 
 /// The integral of `f` from `low` to `high` (either order), to about 10⁻¹⁴ of ∫|f|. `f` is not called at the ends.
 ///
-/// Cost: at most 20,000 evaluations of `f`.
+/// Cost: at most 200,000 evaluations of `f`.
 ///
 /// # Errors
 /// [`NumericsError::Argument`] for an end that is not finite, [`NumericsError::Library`] when the rule gives up
-/// (an integrand that is not finite inside, or 20,000 evaluations).
+/// (an integrand that is not finite inside, or 200,000 evaluations).
 pub fn integral(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Result<Integral, NumericsError> {
     integral_within(f, low, high, ABSOLUTE)
 }
@@ -202,7 +202,7 @@ pub fn between_ends(
 }
 
 /// Evaluations allowed: a logarithmic or root singularity takes a few thousand.
-const EVALUATIONS: usize = 20_000;
+const EVALUATIONS: usize = 200_000;
 /// Relative tolerance: just above what the library's own estimate can reach (50 units of rounding).
 const RELATIVE: f64 = 1.2e-14;
 /// Absolute tolerance where only the relative one counts.
