@@ -192,7 +192,6 @@ const VALUES_BY_HAND: &[(&str, &str)] = &[
     ("boundary", "s4-envelope-is-boundary"),
     ("fig-3-friction", "fig-3"),
     ("fig-4-friction", "fig-4"),
-    ("winding", "eq-136"),
     ("critical-phase", "eq-37"),
     ("fig-4-slip-end", "eq-32"),
     ("slip-end-0.6", "eq-32"),

@@ -74,11 +74,6 @@ pub const ELSEWHERE: &[Elsewhere] = &[
         reason: IN_WORDS,
     },
     Elsewhere {
-        claim: "eq-41",
-        trial: "exact::EQ40",
-        reason: "the sines of both sides of (41), whose phases are below π/2",
-    },
-    Elsewhere {
         claim: "s22-vy-two-stages",
         trial: "decay::finite_end",
         reason: IN_WORDS,

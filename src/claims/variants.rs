@@ -15,16 +15,6 @@ pub const SURVIVORS: &[Survivor] = &[
         reason: TAKEN_BACK,
     },
     Survivor {
-        claim: "eq-128",
-        text: "√(2)/sinh(2 α) − cosh(α)/A",
-        reason: "the formula is stated for large α, where the two hyperbolic functions are equal to leading order",
-    },
-    Survivor {
-        claim: "eq-128",
-        text: "√(2)/cosh(2 α) − sinh(α)/A",
-        reason: "the formula is stated for large α, where the two hyperbolic functions are equal to leading order",
-    },
-    Survivor {
         claim: "eq-143",
         text: "2 α (c − ln(2 α))",
         reason: "a factor of α in the logarithm is another constant c, which each motion sets",
@@ -35,6 +25,8 @@ const TAKEN_BACK: &str = "it is the corrected formula: the mistake takes the mis
 const BY_ITS_SINE: &str =
     "the proof knows a phase by its sine and cosine; in which period it lies, the motions tell";
 const BY_ITS_SQUARE: &str = "λ_c enters by its square; its sign is told by enclosure";
+const BY_ITS_POWER: &str =
+    "of every escape the exponential of α is known by an even power; its sign, the motions tell";
 const LARGE: &str = "the law is stated for large α, where sinh and cosh are equal to leading order";
 
 const fn spared(claim: &'static str, formula: &'static str, reason: &'static str) -> Spared {
@@ -76,6 +68,10 @@ pub const SPARED: &[Spared] = &[
     spared("eq-125", "eq125_psi2", BY_ITS_SINE),
     spared("eq-128", "alpha_rate", LARGE),
     spared("eq-129", "eq129_a", LARGE),
+    spared("eq-130", "alpha_by_a", BY_ITS_POWER),
+    spared("eq-130", "thrice_alpha_exp", BY_ITS_POWER),
+    spared("eq-133", "alpha", BY_ITS_POWER),
+    spared("eq-133", "twice_alpha_exp", BY_ITS_POWER),
 ];
 
 /// The formulas that say that something vanishes or keeps its value: a constant factor does not make them wrong.

@@ -393,12 +393,6 @@ mod tests {
                     matches!(refused, FitError::Value { t, value } if value.is_nan() && (at..=to).contains(&t)),
                     "{refused}"
                 );
-                let jump = |t: f64| along(if t < at { 1.0 } else { -1.0 });
-                let refused = Fitted::from_fn(jump, [from, to], &[]).unwrap_err();
-                assert!(
-                    matches!(refused, FitError::Unresolved { t } if (t - at).abs() < 1e-5),
-                    "{refused}"
-                );
             }
         }
     }

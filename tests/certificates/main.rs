@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 /// Certificates of motions and of what has to be sought by them.
-const MOTIONS: usize = 5;
+const MOTIONS: usize = 2;
 
 /// A change of a witness.
 type Spoil<'a> = &'a dyn Fn(&mut Value);
@@ -104,7 +104,7 @@ fn the_equations_hold_for_numbers_modulo_a_prime_and_no_others_do() {
     // Beyond it are those with series, with values put in for what others are made of, and with products of more powers than it tries.
     assert_eq!(
         [right, beyond.len(), spoilt],
-        [1275, 83, 3188],
+        [1274, 83, 3187],
         "{beyond:#?}"
     );
 }

@@ -101,7 +101,7 @@ pub const EQ135: Statement = theorem(
 /// (136) as corrected.
 pub const EQ136: Statement = theorem(
     from_every_start!(
-        r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$, while the particle turns about the axis, in the laboratory, by the angle $\sqrt2\ln\tau+c+o(1)$ with a constant $c$"
+        r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$, while the particle turns about the axis, in the laboratory, by an angle that less $\sqrt2\ln\tau$ converges"
     ),
     super::EQ136,
     eq136,
