@@ -401,7 +401,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     }
     let [q, v, w, x, y] = Expr::symbols(["q", "v", "w", "x", "y"]);
     let root = int(2).sqrt();
-    p.note("w is positive, and w² = 4Ph → 2", "w → √2");
+    p.note("w is positive, and its square, 4Ph, tends to 2", "w → √2");
     let exact = follow([q, v, w], own);
     let limit = follow([q, v, root], found.limit());
     let (k, slower) = (cosine(t), p0 - (int(1) - t.squared()) * predator);
@@ -491,15 +491,15 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let stated = p.read("w + 2hkt", stated)?;
     p.equal("The two", &turn, &stated)?;
     let [_, predator, h, _] = found.limit();
-    let square = p.read("w² = 4Ph in the limit", int(4) * predator * h)?;
+    let square = p.read("The square of w, 4Ph, in the limit", int(4) * predator * h)?;
     let stated = p.read(
         "The square of the winding",
         law::winding::<Expr>().squared(),
     )?;
     p.equal("The two", &square, &stated)?;
     p.note(
-        "As w² = 4Ph, and v and w are bounded, w is √2 up to the order of t; and t is 1/τ up to that of (ln τ)/τ²",
-        "so the rate is √2/τ up to that of (ln τ)/τ²: the angle in the laboratory less √2 ln τ converges",
+        "As the square of w is 4Ph, and v and w are bounded, w is √2 up to the order of t; and t is 1/τ, up to (ln τ)/τ of it",
+        "so the rate is √2/τ, up to the order of (ln τ)/τ of it: the angle in the laboratory less √2 ln τ converges",
     );
     Ok(())
 }
