@@ -73,7 +73,7 @@ impl Turn {
 
     /// ∫ f dθ from θ₀ to θ, to within `enough`. With y = ln tan(θ/2), dθ = sin θ dy: in y, what is a power of the
     /// tangent is an exponential function, and smooth however steep. Of a wrong law that may be otherwise: what is not known
-    /// after [`EVALUATIONS`] has no value.
+    /// after twenty thousand of its values has none.
     pub fn integral(&self, f: impl Fn(f64) -> f64, enough: f64) -> Result<f64, NumericsError> {
         let side = 1f64.copysign(self.theta0);
         let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
