@@ -114,6 +114,7 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-114", "eq-115", "eq-139"],
         trials: trials![
+            &exact::arrivals::EQ140,
             &exact::series::EQ140,
             approach::eq140_motion,
             approach::eq140_order,
@@ -136,6 +137,7 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_CLOCK,
         depends_on: &["eq-140"],
         trials: trials![
+            &exact::arrivals::EQ141,
             &exact::series::EQ141,
             approach::eq141_motion,
             approach::eq141_order,
@@ -158,6 +160,7 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-115", "eq-140"],
         trials: trials![
+            &exact::arrivals::EQ142,
             &exact::series::EQ142,
             approach::eq142_motion,
             approach::eq142_order,
@@ -179,6 +182,7 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TWO_TERMS,
         depends_on: &["eq-142"],
         trials: trials![
+            &exact::arrivals::EQ143,
             &exact::series::EQ143,
             approach::eq143_constant,
             approach::eq143_exponent,
@@ -203,6 +207,7 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-113", "eq-140"],
         trials: trials![
+            &exact::arrivals::EQ144,
             &exact::series::EQ144,
             approach::eq144_motion,
             approach::eq144_order,
@@ -224,6 +229,7 @@ const CLAIMS: &[Claim] = &[
         conditions: NEAR_REST_TO_ZERO,
         depends_on: &["eq-144"],
         trials: trials![
+            &exact::arrivals::EQ145,
             &exact::series::EQ145,
             approach::eq145_motion,
             approach::eq145_order,
@@ -275,7 +281,8 @@ const CLAIMS: &[Claim] = &[
             boundary::printed_slow,
             &exact::least::PRINTED,
             boundary::least_root,
-            &exact::least::CORRECTED
+            &exact::least::CORRECTED,
+            &exact::barriers::LEAST
         ],
         ..Claim::BLANK
     },
@@ -352,7 +359,8 @@ const CLAIMS: &[Claim] = &[
             surfaces::psi_free,
             surfaces::with_psi,
             surfaces::bends,
-            &exact::surfaces::CORRECTED
+            &exact::surfaces::CORRECTED,
+            &exact::barriers::SURFACE
         ],
         ..Claim::BLANK
     },
@@ -366,8 +374,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-143", "eq-145"],
         correction: Some(Correction {
             change: Change::Statement,
-            latex: r"For small $\alpha$ the particle comes to rest if $A$ starts below $1-\alpha\cos^2\chi+\alpha^2\left[\tfrac76\cos^4\chi+2\sin\chi\cos^3\chi-\sin^2\chi\cos^2\chi+\tfrac23\sin^3\chi\cos\chi-\tfrac14\sin^4\chi\right]+O(\alpha^3),\quad\chi=\tfrac\psi2$, and escapes to infinity if it starts above; from a start on this surface it creeps towards $\rho=1$ for ever.",
-            plain: "For small α the particle comes to rest if A starts below 1 − α cos²χ + α² [(7/6) cos⁴χ + 2 sin χ cos³χ − sin²χ cos²χ + ⅔ sin³χ cos χ − ¼ sin⁴χ] + O(α³), χ = ψ/2, and escapes to infinity if it starts above; from a start on this surface it creeps towards ρ = 1 for ever.",
+            latex: r"For small $\alpha$ the particle comes to rest if $A$ starts below $1-\alpha\cos^2\chi+\alpha^2\left[\tfrac76\cos^4\chi+2\sin\chi\cos^3\chi-\sin^2\chi\cos^2\chi+\tfrac23\sin^3\chi\cos\chi-\tfrac14\sin^4\chi\right]+O(\alpha^3),\quad\chi=\tfrac\psi2$, and escapes to infinity if it starts above; from a start on this surface it comes to $\rho=1$, creeping for ever unless it comes straight in.",
+            plain: "For small α the particle comes to rest if A starts below 1 − α cos²χ + α² [(7/6) cos⁴χ + 2 sin χ cos³χ − sin²χ cos²χ + ⅔ sin³χ cos χ − ¼ sin⁴χ] + O(α³), χ = ψ/2, and escapes to infinity if it starts above; from a start on this surface it comes to ρ = 1, creeping for ever unless it comes straight in.",
         }),
         trials: trials![
             boundary::printed_census,
@@ -377,6 +385,7 @@ const CLAIMS: &[Claim] = &[
             boundary::corrected_root,
             boundary::corrected_close,
             &exact::boundary::CORRECTED,
+            &exact::barriers::BOUNDARY,
             certified::printed,
             certified::corrected
         ],

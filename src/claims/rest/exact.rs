@@ -1,6 +1,8 @@
 //! Rest, exactly: where it is possible, (139); the envelope of the truncated surfaces, (146) and (147). The motions to rest
 //! and the boundary are power series, in [`series`] and [`boundary`].
 
+pub mod arrivals;
+pub mod barriers;
 pub mod boundary;
 pub mod chains;
 pub mod least;

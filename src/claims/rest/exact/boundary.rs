@@ -124,22 +124,40 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
 static SOLUTION: Derived<(Option<Series>, Proof)> =
     Derived::new(|| Proof::finding("the boundary in powers of α", ring(), solve));
 
-/// A formula for A agrees with the boundary up to this power of α.
-pub fn prove(formula: Expr, order: i64) -> Proof {
-    let title = "the boundary between rest and escape";
+/// Carries out a proof that starts from the series of A on the boundary.
+pub(super) fn with_series(
+    title: &str,
+    steps: impl FnOnce(&mut Prover<'_>, &Series) -> Result<(), Obstacle>,
+) -> Proof {
     Proof::in_ring(title, ring(), |p| {
         SOLUTION.with(|(series, proof)| {
             p.carry_on(proof)?;
-            let a = series.as_ref().ok_or(Obstacle::Empty)?;
-            let small = Series::monomial(Rational::int(1), 1, ENOUGH);
-            let stated = p.expand("The formula", formula, &[("α", &small)], ("α", order))?;
-            for k in 0..=order {
-                let [stated, found] =
-                    [&stated, a].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
-                p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
-            }
-            Ok(())
+            steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
         })
+    })
+}
+
+/// A formula for A agrees with the series up to this power of α.
+pub(super) fn agrees(
+    p: &mut Prover<'_>,
+    formula: Expr,
+    order: i64,
+    a: &Series,
+) -> Result<(), Obstacle> {
+    let small = Series::monomial(Rational::int(1), 1, ENOUGH);
+    let stated = p.expand("The formula", formula, &[("α", &small)], ("α", order))?;
+    for k in 0..=order {
+        let [stated, found] =
+            [&stated, a].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
+        p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
+    }
+    Ok(())
+}
+
+/// A formula for A agrees with the boundary up to this power of α.
+pub fn prove(formula: Expr, order: i64) -> Proof {
+    with_series("the boundary between rest and escape", |p, a| {
+        agrees(p, formula, order, a)
     })
 }
 

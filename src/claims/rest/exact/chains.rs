@@ -1,6 +1,6 @@
 //! Theorems about every motion on the table: that it rests or goes away, and how it stops.
 
-use super::series;
+use super::arrivals;
 use crate::claims::compare::Compared;
 use crate::claims::escape::exact::chains::{
     acceleration, comes_to_rest, polar, pushed, stops_along,
@@ -8,7 +8,7 @@ use crate::claims::escape::exact::chains::{
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
-use crate::exact::{Expr, Proof, Rational};
+use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::{rest as printed, turntable as motion};
 
 /// Rest or escape.
@@ -69,36 +69,46 @@ pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::new(
     |(limits, ahead)| near_rest(limits, ahead),
 );
 
-fn near_rest([alpha, psi]: [Expr; 2], ahead: Expr) -> Proof {
-    polar("α and ψ near rest", |p| {
+/// α and ψ at rest, of which all else follows.
+pub fn settles() -> Proof {
+    let (limits, ahead) = (NEAR_REST.formulas)();
+    polar("α and ψ at rest", |p| settle(p, limits, ahead))
+}
+
+fn settle(p: &mut Prover<'_>, [alpha, psi]: [Expr; 2], ahead: Expr) -> Result<(), Obstacle> {
+    given(
+        p,
+        &[
+            &turntable::EQ103,
+            &turntable::EQ110,
+            &turntable::EQ111,
+            &turntable::EQ112,
+        ],
+    )?;
+    p.note(
+        "At rest",
+        "ρ = σ > 0, as A² = ρ² − p² is positive and never falls; so A → σ and tanh α = p/ρ → 0",
+    );
+    let alpha = p.read("The stated limit of α", alpha)?;
+    p.zero("It", &alpha)?;
+    stops_along(p, ahead)?;
+    p.note("Straight in, ψ → π, is excepted", "ψ → 0");
+    let psi = p.read("The stated limit of ψ", psi)?;
+    p.zero("It", &psi)
+}
+
+fn near_rest(limits: [Expr; 2], ahead: Expr) -> Proof {
+    polar("How the particle comes to rest", |p| {
+        settle(p, limits, ahead)?;
         given(
             p,
             &[
-                &turntable::EQ103,
-                &turntable::EQ110,
-                &turntable::EQ111,
-                &turntable::EQ112,
-            ],
-        )?;
-        p.note(
-            "At rest",
-            "ρ = σ > 0, as ρ² − p² is positive and never falls; so tanh α = p/ρ → 0",
-        );
-        let alpha = p.read("The stated limit of α", alpha)?;
-        p.zero("It", &alpha)?;
-        stops_along(p, ahead)?;
-        p.note("Straight in, ψ → π, is excepted", "ψ → 0");
-        let psi = p.read("The stated limit of ψ", psi)?;
-        p.zero("It", &psi)?;
-        given(
-            p,
-            &[
-                &series::EQ140,
-                &series::EQ141,
-                &series::EQ142,
-                &series::EQ143,
-                &series::EQ144,
-                &series::EQ145,
+                &arrivals::EQ140,
+                &arrivals::EQ141,
+                &arrivals::EQ142,
+                &arrivals::EQ143,
+                &arrivals::EQ144,
+                &arrivals::EQ145,
             ],
         )
     })

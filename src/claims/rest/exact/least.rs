@@ -5,13 +5,13 @@ use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::corrections::rest as corrected;
 use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Rational, Ring, Series};
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::scalar::Scalar;
 
 /// The boundary is stated to this power of α.
 const ORDER: i64 = 2;
 
-fn ring() -> Result<Ring, ExactError> {
+pub(super) fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     for name in ["α", "y"] {
         ring.symbol(name);
@@ -22,25 +22,32 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
+/// A formula for A is the boundary's where ψ = yα.
+pub(super) fn where_it_is(p: &mut Prover<'_>, formula: Expr, y: Rational) -> Result<(), Obstacle> {
+    let [small, angle] =
+        [Rational::int(1), y].map(|value| Series::monomial(value, 1, boundary::ENOUGH));
+    let values = [("α", &small), ("ψ", &angle)];
+    let there = p.expand("A there", boundary::stated(), &values, ("α", ORDER))?;
+    let stated = p.expand("The formula", formula, &[("α", &small)], ("α", ORDER))?;
+    for k in 0..=ORDER {
+        let [stated, found] =
+            [&stated, &there].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
+        p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
+    }
+    Ok(())
+}
+
 /// A formula for A is the boundary's where ψ is of the order of α, and A is nowhere less.
 pub fn prove(formula: Expr) -> Proof {
     let title = "the least A of the boundary between rest and escape";
     Proof::in_ring(title, ring(), |p| {
         p.rests_on(&boundary::prove(boundary::stated(), ORDER))?;
-        let small = Series::monomial(Rational::int(1), 1, boundary::ENOUGH);
-        let angle = Series::monomial(p.ring().named("y")?, 1, boundary::ENOUGH);
         p.note(
             "Where ψ is of the order of α",
             "ψ = y α, with any y: as on the way to rest, where y is 2",
         );
-        let values = [("α", &small), ("ψ", &angle)];
-        let there = p.expand("A there", boundary::stated(), &values, ("α", ORDER))?;
-        let stated = p.expand("The formula", formula, &[("α", &small)], ("α", ORDER))?;
-        for k in 0..=ORDER {
-            let [stated, found] =
-                [&stated, &there].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
-            p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
-        }
+        let y = p.ring().named("y")?;
+        where_it_is(p, formula, y)?;
 
         let [alpha, psi] = Expr::symbols(["α", "ψ"]);
         let half = psi / Expr::int(2);

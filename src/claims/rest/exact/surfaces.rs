@@ -15,7 +15,7 @@ use crate::paper::rest as printed;
 /// The power of α to which the surface is stated.
 const ORDER: i64 = 2;
 
-fn ring() -> Result<Ring, ExactError> {
+pub(super) fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     ring.angle("ψ");
     for name in ["σ", "α"] {

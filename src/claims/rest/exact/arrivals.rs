@@ -1,0 +1,317 @@
+//! Theorems about every motion that comes to rest on the table: (140) to (145).
+//!
+//! At rest α and ψ vanish and A is σ. There the rates (113) to (115) have limits, and with the mean-value theorem the limits give
+//! all but (143). For that one, α dψ/dα = kψ − 2kα but for terms of the third order, with k = σ/(1 − σ): an equation that
+//! (143) solves, and to whose solutions every other comes as fast as those terms fall.
+
+use super::{chains, series};
+use crate::claims::compare::Compared;
+use crate::claims::statement::{Statement, given};
+use crate::claims::turntable::exact as turntable;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::paper::{rest as printed, turntable as motion};
+use crate::scalar::Scalar;
+
+/// What is shown of every motion to rest.
+macro_rules! of_every_rest {
+    ($what:literal) => {
+        Compared::shown(concat!(
+            r"for every motion with $p<\rho$ that comes to rest at a $\sigma$ between 0 and 1, with $\psi\to0$, ",
+            $what
+        ))
+    };
+}
+
+/// (140), of every motion to rest.
+pub const EQ140: Statement = Statement::new(
+    Subject::Within,
+    of_every_rest!(r"$\mathrm d\alpha/\mathrm d\tau$ tends to the right side of (140)"),
+    series::EQ140.formulas,
+    eq140,
+);
+/// (141), of every motion to rest.
+pub const EQ141: Statement = Statement::new(
+    Subject::Within,
+    of_every_rest!(
+        r"with $\tau=0$ at rest, the ratio of $\alpha$ to the right side of (141) tends to 1"
+    ),
+    series::EQ141.formulas,
+    eq141,
+);
+/// (142), of every motion to rest.
+pub const EQ142: Statement<[Expr; 2]> = Statement::new(
+    Subject::Within,
+    of_every_rest!(
+        r"the two sides of (142) differ by less than $\varepsilon(1+\lvert\psi\rvert/\alpha)$ from some time on, however small $\varepsilon>0$ is"
+    ),
+    series::EQ142.formulas,
+    eq142,
+);
+/// (143), of every motion to rest under its conditions.
+pub const EQ143: Statement = Statement::new(
+    Subject::Within,
+    of_every_rest!(
+        r"$\frac14<\sigma<\frac34$ and $\sigma\ne\frac12$, there is a constant $c$ with which $\psi$ differs from the right side of (143) by $(\alpha+\alpha^{\sigma/(1-\sigma)})^3$ times a bounded number: by what is of smaller order than $\alpha$ and than $\alpha^{\sigma/(1-\sigma)}$"
+    ),
+    series::EQ143.formulas,
+    eq143,
+);
+/// (144), of every motion to rest.
+pub const EQ144: Statement<[Expr; 2]> = Statement::new(
+    Subject::Within,
+    of_every_rest!(r"the ratio of the two sides of (144) tends to 1"),
+    series::EQ144.formulas,
+    eq144,
+);
+/// (145), of every motion to rest.
+pub const EQ145: Statement = Statement::new(
+    Subject::Within,
+    of_every_rest!(
+        r"$(A-\sigma)/\alpha^2$ tends to the coefficient of $\alpha^2$ in (145), which has no other term beside $\sigma$"
+    ),
+    series::EQ145.formulas,
+    eq145,
+);
+
+/// Powers of ε, the size of α and ψ, to which is compared.
+const ORDER: i64 = 3;
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["σ", "c", "τ", "slope", "ψ", "x", "y", "a"] {
+        ring.symbol(name);
+    }
+    let alpha = ring.symbol("α");
+    let exponent = ring.read(printed::eq143_exponent(Expr::symbol("σ")))?;
+    ring.power(&alpha, &exponent)?;
+    Ok(ring)
+}
+
+/// A step about a motion to rest.
+fn arriving(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
+    Proof::in_ring(title, ring(), |p| {
+        p.rests_on(&chains::settles())?;
+        given(
+            p,
+            &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
+        )?;
+        p.note(
+            "Near rest at σ",
+            "A → σ, α → 0, ψ → 0: α = εx, ψ = εy, with a small ε",
+        );
+        steps(p)
+    })
+}
+
+/// A formula in powers of ε, A being σ + aεⁿ.
+fn near(p: &mut Prover<'_>, says: &str, formula: Expr, n: i64) -> Result<Series, Obstacle> {
+    let ring = p.ring();
+    let named =
+        |name, power| Ok::<_, ExactError>(Series::monomial(ring.named(name)?, power, ORDER + 3));
+    let sigma = Series::constant(ring.named("σ")?, ORDER + 3);
+    let values = [
+        ("A", &sigma.plus(&named("a", n)?)),
+        ("α", &named("x", 1)?),
+        ("ψ", &named("y", 1)?),
+    ];
+    p.expand(says, formula, &values, ("ε", ORDER))
+}
+
+fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
+    series.coefficient(power).ok_or(Obstacle::Empty)
+}
+
+fn alpha_rate() -> Expr {
+    let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
+    motion::eq114_alpha_rate(a, alpha, psi)
+}
+
+/// The limit of dα/dτ.
+fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
+    let rate = near(p, "dα/dτ by (114), with A = σ + aε", alpha_rate(), 1)?;
+    p.note("Its limit", "the term without ε");
+    order(&rate, 0)
+}
+
+fn eq140(formula: Expr) -> Proof {
+    arriving("(140) of every motion to rest", |p| {
+        let limit = inwards(p)?;
+        let stated = p.read("(140)", formula)?;
+        p.equal("The two", &limit, &stated)
+    })
+}
+
+fn eq141(formula: Expr) -> Proof {
+    arriving("(141) of every motion to rest", |p| {
+        let limit = inwards(p)?;
+        p.note(
+            "With τ = 0 at rest",
+            "by the mean-value theorem α/τ is dα/dτ at a time between: it has the same limit",
+        );
+        let stated = p.read("(141) over τ", formula / Expr::symbol("τ"))?;
+        p.equal("The two", &limit, &stated)
+    })
+}
+
+/// The left side of (142) or (144) is the slope times the limit of dα/dτ.
+fn left_side(p: &mut Prover<'_>, left: Expr) -> Result<(), Obstacle> {
+    let limit = inwards(p)?;
+    let left = p.read("Left side", left)?;
+    p.equal(
+        "Against the slope times the limit",
+        &left,
+        &(limit * p.ring().named("slope")?),
+    )
+}
+
+fn eq142([left, right]: [Expr; 2]) -> Proof {
+    arriving("(142) of every motion to rest", |p| {
+        left_side(p, left)?;
+        let [alpha, psi] = Expr::symbols(["α", "ψ"]);
+        let turning = motion::eq115_psi_rate(alpha, psi);
+        let share = (Expr::int(2) - turning) * alpha / psi;
+        let share = near(p, "2 less dψ/dτ by (115), over ψ/α", share, 1)?;
+        p.equal("Its limit is 1", &order(&share, 0)?, &Rational::int(1))?;
+        p.note(
+            "So, whatever ψ/α is",
+            "dψ/dτ = 2 − (1 + o(1)) ψ/α, and the left side is (1 + o(1)) dψ/dτ",
+        );
+        let right = p.read("Right side", right)?;
+        let stated = p.read("2 − ψ/α", Expr::int(2) - psi / alpha)?;
+        p.equal("The two", &right, &stated)
+    })
+}
+
+fn eq144([left, right]: [Expr; 2]) -> Proof {
+    arriving("(144) of every motion to rest", |p| {
+        left_side(p, left)?;
+        growth(p)?;
+        let right = p.read("Right side", right)?;
+        let alpha = p.ring().named("α")?;
+        p.equal("It is α", &right, &alpha)?;
+        p.note(
+            "So",
+            "the left side is (1 + o(1)) dA/dτ, and that is (1 + o(1)) times the right side",
+        );
+        Ok(())
+    })
+}
+
+/// dA/dτ is as small as α.
+fn growth(p: &mut Prover<'_>) -> Result<(), Obstacle> {
+    let alpha = Expr::symbol("α");
+    let ratio = near(
+        p,
+        "dA/dτ by (113), over α",
+        motion::eq113_a_rate(alpha) / alpha,
+        1,
+    )?;
+    p.equal("Its limit is 1", &order(&ratio, 0)?, &Rational::int(1))
+}
+
+fn eq145(formula: Expr) -> Proof {
+    arriving("(145) of every motion to rest", |p| {
+        let limit = inwards(p)?;
+        growth(p)?;
+        p.note(
+            "At rest A is σ and α is 0",
+            "by Cauchy's mean-value theorem (A − σ)/α² is dA/dτ over 2α dα/dτ at a time between: it tends to 1 over twice the limit of dα/dτ",
+        );
+        let twice = limit * Rational::int(2);
+        let coefficient = p.quotient("1 over that", &Rational::int(1), &twice)?;
+        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
+        let stated = p.read("(145) less σ, over α²", (formula - sigma) / alpha.squared())?;
+        p.equal("The two", &coefficient, &stated)
+    })
+}
+
+fn eq143(formula: Expr) -> Proof {
+    arriving("(143) of every motion to rest", |p| {
+        p.rests_on(&EQ145.proof())?;
+        let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
+        let k = sigma / (Expr::int(1) - sigma);
+        let slope = alpha * motion::eq115_psi_rate(alpha, psi) / alpha_rate();
+        let slope = near(p, "α dψ/dα by (114) and (115), with A = σ + aε²", slope, 2)?;
+        p.zero("It has no term without ε", &order(&slope, 0)?)?;
+        let linear = k * psi - Expr::int(2) * k * alpha;
+        let linear = near(p, "With k = σ/(1 − σ), kψ − 2kα", linear, 2)?;
+        p.equal("The first terms", &order(&slope, 1)?, &order(&linear, 1)?)?;
+        p.zero("Its second term", &order(&slope, 2)?)?;
+        p.note(
+            "Both being analytic in α and ψ",
+            "α dψ/dα = kψ − 2kα + R with |R| ≤ C (α + |ψ|)³, as A − σ is of the order of α²",
+        );
+        p.note(
+            "As ψ → 0, |R| ≤ η (α + |ψ|) near rest, with any η > 0",
+            "so |ψ|/α^(k−η) grows, as α falls, by (2k + η) ∫ α^(η−k) dα at most: |ψ| is of the order of α^(k−η) + α",
+        );
+        p.note(
+            "So R is of the order of α^(3k−3η) + α³",
+            "and R/α^(k+1) has a finite integral from 0, as k < 3, if 3η < 2k",
+        );
+        let stated = p.read("(143)", formula)?;
+        let ring = p.ring();
+        let slope = p.derivative("Its slope", &stated, &ring.by("α")?)?;
+        let left = slope * ring.named("α")? - ring.read(k)? * &stated;
+        let right = ring.read(Expr::int(-2) * k * alpha)?;
+        p.equal("α times that, less k times (143), is −2kα", &left, &right)?;
+        let free = p.derivative("Its slope by c", &stated, &ring.by("c")?)?;
+        let power = p.read("2α^k", Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)))?;
+        p.equal("The two", &free, &power)?;
+        p.note(
+            "So (ψ less (143) with c = 0) over α^k",
+            "has the slope R/α^(k+1) by α, and converges: to 2c. What is left is α^k times the integral of R/α^(k+1) from 0",
+        );
+        p.note(
+            "Now |ψ| is of the order of α^k + α, and R of α^(3k) + α³",
+            "so is what is left; 3k > 1, 3k > k and 3 > k: it is of smaller order than α and than α^k",
+        );
+        Ok(())
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::claims::PAPER;
+    use crate::claims::statement::Proved;
+    use crate::seeded::with;
+
+    const ALL: [(&str, &dyn Proved); 8] = [
+        ("eq140_alpha_rate", &EQ140),
+        ("eq141_alpha", &EQ141),
+        ("eq142_left", &EQ142),
+        ("eq142_right", &EQ142),
+        ("eq143_psi", &EQ143),
+        ("eq144_left", &EQ144),
+        ("eq144_right", &EQ144),
+        ("eq145_a", &EQ145),
+    ];
+
+    #[test]
+    fn each_theorem_holds_and_mistakes_are_refused() {
+        for (formula, theorem) in ALL {
+            let proof = theorem.proof();
+            assert!(proof.holds(), "{formula}: {proof}");
+            let variants = PAPER.formulas.variants_of(formula);
+            assert!(!variants.is_empty(), "{formula}");
+            for variant in variants {
+                let proof = with(variant.seed, || theorem.proof());
+                assert!(!proof.holds(), "{formula}: {}", variant.text);
+            }
+        }
+    }
+
+    #[test]
+    fn another_law_of_motion_stops_at_other_rates() {
+        for law in ["eq114_alpha_rate", "eq115_psi_rate", "eq113_a_rate"] {
+            for variant in PAPER.formulas.variants_of(law) {
+                let held = with(variant.seed, || {
+                    ALL.iter().any(|(_, theorem)| theorem.proof().holds())
+                });
+                assert!(!held, "{law}: {}", variant.text);
+            }
+        }
+    }
+}
