@@ -1,5 +1,6 @@
 //! The turntable: escape: the claims.
 
+pub mod bounds;
 pub mod escapes;
 pub mod exact;
 pub mod excepted;
@@ -288,6 +289,7 @@ const CLAIMS: &[Claim] = &[
             growth::eq132_limit,
             growth::eq132_exponent,
             &exact::spiral::EQ132,
+            bounds::eq132,
             &exact::EQ132,
             growth::corrected132_limit,
             growth::corrected132_delay,
@@ -312,6 +314,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             growth::eq133_limit,
             &exact::spiral::EQ133,
+            bounds::eq133,
             &exact::EQ133,
             growth::corrected133_limit,
             steps::eq133,
@@ -337,6 +340,7 @@ const CLAIMS: &[Claim] = &[
             growth::eq134_exponent,
             growth::eq134_limit,
             &exact::spiral::EQ134,
+            bounds::eq134,
             &exact::EQ134,
             growth::corrected134_exponent,
             growth::corrected134_limit,
@@ -364,6 +368,7 @@ const CLAIMS: &[Claim] = &[
             growth::eq135_limit,
             growth::eq135_exponent,
             &exact::spiral::EQ135,
+            bounds::eq135,
             &exact::EQ135,
             growth::corrected135_limit,
             growth::corrected135_delay,
@@ -389,6 +394,7 @@ const CLAIMS: &[Claim] = &[
             growth::eq136_limit,
             growth::eq136_exponent,
             &exact::spiral::EQ136,
+            bounds::eq136,
             &exact::EQ136,
             growth::corrected136_limit,
             growth::corrected136_delay,

@@ -327,7 +327,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Every start leads either to rest or to an unbounded motion.",
         depends_on: &["eq-127", "eq-139", "s4-A-never-decreases"],
         conditions: &[Condition {
-            text: r"the particle does not creep towards $\rho=1$ for ever, as it does from the boundary itself",
+            text: r"the particle does not creep towards $\rho=1$ for ever, as it does from the boundary itself unless it comes straight in",
             sort: Sort::Degenerate,
         }],
         trials: trials![
@@ -374,8 +374,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-143", "eq-145"],
         correction: Some(Correction {
             change: Change::Statement,
-            latex: r"For small $\alpha$ the particle comes to rest if $A$ starts below $1-\alpha\cos^2\chi+\alpha^2\left[\tfrac76\cos^4\chi+2\sin\chi\cos^3\chi-\sin^2\chi\cos^2\chi+\tfrac23\sin^3\chi\cos\chi-\tfrac14\sin^4\chi\right]+O(\alpha^3),\quad\chi=\tfrac\psi2$, and escapes to infinity if it starts above; from a start on this surface it comes to $\rho=1$, creeping for ever unless it comes straight in.",
-            plain: "For small α the particle comes to rest if A starts below 1 − α cos²χ + α² [(7/6) cos⁴χ + 2 sin χ cos³χ − sin²χ cos²χ + ⅔ sin³χ cos χ − ¼ sin⁴χ] + O(α³), χ = ψ/2, and escapes to infinity if it starts above; from a start on this surface it comes to ρ = 1, creeping for ever unless it comes straight in.",
+            latex: r"For small $\alpha$ the particle comes to rest if $A$ starts below $1-\alpha\cos^2\chi+\alpha^2\left[\tfrac76\cos^4\chi+2\sin\chi\cos^3\chi-\sin^2\chi\cos^2\chi+\tfrac23\sin^3\chi\cos\chi-\tfrac14\sin^4\chi\right]+O(\alpha^3),\quad\chi=\tfrac\psi2$, and escapes to infinity if it starts above; some $A$ in between, within $O(\alpha^3)$, leads to $\rho=1$, towards which the particle creeps for ever unless it comes straight in.",
+            plain: "For small α the particle comes to rest if A starts below 1 − α cos²χ + α² [(7/6) cos⁴χ + 2 sin χ cos³χ − sin²χ cos²χ + ⅔ sin³χ cos χ − ¼ sin⁴χ] + O(α³), χ = ψ/2, and escapes to infinity if it starts above; some A in between, within O(α³), leads to ρ = 1, towards which the particle creeps for ever unless it comes straight in.",
         }),
         trials: trials![
             boundary::printed_census,

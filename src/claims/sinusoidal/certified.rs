@@ -20,10 +20,10 @@ use crate::certified::numbers::LAMBDA_C;
 use crate::certified::taylor::Taylor;
 use crate::certified::written::{Of, agree, coefficient, sign, slope};
 use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::enclosed::{certified, numbers, on_balls};
+use crate::claims::enclosed::{certified, numbers, on_balls, resting_on};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::exact::{Expr, Obstacle, Proof, Step};
+use crate::exact::Expr;
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use premises::by_phi1;
@@ -33,38 +33,6 @@ type Outcome = Result<usize, CertifiedError>;
 
 /// λ_c on an f64's both sides.
 const NEAR_CRITICAL: f64 = 1e-14;
-
-/// A certificate that rests on exact proofs, with their steps.
-fn resting_on(
-    premises: &[Proof],
-    certificate: impl FnOnce() -> Outcome,
-    compared: Compared,
-) -> Evidence {
-    let obstacle = premises.iter().find_map(Proof::obstacle);
-    let outcome = match obstacle {
-        None => certificate(),
-        Some(obstacle) => {
-            let at = obstacle.to_string();
-            Err(match obstacle {
-                Obstacle::NotZero { .. } => CertifiedError::False { at },
-                _ => CertifiedError::NotProved {
-                    why: "a step cannot be carried out",
-                    at,
-                },
-            })
-        }
-    };
-    let steps = premises.iter().flat_map(Proof::steps);
-    let mut steps: Vec<_> = steps.map(Step::to_string).collect();
-    if let Ok(parts) = outcome {
-        steps.push(format!("The rest by subdivision: {parts} parts decide"));
-    }
-    Evidence {
-        fingerprint: 0,
-        steps,
-        ..certified(outcome, Subject::Printed, compared)
-    }
-}
 
 /// From 0 to a right angle.
 fn angles() -> Interval {
@@ -129,7 +97,7 @@ fn prove_bracket(phases: [Expr; 3], left: Expr, compared: Compared) -> Evidence 
         premises::vanishing(fourth, 1),
     ];
     let signs = || Ok(prove_sign(second, 3, 1.0)? + prove_sign(fourth, 1, -1.0)?);
-    resting_on(&premises, signs, compared)
+    resting_on(&premises, signs, Subject::Printed, compared)
 }
 
 /// φ₂ < φ̃₂ < φ₄.
@@ -231,7 +199,12 @@ fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence
         let falls = prove_slope(turn_by_itself::<One>, written, 1.0, angles())?;
         Ok(falls + prove_change(turn, turn(lambda0), critical)?)
     };
-    resting_on(&[premises::turn(phi_t1)], change, compared)
+    resting_on(
+        &[premises::turn(phi_t1)],
+        change,
+        Subject::Printed,
+        compared,
+    )
 }
 
 /// (41) holds exactly below λ_c.

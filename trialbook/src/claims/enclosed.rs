@@ -6,7 +6,7 @@ use crate::certified::ball::{Ball, bits_for};
 use crate::certified::enclosure::Enclosure;
 use crate::certified::error::CertifiedError;
 use crate::evidence::{Compared, Evidence, Route, Sample, Subject};
-use crate::exact::{Binary, Expr, Function, Node};
+use crate::exact::{Binary, Expr, Function, Node, Obstacle, Proof, Step};
 
 /// Decimals to which a stated number is held against an enclosure.
 pub const DIGITS: usize = 50;
@@ -28,6 +28,39 @@ pub fn certified(
         worst,
         at,
         ..Evidence::new(Route::Certified, subject, compared, tolerances::NONE)
+    }
+}
+
+/// Evidence from a certificate that rests on exact proofs, with their steps.
+pub fn resting_on(
+    premises: &[Proof],
+    certificate: impl FnOnce() -> Result<usize, CertifiedError>,
+    subject: Subject,
+    compared: Compared,
+) -> Evidence {
+    let obstacle = premises.iter().find_map(Proof::obstacle);
+    let outcome = match obstacle {
+        None => certificate(),
+        Some(obstacle) => {
+            let at = obstacle.to_string();
+            Err(match obstacle {
+                Obstacle::NotZero { .. } => CertifiedError::False { at },
+                _ => CertifiedError::NotProved {
+                    why: "a step cannot be carried out",
+                    at,
+                },
+            })
+        }
+    };
+    let steps = premises.iter().flat_map(Proof::steps);
+    let mut steps: Vec<_> = steps.map(Step::to_string).collect();
+    if let Ok(parts) = outcome {
+        steps.push(format!("The rest by subdivision: {parts} parts decide"));
+    }
+    Evidence {
+        fingerprint: 0,
+        steps,
+        ..certified(outcome, subject, compared)
     }
 }
 

@@ -21,7 +21,7 @@ use crate::paper::turntable as motion;
 use crate::scalar::Scalar;
 
 /// N, P, h = tanh α, and t.
-type State = [Expr; 4];
+pub type State = [Expr; 4];
 
 const NAMES: [&str; 4] = ["N", "P", "h", "t"];
 
@@ -372,7 +372,7 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
 }
 
 /// The rates in θ of q = (N − ¾)/t and v = (P − ½)/t, with w = (1 − h)/t.
-fn follow([q, v, w]: [Expr; 3], [n, p, h, t]: State) -> [Expr; 2] {
+pub fn follow([q, v, w]: [Expr; 3], [n, p, h, t]: State) -> [Expr; 2] {
     let (k, less) = (cosine(t), int(1) - t.squared());
     let feeds = p + int(2) * (int(1) - p) * k + int(2) * p * n;
     let prey = -(int(2) * q) - v + w * (int(2) * n - int(1)) + t * (p - k * h);
@@ -521,10 +521,18 @@ fn spiral(found: Species) -> Proof {
 /// The same, carried out once.
 static SPIRAL: Derived<Proof> = Derived::new(|| spiral(Species::found()));
 
+/// Rests a proof on the theorem on all escapes.
+///
+/// # Errors
+/// [`Obstacle`] if it does not hold.
+pub fn comes(p: &mut Prover<'_>) -> Result<(), Obstacle> {
+    SPIRAL.with(|proof| p.rests_on(proof))
+}
+
 /// A law, after the theorem on all escapes.
 fn after(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
     Proof::in_ring(title, ring(), |p| {
-        SPIRAL.with(|proof| p.rests_on(proof))?;
+        comes(p)?;
         p.note(
             "From there",
             "t = tan(π/4 − ψ/2), N = cosh α/(2At), P = 1/(t² (exp(4α) − 1)), h = tanh α; N → 3/4, P → 1/2, h → 1, up to the order of t; 1/t = τ − κ ln τ + o(ln τ) with κ = 3√2/4",
@@ -635,10 +643,7 @@ fn eq129(law: Expr) -> Proof {
 fn eq130(law: Expr) -> Proof {
     after("(130) in every escape", |p| {
         let [a, alpha] = Expr::symbols(["A", "α"]);
-        let value = |state: State| {
-            let [_, predator, _, t] = state;
-            (int(1) / predator + t.squared()).pow(int(3)) / fourth_power(state)
-        };
+        let value = |state| fourth_exponential(state).pow(int(3)) / fourth_power(state);
         let powers = [(int(12) * alpha).exp(), exponential(law, 12)];
         let [own, stated] = powers.map(|power| power / a.pow(int(4)));
         has_limit(p, (own, 1, 0), value, stated)?;
@@ -679,7 +684,7 @@ fn eq131(law: Expr) -> Proof {
 }
 
 /// A⁴ t⁶.
-fn fourth_power([n, predator, h, _]: State) -> Expr {
+pub fn fourth_power([n, predator, h, _]: State) -> Expr {
     int(1) / (int(64) * predator * h * n.pow(int(4)) * (int(1) + h).squared())
 }
 
@@ -691,12 +696,16 @@ fn eq132(law: Expr) -> Proof {
     })
 }
 
+/// exp(4α) t².
+pub fn fourth_exponential([_, predator, _, t]: State) -> Expr {
+    int(1) / predator + t.squared()
+}
+
 fn eq133(law: Expr) -> Proof {
     after("(133) in every escape", |p| {
         let [alpha] = Expr::symbols(["α"]);
-        let value = |[_, predator, _, t]: State| int(1) / predator + t.squared();
         let own = (int(4) * alpha).exp();
-        has_limit(p, (own, 1, 2), value, exponential(law, 4))?;
+        has_limit(p, (own, 1, 2), fourth_exponential, exponential(law, 4))?;
         p.note(
             "So exp(4α)/τ² tends to that of the law",
             "the difference of α and the law goes to 0",
@@ -720,15 +729,19 @@ fn eq134(law: Expr) -> Proof {
 }
 
 /// (ρt²)².
-fn distance([n, predator, h, _]: State) -> Expr {
+pub fn square_of_distance([n, predator, h, _]: State) -> Expr {
     int(1) / (int(16) * predator * h * n.squared() * (int(1) + h).squared())
+}
+
+/// (pt²)².
+pub fn square_of_speed(state: State) -> Expr {
+    state[2].squared() * square_of_distance(state)
 }
 
 fn eq135(law: Expr) -> Proof {
     after("(135) in every escape", |p| {
         given(p, &[&turntable::EQ111])?;
-        let value = |state: State| state[2].squared() * distance(state);
-        has_limit(p, (speed(), 2, 4), value, first(law))?;
+        has_limit(p, (speed(), 2, 4), square_of_speed, first(law))?;
         in_its_time(p, law)
     })
 }
@@ -738,7 +751,7 @@ fn eq136(law: Expr) -> Proof {
         given(p, &[&turntable::EQ112])?;
         let [a, alpha] = Expr::symbols(["A", "α"]);
         let rho = motion::eq112_rho(a, alpha);
-        has_limit(p, (rho, 2, 4), distance, first(law))?;
+        has_limit(p, (rho, 2, 4), square_of_distance, first(law))?;
         in_its_time(p, law)
     })
 }

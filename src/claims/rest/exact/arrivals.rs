@@ -98,7 +98,7 @@ fn arriving(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obsta
         )?;
         p.note(
             "Near rest at σ",
-            "A → σ, α → 0, ψ → 0: α = εx, ψ = εy, with a small ε",
+            "A → σ, α → 0, ψ → 0: α = εx, ψ = εy, A = σ + εa, with α + |ψ| + |A − σ| for ε, so that x, y and a are bounded",
         );
         steps(p)
     })
@@ -130,7 +130,10 @@ fn alpha_rate() -> Expr {
 /// The limit of dα/dτ.
 fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
     let rate = near(p, "dα/dτ by (114), with A = σ + aε", alpha_rate(), 1)?;
-    p.note("Its limit", "the term without ε");
+    p.note(
+        "Its limit",
+        "the term without ε, negative as σ < 1: α falls near rest, and may stand for the time",
+    );
     order(&rate, 0)
 }
 
@@ -232,7 +235,11 @@ fn eq143(formula: Expr) -> Proof {
         let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
         let k = sigma / (Expr::int(1) - sigma);
         let slope = alpha * motion::eq115_psi_rate(alpha, psi) / alpha_rate();
-        let slope = near(p, "α dψ/dα by (114) and (115), with A = σ + aε²", slope, 2)?;
+        p.note(
+            "By (145)",
+            "A = σ + aε², with α + |ψ| for ε and a bounded a",
+        );
+        let slope = near(p, "α dψ/dα by (114) and (115)", slope, 2)?;
         p.zero("It has no term without ε", &order(&slope, 0)?)?;
         let linear = k * psi - Expr::int(2) * k * alpha;
         let linear = near(p, "With k = σ/(1 − σ), kψ − 2kα", linear, 2)?;
@@ -243,12 +250,12 @@ fn eq143(formula: Expr) -> Proof {
             "α dψ/dα = kψ − 2kα + R with |R| ≤ C (α + |ψ|)³, as A − σ is of the order of α²",
         );
         p.note(
-            "As ψ → 0, |R| ≤ η (α + |ψ|) near rest, with any η > 0",
+            "As ψ → 0, |R| ≤ η (α + |ψ|) near rest; let 0 < η < 2k/3, η ≠ k − 1",
             "so |ψ|/α^(k−η) grows, as α falls, by (2k + η) ∫ α^(η−k) dα at most: |ψ| is of the order of α^(k−η) + α",
         );
         p.note(
             "So R is of the order of α^(3k−3η) + α³",
-            "and R/α^(k+1) has a finite integral from 0, as k < 3, if 3η < 2k",
+            "and R/α^(k+1) has a finite integral from 0, as 3η < 2k and k < 3",
         );
         let stated = p.read("(143)", formula)?;
         let ring = p.ring();

@@ -12,14 +12,14 @@ use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
-use crate::paper::turntable as motion;
+use crate::paper::{rest as printed, turntable as motion};
 use crate::scalar::Scalar;
 
 /// The surface of starts that come to rest at σ.
 pub const SURFACE: Statement = Statement::new(
     Subject::Corrected,
     Compared::shown(
-        r"for every $\sigma$ between 0 and 1 there are $\alpha_0>0$ and $K$ such that every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, from which the particle comes to rest at $\sigma$ has an $A$ that differs from the corrected $A(\sigma,\alpha,\psi)$ by $K\alpha^3$ at most",
+        r"for every $\sigma$ between 0 and 1 there are $\alpha_0>0$ and $K$ such that every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, from which the particle comes to rest at $\sigma$ has an $A$ that differs from the corrected $A(\sigma,\alpha,\psi)$ by $K\alpha^3$ at most; and for each $\alpha$ and $\psi$ there is such an $A$",
     ),
     surfaces::CORRECTED.formulas,
     surface,
@@ -29,7 +29,7 @@ pub const SURFACE: Statement = Statement::new(
 pub const BOUNDARY: Statement = Statement::new(
     Subject::Corrected,
     Compared::shown(
-        r"there are $\alpha_0>0$ and $K$ such that from every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, the particle comes to rest if $A$ is below $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ by more than $K\alpha^3$, and escapes if it is above by more; for each $\alpha$ and $\psi$ there is an $A$ between, from which the particle comes to $\rho=1$",
+        r"there are $\alpha_0>0$ and $K$ such that from every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, the particle comes to rest if $A$ is below $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ by more than $K\alpha^3$, and escapes if it is above by more; for each $\alpha$ and $\psi$ there is an $A$ between, from which the particle comes to $\rho=1$, in a finite time only if $\psi\to\pi$",
     ),
     boundary::stated,
     rest_or_escape,
@@ -119,7 +119,7 @@ fn surface(formula: Expr) -> Proof {
         );
         p.note(
             "Let a motion come to rest at σ < 1",
-            "A never falls: A ≤ σ, f ≥ 1/σ − 1 > 0, and it lasts for α/(1/σ − 1) at most, so that A ≥ σ/2 if α₀ is small",
+            "A never falls: A ≤ σ, f ≥ 1/σ − 1 > 0, and it lasts for α/(1/σ − 1) at most, so that A ≥ σ/2 if α₀ is small, as P ≥ σ/2",
         );
         p.note(
             "So |m| ≤ C′α, as b is of the order of α",
@@ -132,6 +132,15 @@ fn surface(formula: Expr) -> Proof {
         p.note(
             "If u < 0 at the start, with s = −1",
             "so it would be at rest, with all signs turned: A differs from P by Kα³ at most",
+        );
+        p.note(
+            "In the same way no start with u > 0, s = 1 rests at σ or inside, where u is 0 or less",
+            "and one with u < 0, s = −1 rests inside σ: A does not pass σ, where u > 0 as P < σ",
+        );
+        p.rests_on(&fates::comes_to_rest(printed::eq139_largest_sigma()))?;
+        p.note(
+            "For given α and ψ the starts that rest inside σ are open, as little way is left just before, and those whose A passes σ",
+            "neither set is empty, and they do not meet: from some A between, A ≤ σ for ever, and as f ≥ 1/σ − 1 the particle rests, at σ",
         );
         Ok(())
     })
@@ -163,19 +172,27 @@ fn rest_or_escape(formula: Expr) -> Proof {
             "f ≥ 1 where A ≤ 1, and m ≥ −C′α where A ≥ 1/2: α falls to 0, or the motion comes inside, before τ = α₀",
         );
         p.note(
-            "Let K = 1",
-            "with α₀ so small that what is of the order of α^4 is below α³/4",
+            "Let K = 1 in u; that of the theorem is larger by what P and the formula differ",
+            "and α₀ so small that what is of the order of α^4 is below α³/4",
         );
         above(p)?;
         below(p, formula)?;
         p.note(
-            "For given α and ψ the starts that come to rest inside ρ = 1 are open, as are those whose A passes 1",
+            "For given α and ψ the starts that come to rest inside ρ = 1 are open, as p + ρ < 1 just before, and those whose A passes 1",
             "neither set is empty, and they do not meet: some A between belongs to none",
         );
         given(p, &[&super::chains::DICHOTOMY])?;
         p.note(
-            "From there A ≤ 1 for ever, and α falls",
-            "ρ stays bounded, and the particle comes to ρ = 1",
+            "From there A ≤ 1 for ever, α falls, and ρ stays bounded",
+            "the particle stops at ρ = A ≤ 1, and so at ρ = 1, or by the dichotomy creeps towards it",
+        );
+        p.note(
+            "Let it stop at a time T with ψ → 0",
+            "α ≤ c (T − τ), so that s = ∫ dτ/α → ∞; d(ψ/α)/ds = 2 − (1 + o(1)) ψ/α + o(1) ψ/α keeps ψ/α bounded; 1 − A ≤ (T − τ) sinh α, as dA/dτ = sinh α falls",
+        );
+        p.note(
+            "So f ≤ Cα (α + T − τ)",
+            "ln α falls at a bounded rate and α is not 0 at T: by the limits of ψ at a stop, ψ → π is left",
         );
         Ok(())
     })
@@ -186,7 +203,7 @@ fn above(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     given(p, &[&fates::ESCAPES])?;
     p.note(
         "With s = 1, u > 0 at the start",
-        "while A ≤ 1: outside du/dτ ≥ −C′αu + 3α² − (C + C′) α^4 ≥ −C′αu, inside du/dτ ≥ m (u + α³) − Cα^4 ≥ u/4",
+        "if A > 1, it escapes; while A ≤ 1, α falls, as f > 0, and A > P ≥ 1/2: outside du/dτ ≥ −C′αu + 3α² − (C + C′) α^4 ≥ −C′αu, inside du/dτ ≥ m (u + α³) − Cα^4 ≥ u/4",
     );
     p.note(
         "So u stays positive, and inside it grows without end",
@@ -219,6 +236,7 @@ fn lower_than_one(formula: Expr) -> Proof {
 /// Below the lower barrier it comes to rest.
 fn below(p: &mut Prover<'_>, formula: Expr) -> Result<(), Obstacle> {
     given(p, &[&turntable::EQ110, &super::EQ139])?;
+    p.rests_on(&fates::comes_to_rest(printed::eq139_largest_sigma()))?;
     p.rests_on(&lower_than_one(formula))?;
     p.note(
         "So P < 1 if α₀ is small",
@@ -226,7 +244,7 @@ fn below(p: &mut Prover<'_>, formula: Expr) -> Result<(), Obstacle> {
     );
     p.note(
         "With u < 0 at the start",
-        "it stays: where A ≤ 1/2, u is near −1/2 or less; where A ≥ 1/2, du/dτ ≤ C′α |u| + (C + C′) α^4 − 3α² ≤ C′α |u| outside, du/dτ ≤ m (u − α³) + Cα^4 ≤ u/4 inside",
+        "it stays: where A ≤ 1/2, u is near −1/2 or less; where A ≥ 1/2, du/dτ ≤ C′α |u| + (C + C′) α^4 − 3α² ≤ C′α |u| outside; inside, whatever A < 1 is, du/dτ ≤ m (u − α³) + Cα^4 ≤ u/4",
     );
     p.note(
         "Inside u would fall without end, but it is above −2",
@@ -268,14 +286,14 @@ mod tests {
         let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
         let little = alpha.squared() / int(1_000_000);
         let theorems: [(Statement, Expr); 3] = [
-            (SURFACE, crate::paper::rest::eq145_a(sigma, alpha)),
-            (BOUNDARY, crate::paper::rest::eq147_a(alpha)),
-            (LEAST, crate::paper::rest::eq147_a(alpha)),
+            (SURFACE, printed::eq145_a(sigma, alpha)),
+            (BOUNDARY, printed::eq147_a(alpha)),
+            (LEAST, printed::eq147_a(alpha)),
         ];
-        for (theorem, printed) in theorems {
+        for (theorem, other) in theorems {
             assert!(theorem.proof().holds(), "{}", theorem.proof());
             let formula = (theorem.formulas)();
-            for wrong in [printed, formula + little, formula - little * psi.cos()] {
+            for wrong in [other, formula + little, formula - little * psi.cos()] {
                 assert!(!(theorem.prove)(wrong).holds(), "{wrong}");
             }
         }

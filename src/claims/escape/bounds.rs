@@ -1,0 +1,464 @@
+//! How far a motion that escapes is from the laws of the spiral, at any time from a stated one on.
+//!
+//! With q = (N − ¾)/t, v = (P − ½)/t and their limits q₀, v₀, as in [`spiral`], the region t ≤ 1/20, (8/3)(q − q₀)² + (v − v₀)² ≤
+//! 1/16 is never left, as intervals show on its edge; every escape comes into it. Inside, the quantities of the motion are
+//! those of the laws at the time 1/t times 1 + tE, with bounds on E, and 1/t falls behind the time by a logarithm at most:
+//! both by intervals, on the whole region at once.
+
+use super::exact::spiral::{self, State};
+use crate::certified::cover::{Said, everywhere_written};
+use crate::certified::error::CertifiedError;
+use crate::certified::interval::Interval;
+use crate::certified::jet::{Jet, over};
+use crate::certified::written::{Condition, Of, sign};
+use crate::claims::compare::Compared;
+use crate::claims::enclosed::resting_on;
+use crate::evidence::{Evidence, Subject};
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
+use crate::scalar::Scalar;
+
+/// What is shown from the time on at which the region is entered.
+macro_rules! from_then_on {
+    ($what:literal) => {
+        Compared::shown(concat!(
+            r"every escape comes into the region $t\le\frac1{20}$, $\frac83(q-q_0)^2+(v-v_0)^2\le\frac1{16}$ and stays; from then on, with $\tau$ counted such that it is $1/t$ at some time there, ",
+            $what
+        ))
+    };
+}
+
+/// A law of the spiral with its bounds.
+#[derive(Clone, Copy)]
+struct Law {
+    /// What is known of it as τ → ∞.
+    limit: fn() -> Proof,
+    /// The law at the time 1/t; where 1/t alone matters, none.
+    ratio: Option<Ratio>,
+    /// What follows for the law at the time τ.
+    so: &'static str,
+}
+
+/// The law at the time 1/t over the motion's quantity.
+#[derive(Clone, Copy)]
+struct Ratio {
+    /// A power of the law at the time 1/t over that of the motion, in N, P, h and t, but for a number.
+    inverse: fn(State) -> Expr,
+    /// Its factors over their limits, each less 1, over t.
+    parts: fn(Inside) -> Vec<Expr>,
+    /// Halves between which E lies.
+    between: [i64; 2],
+}
+
+/// The quantities in the region.
+#[derive(Clone, Copy)]
+struct Inside {
+    q: Expr,
+    v: Expr,
+    t: Expr,
+}
+
+fn int(n: i64) -> Expr {
+    Expr::int(n)
+}
+
+fn over_n(n: i64, m: i64) -> Expr {
+    int(n) / int(m)
+}
+
+impl Inside {
+    fn symbols() -> Self {
+        let [q, v, t] = Expr::symbols(["q", "v", "t"]);
+        Inside { q, v, t }
+    }
+
+    fn prey(self) -> Expr {
+        over_n(3, 4) + self.q * self.t
+    }
+
+    fn predator(self) -> Expr {
+        over_n(1, 2) + self.v * self.t
+    }
+
+    /// What w = (1 − h)/t has below its root.
+    fn square(self) -> Expr {
+        let predator = self.predator();
+        predator + (predator * self.t).squared()
+    }
+
+    /// w, the positive solution of w² = 4P (1 − wt).
+    fn w(self) -> Expr {
+        int(2) * self.square().sqrt() - int(2) * self.predator() * self.t
+    }
+
+    fn state(self) -> State {
+        let h = int(1) - self.w() * self.t;
+        [self.prey(), self.predator(), h, self.t]
+    }
+
+    /// By how much 1/t is slower than τ, over t.
+    fn slower(self) -> Expr {
+        int(2) * self.v - self.t - int(2) * self.v * self.t.squared()
+    }
+}
+
+/// q₀ and v₀.
+fn middle() -> [Expr; 2] {
+    let root = int(2).sqrt();
+    [int(3) * root / int(32), int(3) * root / int(8)]
+}
+
+/// How fast (8/3)(q − q₀)² + (v − v₀)² changes in θ.
+fn change(at: Inside) -> Expr {
+    let [q0, v0] = middle();
+    let [dq, dv] = spiral::follow([at.q, at.v, at.w()], at.state());
+    over_n(16, 3) * (at.q - q0) * dq + int(2) * (at.v - v0) * dv
+}
+
+/// A point of the edge.
+fn edge() -> Inside {
+    let [q0, v0] = middle();
+    let [f, t] = Expr::symbols(["f", "t"]);
+    Inside {
+        q: q0 + int(6).sqrt() / int(16) * f.cos(),
+        v: v0 + f.sin() / int(4),
+        t,
+    }
+}
+
+/// A point of the region, or of the box about it.
+fn inside() -> Inside {
+    let [q0, v0] = middle();
+    let [x, y, t] = Expr::symbols(["x", "y", "t"]);
+    Inside {
+        q: q0 + x,
+        v: v0 + y,
+        t,
+    }
+}
+
+/// 1 + tE is the product of 1 + t g over these g.
+fn product_less_one(t: Expr, parts: Vec<Expr>) -> Expr {
+    parts
+        .into_iter()
+        .fold(int(0), |e, g| e + (int(1) + t * e) * g)
+}
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["q", "v", "t"] {
+        ring.symbol(name);
+    }
+    ring.angle("f");
+    for number in [2, 6] {
+        let number = ring.read(int(number))?;
+        ring.root(&number, 2)?;
+    }
+    let square = ring.read(Inside::symbols().square())?;
+    ring.root(&square, 2)?;
+    Ok(ring)
+}
+
+/// What the region is about.
+fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
+    spiral::comes(p)?;
+    let at = Inside::symbols();
+    p.note(
+        "In q = (N − 3/4)/t and v = (P − 1/2)/t",
+        "N, P, h = 1 − wt and w, positive, with w² = 4Ph",
+    );
+    let own = p.read("w²", at.w().squared())?;
+    let [_, predator, h, _] = at.state();
+    let stated = p.read("4Ph", int(4) * predator * h)?;
+    p.equal("The two", &own, &stated)?;
+    let [q0, v0] = middle();
+    let height = over_n(8, 3) * (at.q - q0).squared() + (at.v - v0).squared();
+    let read = p.read("Q", height)?;
+    let [dq, dv] = spiral::follow([at.q, at.v, at.w()], at.state());
+    let [dq, dv] = [p.ring().read(dq)?, p.ring().read(dv)?];
+    let along = p.ring().along(&[("q", dq), ("v", dv)])?;
+    let rate = p.derivative("Its rate in θ by those of q and v", &read, &along)?;
+    let stated = p.ring().read(change(at))?;
+    p.equal("The rate, and what the intervals enclose", &rate, &stated)?;
+    let edge = edge();
+    let on_edge = height.with("q", edge.q).with("v", edge.v);
+    let on_edge = p.read("Q at q₀ + (√6/16) cos f, v₀ + (1/4) sin f", on_edge)?;
+    let stated = p.read("1/16", over_n(1, 16))?;
+    p.equal("The two", &on_edge, &stated)?;
+    let rate = int(2) - int(2) * (int(1) - at.t.squared()) * predator;
+    let slower = p.read(
+        "1 less the rate of 1/t in τ, over t",
+        (int(1) - rate) / at.t,
+    )?;
+    let stated = p.read("2v − t − 2vt²", at.slower())?;
+    p.equal("The two", &slower, &stated)?;
+    p.note(
+        "It is between 0 and 8/5 where |q − q₀| ≤ 0.154, |v − v₀| ≤ 1/4, t ≤ 1/20, as in the region",
+        "by intervals: 1/t grows, at 23/25 of the rate of τ at least; so t falls, and as Q falls on its edge, again by intervals, no motion leaves the region",
+    );
+    p.note("Every escape comes into it", "as q → q₀, v → v₀ and t → 0");
+    p.note(
+        "With τ = 1/t at some time there, e = τ − 1/t",
+        "later 0 ≤ e ≤ (8/5)(25/23) ln(τ/20) ≤ 2 ln(τ/20), as 1/t ≥ 20; and e/τ ≤ 1/(10 exp 1) < 1/27",
+    );
+    Ok(())
+}
+
+impl Ratio {
+    /// E at a point.
+    fn excess(&self, at: Inside) -> Expr {
+        product_less_one(at.t, (self.parts)(at))
+    }
+
+    /// It is 1 + tE.
+    fn near_one(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
+        let at = Inside::symbols();
+        let limit = (self.inverse)([over_n(3, 4), over_n(1, 2), int(1), int(0)]);
+        let ratio = (self.inverse)(at.state()) / limit;
+        let says = "A power of the law at the time 1/t over that of the motion";
+        let ratio = p.read(says, ratio)?;
+        let stated = p.ring().read(int(1) + at.t * self.excess(at))?;
+        p.equal("It is 1 + tE, with the E that is enclosed", &ratio, &stated)?;
+        let [least, most] = self.between.map(|n| half(n).to_string());
+        p.note(
+            "In the region, by intervals",
+            format!("{least} < E < {most}"),
+        );
+        Ok(())
+    }
+}
+
+impl Law {
+    fn premise(&self) -> Proof {
+        Proof::in_ring("The region that every escape comes into", ring(), |p| {
+            region(p)?;
+            if let Some(ratio) = self.ratio {
+                ratio.near_one(p)?;
+            }
+            p.note("So, as 1/t = τ − e", self.so);
+            Ok(())
+        })
+    }
+
+    /// By intervals: the edge, and the region.
+    fn enclosed(&self) -> Result<usize, CertifiedError> {
+        let t = Interval::new(0.0, 0.05);
+        let whole = Interval::new(0.0, (Interval::int(2) * Interval::pi()).hi());
+        let edge = everywhere(["f", "t"], [whole, t], &[(change(edge()), -1.0)])?;
+        let at = inside();
+        let mut signs = vec![(at.slower(), 1.0), (over_n(8, 5) - at.slower(), 1.0)];
+        if let Some(ratio) = self.ratio {
+            let (excess, [least, most]) = (ratio.excess(at), ratio.between.map(half));
+            signs.extend([(excess - least, 1.0), (most - excess, 1.0)]);
+        }
+        let [x, y] = [0.154, 0.25].map(|x| Interval::new(-x, x));
+        Ok(edge + everywhere(["x", "y", "t"], [x, y, t], &signs)?)
+    }
+
+    fn evidence(&self, compared: Compared) -> Evidence {
+        let premises = [(self.limit)(), self.premise()];
+        let enclosed = || self.enclosed();
+        resting_on(&premises, enclosed, Subject::Corrected, compared)
+    }
+}
+
+fn half(n: i64) -> Expr {
+    over_n(n, 2)
+}
+
+/// That all of these have their signs everywhere.
+fn everywhere<const N: usize>(
+    names: [&'static str; N],
+    range: [Interval; N],
+    signs: &[(Expr, f64)],
+) -> Result<usize, CertifiedError> {
+    let written = || {
+        let asked = signs.iter().map(|&(formula, way)| sign(formula, way));
+        (names, vec![(Of::Rest, Condition::All(asked.collect()))])
+    };
+    everywhere_written(written, range, |cell| {
+        Said::all(signs.iter().map(|&(formula, way)| {
+            let f = |x: [Jet<N>; N]| {
+                let place = |name: &str| names.iter().position(|known| *known == name);
+                let value = formula.evaluate(&|name| place(name).map(|i| x[i]));
+                value.unwrap_or(Jet::constant(Interval::WHOLE))
+            };
+            Said::of_sign(over(f, cell).value, way)
+        }))
+    })
+}
+
+const A: Law = Law {
+    limit: || spiral::EQ132.proof(),
+    ratio: Some(Ratio {
+        inverse: |state| int(1) / spiral::fourth_power(state),
+        parts: |at| {
+            let [prey, w] = [over_n(4, 3) * at.q, at.w()];
+            let slower = -w / int(2);
+            vec![int(2) * at.v, -w, prey, prey, prey, prey, slower, slower]
+        },
+        between: [-5, 1],
+    }),
+    so: "A⁴ over its law's is (1 − e/τ)⁶/(1 + tE): by the root, at most 1 + 3/(4τ) and at least 1 − 3e/(2τ) − 1/(8τ)",
+};
+
+const ALPHA: Law = Law {
+    limit: || spiral::EQ133.proof(),
+    ratio: Some(Ratio {
+        inverse: |state| int(1) / spiral::fourth_exponential(state),
+        parts: |at| {
+            let p = at.predator();
+            let more = p * at.t / (int(1) + p * at.t.squared());
+            vec![int(2) * at.v, -more]
+        },
+        between: [0, 4],
+    }),
+    so: "exp(4α) over its law's is (1 − e/τ)²/(1 + tE): 4 times the difference of α is 2 ln(1 − e/τ) − ln(1 + tE), not above 0 and at least −2 (27/26) (e + 1)/τ",
+};
+
+const LAG: Law = Law {
+    limit: || spiral::EQ134.proof(),
+    ratio: None,
+    so: "tτ is 1/(1 − e/τ), between 1 and 1 + (27/26) e/τ; and δ = 2 arctan t is between 2t (1 − t²/3) and 2t, with t ≤ (27/26)/τ",
+};
+
+const SPEED: Law = Law {
+    limit: || spiral::EQ135.proof(),
+    ratio: Some(Ratio {
+        inverse: |state| int(1) / spiral::square_of_speed(state),
+        parts: |at| {
+            let [prey, w] = [over_n(4, 3) * at.q, at.w()];
+            let (slower, faster) = (-w / int(2), w / (int(1) - w * at.t));
+            vec![int(2) * at.v, faster, prey, prey, slower, slower]
+        },
+        between: [0, 5],
+    }),
+    so: "p² over its law's is (1 − e/τ)⁴/(1 + tE): at most 1 and, by the root, p over its law's at least 1 − 2e/τ − 5/(4τ)",
+};
+
+const RHO: Law = Law {
+    limit: || spiral::EQ136.proof(),
+    ratio: Some(Ratio {
+        inverse: |state| int(1) / spiral::square_of_distance(state),
+        parts: |at| {
+            let [prey, w] = [over_n(4, 3) * at.q, at.w()];
+            let slower = -w / int(2);
+            vec![int(2) * at.v, -w, prey, prey, slower, slower]
+        },
+        between: [-5, 0],
+    }),
+    so: "ρ² over its law's is (1 − e/τ)⁴/(1 + tE): by the root, ρ over its law's is at least 1 − 2e/τ and at most 1 + 3/(2τ)",
+};
+
+/// (132) as corrected, to the first order.
+pub fn eq132() -> Evidence {
+    A.evidence(from_then_on!(
+        r"$1-\frac{1/8+3\ln(\tau/20)}\tau\le A\Big/\frac{2^{1/4}}3\tau^{3/2}\le1+\frac3{4\tau}$"
+    ))
+}
+
+/// (133) as corrected.
+pub fn eq133() -> Evidence {
+    ALPHA.evidence(from_then_on!(
+        r"$-\frac{11}{20}\,\frac{1+2\ln(\tau/20)}\tau\le\alpha-\frac12\ln(\sqrt2\,\tau)\le0$"
+    ))
+}
+
+/// (134) as corrected, to the first order.
+pub fn eq134() -> Evidence {
+    LAG.evidence(from_then_on!(
+        r"up to whole turns $1-\frac1{2\tau^2}\le\left(\frac\pi2-\psi\right)\Big/\frac2\tau\le1+\frac{21}{10}\,\frac{\ln(\tau/20)}\tau$"
+    ))
+}
+
+/// (135) as corrected, to the first order.
+pub fn eq135() -> Evidence {
+    SPEED.evidence(from_then_on!(
+        r"$1-\frac{5/4+4\ln(\tau/20)}\tau\le p\Big/\frac{\tau^2}{3\sqrt2}\le1$"
+    ))
+}
+
+/// (136) as corrected, to the first order.
+pub fn eq136() -> Evidence {
+    RHO.evidence(from_then_on!(
+        r"$1-\frac{4\ln(\tau/20)}\tau\le\rho\Big/\frac{\tau^2}{3\sqrt2}\le1+\frac3{2\tau}$"
+    ))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::motion::turntable::{Start, intrinsic::Run};
+
+    const ALL: [&Law; 5] = [&A, &ALPHA, &LAG, &SPEED, &RHO];
+
+    #[test]
+    fn all_bounds_are_proved_and_tighter_ones_are_not() {
+        for law in ALL {
+            let proof = law.premise();
+            assert!(proof.holds(), "{proof}");
+            assert!(law.enclosed().is_ok(), "{proof}");
+            let Some(ratio) = law.ratio else { continue };
+            let [least, most] = ratio.between;
+            let middle = (least + most) / 2;
+            for between in [[least, middle], [middle, most]] {
+                let ratio = Some(Ratio { between, ..ratio });
+                let tighter = Law { ratio, ..*law };
+                assert!(tighter.enclosed().is_err(), "{proof}");
+            }
+        }
+    }
+
+    #[test]
+    fn another_factor_is_refused() {
+        for law in ALL {
+            let Some(ratio) = law.ratio else { continue };
+            let inverse = |[n, p, h, t]: State| n * p.squared() * h + t;
+            let ratio = Some(Ratio { inverse, ..ratio });
+            assert!(!Law { ratio, ..*law }.premise().holds());
+        }
+    }
+
+    #[test]
+    fn motions_keep_within_the_bounds() {
+        let starts = [
+            Start::put_down(1.0),
+            Start::launched(1.5),
+            Start::hyperbolic(1.2, 0.1, -2.0),
+        ];
+        for start in starts {
+            let run = Run::new(&start.unwrap(), 2000.0).unwrap();
+            let (mut late, mut seen) = (None, 0);
+            for now in run.nodes() {
+                let (Some(a), Some(alpha)) = (now.a(), now.alpha()) else {
+                    continue;
+                };
+                let t = (now.lag() / 2.0).tan();
+                let q = (alpha.cosh() / (2.0 * a * t) - 0.75) / t;
+                let v = (1.0 / (t * t * (4.0 * alpha).exp_m1()) - 0.5) / t;
+                let [q0, v0] = [32.0, 8.0].map(|n| 3.0 * 2_f64.sqrt() / n);
+                let height = 8.0 / 3.0 * (q - q0).powi(2) + (v - v0).powi(2);
+                if !(0.0..=0.05).contains(&t) || height > 1.0 / 16.0 {
+                    assert!(late.is_none(), "it left the region: {now:?}");
+                    continue;
+                }
+                let tau = now.tau - *late.get_or_insert(now.tau - 1.0 / t);
+                let log = (tau / 20.0).ln();
+                let law = tau * tau / (3.0 * 2_f64.sqrt());
+                let a_law = 2_f64.powf(0.25) / 3.0 * tau.powf(1.5);
+                let more = alpha - 0.5 * (2_f64.sqrt() * tau).ln();
+                for (ratio, least, most) in [
+                    (a / a_law, 0.125 + 3.0 * log, 0.75),
+                    (1.0 + more, 0.55 * (1.0 + 2.0 * log), 0.0),
+                    (now.lag() * tau / 2.0, 0.5 / tau, 2.1 * log),
+                    (now.p() / law, 1.25 + 4.0 * log, 0.0),
+                    (now.rho() / law, 4.0 * log, 1.5),
+                ] {
+                    let off = (ratio - 1.0) * tau;
+                    assert!(-least - 1e-9 <= off && off <= most + 1e-9, "{off} {now:?}");
+                }
+                seen += 1;
+            }
+            assert!(seen > 20, "{seen}");
+        }
+    }
+}
