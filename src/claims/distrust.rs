@@ -1,6 +1,6 @@
 //! The trials that notice no mistake, and why they need not.
 
-pub use trialbook::claims::variants::{Coarse, Idle, Survivor};
+pub use trialbook::claims::variants::{Coarse, Idle, Survivor, Unread};
 
 /// Trials that agree and notice no mistake in what they read, or read nothing. A test holds the list against the trials.
 pub const IDLE: &[Idle] = &[
@@ -250,3 +250,6 @@ const fn cornered(claim: &'static str, text: &'static str, reason: &'static str)
         reason,
     }
 }
+
+/// Formulas that are wrong in a corner, where no measurement reads them. A test holds the list against the trials.
+pub const UNREAD: &[Unread] = &[];
