@@ -1,7 +1,7 @@
 //! What friction takes from the motion under pulses, of which the paper says nothing.
 
 use super::drives::{motion, pulses};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use crate::claims::compare::{Compared, Failure, Trial};
 use crate::claims::points::Points;
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Subject};
