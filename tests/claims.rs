@@ -271,7 +271,10 @@ fn points(entry: &Entry) -> String {
     measured.map(line).collect()
 }
 
-/// The tolerances that are looser, by their names, with the worst disagreement of the trials that agree within them.
+/// The tolerances that are looser, by their names, with the worst disagreement of the trials that agree within them. A tolerance
+/// is that of a method, and its reason speaks of the hardest case; two of three of its users come ten times closer, and each
+/// would need a number of its own, that could only be taken from what it measures. What holds each by itself is that it has to notice
+/// a mistake of twice its tolerance (`tests/distrust.rs`).
 fn stale_tolerances(ledger: &Ledger) -> Vec<String> {
     let mut worst = BTreeMap::<&str, (f64, f64)>::new();
     let evidence = ledger.entries.iter().flat_map(|entry| &entry.evidence);

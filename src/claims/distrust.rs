@@ -251,5 +251,29 @@ const fn cornered(claim: &'static str, text: &'static str, reason: &'static str)
     }
 }
 
-/// Formulas that are wrong in a corner, where no measurement reads them. A test holds the list against the trials.
-pub const UNREAD: &[Unread] = &[];
+/// Formulas in whose corners mistakes are made and that no measurement reads which agrees. A test holds the list against the
+/// trials.
+pub const UNREAD: &[Unread] = &[
+    unread("eq-82", "eq82_time", FAILS),
+    unread("eq-83", "eq83_slip_at_time", FAILS),
+    unread("eq-128", "eq128_alpha_rate", FAILS),
+    unread("eq-129", "eq129_a", FAILS),
+    unread("eq-134", "eq134_lag", FAILS),
+    unread(
+        "eq-143",
+        "eq143_psi",
+        "its constant and its exponent are measured, which are formulas of their own; the whole is proved, and as one \
+         expression without cases it cannot be wrong in a corner alone",
+    ),
+    unread("eq-147", "eq147_a", FAILS),
+];
+
+const FAILS: &str = "as printed it fails, and no measurement agrees with it";
+
+const fn unread(claim: &'static str, formula: &'static str, reason: &'static str) -> Unread {
+    Unread {
+        claim,
+        formula,
+        reason,
+    }
+}

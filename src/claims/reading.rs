@@ -11,6 +11,9 @@ const DELAY: &str =
 
 const BY_THE_LAW: &str = "a theorem about every motion, by the law that is proved elsewhere";
 
+const AS_135: &str =
+    "the distance grows as the speed, by the formula of (135); that of (136) is the winding";
+
 const BETWEEN: &str = "where the curves are; which region lies between which, the others try";
 
 /// All such trials. A test holds the list against what is read.
@@ -112,8 +115,13 @@ pub const ELSEWHERE: &[Elsewhere] = &[
     },
     Elsewhere {
         claim: "eq-136",
+        trial: "exact::EQ136",
+        reason: AS_135,
+    },
+    Elsewhere {
+        claim: "eq-136",
         trial: "growth::corrected136_limit",
-        reason: "the prefactor is that of (135), which is tried there; with (136) goes the winding",
+        reason: AS_135,
     },
     Elsewhere {
         claim: "eq-136",
