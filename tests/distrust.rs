@@ -3,7 +3,7 @@
 
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
-use slipbook::claims::distrust::{COARSE, CORNERED, IDLE};
+use slipbook::claims::distrust::{COARSE, CORNERED, IDLE, UNREAD};
 use slipbook::claims::variants::Variant;
 use slipbook::claims::{PAPER, Topic};
 use slipbook::ledger::Ledger;
@@ -58,16 +58,22 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
     let mut corners = PAPER.formulas.corners();
     corners.retain(|variant| of_topic(&variant.claim));
     let noticed = ledger.noticed(&corners);
-    let cornered = corners
-        .iter()
-        .zip(noticed)
-        .filter(|(_, noticed)| *noticed == Some(false));
-    let cornered: BTreeSet<_> = cornered
-        .map(|(v, _)| (v.claim.as_str(), v.text.as_str()))
-        .collect();
+    let those = |noticed_by: Option<bool>| {
+        let pairs = corners.iter().zip(&noticed);
+        let those = pairs.filter(move |(_, noticed)| **noticed == noticed_by);
+        those.map(|(variant, _)| variant)
+    };
+    let cornered = those(Some(false)).map(|v| (v.claim.as_str(), v.text.as_str()));
+    let cornered: BTreeSet<_> = cornered.collect();
     let excused = CORNERED.iter().filter(|c| of_topic(c.claim));
     let excused: BTreeSet<_> = excused.map(|c| (c.claim, c.text)).collect();
     let cornered: Vec<_> = cornered.symmetric_difference(&excused).collect();
+
+    let unread = those(None).map(|v| (v.claim.as_str(), v.formula));
+    let unread: BTreeSet<_> = unread.collect();
+    let excused = UNREAD.iter().filter(|u| of_topic(u.claim));
+    let excused: BTreeSet<_> = excused.map(|u| (u.claim, u.formula)).collect();
+    let unread: Vec<_> = unread.symmetric_difference(&excused).collect();
 
     let mut strictness = String::new();
     for t in &tried {
@@ -80,13 +86,20 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
     }
     same_as_recorded(topic.stem, &strictness)?;
 
-    if leaning.is_empty() && wrong.is_empty() && coarse.is_empty() && cornered.is_empty() {
+    let silent = [
+        wrong.len(),
+        leaning.len(),
+        coarse.len(),
+        cornered.len(),
+        unread.len(),
+    ];
+    if silent == [0; 5] {
         return Ok(());
     }
     Err(format!(
         "notice nothing without a reason, or have one for nothing: {wrong:#?}; find something else, or in other units: \
          {leaning:#?}; do not notice twice the tolerance, or do: {coarse:#?}; nobody notices a corner, or somebody does: \
-         {cornered:#?}"
+         {cornered:#?}; no measurement reads, or one does: {unread:#?}"
     )
     .into())
 }

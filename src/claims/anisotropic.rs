@@ -16,6 +16,7 @@ pub mod panels;
 mod regions;
 pub mod rows;
 pub mod simulated;
+mod slips;
 
 use super::attempt::trials;
 use super::sinusoidal::excepted::no_friction;
@@ -121,7 +122,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Stated,
         }],
         depends_on: &["eq-26", "eq-49"],
-        trials: trials![&exact::EQ51, frictions::eq51_quadrature],
+        trials: trials![&exact::EQ51, frictions::eq51_quadrature, slips::distances],
         ..Claim::BLANK
     },
     Claim {
@@ -158,6 +159,7 @@ const CLAIMS: &[Claim] = &[
             curves::eq53_root,
             curves::eq53_census,
             curves::eq53_limit,
+            curves::a_far_limit,
             certified::a_once
         ],
         ..Claim::BLANK
@@ -309,7 +311,8 @@ const CLAIMS: &[Claim] = &[
             regions::first_census,
             regions::first_ends,
             regions::first_outside,
-            no_friction
+            no_friction,
+            slips::without_rest
         ],
         ..Claim::BLANK
     },
@@ -421,6 +424,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &exact::Y,
             corners::y_digits,
+            corners::y_by_slip,
             corners::y_contact,
             corners::y_curvature,
             certified::points::y_digits

@@ -83,6 +83,8 @@ pub const DOMAINS: &[Domain] = &[
     domain("eq-50", "λ₀", 0.0, 1.0),
     domain("eq-51", "λ₀", 0.0, 1.0),
     domain("eq-52", "λ₀", 0.0, 1.0),
+    // Below A, which begins at λ_c.
+    domain("s24-region-1", "λ₀", 0.0, 0.54),
     // Up to the point Y.
     domain("eq-55", "q", 1.0, 4.604),
     // What the mirror takes back to q ≥ 1.

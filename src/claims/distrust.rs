@@ -1,6 +1,6 @@
 //! The trials that notice no mistake, and why they need not.
 
-pub use trialbook::claims::variants::{Coarse, Idle, Survivor};
+pub use trialbook::claims::variants::{Coarse, Idle, Survivor, Unread};
 
 /// Trials that agree and notice no mistake in what they read, or read nothing. A test holds the list against the trials.
 pub const IDLE: &[Idle] = &[
@@ -247,6 +247,33 @@ const fn cornered(claim: &'static str, text: &'static str, reason: &'static str)
     Survivor {
         claim,
         text,
+        reason,
+    }
+}
+
+/// Formulas in whose corners mistakes are made and that no measurement reads which agrees. A test holds the list against the
+/// trials.
+pub const UNREAD: &[Unread] = &[
+    unread("eq-82", "eq82_time", FAILS),
+    unread("eq-83", "eq83_slip_at_time", FAILS),
+    unread("eq-128", "eq128_alpha_rate", FAILS),
+    unread("eq-129", "eq129_a", FAILS),
+    unread("eq-134", "eq134_lag", FAILS),
+    unread(
+        "eq-143",
+        "eq143_psi",
+        "its constant and its exponent are measured, which are formulas of their own; the whole is proved, and as one \
+         expression without cases it cannot be wrong in a corner alone",
+    ),
+    unread("eq-147", "eq147_a", FAILS),
+];
+
+const FAILS: &str = "as printed it fails, and no measurement agrees with it";
+
+const fn unread(claim: &'static str, formula: &'static str, reason: &'static str) -> Unread {
+    Unread {
+        claim,
+        formula,
         reason,
     }
 }

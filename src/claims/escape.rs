@@ -398,6 +398,7 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ136,
             growth::corrected136_limit,
             growth::corrected136_delay,
+            growth::winding_limit,
             steps::eq136
         ],
     },

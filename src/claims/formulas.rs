@@ -49,6 +49,7 @@ pub const FORMULAS: Formulas = Formulas {
 mod tests {
     use super::*;
     use crate::claims::PAPER;
+    use crate::seeded::reading::of;
     use crate::seeded::symbol;
     use crate::symbols::SYMBOLS;
     use std::collections::BTreeSet;
@@ -79,57 +80,64 @@ mod tests {
             tried("constant::turning_slope").as_deref(),
             Some("s21-large-friction-stops")
         );
-        assert_eq!(tried("corrections::escape::winding"), None);
+        assert_eq!(tried("escape::winding").as_deref(), Some("eq-136"));
     }
 
-    /// What the corrections have and no claim tries mistakes in: its path, and what tries it over all values for which it is
-    /// used.
-    const BESIDE: &[(&str, &str)] = &[
-        ("anisotropic::drift_without_rest", DRIFT),
-        ("anisotropic::loss_without_rest", DRIFT),
-        ("anisotropic::region", DRIFT),
-        ("anisotropic::slip_distance", DRIFT),
-        (
-            "anisotropic::y_from_root",
-            "the code of its page, at the one point that there is",
-        ),
-        ("escape::winding", "tests/certified.rs: it is a number"),
-        ("periodic::loss_with_rests", DRIFT),
-        ("periodic::loss_without_rest", DRIFT),
-        (
-            "periodic::small_friction_case",
-            "pulses::below_motion, which asks it for every phase",
-        ),
+    /// The functions of the corrections that are no formulas, because they distinguish cases: each is asked at a point, to see
+    /// what it reads.
+    const CASES: &[(&str, fn())] = &[
+        ("anisotropic::region", || {
+            let curves = corrections::anisotropic::Curves {
+                a: 0.1,
+                b_or_e: 0.2,
+                c: Some(0.3),
+                d: 1.0,
+            };
+            corrections::anisotropic::region(0.5, &curves);
+        }),
+        ("periodic::small_friction_case", || {
+            corrections::periodic::small_friction_case(0.5, 1.0);
+        }),
     ];
-    const DRIFT: &str = "the tests of anisotropic::drift, by motions all over the plane";
 
-    #[test]
-    fn mistakes_are_tried_in_every_correction_or_it_is_listed() {
+    /// The functions of the corrections by their paths, as the files have them.
+    fn functions() -> BTreeSet<String> {
         let folder = std::fs::read_dir("src/corrections").unwrap();
-        let mut left = BTreeSet::new();
+        let mut all = BTreeSet::new();
         for file in folder.map(|file| file.unwrap().path()) {
             let stem = file.file_stem().unwrap().to_str().unwrap().to_owned();
             let text = std::fs::read_to_string(&file).unwrap();
             let text = text.split("#[cfg(test)]").next().unwrap();
             for function in text.split("\npub fn ").skip(1) {
                 let name = function.split(['<', '(']).next().unwrap();
-                left.insert(format!("{stem}::{name}"));
+                all.insert(format!("{stem}::{name}"));
             }
         }
+        all
+    }
+
+    /// A claim tries each formula; and what distinguishes cases reads one of the same claim's, which decides where they end or
+    /// what they are.
+    #[test]
+    fn mistakes_are_tried_in_every_correction() {
+        let mut left = functions();
         assert!(left.len() > 30, "{left:?}");
+        let mut tried = BTreeSet::new();
         for formula in formulas::<f64>() {
-            if let Some((_, path)) = formula.path.split_once("::corrections::")
-                && formula.claim().is_some()
-            {
+            if let Some((_, path)) = formula.path.split_once("::corrections::") {
+                assert!(formula.claim().is_some(), "no claim tries {path}");
                 assert!(left.remove(path), "{path}");
+                tried.insert(formula.path);
             }
         }
         assert!(
-            left.iter()
-                .map(String::as_str)
-                .eq(BESIDE.iter().map(|beside| beside.0)),
+            left.iter().eq(CASES.iter().map(|(name, _)| name)),
             "{left:?}"
         );
+        for (name, ask) in CASES {
+            let ((), read) = of(ask);
+            assert!(!tried.is_disjoint(&read.formulas), "{name}: {read:?}");
+        }
     }
 
     #[test]

@@ -85,5 +85,6 @@ pub static PAPER: Paper = Paper {
     idle: distrust::IDLE,
     coarse: distrust::COARSE,
     cornered: distrust::CORNERED,
+    unread: distrust::UNREAD,
     spared: variants::SPARED,
 };

@@ -7,6 +7,7 @@ mod changes;
 pub mod drawn;
 pub mod drives;
 pub mod exact;
+mod losses;
 mod mostly;
 mod pulses;
 mod rest;
@@ -71,7 +72,12 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-26", "eq-42"],
-        trials: trials![&exact::EQ44, pulses::eq44_motion, pulses::eq44_plane],
+        trials: trials![
+            &exact::EQ44,
+            pulses::eq44_motion,
+            pulses::eq44_plane,
+            losses::with_rests
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -110,7 +116,8 @@ const CLAIMS: &[Claim] = &[
             pulses::eq46_root,
             pulses::eq46_census,
             pulses::below_motion,
-            drawn::shares_motion
+            drawn::shares_motion,
+            losses::without_rest
         ],
         ..Claim::BLANK
     },

@@ -11,6 +11,11 @@ const DELAY: &str =
 
 const BY_THE_LAW: &str = "a theorem about every motion, by the law that is proved elsewhere";
 
+const AS_135: &str =
+    "the distance grows as the speed, by the formula of (135); that of (136) is the winding";
+
+const BETWEEN: &str = "where the curves are; which region lies between which, the others try";
+
 /// All such trials. A test holds the list against what is read.
 pub const ELSEWHERE: &[Elsewhere] = &[
     Elsewhere {
@@ -109,8 +114,33 @@ pub const ELSEWHERE: &[Elsewhere] = &[
         reason: DELAY,
     },
     Elsewhere {
+        claim: "eq-136",
+        trial: "exact::EQ136",
+        reason: AS_135,
+    },
+    Elsewhere {
+        claim: "eq-136",
+        trial: "growth::corrected136_limit",
+        reason: AS_135,
+    },
+    Elsewhere {
+        claim: "eq-136",
+        trial: "growth::corrected136_delay",
+        reason: DELAY,
+    },
+    Elsewhere {
         claim: "eq-137",
         trial: "growth::corrected137_delay",
         reason: DELAY,
+    },
+    Elsewhere {
+        claim: "fig-5",
+        trial: "regions::corrected_curves",
+        reason: BETWEEN,
+    },
+    Elsewhere {
+        claim: "fig-5",
+        trial: "certified::order",
+        reason: BETWEEN,
     },
 ];

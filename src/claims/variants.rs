@@ -72,6 +72,11 @@ pub const SPARED: &[Spared] = &[
     spared("eq-130", "thrice_alpha_exp", BY_ITS_POWER),
     spared("eq-133", "alpha", BY_ITS_POWER),
     spared("eq-133", "twice_alpha_exp", BY_ITS_POWER),
+    spared(
+        "eq-136",
+        "winding",
+        "it enters by its square; which way the particle circles, the motions tell",
+    ),
 ];
 
 /// The formulas that say that something vanishes or keeps its value: a constant factor does not make them wrong.

@@ -44,6 +44,7 @@ pub fn e_sides<S: Scalar>(lambda0: S, q_lambda0: S) -> [S; 2] {
 }
 
 /// The point Y as (q, λ₀), from the root x of tan x = x between π and 3π/2: x = 3π/2 − asin λ₀.
+claim "s24-Y";
 pub fn y_from_root<S: Scalar>(x: S) -> [S; 2] {
     let q = (S::int(1) + x.squared()).sqrt();
     [q, S::int(1) / q]
@@ -74,19 +75,28 @@ pub fn e_far<S: Scalar>(q: S) -> S {
 
 /// How far the particle goes in a slip under the friction `lambda0` that takes the phase 2`k` and begins and ends with
 /// 𝔴 = 0, in units of A₀/ϖ². For 0 < k < π, λ₀k ≤ sin k.
+claim "eq-51";
 pub fn slip_distance<S: Scalar>(lambda0: S, k: S) -> S {
     S::int(2) * (k.sin() - k * k.cos()) * (S::int(1) - (lambda0 * k / k.sin()).squared()).sqrt()
 }
 
 /// The mean velocity in region I, in units of A₀/ϖ, from (53)'s K.
+claim "s24-region-1";
 pub fn drift_without_rest<S: Scalar>(lambda0: S, k: S) -> S {
     -k.cos() * (S::int(1) - (lambda0 * k / k.sin()).squared()).sqrt()
 }
 
 /// What friction takes in a period in region I, per mass and in units of A₀²/ϖ², from q and (53)'s K.
+claim "s24-region-1";
 pub fn loss_without_rest<S: Scalar>(q: S, lambda0: S, k: S) -> S {
     S::int(2) * (S::int(1) + q) * lambda0 * k.sin()
         * (S::int(1) - (lambda0 * k / k.sin()).squared()).sqrt()
+}
+
+/// The regions as λ₀ grows: below A, then beyond A, beyond B or E, beyond C and beyond D.
+claim "fig-5";
+pub fn upwards<S: Scalar>() -> [S; 5] {
+    [S::int(1), S::int(2), S::int(3), S::int(4), S::int(5)]
 }
 
 }
@@ -112,5 +122,10 @@ pub fn region(lambda0: f64, curves: &Curves) -> Option<usize> {
     if bounds.contains(&lambda0) {
         return None;
     }
-    Some(1 + bounds.iter().filter(|&&bound| bound < lambda0).count())
+    let beyond = bounds.iter().filter(|&&bound| bound < lambda0).count();
+    let listed: f64 = upwards()[beyond];
+    // What is no number of a region, as a mistake makes it, names none.
+    (1..=5_u8)
+        .find(|region| f64::from(*region) == listed)
+        .map(usize::from)
 }

@@ -44,6 +44,7 @@ pub fn relaxed_ratio<S: Scalar>(a: S) -> S {
 }
 
 /// k: the angle by which the particle circles the axis, in the laboratory, is k ln τ.
+claim "eq-136";
 pub fn winding<S: Scalar>() -> S {
     S::int(2).sqrt()
 }

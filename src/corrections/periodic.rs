@@ -57,11 +57,13 @@ pub fn small_friction_ends<S: Scalar>(eta: S) -> [S; 2] {
 }
 
 /// What friction takes from the pulse train's motion in a period with rests, η ≤ λ₀ ≤ 1: per mass, dimensionless.
+claim "eq-44";
 pub fn loss_with_rests<S: Scalar>(lambda: S, eta: S) -> S {
     (S::int(1) - lambda) * (eta * S::pi()).squared()
 }
 
 /// The same without rests, 0 < λ₀ ≤ η.
+claim "eq-46";
 pub fn loss_without_rest<S: Scalar>(lambda: S, eta: S) -> S {
     let half = S::pi().squared() / S::int(2);
     half * lambda * (S::int(2) * eta - eta.squared() - lambda.squared())

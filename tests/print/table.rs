@@ -232,6 +232,7 @@ pub const NOT_PRINTED: &[&str] = &[
     "anisotropic::slip_distance",
     "anisotropic::drift_without_rest",
     "anisotropic::loss_without_rest",
+    "anisotropic::upwards",
     "turntable::azimuthal_rate",
     "turntable::radial_rate",
     "escape::relaxed_ratio",

@@ -5,10 +5,12 @@ use super::simulated::{
 };
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
+use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Interval};
+use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 
@@ -112,8 +114,8 @@ pub fn y_digits() -> Evidence {
         r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
     );
     let trial = Trial::by(Route::Root, Subject::Printed, compared, MOTION);
-    trial.over(starts(311), |start| {
-        let found = simulated_y(start)?;
+    trial.over(simulated_points(), |point| {
+        let (start, found) = *point?;
         Ok(Pair {
             at: at(start),
             stated: printed_y(),
@@ -121,6 +123,36 @@ pub fn y_digits() -> Evidence {
             scale: found,
         })
     })
+}
+
+/// Both coordinates of Y by the length x of its forward slip, with tan x = x.
+pub fn y_by_slip() -> Evidence {
+    let compared = Compared::many(
+        r"$q_Y=\sqrt{1+x^2}$ and $\lambda_0=1/q_Y$, with the root of $\tan x=x$ between $\pi$ and $3\pi/2$,",
+        r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+    );
+    let trial = Trial::by(Route::Root, Subject::Remark, compared, MOTION);
+    let both = simulated_points().flat_map(|point| [(point.clone(), 0), (point, 1)]);
+    trial.over(both, |(point, i)| {
+        let &(start, q) = point?;
+        let x = root(|x| libm::sin(x) - x * libm::cos(x), PI, 1.5 * PI)?;
+        let found = [q, 1.0 / q][i];
+        Ok(Pair {
+            at: format!("{}, {}", ["q", "λ₀"][i], at(start)),
+            stated: corrected::y_from_root(x)[i],
+            found,
+            scale: found,
+        })
+    })
+}
+
+/// The q of Y by simulation, from several starts.
+fn simulated_points() -> impl Iterator<Item = Result<&'static (DriveState, f64), Failure>> {
+    static POINTS: Runs<Vec<(DriveState, f64)>> = Runs::new(|| {
+        let point = |start| simulated_y(start).map(|q| (start, q));
+        every(starts(311).map(point))
+    });
+    POINTS.each()
 }
 
 /// Y from the printed formulas, NaN if they have no common point.

@@ -95,14 +95,30 @@ impl Turn {
         ln(self.theta) - ln(self.theta0)
     }
 
-    /// The time in which ln tan(θ/2) changes by `ln_fall`. With y for this logarithm Newton's law says
-    /// d ln v = (λ − cos θ) dy along the velocity and A dt = −v dy across it, where cos θ = −tanh y.
+    /// ln tan(θ₀/2).
+    fn start_over_the_angle(&self) -> f64 {
+        libm::log(libm::tan(self.theta0.abs() / 2.0))
+    }
+
+    /// d ln v/dy with y for ln tan(θ/2): Newton's law says d ln v = (λ − cos θ) dy along the velocity and A dt = −v dy across
+    /// it, where cos θ = −tanh y.
+    fn along(&self, y: f64) -> f64 {
+        self.lambda + libm::tanh(y)
+    }
+
+    /// The speed when the velocity has turned into the line of the acceleration, by the same law; for λ = 1, with which it
+    /// keeps that speed.
+    pub fn last_speed_over_the_angle(&self) -> Result<f64, NumericsError> {
+        let rate = |y: f64| self.along(y);
+        // At y = −20 the tangent is 1e-9, and ln v is its square away from the last one.
+        let fall = integral_within(rate, self.start_over_the_angle(), -20.0, 1e-14)?;
+        Ok(self.v0 * libm::exp(fall.value))
+    }
+
+    /// The time in which ln tan(θ/2) changes by `ln_fall`.
     pub fn time_over_the_angle(&self, ln_fall: f64) -> Result<f64, NumericsError> {
-        let start = libm::log(libm::tan(self.theta0.abs() / 2.0));
-        let rate = |s: f64, [ln_v, _]: &[f64; 2]| {
-            let along = self.lambda + libm::tanh(start - s);
-            [-along, libm::exp(*ln_v)]
-        };
+        let start = self.start_over_the_angle();
+        let rate = |s: f64, [ln_v, _]: &[f64; 2]| [-self.along(start - s), libm::exp(*ln_v)];
         let [_, time] = dop853::end(rate, 0.0, [0.0; 2], -ln_fall, 1e-14, 1e-14)?;
         Ok(time * self.v0 / self.a)
     }

@@ -5,9 +5,8 @@ use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::TERMINAL;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::double::Double;
-use crate::numerics::quadrature::{integral, integral_within};
+use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
-use crate::scalar::Scalar;
 
 /// (15) with v_x of the motion without friction.
 pub fn eq15_motion() -> Evidence {
@@ -127,20 +126,21 @@ pub fn eq18_limit() -> Evidence {
     })
 }
 
-/// (18) with v₀ exp ∫ dv/v from θ₀ to 0, where dv/v = tan(θ/2) dθ at λ = 1.
+/// (18) with the speed that Newton's law over the angle leaves at θ = 0.
 pub fn eq18_quadrature() -> Evidence {
-    let compared = Compared::one("(18)", r"$v_0\exp\int\mathrm dv/v$ over the whole turn");
+    let compared = Compared::one(
+        "(18)",
+        r"$v_0\exp\int\mathrm dv/v$ over the angle, along and across the velocity",
+    );
     let trial = Trial::quadrature(Subject::Printed, compared);
     // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
     let gentle = settled().filter(|s| s.as_ref().map_or(true, |(start, _)| start.is_gentle()));
     trial.over(gentle, |late| {
         let (start, _) = late?;
-        let rate = |theta: f64| Scalar::tan(theta / 2.0);
-        let log_ratio = integral(rate, start.theta0, 0.0)?.value;
         Ok(Pair {
             at: start.at(),
             stated: printed::eq18_vx_limit(start.v0, start.theta0),
-            found: start.v0 * libm::exp(log_ratio),
+            found: start.last_speed_over_the_angle()?,
             scale: start.v0,
         })
     })

@@ -9,6 +9,7 @@ use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
 use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::turntable::Start;
 use crate::numerics::fit::fit;
 use crate::paper::escape as printed;
 
@@ -106,6 +107,12 @@ pub fn a_rate(l: &Late) -> f64 {
 pub fn product(l: &Late) -> f64 {
     let alpha = alpha(&l.state);
     libm::cosh(alpha) * libm::cosh(2.0 * alpha) / a(&l.state)
+}
+/// τ times the rate at which the particle circles the axis in the laboratory: 1 more than on the table, put together from
+/// components that do not cancel.
+fn winding(l: &Late) -> f64 {
+    let Start { p, xi, zeta } = l.state.parts;
+    l.tau * (xi * xi + (zeta - p) * zeta) / l.state.rho().powi(2)
 }
 /// What (129) has for A, over A.
 fn eq129(l: &Late) -> f64 {
@@ -470,6 +477,16 @@ pub fn corrected136_delay() -> Evidence {
     );
     delays(compared, distance, 2.0)
 }
+/// The turn of the spiral.
+pub fn winding_limit() -> Evidence {
+    let compared = Compared::one(
+        r"$\sqrt2$",
+        r"$\tau$ times the rate at which the particle circles the axis in the laboratory, for $\tau\to\infty$",
+    );
+    against(Subject::Remark, compared, winding, |_| {
+        Ok(corrected::winding())
+    })
+}
 /// (137): the prefactor.
 pub fn eq137_limit() -> Evidence {
     let compared = Compared::one(
@@ -516,7 +533,6 @@ pub fn eq138_limit() -> Evidence {
 mod tests {
     use super::*;
     use crate::claims::escape::escapes::Launch;
-    use crate::motion::turntable::Start;
     use crate::motion::turntable::intrinsic::Run;
 
     /// The moments of an escape, with one and the same state.

@@ -74,7 +74,7 @@ impl<'a> Filler<'a> {
             ["survivors"] => block(tables::survivors(context, ledger.paper.survivors)?),
             ["spared"] => block(tables::spared(context)?),
             ["coarse"] => block(tables::coarse(context)?),
-            ["cornered"] => block(tables::survivors(context, ledger.paper.cornered)?),
+            ["cornered"] => block(tables::cornered(context)?),
             ["idle"] => block(tables::idle(context)?),
             ["sheet", id] => block(tables::code(&context.entry(id)?.sheet())),
             ["sheets"] => block(tables::sheets(context)?),

@@ -401,6 +401,18 @@ pub(super) fn survivors(context: &Context<'_>, those: &[Survivor]) -> Result<Str
     Ok(table("survivors", head, rows?))
 }
 
+/// The mistakes in a corner that no measurement notices, and the formulas that none reads.
+pub(super) fn cornered(context: &Context<'_>) -> Result<String, Fault> {
+    let paper = context.ledger.paper;
+    let unread = paper.unread.iter().map(|unread| Survivor {
+        claim: unread.claim,
+        text: unread.formula,
+        reason: unread.reason,
+    });
+    let all: Vec<_> = paper.cornered.iter().copied().chain(unread).collect();
+    survivors(context, &all)
+}
+
 /// The formulas of which a proof does not reject every wrong variant.
 pub(super) fn spared(context: &Context<'_>) -> Result<String, Fault> {
     let row = |spared: &Spared| {

@@ -40,7 +40,7 @@ use {
     formulas::Formulas,
     measured::Measured,
     values::Value,
-    variants::{Coarse, Idle, Spared, Survivor},
+    variants::{Coarse, Idle, Spared, Survivor, Unread},
 };
 
 /// A condition under which a claim is tried, or what else has to be known beside it: how it is read, what we remark.
@@ -287,6 +287,9 @@ pub struct Paper {
     /// The mistakes in a corner that no measurement notices.
     #[cfg(feature = "trials")]
     pub cornered: &'static [Survivor],
+    /// The formulas with mistakes in a corner that no measurement reads.
+    #[cfg(feature = "trials")]
+    pub unread: &'static [Unread],
     /// The formulas of which a proof does not reject every wrong variant.
     #[cfg(feature = "trials")]
     pub spared: &'static [Spared],
@@ -313,6 +316,7 @@ impl Paper {
         idle: &[],
         coarse: &[],
         cornered: &[],
+        unread: &[],
         spared: &[],
     };
 

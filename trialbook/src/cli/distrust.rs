@@ -125,7 +125,7 @@ pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Resul
 /// The exit code: 1 if a trial is at fault, or if nobody says why a slight mistake or one in a corner is not noticed.
 fn code(rows: &[TrialRow<'_>], slight: &[SlightRow<'_>], corners: &[CornerRow<'_>]) -> u8 {
     let coarse = |row: &SlightRow<'_>| !row.noticed && row.excuse.is_none();
-    let cut = |row: &CornerRow<'_>| row.noticed == Some(false) && row.excuse.is_none();
+    let cut = |row: &CornerRow<'_>| row.noticed != Some(true) && row.excuse.is_none();
     let at_fault = rows.iter().any(TrialRow::is_at_fault);
     u8::from(at_fault || slight.iter().any(coarse) || corners.iter().any(cut))
 }
@@ -174,14 +174,21 @@ fn slight_row<'a>(ledger: &'a Ledger, slight: &Slight) -> SlightRow<'a> {
 }
 
 fn corner_row<'a>(paper: &Paper, variant: &'a Variant, noticed: Option<bool>) -> CornerRow<'a> {
-    let mut cornered = paper.cornered.iter();
-    CornerRow {
-        claim: &variant.claim,
-        text: &variant.text,
-        noticed,
-        excuse: cornered
-            .find(|c| c.claim == variant.claim && c.text == variant.text)
+    let (claim, text) = (variant.claim.as_str(), variant.text.as_str());
+    let (mut cornered, mut unread) = (paper.cornered.iter(), paper.unread.iter());
+    let excuse = match noticed {
+        Some(_) => cornered
+            .find(|c| c.claim == claim && c.text == text)
             .map(|c| c.reason),
+        None => unread
+            .find(|u| u.claim == claim && u.formula == variant.formula)
+            .map(|u| u.reason),
+    };
+    CornerRow {
+        claim,
+        text,
+        noticed,
+        excuse,
     }
 }
 
@@ -199,19 +206,23 @@ fn small(slight: &[SlightRow<'_>], corners: &[CornerRow<'_>]) -> String {
             why(row.excuse)
         );
     }
-    for row in corners.iter().filter(|row| row.noticed == Some(false)) {
-        let _ = writeln!(text, "{:<28} {}  {}", row.claim, row.text, why(row.excuse));
+    for row in corners.iter().filter(|row| row.noticed != Some(true)) {
+        let reason = match row.noticed {
+            None => row.excuse.unwrap_or("NOT MEASURED"),
+            Some(_) => why(row.excuse),
+        };
+        let _ = writeln!(text, "{:<28} {}  {reason}", row.claim, row.text);
     }
     let noticed = slight.iter().filter(|row| row.noticed).count();
     let cut = corners
         .iter()
         .filter(|row| row.noticed == Some(true))
         .count();
-    let measured = corners.iter().filter(|row| row.noticed.is_some()).count();
     let _ = writeln!(
         text,
-        "\nof {} mistakes of twice the tolerance {noticed} noticed, of {measured} in a corner {cut}",
-        slight.len()
+        "\nof {} mistakes of twice the tolerance {noticed} noticed, of {} in a corner {cut}",
+        slight.len(),
+        corners.len()
     );
     text
 }
@@ -286,16 +297,20 @@ mod tests {
                 excuse,
             };
             assert_eq!(code(&[], &[slight], &[]), expected);
-            let noticed = Some(noticed);
-            let corner = |noticed| CornerRow {
-                claim,
-                text,
-                noticed,
-                excuse,
+            // Whether nobody notices it or nobody measures there.
+            let corners = match noticed {
+                true => vec![Some(true)],
+                false => vec![Some(false), None],
             };
-            assert_eq!(code(&[], &[], &[corner(noticed)]), expected);
-            // Nobody measures there.
-            assert_eq!(code(&[], &[], &[corner(None)]), 0);
+            for noticed in corners {
+                let corner = CornerRow {
+                    claim,
+                    text,
+                    noticed,
+                    excuse,
+                };
+                assert_eq!(code(&[], &[], &[corner]), expected);
+            }
         }
     }
 
@@ -325,9 +340,10 @@ mod tests {
                 corner(None, None),
             ],
         );
-        let last = "of 3 mistakes of twice the tolerance 1 noticed, of 3 in a corner 2";
+        let last = "of 3 mistakes of twice the tolerance 1 noticed, of 4 in a corner 2";
         assert_eq!(said.lines().last(), Some(last), "{said}");
         assert_eq!(said.matches("a reason").count(), 2, "{said}");
         assert_eq!(said.matches("NOT NOTICED").count(), 1, "{said}");
+        assert_eq!(said.matches("NOT MEASURED").count(), 1, "{said}");
     }
 }

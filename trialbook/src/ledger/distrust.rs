@@ -80,9 +80,11 @@ impl Tried {
     }
 }
 
-/// True for evidence that agrees with a formula; what a condition excepts is a set of motions, whatever the formula says of it.
+/// True for evidence that agrees. Where it is about what a condition excepts, it may be about a set of motions, whatever a formula
+/// says of it; but where it reads one, that has no value there, another one has.
 fn has_to_notice(evidence: &Evidence) -> bool {
-    evidence.outcome() == Outcome::Agrees && evidence.subject != Subject::Excepted
+    let is_a_set = evidence.subject == Subject::Excepted && evidence.read.is_empty();
+    evidence.outcome() == Outcome::Agrees && !is_a_set
 }
 
 impl Entry {
