@@ -561,7 +561,8 @@ fn printed_time_is_right(gamma: f64) -> bool {
 /// Whether these over p are the rates at which a particle that slides straight in turns away from that, and loses ln p.
 fn straight_in([turns, slows]: [f64; 2]) -> bool {
     let (sigma, p, h) = (0.7, 1e-3, 1e-4);
-    let away = -eq109_psi_rate(p, sigma, PI - h);
+    let [before, behind] = [PI - h, PI + h].map(|psi| eq109_psi_rate(p, sigma, psi));
+    let away = (behind - before) / 2.0;
     let slower = -eq107_p_rate(sigma, PI);
     same(away * p / h, turns, 1e-2) && same(slower, slows, 1e-9)
 }
