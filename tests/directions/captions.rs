@@ -99,7 +99,7 @@ const UNTRIED: &[(&str, &str)] = &[
     ("rest-hodograph", "down last vertical horizontal along"),
     (
         "rest-basin",
-        "outwards first along second dotted horizontal vertical",
+        "outwards first along second horizontal vertical",
     ),
     (
         "rest-census",
@@ -109,7 +109,7 @@ const UNTRIED: &[(&str, &str)] = &[
     ("rest-boundary", "against second dashed"),
     (
         "rest-space",
-        "along inside solid outside dotted down falls right larger left",
+        "along outside dotted down falls right larger left",
     ),
     (
         "digits",

@@ -2,6 +2,7 @@
 //! figures each is tried on the figure's own numbers, and on the pages each is computed, or listed as one that is not.
 
 mod captions;
+mod chosen;
 mod data;
 mod drawn;
 mod pages;

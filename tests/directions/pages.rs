@@ -13,7 +13,7 @@ use std::fs;
 const LISTED: &str = include_str!("../data/directions.txt");
 
 /// The pages, and what the repository's own says.
-fn pages() -> Vec<String> {
+pub fn pages() -> Vec<String> {
     let files = fs::read_dir("book/src").unwrap();
     let names = files.map(|file| file.unwrap().file_name().into_string().unwrap());
     let mut pages: Vec<_> = names
@@ -132,7 +132,7 @@ const WORDS: &[&str] = &[
 ];
 
 /// A page on one line: without code and placeholders, a formula as §.
-fn flat(page: &str) -> String {
+pub fn flat(page: &str) -> String {
     let text = text_of(page);
     let odd_out = |text: &str, mark: &str, instead: &str| -> String {
         let parts = text.split(mark).enumerate();
@@ -153,7 +153,7 @@ const SPOKEN: [&str; 5] = ["by hand", "conditions", "measured", "titles", "value
 /// Words that turn round what those say, beside the others.
 const TURNING: &[&str] = &["one"];
 
-fn spoken(page: &str) -> String {
+pub fn spoken(page: &str) -> String {
     let claims = PAPER.claims().map(|(_, claim)| claim);
     let parts: Vec<&str> = match page {
         "by hand" => CASES

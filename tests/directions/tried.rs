@@ -1,6 +1,8 @@
 //! What captions say of directions, tried on the numbers of the figure.
 
 use crate::data::{Data, column, falls, peak, rises, steepens};
+use slipbook::claims::periodic::drawn::ETA;
+use slipbook::motion::turntable::{Fate, Start, fate};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
 /// A figure, words of its caption or its alternative in words, and whether its numbers are so.
@@ -450,4 +452,114 @@ pub const TRIED: &[Said] = &[
         };
         !wrong.is_empty() && wrong.iter().all(beyond)
     }),
+    (
+        "fig-6",
+        "II: forwards, at once backwards, rest. III: a rest after either. IV: forwards and rest",
+        |data| {
+            let groups = data.groups();
+            let manner = |i: usize| manner(&column(&groups[i].1, 4));
+            let of = [0, 1, 2, 3, 4].map(manner);
+            let once = |kind: &str| "+-0".chars().all(|sign| kind.contains(sign));
+            !of[0].contains('0')
+                && (once(&of[1]) && of[1].contains("+-0") && !of[1].contains("+0"))
+                && (once(&of[2]) && !of[2].contains("+-") && !of[2].contains("-+"))
+                && (of[3].contains("+0+") && !of[3].contains('-'))
+                && of[4] == "0"
+        },
+    ),
+    (
+        "periodic-pulses",
+        "the next pulse comes before the particle has stopped; with $\\lambda_0>\\eta$ it waits at rest",
+        |data| {
+            let before_the_next = |rows: &[Vec<f64>]| {
+                let before = rows.iter().rfind(|row| row[1] < PI - 1e-2);
+                before.unwrap()[3]
+            };
+            let groups = data.groups();
+            let [weak, strong] = [0, 1].map(|i| &groups[i].1);
+            weak[0][0] < ETA
+                && ETA < strong[0][0]
+                && before_the_next(weak) > 0.0
+                && before_the_next(strong) == 0.0
+        },
+    ),
+    (
+        "sinusoidal-rest",
+        "reaches one at $\\lambda_0=1$ as a square root does",
+        |data| {
+            let rows = data.rows();
+            let near: Vec<_> = rows
+                .iter()
+                .filter(|row| (0.9..0.999).contains(&row[0]))
+                .map(|row| (1.0 - row[1]) / (1.0 - row[0]).sqrt())
+                .collect();
+            let [first, last] = [near[0], near[near.len() - 1]];
+            near.len() > 5 && (first / last - 1.0).abs() < 0.1
+        },
+    ),
+    (
+        "escape-paths",
+        "One comes to rest there and rides in a circle ever after",
+        |data| {
+            let rests = &data.0[0][0];
+            let room = data
+                .0
+                .iter()
+                .filter(|row| &row[0] == rests && row[1] != "table");
+            let place = |row: &Vec<String>| [3, 4].map(|i| row[i].parse::<f64>().unwrap());
+            let places: Vec<_> = room.map(place).collect();
+            let (from, to) = (places[places.len() - 20], places[places.len() - 1]);
+            let distance = |[x, y]: [f64; 2]| x.hypot(y);
+            (distance(from) - distance(to)).abs() < 1e-6
+                && distance([to[0] - from[0], to[1] - from[1]]) > 0.1
+        },
+    ),
+    (
+        "rest-space",
+        "A start with the given $A$ comes to rest inside its line (solid",
+        |data| {
+            let lines = data.0.iter().filter(|row| row[0] == "boundary");
+            let numbers = |row: &Vec<String>| [1, 2, 3].map(|i| row[i].parse::<f64>().unwrap());
+            let rests = |a, alpha, psi| {
+                let start = Start::hyperbolic(a, alpha, psi).unwrap();
+                matches!(fate(&start).unwrap(), Fate::Rest { .. })
+            };
+            let mut lines = lines.map(numbers).step_by(25).peekable();
+            lines.peek().is_some()
+                && lines.all(|[a, alpha, psi]| {
+                    rests(a, 0.9 * alpha, psi) && !rests(a, 1.1 * alpha, psi)
+                })
+        },
+    ),
+    (
+        "rest-basin",
+        "On the dotted line the particle moves with the table; it stays there as long as $\\rho\\le1$",
+        |data| {
+            // Of those that start along the motion of the table.
+            let along = data.groups().pop().unwrap().1;
+            let line = |speed: f64, reach: f64| {
+                let near = |row: &&Vec<f64>| {
+                    (row[2] - speed * row[1]).abs() < 0.02 && (row[1] - reach).abs() < 0.06
+                };
+                let near: Vec<_> = along.iter().filter(near).collect();
+                !near.is_empty() && near.iter().all(|row| row[3] == 1.0)
+            };
+            line(1.0, 0.93) && !line(1.0, 1.1) && !line(0.0, 0.93)
+        },
+    ),
 ];
+
+/// The signs of a velocity one after the other: + and - for to and fro, 0 for a rest.
+fn manner(w: &[f64]) -> String {
+    let sign = |w: &f64| match w {
+        w if *w > 1e-9 => '+',
+        w if *w < -1e-9 => '-',
+        _ => '0',
+    };
+    let signs: Vec<char> = w.iter().map(sign).collect();
+    // A passage is no rest.
+    let lasting = signs.windows(2).filter(|two| two[0] == two[1]);
+    let mut lasting: Vec<char> = lasting.map(|two| two[0]).collect();
+    lasting.dedup();
+    lasting.into_iter().collect()
+}

@@ -1,9 +1,11 @@
 //! The running text: each formula, decimal and count in it is tried, or computed beside it, or listed as one that is not.
 
 mod by_hand;
+mod computed;
 mod counts;
 mod formulas;
 mod given;
+mod items;
 mod letters;
 mod numbers;
 mod pages;
@@ -143,18 +145,36 @@ fn every_count_in_the_text_is_computed_or_listed() {
         all.filter(|row| !used.contains(row))
             .map(|row| format!("listed, but not there: {row:?}")),
     );
-    let text: String =
-        sections()
-            .iter()
-            .flat_map(|section| &section.blocks)
-            .fold(String::new(), |all, block| match block {
-                Block::Prose(text) => all + &counts::flat(text).replace('\n', " "),
-                Block::Code(_) => all,
-            });
-    for (page, words, count) in counts::COMPUTED {
+    let text = |page: &str| -> String {
+        let sections = sections()
+            .into_iter()
+            .filter(|section| section.page == page);
+        let blocks = sections.flat_map(|section| section.blocks);
+        blocks.fold(String::new(), |all, block| match block {
+            Block::Prose(text) => all + &counts::flat(&text).replace('\n', " "),
+            Block::Code(_) => all,
+        })
+    };
+    for (page, words, count) in computed::COMPUTED {
         let words = words.replace("{}", &count());
-        if !text.contains(&words) {
+        if !text(page).contains(&words) {
             failures.push(format!("{page}: it should say \"{words}\""));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+#[test]
+fn every_list_is_as_long_as_the_page_says() {
+    let mut failures = Vec::new();
+    for (page, text) in pages::pages() {
+        let listed = counts::listed(COUNTS, &page);
+        for (how, words) in listed {
+            if items::LISTS.contains(&how)
+                && let Some(why) = items::miscounted(&text, how, words)
+            {
+                failures.push(format!("{page}: {words}: {why}"));
+            }
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
