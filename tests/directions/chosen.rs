@@ -58,7 +58,7 @@ const CHOSEN: &[Chosen] = &[
         "constant",
         "*hodograph*, the path that the tip of the {} vector draws",
         &[
-            ("velocity", || hodograph(|launch, t| velocity(launch, t))),
+            ("velocity", || hodograph(velocity)),
             ("acceleration", || {
                 hodograph(|launch, t| {
                     let [a, b] = [t, t + 1e-4].map(|t| velocity(launch, t));
