@@ -174,29 +174,80 @@ fn a_condition_must_be_needed_and_must_suffice() {
     );
 }
 
-/// Whatever a trial speaks of: without a number, or with too few points, it is none, and nothing is judged by it.
+/// Whatever a trial speaks of, and whatever the others settle: without a number, or with too few points, it is none, and nothing is
+/// judged by it.
 #[test]
 fn a_trial_that_brings_nothing_leaves_its_claim_undecided() {
-    let all = |change: fn(Evidence) -> Evidence, at: usize| {
-        let mut e = [
-            evidence(Route::Integration, Subject::Within, GOOD),
-            evidence(Route::Quadrature, Subject::Within, GOOD),
-            evidence(Route::Integration, Subject::Outside, BAD),
-            evidence(Route::Root, Subject::Corrected, GOOD),
-            evidence(Route::Census, Subject::Remark, GOOD),
+    let twice = |subject, worst| {
+        let routes = [Route::Integration, Route::Quadrature];
+        routes.map(|route| evidence(route, subject, worst)).to_vec()
+    };
+    let fails = evidence(Route::Integration, Subject::Printed, BAD);
+    let outside = evidence(Route::Integration, Subject::Outside, BAD);
+    let remark = evidence(Route::Census, Subject::Remark, GOOD);
+    let excepted = evidence(Route::Census, Subject::Excepted, 0.0);
+    let step = evidence(Route::Root, Subject::Step, GOOD);
+    let within = [twice(Subject::Within, GOOD), vec![outside]].concat();
+    let everywhere = evidence(Route::Root, Subject::Corrected, GOOD);
+    for (change, sort, settled, expected) in [
+        (
+            None,
+            None,
+            twice(Subject::Printed, GOOD),
+            Verdict::Confirmed,
+        ),
+        (
+            None,
+            Some(Sort::Substance),
+            [&within[..], &[everywhere, remark]].concat(),
+            Verdict::Conditional,
+        ),
+        (
+            None,
+            Some(Sort::Degenerate),
+            [&within[..], &[excepted]].concat(),
+            Verdict::Degenerate,
+        ),
+        (
+            Some(Change::Sign),
+            None,
+            [vec![fails.clone()], twice(Subject::Corrected, GOOD)].concat(),
+            Verdict::Misprint,
+        ),
+        (None, None, vec![fails, step], Verdict::Inherited),
+    ] {
+        let conditions = sort.map(|sort| Condition {
+            text: "x > 0",
+            sort,
+        });
+        let judged =
+            |e: &[Evidence]| judge(Kind::Equation, change, conditions.as_slice(), e).verdict;
+        assert_eq!(judged(&settled), expected);
+        let subjects = [
+            Subject::Printed,
+            Subject::Within,
+            Subject::Outside,
+            Subject::Corrected,
+            Subject::Step,
+            Subject::Excepted,
+            Subject::Remark,
         ];
-        e[at] = change(e[at].clone());
-        verdict(Kind::Equation, None, &e)
-    };
-    let no_number = |e| Evidence {
-        worst: f64::NAN,
-        ..e
-    };
-    let few = |e| Evidence { points: 19, ..e };
-    for at in 0..5 {
-        assert_eq!(all(|e| e, at), Verdict::Conditional);
-        assert_eq!(all(no_number, at), Verdict::Undecided, "{at}");
-        assert_eq!(all(few, at), Verdict::Undecided, "{at}");
+        let more = subjects
+            .map(|subject| [&settled[..], &[evidence(Route::Limit, subject, GOOD)]].concat());
+        let last = settled.len();
+        let places = (0..last).map(|at| (at, settled.clone()));
+        for (at, all) in places.chain(more.map(|all| (last, all))) {
+            for (worst, points) in [(f64::NAN, 1000), (GOOD, 19), (BAD, 19), (f64::NAN, 0)] {
+                let mut all = all.clone();
+                (all[at].worst, all[at].points) = (worst, points);
+                assert_eq!(
+                    judged(&all),
+                    Verdict::Undecided,
+                    "{expected:?} {:?}",
+                    all[at]
+                );
+            }
+        }
     }
 }
 

@@ -7,7 +7,8 @@ use modular::{Unknown, list, place};
 use serde_json::Value;
 use sha2::{Digest, Sha256};
 use slipbook::claims::PAPER;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::LazyLock;
 
 /// Certificates of motions and of what has to be sought by them.
@@ -134,6 +135,92 @@ fn roots_are_where_they_are_said_to_be_and_nowhere_else() {
             assert_eq!(spoilt(change), Err(what), "{name}");
         }
     }
+}
+
+/// How each part of a proof is made, from what is read on, in a number; and whether a name occurs in it.
+fn makings(witness: &Value) -> Vec<(u64, bool)> {
+    fn letters(tree: &Value) -> bool {
+        match tree {
+            Value::Array(all) => all.iter().skip(1).any(letters),
+            Value::String(leaf) => leaf.chars().any(char::is_alphabetic),
+            _ => false,
+        }
+    }
+    let mut made: Vec<(u64, bool)> = Vec::new();
+    for part in list(&witness["parts"]) {
+        let (kind, of) = part.as_object().unwrap().iter().next().unwrap();
+        let mut hash = DefaultHasher::new();
+        kind.hash(&mut hash);
+        // Earlier parts stand by their places.
+        let mut named = match kind.as_str() {
+            "read" => letters(of),
+            "element" => !list(&of["above"])
+                .iter()
+                .all(|term| list(&term[1]).is_empty()),
+            _ => true,
+        };
+        match kind.as_str() {
+            "read" | "element" => of.to_string().hash(&mut hash),
+            "sum" | "difference" | "product" | "quotient" | "raised" => {
+                let both = [0, 1].map(|i| made[place(&of[i])]);
+                both.hash(&mut hash);
+                named = both.iter().any(|(_, named)| *named);
+            }
+            "negative" => {
+                made[place(of)].hash(&mut hash);
+                named = made[place(of)].1;
+            }
+            "derivative" | "put" => {
+                made[place(&of[0])].hash(&mut hash);
+                for pair in list(&of[1]) {
+                    (place(&pair[0]), made[place(&pair[1])]).hash(&mut hash);
+                }
+            }
+            "coefficient" => (made[place(&of[0])], of[1].to_string()).hash(&mut hash),
+            "series" => {
+                of[0].to_string().hash(&mut hash);
+                for series in list(&of[1]) {
+                    (series[0].to_string(), series[1].to_string()).hash(&mut hash);
+                    for c in list(&series[2]) {
+                        made[place(c)].hash(&mut hash);
+                    }
+                }
+            }
+            _ => panic!("a part of another kind: {kind}"),
+        }
+        made.push((hash.finish(), named));
+    }
+    made
+}
+
+/// An equation that stands twice in a proof has taken the place of another one, as a rule; of mere numbers many do.
+#[test]
+fn no_equation_is_compared_twice() {
+    let mut repeated = BTreeSet::new();
+    for Left { witness, .. } in of_kind("identity") {
+        let made = makings(witness);
+        let mut seen = BTreeSet::new();
+        for equal in list(&witness["equal"]) {
+            let sides =
+                ["left", "right"].map(|side| equal[side].as_u64().map(|at| made[at as usize]));
+            let mut pair = sides.map(|side| side.map(|(hash, _)| hash));
+            pair.sort_unstable();
+            let named = sides.iter().flatten().any(|(_, named)| *named);
+            if !seen.insert(pair) && named {
+                repeated.insert(witness["title"].as_str().unwrap());
+            }
+        }
+    }
+    // There two different things come to the same formulas.
+    assert_eq!(
+        repeated.into_iter().collect::<Vec<_>>(),
+        [
+            "(137) in every escape",
+            "Friction cannot hold",
+            "The last of the velocity across",
+            "the slope of (115) at its zeros, α held fixed",
+        ]
+    );
 }
 
 /// What `certificates/check.py` has accepted is what is proved today, but for motions, which take too long here.

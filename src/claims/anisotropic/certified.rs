@@ -48,6 +48,8 @@ fn arc_to<S: Scalar>(edge: Edge, [q, beta]: [S; 2]) -> S {
 
 /// The certificate, if all of the algebra holds that it rests on.
 fn given(algebra: &[Proof], certificate: impl FnOnce() -> Outcome) -> Outcome {
+    #[cfg(test)]
+    tests::DEMANDED.with_borrow_mut(|all| all.extend(algebra.iter().map(|p| p.title().to_owned())));
     match algebra.iter().find(|proof| !proof.holds()) {
         None => certificate(),
         Some(fails) => Err(CertifiedError::False {
@@ -221,6 +223,39 @@ pub fn e_below_c() -> Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::cell::RefCell;
+    use std::collections::BTreeSet;
+    use trialbook::witness::{self, Witness};
+
+    thread_local! {
+        /// The titles of what [`given`] has demanded on this thread.
+        pub static DEMANDED: RefCell<BTreeSet<String>> = RefCell::default();
+    }
+
+    /// By the certificate, or by another proof that is.
+    #[test]
+    fn whatever_is_proved_on_the_way_is_demanded() {
+        for (made_of, certificate) in [
+            (1, a_once as fn() -> Evidence),
+            (3, b_once),
+            (3, e_once),
+            (3, e_below_c),
+            (9, order),
+        ] {
+            DEMANDED.take();
+            let (_, left) = witness::of(certificate);
+            let mut demanded = DEMANDED.take();
+            let proofs = left.iter().filter_map(|witness| match witness {
+                Witness::Identity(proof) => Some(proof),
+                _ => None,
+            });
+            demanded.extend(proofs.clone().flat_map(|proof| proof.given.iter().cloned()));
+            let titles: BTreeSet<_> = proofs.map(|proof| proof.title.clone()).collect();
+            assert!(titles.len() >= made_of, "{titles:?}");
+            let idle: Vec<_> = titles.difference(&demanded).collect();
+            assert!(idle.is_empty(), "{idle:?} may fail");
+        }
+    }
 
     #[test]
     fn the_statements_are_proved() {

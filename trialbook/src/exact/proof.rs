@@ -323,6 +323,7 @@ impl<'a> Prover<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::witness::{self, Witness};
 
     #[test]
     fn a_proof_compares_something() {
@@ -331,5 +332,54 @@ mod tests {
         let empty = Proof::of("nothing", &ring, |_| Ok(()));
         assert_eq!(empty.obstacle(), Some(&Obstacle::Empty));
         assert!(Proof::of("one is one", &ring, |p| p.equal("It", &one, &one)).holds());
+    }
+
+    /// In its steps and in its certificate, whichever way it is made use of; where one of them fails, nothing is proved.
+    #[test]
+    fn a_proof_names_all_that_it_rests_on() {
+        let ring = Ring::new();
+        let [zero, one] = [0, 1].map(Rational::int);
+        let [first, second] =
+            ["first", "second"].map(|title| Proof::of(title, &ring, |p| p.zero("It", &zero)));
+        let fails = Proof::of("false", &ring, |p| p.zero("It", &one));
+        let resting_on = |premises: &[&Proof], carried_on: Option<&Proof>| {
+            Proof::of("last", &ring, |p| {
+                premises.iter().try_for_each(|other| p.rests_on(other))?;
+                carried_on.map_or(Ok(()), |other| p.carry_on(other))?;
+                p.equal("It", &one, &one)
+            })
+        };
+        for (premises, carried_on, titles) in [
+            (vec![], None, vec![]),
+            (vec![&first], None, vec!["first"]),
+            (vec![&first, &second], None, vec!["first", "second"]),
+            (vec![], Some(&second), vec!["second"]),
+            (vec![&first], Some(&second), vec!["first", "second"]),
+        ] {
+            let (proof, left) = witness::of(|| resting_on(&premises, carried_on));
+            assert!(proof.holds());
+            let [Witness::Identity(left)] = &left[..] else {
+                panic!("{left:?}")
+            };
+            assert_eq!(left.given, titles);
+            for title in premises.iter().map(|other| other.title()) {
+                assert!(proof.to_string().contains(title), "{proof}");
+            }
+        }
+        for (premises, carried_on) in [
+            (vec![&fails], None),
+            (vec![&first, &fails], None),
+            (vec![&fails, &first], None),
+            (vec![&first], Some(&fails)),
+        ] {
+            let (proof, left) = witness::of(|| resting_on(&premises, carried_on));
+            assert!(
+                !proof.holds()
+                    && left
+                        .iter()
+                        .all(|left| matches!(left, Witness::Identity(left) if left.fails)),
+                "{proof}"
+            );
+        }
     }
 }
