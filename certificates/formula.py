@@ -76,22 +76,29 @@ class Calculator:
         return power if n >= 0 else self.number(1) / power
 
 
-def evaluate(tree, of):
-    """A formula's value."""
+def evaluate(tree, of, found=None):
+    """A formula's value; what stands in it twice is worked out once."""
     if isinstance(tree, str):
         return of.number(dyadic(tree)) if re.match(r"-?\d", tree) else of.symbol(tree)
+    found, text = {} if found is None else found, str(tree)
+    if text not in found:
+        found[text] = worked_out(tree, of, found)
+    return found[text]
+
+
+def worked_out(tree, of, found):
     demand(isinstance(tree, list) and len(tree) in (2, 3) and isinstance(tree[0], str), "no formula")
     if (known := of.known(tree)) is not None:
         return known
     name, *operands = tree
     if len(operands) == 1:
         if name in MEANT:
-            return evaluate(MEANT[name](*operands), of)
-        x = evaluate(*operands, of)
+            return evaluate(MEANT[name](*operands), of, found)
+        x = evaluate(*operands, of, found)
         demand(name == "-" or name in FUNCTIONS, f"no function: {name}")
         return -x if name == "-" else of.call(name, x)
     demand(name == "^" or not any(str(operand).startswith("-") for operand in operands), "a number with a sign inside")
-    x, y = (evaluate(operand, of) for operand in operands)
+    x, y = (evaluate(operand, of, found) for operand in operands)
     demand(name == "^" or name in OPERATIONS, f"no operation: {name}")
     demand(name not in ("+", "-") or type(x) is type(y), "a sum of unlike things")
     return of.raised(x, y) if name == "^" else OPERATIONS[name](x, y)

@@ -389,7 +389,7 @@ fn no_trial_leaves_out_what_could_not_be_followed() {
             }
         }
     }
-    // Printed curves without a value, a proof's subdivision, a rate that is zero as it stands, flattened lists.
+    // Printed curves without a value, a rate that is zero as it stands, flattened lists.
     let known = [
         "claims/anisotropic/certified/points.rs: 1 .ok()",
         "claims/anisotropic/curves.rs: 1 .flatten()",
@@ -399,7 +399,6 @@ fn no_trial_leaves_out_what_could_not_be_followed() {
         "claims/constant/exact/sliding.rs: 1 is_ok",
         "claims/escape/exact/late.rs: 1 .flatten()",
         "claims/formulas.rs: 1 .flatten()",
-        "claims/sinusoidal/certified.rs: 1 if let Ok",
         "claims/sinusoidal/drawn.rs: 1 .flatten()",
     ];
     assert!(found.iter().eq(&known), "{found:#?}");

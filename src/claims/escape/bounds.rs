@@ -164,7 +164,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let at = Inside::symbols();
     p.note(
         "In q = (N − 3/4)/t and v = (P − 1/2)/t",
-        "N, P, h = 1 − wt and w, positive, with w² = 4Ph",
+        "N, P, h = 1 − wt, and w, positive, the square of which is 4Ph",
     );
     let own = p.read("w²", at.w().squared())?;
     let [_, predator, h, _] = at.state();
@@ -176,9 +176,14 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let [dq, dv] = spiral::follow([at.q, at.v, at.w()], at.state());
     let [dq, dv] = [p.ring().read(dq)?, p.ring().read(dv)?];
     let along = p.ring().along(&[("q", dq), ("v", dv)])?;
-    let rate = p.derivative("Its rate in θ by those of q and v", &read, &along)?;
+    // Too long to be shown, as are what the intervals enclose.
+    let rate = p.ring().derivative(&read, &along)?;
     let stated = p.ring().read(change(at))?;
-    p.equal("The rate, and what the intervals enclose", &rate, &stated)?;
+    p.equal(
+        "Its rate in θ by those of q and v is what the intervals enclose",
+        &rate,
+        &stated,
+    )?;
     let edge = edge();
     let on_edge = height.with("q", edge.q).with("v", edge.v);
     let on_edge = p.read("Q at q₀ + (√6/16) cos f, v₀ + (1/4) sin f", on_edge)?;
@@ -189,7 +194,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         "1 less the rate of 1/t in τ, over t",
         (int(1) - rate) / at.t,
     )?;
-    let stated = p.read("2v − t − 2vt²", at.slower())?;
+    let stated = p.read("2v − t − 2v t²", at.slower())?;
     p.equal("The two", &slower, &stated)?;
     p.note(
         "It is between 0 and 8/5 where |q − q₀| ≤ 0.154, |v − v₀| ≤ 1/4, t ≤ 1/20, as in the region",
@@ -214,10 +219,13 @@ impl Ratio {
         let at = Inside::symbols();
         let limit = (self.inverse)([over_n(3, 4), over_n(1, 2), int(1), int(0)]);
         let ratio = (self.inverse)(at.state()) / limit;
-        let says = "A power of the law at the time 1/t over that of the motion";
-        let ratio = p.read(says, ratio)?;
+        let ratio = p.ring().read(ratio)?;
         let stated = p.ring().read(int(1) + at.t * self.excess(at))?;
-        p.equal("It is 1 + tE, with the E that is enclosed", &ratio, &stated)?;
+        p.equal(
+            "A power of the law at the time 1/t over that of the motion is 1 + tE, with the E that the intervals enclose",
+            &ratio,
+            &stated,
+        )?;
         let [least, most] = self.between.map(|n| half(n).to_string());
         p.note(
             "In the region, by intervals",

@@ -251,7 +251,7 @@ fn eq143(formula: Expr) -> Proof {
         );
         p.note(
             "As ψ → 0, |R| ≤ η (α + |ψ|) near rest; let 0 < η < 2k/3, η ≠ k − 1",
-            "so |ψ|/α^(k−η) grows, as α falls, by (2k + η) ∫ α^(η−k) dα at most: |ψ| is of the order of α^(k−η) + α",
+            "so |ψ|/α^(k−η) grows, as α falls, at the rate (2k + η)/α^(k−η) by α at most: |ψ| is of the order of α^(k−η) + α",
         );
         p.note(
             "So R is of the order of α^(3k−3η) + α³",

@@ -188,7 +188,7 @@ fn rest_or_escape(formula: Expr) -> Proof {
         );
         p.note(
             "Let it stop at a time T with ψ → 0",
-            "α ≤ c (T − τ), so that s = ∫ dτ/α → ∞; d(ψ/α)/ds = 2 − (1 + o(1)) ψ/α + o(1) ψ/α keeps ψ/α bounded; 1 − A ≤ (T − τ) sinh α, as dA/dτ = sinh α falls",
+            "α ≤ c (T − τ), so that the time s with ds = dτ/α grows without end; d(ψ/α)/ds = 2 − (1 + o(1)) ψ/α + o(1) ψ/α keeps ψ/α bounded; 1 − A ≤ (T − τ) sinh α, as dA/dτ = sinh α falls",
         );
         p.note(
             "So f ≤ Cα (α + T − τ)",
