@@ -1,6 +1,6 @@
 //! How far a motion that escapes is from the laws of the spiral, at any time from a stated one on.
 //!
-//! With q = (N − ¾)/t, v = (P − ½)/t and their limits q₀, v₀, as in [`spiral`], the region t ≤ 1/20, (8/3)(q − q₀)² + (v − v₀)² ≤
+//! With q = (N − ¾)/t, v = (P − ½)/t and their limits q₀, v₀, as in [`spiral`], the region 0 < t ≤ 1/20, (8/3)(q − q₀)² + (v − v₀)² ≤
 //! 1/16 is never left, as intervals show on its edge; every escape comes into it. Inside, the quantities of the motion are
 //! those of the laws at the time 1/t times 1 + tE, with bounds on E, and 1/t falls behind the time by a logarithm at most:
 //! both by intervals, on the whole region at once.
@@ -21,7 +21,11 @@ use crate::scalar::Scalar;
 macro_rules! from_then_on {
     ($what:literal) => {
         Compared::shown(concat!(
-            r"every escape comes into the region $t\le\frac1{20}$, $\frac83(q-q_0)^2+(v-v_0)^2\le\frac1{16}$ and stays; from then on, with $\tau$ counted such that it is $1/t$ at some time there, ",
+            r"every motion from a start with $p<\rho$ and $A>1$ comes into the region $0<t\le\frac1{20}$, ",
+            r"$\frac83\left(q-\frac{3\sqrt2}{32}\right)^2+\left(v-\frac{3\sqrt2}8\right)^2\le\frac1{16}$ and stays, where ",
+            r"$t=\tan\left(\frac\pi4-\frac\psi2\right)$, $q=\left(\frac{\cosh\alpha}{2At}-\frac34\right)/t$ and ",
+            r"$v=\left(\frac1{t^2(\mathrm e^{4\alpha}-1)}-\frac12\right)/t$; with $\tau$ counted such that it is $1/t$ at any one ",
+            r"time there, and so 20 or more, from that time on ",
             $what
         ))
     };
@@ -163,7 +167,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     spiral::comes(p)?;
     let at = Inside::symbols();
     p.note(
-        "In q = (N − 3/4)/t and v = (P − 1/2)/t",
+        "Let t be positive, q₀ = 3√2/32, v₀ = 3√2/8, q = (N − 3/4)/t, v = (P − 1/2)/t, and dθ = 2t dτ",
         "N, P, h = 1 − wt, and w, positive, the square of which is 4Ph",
     );
     let own = p.read("w²", at.w().squared())?;
@@ -197,13 +201,13 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let stated = p.read("2v − t − 2v t²", at.slower())?;
     p.equal("The two", &slower, &stated)?;
     p.note(
-        "It is between 0 and 8/5 where |q − q₀| ≤ 0.154, |v − v₀| ≤ 1/4, t ≤ 1/20, as in the region",
-        "by intervals: 1/t grows, at 23/25 of the rate of τ at least; so t falls, and as Q falls on its edge, again by intervals, no motion leaves the region",
+        "It is between 0 and 8/5 where |q − q₀| < 0.154, |v − v₀| ≤ 1/4, 0 < t ≤ 1/20, as in the region, where |q − q₀| ≤ √6/16",
+        "by intervals: 1/t grows, at 23/25 of the rate of τ at least; so t falls, also where it is 1/20, and as Q falls where it is 1/16, again by intervals, no motion leaves the region",
     );
     p.note("Every escape comes into it", "as q → q₀, v → v₀ and t → 0");
     p.note(
-        "With τ = 1/t at some time there, e = τ − 1/t",
-        "later 0 ≤ e ≤ (8/5)(25/23) ln(τ/20) ≤ 2 ln(τ/20), as 1/t ≥ 20; and e/τ ≤ 1/(10 exp 1) < 1/27",
+        "With τ = 1/t at some time there, let b be τ − 1/t",
+        "later 0 ≤ b ≤ (8/5)(25/23) ln(τ/20) ≤ 2 ln(τ/20), as 1/t ≥ 20; and b/τ ≤ 1/(10 exp 1) < 1/27",
     );
     Ok(())
 }
@@ -226,7 +230,11 @@ impl Ratio {
             &ratio,
             &stated,
         )?;
-        let [least, most] = self.between.map(|n| half(n).to_string());
+        let text = |n| match n % 2 {
+            0 => (n / 2).to_string(),
+            _ => format!("{n}/2"),
+        };
+        let [least, most] = self.between.map(text);
         p.note(
             "In the region, by intervals",
             format!("{least} < E < {most}"),
@@ -242,7 +250,7 @@ impl Law {
             if let Some(ratio) = self.ratio {
                 ratio.near_one(p)?;
             }
-            p.note("So, as 1/t = τ − e", self.so);
+            p.note("So, as 1/t = τ − b", self.so);
             Ok(())
         })
     }
@@ -306,7 +314,7 @@ const A: Law = Law {
         },
         between: [-5, 1],
     }),
-    so: "A⁴ over its law's is (1 − e/τ)⁶/(1 + tE): by the root, at most 1 + 3/(4τ) and at least 1 − 3e/(2τ) − 1/(8τ)",
+    so: "A⁴ over its law's is (1 − b/τ)⁶/(1 + tE), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, at most 1 + 3/(4τ), and at least 1 − 3b/(2τ) − 1/(8τ), as (1 − b/τ) t = 1/τ",
 };
 
 const ALPHA: Law = Law {
@@ -320,13 +328,13 @@ const ALPHA: Law = Law {
         },
         between: [0, 4],
     }),
-    so: "exp(4α) over its law's is (1 − e/τ)²/(1 + tE): 4 times the difference of α is 2 ln(1 − e/τ) − ln(1 + tE), not above 0 and at least −2 (27/26) (e + 1)/τ",
+    so: "exp(4α) over its law's is (1 − b/τ)²/(1 + tE): 4 times the difference of α is 2 ln(1 − b/τ) − ln(1 + tE), not above 0 and at least −2 (27/26) (b + 1)/τ",
 };
 
 const LAG: Law = Law {
     limit: || spiral::EQ134.proof(),
     ratio: None,
-    so: "tτ is 1/(1 − e/τ), between 1 and 1 + (27/26) e/τ; and δ = 2 arctan t is between 2t (1 − t²/3) and 2t, with t ≤ (27/26)/τ",
+    so: "tτ is 1/(1 − b/τ), between 1 and 1 + (27/26) b/τ; and δ = 2 arctan t is between 2t (1 − t²/3) and 2t, with t ≤ (27/26)/τ",
 };
 
 const SPEED: Law = Law {
@@ -340,7 +348,7 @@ const SPEED: Law = Law {
         },
         between: [0, 5],
     }),
-    so: "p² over its law's is (1 − e/τ)⁴/(1 + tE): at most 1 and, by the root, p over its law's at least 1 − 2e/τ − 5/(4τ)",
+    so: "p² over its law's is (1 − b/τ)⁴/(1 + tE): at most 1 and, by the root, p over its law's at least 1 − 2b/τ − 5/(4τ), as (1 − b/τ) t = 1/τ",
 };
 
 const RHO: Law = Law {
@@ -354,13 +362,13 @@ const RHO: Law = Law {
         },
         between: [-5, 0],
     }),
-    so: "ρ² over its law's is (1 − e/τ)⁴/(1 + tE): by the root, ρ over its law's is at least 1 − 2e/τ and at most 1 + 3/(2τ)",
+    so: "ρ² over its law's is (1 − b/τ)⁴/(1 + tE), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, ρ over its law's is at least 1 − 2b/τ and at most 1 + 3/(2τ)",
 };
 
 /// (132) as corrected, to the first order.
 pub fn eq132() -> Evidence {
     A.evidence(from_then_on!(
-        r"$1-\frac{1/8+3\ln(\tau/20)}\tau\le A\Big/\frac{2^{1/4}}3\tau^{3/2}\le1+\frac3{4\tau}$"
+        r"$1-\frac{1/8+3\ln(\tau/20)}\tau\le\frac{3A}{2^{1/4}\tau^{3/2}}\le1+\frac3{4\tau}$"
     ))
 }
 
@@ -374,21 +382,21 @@ pub fn eq133() -> Evidence {
 /// (134) as corrected, to the first order.
 pub fn eq134() -> Evidence {
     LAG.evidence(from_then_on!(
-        r"up to whole turns $1-\frac1{2\tau^2}\le\left(\frac\pi2-\psi\right)\Big/\frac2\tau\le1+\frac{21}{10}\,\frac{\ln(\tau/20)}\tau$"
+        r"up to whole turns $1-\frac1{2\tau^2}\le\frac\tau2\left(\frac\pi2-\psi\right)\le1+\frac{21}{10}\,\frac{\ln(\tau/20)}\tau$"
     ))
 }
 
 /// (135) as corrected, to the first order.
 pub fn eq135() -> Evidence {
     SPEED.evidence(from_then_on!(
-        r"$1-\frac{5/4+4\ln(\tau/20)}\tau\le p\Big/\frac{\tau^2}{3\sqrt2}\le1$"
+        r"$1-\frac{5/4+4\ln(\tau/20)}\tau\le\frac{3\sqrt2\,p}{\tau^2}\le1$"
     ))
 }
 
 /// (136) as corrected, to the first order.
 pub fn eq136() -> Evidence {
     RHO.evidence(from_then_on!(
-        r"$1-\frac{4\ln(\tau/20)}\tau\le\rho\Big/\frac{\tau^2}{3\sqrt2}\le1+\frac3{2\tau}$"
+        r"$1-\frac{4\ln(\tau/20)}\tau\le\frac{3\sqrt2\,\rho}{\tau^2}\le1+\frac3{2\tau}$"
     ))
 }
 
@@ -435,38 +443,41 @@ mod tests {
         ];
         for start in starts {
             let run = Run::new(&start.unwrap(), 2000.0).unwrap();
-            let (mut late, mut seen) = (None, 0);
-            for now in run.nodes() {
-                let (Some(a), Some(alpha)) = (now.a(), now.alpha()) else {
-                    continue;
-                };
-                let t = (now.lag() / 2.0).tan();
-                let q = (alpha.cosh() / (2.0 * a * t) - 0.75) / t;
-                let v = (1.0 / (t * t * (4.0 * alpha).exp_m1()) - 0.5) / t;
-                let [q0, v0] = [32.0, 8.0].map(|n| 3.0 * 2_f64.sqrt() / n);
-                let height = 8.0 / 3.0 * (q - q0).powi(2) + (v - v0).powi(2);
-                if !(0.0..=0.05).contains(&t) || height > 1.0 / 16.0 {
-                    assert!(late.is_none(), "it left the region: {now:?}");
-                    continue;
+            let inside: Vec<_> = run
+                .nodes()
+                .filter_map(|now| Some((now, now.a()?, now.alpha()?, (now.lag() / 2.0).tan())))
+                .skip_while(|&(_, a, alpha, t)| !is_inside(a, alpha, t))
+                .collect();
+            assert!(inside.len() > 20, "{}", inside.len());
+            for first in [0, inside.len() / 3, inside.len() / 2] {
+                let late = inside[first].0.tau - 1.0 / inside[first].3;
+                for &(now, a, alpha, t) in &inside[first..] {
+                    assert!(is_inside(a, alpha, t), "{now:?}");
+                    let tau = now.tau - late;
+                    let log = (tau / 20.0).ln();
+                    let law = tau * tau / (3.0 * 2_f64.sqrt());
+                    let a_law = 2_f64.powf(0.25) / 3.0 * tau.powf(1.5);
+                    let more = alpha - 0.5 * (2_f64.sqrt() * tau).ln();
+                    for (ratio, least, most) in [
+                        (a / a_law, 0.125 + 3.0 * log, 0.75),
+                        (1.0 + more, 0.55 * (1.0 + 2.0 * log), 0.0),
+                        (now.lag() * tau / 2.0, 0.5 / tau, 2.1 * log),
+                        (now.p() / law, 1.25 + 4.0 * log, 0.0),
+                        (now.rho() / law, 4.0 * log, 1.5),
+                    ] {
+                        let off = (ratio - 1.0) * tau;
+                        assert!(-least - 1e-9 <= off && off <= most + 1e-9, "{off} {now:?}");
+                    }
                 }
-                let tau = now.tau - *late.get_or_insert(now.tau - 1.0 / t);
-                let log = (tau / 20.0).ln();
-                let law = tau * tau / (3.0 * 2_f64.sqrt());
-                let a_law = 2_f64.powf(0.25) / 3.0 * tau.powf(1.5);
-                let more = alpha - 0.5 * (2_f64.sqrt() * tau).ln();
-                for (ratio, least, most) in [
-                    (a / a_law, 0.125 + 3.0 * log, 0.75),
-                    (1.0 + more, 0.55 * (1.0 + 2.0 * log), 0.0),
-                    (now.lag() * tau / 2.0, 0.5 / tau, 2.1 * log),
-                    (now.p() / law, 1.25 + 4.0 * log, 0.0),
-                    (now.rho() / law, 4.0 * log, 1.5),
-                ] {
-                    let off = (ratio - 1.0) * tau;
-                    assert!(-least - 1e-9 <= off && off <= most + 1e-9, "{off} {now:?}");
-                }
-                seen += 1;
             }
-            assert!(seen > 20, "{seen}");
         }
+    }
+
+    fn is_inside(a: f64, alpha: f64, t: f64) -> bool {
+        let q = (alpha.cosh() / (2.0 * a * t) - 0.75) / t;
+        let v = (1.0 / (t * t * (4.0 * alpha).exp_m1()) - 0.5) / t;
+        let [q0, v0] = [32.0, 8.0].map(|n| 3.0 * 2_f64.sqrt() / n);
+        let height = 8.0 / 3.0 * (q - q0).powi(2) + (v - v0).powi(2);
+        0.0 < t && t <= 0.05 && height <= 1.0 / 16.0
     }
 }
