@@ -1,5 +1,6 @@
 """Intervals, and what is certified by them: roots, numbers, ranges, motions."""
 import hashlib
+import json
 from functools import reduce
 from itertools import product
 
@@ -220,7 +221,15 @@ def covered(cell, parts):
     return False
 
 
-def range_(w, before):
+def range_(w, before, accepted=set()):
+    """Some stand in several files; each is looked at once."""
+    text = json.dumps(w)
+    if text not in accepted:
+        everywhere(w)
+        accepted.add(text)
+
+
+def everywhere(w):
     _, names, within, cases, parts = keys(w, "kind variables within cases parts")
     n = len(variables(names))
     within, parts = box(within, n), [(box(at, n), by) for at, by in (keys(part, "at by") for part in parts)]

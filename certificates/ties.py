@@ -1,4 +1,5 @@
 """Which formulas of a statement are among those that its certificate speaks of."""
+import hashlib
 import json
 
 from flint import arb, arb_mat
@@ -122,7 +123,8 @@ def tied(statement, witnesses):
 
 
 def outline(witnesses):
-    """What a certificate consists of, in short."""
-    identity = lambda w: f"{w['title']} ({len(w['equal'])})"
+    """What a certificate consists of, in short; what its letters stand for, by a digest."""
+    letters = lambda w: hashlib.sha256(json.dumps(w["generators"], ensure_ascii=False).encode()).hexdigest()[:6]
+    identity = lambda w: f"{w['title']} ({len(w['equal'])}, {letters(w)})"
     other = lambda w: f"{w['kind']} of {' '.join(w.get('variables', []))}"
     return "; ".join(identity(w) if w["kind"] == "identity" else other(w) for w in witnesses)

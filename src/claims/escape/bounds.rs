@@ -140,11 +140,10 @@ fn inside() -> Inside {
     }
 }
 
-/// 1 + tE is the product of 1 + t g over these g.
+/// 1 + tE is the product of 1 + t g over these g, of which there is one at least.
 fn product_less_one(t: Expr, parts: Vec<Expr>) -> Expr {
-    parts
-        .into_iter()
-        .fold(int(0), |e, g| e + (int(1) + t * e) * g)
+    let product = parts.into_iter().reduce(|e, g| e + (int(1) + t * e) * g);
+    product.unwrap_or_else(|| int(0))
 }
 
 fn ring() -> Result<Ring, ExactError> {
@@ -230,7 +229,7 @@ impl Ratio {
             &ratio,
             &stated,
         )?;
-        let text = |n| match n % 2 {
+        let text = |n: i64| match n % 2 {
             0 => (n / 2).to_string(),
             _ => format!("{n}/2"),
         };
@@ -266,7 +265,8 @@ impl Law {
             let (excess, [least, most]) = (ratio.excess(at), ratio.between.map(half));
             signs.extend([(excess - least, 1.0), (most - excess, 1.0)]);
         }
-        let [x, y] = [0.154, 0.25].map(|x| Interval::new(-x, x));
+        // A little larger than the region; and not even, so that a value in the middle tells a sign.
+        let [x, y] = [Interval::new(-0.154, 0.156), Interval::new(-0.25, 0.26)];
         Ok(edge + everywhere(["x", "y", "t"], [x, y, t], &signs)?)
     }
 

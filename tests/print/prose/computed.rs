@@ -480,7 +480,7 @@ pub const COMPUTED: &[Computed] = &[
             .split(':')
             .skip(2)
             .step_by(2);
-        word(ranges.map(|range| number(range)).product())
+        word(ranges.map(number).product())
     }),
     ("anisotropic", "{} questions decide what comes next", || {
         let page = include_str!("../../../book/src/anisotropic.md");
