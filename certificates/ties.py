@@ -122,9 +122,20 @@ def tied(statement, witnesses):
     return "elsewhere" if understood else "not read"
 
 
+# What shows a thing, and is not part of what is said.
+SHOWN = {"parts", "gives", "left", "right", "corners", "preconditioner", "root", "middle", "steps"}
+
+
+def said(thing):
+    """What a witness says, without what shows it."""
+    if isinstance(thing, dict):
+        return {key: said(of) for key, of in thing.items() if key not in SHOWN}
+    return [said(of) for of in thing] if isinstance(thing, list) else thing
+
+
 def outline(witnesses):
-    """What a certificate consists of, in short; what its letters stand for, by a digest."""
-    letters = lambda w: hashlib.sha256(json.dumps(w["generators"], ensure_ascii=False).encode()).hexdigest()[:6]
-    identity = lambda w: f"{w['title']} ({len(w['equal'])}, {letters(w)})"
-    other = lambda w: f"{w['kind']} of {' '.join(w.get('variables', []))}"
-    return "; ".join(identity(w) if w["kind"] == "identity" else other(w) for w in witnesses)
+    """What a certificate consists of, in short, with a digest of what each witness says."""
+    text = lambda w: json.dumps([said(w), formulas(w)], ensure_ascii=False, sort_keys=True)
+    digest = lambda w: hashlib.sha256(text(w).encode()).hexdigest()[:6]
+    kind = lambda w: f"{w['title']}, {len(w['equal'])}" if w["kind"] == "identity" else f"{w['kind']} of {' '.join(w.get('variables', []))}"
+    return "; ".join(f"{kind(w)} ({digest(w)})" for w in witnesses)

@@ -1,16 +1,31 @@
-//! Tries the ledger with the mistake of the given number made, 0 for none. On a line each: a claim's id, its verdict, and
+//! Tries claims, or all, with the mistake of the given number made, 0 for none. On a line each: a claim's id, its verdict, and
 //! its trials: name, what they say, route, points, worst disagreement, in a number each all that was found, stated and taken
 //! for a scale, and how many comparisons disagree.
+//!
+//! With `passed` for a number: the numbers of the mistakes whose place is passed as the claims are tried, with none made.
 
 use slipbook_wrong::claims::PAPER;
 use slipbook_wrong::evidence::{Evidence, Sides};
 use slipbook_wrong::ledger::Ledger;
 
 fn main() {
-    let number = std::env::args().nth(1).and_then(|n| n.parse().ok());
-    slipbook_wrong::go_wrong(number.expect("the number of a mistake"));
-    let ledger = Ledger::try_all(&PAPER, |_| {});
-    for entry in &ledger.entries {
+    let mut arguments = std::env::args().skip(1);
+    let number = arguments.next().expect("the number of a mistake");
+    let ids: Vec<String> = arguments.collect();
+    let ids: Vec<&str> = ids.iter().map(String::as_str).collect();
+    let tried = || match ids.is_empty() {
+        true => Ledger::try_all(&PAPER, |_| {}),
+        false => Ledger::try_some(&PAPER, &ids, |_| {}),
+    };
+    if number == "passed" {
+        slipbook_wrong::go_wrong(slipbook_wrong::NOTED);
+        tried();
+        let passed: Vec<_> = slipbook_wrong::passed().map(|n| n.to_string()).collect();
+        println!("{}", passed.join(" "));
+        return;
+    }
+    slipbook_wrong::go_wrong(number.parse().expect("the number of a mistake"));
+    for entry in &tried().entries {
         let trials = entry.evidence.iter();
         let trials: String = trials
             .map(|e| {

@@ -403,7 +403,9 @@ pub fn eq136() -> Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::latex::{Lexicon, Relation, Value, statements};
     use crate::motion::turntable::{Start, intrinsic::Run};
+    use std::f64::consts::FRAC_PI_2;
 
     const ALL: [&Law; 5] = [&A, &ALPHA, &LAG, &SPEED, &RHO];
 
@@ -436,6 +438,7 @@ mod tests {
 
     #[test]
     fn motions_keep_within_the_bounds() {
+        let chains = stated();
         let starts = [
             Start::put_down(1.0),
             Start::launched(1.5),
@@ -454,23 +457,82 @@ mod tests {
                 for &(now, a, alpha, t) in &inside[first..] {
                     assert!(is_inside(a, alpha, t), "{now:?}");
                     let tau = now.tau - late;
-                    let log = (tau / 20.0).ln();
-                    let law = tau * tau / (3.0 * 2_f64.sqrt());
-                    let a_law = 2_f64.powf(0.25) / 3.0 * tau.powf(1.5);
-                    let more = alpha - 0.5 * (2_f64.sqrt() * tau).ln();
-                    for (ratio, least, most) in [
-                        (a / a_law, 0.125 + 3.0 * log, 0.75),
-                        (1.0 + more, 0.55 * (1.0 + 2.0 * log), 0.0),
-                        (now.lag() * tau / 2.0, 0.5 / tau, 2.1 * log),
-                        (now.p() / law, 1.25 + 4.0 * log, 0.0),
-                        (now.rho() / law, 4.0 * log, 1.5),
-                    ] {
-                        let off = (ratio - 1.0) * tau;
-                        assert!(-least - 1e-9 <= off && off <= most + 1e-9, "{off} {now:?}");
+                    let psi = FRAC_PI_2 - now.lag();
+                    let values = [a, alpha, psi, now.p(), now.rho(), tau];
+                    for chain in &chains {
+                        let [least, is, most] = chain.map(|side| value(side, &values));
+                        let near = 1e-9 / tau;
+                        assert!(least - near <= is && is <= most + near, "{values:?}");
                     }
                 }
             }
         }
+    }
+
+    /// From what is known of 1/t and E in the region, at the ends and between, to what is stated.
+    #[test]
+    fn what_is_stated_follows_from_the_region() {
+        // The law's power that is 1 + tE, and the law's power of the time.
+        let powers = [(4, 6), (4, 2), (0, 0), (2, 4), (2, 4)];
+        for ((law, chain), (power, of_time)) in ALL.into_iter().zip(stated()).zip(powers) {
+            for (i, j) in (0..90).flat_map(|i| (0..=20).map(move |j| (i, j))) {
+                let tau = 20.0 * 1.1_f64.powi(i);
+                let b = f64::from(j) / 20.0 * (40.0 / 23.0) * (tau / 20.0).ln();
+                let (t, late) = (1.0 / (tau - b), 1.0 - b / tau);
+                let [least, most] = [0, 2].map(|i| value(chain[i], &[tau; 6]));
+                let between = law.ratio.map_or([0, 0], |ratio| ratio.between);
+                for e in between.map(|n| 0.5 * n as f64) {
+                    let raised = late.powi(of_time) / (1.0 + t * e);
+                    let is = match (power, of_time) {
+                        (4, 2) => raised.ln() / 4.0,
+                        (0, 0) => t.atan() * tau,
+                        _ => raised.powf(1.0 / f64::from(power)),
+                    };
+                    let near = 1e-12;
+                    assert!(
+                        least - near <= is && is <= most + near,
+                        "{power} {tau} {b} {e}"
+                    );
+                }
+            }
+        }
+    }
+
+    const NAMES: [(&str, &str); 6] = [
+        ("A", "A"),
+        (r"\alpha", "α"),
+        (r"\psi", "ψ"),
+        ("p", "p"),
+        (r"\rho", "ρ"),
+        (r"\tau", "τ"),
+    ];
+
+    /// The three sides of what each certificate says, read from its words.
+    fn stated() -> [[Expr; 3]; 5] {
+        let mut lexicon = Lexicon::new();
+        for (latex, plain) in NAMES {
+            lexicon
+                .add(latex, Value::Number(Expr::symbol(plain)))
+                .unwrap();
+        }
+        [eq132, eq133, eq134, eq135, eq136].map(|evidence| {
+            let words = evidence().compared.stated();
+            let formula = words.rsplit('$').nth(1).unwrap();
+            let chain = &statements(formula).unwrap()[0];
+            assert_eq!(chain.relations, [Relation::AtMost; 2]);
+            let sides: Vec<_> = chain
+                .sides
+                .iter()
+                .map(|side| side.read(&lexicon).unwrap())
+                .collect();
+            std::array::from_fn(|i| sides[i].number().unwrap())
+        })
+    }
+
+    fn value(side: Expr, values: &[f64; 6]) -> f64 {
+        let place = |name: &str| NAMES.iter().position(|(_, plain)| *plain == name);
+        side.evaluate(&|name| place(name).map(|i| values[i]))
+            .unwrap()
     }
 
     fn is_inside(a: f64, alpha: f64, t: f64) -> bool {

@@ -8,17 +8,21 @@ use slipbook::claims::anisotropic::simulated::{attractor, curve_a, curve_e, orde
 use slipbook::claims::corners::CORNERS;
 use slipbook::claims::periodic::drawn;
 use slipbook::claims::periodic::drives::{Phase, motion, third_harmonic};
+use slipbook::claims::rest::fates::recorded;
 use slipbook::claims::solve::Double;
 use slipbook::claims::solve::sinusoidal::SinusoidalProblem;
+use slipbook::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use slipbook::claims::values::VALUES;
 use slipbook::evidence::{Compared, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Verdict, judge};
 use slipbook::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
 use slipbook::motion::sphere::{Ball, Sphere};
+use slipbook::motion::turntable::{Start, intrinsic};
 use slipbook::motion::{Launch, Plane};
+use slipbook::numerics::fit::fit;
 use slipbook::paper::{sinusoidal, sphere};
 use slipbook::seeded::Corner;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 
 /// How many digits the calculators claimed, and had.
 const DIGITS: &str = include_str!("../../../snapshots/digits.csv");
@@ -37,6 +41,8 @@ const LOOSENESS: &str = include_str!("../../claims.rs");
 const PUBLISHED: &str = include_str!("../../../src/exam/published.rs");
 /// What was timed.
 const RESULTS: &str = include_str!("../../../benches/results.json");
+/// What is timed of the turntable.
+const BENCH: &str = include_str!("../../../benches/turntable.rs");
 /// The page on answers as JSON.
 const JSON: &str = include_str!("../../../book/src/json.md");
 
@@ -109,9 +115,52 @@ pub const COMPUTED: &[Computed] = &[
     ("escape", "which turns {} times meanwhile", || {
         format!("{} million", word(((1e8 - 1e4) / TAU / 1e6).round()))
     }),
-    ("rest", "the code does, to {} digits", || {
-        let value = |id| VALUES.iter().find(|v| v.id == id).unwrap().decimals;
-        word(value("critical-radius").min(value("critical-speed")) as f64)
+    ("rest", "the code does, to {} digits", || word(critical())),
+    ("rest", "{} of their digits are certain", || {
+        // Of an interval as long above as below.
+        word(decimals(2.0 * certain()))
+    }),
+    ("new", "are proved to {} ten-millionths", || {
+        word((certain() * 1e7).round())
+    }),
+    ("new", "ten-millionths, and measured to {}", || {
+        word(critical())
+    }),
+    ("new", "also measured to {} digits", || {
+        word(decimals(ESCAPE_LIMIT.value))
+    }),
+    ("new", "logarithm to {}", || {
+        word(decimals(ESCAPE_CORRECTION.value))
+    }),
+    ("escape", "the fit gives {}", || {
+        word(decimals(ESCAPE_LIMIT.value))
+    }),
+    (
+        "escape",
+        "allows only for powers of § stalls at {} digits",
+        || word(by_powers()),
+    ),
+    ("escape", "a little more than {} around", || {
+        times((SQRT_2 * 1e4_f64.ln() / TAU).floor())
+    }),
+    ("rest", "For {} values of § the fates", || {
+        let mut all: Vec<f64> = recorded().unwrap().iter().map(|map| map[0].a).collect();
+        all.dedup();
+        word(all.len() as f64)
+    }),
+    ("rest", "the census to a {} starts", || {
+        let counts = ["launches(651, ", "launches(652, "].map(|words| {
+            let (count, _) = BENCH.split_once(words).unwrap().1.split_once(',').unwrap();
+            count.replace('_', "").parse::<f64>().unwrap()
+        });
+        word(counts.iter().sum())
+    }),
+    ("rest", "the bisection to {} digits", || {
+        let (_, width) = BENCH.split_once("1.0 + 1e-9, ").unwrap();
+        word(decimals(width.split(')').next().unwrap().parse().unwrap()))
+    }),
+    ("speed", "takes some {} steps to rest or far away", || {
+        word(10.0 * (steps() / 10.0).round())
     }),
     ("turntable", "subject of the next {} chapters", || {
         let stems = PAPER.topics.iter().map(|topic| topic.stem);
@@ -576,6 +625,48 @@ fn most_digits() -> f64 {
     let rows = DIGITS.lines().skip(1);
     let claimed = rows.map(|row| row.split(',').nth(1).unwrap().parse::<usize>().unwrap());
     claimed.max().unwrap() as f64
+}
+
+/// To how many digits the critical radius and speed are given.
+fn critical() -> f64 {
+    let value = |id| VALUES.iter().find(|v| v.id == id).unwrap().decimals;
+    value("critical-radius").min(value("critical-speed")) as f64
+}
+
+/// How near to them the code on the page on rest comes with its proofs.
+fn certain() -> f64 {
+    let page = include_str!("../../../book/src/rest.md");
+    let (_, from) = page.split_once("while left.abs() > ").unwrap();
+    from.split(' ').next().unwrap().parse().unwrap()
+}
+
+/// How many decimals are right of what is right to so much.
+fn decimals(off: f64) -> f64 {
+    (-off.log10() + 1e-9).floor()
+}
+
+/// To how many digits p/τ² is found by a fit that knows only powers of 1/τ.
+fn by_powers() -> f64 {
+    let start = Start::hyperbolic(1.5, 0.3, 1.0).unwrap();
+    let data: Vec<_> = (0..40)
+        .map(|i| {
+            let tau = 10_f64.powf(6.0 + f64::from(i) / 20.0);
+            let end = intrinsic::Run::new(&start, tau).unwrap().end();
+            (tau, end.p() / (tau * tau))
+        })
+        .collect();
+    let powers = fit(&data, &[&|_| 1.0, &|t| 1.0 / t, &|t| 1.0 / (t * t)]).unwrap();
+    let limit = 1.0 / (3.0 * SQRT_2);
+    decimals((powers.coefficients[0] / limit - 1.0).abs())
+}
+
+/// How many steps a motion on the turntable takes to rest, or to a time of 100, at a middle.
+fn steps() -> f64 {
+    let starts = [0.3, 0.6, 0.9, 1.2, 1.5].map(|a| Start::hyperbolic(a, 0.3, 1.0).unwrap());
+    let runs = starts.map(|start| intrinsic::Run::new(&start, 100.0).unwrap());
+    let mut steps = runs.map(|run| run.nodes().count());
+    steps.sort_unstable();
+    steps[2] as f64
 }
 
 /// The words, if the list of mistakes in the physics has one of this size.

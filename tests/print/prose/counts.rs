@@ -17,14 +17,20 @@ pub fn flat(text: &str) -> String {
     lines.collect::<Vec<_>>().join("\n")
 }
 
-/// The words of a table on a page: how it is counted, and the words.
+/// The words of a table on a page: how it is counted, and the words, without the reason.
 pub fn listed<'a>(table: &'a str, page: &str) -> Vec<(&'a str, &'a str)> {
     let lines = table
         .lines()
         .skip_while(|line| line.strip_prefix("# ") != Some(page))
         .skip(1);
     let lines = lines.take_while(|line| !line.starts_with('#'));
-    lines.filter_map(|line| line.split_once(": ")).collect()
+    lines.filter_map(row).collect()
+}
+
+/// A row of such a table.
+pub fn row(line: &str) -> Option<(&str, &str)> {
+    let (how, words) = line.split_once(": ")?;
+    Some((how, words.split(" -- ").next()?))
 }
 
 /// What counts in a section and has no witness; and of the words in `listed`, those that were used are noted.
@@ -78,6 +84,27 @@ pub fn uncounted(section: &Section, listed: &[(&str, &str)], used: &mut Vec<usiz
     out
 }
 
+/// What may be said of what the words around name, and nothing else vouches for.
+const PLAIN: [&str; 6] = ["0", "1", "half", "two", "twice", "third"];
+
+/// Whether a line of the list stands under the right name: what is only text is plain, what is told has a reason.
+pub fn is_well_listed(line: &str) -> bool {
+    let plain = |words| {
+        let all: Vec<_> = counts(words)
+            .into_iter()
+            .map(|(_, c)| c.to_lowercase())
+            .collect();
+        !all.is_empty() && all.iter().all(|count| PLAIN.contains(&count.as_str()))
+    };
+    match line.split_once(": ") {
+        Some(("text", words)) => plain(words),
+        Some(("told", words)) => words
+            .split_once(" -- ")
+            .is_some_and(|(words, why)| !plain(words) && !why.is_empty()),
+        _ => true,
+    }
+}
+
 /// The fractions in code: `1.0 / 3.0`.
 fn quotients(code: &str) -> Vec<f64> {
     let divisions = code.match_indices(" / ");
@@ -93,6 +120,8 @@ fn quotients(code: &str) -> Vec<f64> {
 /// What words count: numbers beside each other are one.
 pub fn values(words: &str) -> Vec<f64> {
     let mut values: Vec<(usize, f64)> = Vec::new();
+    // The last number of all that are taken together.
+    let mut last = 1.0;
     for (at, count) in counts(words) {
         let known = WORDS.iter().find(|(word, _)| *word == count.to_lowercase());
         let mut value = known.map_or_else(
@@ -103,15 +132,19 @@ pub fn values(words: &str) -> Vec<f64> {
             value += 1.0;
         }
         match values.last_mut() {
-            // A ten-billionth is a tenth of a billionth, three quarters are three times a quarter.
+            // Three ten-billionths are three tenths of a billionth, three quarters are three times a quarter.
             Some((end, before))
                 if *end + 1 == at && value < 1.0 && words[*end..].starts_with('-') =>
             {
-                *before = value / *before;
+                *before *= value / (last * last);
             }
             Some((end, before)) if *end + 1 == at => *before *= value,
             _ => values.push((0, value)),
         }
+        if words[at + count.len()..].starts_with(" %") {
+            values.last_mut().unwrap().1 /= 100.0;
+        }
+        last = value;
         values.last_mut().unwrap().0 = at + count.len();
     }
     values.into_iter().map(|(_, value)| value).collect()
@@ -124,6 +157,8 @@ fn words_that_count_have_a_value() {
         ("three quarters of it", 0.75),
         ("one and a half times as strong", 1.5),
         ("ten thousand times", 1e4),
+        ("three ten-millionths of it", 3e-7),
+        ("within 2 % of it", 0.02),
     ] {
         let [value] = values(words)[..] else {
             panic!("{words}")

@@ -31,6 +31,11 @@ pub const WORDS: &[(&str, f64)] = &[
     ("million", 1e6),
     ("billion", 1e9),
     ("billionth", 1e-9),
+    ("billionths", 1e-9),
+    ("millionth", 1e-6),
+    ("millionths", 1e-6),
+    ("thousandth", 1e-3),
+    ("hundredth", 0.01),
     ("tenth", 0.1),
     ("half", 0.5),
     ("third", 1.0 / 3.0),
@@ -38,6 +43,22 @@ pub const WORDS: &[(&str, f64)] = &[
     ("quarter", 0.25),
     ("quarters", 0.25),
     ("twice", 2.0),
+];
+
+/// Behind these stands a year.
+const MONTHS: [&str; 12] = [
+    "January",
+    "February",
+    "March",
+    "April",
+    "May",
+    "June",
+    "July",
+    "August",
+    "September",
+    "October",
+    "November",
+    "December",
 ];
 
 /// The decimals of a text as they stand there, without numbers of sections and of problems.
@@ -98,7 +119,12 @@ pub fn counts(text: &str) -> Vec<(usize, &str)> {
         let exercise = before.ends_with("**") && after.starts_with(".**");
         let address = before.ends_with("eq-");
         let listed = before.ends_with('\n') && after.starts_with(". ");
-        let other = address || listed || of_reference(after) || number.contains('.');
+        // UTF-8, IEEE 754, f64, November 2026.
+        let last = before.trim_end_matches([' ', '-']);
+        let name = last.ends_with(|c: char| c.is_ascii_uppercase()) && last.len() < before.len()
+            || before.ends_with(|c: char| c.is_ascii_alphabetic())
+            || MONTHS.iter().any(|month| last.ends_with(month));
+        let other = address || listed || name || of_reference(after) || number.contains('.');
         if !(named || equation || exercise || other) {
             found.push((start, number));
         }

@@ -557,25 +557,20 @@ fn used(mut equal: Vec<Equal>, ring: &Ring) -> Used {
             tape.generators.clone(),
         )
     });
-    let mut wanted = vec![false; all.len()];
-    for one in &equal {
-        wanted[one.left] = true;
-        if let Some(right) = one.right {
-            wanted[right] = true;
-        }
-    }
     let mut asked = BTreeMap::new();
-    // Each is made of earlier ones.
-    for i in (0..all.len()).rev() {
-        if wanted[i] {
-            if let Part::Coefficient(whole, power) = all[i] {
-                let most = asked.entry(whole).or_insert(power);
-                *most = power.max(*most);
-            }
-            shortened(&mut all[i], i, &asked, &met, ring);
-            each(&mut all[i].clone(), &mut |j| wanted[*j] = true);
+    let wanted = marked(&equal, &mut all, |part, i| {
+        if let Part::Coefficient(whole, power) = *part {
+            let most = asked.entry(whole).or_insert(power);
+            *most = power.max(*most);
         }
+        shortened(part, i, &asked, &met, ring);
+    });
+    let alike = simplified(&mut all, &wanted, &equal);
+    for one in &mut equal {
+        one.left = alike[one.left];
+        one.right = one.right.map(|right| alike[right]);
     }
+    let wanted = marked(&equal, &mut all, |_, _| ());
     let mut numbers = BTreeMap::new();
     let (mut parts, mut gives, mut generators) = (Vec::new(), Vec::new(), BTreeSet::new());
     let mut known = BTreeSet::new();
@@ -587,16 +582,9 @@ fn used(mut equal: Vec<Equal>, ring: &Ring) -> Used {
         });
         generators.extend(&met[i]);
         known.extend(&met_at[i]);
-        let alike = match &part {
-            // With nothing put in it is what it was.
-            Part::Put(x, values) if values.is_empty() => Some(*x),
-            _ => None,
-        };
-        numbers.insert(i, alike.unwrap_or(parts.len()));
-        if alike.is_none() {
-            parts.push(part);
-            gives.push(all_gives[i].clone());
-        }
+        numbers.insert(i, parts.len());
+        parts.push(part);
+        gives.push(all_gives[i].clone());
     }
     for known in &known {
         generators.extend(match known {
@@ -616,6 +604,55 @@ fn used(mut equal: Vec<Equal>, ring: &Ring) -> Used {
         one.right = one.right.map(|right| numbers[&right]);
     }
     (parts, gives, equal, generators, known)
+}
+
+/// Which parts what is demanded is made of; `f` is called with each and its place, the last one first.
+fn marked(equal: &[Equal], all: &mut [Part], mut f: impl FnMut(&mut Part, usize)) -> Vec<bool> {
+    let mut wanted = vec![false; all.len()];
+    for place in equal
+        .iter()
+        .flat_map(|one| [Some(one.left), one.right])
+        .flatten()
+    {
+        wanted[place] = true;
+    }
+    // Each is made of earlier ones.
+    for i in (0..all.len()).rev() {
+        if wanted[i] {
+            f(&mut all[i], i);
+            each(&mut all[i], &mut |j| wanted[*j] = true);
+        }
+    }
+    wanted
+}
+
+/// Takes out what adds nothing, as a checker could not tell what stands beside it: products with 0, sums with it,
+/// derivatives of constants. What is itself compared is left. Returns where each part is to be found now.
+fn simplified(all: &mut [Part], wanted: &[bool], equal: &[Equal]) -> Vec<usize> {
+    let mut alike: Vec<usize> = (0..all.len()).collect();
+    for i in (0..all.len()).filter(|i| wanted[*i]) {
+        each(&mut all[i], &mut |j| *j = alike[*j]);
+        let zero = |j: &usize| matches!(&all[*j], Part::Read(Tree::Leaf(n)) if n == "0");
+        let compared = equal
+            .iter()
+            .any(|one| one.left == i || one.right == Some(i));
+        match &all[i] {
+            Part::Put(x, values) if values.is_empty() => alike[i] = *x,
+            _ if compared => {}
+            Part::Sum(x, y) | Part::Difference(x, y) if zero(y) => alike[i] = *x,
+            Part::Sum(x, y) if zero(x) => alike[i] = *y,
+            Part::Difference(x, y) if zero(x) => all[i] = Part::Negative(*y),
+            Part::Product(x, y) if zero(x) || zero(y) => all[i] = nought(),
+            Part::Quotient(x, _) | Part::Negative(x) if zero(x) => all[i] = nought(),
+            Part::Derivative(_, rates) if rates.is_empty() => all[i] = nought(),
+            _ => {}
+        }
+    }
+    alike
+}
+
+fn nought() -> Part {
+    Part::Read(Tree::Leaf("0".to_owned()))
 }
 
 /// Takes from a part what does not count: rates and values of generators that do not occur, coefficients beyond those that

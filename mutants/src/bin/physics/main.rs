@@ -48,7 +48,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         .filter(|(_, m)| !lost.iter().any(|l| l.mistake == m.name))
         .filter(|(_, m)| named.is_empty() || named.contains(&m.name))
         .collect();
-    let found = run::all(&program, &made, &right);
+    let reach = run::within_reach(&program, &right)?;
+    let found = run::all(&program, &made, &right, &reach);
     let unnoticed = found.iter().filter(|(_, found)| !found.is_noticed());
     let unnoticed: Vec<_> = unnoticed.map(|(m, _)| m.name.as_str()).collect();
     if named.is_empty() {

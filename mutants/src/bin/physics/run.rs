@@ -1,12 +1,13 @@
 //! Tries the ledger with one mistake after the other.
 
 use crate::list::Mistake;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
 use std::io::Read;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -70,10 +71,22 @@ impl Found {
     }
 }
 
-/// What the ledger comes to with the mistake of this number, 0 for none.
-fn verdicts(program: &Path, number: usize, threads: usize) -> Result<Verdicts, String> {
+/// What the claims of these ids come to, or all, with the mistake of this number, 0 for none.
+fn verdicts(
+    program: &Path,
+    number: usize,
+    ids: &[&str],
+    threads: usize,
+) -> Result<Verdicts, String> {
+    let text = said(program, &number.to_string(), ids, threads)?;
+    Ok(text.lines().filter_map(judged).collect())
+}
+
+/// What the program prints.
+fn said(program: &Path, number: &str, ids: &[&str], threads: usize) -> Result<String, String> {
     let mut child = Command::new(program)
-        .arg(number.to_string())
+        .arg(number)
+        .args(ids)
         .env("RAYON_NUM_THREADS", threads.to_string())
         .stdout(Stdio::piped())
         .stderr(Stdio::null())
@@ -100,8 +113,7 @@ fn verdicts(program: &Path, number: usize, threads: usize) -> Result<Verdicts, S
         return Err("the ledger breaks off".into());
     }
     let text = reader.join().map_err(|_| "no output")?;
-    let text = text.map_err(|e| e.to_string())?;
-    Ok(text.lines().filter_map(judged).collect())
+    text.map_err(|e| e.to_string())
 }
 
 fn judged(line: &str) -> Option<(String, Judged)> {
@@ -128,7 +140,7 @@ fn judged(line: &str) -> Option<(String, Judged)> {
 
 /// What the ledger comes to without a mistake.
 pub fn without(program: &Path) -> Result<Verdicts, Box<dyn Error>> {
-    Ok(verdicts(program, 0, workers())?)
+    Ok(verdicts(program, 0, &[], workers())?)
 }
 
 /// Asks that the verdicts are the recorded ones.
@@ -148,49 +160,100 @@ pub fn as_recorded(right: &Verdicts, record: &str) -> Result<(), Box<dyn Error>>
     Ok(())
 }
 
-/// How many ledgers are tried at once.
+/// How many programs run at once.
 fn workers() -> usize {
     thread::available_parallelism().map_or(1, usize::from)
 }
+
+/// `f` of each, several at a time, in their order; with how many are done.
+fn each<T: Sync, R: Send>(
+    all: &[T],
+    f: impl Fn(&T) -> R + Sync,
+    done: impl Fn(usize, &T, &R) + Sync,
+) -> Vec<R> {
+    let next = AtomicUsize::new(0);
+    let found = Mutex::new(BTreeMap::new());
+    thread::scope(|scope| {
+        for _ in 0..workers() {
+            scope.spawn(|| {
+                loop {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(one) = all.get(i) else { return };
+                    let result = f(one);
+                    if let Ok(mut found) = found.lock() {
+                        done(found.len() + 1, one, &result);
+                        found.insert(i, result);
+                    }
+                }
+            });
+        }
+    });
+    found
+        .into_inner()
+        .unwrap_or_default()
+        .into_values()
+        .collect()
+}
+
+/// Which mistakes can change a claim, by claim: those whose place is passed as it is tried by itself. Up to there all is
+/// as without them.
+pub fn within_reach<'a>(program: &Path, right: &'a Verdicts) -> Result<Reach<'a>, String> {
+    let ids: Vec<&str> = right.iter().map(|(id, _)| id.as_str()).collect();
+    let passed = |id: &&str| {
+        let text = said(program, "passed", &[id], 1)?;
+        Ok((text.split_whitespace().filter_map(|n| n.parse().ok())).collect())
+    };
+    let all: Result<Vec<BTreeSet<usize>>, String> =
+        each(&ids, passed, |_, _, _| ()).into_iter().collect();
+    Ok(ids.into_iter().zip(all?).collect())
+}
+
+/// Ids of claims, with the numbers of mistakes.
+pub type Reach<'a> = Vec<(&'a str, BTreeSet<usize>)>;
 
 /// What each of these mistakes changes, in their order.
 pub fn all<'a>(
     program: &Path,
     mistakes: &[(usize, &'a Mistake)],
     right: &Verdicts,
+    reach: &Reach<'_>,
 ) -> Vec<(&'a Mistake, Found)> {
-    let next = Mutex::new(mistakes.iter().enumerate());
-    let found = Mutex::new(Vec::new());
     let start = Instant::now();
-    let work = || {
-        loop {
-            let Some((i, (number, mistake))) = next.lock().ok().and_then(|mut n| n.next()) else {
-                return;
-            };
-            let changes = match verdicts(program, *number, 1) {
-                Ok(wrong) => changed(right, &wrong),
-                Err(why) => Found::Fails(why),
-            };
-            let said = match &changes {
-                Found::Changed { claims, .. } => format!("{} verdicts", claims.len()),
-                Found::Fails(why) => why.clone(),
-            };
-            if let Ok(mut found) = found.lock() {
-                found.push((i, *mistake, changes));
-                let (done, all) = (found.len(), mistakes.len());
-                let seconds = start.elapsed().as_secs();
-                eprintln!("{done} of {all}, {seconds} s: {}: {said}", mistake.name);
-            }
+    let tried = |(number, _): &(usize, &'a Mistake)| {
+        let ids = reach.iter().filter(|(_, passed)| passed.contains(number));
+        let ids: Vec<&str> = ids.map(|(id, _)| *id).collect();
+        if ids.is_empty() {
+            return changed(right, right);
+        }
+        match verdicts(program, *number, &ids, 1) {
+            Ok(wrong) => changed(right, &with(right, wrong)),
+            Err(why) => Found::Fails(why),
         }
     };
-    thread::scope(|scope| {
-        for _ in 0..workers() {
-            scope.spawn(work);
-        }
+    let done = |done: usize, (_, mistake): &(usize, &Mistake), found: &Found| {
+        let said = match found {
+            Found::Changed { claims, .. } => format!("{} verdicts", claims.len()),
+            Found::Fails(why) => why.clone(),
+        };
+        let (all, seconds) = (mistakes.len(), start.elapsed().as_secs());
+        eprintln!("{done} of {all}, {seconds} s: {}: {said}", mistake.name);
+    };
+    let found = each(mistakes, tried, done);
+    mistakes
+        .iter()
+        .map(|(_, mistake)| *mistake)
+        .zip(found)
+        .collect()
+}
+
+/// All claims, those that were tried as they came out.
+fn with(right: &Verdicts, tried: Verdicts) -> Verdicts {
+    let mut tried: BTreeMap<_, _> = tried.into_iter().collect();
+    let all = right.iter().map(|(id, judged)| {
+        let judged = tried.remove(id).unwrap_or_else(|| judged.clone());
+        (id.clone(), judged)
     });
-    let mut found = found.into_inner().unwrap_or_default();
-    found.sort_by_key(|(i, ..)| *i);
-    found.into_iter().map(|(_, m, found)| (m, found)).collect()
+    all.collect()
 }
 
 fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {

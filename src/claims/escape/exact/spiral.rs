@@ -227,7 +227,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         -motion::eq115_psi_rate(alpha, psi),
     )?;
     let parts = int(2) * push * delta().cos() - int(4) * (delta() / int(2)).sin().squared();
-    let parts = p.read("With e = 2/(exp(4α) − 1), 2e cos δ − 4 sin²(δ/2)", parts)?;
+    let parts = p.read("With m = 2/(exp(4α) − 1), 2m cos δ − 4 sin²(δ/2)", parts)?;
     p.equal("The two", &turn, &parts)?;
     p.note(
         "ξ = ρ cos ψ grows without end",
@@ -247,11 +247,11 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let tangent = p.read("t = tan(δ/2), then between 0 and 1", t)?;
     let rate = p.derivative("dt/dτ", &tangent, &along)?;
     let parts = push * (int(1) - t.squared()) - int(2) * t.squared();
-    let parts = p.read("e (1 − t²) − 2t²", parts)?;
+    let parts = p.read("m (1 − t²) − 2t²", parts)?;
     p.equal("The two", &rate, &parts)?;
     p.note(
-        "As α → ∞, e → 0; and where t ≥ η, with any η > 0",
-        "once e < η² t falls at the rate η² at least, to η, and stays below: t → 0",
+        "As α → ∞, m → 0; and where t ≥ η, with any η > 0",
+        "once m < η² t falls at the rate η² at least, to η, and stays below: t → 0",
     );
     p.note(
         "dt/dτ ≥ −2t², so that 1/t ≤ 2τ + c",
