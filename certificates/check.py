@@ -51,14 +51,14 @@ class Prints:
 def listed(certificate):
     """What a file has to be about: to be read before it is committed."""
     statement, sha256, witnesses = (certificate[key] for key in ("statement", "sha256", "witnesses"))
-    return f"{tied(statement, witnesses)},{sha256[:16]},{outline(witnesses)}"
+    return f"{tied(statement, witnesses)},{sha256[:16]},{outline(certificate)}"
 
 
 def check(certificate, name, prints):
     """Raises `Wrong` unless the certificate is right."""
     version, claim, statement, sha256, about, trial, says, witnesses = keys(
         certificate, "format claim statement sha256 about trial says witnesses")
-    demand(version == 2, "another version of the format")
+    demand(type(version) is int and version == 2, "another version of the format")
     demand(name == f"{claim}-{trial.replace('::', '-')}.json", "another file's name")
     demand(hashlib.sha256(statement.encode()).hexdigest() == sha256, "the hash is not that of the statement")
     demand(prints.has(claim, statement, "corrected" in about), "the statement is not printed so")
@@ -79,17 +79,27 @@ def digest(witnesses):
     return hashlib.sha256(text.encode()).hexdigest()[:16]
 
 
+def once(pairs):
+    """An object, in which no key stands twice."""
+    demand(len(dict(pairs)) == len(pairs), "a key twice")
+    return dict(pairs)
+
+
+def opened(file):
+    return json.loads(Path(file).read_text("utf-8"), object_pairs_hook=once)
+
+
 def main(folder, date=None):
     prints = Prints(Path(__file__).resolve().parent.parent)
     files = sorted(Path(folder).glob("*.json"))
     if date == "--list":
-        lines = [f"{file.name},{listed(json.loads(file.read_text('utf-8')))}\n" for file in files]
+        lines = [f"{file.name},{listed(opened(file))}\n" for file in files]
         (prints.root / "certificates/ties.csv").write_text("".join(lines), "utf-8")
         return 0
     accepted, rejected = [], []
     for file in files:
         try:
-            accepted.append(check(json.loads(file.read_text("utf-8")), file.name, prints))
+            accepted.append(check(opened(file), file.name, prints))
         except Exception as error:  # whatever a broken file brings about
             rejected.append(f"{file.name}: {type(error).__name__}: {error}")
     rejected += [f"{name}: missing" for name in sorted(prints.ties.keys() - {file.name for file in files})]

@@ -7,12 +7,14 @@ from operator import add, mul, sub, truediv
 from flint import arb, fmpq, fmpz_mpoly_ctx
 
 from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
-from intervals import Numbers, hashed
 
 RULES = {"pi": "rule", "free": "rule name", "half-tangent": "rule of", "half-exponential": "rule of",
          "root": "rule of degree", "power": "rule of to", "logarithm": "rule of"}
-WORTH = {"pi": "π", "free": "free", "half-tangent": ["tan", ["/", "of", "2"]],
-         "half-exponential": ["exp", ["/", "of", "2"]], "power": ["^", "of", "to"], "logarithm": ["ln", "of"]}
+WORTH = {"pi": lambda: arb.pi(), "half-tangent": lambda x: (x / 2).tan(), "half-exponential": lambda x: (x / 2).exp(),
+         "power": pow, "logarithm": arb.log}
+
+# Proofs that put in what does not follow from the rules, but holds where they say.
+RELATIONS = {"B and C touch at Y": "there α = 3π/2 − x and x = cot α, the root of tan x = x"}
 
 
 class Element(Value):
@@ -32,7 +34,7 @@ class Element(Value):
         return self.f.fraction(self.above * y.above, self.below * y.below)
 
     def __truediv__(self, y):
-        demand(not self.f.is_zero(y), "division by zero")
+        demand(not self.f.is_zero(y) and self.f.differs(y), "division by zero")
         return self.f.fraction(self.above * y.below, self.below * y.above)
 
     def occurring(self):
@@ -59,7 +61,7 @@ class Field(Calculator):
         self.g = [Element(self, g, self.one) for g in self.ctx.gens()]
         # A root is a power; of roots, radicand and degree are known too.
         self.rules, self.roots, self.powers, self.inverses, self.symbols = [], {}, [], [], {"π": self.g[0]}
-        self.half = self.number(fmpq(1, 2))
+        self.half, self.values = self.number(fmpq(1, 2)), None
         for g, x in enumerate(generators):
             self.rules.append(self.rule(g, x))
         demand(self.rules and self.rules[0] == ("pi",), "without π")
@@ -76,6 +78,7 @@ class Field(Calculator):
             of, to, is_ = map(self.element, keys(known, "of to is"))
             n = to.number()
             demand(n is not None and n.p == 1 and self.same(self.repeated(is_, int(n.q)), of), "a power that is none")
+            demand(not any(self.same(of, x) and self.same(to, y) for x, y, _ in self.powers), "a power twice")
             self.powers.append((of, to, is_))
         for known in inverses:
             function, *pair = keys(known, "function of is")
@@ -84,21 +87,37 @@ class Field(Calculator):
             demand(self.same(self.turn(is_)[function == "arcsin"], of), "an inverse that is none")
             self.inverses.append((function, of, is_))
         self.idle = {known[2] for known in self.powers[own:] + self.inverses}
-        principal = any(self.principal(self.powers[own:], minus) for minus in combinations_with_replacement(range(self.n), 2))
-        demand(principal, "roots or angles that are on their principal branches nowhere together")
+        choices = combinations_with_replacement(range(self.n), 2)
+        self.values = next(filter(None, (self.principal(self.powers[own:], minus) for minus in choices)), None)
+        demand(self.values, "roots or angles that are on their principal branches nowhere together")
 
     def principal(self, roots, minus):
-        """Whether what is known are positive roots, and angles on their principal branches, where all symbols are small and
-        positive, but for two, which may be negative."""
+        """Values of the generators where all symbols are small and positive, but for two, which may be negative: if there what
+        is known are positive roots of positive numbers, and angles on their principal branches."""
         values = []
         for g, (rule, *of) in enumerate(self.rules):
-            at = [x.at(values) if isinstance(x, Element) else values[x] for x in of]
-            values.append({"pi": lambda: arb.pi(), "free": lambda: arb(-1 if g in minus else 1) / (9 + g * g),
-                           "half-tangent": lambda x: (x / 2).tan(), "half-exponential": lambda x: (x / 2).exp(),
-                           "power": pow, "logarithm": arb.log}[rule](*at))
+            if rule in ("power", "logarithm") and not (of[0].at(values) > 0 or self.is_imaginary(g)):
+                return None
+            values.append(arb(-1 if g in minus else 1) / (9 + g * g) if rule == "free" else self.worth(g, values))
         within = {"arcsin": lambda x: 2 * abs(x) <= arb.pi(), "arccos": lambda x: 0 <= x <= arb.pi()}
         angles = all(within[function](is_.at(values)) for function, _, is_ in self.inverses)
-        return angles and all(is_.at(values) > 0 for _, _, is_ in roots)
+        return values if angles and all(is_.at(values) > 0 for _, _, is_ in roots) else None
+
+    def worth(self, g, values):
+        """What a generator is worth by its rule, where those before it have these values."""
+        rule, *of = self.rules[g]
+        return WORTH[rule](*(x.at(values) if isinstance(x, Element) else values[x] for x in of))
+
+    def is_imaginary(self, g):
+        """Whether a generator is a root of a negative number: no formula has such a root."""
+        n = self.roots[g][0].number() if g in self.roots else None
+        return n is not None and n < 0
+
+    def differs(self, x):
+        """Whether an element without roots of negative numbers differs from 0 somewhere on the principal branches."""
+        if self.values is None or any(self.is_imaginary(g) for g in x.occurring()):
+            return True
+        return not x.at(self.values).contains(0)
 
     def rule(self, g, x):
         """A generator's rule, of earlier ones."""
@@ -124,7 +143,8 @@ class Field(Calculator):
                 demand(of[0].number() is None, "of a number")
         if len(of) == 1:
             return "logarithm", *of
-        self.powers.append((*of, self.g[g]))
+        if not self.is_imaginary(g):
+            self.powers.append((*of, self.g[g]))
         return "power", *of
 
     def polynomial(self, terms, below):
@@ -318,6 +338,18 @@ class Field(Calculator):
         side = lambda p: sum((reduce(mul, powers(m), of.number(c)) for m, c in p.to_dict().items()), of.number(0))
         return side(x.above) / side(x.below)
 
+    def keeps(self, x, values):
+        """Whether what occurs keeps to the rules of the generators where values are put in: if all that one is made of goes, it
+        may be anything."""
+        new, there = [], x.occurring() | values.keys()
+        for g, (rule, *_) in enumerate(self.rules):
+            own = self.values[g] if rule == "free" else self.worth(g, new)
+            new.append(values[g].at(self.values) if g in values else own)
+            if rule != "free" and g in there and (g not in values or self.made_of(self.g[g]) & there - {g}):
+                if not (new[g] - (own if g in values else self.values[g])).contains(0):
+                    return False
+        return True
+
     def put(self, x, values):
         all_ = [values.get(g, own) for g, own in enumerate(self.g)]
         for g in self.roots.keys() & values.keys():
@@ -325,22 +357,14 @@ class Field(Calculator):
             demand(self.same(self.repeated(values[g], degree), self.value(radicand, all_, self)), "no value of a root")
         return self.value(x, all_, self)
 
-    def somewhere(self, x, salt):
-        """An element's value where free generators have some values: an interval."""
-        values, of = [], Numbers({})
-        for g, (rule, *parts) in enumerate(self.rules):
-            parts = [values[y] if type(y) is int else self.value(y, values, of) for y in parts]
-            of.symbols |= dict(zip(("of", "to"), parts)) | {"free": of.number(hashed(f"{salt}{g}"))}
-            values.append(evaluate(WORTH[rule], of))
-        return self.value(x, values, of)
-
 
 def identity(w, before):
     _, title, given, generators, symbols, powers, inverses, parts, gives, equal, fails = keys(
         w, "kind title given generators symbols powers inverses parts gives equal fails")
     demand(equal and type(fails) is bool, "nothing is compared")
-    demand(all(other in before for other in given), "it rests on a proof that is not there")
+    demand(all(isinstance(other, str) and other in before for other in given), "it rests on a proof that is not there")
     f = Field(generators, symbols, powers, inverses)
+    f.title = title
     demand(len(gives) == len(parts), "not as many results as parts")
     made, used = [], set()
     for part, result in zip(parts, gives):
@@ -353,8 +377,7 @@ def identity(w, before):
         used |= {left, right} - {None}
         off = made[index(left, len(made))] - (f.number(0) if right is None else made[index(right, len(made))])
         if fails and i + 1 == len(equal):
-            differ = any(f.somewhere(off, salt).sign() for salt in "abcdefgh")
-            demand(differ, f"{title}: {says}: equal, which it is not to be")
+            demand(not f.is_zero(off) and f.differs(off), f"{title}: {says}: equal, which it is not to be")
         else:
             demand(f.is_zero(off), f"{title}: {says}: not equal")
     demand(used == set(range(len(parts))), "an idle part")
@@ -387,10 +410,13 @@ def step(f, made, part, used):
             demand(len(values) == len(pairs) and values.keys() <= there, "an idle value")
             free = all(f.rules[g] == ("free",) for g in values)
             demand(free or name == "put", "a rate of what is not free")
+            demand(name != "put" or f.title in RELATIONS or f.keeps(x, values), "a value against a rule")
             return f.put(x, values) if name == "put" else f.derivative(x, values)
         case "series", [tree, known]:
+            demand(all(type(start) is int for _, start, _ in known), "no lowest power")
             return expanded(f, tree, {n: Series(f, start, [get(i) for i in places]) for n, start, places in known})
         case "coefficient", [i, power]:
+            demand(type(power) is int, "no power")
             return get(i)(power)
     raise Wrong(f"no part: {name}")
 

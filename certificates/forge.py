@@ -160,7 +160,27 @@ def other_end(w):
     w["end"] = {"rest": "escape", "escape": "rest"}[w["end"]]
 
 
+def emptied(w):
+    """What is compared is 0 times what it was."""
+    n, [first, *_] = len(w["parts"]), w["equal"]
+    w["parts"] += [{"element": SEVEN}, {"difference": [n, n]}, {"product": [n + 1, first["left"]]}, {"product": [n + 1, first["right"]]}]
+    w["gives"] += [None] * 4
+    first["left"], first["right"] = n + 2, n + 3
+
+
+def coarse(w):
+    """A root to a unit that says nothing."""
+    w["root"][0] = "0*2^40"
+
+
+def infinite(w):
+    w["parts"][next(i for i, part in enumerate(w["parts"]) if "series" in part)]["series"][1][0][1] = float("inf")
+
+
 IN_WITNESSES = [
+    (of_kind("identity", lambda w: w["equal"][0]["right"] is not None and not w["fails"]), emptied, "not what is listed"),
+    (of_kind("root"), coarse, "the root is elsewhere"),
+    (of_kind("identity", lambda w: any("series" in part for part in w["parts"])), infinite, "no lowest power"),
     (of_kind("identity"), idle_part, "an idle part"),
     (of_kind("identity"), idle_power, "something known that is not needed"),
     (of_kind("identity", lambda w: not w["fails"] and w["equal"]), disproved, "equal, which it is not to be"),
@@ -211,6 +231,18 @@ def without_its_end(c, other):
     c["witnesses"].pop()
 
 
+def other_words(c, other):
+    c["says"] = "anything at all"
+
+
+def whole(c, other):
+    c["about"] = "as printed, and all of it"
+
+
+def other_format(c, other):
+    c["format"] = 2.0
+
+
 def other_name(c, other):
     c["trial"] = other["trial"]
 
@@ -221,6 +253,9 @@ IN_FILES = [
     (other_sign, "the statement is not printed so"),
     (without_its_end, "not what is listed"),
     (other_name, "another file's name"),
+    (other_words, "not what is listed"),
+    (whole, "not what is listed"),
+    (other_format, "another version of the format"),
 ]
 
 
@@ -278,7 +313,103 @@ def other_branch():
                       "gives": [None, None], "equal": [{"says": "arcsin 0", "left": 0, "right": 1}], "fails": False}, "principal branches"
 
 
-FALSE = [other_branch, at_the_end, at_the_end_of_a_side, by_the_slope_along_x, above_the_sine, cube_root]
+def of(*terms, number="1", below=()):
+    return {"above": [list(term) for term in terms], "number": number, "below": list(below)}
+
+
+def claimed(generators, parts, pairs, fails=False, **known):
+    """An identity of these generators, besides π: that pairs of parts are equal."""
+    equal = [{"says": "", "left": left, "right": right} for left, right in pairs]
+    return identity, {"kind": "identity", "title": "what is false", "given": [], "generators": [{"rule": "pi"}, *generators],
+                      "symbols": [], "powers": [], "inverses": [], "parts": parts, "gives": [None] * len(parts), "equal": equal,
+                      "fails": fails, **known}
+
+
+X, ONE = {"rule": "free", "name": "x"}, of(["1", []])
+ROOT_OF_X = [X, {"rule": "root", "of": of(["1", [0, 1]]), "degree": 2}]
+LOGARITHM = [X, {"rule": "logarithm", "of": of(["1", [0, 1]])}]
+ANGLE = [{"rule": "free", "name": "θ"}, {"rule": "half-tangent", "of": 1},
+         {"rule": "root", "of": of(["1", []], below=[[[["1", []], ["1", [0, 0, 2]]], 1]]), "degree": 2}]
+
+
+def roots_of_what_is_negative():
+    """√(x²) = −(√x)², by the roots of −x and −1."""
+    roots = [{"rule": "root", "of": x, "degree": 2} for x in (of(["-1", [0, 1]]), of(["-1", []]))]
+    parts = [{"read": ["√", ["*", "x", "x"]]}, {"read": ["-", ["*", ["√", "x"], ["√", "x"]]]}]
+    return *claimed([X, *roots], parts, [(0, 1)]), "no declared power"
+
+
+def root_beside_the_angle():
+    """arccos cos θ = −(√(−θ))²."""
+    cosine = of(["1", []], ["-1", [0, 0, 2]], below=[[[["1", []], ["1", [0, 0, 2]]], 1]])
+    angle = {"function": "arccos", "of": cosine, "is": of(["1", [0, 1]])}
+    parts = [{"read": ["+", ["arccos", ["cos", "θ"]], ["*", ["√", ["-", "θ"]], ["√", ["-", "θ"]]]]}]
+    return *claimed([*ANGLE, {"rule": "root", "of": of(["-1", [0, 1]]), "degree": 2}], parts, [(0, None)], inverses=[angle]), "principal"
+
+
+def by_the_root_of_a_square():
+    """5 (√4 − 2)/(√4 − 2) = 5."""
+    parts = [{"element": of(["5", []])}, {"element": of(["1", [0, 1]], ["-2", []])}, {"product": [0, 1]}, {"quotient": [2, 1]}]
+    return *claimed([{"rule": "root", "of": FOUR, "degree": 2}], parts, [(3, 0)]), "division by zero"
+
+
+def other_logarithm():
+    """x + ln x at 1 is 8."""
+    parts = [{"read": ["+", "x", ["ln", "x"]]}, {"read": "1"}, {"read": "7"}, {"put": [0, [[1, 1], [2, 2]]]}, {"read": "8"}]
+    return *claimed(LOGARITHM, parts, [(3, 4)]), "a value against a rule"
+
+
+def other_cosine():
+    """θ + cos θ at 0 is 0, by tan(θ/2) = 1."""
+    parts = [{"read": ["+", "θ", ["cos", "θ"]]}, {"read": "0"}, {"read": "1"}, {"put": [0, [[1, 1], [2, 2]]]}]
+    return *claimed(ANGLE, parts, [(3, None)]), "a value against a rule"
+
+
+def negative_root():
+    """x + √x at 4 is 2."""
+    parts = [{"read": ["+", "x", ["√", "x"]]}, {"read": "4"}, {"read": ["-", "2"]}, {"put": [0, [[1, 1], [2, 2]]]}, {"read": "2"}]
+    return *claimed(ROOT_OF_X, parts, [(3, 4)]), "a value against a rule"
+
+
+def beyond_the_exponent():
+    """A coefficient of (1 + t)^(1/2 + t)/t², of which 1/2 + t is known only so far."""
+    series = [["/", ["^", "x", ["+", ["/", "1", "2"], "t"]], ["*", "t", "t"]], [["x", 0, [0, 0, 1, 1, 1, 1]], ["t", 1, [0, 1, 1, 1, 1]]]]
+    parts = [{"read": "1"}, {"read": "0"}, {"series": series}, {"coefficient": [2, 0]}, {"read": ["-", ["/", "1", "8"]]}]
+    return *claimed([], parts, [(3, 4)]), "a varying exponent"
+
+
+def disproof_elsewhere():
+    """√(x²) is not x, as −x is a root of x² too."""
+    minus = {"of": of(["1", [0, 2]]), "to": HALF, "is": of(["-1", [0, 1]])}
+    parts = [{"read": ["√", ["*", "x", "x"]]}, {"read": ["√", "x"]}, {"product": [1, 1]}]
+    return *claimed(ROOT_OF_X, parts, [(0, 2)], fails=True, powers=[minus]), "principal"
+
+
+def no_decimal():
+    """x + ¼ for x, as if it were a decimal with no digits behind the point."""
+    from intervals import number
+    at = (["x"], [Interval(dyadic("1*2^-1"))])
+    return lambda w, _: number(w, [at]), {"kind": "number", "root": 0, "stated": ["/", ["+", "x", "1*2^-2"], "1"], "found": "x"}, "the numbers differ"
+
+
+def nothing_times_anything():
+    """That 1 + 0/x is positive about 0."""
+    condition = {"formula": ["+", "1", ["*", "0", ["/", "1", "x"]]], "by": 0, "power": 0, "sign": 1, "middle": [str(1 << 30)]}
+    return range_, {"kind": "range", "variables": ["x"], "within": [["-1", "2"]], "parts": [{"at": [["-1", "2"]], "by": None}],
+                    "cases": [{"of": "rest", "choice": False, "conditions": [condition]}]}, "0 times something"
+
+
+def named_as_pi():
+    """That π is above 4."""
+    condition = {"formula": ["-", "5", "π"], "by": 0, "power": 0, "sign": 1, "middle": [str(2 << 29)]}
+    return range_, {"kind": "range", "variables": ["π"], "within": [["4", "5"]], "parts": [{"at": [["4", "5"]], "by": None}],
+                    "cases": [{"of": "rest", "choice": False, "conditions": [condition]}]}, "no names"
+
+
+FALSE = [other_branch, at_the_end, at_the_end_of_a_side, by_the_slope_along_x, above_the_sine, cube_root, roots_of_what_is_negative,
+         root_beside_the_angle, by_the_root_of_a_square, other_logarithm, other_cosine, negative_root, beyond_the_exponent,
+         disproof_elsewhere, no_decimal,
+         nothing_times_anything, named_as_pi]
 
 
 def refused(reason, call):

@@ -98,6 +98,7 @@ def worked_out(tree, of, found):
         demand(name == "-" or name in FUNCTIONS, f"no function: {name}")
         return -x if name == "-" else of.call(name, x)
     demand(name == "^" or not any(str(operand).startswith("-") for operand in operands), "a number with a sign inside")
+    demand(name != "*" or "0" not in operands, "0 times something")
     x, y = (evaluate(operand, of, found) for operand in operands)
     demand(name == "^" or name in OPERATIONS, f"no operation: {name}")
     demand(name not in ("+", "-") or type(x) is type(y), "a sum of unlike things")
@@ -181,11 +182,11 @@ class Expansion(Calculator):
 
     def power(self, x, y, first=None):
         """y = x^e obeys x y′ = e x′ y."""
-        x, e, number = x.trimmed("a power of"), y.at(0), self.of.number
+        x, e, number, known = x.trimmed("a power of"), y.at(0), self.of.number, y.end
         start = self.of.whole(number(x.start) * e)
         demand(start is not None, "no whole powers")
         y = [first(x.c[0]) if first else self.of.raised(x.c[0], e)]
-        for n in range(1, len(x.c)):
+        for n in range(1, min(len(x.c), known)):
             weighted = [(e * number(k) - number(n - k)) * x.c[k] for k in range(n + 1)]
             y.append(x.sum(zip(weighted[1:], y[::-1])) / (x.c[0] * number(n)))
         return Series(self.of, start, y)

@@ -1,6 +1,7 @@
 """Intervals, and what is certified by them: roots, numbers, ranges, motions."""
 import hashlib
 import json
+import re
 from functools import reduce
 from itertools import product
 
@@ -105,7 +106,7 @@ def hashed(text):
 
 def variables(names):
     of_letters = isinstance(names, list) and all(isinstance(n, str) for n in names)
-    demand(of_letters and len(set(names)) == len(names), "no names")
+    demand(of_letters and len(set(names)) == len(names) and not any(n == "π" or re.match(r"-?\d", n) for n in names), "no names")
     return names
 
 
@@ -172,7 +173,8 @@ def root(w, before):
         x = list(map(Interval.meet, x, image(x)))
     for side, text in zip(x, found):
         whole, _, power = text.partition("*2^")
-        demand(nearest(side, whole, fmpq(2) ** int(power or 0)), "the root is elsewhere")
+        near = int(power or 0) <= -32 and nearest(side, whole, fmpq(2) ** int(power))
+        demand(near, "the root is elsewhere")
     return names, x
 
 
@@ -182,7 +184,7 @@ def number(w, before):
     demand(isinstance(at, tuple), "the number is not that of a root")
     off = coefficients(stated, *at)[0] - coefficients(found, *at)[0]
     same = Interval(0).within(off) and off.width() < arb(2) ** -200
-    if isinstance(stated, list) and stated[0] == "/" and str(stated[2]).strip("0") == "1":
+    if isinstance(stated, list) and stated[0] == "/" and re.fullmatch(r"\d+/10+", "/".join(map(str, stated[1:]))):
         # A decimal, rounded to its last digit.
         same = off.within(Interval(fmpq(-1, 2 * int(stated[2])), fmpq(1, 2 * int(stated[2]))))
     demand(same, "the numbers differ")
