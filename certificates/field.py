@@ -4,7 +4,7 @@ from functools import cache, reduce
 from itertools import combinations_with_replacement
 from operator import add, mul, sub, truediv
 
-from flint import arb, fmpq, fmpz_mpoly_ctx
+from flint import acb, arb, fmpq, fmpz_mpoly_ctx
 
 from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
 
@@ -106,7 +106,8 @@ class Field(Calculator):
     def worth(self, g, values):
         """What a generator is worth by its rule, where those before it have these values."""
         rule, *of = self.rules[g]
-        return WORTH[rule](*(x.at(values) if isinstance(x, Element) else values[x] for x in of))
+        of = [x.at(values) if isinstance(x, Element) else values[x] for x in of]
+        return WORTH[rule](*(map(acb, of) if self.is_imaginary(g) else of))
 
     def is_imaginary(self, g):
         """Whether a generator is a root of a negative number: no formula has such a root."""
@@ -114,10 +115,8 @@ class Field(Calculator):
         return n is not None and n < 0
 
     def differs(self, x):
-        """Whether an element without roots of negative numbers differs from 0 somewhere on the principal branches."""
-        if self.values is None or any(self.is_imaginary(g) for g in x.occurring()):
-            return True
-        return not x.at(self.values).contains(0)
+        """Whether an element differs from 0 somewhere on the principal branches, once these are known."""
+        return self.values is None or not x.at(self.values).contains(0)
 
     def rule(self, g, x):
         """A generator's rule, of earlier ones."""
@@ -168,6 +167,7 @@ class Field(Calculator):
             under *= self.polynomial(factor, below) ** k
         small = all(over.degrees()[g] < 2 * degree for g, (_, degree) in self.roots.items())
         demand(small or not worked_out, "a power of a root")
+        demand(under.is_constant() or self.differs(Element(self, under, self.one)), "division by zero")
         return self.fraction(over, under)
 
     def reduced(self, p):

@@ -353,6 +353,20 @@ def by_the_root_of_a_square():
     return *claimed([{"rule": "root", "of": FOUR, "degree": 2}], parts, [(3, 0)]), "division by zero"
 
 
+def by_an_imaginary_zero():
+    """The same with √−1 beside the divisor."""
+    roots = [{"rule": "root", "of": x, "degree": 2} for x in (FOUR, of(["-1", []]))]
+    parts = [{"element": of(["5", []])}, {"element": of(["1", [0, 1, 1]], ["-2", [0, 0, 1]])}, {"product": [0, 1]}, {"quotient": [2, 1]}]
+    return *claimed(roots, parts, [(3, 0)]), "division by zero"
+
+
+def over_zero_as_written():
+    """(√4 − 2)·5/(√4 − 2) = 5, as an element."""
+    zero = [[["-2", []], ["1", [0, 1]]], 1]
+    parts = [{"element": of(["5", [0, 2]], ["-20", []], below=[zero])}, {"element": of(["5", [0, 1]], ["10", []])}]
+    return *claimed([{"rule": "root", "of": FOUR, "degree": 2}], parts, [(0, 1)]), "division by zero"
+
+
 def other_logarithm():
     """x + ln x at 1 is 8."""
     parts = [{"read": ["+", "x", ["ln", "x"]]}, {"read": "1"}, {"read": "7"}, {"put": [0, [[1, 1], [2, 2]]]}, {"read": "8"}]
@@ -407,7 +421,7 @@ def named_as_pi():
 
 
 FALSE = [other_branch, at_the_end, at_the_end_of_a_side, by_the_slope_along_x, above_the_sine, cube_root, roots_of_what_is_negative,
-         root_beside_the_angle, by_the_root_of_a_square, other_logarithm, other_cosine, negative_root, beyond_the_exponent,
+         root_beside_the_angle, by_the_root_of_a_square, by_an_imaginary_zero, over_zero_as_written, other_logarithm, other_cosine, negative_root, beyond_the_exponent,
          disproof_elsewhere, no_decimal,
          nothing_times_anything, named_as_pi]
 

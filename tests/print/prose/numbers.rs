@@ -121,7 +121,13 @@ pub fn counts(text: &str) -> Vec<(usize, &str)> {
         let listed = before.ends_with('\n') && after.starts_with(". ");
         // UTF-8, IEEE 754, f64, November 2026.
         let last = before.trim_end_matches([' ', '-']);
-        let name = last.ends_with(|c: char| c.is_ascii_uppercase()) && last.len() < before.len()
+        let capitals = last
+            .chars()
+            .rev()
+            .take(2)
+            .filter(char::is_ascii_uppercase)
+            .count();
+        let name = capitals == 2 && last.len() < before.len()
             || before.ends_with(|c: char| c.is_ascii_alphabetic())
             || MONTHS.iter().any(|month| last.ends_with(month));
         let other = address || listed || name || of_reference(after) || number.contains('.');
