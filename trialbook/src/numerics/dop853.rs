@@ -4,8 +4,8 @@
 //! standard library's powers, so that its last bits may differ between platforms.
 
 use super::error::{NumericsError, finite};
-use ode_solvers::dop_shared::IntegrationError;
-use ode_solvers::{DVector, Dop853, OutputType, System};
+use ode_solvers::dop_shared::{IntegrationError, OutputType};
+use ode_solvers::{DVector, Dop853, System};
 
 /// A right-hand side in the form that the library wants, with the time as one more component: the library's own
 /// time is wrong in the last stage (its node c₁₂ is 0 where it has to be 1), so nothing may depend on it.

@@ -1,11 +1,10 @@
 //! Linear least squares: the coefficients with which a sum of given functions comes nearest to data.
 //!
-//! The design matrix is decomposed by Householder reflections (`faer`'s QR), its columns scaled to unit length
+//! The design matrix is decomposed by Householder reflections (`nalgebra`'s QR), its columns scaled to unit length
 //! first, so that basis functions of very different sizes do no harm.
 
 use super::error::NumericsError;
-use faer::Mat;
-use faer::linalg::solvers::SolveLstsqCore;
+use nalgebra::{DMatrix, DVector};
 
 /// A fitted sum of functions.
 #[derive(Debug, Clone, PartialEq)]
@@ -37,7 +36,7 @@ pub fn fit(data: &[(f64, f64)], basis: &[&dyn Fn(f64) -> f64]) -> Result<Fit, Nu
     if columns == 0 || rows < columns {
         return Err(undetermined(rows.min(columns)));
     }
-    let mut design = Mat::from_fn(rows, columns, |i, j| basis[j](data[i].0));
+    let mut design = DMatrix::from_fn(rows, columns, |i, j| basis[j](data[i].0));
     for (i, (x, y)) in data.iter().enumerate() {
         if !(y.is_finite() && (0..columns).all(|j| design[(i, j)].is_finite())) {
             return Err(NumericsError::NotFinite {
@@ -47,58 +46,43 @@ pub fn fit(data: &[(f64, f64)], basis: &[&dyn Fn(f64) -> f64]) -> Result<Fit, Nu
         }
     }
     let mut scales = Vec::with_capacity(columns);
-    for j in 0..columns {
-        let scale = design.col(j).norm_l2();
+    for mut column in design.column_iter_mut() {
+        let scale = column.norm();
         if !(scale > 0.0 && scale.is_finite()) {
             return Err(undetermined(columns - 1));
         }
-        design.col_mut(j).iter_mut().for_each(|x| *x /= scale);
+        column /= scale;
         scales.push(scale);
     }
-    let qr = design.qr();
-    let r = qr.thin_R();
+    let qr = design.clone().qr();
+    let r = qr.r();
     let rank = (0..columns)
         .filter(|&j| r[(j, j)].abs() > DEPENDENT)
         .count();
     if rank < columns {
         return Err(undetermined(rank));
     }
-    let mut solution = Mat::from_fn(rows, 1, |i, _| data[i].1);
-    qr.solve_lstsq_in_place_with_conj(faer::Conj::No, solution.as_mut());
-    let residuals: Vec<f64> = (0..rows)
-        .map(|i| {
-            data[i].1
-                - (0..columns)
-                    .map(|j| design[(i, j)] * solution[(j, 0)])
-                    .sum::<f64>()
-        })
-        .collect();
-    let squares: f64 = residuals.iter().map(|e| e * e).sum();
+    let values = DVector::from_iterator(rows, data.iter().map(|(_, y)| *y));
+    let mut turned = values.clone();
+    qr.q_tr_mul(&mut turned);
+    r.solve_upper_triangular_mut(&mut turned.rows_mut(0, columns));
+    let solution = turned.rows(0, columns).into_owned();
+    let mut inverse = DMatrix::identity(columns, columns);
+    r.solve_upper_triangular_mut(&mut inverse);
+    let residuals = values - design * &solution;
+    let squares = residuals.norm_squared();
     let variance = if rows > columns {
         squares / (rows - columns) as f64
     } else {
         0.0
     };
-    // The covariance is variance · R⁻¹R⁻ᵀ; row j of R⁻¹ by back substitution on unit vectors.
-    let mut inverse = Mat::<f64>::zeros(columns, columns);
-    for j in 0..columns {
-        for i in (0..=j).rev() {
-            let known: f64 = (i + 1..=j).map(|k| r[(i, k)] * inverse[(k, j)]).sum();
-            let unit = if i == j { 1.0 } else { 0.0 };
-            inverse[(i, j)] = (unit - known) / r[(i, i)];
-        }
-    }
-    let error = |i: usize| {
-        let spread: f64 = (i..columns)
-            .map(|j| inverse[(i, j)] * inverse[(i, j)])
-            .sum();
-        libm::sqrt(variance * spread) / scales[i]
-    };
+    // The covariance is variance · R⁻¹R⁻ᵀ.
+    let error = |j: usize| libm::sqrt(variance) * inverse.row(j).norm() / scales[j];
     let fit = Fit {
-        coefficients: (0..columns).map(|j| solution[(j, 0)] / scales[j]).collect(),
+        coefficients: (0..columns).map(|j| solution[j] / scales[j]).collect(),
         errors: (0..columns).map(error).collect(),
         residual: libm::sqrt(squares / rows as f64),
-        worst: residuals.iter().fold(0.0, |worst, e| worst.max(e.abs())),
+        worst: residuals.amax(),
     };
     let mut numbers = fit.coefficients.iter().chain(&fit.errors);
     if numbers.all(|x| x.is_finite()) && fit.residual.is_finite() {
