@@ -3,11 +3,12 @@
 
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
-use slipbook::claims::distrust::{COARSE, CORNERED, IDLE, UNREAD};
+use slipbook::claims::attempt::Attempt;
+use slipbook::claims::distrust::{CORNERED, UNREAD};
 use slipbook::claims::variants::Variant;
 use slipbook::claims::{PAPER, Topic};
-use slipbook::ledger::Ledger;
 use slipbook::ledger::distrust::{Extent, Tried};
+use slipbook::ledger::{Key, Ledger};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -32,27 +33,26 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
     let ids: Vec<_> = topic.claims.iter().map(|claim| claim.id).collect();
     let ledger = Ledger::try_some(&PAPER, &ids, |_| {});
     let tried = ledger.distrust(variants, Extent::Few, || {});
-    let named = |t: &&Tried| {
-        let entry = &ledger.entries[t.entry];
-        (entry.claim.id, entry.evidence[t.trial].trial)
-    };
-    let leaning: Vec<_> = tried.iter().filter(|t| t.leans_on().is_some()).collect();
-    let leaning: Vec<_> = leaning.iter().map(named).collect();
+    let key = |t: &Tried| ledger.entries[t.entry].key(t.trial);
+    let leaning = tried.iter().filter(|t| t.leans_on().is_some());
+    let leaning: Vec<_> = leaning.map(|t| key(t).to_string()).collect();
     let idle = tried.iter().filter(|t| t.agrees && t.rejected() == 0);
-    let idle: BTreeSet<_> = idle.map(|t| named(&t)).collect();
+    let idle: BTreeSet<_> = idle.map(key).collect();
+    let excused = attempts(&ledger).filter(|(_, attempt)| attempt.idle.is_some());
+    let excused: BTreeSet<_> = excused.map(|(key, _)| key).collect();
+    let wrong = idle.symmetric_difference(&excused);
+    let wrong: Vec<_> = wrong.map(Key::to_string).collect();
     let of_topic = |id: &str| topic.claims.iter().any(|claim| claim.id == id);
-    let excused = IDLE.iter().filter(|idle| of_topic(idle.claim));
-    let excused: BTreeSet<_> = excused.map(|idle| (idle.claim, idle.trial)).collect();
-    let wrong: Vec<_> = idle.symmetric_difference(&excused).collect();
 
     let slight = ledger.slight();
-    let coarse = slight.iter().filter(|s| !s.noticed).map(|s| {
-        let entry = &ledger.entries[s.entry];
-        (entry.claim.id, entry.evidence[s.trial].trial, s.formula)
-    });
+    let coarse = slight.iter().filter(|s| !s.noticed);
+    let coarse = coarse.map(|s| (ledger.entries[s.entry].key(s.trial), s.formula));
     let coarse: BTreeSet<_> = coarse.collect();
-    let excused = COARSE.iter().filter(|c| of_topic(c.claim));
-    let excused: BTreeSet<_> = excused.map(|c| (c.claim, c.trial, c.formula)).collect();
+    let excused = attempts(&ledger).flat_map(|(key, attempt)| {
+        let formulas = attempt.coarse.iter();
+        formulas.map(move |(formula, _)| (key, *formula))
+    });
+    let excused: BTreeSet<_> = excused.collect();
     let coarse: Vec<_> = coarse.symmetric_difference(&excused).collect();
 
     let mut corners = PAPER.formulas.corners();
@@ -77,11 +77,11 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
 
     let mut strictness = String::new();
     for t in &tried {
-        let ((claim, trial), met) = (named(&t), t.reactions.len());
+        let (key, met) = (key(t), t.reactions.len());
         let (rejected, failed) = (t.rejected(), t.failed());
         writeln!(
             strictness,
-            "{claim} {trial}: {rejected} of {met} rejected, {failed} comparisons disagree"
+            "{key}: {rejected} of {met} rejected, {failed} comparisons disagree"
         )?;
     }
     same_as_recorded(topic.stem, &strictness)?;
@@ -102,6 +102,14 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
          {cornered:#?}; no measurement reads, or one does: {unread:#?}"
     )
     .into())
+}
+
+/// The trials of the ledger's claims, by their keys.
+fn attempts(ledger: &Ledger) -> impl Iterator<Item = (Key, &'static Attempt)> {
+    ledger.entries.iter().flat_map(|entry| {
+        let trials = entry.claim.trials.iter().enumerate();
+        trials.map(|(i, attempt)| (entry.key(i), attempt))
+    })
 }
 
 fn same_as_recorded(stem: &str, text: &str) -> Result<(), Failed> {

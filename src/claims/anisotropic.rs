@@ -19,6 +19,7 @@ pub mod simulated;
 mod slips;
 
 use super::attempt::trials;
+use super::excuses;
 use super::sinusoidal::excepted::no_friction;
 use super::sinusoidal::{FRICTION_ACROSS, SOME_FRICTION};
 use super::{Claim, Condition, Correction, Sort, Topic};
@@ -276,7 +277,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &decays::VY_VANISHES,
             across::vanishes,
-            across::never_grows,
+            across::never_grows.elsewhere(excuses::BY_EQ1),
             across::outside,
             no_friction
         ],
@@ -455,8 +456,8 @@ const CLAIMS: &[Claim] = &[
             regions::diagram,
             regions::corrected_diagram,
             regions::far,
-            regions::corrected_curves,
-            certified::order,
+            regions::corrected_curves.elsewhere(excuses::BETWEEN),
+            certified::order.elsewhere(excuses::BETWEEN),
             regions::diagram_step
         ],
         correction: Some(DIAGRAM),

@@ -10,6 +10,7 @@ pub mod steps;
 pub mod straight;
 
 use super::attempt::trials;
+use super::excuses;
 use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -242,7 +243,8 @@ const CLAIMS: &[Claim] = &[
             growth::eq130_limit,
             &exact::spiral::EQ130,
             &exact::EQ130,
-            growth::corrected130_limit,
+            growth::corrected130_limit
+                .coarse(&[("thrice_alpha_exp", "a third of its logarithm is compared")]),
             steps::eq130,
             onset::alpha_by_a_grows
         ],
@@ -287,12 +289,12 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq132_limit,
-            growth::eq132_exponent,
+            growth::eq132_exponent.coarse(&[("eq132_a", excuses::EXPONENT)]),
             &exact::spiral::EQ132,
             bounds::eq132,
             &exact::EQ132,
-            growth::corrected132_limit,
-            growth::corrected132_delay,
+            growth::corrected132_limit.coarse(&[("a", excuses::HALF)]),
+            growth::corrected132_delay.elsewhere(excuses::DELAY),
             steps::eq132
         ],
     },
@@ -316,7 +318,7 @@ const CLAIMS: &[Claim] = &[
             &exact::spiral::EQ133,
             bounds::eq133,
             &exact::EQ133,
-            growth::corrected133_limit,
+            growth::corrected133_limit.coarse(&[("twice_alpha_exp", excuses::HALF)]),
             steps::eq133,
             onset::alpha_grows
         ],
@@ -342,7 +344,7 @@ const CLAIMS: &[Claim] = &[
             &exact::spiral::EQ134,
             bounds::eq134,
             &exact::EQ134,
-            growth::corrected134_exponent,
+            growth::corrected134_exponent.coarse(&[("lag", excuses::EXPONENT)]),
             growth::corrected134_limit,
             growth::corrected134_delay,
             steps::eq134,
@@ -366,12 +368,13 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq135_limit,
-            growth::eq135_exponent,
+            growth::eq135_exponent.coarse(&[("eq135_p", excuses::EXPONENT)]),
             &exact::spiral::EQ135,
             bounds::eq135,
             &exact::EQ135,
-            growth::corrected135_limit,
-            growth::corrected135_delay,
+            growth::corrected135_limit
+                .coarse(&[("amplitude", excuses::HALF), ("rho", excuses::HALF)]),
+            growth::corrected135_delay.elsewhere(excuses::DELAY),
             steps::eq135
         ],
     },
@@ -392,12 +395,12 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq136_limit,
-            growth::eq136_exponent,
+            growth::eq136_exponent.coarse(&[("eq136_rho", excuses::EXPONENT)]),
             &exact::spiral::EQ136,
             bounds::eq136,
-            &exact::EQ136,
-            growth::corrected136_limit,
-            growth::corrected136_delay,
+            &exact::EQ136.elsewhere(excuses::AS_135),
+            growth::corrected136_limit.elsewhere(excuses::AS_135),
+            growth::corrected136_delay.elsewhere(excuses::DELAY),
             growth::winding_limit,
             steps::eq136
         ],
@@ -419,11 +422,11 @@ const CLAIMS: &[Claim] = &[
         }),
         trials: trials![
             growth::eq137_limit,
-            growth::eq137_exponent,
+            growth::eq137_exponent.coarse(&[("eq137_s", excuses::EXPONENT)]),
             &exact::spiral::EQ137,
             &exact::EQ137,
-            growth::corrected137_limit,
-            growth::corrected137_delay,
+            growth::corrected137_limit.coarse(&[("s", excuses::HALF)]),
+            growth::corrected137_delay.elsewhere(excuses::DELAY),
             steps::eq137
         ],
     },
@@ -449,7 +452,7 @@ const CLAIMS: &[Claim] = &[
         conditions: INNER,
         depends_on: &["eq-113"],
         trials: trials![
-            &exact::NEVER_DECREASES,
+            &exact::NEVER_DECREASES.elsewhere(excuses::BY_THE_LAW),
             onset::never_decreases_way,
             onset::never_decreases_census
         ],

@@ -10,6 +10,7 @@ mod properties;
 pub mod strong;
 
 use super::attempt::trials;
+use super::excuses;
 use super::{Claim, Condition, Sort, Topic};
 use crate::evidence::Kind;
 
@@ -75,9 +76,9 @@ const CLAIMS: &[Claim] = &[
         plain: "If the largest value of |𝐀| is below μ g, the speed falls and the particle is at rest after a finite time.",
         depends_on: &["eq-2"],
         trials: trials![
-            &chains::STOPS,
+            &chains::STOPS.elsewhere(excuses::BY_THE_LAW),
             properties::stops_census,
-            properties::stops_integration
+            properties::stops_integration.coarse(&[("s2_stops_below", excuses::BOUNDS)])
         ],
         ..Claim::BLANK
     },
@@ -115,7 +116,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &strong::SPEEDS_UP,
             properties::grows_census,
-            properties::grows_integration,
+            properties::grows_integration.coarse(&[("s2_speeds_up_above", excuses::BOUNDS)]),
             properties::grows_outside
         ],
         ..Claim::BLANK
@@ -130,9 +131,9 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &chains::ACROSS,
             properties::across_census,
-            properties::across_quadrature,
+            properties::across_quadrature.coarse(&[("s2_across_trend", excuses::SIGN)]),
             properties::across_limit,
-            properties::across_integration,
+            properties::across_integration.coarse(&[("s2_across_trend", excuses::SIGN)]),
             properties::across_outside,
             excepted::no_friction
         ],

@@ -10,6 +10,8 @@ pub mod corners;
 #[cfg(feature = "trials")]
 pub mod distrust;
 #[cfg(feature = "trials")]
+mod excuses;
+#[cfg(feature = "trials")]
 mod failure;
 #[cfg(feature = "trials")]
 pub mod formulas;
@@ -17,8 +19,6 @@ pub mod formulas;
 pub mod laid_over;
 #[cfg(feature = "trials")]
 pub mod measured;
-#[cfg(feature = "trials")]
-pub mod reading;
 pub mod solve;
 #[cfg(feature = "trials")]
 pub mod tolerances;
@@ -82,8 +82,6 @@ pub static PAPER: Paper = Paper {
     values: &values::VALUES,
     measured: measured::MEASURED,
     survivors: variants::SURVIVORS,
-    idle: distrust::IDLE,
-    coarse: distrust::COARSE,
     cornered: distrust::CORNERED,
     unread: distrust::UNREAD,
     spared: variants::SPARED,

@@ -14,6 +14,7 @@ mod rest;
 pub mod threshold;
 
 use super::attempt::trials;
+use super::excuses;
 use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -74,8 +75,11 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-26", "eq-42"],
         trials: trials![
             &exact::EQ44,
-            pulses::eq44_motion,
-            pulses::eq44_plane,
+            pulses::eq44_motion.coarse(&[("eq44_ends", excuses::JOINTS)]),
+            pulses::eq44_plane.coarse(&[
+                ("eq44_cases", excuses::HALF),
+                ("eq44_ends", excuses::JOINTS)
+            ]),
             losses::with_rests
         ],
         ..Claim::BLANK
@@ -99,7 +103,11 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-43", "eq-44"],
-        trials: trials![&exact::EQ45, pulses::eq45_motion, pulses::eq45_plane],
+        trials: trials![
+            &exact::EQ45,
+            pulses::eq45_motion.coarse(&[("eq45_w", excuses::HALF)]),
+            pulses::eq45_plane.coarse(&[("eq45_w", excuses::HALF)])
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -115,8 +123,16 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ46,
             pulses::eq46_root,
             pulses::eq46_census,
-            pulses::below_motion,
-            drawn::shares_motion,
+            pulses::below_motion
+                .elsewhere("what the motion is below the threshold, which other trials try")
+                .coarse(&[
+                    ("small_friction_ends", excuses::JOINTS),
+                    ("small_friction_start", excuses::HALF)
+                ]),
+            drawn::shares_motion.coarse(&[(
+                "eq46_lambda_c",
+                "it says which motions have rests; close to where they appear they last for no time"
+            )]),
             losses::without_rest
         ],
         ..Claim::BLANK
@@ -135,7 +151,7 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &chains::REST_ABOVE_ONE,
             rest::within_time,
-            rest::stopping_time,
+            rest::stopping_time.elsewhere("when it comes to rest, by (1)"),
             rest::sharp
         ],
         ..Claim::BLANK
@@ -173,11 +189,15 @@ const CLAIMS: &[Claim] = &[
             &borders::THRESHOLD,
             &changes::CHANGES,
             threshold::both_ends,
-            threshold::two_zeros_root,
-            threshold::again_and_again,
+            threshold::two_zeros_root
+                .idle(excuses::NO_NUMBER)
+                .elsewhere(excuses::AT_WHICH),
+            threshold::again_and_again
+                .idle(excuses::NO_NUMBER)
+                .elsewhere(excuses::AT_WHICH),
             threshold::with_mean,
-            threshold::with_mean_drift,
-            threshold::with_mean_close,
+            threshold::with_mean_drift.idle(excuses::BESIDE),
+            threshold::with_mean_close.idle(excuses::BESIDE),
             threshold::two_valued,
             threshold::level
         ],
@@ -212,7 +232,7 @@ const CLAIMS: &[Claim] = &[
             &chains::MOSTLY_AT_REST,
             mostly::limit,
             mostly::census,
-            mostly::two_valued
+            mostly::two_valued.idle(excuses::BESIDE)
         ],
         ..Claim::BLANK
     },

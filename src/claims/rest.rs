@@ -382,7 +382,10 @@ const CLAIMS: &[Claim] = &[
             boundary::printed_root,
             &exact::boundary::PRINTED,
             boundary::corrected_census,
-            boundary::corrected_root,
+            boundary::corrected_root.coarse(&[(
+                "boundary_curvature",
+                "it is the coefficient of a small term of what is compared"
+            )]),
             boundary::corrected_close,
             &exact::boundary::CORRECTED,
             &exact::barriers::BOUNDARY,

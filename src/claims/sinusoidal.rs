@@ -21,6 +21,7 @@ mod threshold;
 mod units;
 
 use super::attempt::trials;
+use super::excuses;
 use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -278,7 +279,13 @@ const CLAIMS: &[Claim] = &[
             },
         ],
         depends_on: &["eq-29", "eq-31", "eq-32", "s22-rest-ends"],
-        trials: trials![&exact::EQ33, periodic::eq33_motion, periodic::eq33_unique],
+        trials: trials![
+            &exact::EQ33,
+            periodic::eq33_motion.coarse(&[("eq33_ends", excuses::JOINTS)]),
+            periodic::eq33_unique
+                .idle(excuses::ONE_MOTION)
+                .elsewhere(excuses::IN_WORDS)
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -374,9 +381,12 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-26", "eq-36", "s22-no-rest-below"],
         trials: trials![
             &exact::EQ38,
-            periodic::eq38_motion,
-            periodic::eq38_unique,
-            periodic::eq38_approach,
+            periodic::eq38_motion.coarse(&[("eq38_ends", excuses::JOINTS)]),
+            periodic::eq38_unique
+                .idle(excuses::ONE_MOTION)
+                .elsewhere(excuses::IN_WORDS),
+            periodic::eq38_approach
+                .elsewhere("how fast the periodic motion is approached, which (38) does not say"),
             periodic::eq38_outside,
             excepted::no_friction
         ],
@@ -454,7 +464,7 @@ const CLAIMS: &[Claim] = &[
             &chains::VY_VANISHES,
             across::vanishes_limit,
             across::vanishes_motion,
-            across::vanishes_census,
+            across::vanishes_census.elsewhere(excuses::BY_EQ1),
             across::vanishes_outside,
             excepted::no_friction
         ],
@@ -508,7 +518,10 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &chains::FRICTION_ACROSS,
             argument::across_rate,
-            argument::across_proportional
+            argument::across_proportional.coarse(&[(
+                "s22_across_friction",
+                "a ratio is compared, which no factor changes"
+            )])
         ],
         ..Claim::BLANK
     },
@@ -529,7 +542,9 @@ const CLAIMS: &[Claim] = &[
             decay::period_factor_reached,
             decay::passage_limit,
             decay::passage_quadrature,
-            decay::finite_end,
+            decay::finite_end
+                .idle(excuses::ONE_MOTION)
+                .elsewhere(excuses::IN_WORDS),
             decay::last_stage,
             &stages::TWO_STAGES,
             excepted::no_friction
@@ -548,7 +563,9 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &attraction::IGNORES_VY,
             across::ignores_motion,
-            across::ignores_census,
+            across::ignores_census.idle(
+                "that a velocity across the drive matters on the way is said without a formula"
+            ),
             across::ignores_outside,
             excepted::no_friction
         ],
@@ -562,7 +579,12 @@ const CLAIMS: &[Claim] = &[
         latex: "$v_x$ against time for one initial $v_x$ and several initial $v_y$.",
         plain: "v_x against time for one initial v_x and several initial v_y.",
         depends_on: &["eq-1", "eq-21", "s22-attractor-ignores-vy"],
-        trials: trials![drawn::fig2_motion, drawn::fig2_limit],
+        trials: trials![
+            drawn::fig2_motion.idle(
+                "the drawn motion is held against another integrator; the paper prints no points"
+            ),
+            drawn::fig2_limit
+        ],
         ..Claim::BLANK
     },
     Claim {
@@ -585,7 +607,9 @@ const CLAIMS: &[Claim] = &[
         trials: trials![
             &order::FOUR_POINTS,
             phases::four_points_census,
-            phases::four_points_root,
+            phases::four_points_root.elsewhere(
+                "the places of the points, by (27) to (30); their number is tried beside it"
+            ),
             phases::four_points_outside,
             excepted::no_friction
         ],
@@ -636,7 +660,7 @@ const CLAIMS: &[Claim] = &[
             &attraction::REST_INTERVAL,
             periodic::rest_interval_root,
             periodic::rest_interval_reached,
-            periodic::eq33_unique
+            periodic::eq33_unique.idle(excuses::ONE_MOTION)
         ],
         ..Claim::BLANK
     },
@@ -737,7 +761,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\pi$, that is (38) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.8$.",
         plain: "w(φ) over two periods for λ₀ = 1/π, that is (38) for φ from 0 to 4π; the axis of w bears the mark 0.8.",
         depends_on: &["eq-38", "eq-39"],
-        trials: trials![drawn::fig3_motion, drawn::fig3_frame],
+        trials: trials![drawn::fig3_motion, drawn::fig3_frame.idle(excuses::FRAME)],
         ..Claim::BLANK
     },
     Claim {
@@ -748,7 +772,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"$\mathfrak{w}(\phi)$ over two periods for $\lambda_0=1/\sqrt{2}$, that is (33) for $\phi$ from $0$ to $4\pi$; the axis of $\mathfrak{w}$ bears the mark $0.3$.",
         plain: "w(φ) over two periods for λ₀ = 1/√2, that is (33) for φ from 0 to 4π; the axis of w bears the mark 0.3.",
         depends_on: &["eq-33"],
-        trials: trials![drawn::fig4_motion, drawn::fig4_frame],
+        trials: trials![drawn::fig4_motion, drawn::fig4_frame.idle(excuses::FRAME)],
         ..Claim::BLANK
     },
 ];

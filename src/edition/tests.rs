@@ -67,7 +67,7 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
 
 /// The paper with a deep run of one claim.
 static DEEP: Paper = Paper {
-    deep: "2026-01-01\t2\t2468\neq-11\t\t2468\t0\t4e-13\tλ = 2\n",
+    deep: "commit 0, 2026-01-01\t2\t2468\neq-11 integration printed 1\t2468\t0\t4e-13\tλ = 2\n",
     ..PAPER
 };
 

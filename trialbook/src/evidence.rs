@@ -109,7 +109,7 @@ impl Route {
 }
 
 /// What a trial's comparison speaks about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Subject {
     /// The claim as printed, wherever the paper's own conditions hold.
@@ -129,6 +129,19 @@ pub enum Subject {
 }
 
 impl Subject {
+    /// The subject's name, in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Subject::Printed => "printed",
+            Subject::Within => "within",
+            Subject::Outside => "outside",
+            Subject::Corrected => "corrected",
+            Subject::Step => "step",
+            Subject::Excepted => "excepted",
+            Subject::Remark => "remark",
+        }
+    }
+
     /// What the trial was about, in words; `conditional` for a claim that holds under a condition, in which
     /// nothing is corrected.
     pub fn words(self, conditional: bool) -> &'static str {
@@ -196,9 +209,6 @@ pub struct Evidence {
     pub failed: usize,
     /// Between which ends the points lie.
     pub ranges: Ranges,
-    /// A number that changes when a trial looks elsewhere, takes another scale or finds something else; 0 where no points
-    /// were compared.
-    pub fingerprint: u64,
     /// What was stated, found and taken for a scale, at all points to the last bit.
     #[serde(skip)]
     pub sides: Sides,
@@ -251,7 +261,6 @@ impl Evidence {
             points: 0,
             failed: 0,
             ranges: Ranges::default(),
-            fingerprint: 0,
             sides: Sides::default(),
             worst: 0.0,
             at: String::new(),
@@ -269,7 +278,6 @@ impl Evidence {
     /// The same evidence, about a part of the claim only.
     pub fn of_a_part(self) -> Self {
         Evidence {
-            fingerprint: 0,
             partial: true,
             ..self
         }

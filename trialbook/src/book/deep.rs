@@ -5,8 +5,7 @@ use super::error::Fault;
 use super::tables::table;
 use super::text::{count, counted, escape, size};
 use crate::evidence::{Evidence, Route};
-use crate::ledger::deep::Deep;
-use crate::ledger::{Entry, Ledger};
+use crate::ledger::Entry;
 use std::collections::BTreeMap;
 
 /// What it has brought for one claim, in a sentence; empty where nothing was measured.
@@ -34,27 +33,14 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry) -> String {
     )
 }
 
-fn run<'a, 'b>(context: &'b Context<'a>) -> Result<&'b (Deep<'a>, Ledger), Fault> {
-    let none = || Fault::Placeholder("the paper has no record of a deep run".into());
-    context.deep.as_ref().ok_or_else(none)
-}
-
-/// A number of the run, by its name.
-pub(super) fn number(context: &Context<'_>, what: &str) -> Result<String, Fault> {
-    let (deep, _) = run(context)?;
-    match what {
-        "date" => Ok(escape(deep.date)),
-        "rounds" => Ok(count(deep.rounds as usize)),
-        "comparisons" => Ok(count(deep.comparisons)),
-        _ => Err(Fault::Placeholder(format!("a deep run has no {what}"))),
-    }
-}
-
-/// How much was compared by each route, and what came closest to its tolerance.
+/// Of which commit it was made, how much was compared by each route, and what came closest to its tolerance.
 pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
+    let Some((deep, ledger)) = &context.deep else {
+        return Ok("<p>No deep run is recorded.</p>".to_owned());
+    };
     let mut routes: BTreeMap<Route, Vec<(&Entry, &Evidence)>> = BTreeMap::new();
-    for entry in &run(context)?.1.entries {
-        for e in entry.measured() {
+    for entry in &ledger.entries {
+        for e in entry.measured().filter(|e| e.points > 0) {
             routes.entry(e.route).or_default().push((entry, e));
         }
     }
@@ -92,7 +78,13 @@ pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
         "Fewest of a trial",
         "Closest to its tolerance",
     ];
-    Ok(table("deep", head, rows?))
+    Ok(format!(
+        "<p>As of {}, in {} and {}:</p>\n{}",
+        escape(deep.made),
+        counted(deep.rounds as usize, "round"),
+        counted(deep.comparisons, "comparison"),
+        table("deep", head, rows?)
+    ))
 }
 
 #[cfg(test)]
@@ -101,6 +93,7 @@ mod tests {
     use super::super::maths::Maths;
     use super::*;
     use crate::edition::Edition;
+    use crate::ledger::deep::Deep;
     use crate::ledger::example::{PAPER, ledger};
 
     static EDITION: Edition = Edition::of("examples", &PAPER);
@@ -109,8 +102,15 @@ mod tests {
     fn a_row_has_all_points_of_a_route_and_the_fewest_of_a_trial() {
         let mut ledger = ledger();
         ledger.entries[0].evidence[0].points += 30;
-        let record = ledger.record("2026-01-02", 3);
+        let record = ledger.record("commit 0, 2026-01-02", 3);
         let deep = Deep::read(&record).unwrap();
+        // A trial that has come since has nothing to show.
+        let mut since = deep.in_place_of(&ledger);
+        let another = Evidence {
+            points: 0,
+            ..since.entries[0].evidence[0].clone()
+        };
+        since.entries[0].evidence.push(another);
         let context = Context {
             edition: &EDITION,
             ledger: &ledger,
@@ -118,7 +118,7 @@ mod tests {
             errata: &[],
             code: &Code::new(&EDITION),
             maths: &Maths::new(),
-            deep: Some((deep, ledger.clone())),
+            deep: Some((deep, since)),
         };
         let html = table_of(&context).unwrap();
         // Nine trials by root-finding, five by a limit and two counts have twenty points each, and one has thirty more.
@@ -130,7 +130,17 @@ mod tests {
             assert!(html.contains(row), "{row}\n{html}");
         }
         assert_eq!(html.matches("<tr>").count(), 4);
-        assert_eq!(number(&context, "comparisons").unwrap(), "350");
-        assert_eq!(number(&context, "rounds").unwrap(), "3");
+        assert!(
+            html.starts_with("<p>As of commit 0, 2026-01-02, in 3 rounds and 350 comparisons:</p>"),
+            "{html}"
+        );
+        let without = Context {
+            deep: None,
+            ..context
+        };
+        assert_eq!(
+            table_of(&without).unwrap(),
+            "<p>No deep run is recorded.</p>"
+        );
     }
 }

@@ -2,7 +2,6 @@
 
 use crate::figures::FigureError;
 use crate::ledger::ErrataError;
-use crate::ledger::deep::DeepError;
 use std::io;
 use std::path::PathBuf;
 
@@ -92,9 +91,6 @@ pub enum BookError {
     /// The errata have no numbers.
     #[error(transparent)]
     Errata(#[from] ErrataError),
-    /// The record of the deep run is not one of this ledger.
-    #[error(transparent)]
-    Deep(#[from] DeepError),
     /// mdBook refused the pages or the settings.
     #[error("mdBook: {0}")]
     Render(String),

@@ -70,7 +70,6 @@ impl<'a> Filler<'a> {
             ["accuracy"] => block(tables::accuracy(context)?),
             ["certified"] => block(checked::summary(context)?),
             ["deep"] => block(deep::table_of(context)?),
-            ["deep", what] => inline(deep::number(context, what)?),
             ["survivors"] => block(tables::survivors(context, ledger.paper.survivors)?),
             ["spared"] => block(tables::spared(context)?),
             ["coarse"] => block(tables::coarse(context)?),

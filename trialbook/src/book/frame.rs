@@ -108,14 +108,10 @@ impl<'a> Frame<'a> {
     fn finished(self, ledger: &Ledger, figures: &[Figure]) -> Result<PathBuf, BookError> {
         let figures = [figures, &[map::figure(ledger)?]].concat();
         let (errata, code) = (ledger.errata()?, Code::new(self.edition));
-        let deep = match ledger.paper.deep {
-            "" => None,
-            text => {
-                let deep = Deep::read(text)?;
-                let judged = deep.in_place_of(ledger)?;
-                Some((deep, judged))
-            }
-        };
+        let deep = Deep::read(ledger.paper.deep).map(|deep| {
+            let brought = deep.in_place_of(ledger);
+            (deep, brought)
+        });
         let context = Context {
             edition: self.edition,
             ledger,

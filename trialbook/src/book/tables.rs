@@ -5,8 +5,9 @@ use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
+use crate::claims::attempt::Attempt;
 use crate::claims::measured::Measured;
-use crate::claims::variants::{Coarse, Idle, Spared, Survivor};
+use crate::claims::variants::{Spared, Survivor};
 use crate::evidence::{Evidence, Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
@@ -427,31 +428,42 @@ pub(super) fn spared(context: &Context<'_>) -> Result<String, Fault> {
     Ok(table("spared", head, rows?))
 }
 
+/// The trials of all claims.
+fn trials<'a>(context: &Context<'a>) -> impl Iterator<Item = (&'a Entry, &'static Attempt)> {
+    let entries = context.ledger.entries.iter();
+    entries.flat_map(|entry| entry.claim.trials.iter().map(move |trial| (entry, trial)))
+}
+
 /// The measurements that do not notice a mistake of twice their tolerance.
 pub(super) fn coarse(context: &Context<'_>) -> Result<String, Fault> {
-    let row = |coarse: &Coarse| {
+    let coarse = trials(context).flat_map(|(entry, trial)| {
+        let formulas = trial.coarse.iter();
+        formulas.map(move |(formula, why)| (entry, trial.name(), *formula, *why))
+    });
+    let rows = coarse.map(|(entry, trial, formula, why)| {
         Ok([
-            context.link(context.entry(coarse.claim)?)?,
-            format!("<code>{}</code>", escape(coarse.trial)),
-            format!("<code>{}</code>", escape(coarse.formula)),
-            context.maths.words(coarse.reason)?,
+            context.link(entry)?,
+            format!("<code>{}</code>", escape(trial)),
+            format!("<code>{}</code>", escape(formula)),
+            context.maths.words(why)?,
         ])
-    };
-    let rows: Result<Vec<_>, Fault> = context.ledger.paper.coarse.iter().map(row).collect();
+    });
+    let rows: Result<Vec<_>, Fault> = rows.collect();
     let head = ["Claim", "Trial", "Formula", "Why it does not show"];
     Ok(table("coarse", head, rows?))
 }
 
 /// The trials that agree and notice no mistake in a formula.
 pub(super) fn idle(context: &Context<'_>) -> Result<String, Fault> {
-    let row = |idle: &Idle| {
+    let idle = trials(context).filter_map(|(entry, trial)| Some((entry, trial, trial.idle?)));
+    let rows = idle.map(|(entry, trial, why)| {
         Ok([
-            context.link(context.entry(idle.claim)?)?,
-            format!("<code>{}</code>", escape(idle.trial)),
-            context.maths.words(idle.reason)?,
+            context.link(entry)?,
+            format!("<code>{}</code>", escape(trial.name())),
+            context.maths.words(why)?,
         ])
-    };
-    let rows: Result<Vec<_>, Fault> = context.ledger.paper.idle.iter().map(row).collect();
+    });
+    let rows: Result<Vec<_>, Fault> = rows.collect();
     let head = ["Claim", "Trial", "What no formula says"];
     Ok(table("idle", head, rows?))
 }

@@ -5,12 +5,18 @@ use super::statement::Proved;
 use crate::evidence::Evidence;
 use std::fmt;
 
-/// A trial or a proof, with its name.
+/// A trial or a proof, with its name, and with what it is excused from. An excuse says why; a test asks that it is needed.
 #[derive(Clone, Copy)]
 pub struct Attempt {
     how: How,
     /// The path of the function, from the crate on, or the statement's as the row has it.
     name: fn() -> &'static str,
+    /// Why it notices no mistake in what it reads, or reads nothing, though it agrees: what of the claim no formula says.
+    pub idle: Option<&'static str>,
+    /// Why it reads no formula of its claim.
+    pub elsewhere: Option<&'static str>,
+    /// The formulas of its claim that may be wrong by twice its tolerance without its noticing, by their names, each with why.
+    pub coarse: &'static [(&'static str, &'static str)],
 }
 
 #[derive(Clone, Copy)]
@@ -22,14 +28,39 @@ enum How {
 impl Attempt {
     /// What a function compares; `name` gives its path.
     pub const fn measured(trial: fn() -> Evidence, name: fn() -> &'static str) -> Self {
-        let how = How::Measured(trial);
-        Self { how, name }
+        Self::of(How::Measured(trial), name)
     }
 
     /// A statement that is proved.
     pub const fn proved(statement: &'static dyn Proved, name: fn() -> &'static str) -> Self {
-        let how = How::Proved(statement);
-        Self { how, name }
+        Self::of(How::Proved(statement), name)
+    }
+
+    const fn of(how: How, name: fn() -> &'static str) -> Self {
+        Self {
+            how,
+            name,
+            idle: None,
+            elsewhere: None,
+            coarse: &[],
+        }
+    }
+
+    /// The same, which need notice no mistake.
+    pub const fn idle(self, why: &'static str) -> Self {
+        let idle = Some(why);
+        Self { idle, ..self }
+    }
+
+    /// The same, which need read no formula of its claim.
+    pub const fn elsewhere(self, why: &'static str) -> Self {
+        let elsewhere = Some(why);
+        Self { elsewhere, ..self }
+    }
+
+    /// The same, which need not notice slight mistakes in these formulas of its claim.
+    pub const fn coarse(self, coarse: &'static [(&'static str, &'static str)]) -> Self {
+        Self { coarse, ..self }
     }
 
     /// The last two names of the path: `near::eq140_motion`, `exact::EQ139`.
@@ -79,26 +110,34 @@ impl fmt::Debug for Attempt {
     }
 }
 
-/// The list of a claim's trials: functions, and statements that are proved by reference.
+/// The list of a claim's trials: functions, and statements that are proved by reference. An excuse goes behind a name:
+/// `time::eq13_motion.idle("why")`.
 #[macro_export]
 macro_rules! trials {
-    (@ [$($done:expr,)*] & $statement:path, $($rest:tt)*) => {
-        $crate::claims::attempt::trials!(@ [
-            $($done,)*
-            $crate::claims::attempt::Attempt::proved(&$statement, || stringify!($statement)),
-        ] $($rest)*)
+    (@one & $first:ident $(:: $next:ident)*) => {
+        $crate::claims::attempt::Attempt::proved(
+            &$first$(::$next)*,
+            || concat!(stringify!($first) $(, "::", stringify!($next))*),
+        )
     };
-    (@ [$($done:expr,)*] $trial:path, $($rest:tt)*) => {
-        $crate::claims::attempt::trials!(@ [
-            $($done,)*
-            $crate::claims::attempt::Attempt::measured(
-                $trial,
-                || ::std::any::type_name_of_val(&$trial),
-            ),
-        ] $($rest)*)
+    (@one $trial:path) => {
+        $crate::claims::attempt::Attempt::measured(
+            $trial,
+            || ::std::any::type_name_of_val(&$trial),
+        )
     };
     (@ [$($done:expr,)*] $(,)?) => {
         &[$($done),*]
+    };
+    (@ [$($done:expr,)*]
+        $(& $($statement:ident)::+)? $($($trial:ident)::+)? $(.$excuse:ident($why:expr))*, $($rest:tt)*
+    ) => {
+        $crate::claims::attempt::trials!(@ [
+            $($done,)*
+            $crate::claims::attempt::trials!(
+                @one $(& $($statement)::+)? $($($trial)::+)?
+            )$(.$excuse($why))*,
+        ] $($rest)*)
     };
     ($($all:tt)*) => {
         $crate::claims::attempt::trials!(@ [] $($all)*,)

@@ -124,7 +124,6 @@ fn take(evidence: &mut Evidence, kept: &mut Kept, pair: Result<Pair, Failure>) -
         }
     };
     evidence.points += 1;
-    evidence.fingerprint = mixed(evidence.fingerprint, &pair);
     let sides = &mut evidence.sides;
     for (side, value) in [
         (&mut sides.stated, pair.stated),
@@ -185,20 +184,6 @@ impl Kept {
 
 /// How many times the tolerance is plainly beyond it.
 const PLAINLY: f64 = 10.0;
-
-/// A fingerprint with one more pair in it: where it was, the first digits of its scale, and what was found there, in units
-/// of the scale and so roughly that rounding does not show.
-fn mixed(fingerprint: u64, pair: &Pair) -> u64 {
-    let letter = |word: u64, byte: &u8| word << 8 | u64::from(*byte);
-    let text = pair.at.as_bytes().chunks(8);
-    let words = text.map(|chunk| chunk.iter().fold(0, letter));
-    // Six binary digits after the first.
-    let scale = pair.scale.to_bits() >> 46;
-    let found = (pair.found / pair.scale * 65_536.0).round() as i64;
-    words
-        .chain([scale, found as u64])
-        .fold(fingerprint, with_word)
-}
 
 fn with_word(sum: u64, word: u64) -> u64 {
     (sum.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95)

@@ -58,7 +58,6 @@ pub fn resting_on(
         steps.push(format!("The rest by subdivision: {parts} parts decide"));
     }
     Evidence {
-        fingerprint: 0,
         steps,
         ..certified(outcome, subject, compared)
     }

@@ -40,7 +40,7 @@ use {
     formulas::Formulas,
     measured::Measured,
     values::Value,
-    variants::{Coarse, Idle, Spared, Survivor, Unread},
+    variants::{Spared, Survivor, Unread},
 };
 
 /// A condition under which a claim is tried, or what else has to be known beside it: how it is read, what we remark.
@@ -278,12 +278,6 @@ pub struct Paper {
     /// The wrong variants that no trial rejects.
     #[cfg(feature = "trials")]
     pub survivors: &'static [Survivor],
-    /// The trials that agree and notice no mistake in a formula.
-    #[cfg(feature = "trials")]
-    pub idle: &'static [Idle],
-    /// The measurements that do not notice a mistake of twice their tolerance.
-    #[cfg(feature = "trials")]
-    pub coarse: &'static [Coarse],
     /// The mistakes in a corner that no measurement notices.
     #[cfg(feature = "trials")]
     pub cornered: &'static [Survivor],
@@ -313,8 +307,6 @@ impl Paper {
         values: &[],
         measured: &[],
         survivors: &[],
-        idle: &[],
-        coarse: &[],
         cornered: &[],
         unread: &[],
         spared: &[],

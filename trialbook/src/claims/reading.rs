@@ -3,17 +3,6 @@
 use super::formulas::Formulas;
 use crate::evidence::{Evidence, Subject};
 
-/// A trial that reads no formula of its claim, and why it need not.
-#[derive(Debug, Clone, Copy)]
-pub struct Elsewhere {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The trial's name.
-    pub trial: &'static str,
-    /// Why.
-    pub reason: &'static str,
-}
-
 impl Formulas {
     /// True if the claim of this id has formulas of the kind that the evidence is about, and none of them was read for it.
     pub fn is_missing(&self, id: &str, evidence: &Evidence) -> bool {

@@ -30,30 +30,6 @@ pub struct Survivor {
     pub reason: &'static str,
 }
 
-/// A trial that agrees and notices no mistake in what it reads, or reads no formula, and why.
-#[derive(Debug, Clone, Copy)]
-pub struct Idle {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The trial's name.
-    pub trial: &'static str,
-    /// What of the claim no formula says.
-    pub reason: &'static str,
-}
-
-/// A measurement that does not notice a formula of its claim to be wrong by twice its tolerance, and why.
-#[derive(Debug, Clone, Copy)]
-pub struct Coarse {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The trial's name.
-    pub trial: &'static str,
-    /// The formula's name.
-    pub formula: &'static str,
-    /// Why so small a mistake does not show.
-    pub reason: &'static str,
-}
-
 /// A formula that no measurement of its claim reads that agrees, so that none can notice a mistake in a corner of it, and why
 /// none has to.
 #[derive(Debug, Clone, Copy)]

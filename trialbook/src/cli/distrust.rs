@@ -145,31 +145,27 @@ fn row<'a>(ledger: &'a Ledger, tried: &Tried) -> TrialRow<'a> {
         let of = tried.reactions.iter().filter(|(_, r)| r.rejects == rejects);
         of.map(|(variant, _)| *variant).collect()
     };
-    let mut idle = ledger.paper.idle.iter();
     TrialRow {
         claim: entry.claim.id,
         trial: evidence.trial,
         agrees: tried.agrees,
         rejects: those(true),
         passes: those(false),
-        excuse: idle
-            .find(|idle| idle.claim == entry.claim.id && idle.trial == evidence.trial)
-            .map(|idle| idle.reason),
+        excuse: entry.claim.trials[tried.trial].idle,
         leans_on: tried.leans_on(),
     }
 }
 
 fn slight_row<'a>(ledger: &'a Ledger, slight: &Slight) -> SlightRow<'a> {
     let entry = &ledger.entries[slight.entry];
-    let (claim, trial) = (entry.claim.id, entry.evidence[slight.trial].trial);
-    let mut coarse = ledger.paper.coarse.iter();
-    let excuse = coarse.find(|c| (c.claim, c.trial, c.formula) == (claim, trial, slight.formula));
+    let mut coarse = entry.claim.trials[slight.trial].coarse.iter();
+    let excuse = coarse.find(|(formula, _)| *formula == slight.formula);
     SlightRow {
-        claim,
-        trial,
+        claim: entry.claim.id,
+        trial: entry.evidence[slight.trial].trial,
         formula: slight.formula,
         noticed: slight.noticed,
-        excuse: excuse.map(|c| c.reason),
+        excuse: excuse.map(|(_, why)| *why),
     }
 }
 

@@ -207,9 +207,9 @@ pub(super) fn round(edition: &Edition, ids: &[String], round: u64) -> Result<u8,
 }
 
 /// Prints the record of a deep run.
-pub(super) fn record(paper: &'static Paper, date: &str, depth: &Depth) -> Result<u8, Failure> {
+pub(super) fn record(paper: &'static Paper, made: &str, depth: &Depth) -> Result<u8, Failure> {
     let tried = Tried::new(paper, None, depth)?;
-    say(&tried.ledger.record(date, tried.rounds))?;
+    say(&tried.ledger.record(made, tried.rounds))?;
     Ok(tried.code())
 }
 

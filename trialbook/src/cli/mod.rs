@@ -224,8 +224,8 @@ struct Inner {
     /// Only print what the round of this number brings
     #[arg(long, hide = true, value_name = "N", conflicts_with_all = ["depth", "shard", "parts"])]
     round: Option<u64>,
-    /// Only print the record of a deep run of this date
-    #[arg(long, hide = true, value_name = "DATE", requires = "depth", conflicts_with_all = ["ids", "shard", "json", "csv"])]
+    /// Only print the record of a deep run, made so: "commit 64820c8f, 2026-11-26"
+    #[arg(long, hide = true, value_name = "MADE", requires = "depth", conflicts_with_all = ["ids", "shard", "json", "csv"])]
     record: Option<String>,
 }
 
@@ -306,7 +306,7 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
             match (round, shard, record) {
                 (Some(round), ..) => ledger::round(edition, &ids, round),
                 (_, Some(shard), _) => deep::part(&ids::known_all(edition, &ids)?, shard, &depth),
-                (.., Some(date)) => ledger::record(paper, &date, &depth),
+                (.., Some(made)) => ledger::record(paper, &made, &depth),
                 _ => ledger::verify(edition, &ids, &depth, format),
             }
         }

@@ -9,8 +9,8 @@ use std::fmt::Write;
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DeepError {
-    /// A line that is not a claim, a trial, points, how many of them disagree, the largest disagreement and where it was.
-    #[error("what a round has brought, line {line}: expected six columns, found `{text}`")]
+    /// A line that is not a trial, points, how many of them disagree, the largest disagreement and where it was.
+    #[error("what a round has brought, line {line}: expected five columns, found `{text}`")]
     Line {
         /// Number of the line, from 1.
         line: usize,
@@ -18,25 +18,12 @@ pub enum DeepError {
         text: String,
     },
     /// A trial that the ledger does not have.
-    #[error("what a round has brought, line {line}: the ledger has no trial {trial} of {claim}")]
+    #[error("what a round has brought, line {line}: the ledger has no trial `{key}`")]
     Trial {
         /// Number of the line, from 1.
         line: usize,
-        /// The id of the claim.
-        claim: String,
-        /// The name of the trial.
-        trial: String,
-    },
-    /// A record that does not begin with a date, the number of rounds and that of all comparisons.
-    #[error("the record of a deep run: expected date, rounds and comparisons, found `{0}`")]
-    Header(String),
-    /// A record whose lines are not those that were counted.
-    #[error("the record of a deep run: {counted} comparisons were counted, its lines have {found}")]
-    Comparisons {
-        /// What its first line says.
-        counted: usize,
-        /// What the others add up to.
-        found: usize,
+        /// What stands for the trial.
+        key: String,
     },
     /// Rounds that do not begin with the number of one, or whose last line is cut off.
     #[error("rounds of a deep run: {0}")]
@@ -60,10 +47,9 @@ pub enum DeepError {
     Unfinished(u32),
 }
 
-/// A line of a round: of which claim and trial, how many points, at how many it disagrees, the largest disagreement, and where.
+/// A line of a round: of which trial, by its key, how many points, at how many it disagrees, the largest disagreement, and where.
 struct Brought<'a> {
-    claim: &'a str,
-    trial: &'a str,
+    key: &'a str,
     points: usize,
     failed: usize,
     worst: f64,
@@ -72,13 +58,12 @@ struct Brought<'a> {
 
 impl<'a> Brought<'a> {
     fn read(text: &'a str) -> Option<Self> {
-        let columns: Vec<_> = text.splitn(6, '\t').collect();
-        let [claim, trial, points, failed, worst, at] = columns[..] else {
+        let columns: Vec<_> = text.splitn(5, '\t').collect();
+        let [key, points, failed, worst, at] = columns[..] else {
             return None;
         };
         Some(Brought {
-            claim,
-            trial,
+            key,
             points: points.parse().ok()?,
             failed: failed.parse().ok()?,
             worst: worst.parse().ok()?,
@@ -110,13 +95,11 @@ impl Ledger {
     pub fn round(&self) -> String {
         let mut text = String::new();
         for entry in &self.entries {
-            for e in entry.measured() {
+            for (key, e) in entry.keyed().filter(|(_, e)| !e.route.is_proof()) {
                 // Nothing can fail in writing to a string.
                 let _ = writeln!(
                     text,
-                    "{}\t{}\t{}\t{}\t{:?}\t{}",
-                    entry.claim.id,
-                    e.trial,
+                    "{key}\t{}\t{}\t{:?}\t{}",
                     e.points,
                     e.failed,
                     e.worst,
@@ -132,47 +115,39 @@ impl Ledger {
     /// # Errors
     /// [`DeepError`] for the first line that cannot be read or belongs to no trial.
     pub fn with(mut self, round: &str) -> Result<Self, DeepError> {
-        let read = |(i, text): (usize, &'_ str)| {
+        let lines = round.lines().enumerate().map(|(i, text)| {
             let line = i + 1;
             let brought = Brought::read(text).ok_or_else(|| DeepError::Line {
                 line,
                 text: text.to_owned(),
             })?;
-            let mut entries = self.entries.iter();
-            let entry = entries.position(|e| e.claim.id == brought.claim);
-            let place = entry.and_then(|entry| {
-                let mut trials = self.entries[entry].evidence.iter();
-                let trial = trials.position(|e| !e.route.is_proof() && e.trial == brought.trial)?;
-                Some((entry, trial))
-            });
-            place.ok_or_else(|| DeepError::Trial {
+            let place = self.measured_at(&brought).ok_or_else(|| DeepError::Trial {
                 line,
-                claim: brought.claim.to_owned(),
-                trial: brought.trial.to_owned(),
-            })
-        };
-        let places: Vec<_> = round
-            .lines()
-            .enumerate()
-            .map(read)
-            .collect::<Result<_, _>>()?;
-        for ((entry, trial), text) in places.into_iter().zip(round.lines()) {
-            if let Some(brought) = Brought::read(text) {
-                self.entries[entry].evidence[trial].take(&brought);
-            }
+                key: brought.key.to_owned(),
+            })?;
+            Ok((place, brought))
+        });
+        for (place, brought) in lines.collect::<Result<Vec<_>, _>>()? {
+            self.evidence_mut(place).take(&brought);
         }
         Ok(self.judged())
     }
 
-    /// The record of this run, of so many rounds, for [`Deep::read`].
-    pub fn record(&self, date: &str, rounds: u32) -> String {
-        let points = self.measured_points();
-        format!("{date}\t{rounds}\t{points}\n{}", self.round())
+    /// The measured trial that a line is of.
+    fn measured_at(&self, brought: &Brought<'_>) -> Option<(usize, usize)> {
+        let place = self.position(brought.key);
+        place.filter(|(entry, trial)| !self.entries[*entry].evidence[*trial].route.is_proof())
     }
 
-    fn measured_points(&self) -> usize {
+    fn evidence_mut(&mut self, (entry, trial): (usize, usize)) -> &mut Evidence {
+        &mut self.entries[entry].evidence[trial]
+    }
+
+    /// The record of this run, of so many rounds, made when and of what the words say, for [`Deep::read`].
+    pub fn record(&self, made: &str, rounds: u32) -> String {
         let measured = self.entries.iter().flat_map(Entry::measured);
-        measured.map(|e| e.points).sum()
+        let points: usize = measured.map(|e| e.points).sum();
+        format!("{made}\t{rounds}\t{points}\n{}", self.round())
     }
 
     /// The same, as if nothing had been measured.
@@ -197,11 +172,12 @@ impl Ledger {
     }
 }
 
-/// A deep run as it is kept beside the verdicts.
+/// A deep run as it is kept beside the verdicts. It is as of a commit: a trial that has come since has no line, and a line may be of a
+/// trial that is gone.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Deep<'a> {
-    /// When it was made.
-    pub date: &'a str,
+    /// Of which commit it was made, and when.
+    pub made: &'a str,
     /// How many rounds it had.
     pub rounds: u32,
     /// How much was compared.
@@ -210,39 +186,31 @@ pub struct Deep<'a> {
 }
 
 impl<'a> Deep<'a> {
-    /// Reads what [`Ledger::record`] has written.
-    ///
-    /// # Errors
-    /// [`DeepError::Header`] for another first line.
-    pub fn read(text: &'a str) -> Result<Self, DeepError> {
-        let (first, brought) = text.split_once('\n').unwrap_or((text, ""));
-        let header = || {
-            let columns: Vec<_> = first.split('\t').collect();
-            let [date, rounds, comparisons] = columns[..] else {
-                return None;
-            };
-            Some(Deep {
-                date,
-                rounds: rounds.parse().ok()?,
-                comparisons: comparisons.parse().ok()?,
-                brought,
-            })
+    /// Reads what [`Ledger::record`] has written; nothing if the first line is another.
+    pub fn read(text: &'a str) -> Option<Self> {
+        let (first, brought) = text.split_once('\n')?;
+        let columns: Vec<_> = first.split('\t').collect();
+        let [made, rounds, comparisons] = columns[..] else {
+            return None;
         };
-        header().ok_or_else(|| DeepError::Header(first.to_owned()))
+        Some(Deep {
+            made,
+            rounds: rounds.parse().ok()?,
+            comparisons: comparisons.parse().ok()?,
+            brought,
+        })
     }
 
-    /// The ledger with what this run has brought in place of its own measurements, judged anew: a trial that the run did not
-    /// have is left without points.
-    ///
-    /// # Errors
-    /// As for [`Ledger::with`]; [`DeepError::Comparisons`] where lines are missing, or are there twice.
-    pub fn in_place_of(&self, ledger: &Ledger) -> Result<Ledger, DeepError> {
-        let deep = ledger.unmeasured().with(self.brought)?;
-        let (counted, found) = (self.comparisons, deep.measured_points());
-        match counted == found {
-            true => Ok(deep),
-            false => Err(DeepError::Comparisons { counted, found }),
+    /// The ledger with what this run has brought in place of its own measurements, judged anew. Lines that are of no trial of
+    /// the ledger are left out, and a trial without a line has no points.
+    pub fn in_place_of(&self, ledger: &Ledger) -> Ledger {
+        let mut deep = ledger.unmeasured();
+        for brought in self.brought.lines().filter_map(Brought::read) {
+            if let Some(place) = deep.measured_at(&brought) {
+                deep.evidence_mut(place).take(&brought);
+            }
         }
+        deep.judged()
     }
 }
 
@@ -250,10 +218,9 @@ impl<'a> Deep<'a> {
 #[derive(Debug, Default)]
 pub struct Rounds(BTreeMap<u32, String>);
 
-/// Of which claim and trial a line of a round is.
-fn name(line: &str) -> String {
-    let columns: Vec<_> = line.split('\t').take(2).collect();
-    columns.join("\t")
+/// Of which trial a line of a round is.
+fn key(line: &str) -> &str {
+    line.split('\t').next().unwrap_or_default()
 }
 
 /// What goes before the number of a round.
@@ -299,16 +266,17 @@ impl Rounds {
     /// [`DeepError::Missing`], [`DeepError::Beyond`] and [`DeepError::Unfinished`] where these are not all rounds and no others,
     /// each with all trials; and as for [`Ledger::with`].
     pub fn in_place_of(&self, ledger: &Ledger, rounds: u32) -> Result<Ledger, DeepError> {
-        let names = |text: &str| -> Vec<String> {
-            let mut names: Vec<_> = text.lines().map(name).collect();
-            names.sort_unstable();
-            names
-        };
-        let trials = names(&ledger.round());
+        fn keys(text: &str) -> Vec<&str> {
+            let mut keys: Vec<_> = text.lines().map(key).collect();
+            keys.sort_unstable();
+            keys
+        }
+        let usual = ledger.round();
+        let trials = keys(&usual);
         let mut deep = ledger.unmeasured();
         for number in 0..rounds {
             let round = self.0.get(&number).ok_or(DeepError::Missing(number))?;
-            if names(round) != trials {
+            if keys(round) != trials {
                 return Err(DeepError::Unfinished(number));
             }
             deep = deep.with(round)?;
@@ -342,7 +310,8 @@ mod tests {
         let backwards: String = lines.iter().rev().copied().collect();
         for brought in [&all, &backwards] {
             let deep = joined(brought).unwrap();
-            assert_eq!(deep.measured_points(), 320);
+            let measured = deep.entries.iter().flat_map(Entry::measured);
+            assert_eq!(measured.map(|e| e.points).sum::<usize>(), 320);
             assert_eq!(deep.counts(), ledger.counts());
         }
         let without = |n: usize| [&lines[..n], &lines[n + 1..]].concat().concat();
@@ -367,24 +336,173 @@ mod tests {
         let all = ledger.round();
         let line = all
             .lines()
-            .find(|line| line.starts_with("eq-5\texample::RootWithin"));
+            .find(|line| line.starts_with("eq-5 root within 1\t"));
         let columns: Vec<_> = line.unwrap().split('\t').collect();
-        let off = [&columns[..3], &["3", "1.0", "x = 2"]].concat().join("\t");
+        let off = [&columns[..2], &["3", "1.0", "x = 2"]].concat().join("\t");
         let bad = all.replace(line.unwrap(), &off);
         let mut rounds = Rounds::default();
         rounds.read(&Rounds::headed(0, &all)).unwrap();
         rounds.read(&Rounds::headed(1, &bad)).unwrap();
-        let record = format!("2026-11-26\t1\t320\n{bad}");
+        let record = format!("commit 0, 2026-11-26\t1\t320\n{bad}");
         for deep in [
             ledger.clone().with(&bad).unwrap(),
             rounds.in_place_of(&ledger, 2).unwrap(),
-            Deep::read(&record).unwrap().in_place_of(&ledger).unwrap(),
+            Deep::read(&record).unwrap().in_place_of(&ledger),
         ] {
             assert_ne!(before, Verdict::Undecided);
             assert_eq!(verdict(&deep), Verdict::Undecided);
-            let mut within = deep.entry("eq-5").unwrap().measured();
-            let within = within.find(|e| e.trial == "example::RootWithin");
-            assert_eq!(within.unwrap().failed, 3);
+            let (entry, within) = deep.position("eq-5 root within 1").unwrap();
+            assert_eq!(deep.entries[entry].evidence[within].failed, 3);
         }
+    }
+
+    #[test]
+    fn a_record_is_read_as_it_was_written() {
+        let ledger = ledger_with_one_more_point();
+        let text = ledger.record("commit 0, 2026-01-02", 3);
+        let deep = Deep::read(&text).unwrap();
+        assert_eq!(
+            (deep.made, deep.rounds, deep.comparisons),
+            ("commit 0, 2026-01-02", 3, 321)
+        );
+        let read = deep.in_place_of(&ledger);
+        for (read, written) in read.entries.iter().zip(&ledger.entries) {
+            assert_eq!(read.evidence, written.evidence);
+        }
+        for none in ["", "date\t3", "date\t3\n", "date\tthree\t7\n", "\n"] {
+            assert_eq!(Deep::read(none), None, "{none}");
+        }
+    }
+
+    #[test]
+    fn of_a_record_the_lines_of_other_trials_are_left_out() {
+        let ledger = ledger_with_one_more_point();
+        let text = ledger.record("", 3);
+        let (others, last) = text.trim_end().rsplit_once('\n').unwrap();
+        let gone = "eq-1 root step 1\t20\t0\t0.0\t\neq-8 exact printed 1\t20\t0\t0.0\t\neq-1 root printed 1\tmany\t0\t0.0\t\n\n";
+        let read = Deep::read(&format!("{others}\n{gone}"))
+            .unwrap()
+            .in_place_of(&ledger);
+        let missing = read.position(key(last)).unwrap();
+        for (i, entry) in ledger.entries.iter().enumerate() {
+            for (trial, e) in entry.evidence.iter().enumerate() {
+                let points = if (i, trial) == missing { 0 } else { e.points };
+                assert_eq!(read.entries[i].evidence[trial].points, points);
+            }
+        }
+    }
+
+    #[test]
+    fn a_round_adds_its_points_and_keeps_the_worse_of_two() {
+        let ledger = example::ledger();
+        let round = ledger.round();
+        let twice = ledger.clone().with(&round).unwrap();
+        let proofs = ledger.entries.iter().flat_map(|e| &e.evidence);
+        let proofs: usize = proofs
+            .filter(|e| e.route.is_proof())
+            .map(|e| e.points)
+            .sum();
+        assert_eq!(twice.points() + proofs, 2 * ledger.points());
+        assert_eq!(twice.counts(), ledger.counts());
+        for worst in ["0.5", "inf", "NaN"] {
+            let brought = format!("eq-5 root within 1\t7\t2\t{worst}\tλ = 3");
+            let ledger = ledger.clone().with(&brought).unwrap();
+            let entry = ledger.entry("eq-5").unwrap();
+            let e = &entry.evidence[0];
+            assert_eq!((e.points, e.failed, e.at.as_str()), (27, 2, "λ = 3"));
+            assert_eq!(entry.judgement.verdict, Verdict::Undecided, "{worst}");
+        }
+    }
+
+    #[test]
+    fn a_line_that_is_none_of_a_round_is_refused() {
+        let ledger = example::ledger();
+        let with = |strange: &str| {
+            let good = "eq-5 root within 1\t7\t0\t0.0\tλ = 3\n";
+            ledger
+                .clone()
+                .with(&format!("{good}{strange}"))
+                .unwrap_err()
+        };
+        let error = with("eq-5 root within 1\tseven\t0\t0.0\t");
+        assert!(matches!(error, DeepError::Line { line: 2, .. }), "{error}");
+        for strange in [
+            "eq-5 root within 2",
+            "eq-9 root within 1",
+            "eq-8 exact printed 1",
+        ] {
+            let error = with(&format!("{strange}\t7\t0\t0.0\t"));
+            let key = strange.to_owned();
+            assert_eq!(error, DeepError::Trial { line: 2, key });
+        }
+    }
+
+    #[test]
+    fn rounds_from_any_parts_are_one_run() {
+        let ledger = example::ledger();
+        let round = |shift: f64| {
+            let lines = ledger.round();
+            let lines = lines.lines().map(|line| {
+                let columns: Vec<_> = line.split('\t').collect();
+                let worst = columns[3].parse::<f64>().unwrap() + shift;
+                format!("{}\t{worst:?}\tshift {shift}\n", columns[..3].join("\t"))
+            });
+            lines.collect::<String>()
+        };
+        let brought = [0.0, 0.0, 1e-17, f64::NAN, 1e-18].map(round);
+        let joined = |texts: &[&str], rounds| {
+            let mut joined = Rounds::default();
+            for text in texts {
+                joined.read(text)?;
+            }
+            joined.in_place_of(&ledger, rounds)
+        };
+        let parts = |numbers: &[u32]| -> String {
+            let of = |&n: &u32| Rounds::headed(n, &brought[n as usize]);
+            numbers.iter().map(of).collect()
+        };
+        let mut whole = joined(&[&parts(&[0])], 1).unwrap();
+        for brought in &brought[1..] {
+            whole = whole.with(brought).unwrap();
+        }
+        for texts in [
+            [parts(&[3, 4]), parts(&[0]), parts(&[1, 2])],
+            [parts(&[4, 2, 0]), String::new(), parts(&[3, 1])],
+        ] {
+            let joined = joined(&texts.each_ref().map(String::as_str), 5).unwrap();
+            assert_eq!(joined.record("", 5), whole.record("", 5));
+        }
+        let all = parts(&[0, 1, 2, 3, 4]);
+        let cut = all.trim_end();
+        let unfinished = &all[..all[..cut.rfind('\n').unwrap()].len() + 1];
+        let beyond = DeepError::Beyond {
+            round: 4,
+            rounds: 4,
+        };
+        for (texts, rounds, error) in [
+            (vec![&all[..], "round\t2\n"], 5, DeepError::Twice(2)),
+            (vec![&all], 6, DeepError::Missing(5)),
+            (vec![&all], 4, beyond),
+            (vec![unfinished], 5, DeepError::Unfinished(4)),
+            (vec![cut], 5, DeepError::Rounds("the last line is cut off")),
+            (
+                vec!["round\tx\n"],
+                5,
+                DeepError::Rounds("a round has no number"),
+            ),
+            (
+                vec!["eq-5\n"],
+                5,
+                DeepError::Rounds("they begin with no `round`"),
+            ),
+        ] {
+            assert_eq!(joined(&texts, rounds).unwrap_err(), error);
+        }
+    }
+
+    fn ledger_with_one_more_point() -> Ledger {
+        let mut ledger = example::ledger();
+        ledger.entries[0].evidence[0].points += 1;
+        ledger
     }
 }

@@ -10,6 +10,8 @@ pub mod distrust;
 mod errata;
 #[cfg(all(test, feature = "trials"))]
 pub(crate) mod example;
+#[cfg(feature = "trials")]
+mod key;
 #[cfg(feature = "book")]
 mod letter;
 #[cfg(feature = "trials")]
@@ -39,6 +41,8 @@ mod verdict;
 
 #[cfg(feature = "book")]
 pub use errata::{ErrataError, Erratum};
+#[cfg(feature = "trials")]
+pub use key::Key;
 #[cfg(feature = "book")]
 pub use letter::Format;
 #[cfg(feature = "trials")]
