@@ -9,6 +9,7 @@ The format is described in the book, on the page "Certificates". Exit code 0 if 
 import hashlib
 import json
 import re
+import subprocess
 import sys
 from collections import Counter
 from pathlib import Path
@@ -56,10 +57,10 @@ def listed(certificate):
 
 def check(certificate, name, prints):
     """Raises `Wrong` unless the certificate is right."""
-    version, claim, statement, sha256, about, trial, says, witnesses = keys(
-        certificate, "format claim statement sha256 about trial says witnesses")
-    demand(type(version) is int and version == 2, "another version of the format")
-    demand(name == f"{claim}-{trial.replace('::', '-')}.json", "another file's name")
+    version, claim, statement, sha256, about, proof, says, witnesses = keys(
+        certificate, "format claim statement sha256 about proof says witnesses")
+    demand(type(version) is int and version == 3, "another version of the format")
+    demand(type(proof) is int and name == f"{claim}-{proof}.json", "another file's name")
     demand(hashlib.sha256(statement.encode()).hexdigest() == sha256, "the hash is not that of the statement")
     demand(prints.has(claim, statement, "corrected" in about), "the statement is not printed so")
     demand(witnesses, "no witness")
@@ -70,13 +71,7 @@ def check(certificate, name, prints):
     tie = listed(certificate)
     demand(name in prints.ties, "a file that is not listed")
     demand(prints.ties[name] == tie, f"not what is listed: {tie}")
-    return f"{claim},{trial},{tie.split(',')[0]},{digest(witnesses)}"
-
-
-def digest(witnesses):
-    """What tells these witnesses from all others; the tests of the crate compute it too, of what it proves today."""
-    text = json.dumps(witnesses, sort_keys=True, separators=(",", ":"), ensure_ascii=False)
-    return hashlib.sha256(text.encode()).hexdigest()[:16]
+    return f"{claim},{proof},{tie.split(',')[0]},{about}"
 
 
 def once(pairs):
@@ -107,9 +102,10 @@ def main(folder, date=None):
     print("\n".join(rejected))
     print(f"{len(accepted)} of {len(files)} files accepted; the printed formula is", ties)
     if date and not rejected:
-        # Who accepted what, and when.
+        # Who accepted what, when, and of which commit.
+        commit = subprocess.run(["git", "-C", prints.root, "rev-parse", "--short", "HEAD"], capture_output=True, check=True, text=True).stdout.strip()
         by = f"Python {sys.version.split()[0]}, python-flint {flint.__version__}, FLINT {flint.__FLINT_VERSION__}"
-        (prints.root / "snapshots/certificates.csv").write_text("\n".join([f"{date},{by}", *accepted, ""]), "utf-8")
+        (prints.root / "snapshots/certificates.csv").write_text("\n".join([f"{date},{commit},{by}", *accepted, ""]), "utf-8")
     return 1 if rejected or not files else 0
 
 

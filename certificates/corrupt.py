@@ -78,7 +78,7 @@ def box(c, rng, others):
 def swapped(c, rng, others):
     other = rng.choice([o for o in others if o["witnesses"] != c["witnesses"]])
     c["witnesses"] = copy.deepcopy(other["witnesses"])
-    return f"witnesses of {other['claim']} {other['trial']}"
+    return f"witnesses of {other['claim']} {other['proof']}"
 
 
 def dropped(c, rng, others):

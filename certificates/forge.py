@@ -240,11 +240,11 @@ def whole(c, other):
 
 
 def other_format(c, other):
-    c["format"] = 2.0
+    c["format"] = 3.0
 
 
 def other_name(c, other):
-    c["trial"] = other["trial"]
+    c["proof"] += 1
 
 
 IN_FILES = [

@@ -160,5 +160,5 @@ def outline(certificate):
     """What a certificate consists of, in short, and a digest of what it says."""
     witnesses = certificate["witnesses"]
     kind = lambda w: f"{w['title']} ({len(w['equal'])})" if w["kind"] == "identity" else f"{w['kind']} of {' '.join(w.get('variables', []))}"
-    heads = [certificate[key] for key in ("about", "trial", "says")]
+    heads = [certificate[key] for key in ("about", "says")]
     return f"{'; '.join(map(kind, witnesses))},{digest([heads, list(map(said, witnesses))])}"

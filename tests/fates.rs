@@ -1,4 +1,4 @@
-//! The recorded maps of fates: whole, nearly without a gap, in agreement with simulation, and provable again.
+//! The recorded maps of fates, in the deep tier: whole, nearly without a gap, in agreement with simulation, and provable again.
 
 use slipbook::certified::turntable::Margins;
 use slipbook::claims::rest::fates::{ROUND, Row, open, recorded};

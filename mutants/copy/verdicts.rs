@@ -1,11 +1,11 @@
 //! Tries claims, or all, with the mistake of the given number made, 0 for none. On a line each: a claim's id, its verdict, and
-//! its trials: name, what they say, route, points, worst disagreement, in a number each all that was found, stated and taken
-//! for a scale, and how many comparisons disagree.
+//! its measurements: route, subject, what they say, points, worst disagreement, all that was found in a number, and how many
+//! comparisons disagree.
 //!
 //! With `passed` for a number: the numbers of the mistakes whose place is passed as the claims are tried, with none made.
 
 use slipbook_wrong::claims::PAPER;
-use slipbook_wrong::evidence::{Evidence, Sides};
+use slipbook_wrong::evidence::Evidence;
 use slipbook_wrong::ledger::Ledger;
 
 fn main() {
@@ -26,15 +26,12 @@ fn main() {
     }
     slipbook_wrong::go_wrong(number.parse().expect("the number of a mistake"));
     for entry in &tried().entries {
-        let trials = entry.evidence.iter();
-        let trials: String = trials
+        let measured = entry.evidence.iter().filter(|e| !e.route.is_proof());
+        let trials: String = measured
             .map(|e| {
-                let (says, route) = (e.outcome(), e.route.name());
-                let Evidence { trial, points, worst, failed, .. } = e;
-                let Sides { stated, found, scale } = e.sides;
-                format!(
-                    "\t{trial} {says:?} {route} {points} {worst:e} {found:016x} {stated:016x} {scale:016x} {failed}"
-                )
+                let (says, found) = (e.outcome(), e.sides.found);
+                let Evidence { route, subject, points, worst, failed, .. } = e;
+                format!("\t{route:?} {subject:?} {says:?} {points} {worst:e} {found:016x} {failed}").to_lowercase()
             })
             .collect();
         let verdict = entry.judgement.verdict.slug();

@@ -1,53 +1,107 @@
-//! The changes that cargo-mutants would make, as it lists them.
+//! The list of mistakes.
+//!
+//! ```text
+//! = coriolis-doubled
+//! In the frame of the table the Coriolis force is twice what it is.
+//! @ src/motion/turntable/rotating.rs
+//! - along_x[k] = omega * omega * x[k] + ⟦2.0⟧ * omega * v[k];
+//! + 4.0
+//! ```
+//!
+//! A name, the physics that is wrong, in a sentence, and what has to be changed for it, once or several times: a file, a text
+//! that occurs in it once (blanks and line ends apart), and what stands in place of the marked part of it. The file stays the
+//! same until another is named. Lines that begin with `#` are notes.
 
-use serde_json::Value;
 use std::error::Error;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
-/// One change.
-pub struct Mutant {
-    /// Its number: its place in the list, from 1.
-    pub id: u32,
-    /// The file, from the top of the repository.
-    pub file: String,
-    /// Line and column where what changes begins, both from 1; columns count characters.
-    pub start: (usize, usize),
-    /// What stands there instead.
-    pub replacement: String,
-    /// The sort of change: `FnValue`, `BinaryOperator`, …
-    pub genre: String,
-    /// Place and change in words.
+/// A mistake.
+pub struct Mistake {
+    /// What it is called.
     pub name: String,
+    /// What is wrong with the physics.
+    pub physics: String,
+    /// What is changed for it.
+    pub changes: Vec<Change>,
 }
 
-/// The list, kept in `scratch` once it is made.
-pub fn list(scratch: &Path) -> Result<Vec<Mutant>, Box<dyn Error>> {
-    let kept = scratch.join("list.json");
-    if !kept.exists() {
-        let made = Command::new("cargo")
-            .args(["mutants", "--workspace", "--list", "--json"])
-            .output()?;
-        if !made.status.success() {
-            return Err(String::from_utf8_lossy(&made.stderr).into());
-        }
-        fs::write(&kept, made.stdout)?;
+/// A change of the source.
+#[derive(Default)]
+pub struct Change {
+    /// The file, from the top of the repository.
+    pub file: String,
+    /// The text with the marked part.
+    pub right: String,
+    /// What is put there.
+    pub wrong: String,
+}
+
+/// All mistakes of the files in a folder, in the order of the files' names.
+pub fn read(folder: &Path) -> Result<Vec<Mistake>, Box<dyn Error>> {
+    let files: Result<Vec<_>, _> = fs::read_dir(folder)?.map(|f| f.map(|f| f.path())).collect();
+    let mut files = files?;
+    files.sort();
+    let mut mistakes: Vec<Mistake> = Vec::new();
+    for file in files {
+        let text = fs::read_to_string(&file)?;
+        parse(&text, &mut mistakes).map_err(|why| format!("{}: {why}", file.display()))?;
     }
-    let all: Vec<Value> = serde_json::from_slice(&fs::read(&kept)?)?;
-    let one = |(i, m): (usize, &Value)| {
-        let text = |key: &str| m[key].as_str().map(str::to_owned);
-        let start = &m["span"]["start"];
-        let number = |key: &str| start[key].as_u64().map(|n| n as usize);
-        Some(Mutant {
-            id: i as u32 + 1,
-            file: text("file")?,
-            start: (number("line")?, number("column")?),
-            replacement: text("replacement")?,
-            genre: text("genre")?,
-            name: text("name")?,
-        })
-    };
-    let read: Option<Vec<_>> = all.iter().enumerate().map(one).collect();
-    read.ok_or_else(|| "the list has another form".into())
+    for (i, mistake) in mistakes.iter().enumerate() {
+        let name = &mistake.name;
+        if mistake.changes.is_empty() || mistake.physics.is_empty() {
+            return Err(format!("{name} is not complete").into());
+        }
+        if mistakes[..i].iter().any(|other| other.name == *name) {
+            return Err(format!("two mistakes are called {name}").into());
+        }
+    }
+    Ok(mistakes)
+}
+
+fn parse(text: &str, mistakes: &mut Vec<Mistake>) -> Result<(), String> {
+    let mut file = String::new();
+    let mut before = ' ';
+    for (n, line) in text.lines().enumerate() {
+        let wrong = || format!("line {}: {line}", n + 1);
+        let sign = line.chars().next().unwrap_or('#');
+        let rest = line.get(2..).unwrap_or("");
+        if sign == '=' {
+            mistakes.push(Mistake {
+                name: rest.to_owned(),
+                physics: String::new(),
+                changes: Vec::new(),
+            });
+        }
+        let Some(mistake) = mistakes.last_mut() else {
+            match sign {
+                '#' => continue,
+                _ => return Err(wrong()),
+            }
+        };
+        match sign {
+            '#' | '=' => {}
+            '@' => rest.clone_into(&mut file),
+            '-' if before == '-' => {
+                let change = mistake.changes.last_mut().ok_or_else(wrong)?;
+                change.right = format!("{}\n{rest}", change.right);
+            }
+            '-' => mistake.changes.push(Change {
+                file: file.clone(),
+                right: rest.to_owned(),
+                wrong: String::new(),
+            }),
+            '+' => {
+                let change = mistake.changes.last_mut().ok_or_else(wrong)?;
+                change.wrong = format!("{}{rest}\n", change.wrong);
+            }
+            _ if mistake.changes.is_empty() => {
+                let blank = if mistake.physics.is_empty() { "" } else { " " };
+                mistake.physics += &format!("{blank}{line}");
+            }
+            _ => return Err(wrong()),
+        }
+        before = sign;
+    }
+    Ok(())
 }

@@ -1,53 +1,103 @@
-//! Every change that cargo-mutants would make, in one build.
+//! Every mistake in the physics of `mutants/physics`, one at a time: each has to change a verdict of the ledger.
 //!
-//! A copy of the crate is written in which each change stands behind a switch, and is built once. A run of a test
-//! switches one change on; the tests that never come to a change need not be run for it.
+//! A copy of the crate is written in which each mistake stands behind a switch, and is built once. With no switch on it
+//! has to come to the recorded verdicts; then the ledger is tried once for each mistake, in a process of its own.
 //!
-//! All is kept in `target/mutants`, and a run that was stopped goes on. After a change of the crate, delete it.
+//! The copy is kept in `target/physics`; what it depends on is shared with the crate's own build for release. The table
+//! goes to `snapshots/physics.csv`, and which measurement reacts to how many of them to `snapshots/reactions.csv`. Of what was
+//! recorded there no measurement may have ceased to react, and one that reacts to nothing needs a line in
+//! `mutants/reads_no_motion.txt`. Names of mistakes may follow: then only these are tried and nothing is recorded.
 
-mod compile;
-mod copy;
-mod cover;
+mod build;
 mod list;
+mod patch;
 mod run;
-mod sites;
-mod survivors;
 mod table;
-mod write;
 
-use std::collections::BTreeMap;
 use std::error::Error;
-use std::fs;
 use std::path::Path;
+use std::process::{Command, ExitCode};
+use std::{env, fs};
 
-/// For how many seconds a change is tried in the first round, and in the second; which tries again those that took longer.
-const ROUNDS: [(f64, bool); 2] = [(5.0, false), (180.0, true)];
+/// The list.
+const LIST: &str = "mutants/physics";
+/// The result.
+const TABLE: &str = "snapshots/physics.csv";
+/// Which measurements react to how many of them.
+const REACTIONS: &str = "snapshots/reactions.csv";
+/// What the measurements read that react to none.
+const EXCUSES: &str = "mutants/reads_no_motion.txt";
+/// The verdicts without a mistake.
+const RECORD: &str = "snapshots/verdicts.snap";
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let scratch = Path::new("target/mutants");
-    fs::create_dir_all(scratch)?;
-    let mutants = list::list(scratch)?;
-    let copy = scratch.join("copy");
-    let absent = compile::until_it_compiles(&mutants, scratch)?;
-    let programs = cover::build(&copy)?;
-    let ids = copy::claims()?;
-    let units = cover::cover(&programs, &ids, &copy, scratch)?;
-    let own: BTreeMap<_, _> = copy::rows(&mutants)?
-        .into_iter()
-        .map(|r| (r.id, r.claim))
-        .collect();
-    let present: Vec<_> = mutants
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let named: Vec<String> = env::args().skip(1).collect();
+    let mistakes = list::read(Path::new(LIST))?;
+    if let Some(unknown) = named
         .iter()
-        .filter(|m| !absent.contains_key(&m.id))
+        .find(|n| mistakes.iter().all(|m| m.name != **n))
+    {
+        return Err(format!("no mistake is called {unknown}").into());
+    }
+    let copy = Path::new("target/physics");
+    let lost = build::write(&mistakes, copy)?;
+    for lost in &lost {
+        eprintln!("{lost}");
+    }
+    let program = build::build(copy)?;
+    let right = run::without(&program)?;
+    run::as_recorded(&right, &fs::read_to_string(RECORD)?)?;
+    let made: Vec<_> = (1..)
+        .zip(&mistakes)
+        .filter(|(_, m)| !lost.iter().any(|l| l.mistake == m.name))
+        .filter(|(_, m)| named.is_empty() || named.contains(&m.name))
         .collect();
-    for round in ROUNDS {
-        run::run_all(&present, &own, &units, &copy, scratch, round)?;
-        println!("{}", table::table(&mutants, &absent, scratch)?);
+    let reach = run::within_reach(&program, &right)?;
+    let found = run::all(&program, &made, &right, &reach);
+    let unnoticed = found.iter().filter(|(_, found)| !found.is_noticed());
+    let unnoticed: Vec<_> = unnoticed.map(|(m, _)| m.name.as_str()).collect();
+    let as_of = as_of()?;
+    let mut complaints = Vec::new();
+    if named.is_empty() && lost.is_empty() {
+        let reactions = run::reactions(&right, &found);
+        let recorded = fs::read_to_string(REACTIONS).unwrap_or_default();
+        complaints = table::complaints(&reactions, &recorded, &fs::read_to_string(EXCUSES)?);
+        record(TABLE, &table::csv(&as_of, &found))?;
+        record(REACTIONS, &table::reactions(&as_of, &reactions))?;
+    } else {
+        print!("{}", table::csv(&as_of, &found));
     }
-    let differs = survivors::compare(&present, scratch)?;
-    print!("{differs}");
-    if !differs.is_empty() {
-        return Err("the list of survivors is another".into());
+    for complaint in &complaints {
+        eprintln!("{complaint}");
     }
-    Ok(())
+    eprintln!(
+        "{} of {} mistakes change a verdict; {} could not be made",
+        found.len() - unnoticed.len(),
+        mistakes.len(),
+        lost.len()
+    );
+    if !unnoticed.is_empty() {
+        eprintln!("no verdict changes with: {}", unnoticed.join(", "));
+    }
+    let passed = unnoticed.is_empty() && lost.is_empty() && complaints.is_empty();
+    Ok(match passed {
+        true => ExitCode::SUCCESS,
+        false => ExitCode::FAILURE,
+    })
+}
+
+/// Writes a record anew where more of it than its head is different.
+fn record(path: &str, text: &str) -> std::io::Result<()> {
+    let there = fs::read_to_string(path).unwrap_or_default();
+    match there.lines().skip(1).eq(text.lines().skip(1)) {
+        true => Ok(()),
+        false => fs::write(path, text),
+    }
+}
+
+/// Which commit was tried, as the head of a record has it.
+fn as_of() -> Result<String, Box<dyn Error>> {
+    let form = "--format=# As of commit %h, %as";
+    let said = Command::new("git").args(["log", "-1", form]).output()?;
+    Ok(String::from_utf8(said.stdout)?.trim_end().to_owned())
 }

@@ -1,277 +1,324 @@
-//! Switches one change on after the other and runs the tests that come to it, until one fails.
+//! Tries the ledger with one mistake after the other.
 
-use crate::cover::{Unit, WORKERS, command};
-use crate::list::Mutant;
-use std::collections::BTreeMap;
+use crate::list::Mistake;
+use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
-use std::fs::{self, OpenOptions};
-use std::io::Write;
-use std::os::unix::process::{CommandExt, ExitStatusExt};
-use std::path::{Path, PathBuf};
+use std::io::Read;
+use std::path::Path;
 use std::process::{Command, Stdio};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// What became of a change: the word in the results, and with what.
-type Outcome = (&'static str, String);
+/// How long a ledger may take; without a mistake it is a second or two on one core.
+const LIMIT: Duration = Duration::from_secs(300);
 
-/// The test of the figures.
-const FIGURES: &str = "the_figures_are_the_recorded_ones";
-
-/// How long a question or a test may take under a change.
-fn limit(seconds: f64) -> f64 {
-    10.0 * seconds + 1.5
+/// A claim's verdict, and its measurements with what they say.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Judged {
+    verdict: String,
+    trials: Vec<Said>,
 }
 
-/// True for a test that tries the whole ledger: its sheets are asked one by one.
-fn whole(unit: &Unit) -> bool {
-    4 * unit.reached.iter().filter(|r| **r == 1).count() > 3 * unit.reached.len()
+/// What a measurement says.
+#[derive(Debug, Clone, PartialEq, Default)]
+struct Said {
+    route: String,
+    subject: String,
+    /// Which of the claim's measurements with this route and subject it is, from 1 in the order of the row.
+    nth: usize,
+    outcome: String,
+    points: usize,
+    /// Whether our own side gave a number everywhere.
+    whole: bool,
+    /// All that was found, in one number.
+    found: String,
+    /// Comparisons that disagree.
+    failed: usize,
 }
 
-/// Of some tests in one process.
-struct Step<'a> {
-    units: Vec<&'a Unit>,
-    /// Whether the last question is for loose tolerances.
-    last: bool,
+impl Said {
+    /// Whether it comes to something else, or finds something else where it looked.
+    fn reacts(&self, wrong: &Said) -> bool {
+        let looked = wrong.whole && wrong.points == self.points;
+        wrong.outcome != self.outcome || looked && wrong.found != self.found
+    }
 }
 
-/// The steps for a change, the quick ones first; `own` is the claim whose row it changes.
-fn steps<'a>(reaching: &[&'a Unit], own: Option<&str>) -> Vec<Step<'a>> {
-    let sheets: Vec<_> = reaching
-        .iter()
-        .copied()
-        .filter(|u| u.asks() && !u.name.starts_with("v:"))
-        .collect();
-    let variants: Vec<_> = reaching
-        .iter()
-        .copied()
-        .filter(|u| u.asks() && u.name.starts_with("v:"))
-        .collect();
-    let tests = |from: f64, to: f64, most: f64| {
-        let mut by_program = BTreeMap::<PathBuf, Vec<&Unit>>::new();
-        for u in reaching
-            .iter()
-            .filter(|u| !u.asks() && (from..to).contains(&u.seconds))
-        {
-            by_program.entry(u.program.clone()).or_default().push(u);
-        }
-        let mut steps = Vec::new();
-        for units in by_program.into_values() {
-            let (mut some, mut sum) = (Vec::new(), 0.0);
-            for u in units {
-                if sum + u.seconds > most && !some.is_empty() {
-                    steps.push(Step {
-                        units: std::mem::take(&mut some),
-                        last: false,
-                    });
-                    sum = 0.0;
-                }
-                sum += u.seconds;
-                some.push(u);
-            }
-            if !some.is_empty() {
-                steps.push(Step {
-                    units: some,
-                    last: false,
-                });
-            }
-        }
-        steps
-    };
-    let mut quick = tests(0.0, 0.1, 0.3);
-    let mut all = Vec::new();
-    if let Some(own) = own {
-        let name = format!("s:{own}");
-        let units: Vec<_> = sheets
-            .iter()
-            .copied()
-            .filter(|u| u.name == name || u.name == "d:")
-            .collect();
-        all.push(Step { units, last: false });
-    }
-    all.append(&mut quick);
-    if !sheets.is_empty() {
-        all.push(Step {
-            units: sheets,
-            last: true,
-        });
-    }
-    all.extend(tests(0.1, 1.0, 0.0));
-    let mut slow = tests(1.0, f64::INFINITY, 0.0);
-    slow.sort_by(|a, b| a.units[0].seconds.total_cmp(&b.units[0].seconds));
-    // The figures are recorded to the byte: of the slow tests none sees more.
-    let (figures, slow): (Vec<_>, _) = slow.into_iter().partition(|s| s.units[0].name == FIGURES);
-    all.extend(figures);
-    if !variants.is_empty() {
-        all.push(Step {
-            units: variants,
-            last: false,
-        });
-    }
-    all.extend(slow);
-    all
+/// What a run of the ledger came to, by claim, in the paper's order.
+pub type Verdicts = Vec<(String, Judged)>;
+
+/// What a mistake changes.
+pub enum Found {
+    /// Claims whose verdict is another, and measurements of these claims that say something else.
+    Changed {
+        /// Ids, in the paper's order.
+        claims: Vec<String>,
+        /// `claim/route/subject/nth`, in the same order.
+        trials: Vec<String>,
+        /// Of every measurement of the ledger, whether it reacts, and how many of its comparisons disagree.
+        reactions: Vec<(bool, usize)>,
+    },
+    /// There are no verdicts, and why.
+    Fails(String),
 }
 
-/// Runs a step, for at most so many seconds; `None` if all pass.
-fn run(
-    step: &Step,
-    id: u32,
-    copy: &Path,
-    table: &str,
-    left: f64,
-) -> Result<Option<Outcome>, Box<dyn Error>> {
-    let asks = step.units[0].asks();
-    let mut names: Vec<_> = step
-        .units
-        .iter()
-        .map(|u| u.argument(limit(u.seconds)))
-        .collect();
-    if step.last {
-        names.push(format!("t:{table}=5"));
+impl Found {
+    /// Whether a verdict is another.
+    pub fn is_noticed(&self) -> bool {
+        matches!(self, Found::Changed { claims, .. } if !claims.is_empty())
     }
-    let sum: f64 = step.units.iter().map(|u| u.seconds).sum();
-    let most = limit(sum)
-        + if asks {
-            2.0 * step.units.len() as f64
-        } else {
-            0.0
-        };
+}
+
+/// What the claims of these ids come to, or all, with the mistake of this number, 0 for none.
+fn verdicts(
+    program: &Path,
+    number: usize,
+    ids: &[&str],
+    threads: usize,
+) -> Result<Verdicts, String> {
+    let text = said(program, &number.to_string(), ids, threads)?;
+    Ok(text.lines().filter_map(judged).collect())
+}
+
+/// What the program prints.
+fn said(program: &Path, number: &str, ids: &[&str], threads: usize) -> Result<String, String> {
+    let mut child = Command::new(program)
+        .arg(number)
+        .args(ids)
+        .env("RAYON_NUM_THREADS", threads.to_string())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::null())
+        .spawn()
+        .map_err(|e| e.to_string())?;
+    let mut out = child.stdout.take().ok_or("no output")?;
+    let reader = thread::spawn(move || {
+        let mut text = String::new();
+        out.read_to_string(&mut text).map(|_| text)
+    });
     let start = Instant::now();
-    let mut child = command(&step.units[0].program, asks, &names, copy)
-        .env("SLIPBOOK_MUTANT", id.to_string())
-        .stdout(Stdio::null())
-        .process_group(0)
-        .spawn()?;
-    let mut wait = Duration::from_micros(500);
     let status = loop {
-        if let Some(status) = child.try_wait()? {
+        if let Some(status) = child.try_wait().map_err(|e| e.to_string())? {
             break status;
         }
-        let spent = start.elapsed().as_secs_f64();
-        if spent > most.min(left) {
-            // The shell and nice have become the program, but it may have started others.
-            let group = format!("-{}", child.id());
-            let _ = Command::new("kill").args(["-KILL", "--", &group]).status();
-            child.wait()?;
-            let word = if spent > most { "slow" } else { "capped" };
-            return Ok(Some((word, step.units[0].name.clone())));
+        if start.elapsed() > LIMIT {
+            let _ = child.kill();
+            let _ = child.wait();
+            return Err(format!("no verdicts within {} s", LIMIT.as_secs()));
         }
-        thread::sleep(wait);
-        wait = (wait * 5 / 4).min(Duration::from_millis(20));
+        thread::sleep(Duration::from_millis(10));
     };
-    let first = step.units[0].name.clone();
-    Ok(match (status.code(), status.signal()) {
-        (Some(0), _) => None,
-        (Some(3), _) if asks => Some(("slow", first)),
-        (Some(_), _) => Some(("caught", first)),
-        (None, signal) => Some(("crashed", format!("{first} {}", signal.unwrap_or(0)))),
-    })
-}
-
-/// What becomes of a change; `capped` if it survives for `most` seconds, or all but the slow tests.
-fn outcome(
-    id: u32,
-    steps: &[Step],
-    copy: &Path,
-    table: &str,
-    (most, slow): (f64, bool),
-) -> Result<Outcome, Box<dyn Error>> {
-    let start = Instant::now();
-    if steps.is_empty() {
-        return Ok(("unreached", String::new()));
+    if !status.success() {
+        return Err("the ledger breaks off".into());
     }
-    for step in steps {
-        let left = most - start.elapsed().as_secs_f64();
-        // A slow test is not begun in the first round, but for the figures.
-        let first = step.units[0];
-        let long = !slow && !first.asks() && first.seconds > 1.0 && first.name != FIGURES;
-        if left < 0.0 || long {
-            return Ok(("capped", step.units[0].name.clone()));
-        }
-        if let Some(outcome) = run(step, id, copy, table, left)? {
-            return Ok(outcome);
-        }
+    let text = reader.join().map_err(|_| "no output")?;
+    text.map_err(|e| e.to_string())
+}
+
+fn judged(line: &str) -> Option<(String, Judged)> {
+    let mut cells = line.split('\t');
+    let (id, verdict) = (cells.next()?.to_owned(), cells.next()?.to_owned());
+    let mut trials: Vec<Said> = Vec::new();
+    for cell in cells {
+        let mut words = cell.split(' ');
+        let mut word = || words.next().unwrap_or("").to_owned();
+        let (route, subject) = (word(), word());
+        let before = trials
+            .iter()
+            .filter(|said| (&said.route, &said.subject) == (&route, &subject));
+        trials.push(Said {
+            nth: 1 + before.count(),
+            route,
+            subject,
+            outcome: word(),
+            points: word().parse().unwrap_or(0),
+            whole: word() != "nan",
+            found: word(),
+            failed: word().parse().unwrap_or(0),
+        });
     }
-    Ok(("missed", String::new()))
+    Some((id, Judged { verdict, trials }))
 }
 
-/// The outcomes that are known: by change the last line of the results.
-pub fn known(results: &Path) -> BTreeMap<u32, (String, String)> {
-    let text = fs::read_to_string(results).unwrap_or_default();
-    let line = |l: &str| {
-        let mut cells = l.split('\t');
-        let id = cells.next()?.parse().ok()?;
-        Some((id, (cells.next()?.to_owned(), cells.nth(1)?.to_owned())))
-    };
-    text.lines().filter_map(line).collect()
+/// What the ledger comes to without a mistake.
+pub fn without(program: &Path) -> Result<Verdicts, Box<dyn Error>> {
+    Ok(verdicts(program, 0, &[], workers())?)
 }
 
-/// Tries each change whose outcome is not known for at most so many seconds, and adds to the results; `again` those too
-/// that took too long before, with slow tests.
-pub fn run_all(
-    mutants: &[&Mutant],
-    own: &BTreeMap<u32, String>,
-    units: &[Unit],
-    copy: &Path,
-    scratch: &Path,
-    (most, again): (f64, bool),
-) -> Result<(), Box<dyn Error>> {
-    let results = scratch.join("results.tsv");
-    let table = fs::canonicalize(scratch.join("table"))?;
-    let table = table.to_string_lossy();
-    let known = known(&results);
-    let open = |m: &&&Mutant| {
-        known
-            .get(&m.id)
-            .is_none_or(|(word, _)| again && word == "capped")
+/// Asks that the verdicts are the recorded ones.
+pub fn as_recorded(right: &Verdicts, record: &str) -> Result<(), Box<dyn Error>> {
+    let lines = record.lines().filter_map(|l| l.split_once(": "));
+    let recorded: BTreeMap<_, _> = lines.filter(|(id, _)| *id != "source").collect();
+    let other = |(id, judged): &&(String, Judged)| {
+        recorded.get(id.as_str()) != Some(&judged.verdict.as_str())
     };
-    let mut left: Vec<&Mutant> = mutants.iter().filter(open).copied().collect();
-    // In an order in which the first ones are already a sample of all.
-    left.sort_by_key(|m| m.id.wrapping_mul(2_654_435_769));
-    let count = left.len();
-    let file = Mutex::new(
-        OpenOptions::new()
-            .create(true)
-            .append(true)
-            .open(&results)?,
-    );
-    let queue = Mutex::new(left);
+    let others: Vec<_> = right.iter().filter(other).map(|(id, _)| &**id).collect();
+    if recorded.len() != right.len() || !others.is_empty() {
+        let others = others.join(", ");
+        return Err(
+            format!("without a mistake the verdicts are not the recorded ones: {others}").into(),
+        );
+    }
+    Ok(())
+}
+
+/// How many programs run at once.
+fn workers() -> usize {
+    thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// `f` of each, several at a time, in their order; with how many are done.
+fn each<T: Sync, R: Send>(
+    all: &[T],
+    f: impl Fn(&T) -> R + Sync,
+    done: impl Fn(usize, &T, &R) + Sync,
+) -> Vec<R> {
+    let next = AtomicUsize::new(0);
+    let found = Mutex::new(BTreeMap::new());
+    thread::scope(|scope| {
+        for _ in 0..workers() {
+            scope.spawn(|| {
+                loop {
+                    let i = next.fetch_add(1, Ordering::Relaxed);
+                    let Some(one) = all.get(i) else { return };
+                    let result = f(one);
+                    if let Ok(mut found) = found.lock() {
+                        done(found.len() + 1, one, &result);
+                        found.insert(i, result);
+                    }
+                }
+            });
+        }
+    });
+    found
+        .into_inner()
+        .unwrap_or_default()
+        .into_values()
+        .collect()
+}
+
+/// Which mistakes can change a claim, by claim: those whose place is passed as it is tried by itself. Up to there all is
+/// as without them.
+pub fn within_reach<'a>(program: &Path, right: &'a Verdicts) -> Result<Reach<'a>, String> {
+    let ids: Vec<&str> = right.iter().map(|(id, _)| id.as_str()).collect();
+    let passed = |id: &&str| {
+        let text = said(program, "passed", &[id], 1)?;
+        Ok((text.split_whitespace().filter_map(|n| n.parse().ok())).collect())
+    };
+    let all: Result<Vec<BTreeSet<usize>>, String> =
+        each(&ids, passed, |_, _, _| ()).into_iter().collect();
+    Ok(ids.into_iter().zip(all?).collect())
+}
+
+/// Ids of claims, with the numbers of mistakes.
+pub type Reach<'a> = Vec<(&'a str, BTreeSet<usize>)>;
+
+/// What each of these mistakes changes, in their order.
+pub fn all<'a>(
+    program: &Path,
+    mistakes: &[(usize, &'a Mistake)],
+    right: &Verdicts,
+    reach: &Reach<'_>,
+) -> Vec<(&'a Mistake, Found)> {
     let start = Instant::now();
-    let work = || -> Result<(), String> {
-        loop {
-            let (mutant, left) = {
-                let mut queue = queue.lock().map_err(|e| e.to_string())?;
-                let Some(mutant) = queue.pop() else {
-                    return Ok(());
-                };
-                (mutant, queue.len())
-            };
-            let id = mutant.id;
-            let reaching = units
-                .iter()
-                .filter(|u| u.reached.get(id as usize) == Some(&1) && !whole(u));
-            let reaching: Vec<_> = reaching.collect();
-            let steps = steps(&reaching, own.get(&id).map(String::as_str));
-            let begin = Instant::now();
-            let (word, by) =
-                outcome(id, &steps, copy, &table, (most, again)).map_err(|e| e.to_string())?;
-            let line = format!("{id}\t{word}\t{:.2}\t{by}\n", begin.elapsed().as_secs_f64());
-            let mut file = file.lock().map_err(|e| e.to_string())?;
-            file.write_all(line.as_bytes()).map_err(|e| e.to_string())?;
-            if left.is_multiple_of(100) {
-                eprintln!(
-                    "{left} of {count} left after {:.0} s",
-                    start.elapsed().as_secs_f64()
-                );
+    let tried = |(number, _): &(usize, &'a Mistake)| {
+        let ids = reach.iter().filter(|(_, passed)| passed.contains(number));
+        let ids: Vec<&str> = ids.map(|(id, _)| *id).collect();
+        if ids.is_empty() {
+            return changed(right, right);
+        }
+        match verdicts(program, *number, &ids, 1) {
+            Ok(wrong) => changed(right, &with(right, wrong)),
+            Err(why) => Found::Fails(why),
+        }
+    };
+    let done = |done: usize, (_, mistake): &(usize, &Mistake), found: &Found| {
+        let said = match found {
+            Found::Changed { claims, .. } => format!("{} verdicts", claims.len()),
+            Found::Fails(why) => why.clone(),
+        };
+        let (all, seconds) = (mistakes.len(), start.elapsed().as_secs());
+        eprintln!("{done} of {all}, {seconds} s: {}: {said}", mistake.name);
+    };
+    let found = each(mistakes, tried, done);
+    mistakes
+        .iter()
+        .map(|(_, mistake)| *mistake)
+        .zip(found)
+        .collect()
+}
+
+/// All claims, those that were tried as they came out.
+fn with(right: &Verdicts, tried: Verdicts) -> Verdicts {
+    let mut tried: BTreeMap<_, _> = tried.into_iter().collect();
+    let all = right.iter().map(|(id, judged)| {
+        let judged = tried.remove(id).unwrap_or_else(|| judged.clone());
+        (id.clone(), judged)
+    });
+    all.collect()
+}
+
+fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
+    let (mut claims, mut trials) = (Vec::new(), Vec::new());
+    let mut reactions = Vec::new();
+    for ((id, right), (_, wrong)) in right.iter().zip(wrong) {
+        let pairs = || right.trials.iter().zip(&wrong.trials);
+        reactions.extend(pairs().map(|(right, wrong)| (right.reacts(wrong), wrong.failed)));
+        if right.verdict == wrong.verdict {
+            continue;
+        }
+        claims.push(id.clone());
+        let others = pairs().filter(|(right, wrong)| right.outcome != wrong.outcome);
+        trials.extend(others.map(|(said, _)| {
+            let Said {
+                route,
+                subject,
+                nth,
+                ..
+            } = said;
+            format!("{id}/{route}/{subject}/{nth}")
+        }));
+    }
+    Found::Changed {
+        claims,
+        trials,
+        reactions,
+    }
+}
+
+/// How a measurement reacts to the mistakes.
+pub struct Reaction {
+    /// Its claim's id, its route and its subject.
+    pub key: [String; 3],
+    /// Which of the claim's measurements with this route and subject it is.
+    pub nth: usize,
+    /// To how many mistakes it reacts.
+    pub mistakes: usize,
+    /// How many of its comparisons disagree then in all: fewer, if it were made more lenient.
+    pub disagree: usize,
+}
+
+/// How each measurement of the ledger reacts, in its order.
+pub fn reactions(right: &Verdicts, found: &[(&Mistake, Found)]) -> Vec<Reaction> {
+    let trials = right
+        .iter()
+        .flat_map(|(id, judged)| judged.trials.iter().map(move |said| (id, said)));
+    let mut all: Vec<Reaction> = trials
+        .map(|(id, said)| Reaction {
+            key: [id, &said.route, &said.subject].map(Clone::clone),
+            nth: said.nth,
+            mistakes: 0,
+            disagree: 0,
+        })
+        .collect();
+    for (_, found) in found {
+        if let Found::Changed { reactions, .. } = found {
+            for (reaction, (reacts, failed)) in all.iter_mut().zip(reactions) {
+                reaction.mistakes += usize::from(*reacts);
+                reaction.disagree += failed;
             }
         }
-    };
-    thread::scope(|scope| {
-        let workers: Vec<_> = (0..WORKERS).map(|_| scope.spawn(work)).collect();
-        for worker in workers {
-            worker.join().map_err(|_| "a worker panics")??;
-        }
-        Ok(())
-    })
+    }
+    all
 }

@@ -59,7 +59,7 @@ pub static EDITION: Edition = Edition {
         },
         Placeholder {
             name: "physics",
-            fill: |_| physics::table_of(),
+            fill: |_| Ok(physics::table_of()),
         },
         Placeholder {
             name: "exam",

@@ -30,10 +30,10 @@ fn cells(counts: &[Count]) -> [usize; SIDE * SIDE] {
     cells
 }
 
-/// Digits claimed against digits true, all calculators together.
+/// Digits claimed against digits true, all calculators together; `as_of` says when they were counted.
 ///
 /// Fails as [`Plot::figure`] and [`Raster::new`] do.
-pub fn digits(counts: &[Count]) -> Result<Figure, FigureError> {
+pub fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["calculator", "claimed", "true", "cases"]);
     for count in counts {
         table.row([
@@ -75,7 +75,7 @@ pub fn digits(counts: &[Count]) -> Result<Figure, FigureError> {
             "What the calculators claimed in {all} cases over their whole domains, their edges on purpose, and what was true: \
              the digits of the worst number of each answer, against solutions of a higher precision. No answer is off by \
              more than one unit of the last digit that it claims; a case right below the dashed line has a unit of that \
-             digit that is large beside the number. Far above the line the motion could not confirm what the formula knew.",
+             digit that is large beside the number. Far above the line the motion could not confirm what the formula knew. {as_of}.",
         ))
         .alt(
             "A grid of digits claimed to the right and digits true upwards, both from 0 to 15. Nearly all cases lie in the \
@@ -110,7 +110,7 @@ mod tests {
             assert_eq!(found[16 * y + x], cases, "{x} {y}");
         }
         assert_eq!(found.iter().sum::<usize>(), 12);
-        let figure = digits(&counts).unwrap();
+        let figure = digits(&counts, "As of today").unwrap();
         assert!(figure.csv.contains("one,3,12,5"), "{}", figure.csv);
     }
 }

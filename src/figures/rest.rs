@@ -372,26 +372,31 @@ pub struct Fates {
     pub found: Vec<[f64; 2]>,
 }
 
-/// Maps of fates, and a part of the last one so large that the gap between what is proved on both sides is seen.
+/// Maps of fates, and a part of the last one so large that the gap between what is proved on both sides is seen;
+/// `as_of` says when it was proved.
 ///
 /// Fails as [`Plot::figure`] and [`Raster::new`] do.
-pub fn fates(list: &[Fates]) -> Result<Figure, FigureError> {
+pub fn fates(list: &[Fates], as_of: &str) -> Result<Figure, FigureError> {
     use std::f64::consts::PI;
     let mut table = Table::new(&["A", "psi (rad)", "alpha", "proved"]);
     let mut plot = Plot::new("rest-fates", "Who comes to rest, proved")
-        .caption(
+        .caption(format!(
             "Sections through the phase space. Shaded: cells whose middle comes to rest, by simulation. The two lines, \
              which cannot be told apart, are proved by validated integration: from every start below the lower one the \
              particle comes to rest, from every start above the upper one it escapes. The last panel shows a piece of the panel \
              before it so large that there are two, solid for rest and dashed for escape; the dots between them, just above the \
-             solid one, are the simulated boundary.",
-        )
+             solid one, are the simulated boundary. {as_of}.",
+        ))
         .alt(
             "Three panels with ψ from −π to π to the right and α from 0 to 1.5 upwards. Shaded is what lies below a curve that \
              is lowest near ψ = 0 and rises towards both sides; the larger A, the lower it runs. In a fourth panel two lines \
              run side by side, with dots between them.",
         );
-    let angles = [(-PI, "−π"), (0.0, "0"), (PI, "π")];
+    let section = |reach| {
+        let angles = [(-PI, "−π"), (0.0, "0"), (PI, "π")];
+        let psi = Axis::linear("ψ").range(-PI, PI).ticks(angles);
+        Panel::new(psi, Axis::linear("α").range(0.0, reach)).height(240.0)
+    };
     for map in list {
         for (proved, edge) in [
             ("rest", &map.rests),
@@ -409,21 +414,16 @@ pub fn fates(list: &[Fates]) -> Result<Figure, FigureError> {
         let within = |edge: &[[f64; 2]]| {
             Curve::new(edge.iter().map(|&[psi, alpha]| [psi.clamp(-PI, PI), alpha])).ink()
         };
-        let panel = Panel::new(
-            Axis::linear("ψ").range(-PI, PI).ticks(angles),
-            Axis::linear("α").range(0.0, map.reach),
-        )
-        .title(format!("A = {}", map.a))
-        .height(240.0)
-        .raster(raster)
-        .curve(within(&map.rests))
-        .curve(within(&map.escapes));
+        let panel = section(map.reach)
+            .title(format!("A = {}", map.a))
+            .raster(raster)
+            .curve(within(&map.rests))
+            .curve(within(&map.escapes));
         plot = plot.panel(panel);
     }
-    if let Some(map) = list.last() {
-        plot = plot.panel(larger(map));
-    }
-    plot.figure(table)
+    // Without a record the section is bare.
+    let last = list.last().map_or_else(|| section(1.0), larger);
+    plot.panel(last).figure(table)
 }
 
 /// The part of a map about the dots.

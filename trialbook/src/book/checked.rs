@@ -4,38 +4,40 @@ use super::context::Context;
 use super::error::Fault;
 use super::tables::table;
 use super::text::{count, escape};
-use crate::claims::Claim;
 use crate::evidence::{Evidence, Outcome};
+use crate::ledger::Entry;
 use std::collections::BTreeMap;
 
-/// The record of a check: by whom and when, then a line for each certificate: claim, trial, where its printed formula was
-/// found, and a digest of it, which the tests hold against what is proved.
+/// The record of a check: when, of which commit and by whom, then a line for each certificate: claim, which of its proofs,
+/// where its printed formula was found, and what form of the claim the proof was about.
 struct Record<'a> {
     when: &'a str,
+    commit: &'a str,
     engine: &'a str,
-    lines: Vec<[&'a str; 3]>,
+    lines: Vec<[&'a str; 4]>,
 }
 
 impl<'a> Record<'a> {
     fn of(text: &'a str) -> Option<Self> {
         let mut lines = text.lines();
-        let (when, engine) = lines.next()?.split_once(',')?;
+        let (when, head) = lines.next()?.split_once(',')?;
+        let (commit, engine) = head.split_once(',')?;
         let cells = |line: &'a str| {
-            let (claim, rest) = line.split_once(',')?;
-            let (trial, rest) = rest.split_once(',')?;
-            let (tie, _) = rest.split_once(',')?;
-            Some([claim, trial, tie])
+            let cells: Vec<&str> = line.splitn(4, ',').collect();
+            cells.try_into().ok()
         };
         Some(Record {
             when,
+            commit,
             engine,
             lines: lines.filter_map(cells).collect(),
         })
     }
 
-    /// What a box says of the proof that this trial of the claim is.
-    fn says(&self, claim: &str, trial: &str) -> &'static str {
-        let known = |[id, of, _]: &[&str; 3]| (*id, *of) == (claim, trial);
+    /// What a box says of the claim's proof of this number, which is about this form of it.
+    fn says(&self, claim: &str, proof: usize, about: &str) -> &'static str {
+        let known =
+            |[id, nth, _, of]: &[&str; 4]| (*id, nth.parse(), *of) == (claim, Ok(proof), about);
         match self.lines.iter().any(known) {
             true => "Proved, checked by a second engine",
             false => "Proved; no certificate of it has been checked",
@@ -43,15 +45,19 @@ impl<'a> Record<'a> {
     }
 }
 
-/// Whether a proof that holds was checked, in a sentence; empty for others, and where there is no record.
-pub(super) fn line(context: &Context<'_>, claim: &Claim, evidence: &Evidence) -> String {
+/// Whether a proof of the entry that holds was checked, in a sentence; empty for others, and where there is no record.
+pub(super) fn line(context: &Context<'_>, entry: &Entry, evidence: &Evidence) -> String {
     let Some(record) = Record::of(context.ledger.paper.certified) else {
         return String::new();
     };
     if !evidence.route.is_proof() || evidence.outcome() != Outcome::Agrees {
         return String::new();
     }
-    let word = context.explained(record.says(claim.id, evidence.trial), "certificates");
+    let proofs = entry.evidence.iter().filter(|e| e.route.is_proof());
+    let before = proofs.take_while(|e| e.trial != evidence.trial).count();
+    let about = evidence.about(entry.claim.correction.is_none());
+    let says = record.says(entry.claim.id, 1 + before, &about);
+    let word = context.explained(says, "certificates");
     format!("<p class=\"measure\">{word}.</p>")
 }
 
@@ -63,12 +69,13 @@ pub(super) fn summary(context: &Context<'_>) -> Result<String, Fault> {
         return Ok("<p>No certificate has been checked so far.</p>".to_owned());
     }
     let mut ties: BTreeMap<&str, usize> = BTreeMap::new();
-    for [_, _, tie] in &record.lines {
+    for [_, _, tie, _] in &record.lines {
         *ties.entry(tie).or_default() += 1;
     }
     let head = format!(
-        "<p>On {}, {} certificates were accepted by {}.</p>",
+        "<p>On {}, at commit {}, {} certificates were accepted by {}.</p>",
         escape(record.when),
+        escape(record.commit),
         count(record.lines.len()),
         escape(record.engine)
     );
@@ -91,14 +98,24 @@ mod tests {
 
     #[test]
     fn only_a_proof_on_record_was_checked() {
-        let record = Record::of("2026-11-26,FLINT\neq-1,law::EQ1,formula,0123\n").unwrap();
-        assert_eq!((record.when, record.lines[0][2]), ("2026-11-26", "formula"));
-        for (claim, trial, checked) in [
-            ("eq-1", "law::EQ1", true),
-            ("eq-1", "law::EQ2", false),
-            ("eq-2", "law::EQ1", false),
+        let record = "2026-11-26,0123,FLINT\neq-1,2,formula,as corrected, a part of it\n";
+        let record = Record::of(record).unwrap();
+        assert_eq!(
+            [
+                record.when,
+                record.commit,
+                record.engine,
+                record.lines[0][2]
+            ],
+            ["2026-11-26", "0123", "FLINT", "formula"]
+        );
+        for (claim, proof, about, checked) in [
+            ("eq-1", 2, "as corrected, a part of it", true),
+            ("eq-1", 2, "as corrected", false),
+            ("eq-1", 1, "as corrected, a part of it", false),
+            ("eq-2", 2, "as corrected, a part of it", false),
         ] {
-            let says = record.says(claim, trial);
+            let says = record.says(claim, proof, about);
             assert_eq!(says.contains("second engine"), checked, "{says}");
             assert_eq!(says.contains("no certificate"), !checked, "{says}");
         }

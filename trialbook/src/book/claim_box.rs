@@ -213,7 +213,7 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         .into_iter()
         .chain(others)
         .map(|(i, e)| {
-            let checked = checked::line(context, entry.claim, e);
+            let checked = checked::line(context, entry, e);
             trial(context.maths, e, (conditional, &checked), code(i).as_ref())
         })
         .collect();

@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use std::path::Path;
 
 /// The version of the files' format.
-const FORMAT: u32 = 2;
+const FORMAT: u32 = 3;
 
 /// What stands in a file.
 #[derive(Serialize)]
@@ -27,6 +27,9 @@ struct Certificate {
     sha256: String,
     /// About what form of the claim it speaks.
     about: String,
+    /// Which of the claim's proofs it is, from 1 in the order of the row.
+    proof: usize,
+    #[serde(skip)]
     trial: &'static str,
     /// What was compared with what.
     says: String,
@@ -62,8 +65,7 @@ pub(super) fn certify(
     let proofs = made(edition.paper, ids);
     let (mut rows, mut files) = (Vec::new(), Vec::new());
     for certificate in proofs {
-        let stem = certificate.trial.replace("::", "-");
-        let file = format!("{}-{stem}.json", certificate.claim);
+        let file = format!("{}-{}.json", certificate.claim, certificate.proof);
         let text = serde_json::to_vec(&certificate)?;
         let row = Row {
             claim: certificate.claim,
@@ -145,8 +147,13 @@ fn made(paper: &'static Paper, ids: &[&str]) -> Vec<Certificate> {
             .proof_words()
             .map(|_| certificate(claim, &evidence, witnesses))
     };
-    let made = attempts.par_iter().filter_map(one).collect();
+    let mut made: Vec<_> = attempts.par_iter().filter_map(one).collect();
     bar.finish_and_clear();
+    for of_claim in made.chunk_by_mut(|a, b| a.claim == b.claim) {
+        for (proof, certificate) in (1..).zip(of_claim) {
+            certificate.proof = proof;
+        }
+    }
     made
 }
 
@@ -162,6 +169,7 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
         statement,
         sha256: hash.iter().map(|byte| format!("{byte:02x}")).collect(),
         about: evidence.about(claim.correction.is_none()),
+        proof: 1,
         trial: evidence.trial,
         says: evidence.comparison(),
         witnesses,

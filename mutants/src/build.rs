@@ -84,7 +84,7 @@ pub fn write(mistakes: &[Mistake], copy: &Path) -> Result<Vec<Lost>, Box<dyn Err
             "src/lib.rs" => [
                 b"#![allow(warnings, clippy::all)]\n".as_slice(),
                 &bytes,
-                include_bytes!("../../../copy/wrong.rs"),
+                include_bytes!("../copy/wrong.rs"),
             ]
             .concat(),
             _ => bytes,
@@ -93,7 +93,7 @@ pub fn write(mistakes: &[Mistake], copy: &Path) -> Result<Vec<Lost>, Box<dyn Err
     }
     put(
         &copy.join("verdicts.rs"),
-        include_bytes!("../../../copy/verdicts.rs"),
+        include_bytes!("../copy/verdicts.rs"),
     )?;
     let manifest = manifest(&fs::read_to_string("Cargo.toml")?);
     put(&copy.join("Cargo.toml"), manifest.as_bytes())?;
