@@ -17,7 +17,7 @@
 //! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`]
 //! what is this paper's own. For parameters of your own there are the calculators of [`claims::solve`].
 //!
-//! What knows no paper is a crate of its own, [`trialbook`]; its rooms stand here under their names.
+//! What knows no paper is a crate of its own, [`trialbook`]; its modules stand here under their names.
 //!
 //! # Physics
 //!
@@ -81,7 +81,7 @@
 //! # }
 //! # Ok::<(), &str>(())
 //! ```
-// Where a room is not built, its name leads to the feature that brings it.
+// Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),
     doc = "",

@@ -1,6 +1,6 @@
 //! "Break it yourself": the module in the page gives the crate's own answers.
 
-use serde_json::{Value, to_value};
+use serde_json::{Value, json, to_value};
 use slipbook::breaks::{Break, answer, breaks, claims};
 use wasmi::{Engine, Linker, Memory, Module, Store, TypedFunc};
 
@@ -43,8 +43,9 @@ fn the_module_in_the_page_gives_the_answers_of_the_crate() {
     let mut page = Page::open();
     let at = page.claims.call(&mut page.store, ()).unwrap();
     let all = claims();
-    let rows: Vec<_> = all.iter().map(|c| (c.id, c.section, c.title)).collect();
-    assert_eq!(page.read(at), to_value(rows).unwrap());
+    let ids: Vec<_> = all.iter().map(|c| Value::from(c.id)).collect();
+    let rows = page.read(at);
+    assert!(rows.as_array().unwrap().iter().map(|row| &row[0]).eq(&ids));
 
     // A formula with an integral behind it, a threshold, a misprint.
     for id in ["eq-9", "eq-15", "eq-75"] {
@@ -70,11 +71,11 @@ fn said(id: &str, way: &Break) -> slipbook::breaks::Answer {
     answer(claim, way.seed)
 }
 
-/// All but the last digits of what is measured.
+/// The verdicts, and of each trial whether it reads the formula and agrees: no words, and not the last digits of what is measured.
 fn outcomes(answer: &Value) -> Value {
-    let mut answer = answer.clone();
-    for trial in answer["trials"].as_array_mut().unwrap() {
-        trial.as_object_mut().unwrap().remove("measured");
-    }
-    answer
+    let trials = answer["trials"].as_array().unwrap();
+    let trials = trials
+        .iter()
+        .map(|trial| json!([trial["reads"], trial["agrees"]]));
+    json!([answer["verdicts"], trials.collect::<Vec<_>>()])
 }

@@ -446,45 +446,52 @@ fn the_guesses_have_the_answers_that_are_given() {
     );
 }
 
-/// What a hint or a title says in numbers.
+/// The numbers in what an explorer says, in their order. What the guesses are about, and what is answered, is computed above.
 #[test]
 fn the_numbers_around_an_explorer_are_those_of_the_claims() {
-    let mut script = include_str!("../book/theme/explorers-list.js").to_owned();
+    let script = include_str!("../book/theme/explorers-list.js");
     let value = |id| PAPER.value(id).unwrap().number().unwrap();
-    for words in [
-        format!("From λc on, at {:.3}, the block rests", value("lambda-c")),
-        format!(
-            "(κ is {} if it is solid, {:.2} if hollow)",
-            value("kappa-solid"),
-            2.0 / 3.0
-        ),
-        format!("κ (solid {:.2})", value("kappa-solid")),
-        format!("ρ/τ²; dashed: {}/9, as printed", 9.0 * value("p-printed")),
-        // What the guesses are about, and what is answered, is computed above.
-        "with λ = 2. It stops".to_owned(),
-        "the friction λ₀ = 0.3. In the end".to_owned(),
-        "with λ₀ = 0.08, and".to_owned(),
-        "it lags behind: 2/7 as far as the floor".to_owned(),
-    ] {
-        assert!(script.contains(&words), "it does not say: {words}");
-        script = script.replace(&words, "");
+    let critical = format!("{:.3}", value("lambda-c"));
+    let solid = value("kappa-solid");
+    let [kappa, same, hollow] = [
+        solid.to_string(),
+        format!("{solid:.2}"),
+        format!("{:.2}", 2.0 / 3.0),
+    ];
+    let printed = (9.0 * value("p-printed")).to_string();
+    let mut said = Vec::new();
+    let mut rest = script;
+    let parts = ["hint: '", "title: '", "asks: '", "says: '", "label: '"];
+    while let Some(begin) = parts
+        .iter()
+        .filter_map(|part| Some(rest.find(part)? + part.len()))
+        .min()
+    {
+        let (words, after) = rest[begin..].split_once('\'').unwrap();
+        // What stands below the line is part of a symbol.
+        let numbers = words.split(|c: char| !c.is_ascii_digit() && !['.', '_'].contains(&c));
+        let numbers = numbers
+            .filter(|n| !n.starts_with('_'))
+            .map(|n| n.trim_matches('.'));
+        said.extend(numbers.filter(|n| !n.is_empty()));
+        rest = after;
     }
-    for part in ["hint: '", "title: '", "asks: '", "says: '"] {
-        let others = script
-            .split(part)
-            .skip(1)
-            .map(|rest| rest.split("',").next().unwrap());
-        for words in others {
-            let sure = ["below 1", "from 1 on for ever", "(147)", "0 rest"];
-            let left = sure
-                .iter()
-                .fold(words.to_owned(), |left, known| left.replace(known, ""));
-            assert!(
-                !left.contains(|c: char| c.is_ascii_digit()),
-                "nothing tries the number in: {words}"
-            );
-        }
-    }
+    let expected = [
+        // The block on the table that is pulled away.
+        &["2"][..],
+        // The sign of rest.
+        &["0"],
+        // The printed border, and where friction can hold.
+        &["147", "1"],
+        // ρ/τ² as printed: two ninths.
+        &[&printed, "9"],
+        // The block across the stroke; rest from λc, and for ever.
+        &["0.3", &critical, "1"],
+        // Two rests a period; the ball that lags behind the floor.
+        &["0.08", "2", "7"],
+        &[&kappa, &hollow, &same],
+    ];
+    assert_eq!(said, expected.concat());
 }
 
 /// Without scripts the figure that follows takes the explorer's place.

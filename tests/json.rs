@@ -143,17 +143,9 @@ fn every_field_is_described_and_every_described_field_is_written() {
     }
 }
 
-/// What the page says of places, held against answers.
+/// Digits and columns are counted from 1 and from 0, mistakes from 0.
 #[test]
 fn places_are_counted_as_the_page_says() {
-    for words in [
-        "how many of the significant digits given are right |",
-        "which significant digit is the first wrong one, from 1 |",
-        "where it stands in `number`, from 0 |",
-        "by their places in `mistakes`, from 0 |",
-    ] {
-        assert!(PAGE.contains(words), "the page does not say: {words}");
-    }
     // λc begins with 0.53702: four of the five digits are right.
     let found = written("find 0.53701 --json");
     let best = &found["matches"][0];
@@ -168,9 +160,8 @@ fn places_are_counted_as_the_page_says() {
     let mistakes = distrusted["mistakes"].as_array().unwrap().iter();
     let own = mistakes.enumerate().filter(|(_, m)| m["claim"] == "eq-124");
     let own: Vec<Value> = own.map(|(place, _)| place.into()).collect();
+    let own = Value::from(own);
     let mut trials = distrusted["trials"].as_array().unwrap().iter();
-    let found = trials
-        .find(|trial| trial["trial"] == "fixed::psi1")
-        .unwrap();
-    assert!(own.len() > 10 && found["rejects"] == Value::from(own));
+    assert!(trials.any(|trial| trial["rejects"] == own), "{own}");
+    assert!(own.as_array().unwrap().len() > 10);
 }

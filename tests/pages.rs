@@ -64,13 +64,13 @@ fn the_letters_can_be_sent() {
     assert!(!latex.contains("$$") && latex.matches('$').count() % 2 == 0);
 }
 
-/// It fills two pages: of text as many lines as two pages hold; by a TeX, where there is one, two pages.
+/// It goes onto two pages: of text no more lines than two pages hold; by a TeX, where there is one, two pages.
 #[test]
 fn the_letter_has_two_pages() {
     let ledger = Ledger::try_all(&PAPER, |_| {});
     let [text, latex] = [Format::Text, Format::Latex].map(|format| ledger.letter(format).unwrap());
     let lines = text.lines().filter(|line| !line.is_empty()).count();
-    assert!((150..=TWO_PAGES).contains(&lines), "{lines} lines");
+    assert!(lines <= TWO_PAGES, "{lines} lines");
     let folder = tempfile::tempdir().unwrap();
     let letter = folder.path().join("errata.tex");
     fs::write(&letter, latex).unwrap();

@@ -138,7 +138,7 @@ fn workflows_are_pinned_limited_and_have_few_rights() {
         files += 1;
     }
     let packed = !Path::new(env!("CARGO_MANIFEST_DIR")).join(".ci").exists();
-    assert!(files >= 5 || packed);
+    assert!(files > 0 || packed);
 }
 
 /// What the sources need is in the package.

@@ -28,9 +28,7 @@ pub fn formulas<S: Scalar>() -> Vec<Formula<S>> {
         corrections::escape::formulas(),
         corrections::rest::formulas(),
     ]
-    .into_iter()
-    .flatten()
-    .collect()
+    .concat()
 }
 
 /// The formulas, with what their trials and their wrong variants have to know of them.

@@ -10,8 +10,8 @@ mod tests;
 
 use crate::claims::PAPER;
 use crate::{commands, figures, symbols};
-use include_dir::{Dir, DirEntry, include_dir};
-use trialbook::edition::{Edition, Placeholder, Sources};
+use include_dir::{Dir, include_dir};
+use trialbook::edition::{Edition, Placeholder, Sources, texts};
 
 /// The book and the command.
 pub static EDITION: Edition = Edition {
@@ -128,22 +128,24 @@ pub static EDITION: Edition = Edition {
 /// All sources of the crate.
 static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
 
-/// The rooms whose sources are shown: the two sides, and the room where they meet.
-const SHOWN: [&str; 4] = ["claims", "corrections", "motion", "paper"];
+/// The modules whose sources are shown: what the two sides are made of, and where they meet.
+const SHOWN: [&str; 6] = [
+    "certified",
+    "claims",
+    "corrections",
+    "motion",
+    "paper",
+    "symbols",
+];
 
 /// The sources that the book shows: path and text.
 fn sources() -> Vec<(&'static str, &'static str)> {
-    let mut files = Vec::new();
-    let mut open: Vec<&DirEntry<'_>> = SOURCES.entries().iter().collect();
-    while let Some(entry) = open.pop() {
-        open.extend(entry.children());
-        let path = entry.path().to_str().unwrap_or_default();
-        let room = path.split('/').next().unwrap_or_default();
-        let text = entry.as_file().and_then(|file| file.contents_utf8());
-        if let (true, Some(text)) = (SHOWN.contains(&room), text) {
-            files.push((path, text));
-        }
-    }
+    let mut files = texts(&SOURCES);
+    files.retain(|(path, _)| {
+        path.split(['/', '.'])
+            .next()
+            .is_some_and(|module| SHOWN.contains(&module))
+    });
     files
 }
 

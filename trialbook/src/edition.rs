@@ -3,6 +3,7 @@
 use crate::claims::Paper;
 use crate::figures::Figure;
 use crate::seeded::Symbol;
+use include_dir::{Dir, DirEntry};
 use std::borrow::Cow;
 
 /// Why something of a paper's own could not be made: a sentence for the reader.
@@ -161,6 +162,18 @@ impl Sources {
         files: Vec::new,
         motion: |_| None,
     };
+}
+
+/// The texts in a folder and in those within it, by their paths below it.
+pub fn texts(folder: &'static Dir<'static>) -> Vec<(&'static str, &'static str)> {
+    let mut texts = Vec::new();
+    let mut open: Vec<&DirEntry<'_>> = folder.entries().iter().collect();
+    while let Some(entry) = open.pop() {
+        open.extend(entry.children());
+        let text = entry.as_file().and_then(|file| file.contents_utf8());
+        texts.extend(entry.path().to_str().zip(text));
+    }
+    texts
 }
 
 /// The [`Sources`] that these files are, without folders; each is named from the file where this stands.

@@ -18,7 +18,7 @@ fn on_a(q: f64) -> f64 {
 
 /// λ₀ on (54); NaN where it has no root.
 fn on_b(q: f64) -> f64 {
-    curve_b(q).ok().flatten().unwrap_or(f64::NAN)
+    curve_b(q).unwrap_or_default().unwrap_or(f64::NAN)
 }
 
 /// λ₀ on B up to Y and on E beyond; NaN where neither has a root.

@@ -6,7 +6,7 @@ use super::simulated::{
     Regions, attractor_from, corrected_list, curves_as_corrected, curves_as_printed, listed_digits,
     own_digits, own_y, printed_list, simulated,
 };
-use crate::claims::compare::{Compared, Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial, where_defined};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
@@ -357,7 +357,7 @@ pub fn diagram_step() -> Evidence {
             let below = crossed.iter().filter(|curve| **curve < lambda0).count();
             Some(printed::region(lambda0, &curves)? as f64 - below as f64)
         };
-        let curves = curves_as_printed(q).ok();
+        let curves = where_defined(curves_as_printed(q));
         Ok([curves.and_then(beyond_the_crossed).unwrap_or(f64::NAN), 1.0])
     })
 }

@@ -1,6 +1,6 @@
 //! The simulated motions of section 2.4, one by one, and the curves and lists that they are held against.
 
-use crate::claims::compare::Failure;
+use crate::claims::compare::{Failure, where_defined};
 use crate::claims::runs::Runs;
 use crate::corrections::anisotropic as corrected;
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Outcome, Sign};
@@ -213,13 +213,13 @@ pub type Regions = Box<dyn Fn(f64) -> Option<usize>>;
 
 /// The regions at this q by the printed list.
 pub fn printed_list(q: f64) -> Regions {
-    let curves = curves_as_printed(q).ok();
+    let curves = where_defined(curves_as_printed(q));
     Box::new(move |lambda0| printed::region(lambda0, curves.as_ref()?))
 }
 
 /// The regions at this q by the corrected list.
 pub fn corrected_list(q: f64) -> Regions {
-    let curves = curves_as_corrected(q).ok();
+    let curves = where_defined(curves_as_corrected(q));
     Box::new(move |lambda0| corrected::region(lambda0, curves.as_ref()?))
 }
 

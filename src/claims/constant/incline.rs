@@ -10,7 +10,31 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::paper::{constant as printed, general};
-use nalgebra::{Rotation3, Unit, Vector3};
+
+type Vector = [f64; 3];
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [0, 1, 2].map(|i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        a[j] * b[k] - a[k] * b[j]
+    })
+}
+
+/// A sum of vectors, each times a number.
+fn sum<const N: usize>(terms: [(f64, Vector); N]) -> Vector {
+    [0, 1, 2].map(|i| terms.iter().map(|(times, vector)| times * vector[i]).sum())
+}
+
+/// A vector turned by an angle about a unit vector, after Rodrigues.
+fn turned(vector: Vector, axis: Vector, angle: f64) -> Vector {
+    let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
+    let along = (1.0 - cosine) * dot(axis, vector);
+    sum([(cosine, vector), (sine, cross(axis, vector)), (along, axis)])
+}
 
 /// A plane tilted by β about a horizontal axis, and a particle on it.
 struct Incline {
@@ -18,10 +42,10 @@ struct Incline {
     mu: f64,
     beta: f64,
     /// Down the slope.
-    down: Vector3<f64>,
+    down: Vector,
     /// Along the slope, horizontally.
-    across: Vector3<f64>,
-    normal: Vector3<f64>,
+    across: Vector,
+    normal: Vector,
     v0: f64,
     theta0: f64,
 }
@@ -29,16 +53,17 @@ struct Incline {
 impl Incline {
     fn any(points: &mut Points) -> Self {
         let beta = points.uniform(0.1, 1.4);
-        let turned = Rotation3::from_axis_angle(&Vector3::z_axis(), points.uniform(0.0, 6.0));
-        let tilt = Rotation3::from_axis_angle(&Unit::new_unchecked(turned * Vector3::y()), beta);
-        let down = tilt * (turned * Vector3::x());
-        let normal = tilt * Vector3::z();
+        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let direction = points.uniform(0.0, 6.0);
+        let axis = turned(y, z, direction);
+        let down = turned(turned(x, z, direction), axis, beta);
+        let normal = turned(z, axis, beta);
         Incline {
             g: points.uniform(1.0, 20.0),
             mu: points.uniform(0.01, 1.0),
             beta,
             down,
-            across: normal.cross(&down),
+            across: cross(normal, down),
             normal,
             v0: points.uniform(0.5, 5.0),
             theta0: points.uniform(0.1, 3.0),
@@ -46,10 +71,11 @@ impl Incline {
     }
 
     /// Weight, normal force and friction on a unit mass that slides with velocity `v`.
-    fn acceleration(&self, v: &Vector3<f64>) -> Vector3<f64> {
-        let weight = Vector3::new(0.0, 0.0, -self.g);
-        let push = -weight.dot(&self.normal);
-        weight + self.normal * push - v.normalize() * (self.mu * push)
+    fn acceleration(&self, v: Vector) -> Vector {
+        let weight = [0.0, 0.0, -self.g];
+        let push = -dot(weight, self.normal);
+        let friction = -self.mu * push / libm::sqrt(dot(v, v));
+        sum([(1.0, weight), (push, self.normal), (friction, v)])
     }
 
     fn lambda(&self) -> f64 {
@@ -60,8 +86,11 @@ impl Incline {
         self.g * libm::sin(self.beta)
     }
 
-    fn velocity(&self, v: f64, theta: f64) -> Vector3<f64> {
-        self.down * (v * libm::cos(theta)) + self.across * (v * libm::sin(theta))
+    fn velocity(&self, v: f64, theta: f64) -> Vector {
+        sum([
+            (v * libm::cos(theta), self.down),
+            (v * libm::sin(theta), self.across),
+        ])
     }
 
     fn at(&self) -> String {
@@ -112,22 +141,15 @@ fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)
             let duration =
                 points.uniform(0.1, 0.5) * incline.v0 / (incline.a() * (1.0 + incline.lambda()));
             let start = incline.velocity(incline.v0, incline.theta0);
-            let rate = |_: f64, v: &[f64; 3]| incline.acceleration(&Vector3::from(*v)).into();
-            let end = Vector3::from(dop853::end(
-                rate,
-                0.0,
-                start.into(),
-                duration,
-                1e-14,
-                1e-16,
-            )?);
-            let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
+            let rate = |_: f64, v: &Vector| incline.acceleration(*v);
+            let end = dop853::end(rate, 0.0, start, duration, 1e-14, 1e-16)?;
+            let theta = libm::atan2(dot(end, incline.across), dot(end, incline.down));
             let Incline { v0, theta0, .. } = incline;
             let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Double::from);
             let turn = Turn {
                 theta,
                 t: duration,
-                v: end.norm(),
+                v: libm::sqrt(dot(end, end)),
                 ..Turn::launch(incline.lambda(), incline.a(), v0, theta0)
             };
             let (stated, found, scale) = pair(at, &turn);
@@ -153,11 +175,11 @@ pub fn law() -> Evidence {
             incline.g * libm::cos(incline.beta),
             [v * libm::cos(theta), v * libm::sin(theta)],
         );
-        let force = incline.acceleration(&incline.velocity(v, theta));
+        let force = incline.acceleration(incline.velocity(v, theta));
         Ok(Pair {
             at: incline.at(),
             stated: down + 2.0 * across,
-            found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
+            found: dot(force, incline.down) + 2.0 * dot(force, incline.across),
             scale: incline.a() * (1.0 + incline.lambda()),
         })
     })
@@ -182,14 +204,13 @@ pub fn same_motion() -> Evidence {
         let flat = [v * libm::cos(theta), v * libm::sin(theta)];
         let stated = dop853::end(law, 0.0, flat, duration, 1e-13, 1e-15);
         let [down, across] = stated.unwrap_or([f64::NAN; 2]);
-        let rate = |_: f64, v: &[f64; 3]| incline.acceleration(&Vector3::from(*v)).into();
+        let rate = |_: f64, v: &Vector| incline.acceleration(*v);
         let start = incline.velocity(v, theta);
-        let end = dop853::end(rate, 0.0, start.into(), duration, 1e-14, 1e-16)?;
-        let end = Vector3::from(end);
+        let end = dop853::end(rate, 0.0, start, duration, 1e-14, 1e-16)?;
         Ok(Pair {
             at: incline.at(),
             stated: down + 2.0 * across,
-            found: end.dot(&incline.down) + 2.0 * end.dot(&incline.across),
+            found: dot(end, incline.down) + 2.0 * dot(end, incline.across),
             scale: v,
         })
     })
@@ -207,12 +228,12 @@ pub fn forces() -> Evidence {
         .over(0..1000, |_| {
             let incline = Incline::any(&mut points);
             let (lambda, a, theta) = (incline.lambda(), incline.a(), incline.theta0);
-            let force = incline.acceleration(&incline.velocity(incline.v0, theta));
+            let force = incline.acceleration(incline.velocity(incline.v0, theta));
             Ok(Pair {
                 at: incline.at(),
                 stated: printed::eq6_vx_rate(lambda, a, theta)
                     + 2.0 * printed::eq7_vy_rate(lambda, a, theta),
-                found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
+                found: dot(force, incline.down) + 2.0 * dot(force, incline.across),
                 scale: a * (1.0 + lambda),
             })
         })

@@ -79,8 +79,11 @@ fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
 /// One comparison after another, over all curves.
 fn over_curves(trial: &Trial, of: impl Fn(&Transient) -> Result<Vec<Pair>, Failure>) -> Evidence {
     let pairs = transients().and_then(|curves| {
-        let lists: Result<Vec<_>, _> = curves.iter().map(of).collect();
-        Ok(lists?.into_iter().flatten().collect::<Vec<_>>())
+        let mut pairs = Vec::new();
+        for curve in curves {
+            pairs.extend(of(curve)?);
+        }
+        Ok(pairs)
     });
     let (pairs, error) = match pairs {
         Ok(pairs) => (pairs, None),

@@ -1,9 +1,11 @@
 //! The code behind the claims: the sources as pages of the book, and where in them a claim's parts stand.
 
-use super::text::escape;
+use super::error::Fault;
+use super::text::{count, escape};
 use crate::claims::attempt::Attempt;
 use crate::claims::{Claim, Topic};
-use crate::edition::Edition;
+use crate::edition::{Edition, texts};
+use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 
 /// A place in the code.
@@ -138,12 +140,71 @@ impl<'a> Code<'a> {
         })
     }
 
+    /// How much code stands in these modules, by their paths, without comments and tests. What follows `without` is left out.
+    pub(super) fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
+        let shown = self.files.iter();
+        let shown = shown.map(|(file, source)| (format!("src/{file}"), source.text));
+        let engine = texts(&ENGINE).into_iter();
+        let engine = engine.map(|(file, text)| (format!("trialbook/src/{file}"), text));
+        let all: Vec<_> = shown.chain(engine).collect();
+        let mut parts = modules.split(|word| *word == "without");
+        let [within, without] = [(); 2].map(|()| parts.next().unwrap_or_default());
+        for module in within.iter().chain(without) {
+            if !all.iter().any(|(file, _)| is_of_module(file, module)) {
+                return Err(Fault::Placeholder(format!("there is no source `{module}`")));
+            }
+        }
+        let is_of = |file: &str, modules: &[&str]| modules.iter().any(|m| is_of_module(file, m));
+        let lines = all
+            .iter()
+            .filter(|(file, _)| is_of(file, within) && !is_of(file, without) && !is_test(file))
+            .map(|(_, text)| lines_of_code(text))
+            .sum();
+        let names = |modules: &[&str]| {
+            let names = modules
+                .iter()
+                .map(|m| format!("<code>{}</code>", escape(m)));
+            names.collect::<Vec<_>>().join(", ")
+        };
+        let without = match without {
+            [] => String::new(),
+            without => format!(" without {}", names(without)),
+        };
+        Ok(format!(
+            "{} lines in {}{without}",
+            count(lines),
+            names(within)
+        ))
+    }
+
     /// The pages: address within the book, and HTML.
     pub(super) fn pages(&self) -> impl Iterator<Item = (String, String)> {
         self.files
             .iter()
             .map(|(file, source)| (page(file), code_page(file, source, self.edition.title)))
     }
+}
+
+/// The engine's own sources.
+static ENGINE: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
+
+/// Whether a file is the module of this path, or within it.
+fn is_of_module(file: &str, module: &str) -> bool {
+    let rest = file.strip_prefix(module);
+    rest.is_some_and(|rest| matches!(rest, "" | ".rs") || rest.starts_with('/'))
+}
+
+fn is_test(file: &str) -> bool {
+    file.ends_with("/tests.rs") || file.contains("/tests/")
+}
+
+fn lines_of_code(text: &str) -> usize {
+    let code = text
+        .lines()
+        .map(str::trim)
+        .take_while(|line| *line != "mod tests {");
+    code.filter(|line| !line.is_empty() && !line.starts_with("//") && *line != "#[cfg(test)]")
+        .count()
 }
 
 /// The rows of claims in a source: line, counted from 0, and id.
@@ -269,6 +330,42 @@ fn end_of_string(rest: &str, state: &mut State) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn comments_and_tests_are_no_lines_of_code() {
+        let text = "//! a\nuse b;\n\n/// c\nfn d() {} // e\n\n#[cfg(test)]\nmod tests {\n    fn f() {}\n}\n";
+        assert_eq!(lines_of_code(text), 2);
+        let of = |file| is_of_module(file, "src/a");
+        assert_eq!(
+            ["src/a.rs", "src/a/b.rs", "src/ab.rs"].map(of),
+            [true, true, false]
+        );
+        assert!(
+            is_test("src/a/tests.rs") && is_test("src/a/tests/b.rs") && !is_test("src/tests_of.rs")
+        );
+    }
+
+    #[test]
+    fn modules_are_counted_by_their_paths() {
+        let edition = Edition::of("none", &crate::claims::Paper::BLANK);
+        let lines = |modules: &[&str]| Code::new(&edition).lines(modules);
+        let said = lines(&["trialbook/src/exact", "without", "trialbook/src/exact/read"]).unwrap();
+        let (number, rest) = said.split_once(' ').unwrap();
+        assert!(
+            number.replace(',', "").parse::<usize>().unwrap() > 1000,
+            "{said}"
+        );
+        assert_eq!(
+            rest,
+            "lines in <code>trialbook/src/exact</code> without <code>trialbook/src/exact/read</code>"
+        );
+        for missing in [
+            &["trialbook/src/exac"][..],
+            &["trialbook/src/exact", "without", "src/x"],
+        ] {
+            assert!(lines(missing).is_err(), "{missing:?}");
+        }
+    }
 
     #[test]
     fn rust_is_marked() {

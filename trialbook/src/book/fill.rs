@@ -91,6 +91,7 @@ impl<'a> Filler<'a> {
                 let stem = if page == "errata" { "erratum" } else { page };
                 block(errata::list(context, stem, context.errata, &verdicts?)?)
             }
+            ["lines", modules @ ..] => inline(context.code.lines(modules)?),
             ["routes"] => block(tables::routes(ledger)),
             ["tolerances"] => block(tables::tolerances(context)?),
             ["verdict", id] => inline(verdict(context.entry(id)?.judgement.verdict)),

@@ -34,6 +34,7 @@
 //! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
 //! | `{{count wrong}}`, `{{count roots}}`, `{{count heirs}}` | of the claims that are false: all, those with an error of their own, the others |
 //! | `{{count proved}}` | the number of claims that are proved |
+//! | `{{lines src/motion}}` | how much code stands in these modules, without comments and tests, and their paths; what follows `without` is left out |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
 //!
 //! An edition may have more of its own. Those that stand for a box, a figure or a table stand alone on their line. None is

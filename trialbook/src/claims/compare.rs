@@ -35,6 +35,11 @@ impl Pair {
     }
 }
 
+/// The value, where there is one. A run that fails makes its trial fail; this is for what need not have a value, such as a curve that ends.
+pub fn where_defined<T, E>(found: Result<T, E>) -> Option<T> {
+    found.ok()
+}
+
 /// A trial in the making: how, about what, and how close.
 pub struct Trial {
     /// The route.

@@ -4,6 +4,7 @@ use super::{Mistake, Place, Seed, places};
 use crate::scalar::Scalar;
 
 /// A formula by its name and on flat lists.
+#[derive(Clone)]
 pub struct Formula<S> {
     /// Its path: `some_crate::some_topic::eq13_time`.
     pub path: &'static str,

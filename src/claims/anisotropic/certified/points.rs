@@ -8,7 +8,7 @@ use crate::certified::interval::{Interval, PI};
 use crate::certified::krawczyk;
 use crate::certified::numbers::{LAMBDA_Y, Q_Y};
 use crate::certified::written::agree;
-use crate::claims::compare::{Compared, Pair, Trial};
+use crate::claims::compare::{Compared, Pair, Trial, where_defined};
 use crate::claims::enclosed::{DIGITS, certified, numbers, on_balls};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -101,7 +101,7 @@ pub fn y_digits() -> Evidence {
     );
     let evidence = numbers([("q of Y", Q_Y)], Subject::Printed, compared, |bits| {
         let spare = bits + 32;
-        let y = Q_Y.ball(DIGITS + 8).ok();
+        let y = where_defined(Q_Y.ball(DIGITS + 8));
         let q = Expr::symbol("q");
         let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), Expr::int(1));
         [on_balls(q + left - right, spare, &|_| y.clone()).map(|ball| ball.with_bits(bits))]

@@ -1,6 +1,7 @@
 //! Any friction: (6) to (14), and the form of (11) that replaces it.
 
 use super::{Friction, Newton, at_start, prove};
+use crate::claims::compare::where_defined;
 use crate::corrections;
 use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::constant as paper;
@@ -90,7 +91,7 @@ pub(super) fn constant_of_motion(
     let constant = value.generators().all(|g| {
         let own = Rational::generator(g);
         let rate = p.ring().derivative(&own, &newton.motion);
-        rate.is_ok_and(|rate| rate.is_literally_zero())
+        where_defined(rate).is_some_and(|rate| rate.is_literally_zero())
     });
     if constant {
         // A number keeps its value along any motion: that would say nothing about this one.

@@ -163,8 +163,10 @@ fn first(p: &mut Prover<'_>) -> Result<[Vec<Rational>; 3], Obstacle> {
     let amplitude = p.read("Its positive root q", law::amplitude::<Expr>())?;
     let known = [(ring.named("q")?, amplitude)];
     p.zero("With that", &put(ring, &last, &known)?)?;
-    for c in ansatz.iter_mut().flatten() {
-        *c = put(ring, &put(ring, c, &solved)?, &known)?;
+    for series in &mut ansatz {
+        for c in series {
+            *c = put(ring, &put(ring, c, &solved)?, &known)?;
+        }
     }
     Ok(ansatz)
 }
