@@ -293,7 +293,8 @@ counts! {
     "ledger", "all {} claims" => Filled("count claims");
 }
 
-/// Whether a page has the number right that a row is about; where it says several with the same words, one of them.
+/// Whether a page has the number right that a row is about. Where the same words stand with several, one of them has to be; but each
+/// placeholder.
 fn holds((_, pattern, count): &Row, page: &Page) -> Option<bool> {
     let found = slots(&page.words, pattern);
     let right = |(start, at, length): &(usize, usize, usize)| {
@@ -322,7 +323,15 @@ fn holds((_, pattern, count): &Row, page: &Page) -> Option<bool> {
                 .all(|word| word.text == format!("{{{placeholder}}}")),
         }
     };
-    (!found.is_empty()).then(|| found.iter().any(right))
+    let all = matches!(count, Filled(_));
+    let enough = || {
+        if all {
+            found.iter().all(right)
+        } else {
+            found.iter().any(right)
+        }
+    };
+    (!found.is_empty()).then(enough)
 }
 
 #[test]
