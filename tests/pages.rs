@@ -1,4 +1,4 @@
-//! A verdict in the book's prose stands in a placeholder; and the letters hold what fails. Numbers in prose: `tests/print/prose`.
+//! A verdict in the book's prose stands in a placeholder; and the letters hold what fails. Numbers in prose: `tests/prose`.
 
 use slipbook::claims::{PAPER, Sort, by_hand::CASES};
 use slipbook::ledger::{Format, Ledger, Piece, Verdict, pieces, plain_formula, plain_words};

@@ -190,58 +190,6 @@ pub const CORRECTED: &[Line] = &[
     ),
 ];
 
-/// Corrections that are not held, and why.
-pub const WORDS_ONLY: &[(&str, &str)] = &[
-    (
-        "s21-along-acceleration",
-        "its formula is a direction that is tended to",
-    ),
-    ("s23-nonzero-again", "it says in words what becomes nonzero"),
-    (
-        "s4-projection-azimuthal",
-        "it says in words whose rate is put in",
-    ),
-    (
-        "s4-projection-radial",
-        "it says in words whose rate is put in",
-    ),
-    (
-        "fig-5",
-        "it says in words which curve is to be drawn how far",
-    ),
-];
-
-/// Formulas of the corrections that no correction prints: they add to it, or serve another that is printed.
-pub const NOT_PRINTED: &[&str] = &[
-    "constant::speed_by_log",
-    "constant::half_angle",
-    "constant::turning_slope",
-    "constant::late_sense",
-    "sinusoidal::contraction",
-    "sinusoidal::first_stage_lean",
-    "periodic::small_friction_start",
-    "periodic::small_friction_cases",
-    "periodic::small_friction_ends",
-    "periodic::loss_with_rests",
-    "periodic::loss_without_rest",
-    "periodic::nonzero_again",
-    "anisotropic::y_from_root",
-    "anisotropic::contact",
-    "anisotropic::a_far",
-    "anisotropic::e_far",
-    "anisotropic::slip_distance",
-    "anisotropic::drift_without_rest",
-    "anisotropic::loss_without_rest",
-    "anisotropic::upwards",
-    "turntable::azimuthal_rate",
-    "turntable::radial_rate",
-    "escape::relaxed_ratio",
-    "escape::winding",
-    "rest::alpha_rate_straight_in",
-    "rest::angle_straight_in",
-    "rest::psi_at_one_half",
-];
-
 /// Formulas of the corrections that are written for more kinds of numbers than these trees alone, or that a print joins.
 pub fn joined() -> Vec<Formula<Expr>> {
     let formula = |path, arguments, symbols: &[&'static str], value| Formula {

@@ -1,6 +1,8 @@
 //! The decimals in the cases by hand, worked out once more.
 
-use super::numbers::decimals;
+use crate::formulas::{Found, Given, found};
+use crate::numbers::decimals;
+use crate::text::formulas_of;
 use slipbook::claims::by_hand::CASES;
 use slipbook::claims::values::VALUES;
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
@@ -59,16 +61,20 @@ fn by_hand(claim: &str) -> Vec<f64> {
 
 #[test]
 fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
+    let mut tried = 0;
     for case in &CASES {
         let text = format!("{} {} {}", case.wrong, case.reason, case.case);
-        let printed = decimals(&text);
         let by_hand = by_hand(case.claim);
-        assert_eq!(printed.len(), by_hand.len(), "{}: {printed:?}", case.claim);
-        for (number, value) in printed.iter().zip(by_hand) {
+        for number in decimals(&text) {
             let places = number.len() - number.find('.').unwrap() - 1;
-            assert_eq!(**number, format!("{value:.places$}"), "{}", case.claim);
+            let known = by_hand
+                .iter()
+                .any(|value| number == format!("{value:.places$}"));
+            assert!(by_hand.is_empty() || known, "{}: {number}", case.claim);
+            tried += usize::from(known);
         }
     }
+    assert!(tried > 0);
     let envelope = CASES
         .iter()
         .find(|case| case.claim == "s4-envelope-is-boundary")
@@ -82,4 +88,24 @@ fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
         between.windows(2).all(|pair| pair[0] < pair[1]),
         "{between:?}"
     );
+}
+
+#[test]
+fn the_arithmetic_of_the_cases_by_hand_is_right() {
+    let mut failures = Vec::new();
+    for case in &CASES {
+        for text in [case.reason.to_owned(), case.words().unwrap()] {
+            // A name that is given twice may mean the first or the last.
+            let (mut given, mut first) = (Given::new(), Given::new());
+            for formula in formulas_of(&text) {
+                let last = found(&formula, &mut given);
+                let by_first = found(&formula, &mut Given::with(first.clone()));
+                first.complete(&given);
+                if let (Some(Found::Wrong(why)), Some(Found::Wrong(_))) = (last, by_first) {
+                    failures.push(format!("{}: {formula}: {why}", case.claim));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
 }

@@ -1,6 +1,10 @@
 //! The numbers behind a figure, and what a curve does.
 
-use slipbook::figures::Figure;
+use slipbook::figures::{Figure, all};
+use std::sync::LazyLock;
+
+/// All figures.
+pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| all().unwrap());
 
 /// The numbers behind a figure, and its drawing.
 pub struct Data(pub Vec<Vec<String>>, String);

@@ -1,13 +1,12 @@
 //! The letters of each page: each is in the table of symbols, and none has a meaning of its own where a box uses it.
 
-use super::formulas_of;
-use super::pages::{Block, sections};
+use crate::text::{formulas_of, sections};
 use slipbook::claims::{PAPER, Topic};
 use slipbook::symbols::SYMBOLS;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The page with the table of the letters of our own.
-const TABLE: &str = include_str!("../../../book/src/symbols.md");
+const TABLE: &str = include_str!("../../book/src/symbols.md");
 
 /// What needs no declaration: numbers with names, axes, orders of magnitude, and what a text calls by a capital.
 const PLAIN: [&str; 8] = ["pi", "O", "bm x", "bm y", "bm z", "x", "y", "z"];
@@ -28,39 +27,8 @@ const WORDS: [&str; 8] = [
 const OTHER: [&str; 4] = ["bm", "mathfrak", "mathbb", "tilde"];
 
 /// Commands that are letters.
-const GREEK: [&str; 31] = [
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "varepsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "vartheta",
-    "iota",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "ell",
-    "pi",
-    "varpi",
-    "rho",
-    "sigma",
-    "tau",
-    "phi",
-    "chi",
-    "psi",
-    "omega",
-    "Delta",
-    "Omega",
-    "Gamma",
-    "Phi",
-    "Psi",
-];
+const GREEK: &str = "alpha beta gamma delta epsilon varepsilon zeta eta theta vartheta iota kappa lambda mu nu xi ell pi varpi rho sigma
+    tau phi chi psi omega Delta Omega Gamma Phi Psi";
 
 /// The letters of a formula, each with what makes it another and with its index: `bm R`, `tilde phi_1`.
 pub fn letters(latex: &str) -> BTreeSet<String> {
@@ -82,7 +50,7 @@ pub fn letters(latex: &str) -> BTreeSet<String> {
                 prefix += &format!("{name} ");
                 rest = rest.trim_start_matches([' ', '{']);
                 continue;
-            } else if GREEK.contains(&name) {
+            } else if GREEK.split_whitespace().any(|letter| letter == name) {
                 letter = Some(name.to_owned());
             } else if name.is_empty() {
                 rest = rest.get(1..).unwrap_or_default();
@@ -231,11 +199,8 @@ fn every_letter_of_a_page_is_in_the_table_of_symbols() {
         .filter(|section| section.page != "symbols")
     {
         let here = own.get(&section.page).cloned().unwrap_or_default();
-        let text = section.blocks.iter().filter_map(|block| match block {
-            Block::Prose(text) => Some(text),
-            Block::Code(_) => None,
-        });
-        for letter in text
+        for letter in section
+            .prose()
             .flat_map(|text| formulas_of(text))
             .flat_map(|f| letters(&f))
         {

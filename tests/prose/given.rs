@@ -4,15 +4,11 @@
 //! digit behind them counts the relations of a formula that has several. `row` with a digit says what that row of its cases is to be. A piece of
 //! the formula that the reader does not understand, such as an integral, has its value given in the same way, as «piece»; «piece»=, parts two statements there.
 
-use super::formulas::{Found, Given, found, number, read};
 use crate::compare;
+use crate::formulas::{Found, Given, found, number, read};
 use crate::hold::Library;
 use slipbook::exact::Expr;
 use slipbook::exact::latex::{Value, statements};
-
-/// How a formula is listed that nothing tries: it says for which values something is said; what a name means; or it is an
-/// expression within a sentence.
-pub const NOT_TRIED: [&str; 3] = ["case", "name", "term"];
 
 /// Whether a formula holds where this is given; if not, why.
 pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String> {

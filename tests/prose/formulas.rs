@@ -243,7 +243,7 @@ fn related(latex: &str, a: Value, b: Value, relation: Relation) -> Option<bool> 
             (x - y).abs() <= 1e-11 * x.abs().max(1e-3),
         );
         return Some(match relation {
-            Relation::Equal if !latex.contains('.') => exact,
+            Relation::Equal if decimals(latex) == 0 => exact,
             Relation::Equal | Relation::About | Relation::Nearly => near,
             Relation::Less => x < y,
             Relation::Greater => x > y,
@@ -266,10 +266,9 @@ fn related(latex: &str, a: Value, b: Value, relation: Relation) -> Option<bool> 
     (relation == Relation::Equal && same).then_some(true)
 }
 
-/// How many decimals the last decimal of a formula has.
+/// How many decimals the last decimal of a formula has, 0 if it has none. A full stop at its end is no part of it.
 fn decimals(latex: &str) -> i32 {
-    let after = latex.rsplit('.').next().filter(|_| latex.contains('.'));
-    after.map_or(0, |after| {
-        after.chars().take_while(char::is_ascii_digit).count() as i32
-    })
+    let latex = latex.trim_end_matches(['.', ',', ':', ' ']);
+    let after = latex.rsplit_once('.').map_or("", |(_, after)| after);
+    after.chars().take_while(char::is_ascii_digit).count() as i32
 }

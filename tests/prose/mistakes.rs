@@ -1,43 +1,18 @@
 //! Slips of the pen: every text that differs from a LaTeX text in one place.
 
-/// What is taken for each other.
-const TAKEN: &[(&str, &str)] = &[
-    ("-", "+"),
-    ("+", "-"),
-    ("=", "<"),
-    ("<", ">"),
-    (">", "<"),
-    (r"\sin", r"\cos"),
-    (r"\cos", r"\sin"),
-    (r"\tan", r"\cot"),
-    (r"\cot", r"\tan"),
-    (r"\sinh", r"\cosh"),
-    (r"\cosh", r"\sinh"),
-    (r"\tanh", r"\coth"),
-    (r"\coth", r"\tanh"),
-    (r"\ln", r"\exp"),
-    (r"\cdot", r"\times"),
-    (r"\times", r"\cdot"),
-    (r"\dot", r"\ddot"),
-    (r"\ddot", r"\dot"),
-    (r"\approx", "="),
-    (r"\simeq", "="),
-    (r"\sim", "="),
-    (r"\leq", r"\geq"),
-];
+/// What is taken for each other, each for the one behind it.
+const TAKEN: &str = r"- + + - = < < > > < \sin \cos \cos \sin \tan \cot \cot \tan \sinh \cosh \cosh \sinh \tanh \coth \coth \tanh
+    \ln \exp \cdot \times \times \cdot \dot \ddot \ddot \dot \approx = \simeq = \sim = \leq \geq";
 
 /// Commands that are names.
-const NAMES: &[&str] = &[
-    r"\alpha", r"\beta", r"\gamma", r"\zeta", r"\eta", r"\theta", r"\kappa", r"\lambda", r"\mu",
-    r"\nu", r"\xi", r"\pi", r"\rho", r"\sigma", r"\tau", r"\phi", r"\psi", r"\omega", r"\Omega",
-    r"\varpi", r"\ell",
-];
+const NAMES: &str = r"\alpha \beta \gamma \zeta \eta \theta \kappa \lambda \mu \nu \xi \pi \rho \sigma \tau \phi \psi \omega \Omega
+    \varpi \ell";
 
 /// Texts in the place of which a letter is no name.
-const WORDS: &[&str] = &[r"\text", r"\mbox", r"\begin", r"\end"];
+const WORDS: [&str; 4] = [r"\text", r"\mbox", r"\begin", r"\end"];
 
 /// A piece of LaTeX with its place: a command, a whole number, a character; words in braces belong to their command.
-fn pieces(latex: &str) -> Vec<(usize, &str)> {
+pub fn pieces(latex: &str) -> Vec<(usize, &str)> {
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(first) = latex[at..].chars().next() {
@@ -65,7 +40,7 @@ fn pieces(latex: &str) -> Vec<(usize, &str)> {
 pub fn mistakes(latex: &str) -> Vec<String> {
     let pieces = pieces(latex);
     let name = |piece: &str| {
-        NAMES.contains(&piece)
+        NAMES.split_whitespace().any(|name| name == piece)
             || piece.len() == 1 && piece.starts_with(|c: char| c.is_ascii_alphabetic())
     };
     let names: Vec<&str> = pieces
@@ -83,7 +58,10 @@ pub fn mistakes(latex: &str) -> Vec<String> {
             // A command ends where a letter begins.
             return Some(format!("{other} "));
         }
-        let (_, other) = TAKEN.iter().find(|(from, _)| *from == piece)?;
+        let taken: Vec<&str> = TAKEN.split_whitespace().collect();
+        let [_, other] = taken.chunks(2).find(|pair| pair[0] == piece)? else {
+            return None;
+        };
         Some(format!("{other} "))
     };
     let changed = |(at, piece): &(usize, &str)| {

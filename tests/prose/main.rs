@@ -1,0 +1,28 @@
+//! What is printed and what the pages say, against what is computed. The print: the LaTeX of the equations and of the corrections is
+//! read into trees and held against the formulas of the code. The pages: numbers, formulas, directions, names and captions are tried.
+//!
+//! What nothing can compute is not looked at, and a sentence may say what it says in other words: then the check has nothing to say.
+
+mod by_hand;
+mod captions;
+mod choices;
+mod compare;
+mod counts;
+mod data;
+mod drawn;
+mod formulas;
+mod given;
+mod held;
+mod hold;
+mod items;
+mod late;
+mod letters;
+mod meaning;
+mod mistakes;
+mod numbers;
+mod print;
+mod said;
+mod slips;
+mod table;
+mod text;
+mod words;
