@@ -1,0 +1,120 @@
+//! Mistakes are seeded in what the trials read: each trial notices one at least, and what it finds stays where it is. How many of
+//! its comparisons disagree with the mistakes is recorded: a trial that has been made more lenient has fewer.
+
+use insta::{Settings, assert_snapshot};
+use libtest_mimic::{Failed, Trial};
+use slipbook::claims::attempt::Attempt;
+use slipbook::claims::distrust::{CORNERED, UNREAD};
+use slipbook::claims::variants::Variant;
+use slipbook::claims::{PAPER, Topic};
+use slipbook::ledger::distrust::{Extent, Tried};
+use slipbook::ledger::{Key, Ledger};
+use std::collections::BTreeSet;
+use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Arc;
+
+/// A test for each topic; each uses all cores.
+pub fn trials() -> Vec<Trial> {
+    let variants = Arc::new(PAPER.formulas.variants());
+    let trial = |topic: &'static Topic| {
+        let variants = Arc::clone(&variants);
+        Trial::test(format!("distrust::{}", topic.stem), move || {
+            distrusted(topic, &variants)
+        })
+    };
+    PAPER.topics.iter().map(trial).collect()
+}
+
+fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), Failed> {
+    let ids: Vec<_> = topic.claims.iter().map(|claim| claim.id).collect();
+    let ledger = Ledger::try_some(&PAPER, &ids, |_| {});
+    let tried = ledger.distrust(variants, Extent::Few, || {});
+    let key = |t: &Tried| ledger.entries[t.entry].key(t.trial);
+    let leaning = tried.iter().filter(|t| t.leans_on().is_some());
+    let leaning: Vec<_> = leaning.map(|t| key(t).to_string()).collect();
+    let idle = tried.iter().filter(|t| t.agrees && t.rejected() == 0);
+    let idle: BTreeSet<_> = idle.map(key).collect();
+    let excused = attempts(&ledger).filter(|(_, attempt)| attempt.idle.is_some());
+    let excused: BTreeSet<_> = excused.map(|(key, _)| key).collect();
+    let wrong = idle.symmetric_difference(&excused);
+    let wrong: Vec<_> = wrong.map(Key::to_string).collect();
+    let of_topic = |id: &str| topic.claims.iter().any(|claim| claim.id == id);
+
+    let slight = ledger.slight();
+    let coarse = slight.iter().filter(|s| !s.noticed);
+    let coarse = coarse.map(|s| (ledger.entries[s.entry].key(s.trial), s.formula));
+    let coarse: BTreeSet<_> = coarse.collect();
+    let excused = attempts(&ledger).flat_map(|(key, attempt)| {
+        let formulas = attempt.coarse.iter();
+        formulas.map(move |(formula, _)| (key, *formula))
+    });
+    let excused: BTreeSet<_> = excused.collect();
+    let coarse: Vec<_> = coarse.symmetric_difference(&excused).collect();
+
+    let mut corners = PAPER.formulas.corners();
+    corners.retain(|variant| of_topic(&variant.claim));
+    let noticed = ledger.noticed(&corners);
+    let those = |noticed_by: Option<bool>| {
+        let pairs = corners.iter().zip(&noticed);
+        let those = pairs.filter(move |(_, noticed)| **noticed == noticed_by);
+        those.map(|(variant, _)| variant)
+    };
+    let cornered = those(Some(false)).map(|v| (v.claim.as_str(), v.text.as_str()));
+    let cornered: BTreeSet<_> = cornered.collect();
+    let excused = CORNERED.iter().filter(|c| of_topic(c.claim));
+    let excused: BTreeSet<_> = excused.map(|c| (c.claim, c.text)).collect();
+    let cornered: Vec<_> = cornered.symmetric_difference(&excused).collect();
+
+    let unread = those(None).map(|v| (v.claim.as_str(), v.formula));
+    let unread: BTreeSet<_> = unread.collect();
+    let excused = UNREAD.iter().filter(|u| of_topic(u.claim));
+    let excused: BTreeSet<_> = excused.map(|u| (u.claim, u.formula)).collect();
+    let unread: Vec<_> = unread.symmetric_difference(&excused).collect();
+
+    let mut strictness = String::new();
+    for t in &tried {
+        let (key, met) = (key(t), t.reactions.len());
+        let (rejected, failed) = (t.rejected(), t.failed());
+        writeln!(
+            strictness,
+            "{key}: {rejected} of {met} rejected, {failed} comparisons disagree"
+        )?;
+    }
+    same_as_recorded(topic.stem, &strictness)?;
+
+    let silent = [
+        wrong.len(),
+        leaning.len(),
+        coarse.len(),
+        cornered.len(),
+        unread.len(),
+    ];
+    if silent == [0; 5] {
+        return Ok(());
+    }
+    Err(format!(
+        "notice nothing without a reason, or have one for nothing: {wrong:#?}; find something else, or in other units: \
+         {leaning:#?}; do not notice twice the tolerance, or do: {coarse:#?}; nobody notices a corner, or somebody does: \
+         {cornered:#?}; no measurement reads, or one does: {unread:#?}"
+    )
+    .into())
+}
+
+/// The trials of the ledger's claims, by their keys.
+fn attempts(ledger: &Ledger) -> impl Iterator<Item = (Key, &'static Attempt)> {
+    ledger.entries.iter().flat_map(|entry| {
+        let trials = entry.claim.trials.iter().enumerate();
+        trials.map(|(i, attempt)| (entry.key(i), attempt))
+    })
+}
+
+fn same_as_recorded(stem: &str, text: &str) -> Result<(), Failed> {
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots/distrust"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    let same = || settings.bind(|| assert_snapshot!(stem, text));
+    catch_unwind(AssertUnwindSafe(same))
+        .map_err(|_| "the trials of this chapter are more or less strict than recorded".into())
+}

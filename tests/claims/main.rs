@@ -1,0 +1,422 @@
+//! One test per claim: it is tried, judged, and its sheet held against `snapshots/<topic>/<id>.snap`.
+//!
+//! `cargo insta review` shows a change as claim, formula, values and verdict.
+
+mod distrust;
+
+use insta::{Settings, assert_snapshot};
+use libtest_mimic::{Arguments, Failed, Trial};
+use slipbook::claims::measured::MEASURED;
+use slipbook::claims::variants::{SPARED, SURVIVORS, Variant};
+use slipbook::claims::{Claim, PAPER, Sort};
+use slipbook::evidence::{Evidence, Outcome, Sample, Subject};
+use slipbook::ledger::{Entry, Ledger, Record};
+use slipbook::seeded::{reading::of, with};
+use slipbook::symbols::SYMBOLS;
+use std::collections::{BTreeMap, BTreeSet};
+use std::f64::consts::PI;
+use std::fs;
+use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
+use std::path::Path;
+use std::sync::Arc;
+
+fn main() {
+    // One after another, or the differences of several claims are printed into each other.
+    let arguments = Arguments {
+        test_threads: Some(1),
+        ..Arguments::from_args()
+    };
+    let ledger = Arc::new(Ledger::try_all(&PAPER, |_| {}));
+    let mut trials: Vec<_> = (0..ledger.entries.len())
+        .map(|i| {
+            let entry = &ledger.entries[i];
+            let name = format!("{}::{}", entry.topic.stem, entry.claim.id);
+            let ledger = Arc::clone(&ledger);
+            Trial::test(name, move || {
+                let entry = &ledger.entries[i];
+                same_as_snapshot(entry.topic.stem, entry.claim.id, &entry.sheet())
+            })
+        })
+        .collect();
+    let record = Record::text_of(&ledger);
+    trials.push(Trial::test("verdicts", move || {
+        same_as_snapshot("", "verdicts", &record)
+    }));
+    let depends: String = ledger.entries.iter().map(depends_on).collect();
+    trials.push(Trial::test("dependencies", move || {
+        same_as_snapshot("", "dependencies", &depends)
+    }));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("reading", move || reading(&whole)));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("variants", move || wrong_variants(&whole)));
+    let whole = ledger.clone();
+    trials.push(Trial::test("proofs", move || wrong_proofs(&whole)));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("measured", move || reasons(&whole)));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("sentences", move || sentences(&whole)));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("values", move || values(&whole)));
+    let whole = Arc::clone(&ledger);
+    trials.push(Trial::test("conditions", move || conditions(&whole)));
+    trials.push(Trial::test("no_snapshot_without_a_claim", stale));
+    trials.extend(distrust::trials());
+    let conclusion = libtest_mimic::run(&arguments, trials);
+    let tried = ledger
+        .entries
+        .iter()
+        .filter(|e| !e.evidence.is_empty())
+        .count();
+    println!(
+        "{tried} of {} claims tried, in {} comparisons; {}\n",
+        ledger.entries.len(),
+        ledger.points(),
+        ledger.summary()
+    );
+    conclusion.exit();
+}
+
+/// What is said of a trial is said in sentences, and what disagrees is shown.
+fn sentences(ledger: &Ledger) -> Result<(), Failed> {
+    let bad = |text: &String| {
+        let formulas = text.matches('$').count().is_multiple_of(2);
+        let tidy = !["  ", " ,", " .", "..", ",,", "$$"]
+            .iter()
+            .any(|slip| text.contains(slip));
+        !(formulas && tidy && text.ends_with('.') && !text.starts_with(char::is_lowercase))
+    };
+    let mut offences = Vec::new();
+    for entry in &ledger.entries {
+        let id = entry.claim.id;
+        let in_short = entry.in_short();
+        if entry.judgement.verdict.asks_for_change() != in_short.is_some() {
+            offences.push(format!("{id}: {in_short:?}"));
+        }
+        let strange = entry
+            .evidence
+            .iter()
+            .filter_map(|e| names_another(entry, e));
+        offences.extend(strange);
+        let said = entry
+            .evidence
+            .iter()
+            .flat_map(|e| [e.comparison(), e.result(), e.measured()]);
+        let slips = said.chain(in_short).filter(bad);
+        offences.extend(slips.map(|text| format!("{id}: {text}")));
+        offences.extend(
+            entry
+                .evidence
+                .iter()
+                .filter(|e| !shows(e))
+                .map(|e| format!("{id}: {}, {} of {}", e.trial, e.failed, e.points)),
+        );
+    }
+    match offences.is_empty() {
+        true => Ok(()),
+        false => Err(format!("{offences:#?}").into()),
+    }
+}
+
+/// Whether a claim is derived from the one of this id, directly or through others.
+fn rests_on(claim: &Claim, id: &str) -> bool {
+    let below = |on: &&str| **on == *id || rests_on(PAPER.find(on).expect("a claim").1, id);
+    claim.depends_on.iter().any(below)
+}
+
+/// The equations that a comparison names, though the trial has not read them and the claim neither is nor rests on them.
+fn names_another(entry: &Entry, e: &Evidence) -> Option<String> {
+    let words = e.compared.words();
+    let claim = entry.claim;
+    let known = |number: u16| {
+        let (formula, id) = (format!("::eq{number}_"), format!("eq-{number}"));
+        claim.equation == Some(number)
+            || e.read.iter().any(|path| path.contains(&formula))
+            || rests_on(claim, &id)
+            // Section 3 takes over what section 2.1 has solved.
+            || matches!((claim.id, number), ("eq-81" | "eq-82", 13 | 14))
+            || claim.plain.contains(&format!("({number})"))
+    };
+    let numbers = words.split('(').skip(1).filter_map(|rest| {
+        let (number, _) = rest.split_once(')')?;
+        number.parse().ok()
+    });
+    let strange: Vec<u16> = numbers.filter(|number| !known(*number)).collect();
+    let named = (claim.id, e.trial, &strange);
+    (!strange.is_empty()).then(|| format!("{named:?} is named and was not read"))
+}
+
+/// True if the number of points that fail and the pairs that are shown say what the outcome says.
+fn shows(e: &Evidence) -> bool {
+    let apart = |s: &Sample| s.stated != s.found;
+    let shown = || (1..=e.failed).contains(&e.samples.len()) && e.samples.iter().all(apart);
+    match e.outcome() {
+        _ if e.farthest.is_none() => e.failed == 0,
+        Outcome::Disagrees => (1..=e.points).contains(&e.failed) && shown(),
+        _ => e.failed == 0,
+    }
+}
+
+/// Values that the trials of their claim neither read nor show, roots and runs of their own: by hand, with the claim.
+const VALUES_BY_HAND: &[(&str, &str)] = &[
+    ("fig-3-largest", "fig-3"),
+    ("fig-4-largest", "fig-4"),
+    ("slip-end", "eq-82"),
+    ("kappa-solid", "eq-67"),
+    ("turn", "eq-136"),
+    ("critical-radius", "s4-rest-radius"),
+    ("critical-speed", "s4-rest-radius"),
+    ("boundary", "s4-envelope-is-boundary"),
+    ("fig-3-friction", "fig-3"),
+    ("fig-4-friction", "fig-4"),
+    ("critical-phase", "eq-37"),
+    ("fig-4-slip-end", "eq-32"),
+    ("slip-end-0.6", "eq-32"),
+    ("slip-end-0.9", "eq-32"),
+    ("curve-a-6", "eq-53"),
+    ("curve-a-12", "eq-53"),
+];
+
+/// A value is computed from what the trials of its claim read, a formula or runs, or they show it.
+fn values(ledger: &Ledger) -> Result<(), Failed> {
+    let mut strange = Vec::new();
+    for value in PAPER.values {
+        let (_, read) = of(|| (value.number(), value.decimal(3)));
+        let entry = ledger.entries.iter().find(|e| e.claim.id == value.claim);
+        let evidence = || entry.into_iter().flat_map(|entry| &entry.evidence);
+        let formulas = |e: &Evidence| !e.read.is_disjoint(&read.formulas);
+        let runs = |e: &Evidence| !e.runs.is_disjoint(&read.runs);
+        let number = value.number()?;
+        let close = |x: f64| (x / number - 1.0).abs() < 1e-9;
+        let pair = |s: &Sample| close(s.stated) || close(s.found);
+        let shows = |e: &Evidence| e.samples.iter().chain(&e.farthest).any(pair);
+        let known = evidence().any(|e| formulas(e) || runs(e) || shows(e));
+        if known == VALUES_BY_HAND.contains(&(value.id, value.claim)) {
+            strange.push(format!(
+                "{} of {}: {:?}",
+                value.id, value.claim, read.formulas
+            ));
+        }
+    }
+    match strange.is_empty() {
+        true => Ok(()),
+        false => Err(format!("{strange:#?}").into()),
+    }
+}
+
+/// A number or a symbol of a condition at a point, by its LaTeX.
+fn term(latex: &str, at: &BTreeMap<&str, f64>) -> Option<f64> {
+    match latex {
+        "0" => Some(0.0),
+        "1" => Some(1.0),
+        r"\frac12" => Some(0.5),
+        r"\pi" => Some(PI),
+        _ => {
+            let mut of_this = SYMBOLS.iter().filter(|symbol| symbol.latex == latex);
+            of_this.find_map(|symbol| at.get(symbol.plain).copied())
+        }
+    }
+}
+
+/// Whether what a condition begins with holds at a point: `a<b<c`, `a>b` or `a\neq b,c`; nothing if it is in words, or about
+/// something else.
+fn holds(text: &str, at: &BTreeMap<&str, f64>) -> Option<bool> {
+    let (relation, _) = text.strip_prefix('$')?.split_once('$')?;
+    if let Some((left, right)) = relation.split_once(r"\neq") {
+        let left = term(left, at)?;
+        let others: Option<Vec<_>> = right.split(',').map(|right| term(right, at)).collect();
+        // The points are written to six decimals.
+        return Some(others?.iter().all(|right| (left - right).abs() > 1e-6));
+    }
+    if let Some((left, right)) = relation.split_once('>') {
+        return Some(term(left, at)? > term(right, at)?);
+    }
+    let terms: Option<Vec<_>> = relation.split('<').map(|one| term(one, at)).collect();
+    let terms = terms?;
+    (terms.len() > 1).then(|| terms.windows(2).all(|pair| pair[0] < pair[1]))
+}
+
+/// The points that a condition excepts are those at which it does not hold as it is printed: what the trial calls its
+/// condition is typed apart from the words.
+fn conditions(ledger: &Ledger) -> Result<(), Failed> {
+    let (mut read, mut strange) = (0, Vec::new());
+    for entry in &ledger.entries {
+        let excepted = || {
+            let evidence = entry.evidence.iter();
+            evidence.filter(|e| e.subject == Subject::Excepted)
+        };
+        let conditions = entry.claim.conditions.iter();
+        for condition in conditions.filter(|c| c.sort == Sort::Degenerate) {
+            let of_sample = |s: &Sample| {
+                let named = s.at.split(", ").filter_map(|part| part.split_once(" = "));
+                let at = named.filter_map(|(name, x)| Some((name, x.parse().ok()?)));
+                Some(holds(condition.text, &at.collect())? == (s.stated == 1.0))
+            };
+            let told = excepted().filter_map(|e| {
+                let same: Option<Vec<_>> = e.samples.iter().map(of_sample).collect();
+                same.map(|same| same.iter().all(|same| *same))
+            });
+            let told: Vec<_> = told.collect();
+            read += usize::from(!told.is_empty());
+            if !told.is_empty() && !told.contains(&true) {
+                strange.push((entry.claim.id, condition.text));
+            }
+        }
+    }
+    match strange.is_empty() && read >= 30 {
+        true => Ok(()),
+        false => Err(format!("{read} are read; others are tried than said: {strange:#?}").into()),
+    }
+}
+
+/// What a claim is derived from or refers to, on a line.
+fn depends_on(entry: &Entry) -> String {
+    format!("{}: {}\n", entry.claim.id, entry.claim.depends_on.join(" "))
+}
+
+/// Evidence for which no formula of its claim was read is that for which a reason is given, and no other.
+fn reading(ledger: &Ledger) -> Result<(), Failed> {
+    let wrong = ledger.entries.iter().flat_map(|entry| {
+        let trials = entry.claim.trials.iter().zip(entry.keyed());
+        trials.filter_map(|(trial, (key, e))| {
+            let missing = PAPER.formulas.is_missing(entry.claim.id, e);
+            (missing != trial.elsewhere.is_some()).then(|| key.to_string())
+        })
+    });
+    match &wrong.collect::<Vec<_>>()[..] {
+        [] => Ok(()),
+        wrong => Err(format!("{wrong:#?} without reason, or for no reason").into()),
+    }
+}
+
+/// The entries with the verdict that is recorded: of another, its sheet and its verdict tell all.
+fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
+    let record = Record::parse(PAPER.record).expect("the record can be read");
+    let changed = record.differences(ledger);
+    let same = |entry: &&Entry| changed.iter().all(|d| d.id != entry.claim.id);
+    ledger.entries.iter().filter(same).collect()
+}
+
+/// Every proof by algebra fails for every wrong variant of the formulas of its claim that it reads, but for those formulas
+/// for which a reason is given. One that reads none of its claim fails for a variant of what it reads.
+fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
+    let variants = PAPER.formulas.variants();
+    let (mut tried, mut spared, mut idle) = (0, BTreeSet::new(), Vec::new());
+    let as_recorded = as_recorded(ledger);
+    for entry in as_recorded.iter().copied() {
+        let trials = entry.claim.trials.iter().zip(&entry.evidence);
+        for (trial, evidence) in trials.filter(|(_, e)| e.outcome() == Outcome::Agrees) {
+            let Some(statement) = trial.statement() else {
+                continue;
+            };
+            let read = variants
+                .iter()
+                .filter(|v| evidence.read.contains(v.seed.formula));
+            let (own, other): (Vec<_>, Vec<_>) = read.partition(|v| v.claim == entry.claim.id);
+            let holds = |v: &&Variant| with(v.seed, || statement.proof().holds());
+            if own.is_empty() && other.iter().all(holds) {
+                idle.push((entry.claim.id, evidence.trial));
+            }
+            tried += own.len();
+            spared.extend(
+                own.into_iter()
+                    .filter(holds)
+                    .map(|v| (entry.claim.id, v.formula)),
+            );
+        }
+    }
+    let told = |id: &str| as_recorded.iter().any(|entry| entry.claim.id == id);
+    let excused = SPARED.iter().filter(|s| told(s.claim));
+    let excused: BTreeSet<_> = excused.map(|s| (s.claim, s.formula)).collect();
+    if spared != excused || !idle.is_empty() || tried < 5_000 {
+        return Err(format!(
+            "of {tried} variants {spared:?} are spared, a reason is given for {excused:?}; idle are {idle:?}"
+        )
+        .into());
+    }
+    Ok(())
+}
+
+/// Of every formula, every wrong variant is rejected but those for which a reason is given.
+fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
+    let variants = PAPER.formulas.variants();
+    let rejected = ledger.rejected(&variants);
+    let mut record = String::new();
+    let mut survivors = Vec::new();
+    let entries = as_recorded(ledger);
+    for entry in entries.iter().copied() {
+        let of_claim = || {
+            variants
+                .iter()
+                .zip(&rejected)
+                .filter(|(v, _)| v.claim == entry.claim.id)
+        };
+        let (tried, survive) = (of_claim().count(), of_claim().filter(|(_, yes)| !**yes));
+        let survive: Vec<_> = survive
+            .map(|(v, _)| (v.claim.as_str(), v.text.as_str()))
+            .collect();
+        if tried > 0 {
+            record += &format!("{}: {} of {tried}\n", entry.claim.id, tried - survive.len());
+        }
+        survivors.extend(survive);
+    }
+    let told = |id: &str| entries.iter().any(|entry| entry.claim.id == id);
+    let excused = SURVIVORS.iter().filter(|s| told(s.claim));
+    let excused: Vec<_> = excused.map(|s| (s.claim, s.text)).collect();
+    if survivors != excused {
+        return Err(format!("{survivors:#?} survive, a reason is given for {excused:#?}").into());
+    }
+    same_as_snapshot("", "variants", &record)
+}
+
+/// The claims without a proof are those for which a reason is given, each once.
+fn reasons(ledger: &Ledger) -> Result<(), Failed> {
+    let listed: Vec<_> = MEASURED.iter().flat_map(|m| m.claims).copied().collect();
+    let given: BTreeSet<_> = listed.iter().copied().collect();
+    let entries = as_recorded(ledger).into_iter();
+    let (proved, measured): (Vec<_>, Vec<_>) = entries.partition(|entry| entry.is_proved());
+    let [proved, measured] =
+        [proved, measured].map(|of| of.into_iter().map(|e| e.claim.id).collect::<BTreeSet<_>>());
+    let lacking: Vec<_> = measured.difference(&given).collect();
+    let idle: Vec<_> = given.intersection(&proved).collect();
+    if lacking.is_empty() && idle.is_empty() && listed.len() == given.len() {
+        return Ok(());
+    }
+    Err(
+        format!("no proof and no reason: {lacking:?}; a reason though proved, or twice: {idle:?}")
+            .into(),
+    )
+}
+
+/// Every snapshot of a topic's folder belongs to a claim of that topic, or is the README's picture.
+fn stale() -> Result<(), Failed> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
+    for topic in PAPER.topics {
+        for file in fs::read_dir(root.join(topic.stem))? {
+            let name = file?.file_name().to_string_lossy().into_owned();
+            // What `cargo insta review` is to look at.
+            let name = name.trim_end_matches(".new");
+            let of_a_claim = |claim: &Claim| name == format!("{}.snap", claim.id);
+            if !topic.claims.iter().any(of_a_claim) && !name.starts_with("portrait.snap") {
+                return Err(format!("{}/{name} belongs to no claim", topic.stem).into());
+            }
+        }
+    }
+    Ok(())
+}
+
+fn same_as_snapshot(folder: &str, name: &str, text: &str) -> Result<(), Failed> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut settings = Settings::clone_current();
+    settings.set_snapshot_path(root.join("snapshots").join(folder));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    let same = || settings.bind(|| assert_snapshot!(name, text));
+    // The difference is printed by then; where the comparison stands in the code is of no use.
+    let hook = take_hook();
+    set_hook(Box::new(|_| {}));
+    let compared = catch_unwind(AssertUnwindSafe(same));
+    set_hook(hook);
+    compared
+        .map_err(|_| format!("{name} differs from its snapshot: run `cargo insta review`").into())
+}

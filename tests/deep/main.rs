@@ -1,0 +1,63 @@
+//! The record of the deep run, held against the trials as they are now. It is as of its commit: a line of a trial that is gone is
+//! left out, and so is a trial that has come since. `.ci/deep records` runs this, `cargo test` alone does not.
+
+mod digits;
+mod fates;
+
+use slipbook::claims::PAPER;
+use slipbook::evidence::Outcome;
+use slipbook::ledger::Ledger;
+use slipbook::ledger::deep::Deep;
+use std::collections::BTreeMap;
+use std::sync::LazyLock;
+
+/// The ledger of a usual run, and with what the deep run has brought in its place.
+static LEDGERS: LazyLock<[Ledger; 2]> = LazyLock::new(|| {
+    let now = Ledger::try_all(&PAPER, |_| {});
+    let record = Deep::read(PAPER.deep).expect("there is a record of a deep run");
+    assert!(record.comparisons >= 10_000_000, "{}", record.comparisons);
+    let deep = record.in_place_of(&now);
+    [now, deep]
+});
+
+#[test]
+fn outcomes_and_verdicts_are_those_of_a_usual_run() {
+    let [now, deep] = &*LEDGERS;
+    let mut compared = 0;
+    for (now, deep) in now.entries.iter().zip(&deep.entries) {
+        let mut evidence = now.evidence.clone();
+        for (i, (key, deep)) in deep.keyed().enumerate() {
+            if deep.points > 0 && !deep.route.is_proof() {
+                assert!(deep.points >= evidence[i].points, "{key}");
+                assert_eq!(deep.outcome(), evidence[i].outcome(), "{key}");
+                evidence[i] = deep.clone();
+                compared += 1;
+            }
+        }
+        let [usual, deep] = [&now.evidence, &evidence].map(|e| now.claim.judged(e).verdict);
+        assert_eq!(deep, usual, "{}", now.claim.id);
+    }
+    assert!(compared > 0, "no line of the record is of a trial");
+}
+
+/// How many times looser a tolerance may be than the worst disagreement that it admits.
+const SLACK: f64 = 10.0;
+
+/// A tolerance is that of a method, and its reason speaks of the hardest case; two of three of its users come ten times closer, and
+/// each would need a number of its own, that could only be taken from what it measures. What holds each by itself is that it has
+/// to notice a mistake of twice its tolerance (`tests/distrust.rs`).
+#[test]
+fn no_tolerance_is_far_looser_than_the_worst_that_it_admits() {
+    let [_, deep] = &*LEDGERS;
+    let mut worst = BTreeMap::<&str, (f64, f64)>::new();
+    let evidence = deep.entries.iter().flat_map(|entry| &entry.evidence);
+    for e in evidence.filter(|e| !e.route.is_proof() && e.outcome() == Outcome::Agrees) {
+        let (tolerance, so_far) = worst.entry(e.tolerance.name).or_default();
+        (*tolerance, *so_far) = (e.tolerance.value, so_far.max(e.worst));
+    }
+    worst.retain(|_, (tolerance, worst)| *tolerance > SLACK * *worst);
+    assert!(
+        worst.is_empty(),
+        "too loose, each with the worst: {worst:#?}"
+    );
+}

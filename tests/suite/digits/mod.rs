@@ -1,0 +1,39 @@
+//! No digit that is not known: what the calculators claim against solutions of a higher precision.
+//!
+//! The vectors in `tests/data/digits` come from a foreign program (see the scripts there). For the turntable, where each
+//! case takes longer, there is besides a Taylor integration in numbers of 31 digits in the table's own axes, which the
+//! vectors test too. Of all cases a part is tried each time; all ten thousand of a kind with
+//!
+//! ```text
+//! SLIPBOOK_DIGITS=10000 cargo test --release --test suite digits::
+//! ```
+//!
+//! which also compares the counts with `snapshots/digits.csv`, from which the book draws its figure, and writes them anew
+//! beside it where they differ.
+
+mod certified;
+mod explorers;
+mod tables;
+mod tally;
+mod turntable;
+mod vectors;
+
+use slipbook::numerics::double::Double;
+
+/// Terms of a Taylor series in numbers of 31 digits.
+const TERMS: usize = 44;
+
+/// Room for the series of `N` quantities that a law needs on its way.
+struct Room<const N: usize>([[Double; TERMS]; N]);
+
+impl<const N: usize> Default for Room<N> {
+    fn default() -> Self {
+        Room([[Double::default(); TERMS]; N])
+    }
+}
+
+/// How many cases of a kind are tried.
+fn cases(usual: usize) -> usize {
+    let wanted = std::env::var("SLIPBOOK_DIGITS").ok();
+    wanted.map_or(usual, |n| n.parse().expect("SLIPBOOK_DIGITS is a number"))
+}

@@ -1,0 +1,514 @@
+//! What the explorers show: the module in the pages gives the crate's own numbers, and these agree with what the claims
+//! found elsewhere.
+
+use slipbook::claims::PAPER;
+use slipbook::claims::anisotropic::simulated::Curves;
+use slipbook::explorers::{
+    Answer, anisotropic, answer, constant, periodic, plane, sphere, turntable,
+};
+use slipbook::motion::drive::Sign;
+use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
+use slipbook::paper;
+use std::f64::consts::TAU;
+use wasmi::{Engine, Linker, Memory, Module, Store, TypedFunc};
+
+type Ask = TypedFunc<(u32, f64, f64, f64, f64), u32>;
+
+/// The module as a page runs it.
+struct Page {
+    store: Store<()>,
+    memory: Memory,
+    ask: Ask,
+}
+
+impl Page {
+    fn open() -> Self {
+        let engine = Engine::default();
+        let module =
+            Module::new(&engine, include_bytes!("../../book/theme/explorers.wasm")).unwrap();
+        let mut store = Store::new(&engine, ());
+        let linker = Linker::new(&engine);
+        let instance = linker.instantiate_and_start(&mut store, &module).unwrap();
+        let memory = instance.get_memory(&store, "memory").unwrap();
+        let ask = instance.get_typed_func(&store, "ask").unwrap();
+        Page { store, memory, ask }
+    }
+
+    fn ask(&mut self, number: u32, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
+        let given = (number, a, b, c, d);
+        let start = self.ask.call(&mut self.store, given).unwrap() as usize;
+        let bytes = &self.memory.data(&self.store)[start..];
+        let number = |i: usize| f64::from_le_bytes(bytes[8 * i..][..8].try_into().unwrap());
+        (1..=number(0) as usize).map(number).collect()
+    }
+}
+
+/// Rebuild the module with `book/explorers/rebuild` where this fails.
+#[test]
+fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
+    let mut page = Page::open();
+    let questions: [(u32, &[[f64; 4]]); 14] = [
+        (
+            0,
+            &[
+                [1.2, 120.0, 0.0, 0.0],
+                [0.5, -179.0, 0.0, 0.0],
+                [1.0, 180.0, 0.0, 0.0],
+                [0.0, 90.0, 0.0, 0.0],
+                [3.0, 17.0, 0.0, 0.0],
+            ],
+        ),
+        (1, &[[0.7, 0.0, 0.0, 0.0], [1.01, 0.0, 0.0, 0.0]]),
+        (
+            2,
+            &[
+                [2.0, 0.45, 1.5, 0.0],
+                [1.0, 0.01, -2.0, 0.0],
+                [7.0, 1.2, 0.3, 0.0],
+                [5.5, 0.15, 0.0, 0.0],
+            ],
+        ),
+        (3, &[[2.0, 0.0, 0.0, 0.0]]),
+        (
+            4,
+            &[
+                [0.8, -0.6, 0.4, 0.0],
+                [1.6, -2.0, -2.5, 0.0],
+                [0.0, 0.0, 0.0, 0.0],
+            ],
+        ),
+        (5, &[[0.8, 0.0, 0.0, 0.0]]),
+        (
+            6,
+            &[
+                [0.75, 0.4, 0.0, 1.0],
+                [0.05, 0.67, -2.0, 0.02],
+                [1.5, 0.05, 0.0, 0.0],
+            ],
+        ),
+        (7, &[[1.2, 120.0, 0.0, 0.0], [0.5, -179.0, 0.0, 0.0]]),
+        (8, &[[2.0, 0.45, 1.5, 0.0], [1.0, 1.2, -2.0, 0.0]]),
+        (9, &[[0.75, 0.4, 0.0, 1.0]]),
+        (10, &[[0.8, 0.0, 0.0, 0.0], [1.1, 0.0, 0.0, 0.0]]),
+        (11, &[[1.5, 0.08, 1.0, 0.0], [0.0, 0.45, -2.0, 0.0]]),
+        (12, &[[1.5, 0.3, 1.0, 0.0]]),
+        (
+            13,
+            &[
+                [0.3, 0.5, 1.0, 0.0],
+                [0.7, -2.0, 2.0, 0.0],
+                [0.3, 0.5, 0.0, 0.0],
+            ],
+        ),
+    ];
+    for (number, arguments) in questions {
+        for given in arguments {
+            let native = answer(number as usize, *given).unwrap().flat();
+            assert!(native.iter().all(|x| x.is_finite()));
+            // To the last bit: all functions are libm's on both sides.
+            assert!(page.ask(number, *given) == native, "{number} {given:?}");
+        }
+    }
+}
+
+#[test]
+fn what_has_no_answer_is_an_empty_list_in_the_module_and_a_named_error_in_the_crate() {
+    let mut page = Page::open();
+    for (number, given, named) in [
+        (0, [-1.0, 0.0, 0.0, 0.0], "λ"),
+        (0, [1.0, f64::NAN, 0.0, 0.0], "θ₀"),
+        (1, [f64::INFINITY, 0.0, 0.0, 0.0], "λ"),
+        (2, [1.0, -0.5, 0.0, 0.0], "lambda_plus"),
+        (2, [1.0, 0.5, f64::NAN, 0.0], "phi"),
+        (3, [f64::NAN, 0.0, 0.0, 0.0], "lambda_minus"),
+        (4, [-1.0, 0.0, f64::NAN, 0.0], "p = NaN"),
+        (5, [1e10, 0.0, 0.0, 0.0], "rho"),
+        (6, [0.0, 0.4, 0.0, 0.0], "lambda_0"),
+        (6, [1.0, 0.0, 0.0, 0.0], "inertia"),
+        (6, [1.0, 0.4, f64::NAN, 0.0], "v_x"),
+        (7, [-1.0, 0.0, 0.0, 0.0], "λ"),
+        (8, [1.0, -0.5, 0.0, 0.0], "lambda_plus"),
+        (9, [0.0, 0.4, 0.0, 0.0], "lambda_0"),
+        (10, [-1.0, 0.0, 0.0, 0.0], "rho"),
+        (11, [f64::NAN, 0.5, 0.0, 0.0], "h"),
+        (11, [1.0, -0.5, 0.0, 0.0], "lambda_plus"),
+        (12, [1.0, 0.5, f64::NAN, 0.0], "phi"),
+        (13, [-1.0, 0.5, 1.0, 0.0], "lambda"),
+        (13, [0.3, 0.5, -1.0, 0.0], "ln_w_y"),
+        (14, [0.0; 4], "question 14"),
+    ] {
+        let error = answer(number, given).unwrap_err().to_string();
+        assert!(error.contains(named), "{number} {given:?}: {error}");
+        assert!(page.ask(number as u32, given).is_empty());
+    }
+}
+
+#[test]
+fn a_throw_stops_when_the_claims_say() {
+    for (lambda, theta) in [(1.05, 30.0), (1.2, 120.0), (2.0, 180.0), (3.0, -60.0)] {
+        let Answer { values, curves } = constant::motion(lambda, theta).unwrap();
+        let printed = paper::constant::eq20_stop_time(lambda, 1.0, 1.0, theta.to_radians());
+        assert_eq!(values[0], 1.0);
+        assert!(
+            (values[1] / printed - 1.0).abs() < 1e-12,
+            "{lambda} {theta}"
+        );
+        assert_eq!(curves[0].last(), Some(&[0.0, 0.0]));
+        assert_eq!(curves[1].last().unwrap()[..], values[4..6]);
+        // The place at each half unit of time is on the path.
+        assert_eq!(curves[2].len(), 1 + (2.0 * values[1]) as usize);
+    }
+    assert_eq!(
+        constant::motion(0.99, 30.0).unwrap().values[..2],
+        [0.0, 10.0]
+    );
+    // At λ = 1 only the throw straight back stops.
+    assert_eq!(constant::motion(1.0, 180.0).unwrap().values[0], 1.0);
+    assert_eq!(constant::motion(1.0, 179.0).unwrap().values[0], 0.0);
+    assert!(constant::portrait(1.0).unwrap().curves[0].is_empty());
+}
+
+#[test]
+fn the_manners_are_those_of_the_regions() {
+    let signs = |manner: &[Sign]| -> Vec<f64> { manner.iter().map(|s| s.factor()).collect() };
+    assert_eq!(anisotropic::MANNERS.map(signs), paper::anisotropic::signs());
+}
+
+#[test]
+fn the_map_has_the_borders_that_the_claims_found() {
+    let curves = anisotropic::map(7.0).unwrap().curves;
+    for i in 0..curves[0].len() {
+        let q = curves[0][i][0];
+        let corrected = Curves::at(q).unwrap().corrected;
+        let mut borders = vec![corrected.a, corrected.b_or_e];
+        // Beyond Y, III is not between II and IV.
+        borders.extend([corrected.c.unwrap_or(corrected.b_or_e), corrected.d]);
+        for (curve, border) in curves.iter().zip(borders) {
+            let found = curve[i][1];
+            assert!((found - border).abs() < 2e-4, "q = {q}: {found}, {border}");
+        }
+    }
+}
+
+#[test]
+fn the_periodic_motion_is_the_one_approached() {
+    let Answer { values, curves } = anisotropic::motion(2.0, 0.45, 1.5).unwrap();
+    assert_eq!(values[0], 3.0);
+    assert_eq!(values[4], 4.0);
+    let share: f64 = values[5..]
+        .chunks(3)
+        .filter(|i| i[0] == 0.0)
+        .map(|i| i[2] - i[1])
+        .sum();
+    assert!((share / TAU - values[3]).abs() < 1e-15);
+    // After the first rest both are the same.
+    let late = |curve: &[[f64; 2]]| {
+        *curve
+            .iter()
+            .find(|point| point[0] >= 3.0 * TAU + 2.0)
+            .unwrap()
+    };
+    let (from_start, periodic) = (late(&curves[0]), late(&curves[1]));
+    assert_eq!(from_start[0], periodic[0]);
+    assert!(periodic[1] > 0.1 && (from_start[1] - periodic[1]).abs() < 1e-12);
+}
+
+/// Starts tried at each distance from the axis.
+const POINTS: usize = 600;
+
+#[test]
+fn the_boundary_parts_rest_from_escape() {
+    for rho in [0.0, 0.3, 0.8, 0.9, 0.97, 1.0, 1.05, 1.3, 1.6] {
+        let curves = turntable::boundary(rho).unwrap().curves;
+        let boundary = &curves[0];
+        let mut generator = fastrand::Rng::with_seed(1);
+        let mut wrong = 0;
+        for _ in 0..POINTS {
+            let v = [generator.f64() * 6.0 - 3.0, generator.f64() * 6.0 - 3.0];
+            let rests = matches!(
+                fate(&Start::cartesian([rho, 0.0], v).unwrap()).unwrap(),
+                Fate::Rest { .. }
+            );
+            wrong += usize::from(rests != inside(boundary, v));
+        }
+        // A polygon cuts corners.
+        assert!(wrong <= POINTS / 200, "ρ = {rho}: {wrong} of {POINTS}");
+    }
+    let [speed, radius] = [critical_speed().unwrap(), critical_radius().unwrap()];
+    for [u, v] in &turntable::boundary(0.0).unwrap().curves[0] {
+        assert!((u.hypot(*v) - speed).abs() < 2e-3);
+    }
+    for (rho, rests) in [(radius - 0.01, 1.0), (radius + 0.01, 0.0)] {
+        assert_eq!(
+            turntable::motion(rho, [0.0, -rho]).unwrap().values[0],
+            rests
+        );
+    }
+}
+
+/// Whether a point lies inside a closed polygon: an odd number of sides lies to its right.
+fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
+    let sides = polygon.windows(2).filter(|side| {
+        let ([a, b], [c, d]) = (side[0], side[1]);
+        (b > y) != (d > y) && x < a + (y - b) / (d - b) * (c - a)
+    });
+    sides.count() % 2 == 1
+}
+
+#[test]
+fn the_path_in_the_laboratory_is_the_one_on_the_table_turned() {
+    let Answer { values, curves } = turntable::motion(0.8, [-0.6, 0.4]).unwrap();
+    let [[x, y], [u, v]] = [&curves[0], &curves[1]].map(|curve| *curve.last().unwrap());
+    assert!((x.hypot(y) - values[1]).abs() < 1e-9 && (u.hypot(v) - values[1]).abs() < 1e-9);
+    assert_eq!(curves[0].len(), curves[1].len());
+}
+
+#[test]
+fn the_ball_rolls_where_the_particle_rests() {
+    // λ₀ = 0.75, no slip across: two rests a period, as the drive of section 2.2 has them.
+    let ball = sphere::motion(0.75, 0.4, [0.0, 0.0]).unwrap().values;
+    let particle = anisotropic::motion(1.0, 0.75, 0.0).unwrap().values;
+    assert!(
+        (ball[2] - particle[3]).abs() < 1e-12,
+        "{ball:?} {particle:?}"
+    );
+    // b = 1 + 1/κ, and the ball that swings less than friction can follow never slips.
+    assert_eq!(ball[0], 3.5);
+    assert_eq!(
+        sphere::motion(1.2, 0.4, [0.0, 0.0]).unwrap().values[1..3],
+        [0.0, 1.0]
+    );
+    assert_eq!(
+        sphere::motion(0.3, 0.4, [0.5, 1.0]).unwrap().values[1],
+        -1.0
+    );
+}
+
+#[test]
+fn films_show_the_motions_at_equal_times() {
+    let (film, motion) = (
+        constant::film(1.2, 120.0).unwrap(),
+        constant::motion(1.2, 120.0).unwrap(),
+    );
+    let last = |curve: &[[f64; 2]]| *curve.last().unwrap();
+    assert_eq!(last(&film.curves[0])[..], motion.values[4..6]);
+    assert_eq!(last(&film.curves[1]), [0.0, 0.0]);
+    let pictures = (film.curves[0].len() - 1) as f64;
+    assert!((pictures * film.values[0] - motion.values[1]).abs() < 1e-12);
+
+    // In the last of four periods the block drifts as the periodic motion does, and returns to its velocity.
+    let (film, motion) = (
+        anisotropic::film(2.0, 0.45, 1.5).unwrap(),
+        anisotropic::motion(2.0, 0.45, 1.5).unwrap(),
+    );
+    let (places, velocities) = (&film.curves[0], &film.curves[1]);
+    let (end, before) = (places.len() - 1, 3 * (places.len() - 1) / 4);
+    let drift = (places[end][1] - places[before][1]) / TAU;
+    assert!((drift - motion.values[1]).abs() < 1e-4, "{drift}");
+    assert!((velocities[end][1] - velocities[before][1]).abs() < 1e-9);
+    // Where it rests it goes with the floor, whose velocity is the change of its place.
+    let step = film.values[0];
+    let resting = (1..end).filter(|i| velocities[i - 1][1] == 0.0 && velocities[*i][1] == 0.0);
+    let still = |i: usize| (places[i][1] - places[i - 1][1]).abs() < 1e-15;
+    assert!(resting.clone().count() > 50 && resting.clone().all(still));
+    for i in 1..=end {
+        let gone = (places[i][0] - places[i - 1][0]) / step;
+        let mean = 0.5 * (velocities[i][0] + velocities[i - 1][0]);
+        assert!((gone - mean).abs() < step * step);
+    }
+
+    // Without the third harmonic, the shaken tray of the sine; with it, the floor's velocity is the change of its place.
+    let (with, without) = (
+        periodic::film(1.5, 0.3, 1.0).unwrap(),
+        periodic::film(0.0, 0.45, 1.5).unwrap(),
+    );
+    let sine = anisotropic::film(1.0, 0.45, 1.5).unwrap();
+    for (found, expected) in without.curves.concat().iter().zip(&sine.curves.concat()) {
+        assert!((found[0] - expected[0]).abs() < 1e-9 && (found[1] - expected[1]).abs() < 1e-9);
+    }
+    let (places, velocities) = (&with.curves[0], &with.curves[1]);
+    for i in 1..=end {
+        let gone = (places[i][0] - places[i - 1][0]) / step;
+        let mean = 0.5 * (velocities[i][0] + velocities[i - 1][0]);
+        assert!((gone - mean).abs() < 2.0 * step * step);
+    }
+
+    // Nothing across: the same tray. With friction above λ_c what slides across stops; below it, its logarithm grows with each
+    // turning, and faster than that of an exponential.
+    let film = plane::film(0.45, 1.5, 0.0).unwrap();
+    for k in 0..2 {
+        for (found, expected) in film.curves[k].iter().zip(&sine.curves[k]) {
+            assert!((found[0] - expected[0]).abs() < 1e-9 && (found[1] - expected[1]).abs() < 1e-9);
+        }
+    }
+    assert!(
+        film.curves[2]
+            .iter()
+            .all(|[y, depth]| *y == 0.0 && *depth == 1e3)
+    );
+    let stops = plane::film(0.7, 0.5, 1.0).unwrap();
+    assert!(stops.values[1] > 0.0 && last(&stops.curves[2])[1] == 1e3);
+    let falls = plane::film(0.3, 0.5, 1.0).unwrap();
+    assert_eq!(falls.values[1], -1.0);
+    let depths: Vec<f64> = falls.curves[2].iter().map(|point| point[1]).collect();
+    let period = end / 4;
+    assert!(depths.windows(2).all(|two| two[1] >= two[0]));
+    assert!(depths[2 * period] - depths[period] > 2.0 * (depths[period] - depths[0]));
+    // The displacement across is the integral of the velocity.
+    for three in falls.curves[2].windows(3) {
+        let gone = (three[2][0] - three[0][0]) / (2.0 * falls.values[0]);
+        assert!((gone - (-three[1][1]).exp()).abs() < 3e-3, "{three:?}");
+    }
+
+    // Where the ball rolls, its centre advances by what it has turned.
+    let film = sphere::film(1.2, 0.4, [0.0, 0.0]).unwrap();
+    for ([_, centre], [turned, slip]) in film.curves[0].iter().zip(&film.curves[1]) {
+        assert!(slip.abs() < 1e-12 && (centre - turned).abs() < 1e-3);
+    }
+
+    // A coin that is lost goes as the laboratory says and not as the paper does; one that is kept has no late times.
+    let growth = turntable::growth(1.1).unwrap().curves;
+    let [decades, ratio] = last(&growth[0]);
+    assert_eq!(decades, 4.0);
+    assert!((ratio - 1.0 / (3.0 * 2.0_f64.sqrt())).abs() < 1e-3);
+    assert!((ratio - paper::escape::eq136_rho(1.0)).abs() > 1e-2);
+    let kept = turntable::growth(0.5).unwrap().curves;
+    assert!(kept[0].last().is_none_or(|point| point[0] < 1.0));
+}
+
+/// What the explorers ask the reader to guess.
+#[test]
+fn the_guesses_have_the_answers_that_are_given() {
+    // Straight across the pull at λ = 2: a third later than the 1/2 on a table at rest.
+    let stop = constant::motion(2.0, 90.0).unwrap().values[1];
+    assert!((stop / 0.5 - 4.0 / 3.0).abs() < 1e-12);
+    // Across the stroke: the logarithm falls faster from period to period, so that no straight line is below it for ever.
+    let depths = plane::film(0.3, 0.5, 1.0).unwrap().curves[2].clone();
+    let depth = |period: usize| depths[period * (depths.len() - 1) / 4][1];
+    assert!(depth(2) - depth(1) > 2.0 * (depth(1) - depth(0)) && depth(3) > 2.0 * depth(2));
+    // A sine with its third harmonic: as friction grows, rests come, go, and come again.
+    let rests = |lambda: f64| {
+        let values = periodic::motion(1.5, lambda, 1.0).unwrap().values;
+        values[4..].chunks(3).filter(|i| i[0] == 0.0).count()
+    };
+    assert_eq!([0.03, 0.08, 0.15, 0.4, 0.8].map(rests), [0, 2, 0, 2, 4]);
+    // Flicked against the turning, the coin rests; as hard along it, it does not.
+    for rho in [0.3, 0.5, 0.7] {
+        assert_eq!(turntable::motion(rho, [0.0, -1.2]).unwrap().values[0], 1.0);
+        assert_eq!(turntable::motion(rho, [0.0, 1.2]).unwrap().values[0], 0.0);
+    }
+    // Of τ, τ² and an exponential, the ratio to τ² settles.
+    let curves = turntable::growth(1.1).unwrap().curves;
+    let [.., [x, before], [y, last]] = curves[0][..] else {
+        panic!("no late times")
+    };
+    assert!(y > x && (last / before - 1.0).abs() < 1e-3);
+    // The drift is the larger the weaker friction is; forwards for two thirds of the time, where it is half as strong.
+    let drifts = [0.002, 0.02, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99].map(|lambda| {
+        let values = anisotropic::motion(2.0, lambda, -0.5).unwrap().values;
+        let forwards = values[5..].chunks(3).filter(|i| i[0] == 1.0);
+        (values[1], forwards.map(|i| i[2] - i[1]).sum::<f64>() / TAU)
+    });
+    assert!(drifts.windows(2).all(|two| two[0].0 > two[1].0));
+    assert!((drifts[0].0 - 0.5).abs() < 1e-2 && (drifts[0].1 - 2.0 / 3.0).abs() < 1e-2);
+    // The ball that rolls goes 2/7 of the floor's way, with it.
+    let film = sphere::film(1.5, 0.4, [-1.0, 0.0]).unwrap().curves;
+    let late: Vec<_> = film[0].iter().skip(240).collect();
+    let [first, ..] = late[..] else {
+        panic!("no film")
+    };
+    assert!(film[1].iter().skip(240).all(|[_, slip]| slip.abs() < 1e-12));
+    for [floor, ball] in &late {
+        let gone = (floor - first[0]) + (ball - first[1]);
+        assert!(
+            (gone - 2.0 / 7.0 * (floor - first[0])).abs() < 2e-3,
+            "{gone}"
+        );
+    }
+    // So these are the answers, in the order of the list.
+    let script = include_str!("../../book/theme/explorers-list.js");
+    let answers = script.split("options: ['").skip(1).map(|asked| {
+        let (options, rest) = asked.split_once("'],").unwrap();
+        let (_, right) = rest.split_once("right: ").unwrap();
+        let right: usize = right.split(',').next().unwrap().parse().unwrap();
+        options.split("', '").nth(right).unwrap()
+    });
+    assert_eq!(
+        answers.collect::<Vec<_>>(),
+        [
+            "later",
+            "weak",
+            "can come to rest even when flicked hard",
+            "τ²",
+            "faster than any exponential",
+            "disappear",
+            "less far, with the floor"
+        ]
+    );
+}
+
+/// The numbers in what an explorer says, in their order. What the guesses are about, and what is answered, is computed above.
+#[test]
+fn the_numbers_around_an_explorer_are_those_of_the_claims() {
+    let script = include_str!("../../book/theme/explorers-list.js");
+    let value = |id| PAPER.value(id).unwrap().number().unwrap();
+    let critical = format!("{:.3}", value("lambda-c"));
+    let solid = value("kappa-solid");
+    let [kappa, same, hollow] = [
+        solid.to_string(),
+        format!("{solid:.2}"),
+        format!("{:.2}", 2.0 / 3.0),
+    ];
+    let printed = (9.0 * value("p-printed")).to_string();
+    let mut said = Vec::new();
+    let mut rest = script;
+    let parts = ["hint: '", "title: '", "asks: '", "says: '", "label: '"];
+    while let Some(begin) = parts
+        .iter()
+        .filter_map(|part| Some(rest.find(part)? + part.len()))
+        .min()
+    {
+        let (words, after) = rest[begin..].split_once('\'').unwrap();
+        // What stands below the line is part of a symbol.
+        let numbers = words.split(|c: char| !c.is_ascii_digit() && !['.', '_'].contains(&c));
+        let numbers = numbers
+            .filter(|n| !n.starts_with('_'))
+            .map(|n| n.trim_matches('.'));
+        said.extend(numbers.filter(|n| !n.is_empty()));
+        rest = after;
+    }
+    let expected = [
+        // The block on the table that is pulled away.
+        &["2"][..],
+        // The sign of rest.
+        &["0"],
+        // The printed border, and where friction can hold.
+        &["147", "1"],
+        // ρ/τ² as printed: two ninths.
+        &[&printed, "9"],
+        // The block across the stroke; rest from λc, and for ever.
+        &["0.3", &critical, "1"],
+        // Two rests a period; the ball that lags behind the floor.
+        &["0.08", "2", "7"],
+        &[&kappa, &hollow, &same],
+    ];
+    assert_eq!(said, expected.concat());
+}
+
+/// Without scripts the figure that follows takes the explorer's place.
+#[test]
+fn each_explorer_stands_before_a_figure() {
+    for page in [
+        include_str!("../../book/src/index.md"),
+        include_str!("../../book/src/constant.md"),
+        include_str!("../../book/src/sinusoidal.md"),
+        include_str!("../../book/src/escape.md"),
+        include_str!("../../book/src/rest.md"),
+        include_str!("../../book/src/anisotropic.md"),
+        include_str!("../../book/src/sphere.md"),
+        include_str!("../../book/src/turntable.md"),
+    ] {
+        assert_eq!(page.matches("{{explorer}}").count(), 1);
+        assert!(page.contains("\n\n{{explorer}}\n\n{{figure "));
+    }
+}

@@ -1,0 +1,167 @@
+//! The book's page on JSON holds of what the commands write: every field is described, with its type, and every
+//! described field is written.
+
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
+
+const PAGE: &str = include_str!("../../book/src/json.md");
+
+/// Paths of fields, each with the types that it has.
+type Shape = BTreeMap<String, BTreeSet<String>>;
+
+/// A section's commands and its table.
+struct Section {
+    heading: &'static str,
+    commands: Vec<&'static str>,
+    described: Shape,
+}
+
+fn sections() -> Vec<Section> {
+    let parts = PAGE.split("\n## ").skip(1);
+    let section = |part: &'static str| {
+        let row = |line: &str| {
+            let cells: Vec<_> = line.split('|').map(str::trim).collect();
+            let path = cells.get(1)?.strip_prefix('`')?.strip_suffix('`')?;
+            Some((
+                path.to_owned(),
+                cells[2].split(", ").map(str::to_owned).collect(),
+            ))
+        };
+        Section {
+            heading: part.lines().next().unwrap(),
+            commands: part
+                .lines()
+                .filter_map(|l| l.strip_prefix("slipbook "))
+                .collect(),
+            described: part.lines().filter_map(row).collect(),
+        }
+    };
+    parts.map(section).collect()
+}
+
+fn note(shape: &mut Shape, path: &str, value: &Value) {
+    let (kind, inside): (_, Vec<(String, &Value)>) = match value {
+        Value::Null => ("null", vec![]),
+        Value::Bool(_) => ("boolean", vec![]),
+        Value::Number(_) => ("number", vec![]),
+        Value::String(_) => ("string", vec![]),
+        Value::Array(list) => {
+            let objects = list.iter().filter_map(Value::as_object).flatten();
+            (
+                "array",
+                objects.map(|(k, v)| (format!("{path}[].{k}"), v)).collect(),
+            )
+        }
+        Value::Object(_) => ("object", vec![]),
+    };
+    shape
+        .entry(path.to_owned())
+        .or_default()
+        .insert(kind.to_owned());
+    for (path, value) in inside {
+        note(shape, &path, value);
+    }
+}
+
+fn written(command: &str) -> Value {
+    let output = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+        .args(command.split(' '))
+        .output()
+        .unwrap();
+    let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{command}: {complaint}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn every_field_is_described_and_every_described_field_is_written() {
+    let sections = sections();
+    let common = &sections
+        .iter()
+        .find(|s| s.commands.is_empty())
+        .unwrap()
+        .described;
+    let mut of_all = Shape::new();
+    for section in sections.iter().filter(|s| !s.commands.is_empty()) {
+        let mut described = section.described.clone();
+        let mut shape = Shape::new();
+        for command in &section.commands {
+            let value = written(command);
+            let object = value.as_object().unwrap();
+            object
+                .iter()
+                .for_each(|(name, value)| note(&mut shape, name, value));
+            if object.contains_key("by_formula") {
+                described.extend(common.clone());
+                let ways = ["by_formula", "by_motion"]
+                    .iter()
+                    .filter_map(|way| object[*way].as_object());
+                for way in ways {
+                    let names: BTreeSet<_> = way.keys().collect();
+                    assert_eq!(names, section.described.keys().collect(), "{command}");
+                }
+            }
+        }
+        for (path, kinds) in &described {
+            let found = shape.remove(path).unwrap_or_default();
+            let common = common.contains_key(path);
+            if common {
+                let kinds = found.iter().cloned();
+                of_all.entry(path.clone()).or_default().extend(kinds);
+            }
+            assert!(
+                !found.is_empty(),
+                "{}: {path} is never written",
+                section.heading
+            );
+            assert!(
+                found.is_subset(kinds),
+                "{}: {path} is {found:?}",
+                section.heading
+            );
+            assert!(
+                common || found == *kinds,
+                "{}: {path} is never all of {kinds:?}",
+                section.heading
+            );
+        }
+        assert!(
+            shape.is_empty(),
+            "{}: not described: {shape:?}",
+            section.heading
+        );
+    }
+    // What several write is of each described type somewhere; whether it is null anywhere is left open.
+    for (path, kinds) in common {
+        let found = of_all.remove(path).unwrap_or_default();
+        let mut missing = kinds.difference(&found);
+        assert!(
+            missing.all(|kind| kind == "null"),
+            "{path} is only {found:?}"
+        );
+    }
+}
+
+/// Digits and columns are counted from 1 and from 0, mistakes from 0.
+#[test]
+fn places_are_counted_as_the_page_says() {
+    // λc begins with 0.53702: four of the five digits are right.
+    let found = written("find 0.53701 --json");
+    let best = &found["matches"][0];
+    assert_eq!(
+        (&best["right"], &best["first_wrong"]),
+        (&4.into(), &5.into())
+    );
+    let column = best["column"].as_u64().unwrap() as usize;
+    assert_eq!(&found["number"].as_str().unwrap()[column..], "1");
+    // The angle of (124) is found by iteration, and every mistake in it is noticed.
+    let distrusted = written("distrust eq-124 --json");
+    let mistakes = distrusted["mistakes"].as_array().unwrap().iter();
+    let own = mistakes.enumerate().filter(|(_, m)| m["claim"] == "eq-124");
+    let own: Vec<Value> = own.map(|(place, _)| place.into()).collect();
+    let own = Value::from(own);
+    let mut trials = distrusted["trials"].as_array().unwrap().iter();
+    assert!(trials.any(|trial| trial["rejects"] == own), "{own}");
+    assert!(own.as_array().unwrap().len() > 10);
+}

@@ -1,0 +1,269 @@
+//! A verdict in the book's prose stands in a placeholder; and the letters hold what fails. Numbers in prose: `tests/prose`.
+
+use crate::LEDGER;
+use slipbook::claims::{PAPER, Sort, by_hand::CASES};
+use slipbook::ledger::{Format, Piece, Verdict, pieces, plain_formula, plain_words};
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// Pages that explain what verdicts are, and so name them.
+const ON_VERDICTS: [&str; 6] = ["methods", "adding", "own", "snapshots", "errata", "map"];
+
+/// How many lines of the plain letter two pages of the set one hold, nearly.
+const TWO_PAGES: usize = 201;
+
+/// The pages: stem, and prose with formulas.
+fn pages() -> Vec<(String, String)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("book/src");
+    let mut pages = Vec::new();
+    for file in fs::read_dir(folder).unwrap() {
+        let path = file.unwrap().path();
+        let text = fs::read_to_string(&path).unwrap();
+        let (mut prose, mut fenced) = (String::new(), false);
+        for line in text.lines() {
+            if line.starts_with("```") {
+                fenced = !fenced;
+            } else if !fenced {
+                prose.push_str(line);
+                prose.push('\n');
+            }
+        }
+        let stem = path.file_stem().unwrap().to_str().unwrap().to_owned();
+        pages.push((stem, without(&without(&prose, "{{", "}}"), "`", "`")));
+    }
+    pages.sort();
+    pages
+}
+
+/// A text without what stands between two marks.
+fn without(text: &str, open: &str, close: &str) -> String {
+    let mut out = String::new();
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once(open) {
+        out.push_str(before);
+        out.push(' ');
+        rest = after.split_once(close).map_or("", |(_, after)| after);
+    }
+    out + rest
+}
+
+#[test]
+fn the_letters_can_be_sent() {
+    let ledger = &*LEDGER;
+    let [text, latex, json] =
+        [Format::Text, Format::Latex, Format::Json].map(|format| ledger.letter(format).unwrap());
+    for case in &CASES {
+        let name = plain_words(&ledger.name(case.claim));
+        assert!(text.contains(&name), "{name}");
+        assert!(json.contains(&format!("\"id\": \"{}\"", case.claim)));
+    }
+    assert!(text.lines().all(|line| line.chars().count() <= 78));
+    let foreign: Vec<_> = latex.chars().filter(|c| !c.is_ascii()).collect();
+    assert!(foreign.is_empty(), "no LaTeX for {foreign:?}");
+    assert!(!latex.contains("$$") && latex.matches('$').count() % 2 == 0);
+}
+
+/// It goes onto two pages: of text no more lines than two pages hold; by a TeX, where there is one, two pages.
+#[test]
+fn the_letter_has_two_pages() {
+    let ledger = &*LEDGER;
+    let [text, latex] = [Format::Text, Format::Latex].map(|format| ledger.letter(format).unwrap());
+    let lines = text.lines().filter(|line| !line.is_empty()).count();
+    assert!(lines <= TWO_PAGES, "{lines} lines");
+    let folder = tempfile::tempdir().unwrap();
+    let letter = folder.path().join("errata.tex");
+    fs::write(&letter, latex).unwrap();
+    let set = Command::new("pdflatex")
+        .args(["-halt-on-error", "-interaction=nonstopmode", "errata.tex"])
+        .current_dir(folder.path())
+        .output();
+    // Without a TeX the lines have to do.
+    let Ok(set) = set else { return };
+    let said = String::from_utf8_lossy(&set.stdout).replace('\n', "");
+    assert!(set.status.success(), "{said}");
+    assert!(said.contains("(2 pages,"), "{said}");
+}
+
+/// What is printed stands as printed and what is right as right, and the letter counts what it lists.
+#[test]
+fn the_letter_takes_nothing_for_its_opposite() {
+    let ledger = &*LEDGER;
+    let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let letter = flat(&ledger.letter(Format::Text).unwrap());
+    let plain = |words: &str| flat(&plain_words(words));
+    let (mut roots, mut heirs, mut misprints, mut conditional) = (0, 0, 0, 0);
+    for erratum in ledger.errata().unwrap() {
+        let (_, claim) = PAPER.find(erratum.id).unwrap();
+        let (old, new) = (plain(&erratum.old), plain(&erratum.new));
+        let says = match erratum.verdict {
+            Verdict::Conditional => {
+                conditional += 1;
+                continue;
+            }
+            Verdict::Misprint => {
+                misprints += 1;
+                // Of sentences the first has its own full stop.
+                let sentences = letter.contains(&format!("{old} It should be: {new}"));
+                let between = if sentences {
+                    "It should be:"
+                } else {
+                    "should be"
+                };
+                format!("{old} {between} {new}")
+            }
+            _ if erratum.inherits.is_empty() => {
+                roots += 1;
+                // What the paper says in words is given in ours.
+                let label = match claim.equation {
+                    Some(_) => "Printed",
+                    None => "Said",
+                };
+                format!("{label}: {old} Right: {new}")
+            }
+            _ => {
+                heirs += 1;
+                new.clone()
+            }
+        };
+        assert!(letter.contains(&says), "{says}");
+        assert!(erratum.old.contains(claim.latex), "{}", erratum.id);
+        if let Some(correction) = claim.correction {
+            assert!(erratum.new.contains(correction.latex), "{}", erratum.id);
+        }
+    }
+    let counts = format!(
+        "We found {roots} independent errors, {heirs} further statements that inherit them, and {misprints} misprints; \
+         {conditional} statements need a condition."
+    );
+    assert!(letter.contains(&counts), "{counts}");
+    // Under the conditions stand those of substance alone.
+    let listed = letter.split("CONDITIONS").nth(1).unwrap();
+    for (_, claim) in PAPER.claims() {
+        for condition in claim
+            .conditions
+            .iter()
+            .filter(|c| c.sort == Sort::Degenerate)
+        {
+            let words = plain(condition.text);
+            assert!(words.len() < 40 || !listed.contains(&words), "{words}");
+        }
+    }
+}
+
+#[test]
+fn no_page_passes_a_verdict_of_its_own() {
+    for (stem, prose) in pages() {
+        if ON_VERDICTS.contains(&stem.as_str()) {
+            continue;
+        }
+        for word in ["refuted", "misprint", "confirmed", "undecided"] {
+            assert!(
+                !prose.to_lowercase().contains(word),
+                "{stem}.md says \"{word}\" in its own words"
+            );
+        }
+    }
+}
+
+/// True for a Greek letter, a small digit above or below the line, and other characters of formulas.
+fn mathematical(c: char) -> bool {
+    "²³¹½∂Σ√∞∫ᵏ".contains(c)
+        || matches!(u32::from(c), 0x300..=0x3ff | 0x1d62..=0x1d6a | 0x2070..=0x209f | 0x1d400..=0x1d7ff)
+}
+
+#[test]
+fn no_formula_of_a_trial_stands_bare() {
+    let mut bare_ones = std::collections::BTreeSet::new();
+    for entry in &LEDGER.entries {
+        let trials = entry.evidence.iter().flat_map(|e| {
+            let points = e.samples.iter().map(|sample| sample.at.clone());
+            let said = [
+                e.title.clone(),
+                e.comparison(),
+                e.measured(),
+                e.tolerance.reason.to_owned(),
+            ];
+            e.steps
+                .iter()
+                .cloned()
+                .chain(points)
+                .chain(said)
+                .collect::<Vec<_>>()
+        });
+        for text in trials {
+            for words in text.split('$').step_by(2) {
+                let bare = |piece: &Piece<'_>| match piece {
+                    Piece::Text(text) => text.contains(mathematical),
+                    Piece::Formula(_) | Piece::Minus | Piece::Scientific(_) => false,
+                };
+                let found: Vec<_> = pieces(words).into_iter().filter(bare).collect();
+                if !found.is_empty() {
+                    bare_ones.insert(format!("{}: {found:?} in \"{text}\"", entry.claim.id));
+                }
+            }
+        }
+    }
+    assert!(bare_ones.is_empty(), "{bare_ones:#?}");
+}
+
+/// How often each character stands in a text, less how often in another.
+fn more(new: &str, old: &str) -> BTreeMap<char, i64> {
+    let mut more = BTreeMap::new();
+    for (text, one) in [(new, 1), (old, -1)] {
+        for c in text.chars().filter(|c| !c.is_whitespace()) {
+            // A small digit is a digit.
+            let small = "₀₁₂₃₄₅₆₇₈₉".chars().position(|digit| digit == c);
+            let c = small
+                .and_then(|n| char::from_digit(n as u32, 10))
+                .unwrap_or(c);
+            *more.entry(c).or_default() += one;
+        }
+    }
+    more
+}
+
+/// What the corrected form has more than the printed one is, by and large, what the correction has more.
+#[test]
+fn a_box_shows_each_form_in_its_place() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("book");
+    let written = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+        .arg("--out")
+        .arg(&out)
+        .output();
+    assert!(written.unwrap().status.success());
+    let (mut boxes, mut failures) = (0, Vec::new());
+    for (topic, claim) in PAPER.claims() {
+        let page = fs::read_to_string(out.join(topic.stem).with_extension("html")).unwrap();
+        let after = |text: &str, mark: &str| Some(text.split_once(mark)?.1.to_owned());
+        let forms = || {
+            let whole = after(&page, &format!("aria-labelledby=\"{}\"", claim.id))?;
+            let (whole, _) = whole.split_once("</article>")?;
+            let (printed, corrected) = whole.split_once("<div class=\"corrected\">")?;
+            let (corrected, _) = corrected.split_once("<details")?;
+            let corrected = corrected.split("<div class=\"by-hand\">").next()?;
+            let printed = after(printed, "<div class=\"printed\">")?;
+            let form = |form: &str| Some(without(&after(form, "</p>")?, "<", ">"));
+            Some([form(&printed)?, form(corrected)?])
+        };
+        let (Some(correction), Some([old, new])) = (claim.correction, forms()) else {
+            continue;
+        };
+        boxes += 1;
+        let plain = [correction.latex, claim.latex].map(|latex| match latex.contains('$') {
+            true => plain_words(latex),
+            false => plain_formula(latex),
+        });
+        let (shown, right) = (more(&new, &old), more(&plain[0], &plain[1]));
+        let alike: i64 = shown
+            .iter()
+            .map(|(c, n)| n * right.get(c).unwrap_or(&0))
+            .sum();
+        if alike <= 0 {
+            failures.push((claim.id, shown));
+        }
+    }
+    assert!(failures.is_empty() && boxes > 20, "{boxes} {failures:#?}");
+}

@@ -1,0 +1,111 @@
+//! The decimals in the cases by hand, worked out once more.
+
+use super::formulas::{Found, Given, found};
+use super::numbers::decimals;
+use super::text::formulas_of;
+use slipbook::claims::by_hand::CASES;
+use slipbook::claims::values::VALUES;
+use std::f64::consts::{FRAC_1_PI, PI, TAU};
+
+/// The friction, where the drive pulls backward, and the forward motion at the end of that: λ₀ and what follows it.
+fn wedge(q: f64, lambda: f64) -> [f64; 7] {
+    let (begin, end) = (lambda.asin(), TAU - (q * lambda).asin());
+    let (cosine, other) = (begin.cos(), end.cos());
+    let speed = cosine - other - lambda * (end - begin);
+    [
+        cosine,
+        other,
+        lambda,
+        end,
+        begin,
+        speed,
+        PI + (q * lambda).asin(),
+    ]
+}
+
+/// The decimals of the reason and the case of a claim.
+fn by_hand(claim: &str) -> Vec<f64> {
+    let s = 0.75_f64.sqrt();
+    match claim {
+        "s22-vy-two-stages" => vec![(s + FRAC_1_PI) / (s - FRAC_1_PI)],
+        "s24-region-2" => {
+            let q = VALUES.iter().find(|value| value.id == "y-q").unwrap();
+            let [cosine, other, lambda, end, begin, speed, from] = wedge(9.0, 0.1);
+            let taken = [
+                q.number().unwrap(),
+                lambda,
+                9.0 * lambda,
+                from,
+                end,
+                begin,
+                end,
+            ];
+            [&taken[..], &[cosine, other, lambda, end, begin, speed]].concat()
+        }
+        "eq-55" => vec![0.9 / 9.0],
+        "fig-5" => {
+            let q = 6.5;
+            let [cosine, other, lambda, end, begin, speed, _] = wedge(q, 0.15);
+            let taken = [q, lambda, 1.0 / q, q * lambda, end, begin];
+            [&taken[..], &[cosine, other, lambda, end, begin, speed]].concat()
+        }
+        // v²/(2μg).
+        "eq-106" | "s4-coriolis-no-work" => vec![25.0 / (2.0 * 0.5 * 10.0)],
+        // The last is a start between the printed and the true boundary.
+        "s4-envelope-is-boundary" => vec![0.1, 0.2, 1.0 - 0.1, 0.88],
+        // α, and ψ = 2α.
+        "eq-147" => vec![0.1, 1.0 - 0.1, 2.0 * 0.1],
+        _ => Vec::new(),
+    }
+}
+
+#[test]
+fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
+    let mut tried = 0;
+    for case in &CASES {
+        let text = format!("{} {} {}", case.wrong, case.reason, case.case);
+        let by_hand = by_hand(case.claim);
+        for number in decimals(&text) {
+            let places = number.len() - number.find('.').unwrap() - 1;
+            let known = by_hand
+                .iter()
+                .any(|value| number == format!("{value:.places$}"));
+            assert!(by_hand.is_empty() || known, "{}: {number}", case.claim);
+            tried += usize::from(known);
+        }
+    }
+    assert!(tried > 0);
+    let envelope = CASES
+        .iter()
+        .find(|case| case.claim == "s4-envelope-is-boundary")
+        .unwrap();
+    let between = [
+        (envelope.stated)().unwrap(),
+        0.88,
+        (envelope.found)().unwrap(),
+    ];
+    assert!(
+        between.windows(2).all(|pair| pair[0] < pair[1]),
+        "{between:?}"
+    );
+}
+
+#[test]
+fn the_arithmetic_of_the_cases_by_hand_is_right() {
+    let mut failures = Vec::new();
+    for case in &CASES {
+        for text in [case.reason.to_owned(), case.words().unwrap()] {
+            // A name that is given twice may mean the first or the last.
+            let (mut given, mut first) = (Given::new(), Given::new());
+            for formula in formulas_of(&text) {
+                let last = found(&formula, &mut given);
+                let by_first = found(&formula, &mut Given::with(first.clone()));
+                first.complete(&given);
+                if let (Some(Found::Wrong(why)), Some(Found::Wrong(_))) = (last, by_first) {
+                    failures.push(format!("{}: {formula}: {why}", case.claim));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}

@@ -1,0 +1,173 @@
+//! A part of a print, held against a formula of the code.
+
+use super::compare::{self, Same};
+use super::meaning::{lexicon, tree};
+use super::table::{self, Line, Place};
+use slipbook::claims::formulas::formulas;
+use slipbook::exact::Expr;
+use slipbook::exact::latex::{Lexicon, Side, Statement, Value, statements};
+use slipbook::scalar::Scalar;
+use slipbook::seeded::Formula;
+
+/// All formulas of the code.
+pub struct Library {
+    pub formulas: Vec<Formula<Expr>>,
+}
+
+impl Library {
+    pub fn new() -> Self {
+        let mut all = formulas::<Expr>();
+        all.extend(table::joined());
+        Library { formulas: all }
+    }
+
+    /// The formula whose path ends so.
+    pub fn formula(&self, name: &str) -> &Formula<Expr> {
+        let mut of_name = self.formulas.iter().filter(|formula| {
+            let before = formula.path.strip_suffix(name);
+            before.is_some_and(|before| before.ends_with("::"))
+        });
+        let (first, second) = (of_name.next(), of_name.next());
+        assert!(second.is_none(), "{name} is the name of several formulas");
+        first.unwrap_or_else(|| panic!("there is no formula {name}"))
+    }
+
+    /// The formulas with the number of an equation.
+    pub fn numbered(&self, number: &str) -> Vec<&Formula<Expr>> {
+        let prefix = format!("eq{number}_");
+        let own = |formula: &&Formula<Expr>| formula.name.starts_with(&prefix);
+        self.formulas.iter().filter(own).collect()
+    }
+
+    /// How the parts of a text are the same as the formulas; if one is not, why.
+    pub fn hold(&self, latex: &str, line: &Line) -> Result<Vec<Same>, String> {
+        self.pairs(latex, line)?
+            .into_iter()
+            .map(|(printed, code)| compare::same(printed, code))
+            .collect()
+    }
+
+    /// Whether the part is understood at all.
+    pub fn reads(&self, latex: &str, line: &Line) -> bool {
+        self.pairs(latex, line).is_ok()
+    }
+
+    /// As [`Library::hold`], by values alone.
+    pub fn agrees(&self, latex: &str, line: &Line) -> bool {
+        let pairs = self.pairs(latex, line);
+        pairs.is_ok_and(|pairs| pairs.iter().all(|(a, b)| compare::differ(*a, *b).is_none()))
+    }
+
+    /// The trees of the print, each with that of the code.
+    fn pairs(&self, latex: &str, line: &Line) -> Result<Vec<(Expr, Expr)>, String> {
+        let (_, segment, place, names, own) = line;
+        let formula = match segment {
+            0 => Some(latex),
+            n => latex.split('$').skip(1).step_by(2).nth(n - 1),
+        };
+        let formula = formula.ok_or("there is no such formula in the text")?;
+        let error = |e: slipbook::exact::latex::LatexError| e.to_string();
+        let statements = statements(formula).map_err(error)?;
+        let names: Vec<&str> = names.split(' ').collect();
+        let main = names.iter().find(|name| !["0", "π"].contains(name));
+        let main = main.map(|name| self.formula(without_component(name).0));
+        let lexicon = lexicon(self, main, own, &statements).map_err(error)?;
+        let mut code: Vec<Expr> = names.iter().flat_map(|name| self.code(name)).collect();
+        let printed = printed(&statements, *place, &lexicon)?;
+        let vector = matches!(printed[..], [Value::Vector(_)]);
+        if vector && code.len() == 2 {
+            // In the plane.
+            code.push(Expr::int(0));
+        }
+        let printed: Vec<Expr> = printed.into_iter().flat_map(parts).collect();
+        if printed.len() != code.len() {
+            return Err(format!(
+                "{} printed, {} in the code",
+                printed.len(),
+                code.len()
+            ));
+        }
+        Ok(printed.into_iter().zip(code).collect())
+    }
+
+    /// What the code has under this name of the table.
+    fn code(&self, name: &str) -> Vec<Expr> {
+        match name {
+            "0" => vec![Expr::int(0)],
+            "π" => vec![Expr::pi()],
+            _ => {
+                let (name, component) = without_component(name);
+                let all = tree(self.formula(name));
+                component.map_or(all.clone(), |i| vec![all[i]])
+            }
+        }
+    }
+}
+
+/// A name of the table, without the number of a component, and that number.
+fn without_component(name: &str) -> (&str, Option<usize>) {
+    match name.split_once('.') {
+        Some((name, component)) => (name, component.parse().ok()),
+        None => (name, None),
+    }
+}
+
+fn parts(value: Value) -> Vec<Expr> {
+    match value {
+        Value::Number(x) => vec![x],
+        Value::Vector(x) => x.to_vec(),
+    }
+}
+
+/// What is printed at a place.
+fn printed(
+    statements: &[Statement],
+    place: Place,
+    lexicon: &Lexicon,
+) -> Result<Vec<Value>, String> {
+    let read = |side: &Side| side.read(lexicon).map_err(|e| e.to_string());
+    let side = |statement: usize, side: usize| {
+        let found = statements.get(statement).and_then(|s| s.sides.get(side));
+        found.ok_or_else(|| format!("there is no side {side} of statement {statement}"))
+    };
+    let pieces = || {
+        let pieces = side(0, 1)?.pieces().ok_or("there are no cases")?;
+        pieces.map_err(|e| e.to_string())
+    };
+    match place {
+        Place::Side(s, i) => Ok(vec![read(side(s, i)?)?]),
+        Place::Sides(s) => [0, 1].map(|i| read(side(s, i)?)).into_iter().collect(),
+        Place::Rate => {
+            let rate = side(0, 0)?.differentiated();
+            Ok(vec![read(&rate.ok_or("nothing is differentiated")?)?])
+        }
+        Place::FromRightAngle => match read(side(0, 1)?)? {
+            Value::Number(x) => Ok(vec![Value::Number(Expr::pi() / Expr::int(2) - x)]),
+            Value::Vector(_) => Err("an angle is no vector".into()),
+        },
+        Place::Pieces => pieces()?.iter().map(|piece| read(&piece.value)).collect(),
+        Place::Ends => {
+            let mut ends: Vec<Value> = Vec::new();
+            for piece in pieces()? {
+                let [from, _, to] = &piece.condition.sides[..] else {
+                    return Err("a case does not hold between two ends".into());
+                };
+                let from = read(from)?;
+                if *ends.last().get_or_insert(&from) != &from {
+                    return Err("a case does not begin where the one before it ends".into());
+                }
+                if ends.is_empty() {
+                    ends.push(from);
+                }
+                ends.push(read(to)?);
+            }
+            Ok(ends)
+        }
+        Place::List => {
+            let listed = side(0, 1)?.listed().ok_or("nothing is listed")?;
+            let listed = listed.map_err(|e| e.to_string())?;
+            let right = |s: &Statement| read(s.sides.get(1).ok_or("there is no right side")?);
+            listed.iter().map(right).collect()
+        }
+    }
+}
