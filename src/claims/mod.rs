@@ -46,7 +46,7 @@ pub mod sphere;
 #[cfg(feature = "trials")]
 pub mod turntable;
 
-pub use trialbook::claims::{Claim, Condition, Correction, Paper, Sort, Topic};
+pub use trialbook::claims::{Claim, Condition, Correction, Paper, Sort, Topic, as_of};
 #[cfg(feature = "trials")]
 pub use trialbook::claims::{attempt, compare, enclosed, excepted, points, runs, statement};
 

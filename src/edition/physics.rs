@@ -1,9 +1,9 @@
 //! The table of mistakes in the physics, as the committed record has it.
 
-use crate::claims::PAPER;
+use crate::claims::{PAPER, as_of};
 use trialbook::book::{escape, table};
 use trialbook::edition::Filled;
-use trialbook::ledger::{as_of, plain_words};
+use trialbook::ledger::plain_words;
 
 /// What the tool `mutants` wrote.
 const RECORD: &str = include_str!("../../snapshots/physics.csv");

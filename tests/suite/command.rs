@@ -613,12 +613,15 @@ fn errors_are_counted_alike_everywhere() {
         entries.iter().filter(of).count()
     };
     let (own, heirs) = (count(&["misderived", "refuted"]), count(&["inherited"]));
-    for file in ["errata.txt", "index.html"] {
-        let html = read(file);
-        let text = html
-            .split('<')
-            .map(|part| part.split_once('>').map_or(part, |(_, text)| text));
-        let numbers = text.flat_map(|text| text.split(|c: char| !c.is_ascii_digit()));
+    let without_tags = |html: &str| {
+        let texts = html.split('<').filter_map(|part| part.split('>').nth(1));
+        texts.collect::<String>()
+    };
+    for (file, text) in [
+        ("errata.txt", read("errata.txt")),
+        ("index.html", without_tags(&read("index.html"))),
+    ] {
+        let numbers = text.split(|c: char| !c.is_ascii_digit());
         let numbers: Vec<usize> = numbers.filter_map(|n| n.parse().ok()).collect();
         assert!(numbers.windows(2).any(|two| two == [own, heirs]), "{file}");
     }
@@ -1109,7 +1112,7 @@ fn a_claim_is_tried_in_depth() {
     let [first, second] =
         ["1", "2"].map(|round| text(&slipbook(&["verify", "eq-16", "--round", round]).stdout));
     assert!(
-        first.starts_with("eq-16\t") && first != second,
+        first.starts_with("eq-16 ") && first != second,
         "{first}{second}"
     );
     // Many jobs with a part each are one run.

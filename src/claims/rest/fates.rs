@@ -168,7 +168,7 @@ pub fn open(rows: &[Row]) -> f64 {
 
 /// Of which commit the recorded maps are.
 pub fn as_of() -> &'static str {
-    crate::ledger::as_of(RECORD)
+    crate::claims::as_of(RECORD)
 }
 
 /// The maps that the book shows, as `examples/fates.rs` made them; nothing where a line is not one of theirs.

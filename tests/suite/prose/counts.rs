@@ -273,7 +273,7 @@ counts! {
     "findings", "on all {} claims" => Filled("count claims");
     "new", "up to the distance {}" => Filled("value critical-radius");
     "new", "up to the speed {}" => Filled("value critical-speed");
-    "rest", "critical radius {}" => Filled("value critical-radius");
+    "rest", "the critical radius {}" => Filled("value critical-radius");
     "proved", "of the {} claims" => Filled("count claims");
     "proved", "claims {} are proved" => Filled("count proved");
     "proved", "of {} wrong variants" => Filled("count variants");

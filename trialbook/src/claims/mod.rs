@@ -43,6 +43,16 @@ use {
     variants::{Spared, Survivor, Unread},
 };
 
+/// Of which commit a record is, by its head `# As of commit …, date: columns`; empty for another head.
+pub fn as_of(record: &str) -> &str {
+    let head = record
+        .lines()
+        .next()
+        .and_then(|line| line.strip_prefix("# "));
+    head.and_then(|head| head.split_once(": "))
+        .map_or("", |(as_of, _)| as_of)
+}
+
 /// A condition under which a claim is tried, or what else has to be known beside it: how it is read, what we remark.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Condition {

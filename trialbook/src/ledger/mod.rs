@@ -49,7 +49,7 @@ pub use letter::Format;
 pub use pieces::{Piece, decimal, pieces};
 #[cfg(feature = "trials")]
 pub use plain::{plain_formula, plain_words};
-pub use record::{Difference, Record, RecordError, as_of};
+pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "trials")]
 pub use row::{EvidenceRow, Row};
 #[cfg(feature = "trials")]

@@ -3,16 +3,6 @@
 use super::{Ledger, Verdict};
 use std::collections::BTreeMap;
 
-/// Of which commit a record is, by its head `# As of commit …, date: columns`; empty for another head.
-pub fn as_of(record: &str) -> &str {
-    let head = record
-        .lines()
-        .next()
-        .and_then(|line| line.strip_prefix("# "));
-    head.and_then(|head| head.split_once(": "))
-        .map_or("", |(as_of, _)| as_of)
-}
-
 /// A verdict per claim id, as reviewed and committed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Record(BTreeMap<String, Verdict>);
