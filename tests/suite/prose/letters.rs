@@ -201,7 +201,7 @@ fn every_letter_of_a_page_is_in_the_table_of_symbols() {
         let here = own.get(&section.page).cloned().unwrap_or_default();
         for letter in section
             .prose()
-            .flat_map(|text| formulas_of(text))
+            .flat_map(formulas_of)
             .flat_map(|f| letters(&f))
         {
             let bold = format!("bm {}", base(&letter));
