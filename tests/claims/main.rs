@@ -2,8 +2,6 @@
 //!
 //! `cargo insta review` shows a change as claim, formula, values and verdict.
 
-mod distrust;
-
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
 use slipbook::claims::measured::MEASURED;
@@ -61,7 +59,6 @@ fn main() {
     let whole = Arc::clone(&ledger);
     trials.push(Trial::test("conditions", move || conditions(&whole)));
     trials.push(Trial::test("no_snapshot_without_a_claim", stale));
-    trials.extend(distrust::trials());
     let conclusion = libtest_mimic::run(&arguments, trials);
     let tried = ledger
         .entries

@@ -2,6 +2,7 @@
 //! left out, and so is a trial that has come since. `.ci/deep records` runs this, `cargo test` alone does not.
 
 mod digits;
+mod distrust;
 mod fates;
 
 use slipbook::claims::PAPER;

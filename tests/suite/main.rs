@@ -29,7 +29,18 @@ mod units;
 
 use slipbook::claims::PAPER;
 use slipbook::ledger::Ledger;
+use std::path::{Path, PathBuf};
+use std::process::Command;
 use std::sync::LazyLock;
 
 /// All claims, tried.
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::try_all(&PAPER, |_| {}));
+
+/// The book, as the main job writes it.
+static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
+    let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
+    let mut job = Command::new(env!("CARGO_BIN_EXE_slipbook"));
+    let status = job.arg("--quiet").arg("--out").arg(&out).status();
+    assert!(status.expect("it runs").success());
+    out
+});

@@ -1,6 +1,6 @@
 //! A verdict in the book's prose stands in a placeholder; and the letters hold what fails. Numbers in prose: `tests/prose`.
 
-use crate::LEDGER;
+use crate::{BOOK, LEDGER};
 use slipbook::claims::{PAPER, Sort, by_hand::CASES};
 use slipbook::ledger::{Format, Piece, Verdict, pieces, plain_formula, plain_words};
 use std::collections::BTreeMap;
@@ -227,16 +227,9 @@ fn more(new: &str, old: &str) -> BTreeMap<char, i64> {
 /// What the corrected form has more than the printed one is, by and large, what the correction has more.
 #[test]
 fn a_box_shows_each_form_in_its_place() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("book");
-    let written = Command::new(env!("CARGO_BIN_EXE_slipbook"))
-        .arg("--out")
-        .arg(&out)
-        .output();
-    assert!(written.unwrap().status.success());
     let (mut boxes, mut failures) = (0, Vec::new());
     for (topic, claim) in PAPER.claims() {
-        let page = fs::read_to_string(out.join(topic.stem).with_extension("html")).unwrap();
+        let page = fs::read_to_string(BOOK.join(topic.stem).with_extension("html")).unwrap();
         let after = |text: &str, mark: &str| Some(text.split_once(mark)?.1.to_owned());
         let forms = || {
             let whole = after(&page, &format!("aria-labelledby=\"{}\"", claim.id))?;
