@@ -150,7 +150,12 @@ pub fn least_root() -> Evidence {
         let near = (-4..=4).map(|k| alpha * f64::from(k));
         let mut least = f64::INFINITY;
         for psi in round.chain(near) {
-            least = least.min(border(alpha, psi)?.a);
+            // What rests at the least A so far passes to escape at a larger one.
+            let above =
+                least.is_finite() && rests(&Start::hyperbolic(least, alpha, psi)?)? == Some(true);
+            if !above {
+                least = least.min(border(alpha, psi)?.a);
+            }
         }
         Ok(Pair {
             at: format!("α = {alpha}"),
