@@ -277,7 +277,7 @@ fn changed(right: &Verdicts, wrong: &Verdicts) -> Found {
                 nth,
                 ..
             } = said;
-            format!("{id}/{route}/{subject}/{nth}")
+            format!("{id} {route} {subject} {nth}")
         }));
     }
     Found::Changed {

@@ -13,7 +13,7 @@ pub fn csv(as_of: &str, found: &[(&Mistake, Found)]) -> String {
     let mut out = format!("{as_of}: mistake,physics,verdicts,claims,trials\n");
     for (mistake, found) in found {
         let (count, claims, trials) = match found {
-            Found::Changed { claims, trials, .. } => (claims.len(), first(claims), first(trials)),
+            Found::Changed { claims, trials, .. } => (claims.len(), first(claims, " "), first(trials, "; ")),
             Found::Fails(why) => (0, why.clone(), String::new()),
         };
         let (name, physics) = (&mistake.name, quoted(&mistake.physics));
@@ -22,8 +22,8 @@ pub fn csv(as_of: &str, found: &[(&Mistake, Found)]) -> String {
     out
 }
 
-fn first(names: &[String]) -> String {
-    names[..names.len().min(NAMED)].join(" ")
+fn first(names: &[String], between: &str) -> String {
+    names[..names.len().min(NAMED)].join(between)
 }
 
 /// A cell of which commas are a part.
