@@ -387,19 +387,6 @@ fn a_box_shows_all_and_data_stays_data() {
     assert!(users.contains("<a href=\"constant.html#eq-13\" title="));
 }
 
-#[test]
-fn two_books_are_the_same_to_the_byte() {
-    let (one, two) = (TempDir::new().unwrap(), TempDir::new().unwrap());
-    let (one, two) = (written(&one), written(&two));
-    assert_eq!(
-        one.keys().collect::<Vec<_>>(),
-        two.keys().collect::<Vec<_>>()
-    );
-    for (name, bytes) in &one {
-        assert!(*bytes == two[name], "{name} differs");
-    }
-}
-
 /// Where the book has an address and its sources are kept somewhere, each page says where it stands, by whole addresses, and the
 /// first one links to the sources.
 #[test]
@@ -447,68 +434,6 @@ fn with_page(
 }
 
 #[test]
-fn what_cannot_be_filled_or_set_is_named_with_page_and_line() {
-    let folder = TempDir::new().unwrap();
-    let out = folder.path().join("book");
-    for (added, told) in [
-        (
-            "{{nonsense}}",
-            "methods.md, line 2: `{{nonsense}}`: there is no such placeholder",
-        ),
-        (
-            "{{verdict eq-999}}",
-            "line 2: `{{verdict eq-999}}`: the ledger has no claim `eq-999`",
-        ),
-        ("{{count bad}}", "there is no verdict `bad`"),
-        ("{{ledger nowhere}}", "there is no topic `nowhere`"),
-        ("{{figure fig-9}}", "there is no figure `fig-9`"),
-        ("{{worst eq-1}}", "no trial of `eq-1`"),
-        ("{{claim eq-1}}", "this claim belongs on general.md"),
-        ("see {{counts}}", "must stand alone on its line"),
-        ("a {{count claims", "`{{` without `}}`"),
-        ("a }} b", "`}}` without `{{`"),
-        ("costs $5", "a `$` that is not part of a formula"),
-        (r"so $\frac{1}{$ is", "a `$`"),
-        (
-            r"so $\nonsense{x}$ is",
-            r"methods.md, line 2: the formula `\nonsense{x}`",
-        ),
-        ("## On $x$", "needs an id of its own"),
-    ] {
-        let error =
-            with_page("methods", |text| format!("\n{added}\n\n{text}"), &out).expect_err(added);
-        assert!(error.to_string().contains(told), "{added}: {error}");
-        assert!(!out.exists());
-    }
-    let dead = with_page(
-        "index",
-        |text| format!("{text}\n[a](map.md#nowhere)\n"),
-        &out,
-    );
-    let dead = dead.unwrap_err().to_string();
-    assert!(
-        dead.ends_with("index.html: map.html#nowhere; print.html: #nowhere"),
-        "{dead}"
-    );
-    let twice = with_page(
-        "constant",
-        |text| format!("{text}\n{{{{claim eq-11}}}}\n"),
-        &out,
-    );
-    assert!(twice.unwrap_err().to_string().contains("shown already"));
-    let nowhere = with_page("constant", |text| text.replace("{{claim eq-11}}", ""), &out);
-    assert!(matches!(
-        nowhere,
-        Err(BookError::ClaimNowhere { id: "eq-11", .. })
-    ));
-    assert_eq!(
-        fs::read_dir(folder.path()).unwrap().count(),
-        0,
-        "something is left behind"
-    );
-}
-
-#[test]
 fn values_formulas_and_code_stand_where_they_should() {
     let folder = TempDir::new().unwrap();
     let out = folder.path().join("book");
@@ -532,73 +457,6 @@ fn values_formulas_and_code_stand_where_they_should() {
             .count(),
         1
     );
-}
-
-#[test]
-fn an_earlier_book_is_replaced_whole_and_only_by_a_whole_one() {
-    let folder = TempDir::new().unwrap();
-    let out = folder.path().join("book");
-    write(&out).unwrap();
-    fs::write(out.join("stale.html"), "old").unwrap();
-    let before = files(&out);
-    assert!(with_page("index", |text| format!("{text}\n{{{{oops}}}}\n"), &out).is_err());
-    assert!(files(&out) == before, "a failed run changed the book");
-    write(&out).unwrap();
-    assert!(!out.join("stale.html").exists());
-    assert_eq!(
-        fs::read_dir(folder.path()).unwrap().count(),
-        1,
-        "something is left behind"
-    );
-}
-
-#[test]
-fn what_is_not_ours_is_left_alone() {
-    let folder = TempDir::new().unwrap();
-    let out = folder.path().join("thesis");
-    fs::create_dir(&out).unwrap();
-    write(&out).expect("an empty folder may be filled");
-    fs::remove_file(out.join(".slipbook")).unwrap();
-    let before = files(&out);
-    let error = write(&out).unwrap_err();
-    assert!(matches!(&error, BookError::NotOurs { path } if path.ends_with("thesis")));
-    assert!(files(&out) == before);
-}
-
-#[test]
-fn a_place_that_cannot_be_written_is_named_with_the_reason() {
-    let folder = TempDir::new().unwrap();
-    let file = folder.path().join("file");
-    fs::write(&file, "mine").unwrap();
-    for out in [file.clone(), file.join("book")] {
-        let error = write(&out).unwrap_err();
-        assert!(matches!(error, BookError::Unwritable { .. }), "{error}");
-        assert!(error.to_string().contains("file"), "{error}");
-        assert_eq!(fs::read_to_string(&file).unwrap(), "mine");
-    }
-    assert!(write(Path::new("/")).is_err());
-}
-
-/// Needs a system that keeps its word on permissions; a superuser is not held by them.
-#[cfg(unix)]
-#[test]
-fn a_locked_parent_keeps_the_old_book() {
-    use std::os::unix::fs::PermissionsExt;
-    let folder = TempDir::new().unwrap();
-    let parent = folder.path().join("locked");
-    let out = parent.join("book");
-    write(&out).unwrap();
-    let before = files(&out);
-    fs::set_permissions(&parent, fs::Permissions::from_mode(0o555)).unwrap();
-    let held = fs::write(parent.join("probe"), "").is_err();
-    let result = write(&out);
-    fs::set_permissions(&parent, fs::Permissions::from_mode(0o755)).unwrap();
-    if held {
-        assert!(matches!(result, Err(BookError::Unwritable { .. })));
-    } else {
-        result.unwrap();
-    }
-    assert!(files(&out) == before);
 }
 
 #[test]

@@ -67,6 +67,8 @@ mod search;
 mod swap;
 mod symbols;
 mod tables;
+#[cfg(test)]
+mod tests;
 mod text;
 mod values;
 
