@@ -215,6 +215,7 @@ const CLAIMS: &[Claim] = &[
             curves::eq55_corrected_census
         ],
         correction: Some(CURVE_C),
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-56",
@@ -230,6 +231,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-51"],
         trials: trials![&exact::EQ56, curves::eq56_root, curves::eq56_census],
+        argument: r"The square is not negative, and it is 0 at $\phi=\pi/2$: for $\lambda_0\geq1$ nothing starts a slip forwards, and for $q\geq1$ nothing one backwards.",
         ..Claim::BLANK
     },
     Claim {
@@ -291,6 +293,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Taking q ≥ 1 is no loss of generality.",
         depends_on: &["eq-51", "eq-52"],
         trials: trials![&exact::MIRROR, mirror::integration, mirror::census],
+        argument: r"What is true of a motion with $q<1$ is true of its image, half a period later and with the frictions exchanged, whose $q$ is above 1.",
         ..Claim::BLANK
     },
     Claim {
@@ -413,6 +416,7 @@ const CLAIMS: &[Claim] = &[
             corners::x_both,
             certified::points::x_unique
         ],
+        argument: r"The identities say that the point lies on both curves, the enclosure that no other common point is near.",
         ..Claim::BLANK
     },
     Claim {
@@ -430,6 +434,7 @@ const CLAIMS: &[Claim] = &[
             corners::y_curvature,
             certified::points::y_digits
         ],
+        argument: r"The enclosure says where both curves pass, the identity that they have one direction there.",
         ..Claim::BLANK
     },
     Claim {
@@ -461,6 +466,7 @@ const CLAIMS: &[Claim] = &[
             regions::diagram_step
         ],
         correction: Some(DIAGRAM),
+        argument: r"Each region is described in its own box. Which lies between which curves follows from their order, as the curves are continuous and end where they are said to.",
         ..Claim::BLANK
     },
     Claim {

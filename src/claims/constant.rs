@@ -46,6 +46,12 @@ const NOT_THE_ONE_THAT_STOPS: Condition = Condition {
     sort: Sort::Degenerate,
 };
 
+/// For λ = 1 and 0 < θ₀ < π.
+const FALLS: &str = r"$\dot\theta=-A\sin\theta/v$ is negative for $0<\theta<\pi$, and by (17) $v$ stays between half of $v_0(1+\cos\theta_0)$ and $v_0$: $\theta$ falls for ever and tends to 0, where the steps take the value.";
+
+/// For λ > 1 and 0 < θ₀ < π.
+const STOPS: &str = r"$\dot v=-A(\lambda-\cos\theta)\leq-A(\lambda-1)$: $v$ is 0 after a finite time. $\dot\theta=-A\sin\theta/v$ is negative until then, and by (11) $v$ is 0 for no $\theta$ between 0 and $\theta_0$: $\theta$ tends to 0, where (13) is $T$. There the particle stays, as friction exceeds the pull.";
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-3",
@@ -191,6 +197,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq11
         ],
         correction: Some(REGULAR_SPEED),
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-12",
@@ -246,6 +253,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq13_straight
         ],
         correction: Some(REGULAR_TIME),
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-14",
@@ -336,6 +344,7 @@ const CLAIMS: &[Claim] = &[
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
         trials: trials![&exact::EQ18, limits::eq18_limit, limits::eq18_quadrature],
+        argument: FALLS,
         ..Claim::BLANK
     },
     Claim {
@@ -358,6 +367,7 @@ const CLAIMS: &[Claim] = &[
         ],
         depends_on: &["eq-17", "s21-small-friction-aligns"],
         trials: trials![&exact::EQ19, limits::eq19_limit],
+        argument: FALLS,
         ..Claim::BLANK
     },
     Claim {
@@ -374,6 +384,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-14"],
         trials: trials![&exact::EQ20, limits::eq20_motion, limits::eq20_quadrature],
+        argument: STOPS,
         ..Claim::BLANK
     },
     Claim {
@@ -384,6 +395,7 @@ const CLAIMS: &[Claim] = &[
         plain: "For λ = 0, v_y stays constant and v_x grows linearly with t; the path is in general a parabola.",
         depends_on: &["eq-15", "eq-16"],
         trials: trials![&exact::EQ15.elsewhere(excuses::PARTS), &exact::EQ16.elsewhere(excuses::PARTS), limits::parabola_motion, limits::parabola_quadrature.elsewhere(excuses::PARTS)],
+        argument: r"A constant $v_y\neq0$ and a $v_x$ that grows in proportion to the time integrate to a parabola; with $v_y=0$ it is a straight line.",
         ..Claim::BLANK
     },
     Claim {
@@ -437,6 +449,7 @@ const CLAIMS: &[Claim] = &[
             limits::eq18_quadrature,
             limits::eq19_limit
         ],
+        argument: FALLS,
         ..Claim::BLANK
     },
     Claim {
@@ -451,6 +464,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Degenerate,
         }],
         trials: trials![&exact::EQ20_WITHIN, limits::eq20_motion, limits::eq20_quadrature, extremes::large_friction_limit, extremes::large_friction_turns.coarse(&[("turning_slope", "the unit grows with the friction, as what rounding of the angle makes of the sum does")]), extremes::large_friction_outside, excepted::large_friction],
+        argument: STOPS,
         ..Claim::BLANK
     },
     Claim {

@@ -158,6 +158,7 @@ const CLAIMS: &[Claim] = &[
         conditions: SMALL_ALPHA,
         depends_on: &["eq-114", "eq-124", "s4-quasi-fixed-stability"],
         trials: trials![&exact::EQ126, onset::eq126_relaxed, onset::eq126_order],
+        argument: r"The term is the first of the power series in $\alpha$; the next is of the second order, as $\cos\psi_1$ and $\cosh\alpha$ are even in $\alpha$.",
         ..Claim::BLANK
     },
     Claim {
@@ -200,6 +201,7 @@ const CLAIMS: &[Claim] = &[
             &exact::EQ128,
             growth::corrected128_limit
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-129",
@@ -223,6 +225,7 @@ const CLAIMS: &[Claim] = &[
             growth::corrected129_limit,
             steps::eq129
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-130",
@@ -248,6 +251,7 @@ const CLAIMS: &[Claim] = &[
             steps::eq130,
             onset::alpha_by_a_grows
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-131",
@@ -271,6 +275,7 @@ const CLAIMS: &[Claim] = &[
             growth::corrected131_limit,
             steps::eq131
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-132",
@@ -297,6 +302,7 @@ const CLAIMS: &[Claim] = &[
             growth::corrected132_delay.elsewhere(excuses::DELAY),
             steps::eq132
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-133",
@@ -322,6 +328,7 @@ const CLAIMS: &[Claim] = &[
             steps::eq133,
             onset::alpha_grows
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-134",
@@ -350,6 +357,7 @@ const CLAIMS: &[Claim] = &[
             steps::eq134,
             onset::psi_goes_upright
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-135",
@@ -377,6 +385,7 @@ const CLAIMS: &[Claim] = &[
             growth::corrected135_delay.elsewhere(excuses::DELAY),
             steps::eq135
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-136",
@@ -404,6 +413,7 @@ const CLAIMS: &[Claim] = &[
             growth::winding_limit,
             steps::eq136
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-137",
@@ -429,6 +439,7 @@ const CLAIMS: &[Claim] = &[
             growth::corrected137_delay.elsewhere(excuses::DELAY),
             steps::eq137
         ],
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-138",
@@ -441,6 +452,7 @@ const CLAIMS: &[Claim] = &[
         conditions: ESCAPING_LATE,
         depends_on: &["eq-104", "eq-132", "eq-137"],
         trials: trials![&exact::EQ138, growth::eq138_limit],
+        argument: r"$A^2/2-s$ is constant, as both have one rate. $A$ grows without end in every escape, as is shown of (127), so that the ratio tends to 1.",
         ..Claim::BLANK
     },
     Claim {

@@ -11,6 +11,10 @@ pub const MEASURED: &[Measured] = &[
         ],
     },
     Measured {
+        reason: "The power series of the surfaces is found exactly; that what is left out of it is small is measured.",
+        claims: &["eq-146"],
+    },
+    Measured {
         reason: "It is a picture: what can be read off it has the accuracy of a drawing.",
         claims: &["fig-1", "fig-2", "fig-3", "fig-4", "fig-6"],
     },

@@ -82,6 +82,7 @@ const CLAIMS: &[Claim] = &[
             ]),
             losses::with_rests
         ],
+        argument: r"The law of motion leaves one velocity after each start, and the cases fit each other. While (44) is 0 there is no force.",
         ..Claim::BLANK
     },
     Claim {
@@ -108,6 +109,7 @@ const CLAIMS: &[Claim] = &[
             pulses::eq45_motion.coarse(&[("eq45_w", excuses::HALF)]),
             pulses::eq45_plane.coarse(&[("eq45_w", excuses::HALF)])
         ],
+        argument: r"The mirrored velocity obeys the same law with the same start half a period later, and the law leaves one velocity after each start.",
         ..Claim::BLANK
     },
     Claim {
@@ -135,6 +137,7 @@ const CLAIMS: &[Claim] = &[
             )]),
             losses::without_rest
         ],
+        argument: r"Below $\eta$ the slip lasts until the next pulse, above it it ends before: at the boundary both hold.",
         ..Claim::BLANK
     },
     Claim {

@@ -22,6 +22,9 @@ pub const TOPIC: Topic = Topic {
     claims: CLAIMS,
 };
 
+/// Of a particle at rest at ρ = σ.
+const HELD: &str = r"The square is not negative, and it is 0 for $\psi=0$: $p$ can grow from 0 in no direction exactly where $\sigma\leq1$.";
+
 /// Stated before (139).
 const AT_REST: &[Condition] = &[Condition {
     text: r"the particle stays at rest at $\rho=\sigma$",
@@ -101,6 +104,7 @@ const CLAIMS: &[Claim] = &[
             radius::eq139_stays,
             radius::eq139_at_the_edge
         ],
+        argument: HELD,
         ..Claim::BLANK
     },
     Claim {
@@ -299,6 +303,7 @@ const CLAIMS: &[Claim] = &[
             radius::eq139_at_the_edge,
             radius::resting_places
         ],
+        argument: HELD,
         ..Claim::BLANK
     },
     Claim {

@@ -117,6 +117,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-22"],
         trials: trials![&exact::EQ25, units::eq25_motion, units::eq25_census],
+        argument: r"The square is not negative, and it is 0 at $\phi=\pi/2$: the drive exceeds friction at some phase exactly where (25) holds.",
         ..Claim::BLANK
     },
     Claim {
@@ -286,6 +287,7 @@ const CLAIMS: &[Claim] = &[
                 .idle(excuses::ONE_MOTION)
                 .elsewhere(excuses::IN_WORDS)
         ],
+        argument: r"The law of motion leaves one velocity after each start, as friction brings two velocities together. The stretches fit each other, and while (33) is 0 the drive is weaker than friction.",
         ..Claim::BLANK
     },
     Claim {
@@ -307,6 +309,7 @@ const CLAIMS: &[Claim] = &[
             slip::eq34_census,
             threshold::eq34_root
         ],
+        argument: r"(31) is positive from $\phi_1$ to its only zero $\tilde\phi_2$ and negative behind it, as is shown of (32). It is negative at $\phi_3$ exactly where the slip has ended by then.",
         ..Claim::BLANK
     },
     Claim {
@@ -344,6 +347,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-35", "eq-37"],
         trials: trials![&exact::EQ36, slip::eq36_census],
+        argument: r"The sum of the terms is positive for $0\leq\lambda_0<1$, so that (35) has the sign of $\lambda_c^2-\lambda_0^2$.",
         ..Claim::BLANK
     },
     Claim {
@@ -390,6 +394,7 @@ const CLAIMS: &[Claim] = &[
             periodic::eq38_outside,
             excepted::no_friction
         ],
+        argument: r"The law of motion leaves one velocity after each start. The two halves are mirror images that fit each other, and at their ends the drive exceeds friction where (40) holds.",
         ..Claim::BLANK
     },
     Claim {
@@ -414,6 +419,7 @@ const CLAIMS: &[Claim] = &[
             periodic::eq39_outside,
             excepted::no_friction
         ],
+        argument: r"Half a period after its start a motion that repeats itself with reversed sign has to be at rest for an instant again, and of the two phases with this cosine the drive pushes forwards at the one between 0 and $\pi/2$.",
         ..Claim::BLANK
     },
     Claim {
@@ -430,6 +436,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-37", "eq-38"],
         trials: trials![&exact::EQ40, threshold::eq40_census],
+        argument: r"Both sines are positive, so that the drive exceeds friction at $\tilde\phi_1$ exactly where the difference of the squares is positive.",
         ..Claim::BLANK
     },
     Claim {
@@ -647,6 +654,7 @@ const CLAIMS: &[Claim] = &[
             text: r"$\lambda_0>0$: without friction the slip ends at $2\pi$, which is $\phi_4$",
             sort: Sort::Degenerate,
         }],
+        argument: r"A continuous function that has opposite signs at $\phi_2$ and $\phi_4$ is 0 in between, and (32) has no second zero, as is shown of it.",
         ..Claim::BLANK
     },
     Claim {

@@ -396,6 +396,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq81
         ],
         correction: Some(REGULAR_SLIP),
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-82",
@@ -419,6 +420,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq82
         ],
         correction: Some(TIME),
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-83",
@@ -439,6 +441,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq83
         ],
         correction: Some(SLIP_AT_TIME),
+        ..Claim::BLANK
     },
     Claim {
         id: "eq-84",
@@ -479,6 +482,7 @@ const CLAIMS: &[Claim] = &[
             every_drive::reduction_rolling,
             every_drive::reduction_rest
         ],
+        argument: r"An equation for $\bm u$ alone that has the form of (1) has its solutions. Once $\bm u$ is known, (79) gives the velocity of the centre without another integration, and (75) the spin.",
         ..Claim::BLANK
     },
     Claim {
@@ -489,6 +493,7 @@ const CLAIMS: &[Claim] = &[
         plain: "ζ₃ keeps its value and enters no other equation.",
         depends_on: &["eq-64", "eq-73", "eq-74", "eq-75"],
         trials: trials![&exact::S3_SPIN_CONSTANT, every_drive::spin_constant],
+        argument: r"A component whose rate is 0 is constant; what no other rate contains has no effect on them.",
         ..Claim::BLANK
     },
     Claim {

@@ -717,6 +717,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A solution for Ω, mirrored, is a solution for −Ω; so Ω > 0 loses nothing.",
         depends_on: &["eq-86"],
         trials: trials![&exact::S4_MIRROR, frames::mirror],
+        argument: r"A reflection keeps distances, speeds and times, so that what is found for $\Omega>0$ holds for $\Omega<0$ with the senses of turning exchanged.",
         ..Claim::BLANK
     },
     Claim {
@@ -733,6 +734,7 @@ const CLAIMS: &[Claim] = &[
             standstill::tangential,
             excepted::rest
         ],
+        argument: r"The rate of $p$ that is multiplied out in the steps is the component of (89) along the velocity.",
         ..Claim::BLANK
     },
     Claim {
@@ -752,6 +754,7 @@ const CLAIMS: &[Claim] = &[
             latex: r"(100) is the law of the angular momentum, combined with the rate of $p$.",
             plain: "(100) is the law of the angular momentum, combined with the rate of p.",
         }),
+        argument: r"The steps multiply out the rate of the angular momentum $p\ell$ and take the rate of $p$ from it, as the claim says.",
         ..Claim::BLANK
     },
     Claim {
@@ -771,6 +774,7 @@ const CLAIMS: &[Claim] = &[
             latex: r"(101) is Newton's law along the radius, combined with the rate of $p$.",
             plain: "(101) is Newton's law along the radius, combined with the rate of p.",
         }),
+        argument: r"The steps multiply out the component of (89) along the radius, which is the rate of $p\xi$, and take the rate of $p$ from it, as the claim says.",
         ..Claim::BLANK
     },
     Claim {
@@ -785,6 +789,7 @@ const CLAIMS: &[Claim] = &[
             sort: Sort::Remark,
         }],
         trials: trials![&exact::EQ104, energy::eq104_kept, energy::eq104_without_s],
+        argument: r"A quantity whose rate is 0 along every motion keeps its value.",
         ..Claim::BLANK
     },
     Claim {
@@ -803,6 +808,7 @@ const CLAIMS: &[Claim] = &[
             energy::friction_corrected,
             energy::work_step
         ],
+        argument: r"A force whose power is 0 at every instant does no work, and the work of friction is the integral of its power.",
         ..Claim::BLANK
     },
     Claim {
@@ -818,6 +824,7 @@ const CLAIMS: &[Claim] = &[
             fixed::separation,
             fixed::frozen
         ],
+        argument: r"With $\alpha>0$ held fixed the first slope is negative, so that a nearby $\psi$ comes nearer, and the second is positive, so that it goes away.",
         ..Claim::BLANK
     },
 ];

@@ -36,6 +36,7 @@ static FULL: Claim = Claim {
         latex: "t=-1",
         plain: "t = -1",
     }),
+    argument: r"As $x$ <grows>.",
     trials: &[],
 };
 
@@ -339,6 +340,7 @@ fn a_box_shows_all_and_data_stays_data() {
         "As printed",
         "As corrected (changed: a sign)",
         "not stated in the paper",
+        "&lt;grows&gt;",
         "&amp; &lt;b&gt;",
         "no value where the motion has one",
         "1,234 points",

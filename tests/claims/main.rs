@@ -8,7 +8,7 @@ use slipbook::claims::measured::MEASURED;
 use slipbook::claims::variants::{SPARED, SURVIVORS, Variant};
 use slipbook::claims::{Claim, PAPER, Sort};
 use slipbook::evidence::{Evidence, Outcome, Sample, Subject};
-use slipbook::ledger::{Entry, Ledger, Record};
+use slipbook::ledger::{Entry, Ledger, Record, Standing};
 use slipbook::seeded::{reading::of, with};
 use slipbook::symbols::SYMBOLS;
 use std::collections::{BTreeMap, BTreeSet};
@@ -371,7 +371,8 @@ fn reasons(ledger: &Ledger) -> Result<(), Failed> {
     let listed: Vec<_> = MEASURED.iter().flat_map(|m| m.claims).copied().collect();
     let given: BTreeSet<_> = listed.iter().copied().collect();
     let entries = as_recorded(ledger).into_iter();
-    let (proved, measured): (Vec<_>, Vec<_>) = entries.partition(|entry| entry.is_proved());
+    let by_proof = |entry: &&Entry| entry.standing().is_some_and(|of| of != Standing::Measured);
+    let (proved, measured): (Vec<_>, Vec<_>) = entries.partition(by_proof);
     let [proved, measured] =
         [proved, measured].map(|of| of.into_iter().map(|e| e.claim.id).collect::<BTreeSet<_>>());
     let lacking: Vec<_> = measured.difference(&given).collect();

@@ -498,7 +498,7 @@ fn a_proof_of_a_part_proves_no_claim() {
     assert_eq!(judged.verdict, Verdict::Confirmed);
     assert_eq!(
         judged.ground,
-        "holds by root, census; a part of it is proved (certified)"
+        "holds by root, census; a part of it holds by proof (certified)"
     );
     let against = evidence(Route::Certified, Subject::Printed, f64::INFINITY).of_a_part();
     assert_eq!(against.proof_words(), Some("disproved"));

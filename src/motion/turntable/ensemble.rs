@@ -70,9 +70,6 @@ const TOLERANCE: f64 = -40.0;
 const CLOSELY: usize = 24;
 const EXACTLY: usize = 44;
 
-/// Particles that share a register.
-const LANES: usize = 16;
-
 /// A rest is looked for below this p²/w.
 const SLOW: f64 = 1e-6;
 
@@ -201,8 +198,12 @@ trait Watch {
         impl<W: Watch> Wide for Piece<'_, W> {
             type Output = Vec<W::End>;
             #[inline(always)]
-            fn call(self) -> Vec<W::End> {
-                self.0.run::<LANES>(self.1)
+            fn call<const WIDTH: usize>(self) -> Vec<W::End> {
+                // As many as are fastest: with four in a register, thirty-two take a sixth less time than sixteen.
+                match WIDTH {
+                    4 => self.0.run::<32>(self.1),
+                    _ => self.0.run::<16>(self.1),
+                }
             }
         }
         widest(Piece(self, starts))

@@ -35,12 +35,13 @@ impl<'a> Record<'a> {
     }
 
     /// What a box says of the claim's proof of this number, which is about this form of it.
-    fn says(&self, claim: &str, proof: usize, about: &str) -> &'static str {
+    fn says(&self, claim: &str, proof: usize, about: &str, in_words: bool) -> &'static str {
         let known =
             |[id, nth, _, of]: &[&str; 4]| (*id, nth.parse(), *of) == (claim, Ok(proof), about);
-        match self.lines.iter().any(known) {
-            true => "Proved, checked by a second engine",
-            false => "Proved; no certificate of it has been checked",
+        match (self.lines.iter().any(known), in_words) {
+            (true, false) => "Checked by a second engine",
+            (true, true) => "Its identities were checked by a second engine, its words were not",
+            (false, _) => "No certificate of it has been checked",
         }
     }
 }
@@ -56,7 +57,7 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry, evidence: &Evidence) ->
     let proofs = entry.evidence.iter().filter(|e| e.route.is_proof());
     let before = proofs.take_while(|e| e.trial != evidence.trial).count();
     let about = evidence.about(entry.claim.correction.is_none());
-    let says = record.says(entry.claim.id, 1 + before, &about);
+    let says = record.says(entry.claim.id, 1 + before, &about, evidence.is_in_words());
     let word = context.explained(says, "certificates");
     format!("<p class=\"measure\">{word}.</p>")
 }
@@ -115,9 +116,11 @@ mod tests {
             ("eq-1", 1, "as corrected, a part of it", false),
             ("eq-2", 2, "as corrected, a part of it", false),
         ] {
-            let says = record.says(claim, proof, about);
-            assert_eq!(says.contains("second engine"), checked, "{says}");
-            assert_eq!(says.contains("no certificate"), !checked, "{says}");
+            for in_words in [false, true] {
+                let says = record.says(claim, proof, about, in_words);
+                assert_eq!(says.contains("second engine"), checked, "{says}");
+                assert_eq!(says.contains("its words"), checked && in_words, "{says}");
+            }
         }
     }
 }

@@ -46,6 +46,7 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, 
         behind = [
             unconditional(context, entry)?,
             conditions(context, claim)?,
+            argument(context, claim)?,
             trials(context, entry)?,
             neighbours(context, claim)?,
             code(context, entry),
@@ -198,6 +199,17 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
         ));
     }
     Ok(html + "</ul>")
+}
+
+/// What no program checks of its proof.
+fn argument(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
+    if claim.argument.is_empty() {
+        return Ok(String::new());
+    }
+    let words = context.maths.words(claim.argument)?;
+    Ok(format!(
+        "<p class=\"argument\"><strong>Why what is checked is enough:</strong> {words}</p>"
+    ))
 }
 
 fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {

@@ -8,7 +8,7 @@ use super::{checked, deep, errata, map, overview, symbols, tables, values};
 use crate::edition::Filled;
 use crate::evidence::Kind;
 use crate::figures::{Figure, panels};
-use crate::ledger::{Entry, Ledger, Tally, Verdict};
+use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -46,6 +46,7 @@ impl<'a> Filler<'a> {
         let words: Vec<_> = placeholder.split_whitespace().collect();
         let block = |html| Ok(Filled::Block(html));
         let inline = |html| Ok(Filled::Inline(html));
+        let known = |by| inline(count(ledger.known(by)));
         match words.as_slice() {
             ["claim", id] => {
                 let entry = context.entry(id)?;
@@ -110,10 +111,9 @@ impl<'a> Filler<'a> {
             ["count", "variants"] => inline(count(tallies(ledger, |tally| tally.tried))),
             ["count", "rejected"] => inline(count(tallies(ledger, |tally| tally.rejected))),
             ["count", "corners"] => inline(count(ledger.paper.formulas.corners().len())),
-            ["count", "proved"] => {
-                let entries = ledger.entries.iter();
-                inline(count(entries.filter(|e| e.is_proved()).count()))
-            }
+            ["count", "proved"] => known(Standing::Proved),
+            ["count", "argued"] => known(Standing::Argued),
+            ["count", "measured"] => known(Standing::Measured),
             ["count", "wrong"] => inline(count(ledger.wrong())),
             ["count", "roots"] => inline(count(ledger.roots_and_heirs()[0])),
             ["count", "heirs"] => inline(count(ledger.roots_and_heirs()[1])),

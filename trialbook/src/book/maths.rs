@@ -147,7 +147,8 @@ impl Maths {
         let set = self.set_so_far();
         let words = |claim: &'static Claim| {
             let conditions = claim.conditions.iter().map(|condition| condition.text);
-            [claim.title, claim.latex].into_iter().chain(conditions)
+            let own = [claim.title, claim.latex, claim.argument];
+            own.into_iter().chain(conditions)
         };
         for (_, claim) in paper.claims() {
             let parts = words(claim).flat_map(|text| text.split('$').skip(1).step_by(2));

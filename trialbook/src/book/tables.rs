@@ -9,7 +9,7 @@ use crate::claims::attempt::Attempt;
 use crate::claims::measured::Measured;
 use crate::claims::variants::{Spared, Survivor};
 use crate::evidence::{Evidence, Kind, Route, Tolerance};
-use crate::ledger::{Entry, Ledger, Verdict};
+use crate::ledger::{Entry, Ledger, Standing, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A table, as a block of HTML. The cells are HTML.
@@ -268,20 +268,12 @@ pub(super) fn tolerances(context: &Context<'_>) -> Result<String, Fault> {
 pub(super) fn proofs(ledger: &Ledger) -> String {
     let row = |name: &str, counts: &dyn Fn(&Entry) -> bool| {
         let entries: Vec<_> = ledger.entries.iter().filter(|e| counts(e)).collect();
-        let by = |route| {
-            entries
-                .iter()
-                .filter(|e| e.strongest() == Some(route))
-                .count()
-        };
-        let proved = entries.iter().filter(|e| e.is_proved()).count();
-        [
-            name.to_owned(),
-            count(by(Route::Exact)),
-            count(by(Route::Certified)),
-            count(entries.len() - proved),
-            count(entries.len()),
-        ]
+        let [proved, argued, measured] = Standing::ALL.map(|of| {
+            let known = entries.iter().filter(|e| e.standing() == Some(of));
+            count(known.count())
+        });
+        let all = count(entries.len());
+        [name.to_owned(), proved, argued, measured, all]
     };
     let numbered = |e: &Entry| e.claim.equation.is_some();
     let definition = |e: &Entry| e.claim.kind == Kind::Definition;
@@ -295,13 +287,7 @@ pub(super) fn proofs(ledger: &Ledger) -> String {
     ];
     table(
         "proofs",
-        [
-            "Claims",
-            "Proved exactly",
-            "Proved by enclosure",
-            "Measured",
-            "All",
-        ],
+        ["Claims", "Proved", "Argued", "Measured", "All"],
         rows,
     )
 }
@@ -317,10 +303,9 @@ pub(super) fn strongest(context: &Context<'_>) -> Result<String, Fault> {
             ),
             None => context.link(entry)?,
         };
-        let how = match entry.strongest() {
-            Some(route) if route.is_proof() => format!("<strong>proved</strong>, {}", route.name()),
-            Some(route) => route.name().to_owned(),
-            None => String::new(),
+        let how = match (entry.standing(), entry.strongest()) {
+            (Some(known), Some(route)) => format!("{}, {}", known.word(), route.name()),
+            _ => String::new(),
         };
         Ok([title, verdict(entry.judgement.verdict), how])
     };

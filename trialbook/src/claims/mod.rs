@@ -132,6 +132,9 @@ pub struct Claim {
     pub depends_on: &'static [&'static str],
     /// What replaces it, where it fails.
     pub correction: Option<Correction>,
+    /// What no program checks of its proof, in words: why what is checked is enough. Empty where that is the whole statement,
+    /// and where the proof itself says it between its steps.
+    pub argument: &'static str,
     /// How it is tried.
     #[cfg(feature = "trials")]
     pub trials: &'static [Attempt],
@@ -151,6 +154,7 @@ impl Claim {
         conditions: &[],
         depends_on: &[],
         correction: None,
+        argument: "",
         trials: &[],
     };
 

@@ -1,7 +1,7 @@
 //! The ledger as text: columns for as wide a screen as there is.
 
 use super::screen::{Screen, cut};
-use crate::ledger::Entry;
+use crate::ledger::{Entry, Standing};
 use std::fmt::Write;
 
 /// The widest column of formulas or titles.
@@ -20,7 +20,7 @@ struct Line<'a> {
     last: String,
 }
 
-/// All claims by section: id, formula, verdict, that it is proved or else the worst disagreement, routes.
+/// All claims by section: id, formula, verdict, that it is proved or argued, or else the worst disagreement, routes.
 pub(super) fn table(entries: &[Entry], screen: &Screen) -> String {
     let mut sections: Vec<&str> = entries.iter().map(|e| e.claim.section).collect();
     sections.sort_unstable();
@@ -30,14 +30,14 @@ pub(super) fn table(entries: &[Entry], screen: &Screen) -> String {
         for entry in entries.iter().filter(|e| e.claim.section == *section) {
             // Of a claim that fails, how badly it does is what matters here.
             let fails = entry.judgement.verdict.is_wrong();
-            let worst = match entry.worst() {
-                _ if entry.is_proved() && !fails => "proved".to_owned(),
-                Some(e) => format!("{:.0e}", e.worst),
-                None => String::new(),
+            let worst = entry.worst().map(|e| format!("{:.0e}", e.worst));
+            let known = match entry.standing() {
+                Some(of) if of != Standing::Measured && !fails => of.word().to_owned(),
+                _ => worst.unwrap_or_default(),
             };
             lines.push(Line {
                 entry,
-                cells: [entry.claim.id.to_owned(), worst],
+                cells: [entry.claim.id.to_owned(), known],
                 text: entry.claim.plain,
                 last: entry.routes(),
             });

@@ -33,6 +33,7 @@ mod sheet;
 mod short;
 #[cfg(feature = "trials")]
 pub mod slight;
+mod standing;
 mod table;
 mod tally;
 #[cfg(feature = "trials")]
@@ -55,6 +56,7 @@ pub use row::{EvidenceRow, Row};
 #[cfg(feature = "trials")]
 #[cfg(feature = "book")]
 pub(crate) use said::{count, counted};
+pub use standing::Standing;
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
@@ -86,23 +88,24 @@ impl Entry {
     /// The strongest route by which it holds what the verdict rests on: the whole of the claim, or of what is right
     /// in its place. Proofs come before measurements.
     pub fn strongest(&self) -> Option<Route> {
-        let corrected = match self.judgement.verdict {
-            Verdict::Undecided => return None,
-            verdict => verdict.is_wrong(),
+        self.whole().into_iter().map(|e| e.route).min()
+    }
+
+    /// What agrees and is about the whole of what the verdict rests on; nothing for an undecided claim.
+    fn whole(&self) -> Vec<&Evidence> {
+        let (undecided, corrected) = match self.judgement.verdict {
+            Verdict::Undecided => (true, false),
+            verdict => (false, verdict.is_wrong()),
         };
         let counts = |e: &&Evidence| match e.subject {
-            Subject::Printed | Subject::Within => !corrected,
+            Subject::Printed | Subject::Within => !undecided && !corrected,
             Subject::Corrected => corrected,
             Subject::Outside | Subject::Step | Subject::Excepted | Subject::Remark => false,
         };
         let evidence = self.evidence.iter().filter(counts).filter(|e| !e.partial);
-        let agrees = evidence.filter(|e| e.outcome() == Outcome::Agrees);
-        agrees.map(|e| e.route).min()
-    }
-
-    /// True if what the verdict rests on is proved.
-    pub fn is_proved(&self) -> bool {
-        self.strongest().is_some_and(Route::is_proof)
+        evidence
+            .filter(|e| e.outcome() == Outcome::Agrees)
+            .collect()
     }
 
     /// Of the measurements that agree, the one whose worst disagreement is closest to its tolerance.
@@ -226,7 +229,7 @@ mod tests {
                 tried(Route::Exact, Subject::Step, 0),
                 tried(Route::Exact, Subject::Outside, 0),
             ];
-            (entry.strongest(), entry.is_proved())
+            entry.strongest()
         };
         for verdict in Verdict::ALL {
             let (held, corrected) = match verdict {
@@ -246,11 +249,7 @@ mod tests {
                 ([Subject::Within, Subject::Corrected], corrected),
             ] {
                 let found = strongest(verdict, printed);
-                assert_eq!(
-                    found,
-                    (expected, expected.is_some()),
-                    "{verdict:?} {printed:?}"
-                );
+                assert_eq!(found, expected, "{verdict:?} {printed:?}");
             }
         }
     }

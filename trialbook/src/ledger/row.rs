@@ -1,6 +1,6 @@
 //! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
 
-use super::{Entry, plain_words};
+use super::{Entry, Standing, plain_words};
 use crate::claims::Condition;
 use serde::Serialize;
 
@@ -27,6 +27,8 @@ pub struct Row<'a> {
     pub wrong: Option<String>,
     /// What the verdict rests on.
     pub ground: &'a str,
+    /// How that is known; nothing where the verdict is undecided.
+    pub standing: Option<Standing>,
     /// The conditions under which it is tried.
     pub conditions: &'a [Condition],
     /// Ids of the claims that it is derived from or refers to.
@@ -101,6 +103,7 @@ impl Entry {
             verdict: self.judgement.verdict.slug(),
             wrong: self.in_short().as_deref().map(plain_words),
             ground: &self.judgement.ground,
+            standing: self.standing(),
             conditions: claim.conditions,
             depends_on: claim.depends_on,
             corrected: claim.correction.map(|c| c.latex),
@@ -139,7 +142,7 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::example::tried;
-    use super::super::{Entry, Judgement, Verdict, plain_words};
+    use super::super::{Entry, Judgement, Standing, Verdict, plain_words};
     use super::{EvidenceRow, Row, evidence};
     use crate::claims::{Claim, Condition, Correction, Paper, Sort, Topic};
     use crate::evidence::{Change, Compared, Evidence, Kind, Route, Subject, Tolerance};
@@ -164,6 +167,7 @@ mod tests {
             plain: "λ = −1",
         }),
         trials: &[],
+        ..Claim::BLANK
     };
 
     static TOPIC: Topic = Topic::new("ratios", "Ratios", &[]);
@@ -254,6 +258,7 @@ mod tests {
             verdict: "conditional",
             wrong: Some(plain_words("Needs a condition: $x>0$.")),
             ground: "two routes",
+            standing: Some(Standing::Measured),
             conditions: CLAIM.conditions,
             depends_on: &["eq-1", "eq-2"],
             corrected: Some(r"\lambda=-1"),

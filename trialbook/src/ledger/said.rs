@@ -142,6 +142,9 @@ impl Evidence {
             n => format!(" in {n} steps"),
         };
         match self.outcome() {
+            Outcome::Agrees if self.is_in_words() => {
+                format!("Argued{steps}; what joins them is said in words.")
+            }
             Outcome::Agrees => format!("Proved{steps}{}.", self.quantified()),
             Outcome::Disagrees if self.failed > 0 => {
                 format!("Disproved: {}.", self.failing().to_lowercase())

@@ -45,6 +45,12 @@ impl Entry {
             let _ = writeln!(text, "in short: {}", plain_words(&words));
         }
         let _ = writeln!(text, "ground: {}", self.judgement.ground);
+        if let Some(standing) = self.standing() {
+            let _ = writeln!(text, "known: {}", standing.word());
+        }
+        if !claim.argument.is_empty() {
+            let _ = writeln!(text, "argument: {}", plain_words(claim.argument));
+        }
         for evidence in &self.evidence {
             trial(&mut text, evidence, self.is_conditional());
         }

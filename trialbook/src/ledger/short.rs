@@ -1,7 +1,7 @@
 //! A claim in a line: what is wrong with it, and how that or the contrary is known.
 
 use super::said::{count, rounded_up};
-use super::{Entry, Verdict};
+use super::{Entry, Standing, Verdict};
 use crate::claims::Sort;
 use crate::evidence::{Outcome, Subject};
 
@@ -52,13 +52,10 @@ impl Entry {
             &[Subject::Printed, Subject::Within]
         };
         let agreeing = || measured(holds, Outcome::Agrees);
-        if self.is_proved() {
-            let proved = if fails {
-                "as corrected proved"
-            } else {
-                "proved"
-            };
-            parts.push(proved.to_owned());
+        let standing = self.standing().filter(|of| *of != Standing::Measured);
+        let form = if fails { "as corrected " } else { "" };
+        if let Some(standing) = standing {
+            parts.push(format!("{form}{}", standing.word()));
         }
         let points: usize = agreeing().map(|e| e.points).sum();
         if points > 0 {
@@ -68,11 +65,7 @@ impl Entry {
                 worst => format!(" to {}", rounded_up(worst)),
             };
             let plural = if points == 1 { " agrees" } else { "s agree" };
-            let form = if fails && !self.is_proved() {
-                "as corrected "
-            } else {
-                ""
-            };
+            let form = if standing.is_none() { form } else { "" };
             parts.push(format!("{form}{} comparison{plural}{to}", count(points)));
         }
         match parts.is_empty() {

@@ -1,6 +1,6 @@
 //! The ledger as text, for terminals.
 
-use super::{Entry, Ledger, Verdict};
+use super::{Entry, Ledger, Standing, Verdict};
 use crate::evidence::Subject;
 use std::collections::BTreeSet;
 
@@ -22,7 +22,7 @@ impl Ledger {
     /// One line: how many claims got each verdict.
     pub fn summary(&self) -> String {
         let counts = self.counts();
-        let proved = self.entries.iter().filter(|e| e.is_proved()).count();
+        let known = Standing::ALL.map(|of| format!("{} {}", self.known(of), of.word()));
         let part = |v: &Verdict| format!("{} {}", counts[v], v.of_many(counts[v]));
         let parts: Vec<_> = Verdict::ALL
             .iter()
@@ -31,6 +31,6 @@ impl Ledger {
             .collect();
         let all = self.entries.len();
         let claims = if all == 1 { "claim" } else { "claims" };
-        format!("{all} {claims}: {}; {proved} proved", parts.join(", "))
+        format!("{all} {claims}: {}; {}", parts.join(", "), known.join(", "))
     }
 }

@@ -368,10 +368,10 @@ impl<'a> Weighed<'a> {
         let whole = match (proofs.is_empty(), others.is_empty()) {
             (true, true) => "is not tried as a whole".to_owned(),
             (true, _) => format!("holds by {}", list(&others)),
-            (_, true) => format!("is proved ({})", list(&proofs)),
+            (_, true) => format!("holds by proof ({})", list(&proofs)),
             _ => {
                 let (proofs, others) = (list(&proofs), list(&others));
-                format!("is proved ({proofs}) and holds by {others}")
+                format!("holds by proof ({proofs}), and by {others}")
             }
         };
         let parts = self
@@ -380,7 +380,7 @@ impl<'a> Weighed<'a> {
             .filter(|e| e.partial && e.route.is_proof());
         let parts: BTreeSet<_> = parts.map(|e| e.route).collect();
         match proofs.is_empty() && !parts.is_empty() {
-            true => format!("{whole}; a part of it is proved ({})", list(&parts)),
+            true => format!("{whole}; a part of it holds by proof ({})", list(&parts)),
             false => whole,
         }
     }

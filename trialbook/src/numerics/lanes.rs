@@ -147,8 +147,8 @@ impl<const L: usize> Number for Lanes<L> {
 pub trait Wide {
     /// What comes out.
     type Output;
-    /// Does the work; to be marked `#[inline(always)]`.
-    fn call(self) -> Self::Output;
+    /// Does the work where a register holds `WIDTH` numbers; to be marked `#[inline(always)]`.
+    fn call<const WIDTH: usize>(self) -> Self::Output;
 }
 
 /// Does the work in code that is compiled for the widest registers of this machine. The result has the same bits on
@@ -160,11 +160,11 @@ pub fn widest<W: Wide>(work: W) -> W::Output {
     {
         #[target_feature(enable = "avx512f,avx512dq,avx512vl")]
         fn by_eight<W: Wide>(work: W) -> W::Output {
-            work.call()
+            work.call::<8>()
         }
         #[target_feature(enable = "avx2")]
         fn by_four<W: Wide>(work: W) -> W::Output {
-            work.call()
+            work.call::<4>()
         }
         let has_eight = is_x86_feature_detected!("avx512f")
             && is_x86_feature_detected!("avx512dq")
@@ -178,7 +178,7 @@ pub fn widest<W: Wide>(work: W) -> W::Output {
             return unsafe { by_four(work) };
         }
     }
-    work.call()
+    work.call::<2>()
 }
 
 #[cfg(test)]

@@ -55,7 +55,7 @@ where
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
+    fn call<const WIDTH: usize>(self) {
         let series = self.series;
         for (x, start) in series.iter_mut().zip(self.state) {
             x[0] = start.clone();

@@ -1,0 +1,77 @@
+//! How a claim is known: proved, argued or measured.
+
+use super::{Entry, Ledger};
+use crate::evidence::{Evidence, Kind, Route};
+use serde::Serialize;
+
+/// How what a verdict rests on is known: the claim, or what is right in its place.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Standing {
+    /// The program has checked the whole statement: a formula, held against what it has to equal, or enclosed.
+    Proved,
+    /// The program has checked the steps of a proof; what joins them is said in words.
+    Argued,
+    /// It was compared at many points, by independent routes.
+    Measured,
+}
+
+impl Standing {
+    /// All of them, the strongest first.
+    pub const ALL: [Self; 3] = [Self::Proved, Self::Argued, Self::Measured];
+
+    /// The word.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Proved => "proved",
+            Self::Argued => "argued",
+            Self::Measured => "measured",
+        }
+    }
+}
+
+impl Evidence {
+    /// Whether sentences join the steps of the proof.
+    pub fn is_in_words(&self) -> bool {
+        self.route == Route::Exact && self.compared.found().is_none()
+    }
+}
+
+/// Relations by which a formula says what something tends to, and not what it is.
+const TENDS: [&str; 5] = [r"\approx", r"\sim", r"\cdots", r"\to", r"\infty"];
+
+impl Entry {
+    /// How what the verdict rests on is known; nothing for an undecided claim.
+    pub fn standing(&self) -> Option<Standing> {
+        let (claim, whole) = (self.claim, self.whole());
+        let by = |route| whole.iter().any(|e| e.route == route);
+        let is_proof = by(Route::Exact) || by(Route::Certified);
+        let latex = match claim.correction {
+            Some(right) if self.judgement.verdict.is_wrong() => right.latex,
+            _ => claim.latex,
+        };
+        let is_formula = match claim.kind {
+            Kind::Definition | Kind::Equation | Kind::Number => is_proof,
+            // What sign an identity leaves is a matter of words.
+            Kind::Inequality => by(Route::Certified),
+            Kind::Property | Kind::Limit | Kind::Figure => false,
+        };
+        if whole.is_empty() {
+            None
+        } else if whole.iter().any(|e| e.is_in_words()) || is_proof && !claim.argument.is_empty() {
+            Some(Standing::Argued)
+        } else if is_formula && !TENDS.iter().any(|tends| latex.contains(tends)) {
+            Some(Standing::Proved)
+        } else {
+            Some(Standing::Measured)
+        }
+    }
+}
+
+impl Ledger {
+    /// How many claims are known in this way.
+    pub fn known(&self, by: Standing) -> usize {
+        let known = self.entries.iter().filter(|e| e.standing() == Some(by));
+        known.count()
+    }
+}
