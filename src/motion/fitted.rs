@@ -150,7 +150,7 @@ impl Fitted {
     /// Asks the function some ten times in each `width` and some hundred times for each oscillation.
     ///
     /// # Errors
-    /// [`FitError`]: a range that is empty, a `width` below 10⁻⁷ of it or 10⁻¹¹ of the times, a value that is not finite; a
+    /// [`FitError`]: a range that is empty, a `width` below 10⁻⁷ of it or 1.5·10⁻¹¹ of the times, a value that is not finite; a
     /// function that cannot be fitted within the error above, or by no more than 65,536 polynomials.
     pub fn from_fn(
         function: impl Fn(f64) -> [f64; 2],
@@ -161,7 +161,7 @@ impl Fitted {
         rise(from, to)?;
         let shortest = SHORTEST * from.abs().max(to.abs());
         let least = shortest.max(NARROWEST * (to - from));
-        if width.is_nan() || width < least {
+        if width.is_nan() || width < least || width <= 0.0 {
             return Err(FitError::Width { width, least });
         }
         let inside = |t: &&f64| **t - from > shortest && to - **t > shortest;
@@ -179,7 +179,7 @@ impl Fitted {
         let (mut sizes, mut slopes) = ([0.0_f64; 2], [0.0_f64; 2]);
         for edge in edges.windows(2) {
             let mut before: Option<(f64, [f64; 2])> = None;
-            for t in times([edge[0], edge[1]], width, SURVEY) {
+            for t in times([edge[0], edge[1]], width, SURVEY, shortest) {
                 let values = value(t)?;
                 for i in 0..2 {
                     sizes[i] = sizes[i].max(values[i].abs());
@@ -292,12 +292,12 @@ fn rise(from: f64, to: f64) -> Result<(), FitError> {
     fit.then_some(()).ok_or(FitError::Times { from, to })
 }
 
-/// Times in [a, b] no farther apart than half the width, at least so many; the outer ones are next to the ends, where a
-/// jump may be.
-fn times([a, b]: [f64; 2], width: f64, least: f64) -> impl Iterator<Item = f64> {
+/// Times in [a, b] no farther apart than half the width, at least so many; the outer ones are some numbers off the ends,
+/// where a jump may be.
+fn times([a, b]: [f64; 2], width: f64, least: f64, shortest: f64) -> impl Iterator<Item = f64> {
     let n = (2.0 * (b - a) / width).ceil().max(least);
-    let edge = 0.004 / n;
-    (0..=n as usize).map(move |k| a + (b - a) * (k as f64 / n).clamp(edge, 1.0 - edge))
+    let off = shortest.min(b - a) / 1024.0;
+    (0..=n as usize).map(move |k| (a + (b - a) * (k as f64 / n)).clamp(a + off, b - off))
 }
 
 /// The polynomials of a component of about this size and slope between the edges, and by how much they miss it.
@@ -329,14 +329,16 @@ fn chain(
             from: a,
             powers: fit.coefficients,
         };
-        let mut missed = if fit.resolved { 0.0 } else { f64::INFINITY };
-        for t in times([a, b], width, CHECKS) {
-            if missed > fit.tolerance {
+        let mut met = fit.resolved && fit.tolerance.is_finite();
+        let mut missed = 0.0_f64;
+        for t in times([a, b], width, CHECKS, shortest) {
+            if !met {
                 break;
             }
             missed = missed.max((asked(t)? - part.value(t)).abs());
+            met = missed <= fit.tolerance;
         }
-        if missed <= fit.tolerance {
+        if met {
             parts.push(part);
             error = error.max(missed);
         } else if b - a < shortest {
@@ -345,7 +347,7 @@ fn chain(
             let most = MOST_PARTS;
             return Err(FitError::Parts { most, t: a });
         } else {
-            let middle = 0.5 * (a + b);
+            let middle = a + 0.5 * (b - a);
             pending.extend([[middle, b], [a, middle]]);
         }
     }
@@ -766,7 +768,20 @@ mod tests {
                 "{refused}"
             );
         }
-        // Times that differ by few numbers only.
+        // Ranges so short, so late or so large that numbers do not tell their times apart.
+        for [from, to] in [
+            [1e9, 1e9 + 1e-6],
+            [0.0, 5e-324],
+            [1e308, 1.7e308],
+            [0.0, 1e-300],
+        ] {
+            let jump = |t: f64| [f64::from(u8::from(t >= 0.6 * to)), 0.0];
+            let refused = Fitted::from_fn(jump, [from, to], f64::INFINITY, &[]);
+            assert!(
+                matches!(refused, Ok(_) | Err(FitError::Unresolved { .. })),
+                "{refused:?}"
+            );
+        }
         assert!(matches!(
             Fitted::from_fn(quick, [1e9, 1e9 + 1.0], 1e-3, &[]),
             Err(FitError::Width { .. })

@@ -22,9 +22,8 @@ pub(super) fn rows(text: &str) -> Result<Vec<(f64, [f64; 2])>, FitError> {
     });
     let separator = separator.unwrap_or(' ');
     let words = |line: &str| {
-        cells(line, separator)
-            .iter()
-            .all(|cell| parsed(cell).is_none())
+        let cells = cells(line, separator);
+        cells.iter().all(|cell| parsed(cell).is_none()) && !cells.concat().is_empty()
     };
     let Some(&(number, first)) = lines.peek() else {
         return Ok(Vec::new());
@@ -246,7 +245,7 @@ mod tests {
             ("t,ax\n0,1\n1,2,3\n", 3),
             ("t,a\n1,2\n3,x\n", 3),
             ("t,ax\nt,ax\n", 1),
-            ("t,ax\n,\n,\n0,1\n", 1),
+            ("t,ax\n,\n0,1\n", 2),
             ("1\n", 1),
             ("1.5,2,3,4\n", 1),
             ("t,ax\n2026-01-01 10:00:00,1\n", 2),
