@@ -211,7 +211,8 @@ impl Fitted {
     /// From a table of times and (A_x, A_y) in length/time², by cubic splines through all of it, natural at the ends.
     /// [`error`](Self::error) is an estimate from the table itself: the largest distance of a row that is left out from the
     /// spline through every second one. A spline through all is better, by sixteen where the table resolves the motion;
-    /// noise of the instrument is in it as it is in the table.
+    /// noise of the instrument is in it as it is in the table. Noise across the drive is a drive too: a particle then hardly
+    /// ever comes to v = 0.
     ///
     /// The work is proportional to the rows; so is that of a motion, which takes a step at least from row to row.
     ///
