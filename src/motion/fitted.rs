@@ -774,7 +774,7 @@ mod tests {
         }
         // Ranges so short, so late or so large that numbers hardly tell their times apart.
         for [from, to] in [[1e9, 1e9 + 1e-6], [1e308, 1.7e308], [0.0, 1e-300]] {
-            let jump = |t: f64| [f64::from(u8::from(t >= 0.6 * to)), 0.0];
+            let jump = |t: f64| [f64::from(u8::from(t >= from + 0.6 * (to - from))), 0.0];
             let refused = Fitted::from_fn(jump, [from, to], f64::INFINITY, &[]);
             assert!(
                 matches!(refused, Err(FitError::Unresolved { .. })),
