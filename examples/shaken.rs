@@ -5,7 +5,7 @@ use slipbook::motion::sphere::{Ball, Sphere};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let shaking = |t: f64| [8.0 * (5.0 * t).sin() * (-0.3 * t).exp(), 0.0];
-    let function = Fitted::from_fn(shaking, [0.0, 10.0], &[])?;
+    let function = Fitted::from_fn(shaking, [0.0, 10.0], 0.1, &[])?;
     // As an accelerometer would have it, two hundred times a second.
     let rows: Vec<_> = (0..=2000)
         .map(|k| 0.005 * f64::from(k))
@@ -28,7 +28,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let end = motion.at(10.0)?;
         println!(
             "{name}: A known to {:.0e}; {} changes between sliding and rolling, at the end at x = {:.6}",
-            plane.error(),
+            motion.drive_error(),
             motion.transitions().len(),
             end.x[0]
         );

@@ -21,16 +21,17 @@
 //!
 //! # Physics
 //!
-//! A particle on a plane that is shaken, by the values of a function; how fast it is, and when it first stops:
+//! A particle on a plane that is shaken, by the values of a function that has no pulse shorter than 0.1; how fast it is, and how
+//! well its drive is known:
 //!
 //! ```
 //! use slipbook::motion::{Fitted, State, run};
 //!
-//! let plane = Fitted::from_fn(|t| [(3.0 * t).sin(), 0.3 * t.cos()], [0.0, 10.0], &[])?;
-//! assert!(plane.error() < 1e-13);
+//! let plane = Fitted::from_fn(|t| [(3.0 * t).sin(), 0.3 * t.cos()], [0.0, 10.0], 0.1, &[])?;
 //! let start = State { t: 0.0, v: [1.0, 0.5], x: [0.0; 2] };
 //! let motion = run(&plane, 0.4, start, 10.0)?;
 //! assert!(motion.at(1.0)?.speed() < start.speed());
+//! assert!(motion.drive_error() < 1e-13);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -41,7 +42,7 @@
 //! use slipbook::motion::sphere::{Ball, Contact, Sphere};
 //!
 //! let solid = Sphere::with_kappa(0.4);
-//! let plane = Fitted::from_fn(|t| [2.0 * (3.0 * t).sin(), 0.0], [0.0, 10.0], &[])?;
+//! let plane = Fitted::from_fn(|t| [2.0 * (3.0 * t).sin(), 0.0], [0.0, 10.0], 0.1, &[])?;
 //! let start = Ball { t: 0.0, x: [0.0; 2], v: [1.0, 0.5], omega: [0.0; 3] };
 //! let motion = solid.run(&plane, &start, 10.0)?;
 //! assert_eq!(motion.contact(0.1)?, Contact::Sliding);

@@ -19,6 +19,11 @@ pub trait Acceleration: Sync {
     fn next_break(&self, _t: f64) -> Option<f64> {
         None
     }
+
+    /// How far a component may be from the acceleration that is meant, in length/time², beyond rounding.
+    fn error(&self) -> f64 {
+        0.0
+    }
 }
 
 /// An acceleration by a function from the time to the Taylor coefficients of (A_x, A_y), without breaks. The coefficients

@@ -15,7 +15,8 @@ use crate::numerics::taylor::reach;
 /// The motion of a particle from `start` until the time `until`, on a plane with the given acceleration and the
 /// given `friction` μg (length/time²). A start with v = 0 is allowed: it sticks or begins to slide.
 ///
-/// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned. The
+/// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned, for the
+/// acceleration as it is given: what its own error makes of them says [`Motion::drive_error`]. The
 /// time scales of the acceleration should lie between 10⁻¹⁰ and 10¹⁰ of the unit of time.
 ///
 /// # Errors
@@ -101,7 +102,7 @@ impl<'a> Run<'a> {
         size("speed of the start", start.speed())?;
         let fit = until >= start.t && until <= LARGEST;
         check("until", until, fit, "not before the start, at most 1e50")?;
-        let motion = Motion::begin(start);
+        let motion = Motion::begin(start, plane.error());
         Ok(Self {
             plane,
             friction,

@@ -132,7 +132,8 @@ impl Sphere {
     /// The motion from `start` until the time `until` on a plane with the given acceleration. A contact velocity
     /// below 10⁻¹⁴ of the velocities of which it is the sum counts as zero at the start.
     ///
-    /// Times, v, ω and x are right to about 10⁻¹² relative where the problem is well conditioned.
+    /// Times, v, ω and x are right to about 10⁻¹² relative where the problem is well conditioned, for the acceleration as it
+    /// is given: what its own error makes of them says [`BallMotion::drive_error`].
     ///
     /// # Errors
     /// [`MotionError::Argument`] for a parameter out of range, [`MotionError::Steps`] after 50,000 steps,
@@ -250,12 +251,19 @@ pub struct BallMotion {
     /// Velocity of the point of contact at the start.
     slip: [f64; 2],
     end: Ball,
+    drive_error: f64,
 }
 
 impl BallMotion {
     /// Every moment at which the contact velocity is zero after it was not, or stops to be zero, in order.
     pub fn transitions(&self) -> &[Transition] {
         &self.transitions
+    }
+
+    /// The [`error`](Acceleration::error) of a component of the acceleration that was given, in length/time²; v and x are off by
+    /// at most as much as those of a [particle](super::Motion::drive_error).
+    pub fn drive_error(&self) -> f64 {
+        self.drive_error
     }
 
     /// State at the end.

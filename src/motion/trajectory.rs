@@ -208,13 +208,15 @@ pub struct Motion {
     pub(super) starts: Vec<f64>,
     pub(super) start: State,
     pub(super) end: State,
+    pub(super) drive_error: f64,
 }
 
 impl Motion {
     /// A motion that has not moved yet.
-    pub(super) fn begin(start: State) -> Self {
+    pub(super) fn begin(start: State, drive_error: f64) -> Self {
         let (pieces, phases) = (Vec::new(), Vec::new());
         Self {
+            drive_error,
             pieces,
             phases,
             stops: Vec::new(),
@@ -252,6 +254,13 @@ impl Motion {
     /// State at the end.
     pub fn end(&self) -> State {
         self.end
+    }
+
+    /// The [`error`](super::Acceleration::error) e of a component of the acceleration that was given, in length/time². Friction
+    /// lets no two motions from one start part faster than their pulls: at t this one is off by at most √2 e (t − t₀) in
+    /// velocity, and half of that times t − t₀ in place, beyond the errors of [`run`](super::run).
+    pub fn drive_error(&self) -> f64 {
+        self.drive_error
     }
 
     /// State at time `t`.

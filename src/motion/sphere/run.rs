@@ -113,6 +113,7 @@ pub(super) fn run(
         begin,
         start: *start,
         slip: c,
+        drive_error: plane.error(),
         end: Ball {
             t: until,
             x: [x, y],

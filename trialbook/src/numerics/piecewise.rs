@@ -9,9 +9,9 @@
 mod chebyshev;
 mod piece;
 
+pub use chebyshev::{Fit, interpolate};
 pub use piece::{Piece, Secant};
 
-use chebyshev::{Fit, interpolate};
 use polycool::PolyDyn;
 use std::f64::consts::TAU;
 
@@ -48,6 +48,8 @@ const MOST_PARTS: usize = 1 << 14;
 const LARGEST: f64 = 1e100;
 /// Breaks closer than this (radians) count as one.
 const SAME_BREAK: f64 = 1e-13;
+/// Half the spacing of numbers near 2π: arguments are known no better.
+const ARGUMENT: f64 = 4.5e-16;
 /// Points per part at which the size of the function is first estimated.
 const SURVEY: usize = 64;
 
@@ -184,7 +186,7 @@ fn refine(
 ) -> Result<(), PiecewiseError> {
     let mut pending = vec![(a, b)];
     while let Some((a, b)) = pending.pop() {
-        let fit = interpolate(function, a, b, size)?;
+        let fit = interpolate(function, [a, b], size, ARGUMENT)?;
         if !fit.resolved {
             if b - a < SHORTEST * TAU || fits.len() + pending.len() > MOST_PARTS {
                 return Err(PiecewiseError::Unresolved { at: a });
@@ -201,7 +203,7 @@ fn refine(
         }
         let mut left = a;
         for right in cuts.into_iter().chain([b]) {
-            fits.push(interpolate(function, left, right, size)?);
+            fits.push(interpolate(function, [left, right], size, ARGUMENT)?);
             left = right;
         }
     }

@@ -1,6 +1,5 @@
 //! Interpolation of one smooth part at Chebyshev's points, turned into powers from its left end.
 
-use super::PiecewiseError;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -10,8 +9,6 @@ pub(super) const POINTS: usize = 16;
 const NOISE: f64 = 3e-16;
 /// A part is resolved when its last two coefficients are below this share of the largest value.
 const RESOLVED: f64 = 1e-15;
-/// Half the spacing of numbers near 2π: arguments are known no better.
-const ARGUMENT: f64 = 4.5e-16;
 /// Places between the interpolation points, as shares of the part, where the fit is checked.
 const CHECKS: [f64; 4] = [0.004, 0.171, 0.463, 0.921];
 
@@ -20,24 +17,31 @@ static COSINES: LazyLock<[f64; 4 * POINTS]> =
     LazyLock::new(|| std::array::from_fn(|n| libm::cos(PI * n as f64 / (2 * POINTS) as f64)));
 
 /// One part and its polynomial.
-pub(super) struct Fit {
+#[derive(Debug, Clone)]
+pub struct Fit {
     /// Left end.
     pub start: f64,
     /// Right end.
     pub end: f64,
     /// Coefficients of the powers of the distance from the left end.
     pub coefficients: Vec<f64>,
-    /// Whether the polynomial meets the function to rounding.
+    /// What the polynomial may miss: some roundings of the largest value, and of the argument where the function is steep.
+    pub tolerance: f64,
+    /// Whether at twenty points it misses no more.
     pub resolved: bool,
 }
 
-/// Interpolates on [a, b]. The points are inside, so that a jump at an end does no harm.
-pub(super) fn interpolate(
-    function: &impl Fn(f64) -> Result<f64, PiecewiseError>,
-    a: f64,
-    b: f64,
+/// Interpolates on [a, b] a function whose largest value is about `size` and whose arguments are known to `blur`. The points
+/// are inside, so that a jump at an end does no harm.
+///
+/// # Errors
+/// The function's.
+pub fn interpolate<E>(
+    function: &impl Fn(f64) -> Result<f64, E>,
+    [a, b]: [f64; 2],
     size: f64,
-) -> Result<Fit, PiecewiseError> {
+    blur: f64,
+) -> Result<Fit, E> {
     let (middle, half) = (0.5 * (a + b), 0.5 * (b - a));
     let cosines = &*COSINES;
     let node = |j: usize| cosines[2 * j + 1];
@@ -63,23 +67,25 @@ pub(super) fn interpolate(
             (values[j] - values[j - 1]).abs() / width
         })
         .fold(0.0, f64::max);
-    let blur = ARGUMENT * steepest;
+    let blur = blur * steepest;
     let tail = series[POINTS - 2].abs().max(series[POINTS - 1].abs());
     let used = 1 + series
         .iter()
         .rposition(|c| c.abs() > NOISE * size + 0.5 * blur)
         .unwrap_or(0);
     let coefficients = powers(&series[..used], b - a);
+    let tolerance = 4.0 * (RESOLVED * size + blur);
     let mut resolved = tail <= RESOLVED * size + blur;
     for check in CHECKS {
         let s = (b - a) * check;
         let fitted = coefficients.iter().rev().fold(0.0, |sum, c| sum * s + c);
-        resolved &= (function(a + s)? - fitted).abs() <= 4.0 * (RESOLVED * size + blur);
+        resolved &= (function(a + s)? - fitted).abs() <= tolerance;
     }
     Ok(Fit {
         start: a,
         end: b,
         coefficients,
+        tolerance,
         resolved,
     })
 }
