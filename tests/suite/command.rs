@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 use slipbook::ledger::Format;
+use std::f64::consts::PI;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -226,6 +227,18 @@ fn ids_are_taken_as_people_write_them() {
         ),
         ("s24-region", "may be s24-region-1, s24-region-2"),
         ("148", "there is no claim `148`"),
+        (
+            "2.1",
+            "`2.1` is no claim but a section: `slipbook list --section 2.1`",
+        ),
+        ("eq. 2.4", "slipbook list --section 2.4`"),
+        ("§3.1", "slipbook list --section 3.1`"),
+        ("13.5", "there is no claim `13.5`"),
+        ("1(3)", "there is no claim `1(3)`"),
+        ("-13", "there is no claim `-13`"),
+        ("(13", "there is no claim `(13`"),
+        ("1 3", "there is no claim `1 3`"),
+        ("0", "there is no claim `0`"),
         ("", "there is no claim ``"),
     ] {
         let output = slipbook(&["show", word]);
@@ -285,11 +298,49 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         ("find pi/", "missing at the end"),
         (
             "solve turntable --mu 0.4 --omega -3.5 --r 0.1 --speed 0.05 --psi 1",
-            "what the SI units given come to",
+            "omega = -3.5 must be",
         ),
         (
-            "solve sinusoidal --mu -0.4 --a0 1",
+            "solve sinusoidal --mu -0.4 --a0 1 --omega 1",
             "what the SI units given come to",
+        ),
+        // What is in SI units is in SI units altogether.
+        ("solve pulse --eta 1 --mu 0.4 --a0 1", "--omega"),
+        ("solve anisotropic --q 2 --mu 0.4 --a0 1", "--omega"),
+        (
+            "solve sphere --gamma 1 --radius 0.1 --u0 1 --theta0 1 --time 1",
+            "--radius",
+        ),
+        ("solve turntable --rho 1 --p 1 --psi 0 --omega 2", "--omega"),
+        // The number that was given has to be mended, not what it comes to.
+        (
+            "solve constant --mu 0.5 --accel 0 --v0 6 --theta0 0 --time 1",
+            "accel = 0 must be",
+        ),
+        (
+            "solve constant --mu 0.5 --accel 1e-300 --v0 6 --theta0 0 --time 1",
+            "accel = 1e-300 must be",
+        ),
+        (
+            "solve sphere --mu 0.08 --accel 0 --u0 5 --theta0 0 --time 1",
+            "accel = 0 must be",
+        ),
+        (
+            "solve sphere --mu 0 --accel 1 --u0 5 --theta0 0 --time 1",
+            "mu = 0 must be",
+        ),
+        (
+            "solve sinusoidal --mu 0.4 --a0 0 --omega 1",
+            "a0 = 0 must be",
+        ),
+        (
+            "solve turntable --rho 1 --p 1e-300 --psi 0",
+            "p = 0 μg/Ω at the time 0/Ω",
+        ),
+        // Two ways that have no digit in common are no answer.
+        (
+            "solve turntable --rho 1e-300 --p 1e-300 --psi 1 --time 1e-300",
+            "no digit of the answer is known",
         ),
         ("solve turntable --rho 1 --p 0 --psi 0 --alpha 3", "--alpha"),
         ("solve turntable --A 1 --alpha 1 --psi 0 --p 3", "--p"),
@@ -319,10 +370,13 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
 fn no_option_is_given_in_vain() {
     let cases = [
         ("constant --lambda 1 --v0 1 --theta0 1 --time 1", "g mu"),
-        ("sinusoidal --lambda0 0.5", "g mu a0"),
-        ("pulse --eta 0.5 --lambda0 0.5", "g mu a0"),
-        ("anisotropic --q 2 --lambda0 0.5", "g mu a0"),
-        ("sphere --gamma 1 --u0 1 --theta0 1 --time 1", "g mu accel"),
+        ("sinusoidal --lambda0 0.5", "g mu a0 omega"),
+        ("pulse --eta 0.5 --lambda0 0.5", "g mu a0 omega"),
+        ("anisotropic --q 2 --lambda0 0.5", "g mu a0 omega"),
+        (
+            "sphere --gamma 1 --u0 1 --theta0 1 --time 1",
+            "g mu accel radius",
+        ),
         (
             "turntable --rho 0.5 --p 0.1 --psi 1",
             "A alpha x y vx vy r speed mu omega g",
@@ -367,7 +421,7 @@ fn an_answer_is_text_json_or_a_table() {
     assert!((answer["v"].as_f64().unwrap() - 1.721_996_770_095_711).abs() < 1e-14);
     assert_eq!(answer["stop_time"], Value::Null);
     assert!(with(" --csv").starts_with(
-        "quantity,value,by_formula,by_motion,digits,note\nv,1.72199677009571,1.72199677009571,1.72199677009571,15,"
+        "quantity,value,unit,by_formula,by_motion,digits,note\nv,1.72199677009571,unit of v0,1.72199677009571,1.72199677009571,15,"
     ));
     assert!(with(" --plot").contains("v_y against v_x"));
 }
@@ -398,7 +452,7 @@ fn the_two_ways_of_an_answer_keep_their_names() {
         close(&json[way]["A"].to_string(), to);
     }
     close(&json["A"].to_string(), motion);
-    let ways = ["value", "by_formula", "by_motion"];
+    let ways = ["value", "unit", "by_formula", "by_motion"];
     for (form, parts) in [(&["--csv"][..], ','), (&[], ' ')] {
         let said = question(form)
             .replace("by formula", "by_formula")
@@ -411,8 +465,10 @@ fn the_two_ways_of_an_answer_keep_their_names() {
             head.next();
         }
         row.next();
-        assert!(head.by_ref().take(3).eq(ways), "{said}");
-        for to in [motion, formula, motion] {
+        assert!(head.by_ref().take(4).eq(ways), "{said}");
+        close(row.next().unwrap(), motion);
+        assert_eq!(row.next(), Some("dimensionless"));
+        for to in [formula, motion] {
             close(row.next().unwrap(), to);
         }
     }
@@ -784,7 +840,14 @@ fn an_ensemble_ends_as_its_particles_do() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let rows = text(&output.stdout);
     let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split(',').collect()).collect();
-    let head = ["rho", "p", "psi", "outcome", "sigma", "tau"];
+    let head = [
+        "rho (μg/Ω²)",
+        "p (μg/Ω)",
+        "psi (rad)",
+        "outcome",
+        "sigma (μg/Ω²)",
+        "tau (1/Ω)",
+    ];
     assert_eq!(rows[0][..6], head);
     assert_eq!(rows[0][6..], ["sigma_digits", "tau_digits", "note"]);
     assert_eq!(rows.len(), 7);
@@ -925,6 +988,49 @@ fn a_bad_point_of_a_grid_is_a_row_that_says_why() {
     assert_eq!(rows.matches("must be between").count(), 2, "{rows}");
 }
 
+/// How many, and an exit code of its own where there is no other row.
+#[test]
+fn refused_rows_are_counted() {
+    let constant = "solve constant --lambda 1 --v0 1 --time 1 --theta0";
+    for (line, told, code) in [
+        (format!("{constant} 4:5:2"), "2 of 2 rows refused", 2),
+        (format!("{constant} 3:5:3"), "2 of 3 rows refused", 0),
+        (
+            format!("{constant} 3:5:3 --shard 2/2"),
+            "2 of 2 rows refused",
+            2,
+        ),
+        (format!("{constant} 1:2:3"), "", 0),
+        (
+            "ensemble --rho -2:-1:2 --p 1 --psi 0".into(),
+            "2 of 2 rows refused",
+            2,
+        ),
+        (
+            "ensemble --rho -1:1:3 --p 1 --psi 0".into(),
+            "1 of 3 rows refused",
+            0,
+        ),
+    ] {
+        for form in ["", " --csv", " --json"] {
+            if line.contains("--shard") && form.is_empty() {
+                continue;
+            }
+            let line = format!("{line}{form}");
+            let output = slipbook(&line.split(' ').collect::<Vec<_>>());
+            assert_eq!(output.status.code(), Some(code), "{line}");
+            assert_eq!(
+                text(&output.stderr).contains(" rows refused"),
+                !told.is_empty()
+            );
+            assert!(text(&output.stderr).contains(told), "{line}");
+            if form == " --json" && !line.contains("--shard") {
+                serde_json::from_slice::<Value>(&output.stdout).unwrap();
+            }
+        }
+    }
+}
+
 #[test]
 fn a_sweep_has_a_row_for_each_point_as_asked_alone() {
     let said = |line: &str| {
@@ -934,7 +1040,10 @@ fn a_sweep_has_a_row_for_each_point_as_asked_alone() {
     };
     let rows = said("solve constant --lambda 0.5:1.5:3 --v0 1 --theta0 1:1.5:2 --time 0.25 --csv");
     assert!(
-        rows.starts_with("lambda,theta0,v,theta,t,vx,vy,stop_time,digits,note\n"),
+        rows.starts_with(
+            "lambda (dimensionless),theta0 (rad),v (unit of v0),theta (rad),t (unit of v0/A),vx (unit of v0),vy (unit of v0),\
+             stop_time (unit of v0/A),digits,note\n"
+        ),
         "{rows}"
     );
     let rows: Vec<Vec<&str>> = rows.lines().map(|row| row.split(',').collect()).collect();
@@ -995,35 +1104,170 @@ fn the_parts_of_a_grid_make_the_whole() {
     }
 }
 
+/// By hand in SI units: a ball on a level plane slips 7μgt/2 less; with λ = 7μg/(2A), rolling begins at
+/// u₀(λ + cos θ₀)/(A(λ² − 1)). On the table by SciPy in metres and seconds.
 #[test]
-fn units_are_those_that_are_named() {
-    let said = |line: &str| -> Value {
-        serde_json::from_slice(&slipbook(&line.split(' ').collect::<Vec<_>>()).stdout).unwrap()
-    };
-    for (si, paper) in [
+fn what_is_asked_in_si_units_is_answered_in_them() {
+    let lambda = 3.5 * 0.2 * 9.80665 / 3.0;
+    let rolls_at = (lambda + libm::cos(1.0)) / (3.0 * (lambda * lambda - 1.0));
+    // The spin takes 5/7 of the way from 0 to 5 m/s on the rim.
+    let ball = "sphere --mu 0.08 --g 9.8 --accel 1e-12 --u0 5 --theta0 0 --time";
+    let table = "turntable --mu 0.25 --omega 5 --r 0.12 --speed 0.2 --psi 2 --time 0.2";
+    let at_rest = "turntable --mu 0.4 --omega 3.5 --r 0.1 --speed 0.05 --psi 30deg";
+    let drive = "--mu 0.3 --g 10 --a0 5 --omega 2";
+    for (line, name, right, unit) in [
+        (format!("{ball} 1.5"), "u", 0.884, "m/s"),
         (
-            "constant --mu 0.3 --g 10 --accel 2 --v0 1 --theta0 90deg --time 0.1",
-            "constant --lambda 1.5 --accel 2 --v0 1 --theta0 pi/2 --time 0.1",
+            format!("{ball} 1.5"),
+            "rolls_at",
+            5.0 / (3.5 * 0.08 * 9.8),
+            "s",
+        ),
+        (format!("{ball} 1.5"), "tau", 1.5, "s"),
+        (format!("{ball} 9"), "zeta_y", 25.0 / 7.0, "m/s"),
+        (
+            format!("{ball} 9 --radius 0.1"),
+            "zeta_y",
+            250.0 / 7.0,
+            "1/s",
         ),
         (
-            "sinusoidal --mu 0.3 --g 10 --a0 5",
-            "sinusoidal --lambda0 0.6",
+            "sphere --mu 0.2 --accel 3 --u0 1 --theta0 1 --time 0.1".into(),
+            "rolls_at",
+            rolls_at,
+            "s",
+        ),
+        (table.into(), "rho", 0.129_970_309_805_0, "m"),
+        (table.into(), "p", 0.120_287_880_7, "m/s"),
+        (at_rest.into(), "sigma", 0.1004, "m"),
+        (at_rest.into(), "tau_rest", 0.0178, "s"),
+        (
+            "constant --mu 0.5 --g 9.81 --accel 1e-9 --v0 6 --theta0 0 --time 1".into(),
+            "v",
+            6.0 - 0.5 * 9.81,
+            "m/s",
         ),
         (
-            "sphere --mu 0.1 --g 10 --accel 2 --u0 1 --theta0 1 --time 0.3",
-            "sphere --gamma 2 --u0 1 --theta0 1 --time 0.3",
+            "constant --mu 0.5 --g 9.81 --accel 1e-9 --v0 6 --theta0 0 --time 1".into(),
+            "stop_time",
+            6.0 / (0.5 * 9.81),
+            "s",
         ),
-        // μg/Ω² = 1 m, μg/Ω = 2 m/s.
+        // With λ₀ = 3/5, A₀/ω = 2.5 m/s and A₀/ω² = 1.25 m: pulses drive for ηπ/ω at A₀ − μg.
         (
-            "turntable --mu 0.4 --g 10 --omega 2 --r 0.5 --speed 0.6 --psi 1",
-            "turntable --rho 0.5 --p 0.3 --psi 1",
+            format!("pulse --eta 0.5 {drive}"),
+            "w_max",
+            2.0 * 0.25 * PI,
+            "m/s",
+        ),
+        (
+            format!("sinusoidal {drive}"),
+            "w_max",
+            2.5 * 0.487_245_738_398,
+            "m/s",
+        ),
+        (
+            format!("sinusoidal {drive}"),
+            "positive_start",
+            libm::asin(0.6),
+            "rad",
+        ),
+        (
+            format!("sinusoidal {drive}"),
+            "rest_fraction",
+            0.083_282_234_656,
+            "dimensionless",
+        ),
+        // A slip forward alone, (31) integrated over its length.
+        (
+            format!("anisotropic --q 2 {drive}"),
+            "drift_per_period",
+            1.25 * 0.788_372_108_748,
+            "m",
         ),
     ] {
+        let answer: Value = serde_json::from_slice(
+            &slipbook(
+                &format!("solve {line} --json")
+                    .split(' ')
+                    .collect::<Vec<_>>(),
+            )
+            .stdout,
+        )
+        .unwrap();
+        let found = answer[name].as_f64().unwrap();
+        let written = format!("{right}");
+        let places = written.split('.').nth(1).map_or(0, str::len).min(9);
+        let room = 0.6 * libm::pow(10.0, -(places as f64));
+        assert!(
+            (found - right).abs() < room,
+            "{line}: {name} = {found}, {right}"
+        );
+        assert_eq!(answer["units"][name], unit, "{line}");
+        assert_eq!(answer["digits"], 15, "{line}");
+        // The same in all forms, in a sweep too.
+        let table = text(&slipbook(&format!("solve {line}").split(' ').collect::<Vec<_>>()).stdout);
+        let mut rows = table.lines().map(|row| row.split_whitespace());
+        let mut row = rows
+            .find_map(|mut row| (row.next() == Some(name)).then_some(row))
+            .unwrap();
         assert_eq!(
-            said(&format!("solve {si} --json")),
-            said(&format!("solve {paper} --json"))
+            (row.next().unwrap().parse(), row.next()),
+            (Ok(found), Some(unit))
         );
     }
+    let swept = "solve turntable --mu 0.25 --omega 5 --r 0.1:0.12:2 --speed 0.2 --psi 2 --time 0.2";
+    let rows = text(&slipbook(&format!("{swept} --csv").split(' ').collect::<Vec<_>>()).stdout);
+    assert!(
+        rows.starts_with(
+            "r (m),x (m),y (m),vx (m/s),vy (m/s),rho (m),p (m/s),psi (rad),digits,note\n0.1,"
+        ) && rows.contains(",0.12997030980"),
+        "{rows}"
+    );
+    let answers: Value = serde_json::from_slice(
+        &slipbook(&format!("{swept} --json").split(' ').collect::<Vec<_>>()).stdout,
+    )
+    .unwrap();
+    assert_eq!(answers["units"]["r"], "m");
+    assert_eq!(answers["answers"][1]["answer"]["units"]["p"], "m/s");
+    let plot = text(
+        &slipbook(
+            &format!("solve {at_rest} --plot")
+                .split(' ')
+                .collect::<Vec<_>>(),
+        )
+        .stdout,
+    );
+    assert!(
+        plot.contains("y (m) against x (m)") && plot.contains("0.1"),
+        "{plot}"
+    );
+    // In the paper's units each number has its own.
+    for (line, units) in [
+        (
+            "sphere --gamma 2 --u0 1 --theta0 1 --time 0.3",
+            "√(μgR) √(R/(μg)) √(μg/R) rad",
+        ),
+        (
+            "turntable --rho 0.5 --p 0.3 --psi 1 --time 1",
+            "μg/Ω² μg/Ω rad",
+        ),
+        ("turntable --rho 0.5 --p 0.3 --psi 1", "μg/Ω² 1/Ω"),
+        ("anisotropic --q 2 --lambda0 0.45", "rad A₀/ω²"),
+        ("sinusoidal --lambda0 0.7", "rad A₀/ω dimensionless"),
+    ] {
+        let said = text(&slipbook(&format!("solve {line}").split(' ').collect::<Vec<_>>()).stdout);
+        for unit in units.split(' ') {
+            assert!(
+                said.contains(&format!(" {unit} ")),
+                "{line}: {unit}\n{said}"
+            );
+        }
+    }
+}
+
+#[test]
+fn angles_are_in_radians_unless_they_name_degrees() {
     let refused = slipbook(
         &"solve constant --lambda 1 --v0 1 --theta0 120 --time 1"
             .split(' ')
@@ -1200,10 +1444,11 @@ fn a_table_and_its_json_say_the_same() {
         let mut compared = 0;
         for (line, answer) in lines.zip(answers) {
             for (name, cell) in head.iter().zip(line) {
+                let name = name.split(" (").next().unwrap();
                 let evidence = answer["evidence"].as_array().map(Vec::as_slice);
                 let expected = match &answer[name] {
                     // LaTeX there, plain text here.
-                    _ if ["formula", "meaning"].contains(&name.as_str()) => continue,
+                    _ if ["formula", "meaning"].contains(&name) => continue,
                     Value::Null if name == "points" => {
                         let points = evidence
                             .unwrap()
