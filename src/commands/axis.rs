@@ -136,8 +136,8 @@ impl Point {
     pub(super) fn size(&mut self, name: &'static str, axis: &Axis) -> Double {
         let number = self.on(name, axis);
         let value = number.into();
-        if !(1e-100..=1e100).contains(&value) {
-            let allowed = "between 1e-100 and 1e100".to_owned();
+        if !(1e-50..=1e50).contains(&value) {
+            let allowed = "between 1e-50 and 1e50".to_owned();
             let refused = SolveError::Parameter {
                 name,
                 value,

@@ -51,13 +51,11 @@ impl Question {
         if report.digits == Some(0) {
             return Err(SolveError::Unknown);
         }
-        for field in &report.fields {
-            let fit = |x: f64| x == 0.0 || x.is_normal();
-            if matches!(field.value, Value::Number(x) if !fit(x)) {
-                return Err(SolveError::NotFinite { name: field.name });
-            }
+        let large = |field: &&Field| matches!(field.value, Value::Number(x) if !x.is_finite());
+        match report.fields.iter().find(large) {
+            Some(field) => Err(SolveError::NotFinite { name: field.name }),
+            None => Ok(report),
         }
-        Ok(report)
     }
 
     pub(super) fn curve(&self) -> Result<Curve, SolveError> {

@@ -138,8 +138,8 @@ pub struct Field {
     unseen: f64,
 }
 
-/// What is a difference of numbers of size 1 and less than this has digits of its own, but fewer than fifteen.
-const SMALL: f64 = 1e-13;
+/// Of what is a difference of numbers of size 1 and less than this, [`ROUNDED`] leaves fewer than fifteen digits.
+const SMALL: f64 = 2e-14;
 
 /// Below this nothing is left of the second half of a number of twice the width.
 const LOST: f64 = 1e-310;

@@ -4,6 +4,7 @@ use super::*;
 use crate::claims::anisotropic::simulated::Curves;
 use crate::claims::solve::{anisotropic, periodic, sinusoidal};
 use crate::paper::anisotropic::region;
+use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
 
 #[test]
@@ -300,9 +301,7 @@ fn where_two_regimes_meet_only_the_name_is_undecided() {
         ("1e-20", "0.5", "two-rests"),
     ] {
         let [eta, lambda0] = [eta, lambda0].map(|x| x.parse::<Double>().unwrap());
-        let answer = periodic::PeriodicProblem { eta, lambda0 }
-            .solve()
-            .unwrap();
+        let answer = periodic::PeriodicProblem { eta, lambda0 }.solve().unwrap();
         assert_eq!((word(&answer), answer.digits), (regime, Some(15)));
     }
     // The drift between equal frictions, (q − 1) times 0.3 of a unit.
