@@ -27,17 +27,6 @@ pub(super) enum Asked {
     Boundary(rest::BoundaryProblem<Double>),
 }
 
-impl From<Asked> for Question {
-    /// Asked in the paper's units.
-    fn from(asked: Asked) -> Self {
-        Self {
-            asked,
-            units: Vec::new(),
-            refused: None,
-        }
-    }
-}
-
 impl Question {
     /// The answer in the units that it is asked in.
     ///

@@ -877,7 +877,11 @@ mod tests {
             let matches = command.try_get_matches_from(line.split(' ')).unwrap();
             let problem = Solve::from_arg_matches(&matches).unwrap().problem;
             let question = problem.question(&mut Point::new(0));
-            let asked = Question::from(asked);
+            let asked = Question {
+                asked,
+                units: Vec::new(),
+                refused: None,
+            };
             assert_eq!(question.asked.name(), asked.asked.name(), "{line}");
             assert_eq!(
                 question.report().unwrap(),
