@@ -15,7 +15,7 @@ fn slipbook(arguments: &[&str]) -> Output {
 
 /// The command with the words of a line.
 fn asked(line: &str) -> Output {
-    asked(&line)
+    slipbook(&line.split(' ').collect::<Vec<_>>())
 }
 
 fn text(bytes: &[u8]) -> String {
