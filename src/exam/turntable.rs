@@ -76,7 +76,7 @@ pub(super) const PLACE_OF_REST: Task = Task {
         Fate::Rest { sigma, .. } => Ok(Answer::Number(sigma)),
         _ => Err(ExamError::Missing("rest")),
     },
-    other: Other::Within(|| match fate_put_down(Interval::point(0.5), 1e-12)? {
+    other: Other::Within(|| match fate_put_down(Interval::point(0.5), 1e-13)? {
         Proved::Rest { sigma, .. } => Ok(sigma),
         Proved::Escape { .. } => Err(CertifiedError::unproved("it escapes", &[])),
     }),
