@@ -26,7 +26,7 @@ table = ends.pivot(index="p", columns="psi", values="settled")
 figure, axes = plt.subplots()
 colours = axes.pcolormesh(table.columns, table.index, table.to_numpy(), shading="nearest")
 figure.colorbar(colours, label="distance from the axis at rest (μg/Ω²)")
-axes.set(xlabel="ψ (radians)", ylabel="p (μg/Ω)", title=f"{(ends.outcome == 'rest').mean():.0%} come to rest")
+axes.set(xlabel="ψ (radians)", ylabel="p", title=f"{(ends.outcome == 'rest').mean():.0%} come to rest")
 figure.savefig(f"{FOLDER}/rest.png", dpi=150)
 
 # The shaken particle: above the critical friction it rests twice in each period.

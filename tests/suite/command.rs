@@ -243,6 +243,7 @@ fn ids_are_taken_as_people_write_them() {
         ("(13", "there is no claim `(13`"),
         ("1 3", "there is no claim `1 3`"),
         ("0", "there is no claim `0`"),
+        ("24-y", "there is no claim `24-y`"),
         ("", "there is no claim ``"),
     ] {
         let output = slipbook(&["show", word]);

@@ -203,16 +203,13 @@ fn answers_at_special_points_have_the_types_described() {
         "turntable --x 0 --y 0 --vx 0 --vy 0 --time 2",
         "turntable-boundary --alpha 0 --psi pi",
     ] {
-        let named = line.split(' ').next().unwrap();
-        let of = |command: &&str| {
-            command.starts_with(&format!("solve {named} "))
-                && command.contains("--time") == line.contains("--time")
-                || command.starts_with(&format!("solve {named} ")) && named != "turntable"
+        let problem = line.split(' ').next().unwrap();
+        let id = match line.contains("--time") && problem == "turntable" {
+            true => "{#solve-turntable-time}".to_owned(),
+            false => format!("{{#solve-{problem}}}"),
         };
-        let section = sections
-            .iter()
-            .find(|s| s.commands.iter().any(|c| of(&c)))
-            .unwrap();
+        let mut found = sections.iter();
+        let section = found.find(|s| s.heading.ends_with(&id)).unwrap();
         let answer = written(&format!("solve {line} --json"));
         for (name, kinds) in &section.described {
             let mut shape = Shape::new();

@@ -61,13 +61,15 @@ fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
     let begins = |id: &&str| id.to_lowercase().starts_with(&plain);
     let within = |id: &&str| id.to_lowercase().contains(&plain);
     let mut some: Vec<_> = ids().filter(begins).collect();
-    if some.is_empty() {
+    // A part of a number is none of an id.
+    let word_like = plain.starts_with(char::is_alphabetic);
+    if some.is_empty() && word_like {
         some = ids().filter(within).collect();
     }
     match &some[..] {
         // Digits alone are a number, not a part of one.
         [id] if !plain.ends_with(|c: char| c.is_ascii_digit()) => Ok(id),
-        several if several.len() > 1 && plain.contains(char::is_alphabetic) && number.is_none() => {
+        several if several.len() > 1 && word_like && number.is_none() => {
             let shown: Vec<_> = several.iter().take(NAMED).copied().collect();
             let more = if several.len() > NAMED { ", …" } else { "" };
             Err(format!("`{word}` may be {}{more}", shown.join(", ")).into())
