@@ -1,6 +1,6 @@
 //! Numbers of the command line: one, or equally spaced ones; and the grid that several such make.
 
-use crate::claims::solve::Double;
+use crate::claims::solve::{Double, SolveError};
 use crate::numerics::error::plain;
 use crate::numerics::expression::expression;
 use std::str::FromStr;
@@ -107,6 +107,8 @@ pub(super) struct Point {
     pub(super) total: Option<u64>,
     /// Names and numbers of the axes that have more than one.
     pub(super) swept: Vec<(&'static str, f64)>,
+    /// What is wrong with one of the numbers, if there is.
+    pub(super) refused: Option<SolveError>,
 }
 
 impl Point {
@@ -115,6 +117,7 @@ impl Point {
             index,
             total: Some(1),
             swept: Vec::new(),
+            refused: None,
         }
     }
 
@@ -125,6 +128,22 @@ impl Point {
         self.total = self.total.and_then(|total| total.checked_mul(axis.count));
         if axis.count > 1 {
             self.swept.push((name, number.into()));
+        }
+        number
+    }
+
+    /// The same of a quantity in SI units that others are measured by: positive, of a size that leaves them numbers.
+    pub(super) fn size(&mut self, name: &'static str, axis: &Axis) -> Double {
+        let number = self.on(name, axis);
+        let value = number.into();
+        if !(1e-50..=1e50).contains(&value) {
+            let allowed = "between 1e-50 and 1e50".to_owned();
+            let refused = SolveError::Parameter {
+                name,
+                value,
+                allowed,
+            };
+            self.refused.get_or_insert(refused);
         }
         number
     }

@@ -2,12 +2,14 @@
 //! their way.
 
 use super::axis::{Axis, Point, is_it_degrees};
-use crate::claims::solve::turntable::{End, Horizon, MotionError, Start};
-use crate::claims::solve::{Double, known};
+use super::sweep::told;
+use crate::claims::solve::turntable::{End, Horizon, LENGTH, MotionError, SPEED, Start, TIME};
+use crate::claims::solve::{Double, RADIANS, head, known};
 use crate::numerics::error::plain as number;
 use clap::Args;
 use rayon::prelude::*;
 use serde_json::json;
+use std::collections::BTreeMap;
 use std::io::{self, BufWriter, ErrorKind, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -32,7 +34,7 @@ pub(super) struct Ensemble {
     /// Angles ψ from the velocity to the position, in radians; `120deg` are degrees
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     psi: Axis,
-    /// Distance at which a particle counts as gone
+    /// Distance at which a particle counts as gone, in units of μg/Ω²
     #[arg(
         long,
         value_name = "RHO",
@@ -52,6 +54,15 @@ pub(super) struct Ensemble {
     #[arg(long, value_name = "K/N")]
     shard: Option<Shard>,
 }
+
+/// The units of a row's numbers.
+const UNITS: [(&str, &str); 5] = [
+    ("rho", LENGTH),
+    ("p", SPEED),
+    ("psi", RADIANS),
+    ("sigma", LENGTH),
+    ("tau", TIME),
+];
 
 /// How many ended how.
 #[derive(Debug, Default)]
@@ -117,8 +128,9 @@ impl Ensemble {
             Ok(counts) => {
                 let range = shard.range(total);
                 let of = range.end - range.start;
+                let code = told(counts.bad, counts.done);
                 if counts.done == of {
-                    return Ok(0);
+                    return Ok(code);
                 }
                 let done = counts.done;
                 complain("slipbook", &format!("stopped after {done} of {of} starts"));
@@ -253,11 +265,21 @@ impl<W: Write> Writer<W> {
         match self.format {
             _ if !self.shard.is_first() => Ok(()),
             Format::Text => Ok(()),
-            Format::Csv => writeln!(
-                self.out,
-                "rho,p,psi,outcome,sigma,tau,sigma_digits,tau_digits,note"
-            ),
-            Format::Json => write!(self.out, "{{\n  \"version\": {VERSION},\n  \"ends\": ["),
+            Format::Csv => {
+                let [rho, p, psi, sigma, tau] = UNITS.map(|(name, unit)| head(name, unit));
+                writeln!(
+                    self.out,
+                    "{rho},{p},{psi},outcome,{sigma},{tau},sigma_digits,tau_digits,note"
+                )
+            }
+            Format::Json => {
+                let units: BTreeMap<_, _> = UNITS.into();
+                let units = json!(units);
+                write!(
+                    self.out,
+                    "{{\n  \"version\": {VERSION},\n  \"units\": {units},\n  \"ends\": ["
+                )
+            }
         }
     }
 

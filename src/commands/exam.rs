@@ -52,6 +52,7 @@ impl Exam {
                     "given",
                     "question",
                     "answer",
+                    "unit",
                     "error",
                     "basis",
                     "by_motion",
@@ -95,7 +96,7 @@ fn text(task: &Task, sat: &Sat) -> String {
         task.id,
         task.setup,
         task.question,
-        sat.text(),
+        format!("{} {}", sat.text(), task.unit).trim_end(),
         basis(sat.basis)
     )
 }
@@ -112,6 +113,7 @@ fn value(task: &Task, sat: &Sat) -> Value {
         "given": given,
         "question": task.question,
         "answer": sat.answer,
+        "unit": task.unit,
         "error": sat.error,
         "basis": sat.basis,
         "by_motion": sat.motion,
@@ -128,6 +130,7 @@ fn row(task: &Task, sat: &Sat) -> Vec<String> {
         given(task),
         task.question.to_owned(),
         answer(&sat.answer),
+        task.unit.to_owned(),
         error(sat),
         basis(sat.basis).to_owned(),
         answer(&sat.motion),
@@ -149,7 +152,7 @@ mod tests {
         let task = &TASKS[0];
         let row = row(task, &sat);
         assert_eq!(row[..3], [task.id, &given(task), task.question]);
-        assert_eq!(row[3..], ["0.25", "2.0e-3", "certified", "0.5"]);
+        assert_eq!(row[3..], ["0.25", "v₀/A", "2.0e-3", "certified", "0.5"]);
         let value = value(task, &sat);
         let mut expected = object!({
             "task": task.id,
@@ -157,6 +160,7 @@ mod tests {
             "given": {},
             "question": task.question,
             "answer": 0.25,
+            "unit": "v₀/A",
             "error": 2e-3,
             "basis": "certified",
             "by_motion": 0.5,
@@ -165,6 +169,6 @@ mod tests {
             expected["given"][*name] = object!(given);
         }
         assert_eq!(value, expected);
-        assert!(text(task, &sat).ends_with("0.25   (certified within 2.0e-3)"));
+        assert!(text(task, &sat).ends_with("0.25 v₀/A   (certified within 2.0e-3)"));
     }
 }

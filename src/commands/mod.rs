@@ -21,6 +21,7 @@ pub const ALL: [Command; 3] = [
                     "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot\n  slipbook solve sinusoidal --lambda0 0.1:1:10 --csv\n\n\
                      A number may be an expression: pi/2, 120deg, 2/sqrt(4+pi^2). LOW:HIGH:COUNT in the place of a number asks at COUNT \
                      equally spaced ones; several such make a grid, the last one running fastest.\n\n\
+                     Each number of an answer has its unit. With --mu all that is given and answered is in SI units, else in the paper's.\n\n\
                      A number of up to 15 digits is taken as it stands, a longer one as the floating-point number next to it.",
                 )
         },

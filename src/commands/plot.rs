@@ -101,7 +101,8 @@ pub(super) fn as_text(curve: &Curve) -> String {
             cells[y / 4 * SIZE[0] + x / 2] |= DOTS[y % 4][x % 2];
         }
     }
-    let mut text = format!("\n{}: {} against {}\n", curve.title, curve.y, curve.x);
+    let [x, y] = curve.labels();
+    let mut text = format!("\n{}: {y} against {x}\n", curve.title);
     // What is nothing beside the other end of its axis is rounding.
     let short = |axis: usize, end: fn((f64, f64)) -> f64| {
         let (low, high) = ranges[axis];
@@ -143,6 +144,7 @@ mod tests {
             title: "A line",
             x: "x",
             y: "y",
+            units: ["m"; 2],
             equal: false,
             points: points.into(),
         };

@@ -1,12 +1,20 @@
 //! What is asked of a calculator at one point of a grid.
 
 use crate::claims::solve::{
-    Curve, Double, Report, SolveError, anisotropic, constant, periodic, rest, sinusoidal, sphere,
-    turntable,
+    Curve, Double, Field, Report, SolveError, Unit, Value, anisotropic, constant, periodic, rest,
+    sinusoidal, sphere, turntable,
 };
 
-/// A calculator with its parameters.
-pub(super) enum Question {
+/// A calculator with its parameters, and what the paper's units are in SI where it is asked in SI.
+pub(super) struct Question {
+    pub(super) asked: Asked,
+    pub(super) units: Vec<Unit>,
+    /// Why it is none.
+    pub(super) refused: Option<SolveError>,
+}
+
+/// A calculator with its parameters, in the paper's units.
+pub(super) enum Asked {
     Constant(constant::ConstantProblem<Double>),
     Sinusoidal(sinusoidal::SinusoidalProblem<Double>),
     Pulse(periodic::PeriodicProblem<Double>),
@@ -20,6 +28,40 @@ pub(super) enum Question {
 }
 
 impl Question {
+    /// The answer in the units that it is asked in.
+    ///
+    /// # Errors
+    /// [`SolveError`] where there is none, where no digit of it is known, or where it is no number in SI.
+    pub(super) fn report(&self) -> Result<Report, SolveError> {
+        if let Some(refused) = &self.refused {
+            return Err(refused.clone());
+        }
+        let report = self.asked.report(&self.units)?;
+        if report.digits == Some(0) {
+            return Err(SolveError::Unknown);
+        }
+        let large = |field: &&Field| matches!(field.value, Value::Number(x) if !x.is_finite());
+        match report.fields.iter().find(large) {
+            Some(field) => Err(SolveError::NotFinite { name: field.name }),
+            None => Ok(report),
+        }
+    }
+
+    pub(super) fn curve(&self) -> Result<Curve, SolveError> {
+        Ok(self.asked.curve()?.in_si(&self.units))
+    }
+
+    /// The heads of the columns of what it asks for; they do not depend on the parameters.
+    ///
+    /// # Errors
+    /// None: the parameters at which it looks are in range.
+    pub(super) fn heads(&self) -> Result<Vec<String>, SolveError> {
+        let fields = self.asked.easy().report(&self.units)?.fields;
+        Ok(fields.iter().map(Field::head).collect())
+    }
+}
+
+impl Asked {
     /// Its name on the command line.
     pub(super) fn name(&self) -> &'static str {
         match self {
@@ -33,21 +75,21 @@ impl Question {
         }
     }
 
-    pub(super) fn report(&self) -> Result<Report, SolveError> {
+    fn report(&self, units: &[Unit]) -> Result<Report, SolveError> {
         let name = self.name();
         Ok(match self {
-            Self::Constant(given) => given.solve()?.report(name),
-            Self::Sinusoidal(given) => given.solve()?.report(name),
-            Self::Pulse(given) => given.solve()?.report(name),
-            Self::Anisotropic(given) => given.solve()?.report(name),
-            Self::Sphere(given) => given.solve()?.report(name),
-            Self::Fate(given) => given.fate()?.report(name),
-            Self::Moment(given, time) => given.at(*time)?.report(name),
-            Self::Boundary(given) => given.solve()?.report(name),
+            Self::Constant(given) => given.solve()?.report_in(name, units),
+            Self::Sinusoidal(given) => given.solve()?.report_in(name, units),
+            Self::Pulse(given) => given.solve()?.report_in(name, units),
+            Self::Anisotropic(given) => given.solve()?.report_in(name, units),
+            Self::Sphere(given) => given.solve()?.report_in(name, units),
+            Self::Fate(given) => given.fate()?.report_in(name, units),
+            Self::Moment(given, time) => given.at(*time)?.report_in(name, units),
+            Self::Boundary(given) => given.solve()?.report_in(name, units),
         })
     }
 
-    pub(super) fn curve(&self) -> Result<Curve, SolveError> {
+    fn curve(&self) -> Result<Curve, SolveError> {
         match self {
             Self::Constant(given) => given.curve(),
             Self::Sinusoidal(given) => given.curve(),
@@ -60,18 +102,15 @@ impl Question {
         }
     }
 
-    /// The names of the quantities that it asks for; they do not depend on the parameters.
-    ///
-    /// # Errors
-    /// None: the parameters at which it looks are in range.
-    pub(super) fn quantities(&self) -> Result<Vec<&'static str>, SolveError> {
+    /// The same calculator at parameters that are in range.
+    fn easy(&self) -> Self {
         let [half, one] = [0.5, 1.0].map(Double::from);
         let start = turntable::TurntableProblem::Polar {
             rho: half,
             p: half,
             psi: one,
         };
-        let easy = match self {
+        match self {
             Self::Constant(_) => Self::Constant(constant::ConstantProblem {
                 lambda: half,
                 v0: one,
@@ -103,9 +142,7 @@ impl Question {
                 alpha: half,
                 psi: one,
             }),
-        };
-        let fields = easy.report()?.fields;
-        Ok(fields.iter().map(|field| field.name).collect())
+        }
     }
 }
 
@@ -120,11 +157,11 @@ mod tests {
         let fate = start.fate().unwrap().best;
         let there = start.at(time).unwrap().best;
         assert!(fate.tau_rest.unwrap() > 2.0 * 0.2);
-        let end = |question: Question| *question.curve().unwrap().points.last().unwrap();
-        let [x, y] = end(Question::Moment(start, time));
+        let end = |asked: Asked| *asked.curve().unwrap().points.last().unwrap();
+        let [x, y] = end(Asked::Moment(start, time));
         let off = libm::hypot(x - there.position[0], y - there.position[1]);
         assert!(off < 1e-9, "{off}");
-        let [x, y] = end(Question::Fate(start));
+        let [x, y] = end(Asked::Fate(start));
         assert!((libm::hypot(x, y) - fate.sigma.unwrap()).abs() < 1e-9);
     }
 }

@@ -1,19 +1,20 @@
 //! The command `solve`: the calculators of [`crate::claims::solve`].
 
 use super::axis::{Axis, Point, is_it_degrees};
-use super::question::Question;
-use super::{plot, sweep};
+use super::plot;
+use super::question::{Asked, Question};
+use super::sweep::{self, aligned};
 use crate::claims::solve::constant::At;
 use crate::claims::solve::turntable::MotionError;
 use crate::claims::solve::{
-    Double, Field, Report, SolveError, Value, anisotropic, constant, periodic, rest, sinusoidal,
-    sphere, turntable,
+    DIMENSIONLESS, Double, Field, RADIANS, Report, SolveError, Unit, Value, anisotropic, constant,
+    periodic, rest, sinusoidal, sphere, turntable,
 };
 use crate::numerics::error::plain as number;
 use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;
-use trialbook::cli::{Shard, complain, csv, json, say, show};
+use trialbook::cli::{Shard, complain, csv, json, say, screen, show};
 use trialbook::edition::{Failure, Format};
 
 /// A calculator.
@@ -58,7 +59,7 @@ enum Problem {
     /// The large-time motion under a sinusoidal drive
     #[command(after_help = "Examples:
   slipbook solve sinusoidal --lambda0 0.7 --plot
-  slipbook solve sinusoidal --mu 0.3 --a0 5 --json")]
+  slipbook solve sinusoidal --mu 0.3 --a0 5 --omega 2*pi --json")]
     Sinusoidal(Friction),
     /// The large-time motion under a train of pulses
     #[command(after_help = "Example:\n  slipbook solve pulse --eta 0.5 --lambda0 0.3")]
@@ -79,16 +80,16 @@ enum Problem {
         friction: Friction,
     },
     /// A sphere that starts without spin on a plane of constant acceleration
-    #[command(
-        after_help = "Example:\n  slipbook solve sphere --gamma 2 --u0 1 --theta0 1 --time 0.3"
-    )]
+    #[command(after_help = "Examples:
+  slipbook solve sphere --gamma 2 --u0 1 --theta0 1 --time 0.3
+  slipbook solve sphere --mu 0.08 --accel 0.1 --u0 5 --theta0 0 --time 1.5")]
     Sphere(Box<Sphere>),
     /// A particle on a turntable: rest or escape, or its state at a time
     #[command(after_help = "Examples:
   slipbook solve turntable --rho 0.5 --p 0.3 --psi 1
   slipbook solve turntable --A 0.8 --alpha 0.1 --psi 0.2 --plot path.svg
   slipbook solve turntable --x 0.5 --y 0 --vx 0.1 --vy -0.2 --time 0.4
-  slipbook solve turntable --mu 0.4 --omega 3.5 --r 0.1 --speed 0.05 --psi 30deg")]
+  slipbook solve turntable --mu 0.4 --omega 3.5 --r 0.1 --speed 0.05 --psi 30deg --time 0.01")]
     Turntable(Box<Turntable>),
     /// Where rest and escape meet on a turntable
     #[command(after_help = "Example:\n  slipbook solve turntable-boundary --alpha 0.5 --psi 1")]
@@ -102,13 +103,16 @@ enum Problem {
     },
 }
 
+/// The unit of an acceleration that is given beside λ.
+const ACCELERATION: &str = "unit of A";
+
 /// The acceleration of gravity where nobody says another, in m/s².
 const GRAVITY: &str = "9.80665";
 
 /// The friction on a unit of mass in SI units, in place of a ratio.
 #[derive(Args)]
 struct Weight {
-    /// The coefficient of friction μ instead, all in SI units
+    /// The coefficient of friction μ instead: everything is in SI units then, what is given and what is answered
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     mu: Option<Axis>,
     /// The acceleration of gravity g in m/s², beside --mu
@@ -127,7 +131,7 @@ impl Weight {
 
 /// Friction over the drive's amplitude: as it is, or by both in SI units.
 #[derive(Args)]
-#[command(mut_arg("mu", |mu| mu.requires("a0")), mut_arg("g", |g| g.conflicts_with("lambda0")))]
+#[command(mut_arg("mu", |mu| mu.requires_all(["a0", "omega"])), mut_arg("g", |g| g.conflicts_with("lambda0")))]
 struct Friction {
     /// λ₀ = μg/A₀, friction over the drive's amplitude; with anisotropic friction, the forward one
     #[arg(
@@ -149,17 +153,31 @@ struct Friction {
         conflicts_with = "lambda0"
     )]
     a0: Option<Axis>,
+    /// The drive's angular frequency ω in 1/s
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "mu",
+        conflicts_with = "lambda0"
+    )]
+    omega: Option<Axis>,
 }
 
 impl Friction {
-    fn on(&self, point: &mut Point) -> Double {
-        match &self.a0 {
-            Some(a0) => {
-                let a0 = point.on("a0", a0);
-                self.weight.on(point).unwrap_or_default() / a0
-            }
-            None => point.on("lambda0", &self.lambda0.unwrap_or_default()),
-        }
+    fn on(&self, point: &mut Point) -> (Double, Vec<Unit>) {
+        let (Some(a0), Some(omega)) = (&self.a0, &self.omega) else {
+            let lambda0 = point.on("lambda0", &self.lambda0.unwrap_or_default());
+            return (lambda0, Vec::new());
+        };
+        let (omega, a0) = (point.size("omega", omega), point.size("a0", a0));
+        let lambda0 = self.weight.on(point).unwrap_or_default() / a0;
+        let speed = a0 / omega;
+        let units = vec![
+            Unit::new(sinusoidal::VELOCITY, speed, "m/s"),
+            Unit::new(anisotropic::DISPLACEMENT, speed / omega, "m"),
+        ];
+        (lambda0, units)
     }
 }
 
@@ -177,13 +195,13 @@ struct Constant {
     lambda: Option<Axis>,
     #[command(flatten)]
     weight: Weight,
-    /// Initial speed
+    /// Initial speed, in m/s beside --mu
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     v0: Axis,
     /// Initial angle of the velocity with the x axis, in (−π, π]; `120deg` are degrees
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     theta0: Axis,
-    /// The plane's acceleration A [default: 1]
+    /// The plane's acceleration A, in m/s² beside --mu [default: 1]
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     accel: Option<Axis>,
     #[command(flatten)]
@@ -213,12 +231,21 @@ struct Sphere {
         conflicts_with = "gamma"
     )]
     accel: Option<Axis>,
-    /// Initial slip
+    /// Initial slip, in √(μgR), or in m/s beside --mu
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     u0: Axis,
     /// Initial angle of the slip with the x axis, in (−π, π]; `120deg` are degrees
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     theta0: Axis,
+    /// The sphere's radius R in m, beside --mu: the spin is answered in 1/s then, else the speed ωR that it gives the rim
+    #[arg(
+        long,
+        value_name = "RANGE",
+        allow_hyphen_values = true,
+        requires = "mu",
+        conflicts_with = "gamma"
+    )]
+    radius: Option<Axis>,
     /// κ = I/(mR²): 0.4 for a solid sphere
     #[arg(
         long,
@@ -238,7 +265,7 @@ struct Moment {
     /// When the angle has fallen to this (radians)
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     theta: Option<Axis>,
-    /// At this time
+    /// At this time: in s beside --mu, else in the unit of v0/A, or √(R/(μg)) for a sphere
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     time: Option<Axis>,
 }
@@ -259,19 +286,19 @@ struct Turntable {
     /// ψ, the angle from the velocity to the position, counterclockwise (radians; `120deg` are degrees)
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
     psi: Option<Axis>,
-    /// Speed p of a start by --rho
+    /// Speed p of a start by --rho, in units of μg/Ω
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "rho", conflicts_with_all = ["A", "x", "r"])]
     p: Option<Axis>,
     /// α of a start by --A
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "A", conflicts_with_all = ["rho", "x", "r"])]
     alpha: Option<Axis>,
-    /// Position y of a start by --x
+    /// Position y of a start by --x, in units of μg/Ω²
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     y: Option<Axis>,
-    /// Velocity along x, relative to the table
+    /// Velocity along x, relative to the table, in units of μg/Ω
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     vx: Option<Axis>,
-    /// Velocity along y, relative to the table
+    /// Velocity along y, relative to the table, in units of μg/Ω
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     vy: Option<Axis>,
     /// Speed relative to the table in m/s, of a start by --r
@@ -286,7 +313,7 @@ struct Turntable {
     /// The acceleration of gravity g in m/s², of a start by --r
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY, conflicts_with_all = ["rho", "A", "x"])]
     g: Axis,
-    /// Ask for the state at this time, in units of 1/Ω
+    /// Ask for the state at this time: in s for a start by --r, else in units of 1/Ω
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     time: Option<Axis>,
 }
@@ -295,25 +322,28 @@ struct Turntable {
 #[derive(Args)]
 #[group(required = true, multiple = false)]
 struct Start {
-    /// Distance ρ from the axis, with --p and --psi
+    /// Distance ρ from the axis in units of μg/Ω², with --p and --psi
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["p", "psi"])]
     rho: Option<Axis>,
     /// A, with --alpha and --psi
     #[arg(id = "A", long = "A", value_name = "RANGE", allow_hyphen_values = true, requires_all = ["alpha", "psi"])]
     a: Option<Axis>,
-    /// Position x in the table's axes, with --y, --vx and --vy
+    /// Position x in the table's axes in units of μg/Ω², with --y, --vx and --vy
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["y", "vx", "vy"])]
     x: Option<Axis>,
-    /// Distance from the axis in m, with --speed, --psi, --mu and --omega; the answer is in units of μg/Ω², μg/Ω and 1/Ω
+    /// Distance from the axis in m, with --speed, --psi, --mu and --omega: everything is in SI units then, what is given and what is answered
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["speed", "psi", "mu", "omega"])]
     r: Option<Axis>,
 }
 
 impl Turntable {
-    fn problem(&self, point: &mut Point) -> turntable::TurntableProblem<Double> {
+    fn asked(&self, point: &mut Point) -> (Asked, Vec<Unit>) {
         // The options require one another: none is missing here.
         let mut on = |name, axis: Option<Axis>| point.on(name, &axis.unwrap_or_default());
-        match self.start {
+        let time = self.time.map(|time| on("time", Some(time)));
+        let mut units = Vec::new();
+        let mut tau = time;
+        let start = match self.start {
             Start { rho: Some(rho), .. } => {
                 let (psi, p) = (on("psi", self.psi), on("p", self.p));
                 let rho = on("rho", Some(rho));
@@ -326,9 +356,18 @@ impl Turntable {
             }
             Start { r: Some(r), .. } => {
                 let (psi, speed) = (on("psi", self.psi), on("speed", self.speed));
-                let (r, g) = (on("r", Some(r)), on("g", Some(self.g)));
-                let (omega, mu) = (on("omega", self.omega), on("mu", self.mu));
+                let r = on("r", Some(r));
+                let mut size =
+                    |name, axis: Option<Axis>| point.size(name, &axis.unwrap_or_default());
+                let g = size("g", Some(self.g));
+                let (omega, mu) = (size("omega", self.omega), size("mu", self.mu));
                 let unit = mu * g / omega;
+                units = vec![
+                    Unit::new(turntable::LENGTH, unit / omega, "m"),
+                    Unit::new(turntable::SPEED, unit, "m/s"),
+                    Unit::new(turntable::TIME, Double::from(1.0) / omega, "s"),
+                ];
+                tau = time.map(|time| time * omega);
                 let (rho, p) = (r * omega / unit, speed / unit);
                 turntable::TurntableProblem::Polar { rho, p, psi }
             }
@@ -340,86 +379,149 @@ impl Turntable {
                     velocity: [velocity[1], velocity[0]],
                 }
             }
-        }
+        };
+        let asked = match tau {
+            Some(tau) => Asked::Moment(start, tau),
+            None => Asked::Fate(start),
+        };
+        (asked, units)
     }
 }
 
 impl Constant {
-    fn problem(&self, point: &mut Point) -> constant::ConstantProblem<Double> {
+    fn asked(&self, point: &mut Point) -> (Asked, Vec<Unit>) {
         let at = self.moment.at(point);
-        let accel = self.accel.unwrap_or_else(|| Axis::from(Double::from(1.0)));
-        let accel = point.on("accel", &accel);
+        let one = Double::from(1.0);
+        let accel = self.accel.unwrap_or_else(|| one.into());
+        let accel = match self.weight.mu {
+            Some(_) => point.size("accel", &accel),
+            None => point.on("accel", &accel),
+        };
         let theta0 = point.on("theta0", &self.theta0);
         let v0 = point.on("v0", &self.v0);
-        let lambda = match self.weight.on(point) {
-            Some(weight) => weight / accel,
-            None => point.on("lambda", &self.lambda.unwrap_or_default()),
+        let (lambda, units) = match self.weight.on(point) {
+            Some(weight) => {
+                let units = vec![
+                    Unit::new(constant::SPEED, one, "m/s"),
+                    Unit::new(constant::TIME, one, "s"),
+                    Unit::new(ACCELERATION, one, "m/s²"),
+                ];
+                (weight / accel, units)
+            }
+            None => {
+                let lambda = point.on("lambda", &self.lambda.unwrap_or_default());
+                (lambda, Vec::new())
+            }
         };
-        constant::ConstantProblem {
+        let asked = constant::ConstantProblem {
             lambda,
             v0,
             theta0,
             accel,
             at,
-        }
+        };
+        (Asked::Constant(asked), units)
     }
 }
 
 impl Sphere {
-    fn problem(&self, point: &mut Point) -> sphere::SphereProblem<Double> {
+    fn asked(&self, point: &mut Point) -> (Asked, Vec<Unit>) {
         let at = self.moment.at(point);
         let kappa = point.on("kappa", &self.kappa);
+        let radius = self.radius.map(|radius| point.size("radius", &radius));
         let theta0 = point.on("theta0", &self.theta0);
-        let u0 = point.on("u0", &self.u0);
-        let gamma = match &self.accel {
-            Some(accel) => {
-                let accel = point.on("accel", accel);
-                accel / self.weight.on(point).unwrap_or_default()
+        let mut u0 = point.on("u0", &self.u0);
+        let (gamma, units) = match (&self.accel, &self.weight.mu) {
+            (Some(accel), Some(mu)) => {
+                let accel = point.size("accel", accel);
+                let g = point.size("g", &self.weight.g);
+                let weight = point.size("mu", mu) * g;
+                // Slip and rolling do not depend on the radius: with R = μg · 1 s² the paper's unit of time is 1 s and that
+                // of the slip is μg · 1 s, which is that of ωR as well.
+                u0 = u0 / weight;
+                let (spin, of_spin) = match radius {
+                    Some(radius) => (weight / radius, "1/s"),
+                    None => (weight, "m/s"),
+                };
+                let units = vec![
+                    Unit::new(sphere::SLIP, weight, "m/s"),
+                    Unit::new(sphere::TIME, 1.0.into(), "s"),
+                    Unit::new(sphere::SPIN, spin, of_spin),
+                ];
+                (accel / weight, units)
             }
-            None => point.on("gamma", &self.gamma.unwrap_or_default()),
+            _ => {
+                let gamma = point.on("gamma", &self.gamma.unwrap_or_default());
+                (gamma, Vec::new())
+            }
         };
-        sphere::SphereProblem {
+        let asked = sphere::SphereProblem {
             gamma,
             u0,
             theta0,
             kappa,
             at,
-        }
+        };
+        (Asked::Sphere(asked), units)
     }
 }
 
 impl Problem {
     /// What is asked at a point of the grid; the last option runs fastest.
     fn question(&self, point: &mut Point) -> Question {
-        match self {
-            Problem::Constant(given) => Question::Constant(given.problem(point)),
+        let (asked, units) = match self {
+            Problem::Constant(given) => given.asked(point),
             Problem::Sinusoidal(friction) => {
-                let lambda0 = friction.on(point);
-                Question::Sinusoidal(sinusoidal::SinusoidalProblem { lambda0 })
+                let (lambda0, units) = friction.on(point);
+                let asked = sinusoidal::SinusoidalProblem { lambda0 };
+                (Asked::Sinusoidal(asked), units)
             }
             Problem::Pulse { eta, friction } => {
-                let lambda0 = friction.on(point);
+                let (lambda0, units) = friction.on(point);
                 let eta = point.on("eta", eta);
-                Question::Pulse(periodic::PeriodicProblem { eta, lambda0 })
+                let asked = periodic::PeriodicProblem { eta, lambda0 };
+                (Asked::Pulse(asked), units)
             }
             Problem::Anisotropic { q, friction } => {
-                let lambda0 = friction.on(point);
+                let (lambda0, units) = friction.on(point);
                 let q = point.on("q", q);
-                Question::Anisotropic(anisotropic::AnisotropicProblem { q, lambda0 })
+                let asked = anisotropic::AnisotropicProblem { q, lambda0 };
+                (Asked::Anisotropic(asked), units)
             }
-            Problem::Sphere(given) => Question::Sphere(given.problem(point)),
-            Problem::Turntable(given) => match given.time {
-                Some(time) => {
-                    let time = point.on("time", &time);
-                    Question::Moment(given.problem(point), time)
-                }
-                None => Question::Fate(given.problem(point)),
-            },
+            Problem::Sphere(given) => given.asked(point),
+            Problem::Turntable(given) => given.asked(point),
             Problem::TurntableBoundary { alpha, psi } => {
                 let psi = point.on("psi", psi);
                 let alpha = point.on("alpha", alpha);
-                Question::Boundary(rest::BoundaryProblem { alpha, psi })
+                let asked = rest::BoundaryProblem { alpha, psi };
+                (Asked::Boundary(asked), Vec::new())
             }
+        };
+        Question {
+            asked,
+            units,
+            refused: point.refused.take(),
+        }
+    }
+
+    /// The unit of a number that is given, in the paper's quantities where it is not in SI always.
+    fn unit(&self, name: &str) -> &'static str {
+        match (name, self) {
+            ("theta" | "theta0" | "psi", _) => RADIANS,
+            ("g" | "a0", _) => "m/s²",
+            ("omega", _) => "1/s",
+            ("r" | "radius", _) => "m",
+            ("speed", _) => "m/s",
+            ("v0", _) => constant::SPEED,
+            ("u0", _) => sphere::SLIP,
+            ("time", Problem::Constant(_)) => constant::TIME,
+            ("time", Problem::Sphere(_)) => sphere::TIME,
+            ("time", _) => turntable::TIME,
+            ("accel", Problem::Sphere(_)) => "m/s²",
+            ("accel", _) => ACCELERATION,
+            ("rho" | "x" | "y", _) => turntable::LENGTH,
+            ("p" | "vx" | "vy", _) => turntable::SPEED,
+            _ => DIMENSIONLESS,
         }
     }
 
@@ -436,8 +538,8 @@ impl Problem {
             | Problem::Anisotropic { friction, .. } => {
                 of(friction.weight.mu, &["lambda0", "q lambda0"])
             }
-            Problem::Sphere(given) => of(given.weight.mu, &["gamma"]),
-            Problem::Turntable(given) => of(given.mu, &["rho", "p"]),
+            Problem::Sphere(given) => of(given.weight.mu, &["gamma", "u0"]),
+            Problem::Turntable(given) => of(given.mu, &["rho", "p", "time"]),
             Problem::TurntableBoundary { .. } => &[],
         }
     }
@@ -488,7 +590,8 @@ impl Solve {
                 return Err("--plot: it draws one answer, and here are several".into());
             }
             let ask = |point: &mut Point| self.problem.question(point);
-            return sweep::run(&ask, total, also.shard, format);
+            let unit = |name: &str| Unit::name(self.problem.unit(name), &question.units);
+            return sweep::run(&ask, &unit, total, also.shard, format);
         }
         let report = question
             .report()
@@ -524,48 +627,36 @@ pub(super) fn word(value: Value) -> String {
     }
 }
 
-/// The head of the column of values and those of the ways by which they were found, where there are such.
-fn ways(report: &Report) -> impl Iterator<Item = (&'static str, &[Field])> {
-    let values = Some(("value", &report.fields[..]));
-    let formula = report.by_formula.as_deref();
-    let motion = report.by_motion.as_deref();
-    [
-        values,
-        formula.map(|fields| ("by formula", fields)),
-        motion.map(|fields| ("by motion", fields)),
-    ]
-    .into_iter()
-    .flatten()
-}
-
 fn text(report: &Report) -> String {
-    let names = ["", "digits", "note"].into_iter();
-    let names: Vec<_> = names
-        .chain(report.fields.iter().map(|field| field.name))
-        .collect();
-    let first = names.iter().map(|name| name.len()).max().unwrap_or(0);
-    let mut lines = vec![format!("{:<first$}", "")];
-    let fields = report.fields.iter();
-    lines.extend(fields.map(|field| format!("{:<first$}", field.name)));
-    for (head, fields) in ways(report) {
-        let words: Vec<_> = std::iter::once(head.to_owned())
-            .chain(fields.iter().map(|field| word(field.value)))
-            .collect();
-        let width = words
-            .iter()
-            .map(|word| word.chars().count())
-            .max()
-            .unwrap_or(0);
-        for (line, word) in lines.iter_mut().zip(words) {
-            let _ = write!(line, "  {word:<width$}");
+    let mut heads = vec!["", "value", "unit"];
+    let mut ways = vec![];
+    for (head, way) in [
+        ("by formula", &report.by_formula),
+        ("by motion", &report.by_motion),
+    ] {
+        if let Some(fields) = way {
+            heads.push(head);
+            ways.push(fields);
         }
     }
+    heads.push("");
+    let row = |(n, field): (usize, &Field)| {
+        let own = [
+            field.name.to_owned(),
+            word(field.value),
+            field.unit.to_owned(),
+        ];
+        let ways = ways.iter().map(|fields| word(fields[n].value));
+        own.into_iter().chain(ways).chain([String::new()]).collect()
+    };
+    let rows: Vec<Vec<_>> = report.fields.iter().enumerate().map(row).collect();
+    let mut text = aligned(&heads, 1, &rows, screen().width);
+    // Nothing can fail in writing to a string.
     if let Some(digits) = report.digits {
-        lines.push(format!("{:<first$}  {digits}", "digits"));
+        let _ = writeln!(text, "digits  {digits}");
     }
-    lines.push(format!("{:<first$}  {}", "note", report.note));
-    let lines: Vec<_> = lines.iter().map(|line| line.trim_end()).collect();
-    lines.join("\n")
+    let _ = write!(text, "note    {}", report.note);
+    text
 }
 
 fn table(report: &Report) -> Result<(), Failure> {
@@ -581,6 +672,7 @@ fn table(report: &Report) -> Result<(), Failure> {
         vec![
             field.name.to_owned(),
             empty(field.value),
+            field.unit.to_owned(),
             way(&report.by_formula),
             way(&report.by_motion),
             report
@@ -593,6 +685,7 @@ fn table(report: &Report) -> Result<(), Failure> {
         &[
             "quantity",
             "value",
+            "unit",
             "by_formula",
             "by_motion",
             "digits",
@@ -618,12 +711,12 @@ mod tests {
                 "constant --mu 0.3 --v0 1e30 --accel 1 --theta0 1 --time 1",
                 false,
             ),
-            ("sinusoidal --mu 0.3 --a0 1e9", true),
+            ("sinusoidal --mu 0.3 --a0 1e9 --omega 1", true),
             ("sinusoidal --lambda0 1e-9", false),
-            ("pulse --eta 0.5 --mu 0.3 --a0 1e9", true),
-            ("pulse --eta 1.5 --mu 0.3 --a0 1", false),
-            ("anisotropic --q 2 --mu 0.3 --a0 1e9", true),
-            ("anisotropic --q 1000 --mu 0.3 --a0 1e-4", true),
+            ("pulse --eta 0.5 --mu 0.3 --a0 1e9 --omega 1", true),
+            ("pulse --eta 1.5 --mu 0.3 --a0 1 --omega 1", false),
+            ("anisotropic --q 2 --mu 0.3 --a0 1e9 --omega 1", true),
+            ("anisotropic --q 1000 --mu 0.3 --a0 1e-4 --omega 1", true),
             ("anisotropic --q 1000 --lambda0 1e5", false),
             (
                 "sphere --mu 0.3 --accel 1e12 --u0 1 --theta0 1 --time 1",
@@ -636,6 +729,14 @@ mod tests {
             ),
             (
                 "turntable --mu 0.3 --omega 1 --r 1 --speed 1e12 --psi 1",
+                true,
+            ),
+            (
+                "sphere --mu 0.3 --accel 1 --u0 1e30 --theta0 1 --time 1",
+                true,
+            ),
+            (
+                "turntable --mu 0.3 --omega 1 --r 1 --speed 1 --psi 1 --time 1e9",
                 true,
             ),
             ("turntable --rho 1e12 --p 1 --psi 1", false),
@@ -683,7 +784,7 @@ mod tests {
             velocity: [0.125, -0.375].map(Double::from),
         };
         let launch = |at| {
-            Question::Constant(constant::ConstantProblem {
+            Asked::Constant(constant::ConstantProblem {
                 lambda: 0.5.into(),
                 v0: 1.25.into(),
                 theta0: 1.0.into(),
@@ -692,7 +793,7 @@ mod tests {
             })
         };
         let rolling = |at| {
-            Question::Sphere(sphere::SphereProblem {
+            Asked::Sphere(sphere::SphereProblem {
                 gamma: 2.0.into(),
                 u0: 1.5.into(),
                 theta0: 1.0.into(),
@@ -711,20 +812,20 @@ mod tests {
             ),
             (
                 "sinusoidal --lambda0 0.375",
-                Question::Sinusoidal(sinusoidal::SinusoidalProblem {
+                Asked::Sinusoidal(sinusoidal::SinusoidalProblem {
                     lambda0: 0.375.into(),
                 }),
             ),
             (
                 "pulse --eta 0.5 --lambda0 0.25",
-                Question::Pulse(periodic::PeriodicProblem {
+                Asked::Pulse(periodic::PeriodicProblem {
                     eta: 0.5.into(),
                     lambda0: 0.25.into(),
                 }),
             ),
             (
                 "anisotropic --q 2 --lambda0 0.375",
-                Question::Anisotropic(anisotropic::AnisotropicProblem {
+                Asked::Anisotropic(anisotropic::AnisotropicProblem {
                     q: 2.0.into(),
                     lambda0: 0.375.into(),
                 }),
@@ -739,7 +840,7 @@ mod tests {
             ),
             (
                 "turntable --rho 0.5 --p 0.25 --psi 1",
-                Question::Fate(turntable::TurntableProblem::Polar {
+                Asked::Fate(turntable::TurntableProblem::Polar {
                     rho: 0.5.into(),
                     p: 0.25.into(),
                     psi: 1.0.into(),
@@ -747,7 +848,7 @@ mod tests {
             ),
             (
                 "turntable --A 0.75 --alpha 0.125 --psi 0.25 --time 0.0625",
-                Question::Moment(
+                Asked::Moment(
                     turntable::TurntableProblem::Hyperbolic {
                         a: 0.75.into(),
                         alpha: 0.125.into(),
@@ -758,15 +859,15 @@ mod tests {
             ),
             (
                 "turntable --x 0.5 --y -0.25 --vx 0.125 --vy -0.375",
-                Question::Fate(cartesian()),
+                Asked::Fate(cartesian()),
             ),
             (
                 "turntable --x 0.5 --y -0.25 --vx 0.125 --vy -0.375 --time 0.25",
-                Question::Moment(cartesian(), 0.25.into()),
+                Asked::Moment(cartesian(), 0.25.into()),
             ),
             (
                 "turntable-boundary --alpha 0.5 --psi 1",
-                Question::Boundary(rest::BoundaryProblem {
+                Asked::Boundary(rest::BoundaryProblem {
                     alpha: 0.5.into(),
                     psi: 1.0.into(),
                 }),
@@ -776,7 +877,12 @@ mod tests {
             let matches = command.try_get_matches_from(line.split(' ')).unwrap();
             let problem = Solve::from_arg_matches(&matches).unwrap().problem;
             let question = problem.question(&mut Point::new(0));
-            assert_eq!(question.name(), asked.name(), "{line}");
+            let asked = Question {
+                asked,
+                units: Vec::new(),
+                refused: None,
+            };
+            assert_eq!(question.asked.name(), asked.asked.name(), "{line}");
             assert_eq!(
                 question.report().unwrap(),
                 asked.report().unwrap(),

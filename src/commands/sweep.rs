@@ -3,13 +3,13 @@
 use super::axis::Point;
 use super::question::Question;
 use super::solve::word;
-use crate::claims::solve::{Field, Report, SolveError, VERSION, Value};
+use crate::claims::solve::{Field, Report, SolveError, VERSION, Value, head};
 use crate::numerics::error::plain as number;
 use rayon::prelude::*;
 use serde_json::{Map, json};
 use std::fmt::Write as _;
 use std::io::{self, ErrorKind, Write};
-use trialbook::cli::{Shard, screen, show, unwritten};
+use trialbook::cli::{Shard, complain, screen, show, unwritten};
 use trialbook::edition::{Failure, Format};
 use trialbook::figures::{Cell, Table};
 
@@ -23,9 +23,10 @@ struct Row {
     answer: Result<Report, SolveError>,
 }
 
-/// Asks at the points of the grid that are this part's, and writes a row for each.
+/// Asks at the points of the grid that are this part's, and writes a row for each; `unit` is that of a number that is given.
 pub(super) fn run(
     ask: &(dyn Fn(&mut Point) -> Question + Sync),
+    unit: &dyn Fn(&str) -> &'static str,
     total: u64,
     shard: Option<Shard>,
     format: Format,
@@ -36,10 +37,12 @@ pub(super) fn run(
     let shard = shard.unwrap_or(Shard::WHOLE);
     let mut first = Point::new(0);
     let question = ask(&mut first);
-    let mut heads: Vec<&str> = first.swept.iter().rev().map(|(name, _)| *name).collect();
+    let given = || first.swept.iter().rev().map(|(name, _)| *name);
+    let mut heads: Vec<_> = given().map(|name| head(name, unit(name))).collect();
     let keys = heads.len();
-    heads.extend(question.quantities()?);
-    heads.extend(["digits", "note"]);
+    heads.extend(question.heads()?);
+    heads.extend(["digits", "note"].map(str::to_owned));
+    let heads: Vec<_> = heads.iter().map(String::as_str).collect();
     let range = shard.range(total);
     let mut out = io::stdout().lock();
     let mut written = |text: String| match out.write_all(text.as_bytes()).and_then(|()| out.flush())
@@ -49,14 +52,19 @@ pub(super) fn run(
         Ok(()) => Ok(true),
     };
     if format == Format::Json && shard.is_first() {
-        let (name, version) = (question.name(), VERSION);
-        let begin =
-            format!("{{\n  \"version\": {version},\n  \"problem\": \"{name}\",\n  \"answers\": [");
+        let (name, version) = (question.asked.name(), VERSION);
+        let units: Map<_, _> = given()
+            .map(|name| (name.to_owned(), unit(name).into()))
+            .collect();
+        let units = serde_json::Value::from(units);
+        let begin = format!(
+            "{{\n  \"version\": {version},\n  \"problem\": \"{name}\",\n  \"units\": {units},\n  \"answers\": ["
+        );
         if !written(begin)? {
             return Ok(0);
         }
     }
-    let mut next = range.start;
+    let (mut next, mut refused) = (range.start, 0);
     let mut all = Vec::new();
     while next < range.end {
         let piece = next..range.end.min(next + PIECE);
@@ -72,6 +80,7 @@ pub(super) fn run(
             }
         });
         let rows: Vec<_> = rows.collect();
+        refused += rows.iter().filter(|row| row.answer.is_err()).count() as u64;
         let text = match format {
             Format::Text => {
                 all.extend(rows.iter().map(cells));
@@ -92,7 +101,15 @@ pub(super) fn run(
         }
         _ => true,
     };
-    Ok(0)
+    Ok(told(refused, range.end - range.start))
+}
+
+/// Says how many rows are refused, if any is; the exit code, which is that of bad input where there is no other row.
+pub(super) fn told(refused: u64, rows: u64) -> u8 {
+    if refused > 0 {
+        complain("slipbook", &format!("{refused} of {rows} rows refused"));
+    }
+    if refused > 0 && refused == rows { 2 } else { 0 }
 }
 
 /// The cells of a row: the place, the quantities, digits and note.
@@ -153,7 +170,12 @@ fn object(row: &Row) -> String {
 
 /// Rows in columns, of which the first `keys` say where: in as many blocks one below the other as the screen is too narrow
 /// for. The first row's note stands below; another one in its row of the last block, or below it where there is no room.
-fn aligned(heads: &[&str], keys: usize, rows: &[Vec<String>], width: Option<usize>) -> String {
+pub(super) fn aligned(
+    heads: &[&str],
+    keys: usize,
+    rows: &[Vec<String>],
+    width: Option<usize>,
+) -> String {
     let usual = |cells: &Vec<String>| (cells.len() == heads.len()).then(|| cells.last().cloned());
     let usual = rows.iter().find_map(usual).flatten().unwrap_or_default();
     let note = heads.len() - 1;
@@ -169,7 +191,7 @@ fn aligned(heads: &[&str], keys: usize, rows: &[Vec<String>], width: Option<usiz
         .collect();
     let widest = |n: usize| {
         let cells = rows.iter().map(|cells| cells[n].chars().count());
-        cells.chain([heads[n].len()]).max().unwrap_or(0) + SPACE.len()
+        cells.chain([heads[n].chars().count()]).max().unwrap_or(0) + SPACE.len()
     };
     let widths: Vec<_> = (0..note).map(widest).collect();
     let room = width.unwrap_or(usize::MAX);

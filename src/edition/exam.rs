@@ -20,7 +20,7 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
                     escape(task.setup),
                     escape(task.question)
                 ),
-                escape(&sat.text()),
+                escape(format!("{} {}", sat.text(), task.unit).trim_end()),
                 error(sat.error, sat.basis),
             ])
         })

@@ -41,6 +41,9 @@ pub struct Task {
     pub given: &'static [(&'static str, f64)],
     /// The question.
     pub question: &'static str,
+    /// The unit of the number that answers it, in the quantities of the set-up (ω being the angular frequency of a pull
+    /// that repeats); empty for an order.
+    pub unit: &'static str,
     motion: fn() -> Result<Answer, ExamError>,
     other: Other,
 }
@@ -147,6 +150,9 @@ pub static TASKS: [Task; 23] = [
     turntable::ESCAPE,
 ];
 
+/// The unit of a share, a ratio or a logarithm.
+const DIMENSIONLESS: &str = "dimensionless";
+
 /// The two ways have to agree to this, relative to the larger of 1 and the answer, beside the width of an enclosure: a
 /// hundred times what the integrators promise.
 const CLOSE: f64 = 1e-10;
@@ -223,7 +229,7 @@ impl std::fmt::Display for Answer {
 }
 
 impl Sat {
-    /// The answer with the decimals that its error leaves, at most fifteen digits.
+    /// The answer with the decimals that its error leaves, at most fifteen digits; without its unit.
     pub fn text(&self) -> String {
         let (Answer::Number(x), Some(error)) = (&self.answer, self.error) else {
             return self.answer.to_string();

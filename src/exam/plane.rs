@@ -18,6 +18,7 @@ pub(super) const STOP_TIME: Task = Task {
     setup: ACROSS,
     given: &[("lambda", 1.5), ("v0", 1.0), ("theta0", FRAC_PI_2)],
     question: "When does it stop?",
+    unit: "v₀/A",
     motion: || Ok(Answer::Number(stopped()?.t)),
     other: fraction!(6 / 5),
 };
@@ -28,6 +29,7 @@ pub(super) const STOP_PLACE: Task = Task {
     setup: ACROSS,
     given: &[("lambda", 1.5), ("v0", 1.0), ("theta0", FRAC_PI_2)],
     question: "How far from the start does it stop? (It is at x = 1/5, y = 3/8.)",
+    unit: "v₀²/A",
     motion: || {
         let [x, y] = stopped()?.x;
         Ok(Answer::Number(libm::hypot(x, y)))
@@ -53,6 +55,7 @@ pub(super) const TURNING: Task = Task {
         ("t", 2.0),
     ],
     question: "What is its velocity along y at t = 2?",
+    unit: "v₀",
     motion: || {
         let motion = Launch::new(0.5, 1.0, 1.0, FRAC_PI_2)?.motion(2.0)?;
         Ok(Answer::Number(motion.end().v[1]))
@@ -74,6 +77,7 @@ pub(super) const CREEP: Task = Task {
             A = 0.95 (an inclined plane serves as well).",
     given: &[("mu_g", 1.0), ("A", 0.95), ("t", 10.0)],
     question: "How far is it from its place at t = 10? (Static friction holds it: nowhere.)",
+    unit: "μgT², T being the unit of t",
     motion: || {
         let end = run(&Plane::constant([-0.95, 0.0]), 1.0, at_rest(), 10.0)?.end();
         Ok(Answer::Number(libm::hypot(end.x[0], end.x[1])))
@@ -87,6 +91,7 @@ pub(super) const BREAKAWAY: Task = Task {
     setup: "A block lies at rest on a horizontal plane with μg = 1. From t = 0 on it is pulled ever harder, A = t/2.",
     given: &[("mu_g", 1.0), ("A_rate", 0.5), ("t", 4.0)],
     question: "How far has it come at t = 4?",
+    unit: "μgT², T being the unit of t",
     motion: || {
         let pull = Signal::Polynomial(vec![0.0, 0.5]);
         let end = run(&Plane::along([-1.0, 0.0], pull), 1.0, at_rest(), 4.0)?.end();

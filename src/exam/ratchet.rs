@@ -5,7 +5,7 @@
 //! integrator finds the answers.
 
 use super::tray::sine;
-use super::{Answer, ExamError, Other, Task};
+use super::{Answer, DIMENSIONLESS, ExamError, Other, Task};
 use crate::certified::numbers;
 use crate::motion::drive::{Drive, DriveState, Friction, Sign};
 use crate::motion::{self, PhaseKind, Plane, Signal, run};
@@ -46,6 +46,7 @@ pub(super) const ORDERS: Task = Task {
     given: &[],
     question: "In which order does the block go forward (F), go backward (B) and rest (R) in a period, beginning with F, for each of \
                the ten?",
+    unit: "",
     motion: || {
         let drive = sine()?;
         let orders: Result<Vec<_>, _> = TEN.iter().map(|&[q, l]| order(&drive, q, l)).collect();
@@ -62,6 +63,7 @@ pub(super) const DRIFT: Task = Task {
     setup: ratchet!("with q = 2, λ₀ = 3/10"),
     given: &[("q", 2.0), ("lambda0", 0.3)],
     question: "What is the mean velocity of the block?",
+    unit: "A/ω",
     motion: || {
         let drive = sine()?;
         let start = DriveState { phi: 0.0, w: 0.0 };
@@ -83,6 +85,7 @@ pub(super) const NO_WAY_BACK: Task = Task {
     setup: ratchet!("with q = 6"),
     given: &[("q", 6.0)],
     question: "Above which λ₀ does the block never go backward?",
+    unit: DIMENSIONLESS,
     motion: || {
         let drive = sine()?;
         let (mut low, mut high) = (0.15, 1.0 / 6.0);
@@ -103,6 +106,7 @@ pub(super) const TOUCHING: Task = Task {
     setup: ratchet!("with λ₀ = 1/q, so that the pull can just not move it backward from rest"),
     given: &[],
     question: "For which q above 2 does its forward motion end where the pull backward is largest, at t = 3π/2?",
+    unit: DIMENSIONLESS,
     motion: || {
         let drive = sine()?;
         let mut failed = None;

@@ -14,6 +14,7 @@ pub(super) const SLIP_TIME: Task = Task {
     setup: BOWLED,
     given: &[("mu_g", 1.0), ("v0", 1.0), ("kappa", 0.4)],
     question: "When does it begin to roll?",
+    unit: "v₀/(μg)",
     motion: || Ok(Answer::Number(rolls_from(&thrown(0.0, 1.0, [1.0, 0.0])?)?)),
     other: fraction!(2 / 7),
 };
@@ -24,6 +25,7 @@ pub(super) const PLACE: Task = Task {
     setup: BOWLED,
     given: &[("mu_g", 1.0), ("v0", 1.0), ("kappa", 0.4), ("t", 1.0)],
     question: "How far has its centre come at t = 1? (In the end it rolls with 5/7 of v₀.)",
+    unit: "v₀²/(μg)",
     motion: || Ok(Answer::Number(thrown(0.0, 1.0, [1.0, 0.0])?.end().x[0])),
     other: fraction!(37 / 49),
 };
@@ -35,6 +37,7 @@ pub(super) const DRIVEN_SLIP: Task = Task {
             Friction is μg/A = 1/2; the ball starts with the velocity v₀ along y and without spin. Units: A = v₀ = 1.",
     given: &[("lambda", 0.5), ("v0", 1.0), ("kappa", 0.4)],
     question: "When does it begin to roll?",
+    unit: "v₀/A",
     motion: || Ok(Answer::Number(rolls_from(&thrown(1.0, 0.5, [0.0, 1.0])?)?)),
     other: fraction!(28 / 33),
 };

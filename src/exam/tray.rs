@@ -1,6 +1,6 @@
 //! A block on a tray that is shaken to and fro.
 
-use super::{Answer, ExamError, Other, Task, fraction, valued};
+use super::{Answer, DIMENSIONLESS, ExamError, Other, Task, fraction, valued};
 use crate::certified::ball::Ball;
 use crate::certified::enclosure::Enclosure;
 use crate::certified::error::CertifiedError;
@@ -26,6 +26,7 @@ pub(super) const REST_FRACTION: Task = Task {
     setup: shaken!("4/5"),
     given: &[("lambda0", 0.8)],
     question: "For which part of the time is the block at rest on the tray?",
+    unit: DIMENSIONLESS,
     motion: || rest_fraction(0.8),
     other: Other::Digits(Enclosure(|bits| certified_fraction(4, 5, 2.887, bits))),
 };
@@ -35,6 +36,7 @@ pub(super) const REST_FRACTION_LOW: Task = Task {
     setup: shaken!("3/5"),
     given: &[("lambda0", 0.6)],
     question: "For which part of the time is the block at rest on the tray?",
+    unit: DIMENSIONLESS,
     motion: || rest_fraction(0.6),
     other: Other::Digits(Enclosure(|bits| certified_fraction(3, 5, 3.523, bits))),
 };
@@ -45,6 +47,7 @@ pub(super) const NEVER_RESTS: Task = Task {
     setup: shaken!("2/5"),
     given: &[("lambda0", 0.4)],
     question: "At which t, counted from the beginning of a period of the pull, does its velocity change from backward to forward?",
+    unit: "1/ω",
     motion: || {
         let drive = sine()?;
         let settled = settled(&drive, 0.4)?;
@@ -62,6 +65,7 @@ pub(super) const THRESHOLD: Task = Task {
     setup: "A block lies on a horizontal tray that is shaken along x; in its frame the block feels the pull A sin t.",
     given: &[],
     question: "Above which friction λ₀ = μg/A does the block rest for a part of each period?",
+    unit: DIMENSIONLESS,
     motion: || {
         let drive = sine()?;
         let (mut low, mut high) = (0.4, 0.8);
@@ -83,6 +87,7 @@ pub(super) const MIRROR: Task = Task {
             it starts at t = 0 with the velocity 2 forward. Units: A = 1, period 2π.",
     given: &[("lambda0", 0.3), ("v0", 2.0)],
     question: "How far does it move from period to period in the end? (Forward and backward are alike: nowhere.)",
+    unit: "A/ω²",
     motion: || {
         let drive = sine()?;
         let start = DriveState { phi: 0.0, w: 2.0 };
@@ -101,6 +106,7 @@ pub(super) const HEAT: Task = Task {
     setup: shaken!("4/5"),
     given: &[("lambda0", 0.8)],
     question: "How much energy does friction take from a unit of mass in a period?",
+    unit: "A²/ω²",
     motion: || {
         let drive = sine()?;
         Ok(Answer::Number(settled(&drive, 0.8)?.lost()))
@@ -122,6 +128,7 @@ pub(super) const SIDEWAYS: Task = Task {
             it starts at t = 0 with the velocity 1 along y. Units: A = 1, period 2π.",
     given: &[("lambda0", 0.3), ("v0", 1.0), ("periods", 2.0)],
     question: "What is the natural logarithm of its velocity along y after two periods?",
+    unit: DIMENSIONLESS,
     motion: || {
         let start = motion::State {
             t: 0.0,

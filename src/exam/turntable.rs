@@ -24,14 +24,16 @@ macro_rules! table {
 /// To which a border is followed.
 const WIDTH: f64 = 1e-13;
 
-/// Half the width of the band that is not proved to rest or to escape.
-const BAND: f64 = 1e-5;
+/// Half the width of the band that is not proved to rest or to escape: that of the book's proof (`book/src/rest.md`), which
+/// covers all starts on both sides of it.
+const BAND: f64 = 3e-7;
 
 pub(super) const CRITICAL_RADIUS: Task = Task {
     id: "critical-radius",
     setup: table!("It is put down at rest in the laboratory, at a distance from the axis."),
     given: &[],
     question: "What is the largest distance from which it comes to rest on the table?",
+    unit: "μg/Ω²",
     motion: || Ok(Answer::Number(between(Start::put_down, 0.5, 1.5, WIDTH)?)),
     other: Other::Within(|| border(critical_radius(), fate_put_down)),
 };
@@ -41,6 +43,7 @@ pub(super) const CRITICAL_SPEED: Task = Task {
     setup: table!("It is launched from the axis."),
     given: &[],
     question: "What is the largest speed with which it comes to rest on the table?",
+    unit: "μg/Ω",
     motion: || Ok(Answer::Number(between(Start::launched, 0.5, 1.5, WIDTH)?)),
     other: Other::Within(|| border(critical_speed(), fate_launched)),
 };
@@ -68,11 +71,12 @@ pub(super) const PLACE_OF_REST: Task = Task {
     setup: table!("It is put down at rest in the laboratory at the distance 1/2 from the axis."),
     given: &[("rho", 0.5)],
     question: "At which distance from the axis does it come to rest?",
+    unit: "μg/Ω²",
     motion: || match fate(&Start::put_down(0.5)?)? {
         Fate::Rest { sigma, .. } => Ok(Answer::Number(sigma)),
         _ => Err(ExamError::Missing("rest")),
     },
-    other: Other::Within(|| match fate_put_down(Interval::point(0.5), 1e-12)? {
+    other: Other::Within(|| match fate_put_down(Interval::point(0.5), 1e-13)? {
         Proved::Rest { sigma, .. } => Ok(sigma),
         Proved::Escape { .. } => Err(CertifiedError::unproved("it escapes", &[])),
     }),
@@ -87,6 +91,7 @@ pub(super) const ESCAPE: Task = Task {
     setup: table!("It is put down at rest in the laboratory at the distance 3/2 from the axis."),
     given: &[("rho", 1.5), ("t", LATE)],
     question: "At which distance from the axis is it at t = 20? (In the end the distance grows as t²/(3√2).)",
+    unit: "μg/Ω²",
     motion: || {
         Ok(Answer::Number(
             Run::new(&Start::put_down(1.5)?, LATE)?.end().rho(),

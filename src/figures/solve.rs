@@ -7,12 +7,13 @@ use crate::claims::solve;
 ///
 /// Fails as [`Plot::figure`] does.
 pub fn figure(curve: &solve::Curve) -> Result<Figure, FigureError> {
-    let mut table = Table::new(&[curve.x, curve.y]);
+    let labels = curve.labels();
+    let mut table = Table::new(&labels.each_ref().map(String::as_str));
     for [x, y] in &curve.points {
         table.row([x.into(), y.into()])?;
     }
-    let mut panel = Panel::new(Axis::linear(curve.x), Axis::linear(curve.y))
-        .curve(super::Curve::new(curve.points.iter().copied()));
+    let [x, y] = labels.map(Axis::linear);
+    let mut panel = Panel::new(x, y).curve(super::Curve::new(curve.points.iter().copied()));
     let span = |axis: usize| {
         let values = || curve.points.iter().map(|p| p[axis]);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)

@@ -165,3 +165,63 @@ fn places_are_counted_as_the_page_says() {
     assert!(trials.any(|trial| trial["rejects"] == own), "{own}");
     assert!(own.as_array().unwrap().len() > 10);
 }
+
+/// Where regimes meet, borders are, and what moves turns round or stops.
+#[test]
+fn answers_at_special_points_have_the_types_described() {
+    let sections = sections();
+    let mut asked = 0;
+    for line in [
+        "sinusoidal --lambda0 2/sqrt(4+pi^2)",
+        "sinusoidal --lambda0 2/sqrt(4+pi^2)+1e-30",
+        "sinusoidal --lambda0 0.53702927214631508",
+        "sinusoidal --lambda0 1-1e-20",
+        "pulse --eta 1/3 --lambda0 1/3",
+        "pulse --eta 1/3 --lambda0 1/3+1e-31",
+        "pulse --eta 1e-300 --lambda0 0.5",
+        "pulse --eta 1e-12 --lambda0 0.5",
+        "pulse --eta 1e-6 --lambda0 1e-6",
+        "pulse --eta 0 --lambda0 0.5",
+        "pulse --eta 1 --lambda0 1",
+        "anisotropic --q 1 --lambda0 2/sqrt(4+pi^2)",
+        "anisotropic --q 1+1e-28 --lambda0 0.5",
+        "anisotropic --q 4.603338848751700 --lambda0 1/4.603338848751700",
+        "anisotropic --q 2 --lambda0 0.5",
+        "anisotropic --q 0.5 --lambda0 1",
+        "sphere --gamma 3.5 --u0 1 --theta0 pi --time 5",
+        "sphere --gamma 3.5 --u0 1 --theta0 0 --time 5",
+        "sphere --gamma 9 --u0 1 --theta0 pi --time 1/12.5",
+        "sphere --gamma 4 --kappa 1/3 --u0 1 --theta0 1 --time 5",
+        "constant --lambda 0 --v0 1 --theta0 pi --time 1",
+        "constant --lambda 0.25 --v0 1 --theta0 pi --time 0.8",
+        "constant --lambda 1 --v0 1 --theta0 pi --time 0.5",
+        "constant --lambda 1.5 --v0 1 --theta0 pi/2 --time 1.2",
+        "turntable --rho 1 --p 0 --psi 0",
+        "turntable --rho 1 --p 1 --psi pi",
+        "turntable --A 1 --alpha 0 --psi 0",
+        "turntable --rho 1 --p 0 --psi 0 --time 1",
+        "turntable --x 0 --y 0 --vx 0 --vy 0 --time 2",
+        "turntable-boundary --alpha 0 --psi pi",
+    ] {
+        let problem = line.split(' ').next().unwrap();
+        let id = match line.contains("--time") && problem == "turntable" {
+            true => "{#solve-turntable-time}".to_owned(),
+            false => format!("{{#solve-{problem}}}"),
+        };
+        let mut found = sections.iter();
+        let section = found.find(|s| s.heading.ends_with(&id)).unwrap();
+        let answer = written(&format!("solve {line} --json"));
+        for (name, kinds) in &section.described {
+            let mut shape = Shape::new();
+            note(&mut shape, name, &answer[name]);
+            assert!(
+                shape[name].is_subset(kinds),
+                "{line}: {name} is {}",
+                answer[name]
+            );
+            asked += 1;
+        }
+        assert!(answer["digits"].as_u64().unwrap() >= 10, "{line}: {answer}");
+    }
+    assert!(asked > 100, "{asked}");
+}

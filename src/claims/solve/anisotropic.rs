@@ -1,7 +1,9 @@
 //! Anisotropic friction under a sinusoidal drive: the large-time motion and its region.
 
 use super::sinusoidal::{Slip, friction, settle, two_periods};
-use super::{Answer, Curve, Field, Fields, PHASES, Quantity, Said, SolveError, UNITS, check};
+use super::{
+    Answer, Curve, Field, Fields, PHASES, Quantity, RADIANS, SMALL, Said, SolveError, UNITS, check,
+};
 use crate::motion::drive::{Attractor, Drive, Friction, Sign};
 use crate::numerics::NumericsError;
 use crate::numerics::double::Double;
@@ -36,6 +38,9 @@ pub struct Period {
     pub drift_per_period: f64,
 }
 
+/// The unit of a driven particle's way.
+pub const DISPLACEMENT: &str = "A₀/ω²";
+
 /// The digits of a shorter rest count beside this: where two regions meet, a rest is nothing but rounding.
 const SHORT: f64 = 1e-6;
 
@@ -66,15 +71,21 @@ impl Fields for Period {
         let beside = if self.drift_per_period == 0.0 {
             1.0
         } else {
-            0.0
+            SMALL * self.longest()
         };
         vec![
             Field::new("region", self.region),
-            Field::new("positive", self.positive).out_of(1.0),
-            Field::new("negative", self.negative).out_of(1.0),
-            Field::within(SHORT, "rest_after_positive", self.rest_after_positive),
-            Field::within(SHORT, "rest_after_negative", self.rest_after_negative),
-            Field::within(beside, "drift_per_period", self.drift_per_period).out_of(self.longest()),
+            Field::new("positive", self.positive)
+                .out_of(1.0)
+                .of(RADIANS),
+            Field::new("negative", self.negative)
+                .out_of(1.0)
+                .of(RADIANS),
+            Field::within(SHORT, "rest_after_positive", self.rest_after_positive).of(RADIANS),
+            Field::within(SHORT, "rest_after_negative", self.rest_after_negative).of(RADIANS),
+            Field::within(beside, "drift_per_period", self.drift_per_period)
+                .out_of(self.longest())
+                .of(DISPLACEMENT),
         ]
     }
 }

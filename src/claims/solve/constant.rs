@@ -1,8 +1,8 @@
 //! Constant acceleration: where a launched particle is in its velocity, at an angle or at a time.
 
 use super::{
-    Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, Said, SolveError, UNITS, UNSEEN_ANGLE,
-    check, followed, size, steps,
+    Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, RADIANS, SMALL, Said, SolveError, UNITS,
+    UNSEEN_ANGLE, check, followed, size, steps,
 };
 use crate::corrections::constant as corrected;
 use crate::motion::trajectory::Motion;
@@ -62,17 +62,26 @@ pub struct ConstantState {
     pub vy: f64,
     /// When the particle stops for good, if it does.
     pub stop_time: Option<f64>,
+    /// Where it turns round, speeds are differences of larger ones: those that count beside them. Else 0.
+    turning: f64,
 }
+
+/// The units of speeds and times, which are whatever those of v₀ and A make them.
+pub const SPEED: &str = "unit of v0";
+/// See [`SPEED`].
+pub const TIME: &str = "unit of v0/A";
 
 impl Fields for ConstantState {
     fn fields(&self) -> Vec<Field> {
         vec![
-            Field::new("v", self.v),
-            Field::within(LEAST_ANGLE, "theta", self.theta).unseen_below(UNSEEN_ANGLE),
-            Field::new("t", self.t),
-            Field::within(self.v, "vx", self.vx),
-            Field::within(self.v, "vy", self.vy),
-            Field::new("stop_time", self.stop_time),
+            Field::within(self.turning, "v", self.v).of(SPEED),
+            Field::within(LEAST_ANGLE, "theta", self.theta)
+                .unseen_below(UNSEEN_ANGLE)
+                .of(RADIANS),
+            Field::new("t", self.t).of(TIME),
+            Field::within(self.v.max(self.turning), "vx", self.vx).of(SPEED),
+            Field::within(self.v.max(self.turning), "vy", self.vy).of(SPEED),
+            Field::new("stop_time", self.stop_time).of(TIME),
         ]
     }
 }
@@ -91,14 +100,16 @@ impl<T: Quantity> ConstantProblem<T> {
                 None => self.formulas().at(self.at.map(Into::into)),
                 Some(by) => {
                     let lambda = by * near.lambda;
-                    let nudged = ConstantProblem { lambda, ..near };
+                    // Without friction what is rounded is the speed.
+                    let v0 = if lambda == 0.0 { by * near.v0 } else { near.v0 };
+                    let nudged = ConstantProblem { lambda, v0, ..near };
                     nudged.formulas().at(near.at.map(Into::into))
                 }
             };
-            there.map(|exactly| exactly.rounded())
+            there.map(|exactly| exactly.rounded(near.turning()))
         })?;
         let note = near.note(&said.given);
-        Answer::by_either(said, near.motions(), note)
+        Answer::by_either(said, near.motions(), 0.0, note)
     }
 
     /// The path of the velocity.
@@ -118,6 +129,7 @@ impl<T: Quantity> ConstantProblem<T> {
             title: "The velocity under constant acceleration",
             x: "v_x",
             y: "v_y",
+            units: [SPEED; 2],
             equal: false,
             points: states.iter().map(|state| state.v).collect(),
         })
@@ -152,6 +164,15 @@ impl ConstantProblem {
         check_moment(self.theta0, self.at)
     }
 
+    /// See [`ConstantState::turning`].
+    fn turning(&self) -> f64 {
+        if self.theta0 == PI && self.lambda < 1.0 {
+            SMALL * self.v0
+        } else {
+            0.0
+        }
+    }
+
     fn launch(&self) -> Result<Launch, SolveError> {
         let launch = Launch::new(self.lambda, self.accel, self.v0, self.theta0);
         Ok(launch?)
@@ -168,6 +189,7 @@ impl ConstantProblem {
             v: state.v / UNITS,
             vx: state.vx / UNITS,
             vy: state.vy / UNITS,
+            turning: self.turning(),
             ..state
         };
         let motion = followed(self.by_motion())?;
@@ -205,6 +227,7 @@ impl ConstantProblem {
             vx: state.v[0],
             vy: state.v[1],
             stop_time,
+            turning: self.turning(),
         }))
     }
 
@@ -273,7 +296,7 @@ pub(super) struct Exactly {
 }
 
 impl Exactly {
-    fn rounded(&self) -> ConstantState {
+    fn rounded(&self, turning: f64) -> ConstantState {
         let [vx, vy] = self.velocity.map(Double::to_f64);
         ConstantState {
             v: self.v.to_f64(),
@@ -282,6 +305,7 @@ impl Exactly {
             vx,
             vy,
             stop_time: self.stop_time.map(Double::to_f64),
+            turning,
         }
     }
 }

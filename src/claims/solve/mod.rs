@@ -31,7 +31,11 @@ pub mod sphere;
 mod tests;
 pub mod turntable;
 
+mod units;
+
 pub use report::{Report, VERSION};
+pub(crate) use units::head;
+pub use units::{DIMENSIONLESS, RADIANS, Unit};
 
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
@@ -61,7 +65,9 @@ pub enum SolveError {
     },
     /// So close to the boundary between rest and escape that rounding decides.
     #[error(
-        "so close to the boundary between rest and escape that rounding decides (p = {p} at time {tau})"
+        "so close to the boundary between rest and escape that rounding decides (p = {} μg/Ω at the time {}/Ω)",
+        plain(*p),
+        plain(*tau)
     )]
     Undecided {
         /// Time reached, dimensionless.
@@ -69,6 +75,11 @@ pub enum SolveError {
         /// Speed there, dimensionless.
         p: f64,
     },
+    /// The two ways to the answer have no digit in common, and nothing explains it.
+    #[error(
+        "no digit of the answer is known: formula and motion, or two integrations of the motion, do not agree"
+    )]
+    Unknown,
     /// The motion cannot be followed.
     #[error(transparent)]
     Motion(#[from] MotionError),
@@ -117,6 +128,8 @@ pub struct Field {
     pub name: &'static str,
     /// Its value.
     pub value: Value,
+    /// The unit of a number; empty for a word.
+    pub unit: &'static str,
     /// Its digits count against the larger of this and its own size: 0 where all its own digits count.
     pub scale: f64,
     /// What is not known of it, in numbers of twice the width: the rounding of what it is a small difference of.
@@ -124,6 +137,9 @@ pub struct Field {
     /// Below this two ways are not compared, as one of them has no numbers for it.
     unseen: f64,
 }
+
+/// Of what is a difference of numbers of size 1 and less than this, [`ROUNDED`] leaves fewer than fifteen digits.
+const SMALL: f64 = 2e-14;
 
 /// Below this nothing is left of the second half of a number of twice the width.
 const LOST: f64 = 1e-310;
@@ -171,13 +187,23 @@ impl Field {
 
     /// A quantity that is a part of something of size `scale`.
     fn within(scale: f64, name: &'static str, value: impl Into<Value>) -> Self {
+        let value = value.into();
         Field {
             name,
-            value: value.into(),
+            value,
+            unit: match value {
+                Value::Word(_) => "",
+                _ => DIMENSIONLESS,
+            },
             scale,
             lost: LOST,
             unseen: 0.0,
         }
+    }
+
+    /// The same with a unit.
+    fn of(self, unit: &'static str) -> Self {
+        Field { unit, ..self }
     }
 
     /// The same, where what is smaller than this is not compared.
@@ -378,14 +404,15 @@ impl<T: Fields + Clone> Answer<T> {
         })
     }
 
-    /// From a formula and, where it gets there, a motion.
+    /// From a formula and, where it gets there, a motion, as for [`by_both`](Self::by_both).
     fn by_either(
         said: Said<T>,
         motions: Option<[T; 2]>,
+        rounding: f64,
         note: impl Into<String>,
     ) -> Result<Self, SolveError> {
         if let Some(motions) = motions {
-            return Self::by_both(said, motions, 0.0, note);
+            return Self::by_both(said, motions, rounding, note);
         }
         let formula = said.given;
         let alone = "the motion does not get there in floating-point numbers, so that the digits are those of the formula alone";
@@ -501,6 +528,8 @@ pub struct Curve {
     pub x: &'static str,
     /// Name of the vertical axis.
     pub y: &'static str,
+    /// Units of the two axes.
+    pub units: [&'static str; 2],
     /// True if both axes have the same unit.
     pub equal: bool,
     /// The points, in order.

@@ -1,7 +1,7 @@
 //! A train of pulses: the large-time motion.
 
-use super::sinusoidal::{AT_REST, Swing, friction, settle, swings, two_periods};
-use super::{Answer, Curve, PHASES, Quantity, Said, SolveError, check};
+use super::sinusoidal::{AT_REST, Swing, below, friction, settle, swings, two_periods};
+use super::{Answer, Curve, PHASES, Quantity, ROUNDED, Said, SolveError, check};
 use crate::corrections::periodic as corrected;
 use crate::motion::drive::{Drive, Friction};
 use crate::numerics::double::Double;
@@ -35,7 +35,9 @@ impl<T: Quantity> PeriodicProblem<T> {
             };
             Ok::<_, SolveError>(swing)
         })?;
-        Answer::by_both(said, motions, PHASES, note)
+        // A pulse that is shorter than the rounding of phases is none for the motion.
+        let seen = near.eta == 0.0 || near.eta > PHASES;
+        Answer::by_either(said, seen.then_some(motions), PHASES, note)
     }
 
     /// 𝔴 against φ over two periods.
@@ -77,7 +79,9 @@ fn by_formula(eta: Double, lambda0: Double) -> (Swing, &'static str) {
     if lambda0 >= 1.0.into() || eta == zero {
         return (AT_REST, "at rest: friction is never overcome");
     }
-    if lambda0 > printed::eq46_lambda_c(eta) {
+    let apart = lambda0 - printed::eq46_lambda_c(eta);
+    let critical = apart > zero && apart <= Double::from(ROUNDED) * eta;
+    if apart > zero && !critical {
         let [top, end] = printed::eq44_ends(lambda0, eta);
         let [w_max, ..] = printed::eq44_cases(lambda0, eta, top);
         let swing = Swing {
@@ -93,7 +97,7 @@ fn by_formula(eta: Double, lambda0: Double) -> (Swing, &'static str) {
     let [top, _] = corrected::small_friction_ends(eta);
     let [w_max, ..] = corrected::small_friction_cases(lambda0, eta, top);
     let swing = Swing {
-        regime: "two-zeros",
+        regime: below(critical),
         positive_start: Some(start.to_f64()),
         positive_end: Some((start + Double::pi()).to_f64()),
         rest_fraction: 0.0,

@@ -1,6 +1,6 @@
 //! An answer of any topic, as it is written.
 
-use super::{Answer, Field, Fields, Value};
+use super::{Answer, Field, Fields, Unit, Value};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -45,6 +45,16 @@ impl Serialize for Object<'_> {
     }
 }
 
+/// The units of fields as an object.
+struct Units<'a>(&'a [Field]);
+
+impl Serialize for Units<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let numbers = self.0.iter().filter(|field| !field.unit.is_empty());
+        serializer.collect_map(numbers.map(|field| (field.name, field.unit)))
+    }
+}
+
 impl Serialize for Report {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
@@ -53,6 +63,7 @@ impl Serialize for Report {
         for field in &self.fields {
             map.serialize_entry(field.name, &field.value)?;
         }
+        map.serialize_entry("units", &Units(&self.fields))?;
         map.serialize_entry("by_formula", &self.by_formula.as_deref().map(Object))?;
         map.serialize_entry("by_motion", &self.by_motion.as_deref().map(Object))?;
         map.serialize_entry("disagreement", &self.disagreement)?;
@@ -62,44 +73,41 @@ impl Serialize for Report {
     }
 }
 
-/// What a way has found, to so many digits.
-fn rounded<T: Fields>(way: &T, digits: Option<u32>) -> Vec<Field> {
-    let fields = way.fields().into_iter();
-    let rounded = fields.map(|field| match digits {
-        Some(digits) => field.rounded(digits),
-        None => field,
-    });
-    rounded.collect()
-}
-
 impl<T: Fields> Answer<T> {
-    /// To how many digits the formula is written: to as many as are known, but where the motion denies it to those that
-    /// the two have in common, and to one at least.
-    fn of_formula(&self) -> Option<u32> {
-        let digits = self.digits?;
-        let denied = self.disagreement > Some(10.0 * libm::exp10(-f64::from(digits)));
-        let ways = self.by_formula.as_ref().zip(self.by_motion.as_ref());
-        let Some((formula, motion)) = ways.filter(|_| denied) else {
-            return Some(digits);
-        };
-        let values = |way: &T, n: u32| -> Vec<_> {
-            let fields = rounded(way, Some(n)).into_iter();
-            fields.map(|field| field.value).collect()
-        };
-        let alike = |n: &u32| values(formula, *n) == values(motion, *n);
-        Some((1..=digits).rev().find(alike).unwrap_or(digits.min(1)))
+    /// The answer without its type, for output, in the paper's units: no number has more digits than are known.
+    pub fn report(&self, problem: &'static str) -> Report {
+        self.report_in(problem, &[])
     }
 
-    /// The answer without its type, for output: no number has more digits than are known.
-    pub fn report(&self, problem: &'static str) -> Report {
+    /// The same in SI, as far as these units go.
+    pub fn report_in(&self, problem: &'static str, units: &[Unit]) -> Report {
+        let fields = |way: &T| -> Vec<Field> {
+            let fields = way.fields().into_iter();
+            fields.map(|field| field.in_si(units)).collect()
+        };
+        let rounded = |fields: Vec<Field>| -> Vec<Field> {
+            let Some(digits) = self.digits else {
+                return fields;
+            };
+            let fields = fields.into_iter();
+            fields.map(|field| field.rounded(digits)).collect()
+        };
+        let best = fields(&self.best);
+        // Of a formula that is not the best way, what both have in common.
+        let alike = |(formula, best): (Field, &Field)| {
+            let most = self.digits.unwrap_or(0);
+            let to = |n: &u32| formula.rounded(*n).value == best.rounded(*n).value;
+            let n = (0..=most).rev().find(to);
+            n.map_or(formula, |n| formula.rounded(n))
+        };
         Report {
             problem,
-            fields: rounded(&self.best, self.digits),
-            by_formula: self
-                .by_formula
-                .as_ref()
-                .map(|way| rounded(way, self.of_formula())),
-            by_motion: self.by_motion.as_ref().map(|way| rounded(way, self.digits)),
+            by_formula: self.by_formula.as_ref().map(|way| {
+                let pairs = fields(way).into_iter().zip(&best);
+                pairs.map(alike).collect()
+            }),
+            by_motion: self.by_motion.as_ref().map(|way| rounded(fields(way))),
+            fields: rounded(best),
             disagreement: self.disagreement,
             digits: self.digits,
             note: self.note.clone(),

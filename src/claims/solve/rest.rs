@@ -1,6 +1,6 @@
 //! The turntable's boundary between rest and escape.
 
-use super::{Answer, Curve, Field, Fields, Quantity, Said, SolveError, check};
+use super::{Answer, Curve, DIMENSIONLESS, Field, Fields, Quantity, Said, SolveError, check};
 use crate::corrections::rest as corrected;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::fate::{Certain, Ending, follow};
@@ -161,6 +161,7 @@ impl<T: Quantity> BoundaryProblem<T> {
             title: "The boundary between rest and escape",
             x: "α",
             y: "A",
+            units: [DIMENSIONLESS; 2],
             equal: false,
             points: points?,
         })

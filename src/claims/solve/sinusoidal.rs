@@ -1,7 +1,8 @@
 //! A sinusoidal drive: the large-time motion.
 
 use super::{
-    Answer, Curve, Field, Fields, PHASES, Quantity, Said, SolveError, UNITS, check, steps,
+    Answer, Curve, Field, Fields, PHASES, Quantity, RADIANS, ROUNDED, SMALL, Said, SolveError,
+    UNITS, check, steps,
 };
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Outcome, Sign};
 use crate::numerics::NumericsError;
@@ -21,7 +22,7 @@ pub struct SinusoidalProblem<T = f64> {
 /// The large-time motion of a drive whose second half period is the opposite of its first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Swing {
-    /// `two-zeros`, `two-rests` or `rest`.
+    /// `two-zeros`, `two-rests` or `rest`; `critical` where the first two meet, to all digits that are known.
     pub regime: &'static str,
     /// The phase, radians in [0, 2π), at which forward motion begins; nothing at rest for ever.
     pub positive_start: Option<f64>,
@@ -33,14 +34,17 @@ pub struct Swing {
     pub w_max: f64,
 }
 
+/// The unit of a driven particle's velocity.
+pub const VELOCITY: &str = "A₀/ω";
+
 impl Fields for Swing {
     fn fields(&self) -> Vec<Field> {
         vec![
             Field::new("regime", self.regime),
-            Field::within(1.0, "positive_start", self.positive_start),
-            Field::within(1.0, "positive_end", self.positive_end),
-            Field::new("rest_fraction", self.rest_fraction).out_of(1.0),
-            Field::new("w_max", self.w_max),
+            Field::within(1.0, "positive_start", self.positive_start).of(RADIANS),
+            Field::within(1.0, "positive_end", self.positive_end).of(RADIANS),
+            Field::within(SMALL, "rest_fraction", self.rest_fraction).out_of(1.0),
+            Field::new("w_max", self.w_max).of(VELOCITY),
         ]
     }
 }
@@ -86,11 +90,13 @@ fn by_formula(lambda0: Double) -> Result<(Swing, &'static str), SolveError> {
         ));
     }
     let (phi1, phi2) = (printed::eq27_phi1(lambda0), printed::eq28_phi2(lambda0));
-    if lambda0 <= printed::eq37_lambda_c() {
+    let apart = (lambda0 - printed::eq37_lambda_c()).to_f64();
+    let critical = apart.abs() <= ROUNDED;
+    if apart <= 0.0 || critical {
         let start = printed::eq39_phi_t1(lambda0);
         let [w_max, _] = printed::eq38_w(lambda0, start, phi2);
         let swing = Swing {
-            regime: "two-zeros",
+            regime: below(critical),
             positive_start: Some(start.to_f64()),
             positive_end: Some((start + Double::pi()).to_f64()),
             rest_fraction: 0.0,
@@ -108,6 +114,11 @@ fn by_formula(lambda0: Double) -> Result<(Swing, &'static str), SolveError> {
         w_max: slip.w(lambda0.acos() * 2.0.into()).to_f64(),
     };
     Ok((swing, "by (27) and (31) to (33)"))
+}
+
+/// The regime below the critical friction, or at it but for rounding, where no rest has a length.
+pub(super) fn below(critical: bool) -> &'static str {
+    if critical { "critical" } else { "two-zeros" }
 }
 
 /// A slip under the friction λ from rest at the phase φ₀, where the drive does not hold it: (31) with φ = φ₀ + x,
@@ -291,6 +302,7 @@ pub(super) fn two_periods(motion: &Attractor<'_>) -> Curve {
         title: "The large-time motion",
         x: "φ",
         y: "𝔴",
+        units: [RADIANS, VELOCITY],
         equal: false,
         points: steps(2.0 * TAU, 400)
             .map(|phi| [phi, motion.w(phi)])

@@ -2,8 +2,8 @@
 
 use super::constant::{At, Formulas, check_moment};
 use super::{
-    Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, ROUNDED, ROUNDING, Said, SolveError,
-    UNITS, UNSEEN_ANGLE, check, followed, size, steps,
+    Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, RADIANS, ROUNDED, ROUNDING, SMALL, Said,
+    SolveError, UNITS, UNSEEN_ANGLE, check, followed, size, steps,
 };
 use crate::corrections::sphere as corrected;
 use crate::motion::Plane;
@@ -46,20 +46,35 @@ pub struct SphereState {
     pub rolls_at: Option<f64>,
     /// The slip at the start.
     u0: f64,
+    /// As for [`ConstantState`](super::constant::ConstantState).
+    turning: f64,
 }
+
+/// The units of slip, time and spin.
+pub const SLIP: &str = "√(μgR)";
+/// See [`SLIP`].
+pub const TIME: &str = "√(R/(μg))";
+/// See [`SLIP`].
+pub const SPIN: &str = "√(μg/R)";
 
 impl Fields for SphereState {
     fn fields(&self) -> Vec<Field> {
         let spin = libm::hypot(self.zeta[0], self.zeta[1]);
         vec![
-            Field::new("u", self.u),
-            Field::within(LEAST_ANGLE, "theta", self.theta).unseen_below(UNSEEN_ANGLE),
-            Field::new("tau", self.tau),
-            Field::within(self.u, "u_x", self.slip[0]),
-            Field::within(self.u, "u_y", self.slip[1]),
-            Field::within(spin, "zeta_x", self.zeta[0]).out_of(self.u0),
-            Field::within(spin, "zeta_y", self.zeta[1]).out_of(self.u0),
-            Field::new("rolls_at", self.rolls_at),
+            Field::within(self.turning, "u", self.u).of(SLIP),
+            Field::within(LEAST_ANGLE, "theta", self.theta)
+                .unseen_below(UNSEEN_ANGLE)
+                .of(RADIANS),
+            Field::new("tau", self.tau).of(TIME),
+            Field::within(self.u.max(self.turning), "u_x", self.slip[0]).of(SLIP),
+            Field::within(self.u.max(self.turning), "u_y", self.slip[1]).of(SLIP),
+            Field::within(spin, "zeta_x", self.zeta[0])
+                .out_of(self.u0)
+                .of(SPIN),
+            Field::within(spin, "zeta_y", self.zeta[1])
+                .out_of(self.u0)
+                .of(SPIN),
+            Field::new("rolls_at", self.rolls_at).of(TIME),
         ]
     }
 }
@@ -86,7 +101,7 @@ impl<T: Quantity> SphereProblem<T> {
             .motions()
             .filter(|[motion, _]| !near.loses(&said.rounded, motion));
         let note = near.note(&said.given);
-        Answer::by_either(said, motions, note)
+        Answer::by_either(said, motions, 0.0, note)
     }
 
     /// The path of the slip.
@@ -103,6 +118,7 @@ impl<T: Quantity> SphereProblem<T> {
             title: "The slip under constant acceleration",
             x: "u_x",
             y: "u_y",
+            units: [SLIP; 2],
             equal: false,
             points: points?,
         })
@@ -153,6 +169,7 @@ impl<T: Quantity> SphereProblem<T> {
             zeta: spin,
             rolls_at: slip.stop_time.map(Double::to_f64),
             u0: u0.to_f64(),
+            turning: self.near().turning(),
         })
     }
 }
@@ -165,6 +182,15 @@ impl SphereProblem {
         let fit = (1e-3..=1.0).contains(&self.kappa);
         check("kappa", self.kappa, fit, "between 1e-3 and 1")?;
         check_moment(self.theta0, self.at)
+    }
+
+    /// See [`SphereState::turning`].
+    fn turning(&self) -> f64 {
+        if self.theta0 == PI && self.gamma > self.b() {
+            SMALL * self.u0
+        } else {
+            0.0
+        }
     }
 
     fn b(&self) -> f64 {
@@ -224,6 +250,7 @@ impl SphereProblem {
             zeta: state.zeta.map(|x| x / UNITS),
             rolls_at: state.rolls_at.map(|tau| tau / UNITS),
             u0: self.u0,
+            turning: self.turning(),
         };
         let motion = followed(self.by_motion())?;
         Some([motion, followed(other.by_motion()).map_or(motion, back)])
@@ -264,6 +291,7 @@ impl SphereProblem {
             zeta: [ball.omega[0], ball.omega[1]],
             rolls_at,
             u0: self.u0,
+            turning: self.turning(),
         }))
     }
 

@@ -57,7 +57,7 @@ fn a_report_says_what_the_answer_does() {
     };
     let answer = Answer {
         best: of(0.25),
-        by_formula: Some(of(0.5)),
+        by_formula: Some(of(0.2503)),
         by_motion: Some(of(0.75)),
         disagreement: Some(0.125),
         digits: Some(3),
@@ -69,7 +69,12 @@ fn a_report_says_what_the_answer_does() {
     for (name, value) in [
         ("version", VERSION.into()),
         ("problem", "a problem".into()),
-        ("by_formula", entry(0.5)),
+        (
+            "units",
+            serde_json::json!({ "sigma": "μg/Ω²", "tau_rest": "1/Ω" }),
+        ),
+        // To the three digits that are known.
+        ("by_formula", entry(0.25)),
         ("by_motion", entry(0.75)),
         ("disagreement", 0.125.into()),
         ("digits", 3.into()),
@@ -80,6 +85,66 @@ fn a_report_says_what_the_answer_does() {
     assert_eq!(
         serde_json::to_value(answer.report("a problem")).unwrap(),
         expected
+    );
+}
+
+/// To the digits that both have, and not at all where they have none.
+#[test]
+fn of_a_formula_that_is_not_the_best_way_only_what_is_right_is_written() {
+    let of = |a| super::rest::Boundary { a };
+    for (formula, written) in [
+        (0.931_534, Value::Number(0.9315)),
+        (0.938, Value::Number(0.9)),
+        (0.4, Value::Missing),
+    ] {
+        let answer = Answer {
+            best: of(0.931_51),
+            by_formula: Some(of(formula)),
+            by_motion: None,
+            disagreement: None,
+            digits: Some(5),
+            note: String::new(),
+        };
+        let report = answer.report("");
+        assert_eq!(report.by_formula.unwrap()[0].value, written, "{formula}");
+        assert_eq!(report.fields[0].value, Value::Number(0.931_51));
+    }
+}
+
+/// What is given is exact, and so is what is answered, but for a rounding.
+#[test]
+fn an_answer_is_the_same_in_other_units() {
+    let size = "0.3".parse::<Double>().unwrap();
+    let units = [Unit::new("μg/Ω²", size, "m")];
+    let answer = Answer {
+        best: super::turntable::TurntableOutcome {
+            outcome: "rest",
+            sigma: Some(0.123_456_789),
+            tau_rest: Some(2.0),
+        },
+        by_formula: None,
+        by_motion: None,
+        disagreement: None,
+        digits: Some(4),
+        note: String::new(),
+    };
+    let fields = answer.report_in("", &units).fields;
+    assert_eq!(
+        (fields[1].value, fields[1].unit),
+        (Value::Number(0.037_04), "m")
+    );
+    assert_eq!(
+        (fields[2].value, fields[2].unit),
+        (Value::Number(2.0), "1/Ω")
+    );
+    assert_eq!(fields[0].unit, "");
+    // What a component counts beside is converted too.
+    let part = Field::within(0.9, "x", 0.0012).of("μg/Ω²");
+    let shown = |field: Field| field.rounded(4).value;
+    assert_eq!(shown(part), Value::Number(0.0012));
+    assert_eq!(
+        shown(part.in_si(&[Unit::new("μg/Ω²", 2.0.into(), "m")])),
+        Value::Number(0.002)
     );
 }
 
@@ -157,7 +222,7 @@ fn a_formula_is_trusted_where_rounding_explains_what_the_motion_says() {
     let beside = said([2.0, 2.0, 2.0 + 1e-9]);
     let nudged = Answer::by_both(beside, [2.0 + 9e-10; 2].map(One), 0.0, "").unwrap();
     assert_eq!(nudged.digits, Some(15));
-    let alone = Answer::by_either(said([2.0, 2.1, 2.1]), None, "").unwrap();
+    let alone = Answer::by_either(said([2.0, 2.1, 2.1]), None, 0.0, "").unwrap();
     assert_eq!((alone.digits, alone.disagreement), (Some(15), None));
 }
 

@@ -11,7 +11,7 @@ pub use crate::motion::turntable::Start;
 /// An ensemble of particles, by the motion alone.
 pub use crate::motion::turntable::ensemble::{End, Horizon};
 
-use super::{Answer, Curve, Field, Fields, Quantity, SolveError, check, steps};
+use super::{Answer, Curve, Field, Fields, Quantity, RADIANS, SolveError, check, steps};
 use crate::motion::turntable::fate::{Certain, Ending, Rest, follow};
 use crate::motion::turntable::intrinsic::Exact;
 use crate::motion::turntable::moment::{Moment as Parts, moment};
@@ -53,6 +53,13 @@ pub enum TurntableProblem<T = f64> {
         velocity: [T; 2],
     },
 }
+
+/// The units of lengths, speeds and times.
+pub const LENGTH: &str = "μg/Ω²";
+/// See [`LENGTH`].
+pub const SPEED: &str = "μg/Ω";
+/// See [`LENGTH`].
+pub const TIME: &str = "1/Ω";
 
 /// What becomes of a start.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,8 +123,8 @@ impl Fields for TurntableOutcome {
     fn fields(&self) -> Vec<Field> {
         vec![
             Field::new("outcome", self.outcome),
-            Field::new("sigma", self.sigma),
-            Field::new("tau_rest", self.tau_rest),
+            Field::new("sigma", self.sigma).of(LENGTH),
+            Field::new("tau_rest", self.tau_rest).of(TIME),
         ]
     }
 }
@@ -126,13 +133,13 @@ impl Fields for Moment {
     fn fields(&self) -> Vec<Field> {
         let Moment { rho, p, psi, .. } = *self;
         vec![
-            Field::within(rho, "x", self.position[0]),
-            Field::within(rho, "y", self.position[1]),
-            Field::within(p, "vx", self.velocity[0]),
-            Field::within(p, "vy", self.velocity[1]),
-            Field::new("rho", rho),
-            Field::new("p", p),
-            Field::within(1.0, "psi", psi),
+            Field::within(rho, "x", self.position[0]).of(LENGTH),
+            Field::within(rho, "y", self.position[1]).of(LENGTH),
+            Field::within(p, "vx", self.velocity[0]).of(SPEED),
+            Field::within(p, "vy", self.velocity[1]).of(SPEED),
+            Field::new("rho", rho).of(LENGTH),
+            Field::new("p", p).of(SPEED),
+            Field::within(1.0, "psi", psi).of(RADIANS),
         ]
     }
 }
@@ -270,6 +277,7 @@ impl<T: Quantity> TurntableProblem<T> {
             title: "The path on the table",
             x: "x",
             y: "y",
+            units: [LENGTH; 2],
             equal: true,
             points: points?,
         })

@@ -48,7 +48,12 @@ const NAMED: usize = 6;
 /// same way, or the one id that begins like that or has it within.
 fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
     let ids = || edition.paper.claims().map(|(_, Claim { id, .. })| *id);
-    let plain = plain(word);
+    let name = edition.name;
+    let lower = word.trim().to_lowercase();
+    let number = numbered(&lower);
+    let plain = number
+        .clone()
+        .unwrap_or_else(|| lower.replace([' ', '_'], "-"));
     let is = |id: &&str| id.to_lowercase() == plain;
     if let Some(id) = ids().find(|id| *id == word).or_else(|| ids().find(is)) {
         return Ok(id);
@@ -56,19 +61,26 @@ fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
     let begins = |id: &&str| id.to_lowercase().starts_with(&plain);
     let within = |id: &&str| id.to_lowercase().contains(&plain);
     let mut some: Vec<_> = ids().filter(begins).collect();
-    if some.is_empty() {
+    // A part of a number is none of an id.
+    let word_like = plain.starts_with(char::is_alphabetic);
+    if some.is_empty() && word_like {
         some = ids().filter(within).collect();
     }
-    let name = edition.name;
     match &some[..] {
         // Digits alone are a number, not a part of one.
         [id] if !plain.ends_with(|c: char| c.is_ascii_digit()) => Ok(id),
-        several if several.len() > 1 && !plain.is_empty() && !is_numbered(&plain) => {
+        several if several.len() > 1 && word_like && number.is_none() => {
             let shown: Vec<_> = several.iter().take(NAMED).copied().collect();
             let more = if several.len() > NAMED { ", …" } else { "" };
             Err(format!("`{word}` may be {}{more}", shown.join(", ")).into())
         }
         _ => {
+            let section = lower.trim_matches(|c: char| !c.is_ascii_digit());
+            let mut claims = edition.paper.claims().map(|(_, claim)| claim);
+            if section.contains('.') && claims.any(|claim| claim.section == section) {
+                let list = format!("{name} list --section {section}");
+                return Err(format!("`{word}` is no claim but a section: `{list}`").into());
+            }
             let near = |id: &&str| (strsim::jaro_winkler(&id.to_lowercase(), &plain) * 1e6) as u32;
             let best = ids().max_by_key(near).filter(|id| near(id) > 850_000);
             let hint = best.map_or(String::new(), |id| format!("did you mean `{id}`? "));
@@ -77,35 +89,25 @@ fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
     }
 }
 
-/// Whether an id is that of an equation or a figure by its number.
-fn is_numbered(plain: &str) -> bool {
-    let number = plain
-        .strip_prefix("eq-")
-        .or_else(|| plain.strip_prefix("fig-"));
-    number.is_some_and(|number| number.parse::<u32>().is_ok())
-}
-
-/// A word in the form of the ids: `eq-13` for `13`, `(13)`, `Eq. (13)`, `EQ-13`, `eq13`; `fig-3` for `Figure 3`.
-fn plain(word: &str) -> String {
-    let lower = word.trim().to_lowercase();
-    let kept: String = lower
-        .chars()
-        .filter(|c| !matches!(c, '(' | ')' | '.' | '$' | '`'))
-        .map(|c| {
-            if c.is_whitespace() || c == '_' {
-                '-'
-            } else {
-                c
-            }
-        })
-        .collect();
-    let letters = kept.trim_end_matches(|c: char| c.is_ascii_digit());
-    let digits = kept[letters.len()..].trim_start_matches('0');
-    let prefix = match letters.trim_end_matches('-') {
-        _ if digits.is_empty() => return kept,
+/// The id of an equation or a figure that a word in small letters names by its number and nothing else: `13`, `(13)`,
+/// `eq. (13)`, `eq-13`, `eq13`; `figure 3`.
+fn numbered(word: &str) -> Option<String> {
+    let before = word.find(|c: char| !c.is_ascii_alphabetic())?;
+    let (kind, rest) = word.split_at(before);
+    let prefix = match kind {
         "" | "eq" | "eqn" | "equation" => "eq",
         "fig" | "figure" => "fig",
-        _ => return kept,
+        _ => return None,
     };
-    format!("{prefix}-{digits}")
+    let rest = match kind {
+        "" => rest,
+        _ => {
+            let rest = rest.strip_prefix('.').unwrap_or(rest);
+            rest.strip_prefix([' ', '-', '_']).unwrap_or(rest)
+        }
+    };
+    let inside = rest.strip_prefix('(').and_then(|r| r.strip_suffix(')'));
+    let digits = inside.unwrap_or(rest);
+    let all = !digits.is_empty() && digits.bytes().all(|b| b.is_ascii_digit());
+    all.then(|| format!("{prefix}-{}", digits.trim_start_matches('0')))
 }

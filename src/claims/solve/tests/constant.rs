@@ -3,6 +3,7 @@
 use super::*;
 use crate::claims::solve::constant::{At, ConstantProblem, Formulas};
 use crate::corrections::constant as corrected;
+use crate::scalar::Scalar;
 use std::f64::consts::PI;
 
 fn constant([lambda, v0, theta0, accel]: [f64; 4], at: At) -> ConstantProblem {
@@ -348,4 +349,60 @@ fn an_angle_that_only_the_formula_reaches_has_an_answer() {
         wrong.solve(),
         Err(SolveError::Parameter { name: "theta", .. })
     ));
+}
+
+/// A launch straight against the inertial force, at the moment at which it turns round: v = 0, by hand.
+#[test]
+fn where_a_launch_turns_round_it_stands_still() {
+    for (lambda, v0, accel) in [
+        (0.0, 1.0, 1.0),
+        (0.0, 2.0, 0.5),
+        (0.25, 1.0, 1.0),
+        (0.6, 3.0, 7.0),
+    ] {
+        let wide = |x: f64| format!("{x}").parse::<Double>().unwrap();
+        let [lambda, v0, accel] = [lambda, v0, accel].map(wide);
+        let turn = v0 / (accel * (lambda + 1.0.into()));
+        let theta0 = Double::pi();
+        let at = At::Time(turn);
+        let launch = ConstantProblem {
+            lambda,
+            v0,
+            theta0,
+            accel,
+            at,
+        };
+        let answer = launch.solve().unwrap();
+        let report = answer.report("");
+        assert_eq!(answer.digits, Some(15), "{launch:?}");
+        for (name, right) in [("v", 0.0), ("t", turn.into()), ("vx", 0.0), ("vy", 0.0)] {
+            let field = report
+                .fields
+                .iter()
+                .find(|field| field.name == name)
+                .unwrap();
+            let Value::Number(found) = field.value else {
+                panic!("{field:?}")
+            };
+            assert!(
+                (found - right).abs() <= 1e-14 * right,
+                "{launch:?}: {field:?}"
+            );
+        }
+    }
+    let [gamma, u0, kappa] = ["9", "1.3", "0.4"].map(|x| x.parse::<Double>().unwrap());
+    let at = At::Time(u0 / "12.5".parse().unwrap());
+    let theta0 = Double::pi();
+    let ball = crate::claims::solve::sphere::SphereProblem {
+        gamma,
+        u0,
+        theta0,
+        kappa,
+        at,
+    };
+    let answer = ball.solve().unwrap();
+    assert_eq!(
+        (answer.digits, answer.report("").fields[0].value),
+        (Some(15), Value::Number(0.0))
+    );
 }

@@ -4,6 +4,7 @@ use super::*;
 use crate::claims::anisotropic::simulated::Curves;
 use crate::claims::solve::{anisotropic, periodic, sinusoidal};
 use crate::paper::anisotropic::region;
+use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
 
 #[test]
@@ -258,5 +259,60 @@ fn the_note_says_where_the_printed_list_errs() {
             "{q}: {}",
             answer.note
         );
+    }
+}
+
+/// λ_c is known to 31 digits, and so is what its motion is; a rest that is short beside the period takes no digits from the
+/// other numbers. From mpmath, by (38) and (39).
+#[test]
+fn where_two_regimes_meet_only_the_name_is_undecided() {
+    let four = [
+        ("positive_start", 0.566_911_504_941_009_4),
+        ("positive_end", 3.708_504_158_530_803),
+        ("w_max", 0.608_896_145_739_685),
+    ];
+    let pi = Double::pi();
+    let critical = Double::from(2.0) / (Double::from(4.0) + pi * pi).sqrt();
+    for (more, regime, rest) in [
+        (0.0, "critical", 0.0),
+        (1e-30, "critical", 0.0),
+        (-1e-30, "critical", 0.0),
+        (1e-28, "two-rests", 1.308e-28),
+        (-1e-28, "two-zeros", 0.0),
+        (1e-20, "two-rests", 1.308_387_46e-20),
+    ] {
+        let lambda0 = critical + more.into();
+        let answer = sinusoidal::SinusoidalProblem { lambda0 }.solve().unwrap();
+        assert_eq!((word(&answer), answer.digits), (regime, Some(15)), "{more}");
+        agrees(&answer, &four);
+        let report = answer.report("");
+        let Value::Number(found) = report.fields[3].value else {
+            panic!("{report:?}")
+        };
+        assert!((found - rest).abs() <= 2e-28, "{more}: {found}");
+        // The formula is what is right here: it is written as far as that.
+        assert_eq!(report.by_formula.as_ref(), Some(&report.fields));
+    }
+    for (eta, lambda0, more, regime) in [
+        ("0.3", "0.3", 0.0, "two-zeros"),
+        ("0.3", "0.3", 1e-31, "critical"),
+        ("0.3", "0.3", 1e-25, "two-rests"),
+        // Shorter than the rounding of phases.
+        ("1e-20", "0.5", 0.0, "two-rests"),
+    ] {
+        let [eta, lambda0] = [eta, lambda0].map(|x| x.parse::<Double>().unwrap());
+        let lambda0 = lambda0 + more.into();
+        let answer = periodic::PeriodicProblem { eta, lambda0 }.solve().unwrap();
+        assert_eq!((word(&answer), answer.digits), (regime, Some(15)));
+    }
+    // The drift between equal frictions, (q − 1) times 0.3 of a unit.
+    for more in [1e-20, 1e-28] {
+        let q = Double::from(1.0) + Double::from(more);
+        let lambda0 = Double::from(0.5);
+        let answer = anisotropic::AnisotropicProblem { q, lambda0 }
+            .solve()
+            .unwrap();
+        assert_eq!(answer.digits, Some(15));
+        agrees(&answer, &[("positive", PI), ("negative", PI)]);
     }
 }
