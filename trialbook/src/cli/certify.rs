@@ -3,7 +3,7 @@
 use super::output::{VERSION, csv, json, say};
 use crate::book;
 use crate::claims::attempt::Attempt;
-use crate::claims::{Claim, Paper};
+use crate::claims::{Claim, Paper, Sort};
 use crate::edition::{Edition, Failure, Format};
 use crate::evidence::{Evidence, Subject};
 use crate::witness::{self, Witness};
@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use std::path::Path;
 
 /// The version of the files' format.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 
 /// What stands in a file.
 #[derive(Serialize)]
@@ -25,6 +25,8 @@ struct Certificate {
     statement: &'static str,
     /// Its hash, SHA-256 of the text in UTF-8.
     sha256: String,
+    /// The claim's conditions, in LaTeX and words.
+    conditions: Vec<&'static str>,
     /// About what form of the claim it speaks.
     about: String,
     /// Which of the claim's proofs it is, from 1 in the order of the row.
@@ -163,11 +165,14 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
         .filter(|_| evidence.subject == Subject::Corrected);
     let statement = corrected.map_or(claim.latex, |correction| correction.latex);
     let hash = Sha256::digest(statement.as_bytes());
+    let conditions = claim.conditions.iter();
+    let conditions = conditions.filter(|condition| condition.sort != Sort::Remark);
     Certificate {
         format: FORMAT,
         claim: claim.id,
         statement,
         sha256: hash.iter().map(|byte| format!("{byte:02x}")).collect(),
+        conditions: conditions.map(|condition| condition.text).collect(),
         about: evidence.about(claim.correction.is_none()),
         proof: 1,
         trial: evidence.trial,
