@@ -9,16 +9,17 @@ from flint import acb, arb, fmpq, fmpz_mpoly_ctx
 
 from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
 from latex import Reader, name
+from said import plain
 
 RULES = {"pi": "rule", "free": "rule name", "half-tangent": "rule of", "half-exponential": "rule of",
          "root": "rule of degree", "power": "rule of to", "logarithm": "rule of"}
 WORTH = {"pi": lambda: arb.pi(), "half-tangent": lambda x: (x / 2).tan(), "half-exponential": lambda x: (x / 2).exp(),
          "power": pow, "logarithm": arb.log}
 
-# Proofs that put in what does not follow from the rules, but holds where they say.
+# What a symbol is there, in a proof of what is so at one point only: put in, it changes nothing of what is made of the symbol.
+RELATIONS = {"B and C touch at Y": ("α", ["-", ["/", ["*", "3", "π"], "2"], ["cot", "α"]])}
 # At so many places what is said of signs and branches has to hold, of so many that are looked at.
 PLACES, TRIES = 3, 3000
-RELATIONS = {"B and C touch at Y": "there α = 3π/2 − x and x = cot α, the root of tan x = x"}
 
 
 class Element(Value):
@@ -91,6 +92,7 @@ class Field(Calculator):
             demand(self.same(self.turn(is_)[function == "arcsin"], of), "an inverse that is none")
             self.inverses.append((function, of, is_))
         self.idle = {known[2] for known in self.powers[own:] + self.inverses}
+        self.branches = [("power", is_) for _, _, is_ in self.powers[own:]] + [(f, is_) for f, _, is_ in self.inverses]
         self.positive = self.conditions(conditions)
         draw, tried = random.Random(seed), range(TRIES)
         places = filter(None, (self.principal(self.powers[own:], draw, i) for i in tried))
@@ -142,9 +144,9 @@ class Field(Calculator):
         """Whether an element differs from 0 somewhere on the principal branches, once these are known."""
         return self.places is None or any(not x.at(place).contains(0) for place in self.places)
 
-    def is_positive(self, x):
-        """Whether an element is positive on the principal branches, or in the direction of an imaginary root."""
-        return all(isinstance(y, acb) or y > 0 for y in map(x.at, self.places))
+    def everywhere(self, holds, x):
+        """Whether something holds of an element wherever we are on the principal branches."""
+        return all(holds(x.at(place)) for place in self.places)
 
     def exceeds_zero(self, x):
         """Whether an element is a positive number, or such a multiple of what is positive by a condition."""
@@ -374,8 +376,8 @@ class Field(Calculator):
     def keeps(self, g, all_, alone):
         """Whether a generator has the value that its rule gives it, where these values are put in; alone, it may have any."""
         rule, *of = self.rules[g]
-        new = all_[g]
-        positive = rule not in ("half-exponential", "power") or self.is_positive(new)
+        new, imaginary = all_[g], rule == "half-exponential"
+        positive = rule not in ("half-exponential", "power") or self.everywhere(lambda y: isinstance(y, acb) and imaginary or y > 0, new)
         if alone and rule != "power" or rule in ("pi", "free"):
             return positive
         of = [all_[x] if type(x) is int else self.value(x, all_, self) for x in of]
@@ -399,20 +401,38 @@ class Field(Calculator):
         """An element with values for some of the generators in it. What these are made of goes along where it occurs too, by the
         rules; what does not occur need not be said, if one generator alone is made of it."""
         all_, there = [values.get(g, own) for g, own in enumerate(self.g)], x.occurring()
-        of = {g: self.made_of(self.g[g]) - {g} for g in there}
-        for g in there if self.title not in RELATIONS else ():
+        of = {g: self.made_of(self.g[g]) - {g} for g in self.made_of(x)}
+        own, tree = RELATIONS.get(self.title, (None, None))
+        itself = {g for g in values if own in self.symbols and self.same(self.symbols[own], self.g[g]) and self.same(values[g], evaluate(tree, self))}
+        result, values = self.value(x, all_, self), {g: y for g, y in values.items() if g not in itself}
+        all_ = [values.get(g, own) for g, own in enumerate(self.g)]
+        for g in of:
             if g in values or of[g] & values.keys():
                 others = [h for h in there - {g} if of[g] & (of[h] | {h}) and g not in of[h]]
-                demand(self.keeps(g, all_, not others), "a value against a rule")
-        return self.value(x, all_, self)
+                demand(self.keeps(g, all_, g in values and not others), "a value against a rule")
+        # What is known of other roots and angles holds there too.
+        beyond = {"arcsin": lambda x: 2 * abs(x) > arb.pi(), "arccos": lambda x: x < 0 or x > arb.pi(), "power": lambda x: x < 0}
+        for function, is_ in self.branches:
+            if is_.occurring() & values.keys():
+                inside = self.everywhere(lambda x: not beyond[function](x), self.value(is_, all_, self))
+                demand(inside, "a value beyond a branch")
+        return result
 
 
 def identity(w, before, conditions=()):
-    _, title, given, generators, symbols, powers, inverses, parts, gives, equal, fails = keys(
+    """Some stand in several files; each is looked at once."""
+    given = w.get("given", [])
+    demand(all(isinstance(other, str) and other in before for other in given), "it rests on a proof that is not there")
+    return carried_out(json.dumps(w), tuple(conditions))
+
+
+@cache
+def carried_out(text, conditions):
+    w = json.loads(text)
+    _, title, _, generators, symbols, powers, inverses, parts, gives, equal, fails = keys(
         w, "kind title given generators symbols powers inverses parts gives equal fails")
     demand(type(fails) is bool and len(equal) >= fails, "nothing is compared")
-    demand(all(isinstance(other, str) and other in before for other in given), "it rests on a proof that is not there")
-    f = Field(generators, symbols, powers, inverses, conditions, json.dumps(w))
+    f = Field(generators, symbols, powers, inverses, conditions, text)
     f.title = title
     demand(len(gives) == len(parts), "not as many results as parts")
     made, used = [], set()
@@ -420,11 +440,13 @@ def identity(w, before, conditions=()):
         made.append(step(f, made, part, used))
         as_said = result is None or f.same(made[-1], f.element(result, worked_out=True))
         demand(as_said, f"{title}: a part is something else")
+    difference = lambda left, right: made[index(left, len(made))] - (f.number(0) if right is None else made[index(right, len(made))])
     for i, demanded in enumerate(equal):
         says, left, right = keys(demanded, "says left right")
-        demand(left != right, "something is compared with itself")
+        sides = [i for i in (left, right) if i is not None]
+        demand(not plain(w, sides), "something is compared with itself")
         used |= {left, right} - {None}
-        off = made[index(left, len(made))] - (f.number(0) if right is None else made[index(right, len(made))])
+        off = difference(left, right)
         if fails and i + 1 == len(equal):
             demand(not f.is_zero(off) and f.differs(off), f"{title}: {says}: equal, which it is not to be")
         else:

@@ -36,7 +36,8 @@ def side(ends):
 def polynomial(terms, names):
     def term(c, exponents):
         powers = [names[g] + (f"^{k}" if k > 1 else "") for g, k in enumerate(exponents) if k]
-        return " ".join([c] * (c != "1" or not powers) + powers)
+        sign, size = ("-", c[1:]) if c[0] == "-" else ("", c)
+        return sign + " ".join([size] * (size != "1" or not powers) + powers)
 
     return " + ".join(term(*of) for of in terms).replace("+ -", "- ") or "0"
 
@@ -45,7 +46,8 @@ def element(x, names):
     over = polynomial(x["above"], names)
     factors = [x["number"]] * (x["number"] != "1")
     factors += [f"({polynomial(f, names)})" + (f"^{k}" if k > 1 else "") for f, k in x["below"]]
-    return f"({over})/{' '.join(factors)}" if factors else over
+    over = f"({over})" if " " in over else over
+    return f"{over}/({' '.join(factors)})" if factors else over
 
 
 def generators(rules):
@@ -120,7 +122,7 @@ def plain(w, sides):
     """Whether the sides have the same text, or are both numbers that nothing was done to."""
     _, whole, of = made(w, generators(w["generators"])[0])
     numbers = [next(iter(w["parts"][i])) in ("read", "element") and re.fullmatch(r"[-\d/ ()]+", of(i)) for i in sides]
-    return all(numbers) or len({whole[i] for i in sides}) == 1
+    return all(numbers) or len(sides) == 2 and len({whole[i] for i in sides}) == 1
 
 
 def identity(w):
@@ -174,3 +176,30 @@ KINDS = {"identity": identity, "root": root, "number": number, "range": range_, 
 def witness(w):
     first, *lines = KINDS[w["kind"]](w)
     return "\n".join([first, *("  " + line for line in lines)])
+
+
+class Said:
+    """The record: of each file a paragraph, in which a witness that stands before is named by its place there."""
+
+    def __init__(self, text):
+        self.files, self.known = {}, {}
+        for paragraph in text.split("\n\n") if text.strip() else []:
+            head, *of = re.split(r"\n(?=\d+ )", paragraph.rstrip("\n"))
+            name, texts = head.split(": ", 1)[0], []
+            for i, own in enumerate(of):
+                text = own.split(" ", 1)[1]
+                texts.append(self.known[text[3:]] if text.startswith("as ") else text)
+                self.known[f"{name} {i}"] = texts[-1]
+            self.files[name] = head, texts
+
+    @staticmethod
+    def written(files):
+        places, paragraphs = {}, []
+        for head, texts in files:
+            lines = [head]
+            for i, text in enumerate(texts):
+                place = places.setdefault(text, f"{head.split(': ', 1)[0]} {i}")
+                first = place == f"{head.split(': ', 1)[0]} {i}"
+                lines.append(f"{i} {text if first else f'as {place}'}")
+            paragraphs.append("\n".join(lines))
+        return "\n\n".join(paragraphs) + "\n"

@@ -135,6 +135,11 @@ impl Expr {
         Self::new(Node::Symbol(name))
     }
 
+    /// The number of the tree in this thread's store.
+    pub(super) fn index(self) -> u32 {
+        self.index
+    }
+
     /// The node on top, with its children.
     pub fn node(self) -> Node {
         STORE.with_borrow(|store| store.nodes[self.index as usize])

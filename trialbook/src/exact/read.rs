@@ -24,7 +24,7 @@ impl Ring {
         let read = tape::formed(|| tape::read(formula, self), || self.understood(formula))?;
         let made = match formula.node() {
             Node::Int(_) | Node::Pi | Node::Symbol(_) => Made::Given,
-            _ => Made::Read(formula),
+            _ => Made::Read(formula.index()),
         };
         let origin = read.origin().made(made);
         Ok(read.formed(origin))

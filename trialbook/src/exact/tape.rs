@@ -28,8 +28,8 @@ pub(super) enum Made {
     /// It was given as it is: a number, a quantity.
     #[default]
     Given,
-    /// It was read from a formula.
-    Read(Expr),
+    /// It was read from the formula of this number in this thread's store.
+    Read(u32),
     /// It was formed of others.
     Formed,
 }
