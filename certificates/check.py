@@ -44,7 +44,7 @@ def rows(files):
         def meant(name):
             """What stands for a constant, or for one of a list."""
             of = known.get(name[1], name[0])
-            return of if name[2] is None else re.findall(r"\w*Condition \{.*?\}|[A-Z_]{4,}", of, re.DOTALL)[int(name[2])]
+            return of if name[2] is None else re.findall(r"Condition \{.*?Sort::\w+,\s*\}|[A-Z_]{4,}", of, re.DOTALL)[int(name[2])]
 
         for claim, row in re.findall(r'\bClaim \{\s+id: "([^"]+)",(.*?)\n    \}', text, re.DOTALL):
             for _ in range(3):

@@ -377,7 +377,7 @@ class Field(Calculator):
         """Whether a generator has the value that its rule gives it, where these values are put in; alone, it may have any."""
         rule, *of = self.rules[g]
         new, imaginary = all_[g], rule == "half-exponential"
-        positive = rule not in ("half-exponential", "power") or self.everywhere(lambda y: isinstance(y, acb) and imaginary or y > 0, new)
+        positive = rule not in ("half-exponential", "power") or self.everywhere(lambda y: imaginary if isinstance(y, acb) else y > 0, new)
         if alone and rule != "power" or rule in ("pi", "free"):
             return positive
         of = [all_[x] if type(x) is int else self.value(x, all_, self) for x in of]
@@ -467,6 +467,7 @@ def step(f, made, part, used):
 
     binary = {"sum": add, "difference": sub, "product": mul, "quotient": truediv, "raised": f.raised}
     if name in binary:
+        demand(name != "product" or not any(f.is_zero(get(i)) for i in of), "0 times something")
         return binary[name](*map(get, of))
     match name, of:
         case "element", _:
@@ -479,7 +480,7 @@ def step(f, made, part, used):
             x, values = get(i), {index(g, f.n): get(j) for g, j in pairs}
             there = x.occurring() if name == "put" else f.made_of(x)
             # Rates of what does not occur say just that.
-            absent = name == "derivative" and x.number() is None and not values.keys() & there
+            absent = name == "derivative" and not values.keys() & there
             demand(values and len(values) == len(pairs) and (absent or values.keys() <= there), "an idle value")
             free = all(f.rules[g] == ("free",) for g in values)
             demand(free or name == "put", "a rate of what is not free")

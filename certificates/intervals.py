@@ -182,6 +182,7 @@ def number(w, before):
     _, place, stated, found = keys(w, "kind root stated found")
     at = before[index(place, len(before))]
     demand(isinstance(at, tuple), "the number is not that of a root")
+    demand(stated != found, "something is compared with itself")
     off = coefficients(stated, *at)[0] - coefficients(found, *at)[0]
     same = Interval(0).within(off) and off.width() < arb(2) ** -200
     if isinstance(stated, list) and stated[0] == "/" and re.fullmatch(r"\d+/10+", "/".join(map(str, stated[1:]))):
@@ -234,7 +235,9 @@ def range_(w, before, accepted=set()):
 def everywhere(w):
     _, names, within, cases, parts = keys(w, "kind variables within cases parts")
     n = len(variables(names))
-    within, parts = box(within, n), [(box(at, n), by) for at, by in (keys(part, "at by") for part in parts)]
+    within = box(within, n)
+    demand(all(side.low < side.high for side in within), "no range")
+    parts = [(box(at, n), by) for at, by in (keys(part, "at by") for part in parts)]
     cells = [at for at, _ in parts]
     demand(covered(within, cells), "the parts leave a gap")
     volume = lambda cell: reduce(lambda v, side: v * side.width(), cell, arb(1))

@@ -300,7 +300,7 @@ impl<'a> Prover<'a> {
         let difference = x - y;
         self.compared = true;
         let is_zero = self.ring.is_zero(&difference)?;
-        if is_zero && tape::is_plain(x, y, &difference) {
+        if is_zero && tape::is_plain(x, y, &difference, self.ring) {
             return Ok(());
         }
         tape::compared(says, x, y);

@@ -22,11 +22,7 @@ impl Ring {
     /// by zero.
     pub fn read(&self, formula: Expr) -> Result<Rational, ExactError> {
         let read = tape::formed(|| tape::read(formula, self), || self.understood(formula))?;
-        let made = match formula.node() {
-            Node::Int(_) | Node::Pi | Node::Symbol(_) => Made::Given,
-            _ => Made::Read(formula.index()),
-        };
-        let origin = read.origin().made(made);
+        let origin = read.origin().made(Made::Read(formula.index()));
         Ok(read.formed(origin))
     }
 

@@ -358,14 +358,32 @@ fn demand(says: &str, left: usize, right: Option<usize>) {
     });
 }
 
-/// Whether two equal elements are so as they stand, without a proof: both numbers that nothing was done to, or read from
-/// one formula.
-pub(super) fn is_plain(x: &Rational, y: &Rational, difference: &Rational) -> bool {
-    match [x, y].map(|x| x.origin().made) {
-        [Made::Formed, _] | [_, Made::Formed] => false,
-        [Made::Given, Made::Given] => difference.is_literally_zero(),
-        [a, b] if a == b => true,
-        _ => [x, y].iter().all(|x| x.generators().next().is_none()),
+/// Whether two equal elements are so as they stand, without a proof: both were given so, or read from one formula.
+pub(super) fn is_plain(x: &Rational, y: &Rational, difference: &Rational, ring: &Ring) -> bool {
+    // The formula, if it was read from more than a name or a number.
+    let of = |x: &Rational| match x.origin().made {
+        Made::Given => Some(None),
+        Made::Read(formula) => {
+            let formula = named(Expr::numbered(formula)?, ring);
+            let leaf = matches!(formula.node(), Node::Pi | Node::Symbol(_)) || is_number(formula);
+            Some((!leaf).then_some(formula))
+        }
+        Made::Formed => None,
+    };
+    match (of(x), of(y)) {
+        (Some(None), Some(None)) => difference.is_literally_zero(),
+        (Some(x), Some(y)) => x == y,
+        _ => false,
+    }
+}
+
+/// Whether nothing but whole numbers stands in a formula.
+fn is_number(formula: Expr) -> bool {
+    match formula.node() {
+        Node::Int(_) => true,
+        Node::Neg(x) => is_number(x),
+        Node::Binary(_, x, y) => is_number(x) && is_number(y),
+        _ => false,
     }
 }
 
@@ -676,7 +694,6 @@ fn simplified(
             .any(|one| one.left == i || one.right == Some(i));
         match &all[i] {
             Part::Put(x, values) if values.is_empty() => alike[i] = *x,
-            Part::Derivative(x, _) if met[*x].is_empty() => all[i] = nought(),
             _ if compared => {}
             Part::Sum(x, y) | Part::Difference(x, y) if zero(y) => alike[i] = *x,
             Part::Sum(x, y) if zero(x) => alike[i] = *y,
