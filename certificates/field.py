@@ -445,6 +445,8 @@ def carried_out(text, conditions):
         says, left, right = keys(demanded, "says left right")
         sides = [i for i in (left, right) if i is not None]
         demand(not plain(w, sides), "something is compared with itself")
+        nothing = [any(f.is_zero(made[j]) for j in parts[i].get("product", ())) for i in sides]
+        demand(nothing != [True, True], "0 times something")
         used |= {left, right} - {None}
         off = difference(left, right)
         if fails and i + 1 == len(equal):
@@ -467,7 +469,6 @@ def step(f, made, part, used):
 
     binary = {"sum": add, "difference": sub, "product": mul, "quotient": truediv, "raised": f.raised}
     if name in binary:
-        demand(name != "product" or not any(f.is_zero(get(i)) for i in of), "0 times something")
         return binary[name](*map(get, of))
     match name, of:
         case "element", _:

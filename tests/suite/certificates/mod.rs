@@ -196,6 +196,7 @@ fn no_equation_is_compared_twice() {
             let sides =
                 ["left", "right"].map(|side| equal[side].as_u64().map(|at| made[at as usize]));
             let mut pair = sides.map(|side| side.map(|(hash, _)| hash));
+            assert_ne!(pair[0], pair[1], "{}: {}", witness["title"], equal["says"]);
             pair.sort_unstable();
             let named = sides.iter().flatten().any(|(_, named)| *named);
             if !seen.insert(pair) && named {
