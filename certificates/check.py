@@ -85,8 +85,10 @@ def right(certificate, name, prints):
     for w in witnesses:
         demand(w.get("kind") in KINDS, f"no kind of witness: {w.get('kind')}")
         before.append(KINDS[w["kind"]](w, before, *[under] * (w["kind"] == "identity")))
-    return "\n".join([f"{name}: {about}; {tied(statement, witnesses)}", f"statement: {statement}",
-                      *(f"condition: {text}" for text in conditions), f"says: {says}"]), [witness(w) for w in witnesses]
+    head = [f"{name}: {about}; {tied(statement, witnesses)}", f"statement: {statement}",
+            *(f"condition: {text}" for text in conditions), f"says: {says}"]
+    demand(not any("\n" in line for line in head), "a text of two lines")
+    return "\n".join(head), [witness(w) for w in witnesses]
 
 
 def check(certificate, name, prints):

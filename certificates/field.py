@@ -7,7 +7,7 @@ from operator import add, mul, sub, truediv
 
 from flint import acb, arb, fmpq, fmpz_mpoly_ctx
 
-from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
+from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, is_name, keys
 from latex import Reader, name
 from said import plain
 
@@ -76,7 +76,7 @@ class Field(Calculator):
                 right = self.number(1) / (self.number(1) + self.g[u] * self.g[u])
                 demand(degree == 2 and self.same(of, right), "no half cosine")
         for name, x in symbols:
-            demand(name not in self.symbols, "a symbol twice")
+            demand(is_name(name) and name not in self.symbols, "a symbol twice, or no name")
             self.symbols[name] = self.element(x)
         own = len(self.powers)
         for known in powers:
@@ -161,7 +161,7 @@ class Field(Calculator):
                 demand(g == 0, "π is the generator 0")
                 return ("pi",)
             case ["free", name]:
-                demand(isinstance(name, str) and name not in self.symbols, "a name twice")
+                demand(is_name(name) and name not in self.symbols, "a name twice, or no name")
                 self.symbols[name] = self.g[g]
                 return ("free",)
             case ["half-tangent" | "half-exponential" as rule, of]:
@@ -414,7 +414,7 @@ class Field(Calculator):
         beyond = {"arcsin": lambda x: 2 * abs(x) > arb.pi(), "arccos": lambda x: x < 0 or x > arb.pi(), "power": lambda x: x < 0}
         for function, is_ in self.branches:
             if is_.occurring() & values.keys():
-                inside = self.everywhere(lambda x: not beyond[function](x), self.value(is_, all_, self))
+                inside = self.everywhere(lambda x: x.is_finite() and not beyond[function](x), self.value(is_, all_, self))
                 demand(inside, "a value beyond a branch")
         return result
 

@@ -176,7 +176,36 @@ def infinite(w):
     w["parts"][next(i for i, part in enumerate(w["parts"]) if "series" in part)]["series"][1][0][1] = float("inf")
 
 
+def reading(w, old, new):
+    """Another formula for the last one that is read so, with nothing said of what comes of it."""
+    part = [part for part in w["parts"] if "read" in part and old(part["read"])][-1]
+    part["read"], w["gives"] = new, [None] * len(w["parts"])
+
+
+def spin_in_the_law(w):
+    """The spin ω_z drives the centre."""
+    reading(w, lambda tree: tree == "A_x", ["+", "A_x", "ω_z"])
+
+
+def other_speed(w):
+    """The path grows as the speed, whatever that is."""
+    reading(w, lambda tree: "L" in str(tree) and tree != "L", ["*", "7", ["*", "L", "L"]])
+
+
+def goes_on(w):
+    """The vanishing power of the half tangent does not vanish."""
+    put = next(part["put"] for part in w["parts"] if len(part.get("put", [0, []])[1]) == 2)
+    put[1][1][1] = 0
+
+
+def titled(title):
+    return of_kind("identity", lambda w: w["title"] == title)
+
+
 IN_WITNESSES = [
+    (titled("ζ₃ is constant and enters nothing else"), spin_in_the_law, "not equal"),
+    (titled("(137) in every escape"), other_speed, "not equal"),
+    (titled("(20): the time at which the particle stops"), goes_on, "a value against a rule"),
     (of_kind("identity", lambda w: w["equal"] and w["equal"][0]["right"] is not None and not w["fails"]), emptied, "0 times something"),
     (of_kind("root"), coarse, "the root is elsewhere"),
     (of_kind("identity", lambda w: any("series" in part for part in w["parts"])), infinite, "no lowest power"),
@@ -543,6 +572,12 @@ def root_with_itself():
     return lambda w, _: number(w, [where]), {"kind": "number", "root": 0, "stated": "x", "found": "x"}, "something is compared with itself"
 
 
+def name_like_a_formula():
+    """y is not y, where y is what "x + 1" is called."""
+    odd = {"rule": "free", "name": "x + 1"}
+    return *claimed([X, odd], [{"read": ["+", "x", "1"]}, {"read": "x + 1"}], [(0, 1)], fails=True), "no name"
+
+
 def no_decimal():
     """x + ¼ for x, as if it were a decimal with no digits behind the point."""
     from intervals import number
@@ -570,7 +605,7 @@ FALSE = [other_branch, at_the_end, at_the_end_of_a_side, by_the_slope_along_x, a
          nothing_times_anything, named_as_pi, logarithm_of_zero, power_of_a_negative_number, power_of_zero, another_condition,
          power_of_zero_that_is_not, tangent_at_its_pole, at_a_known_place, root_left_as_it_is, root_below_left_as_it_is, root_turned, touch_at_another_point,
          imaginary_root, two_angles_in_one, root_of_a_square, arcsine_of_a_sine, rate_by_nothing, hidden_rate,
-         two_for_the_price_of_one, read_twice, numbers_that_differ, one_point, root_with_itself]
+         two_for_the_price_of_one, read_twice, name_like_a_formula, numbers_that_differ, one_point, root_with_itself]
 
 
 def refused(reason, call):

@@ -7,7 +7,7 @@ from itertools import product
 
 from flint import arb, arb_mat, ctx as precision, fmpq
 
-from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
+from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, is_name, keys
 from latex import read
 
 precision.prec = 512
@@ -105,8 +105,7 @@ def hashed(text):
 
 
 def variables(names):
-    of_letters = isinstance(names, list) and all(isinstance(n, str) for n in names)
-    demand(of_letters and len(set(names)) == len(names) and not any(n == "π" or re.match(r"-?\d", n) for n in names), "no names")
+    demand(isinstance(names, list) and all(map(is_name, names)) and len(set(names)) == len(names) and "π" not in names, "no names")
     return names
 
 

@@ -2,7 +2,7 @@
 import re
 from decimal import Decimal, localcontext
 
-from formula import dyadic
+from formula import demand, dyadic
 
 BINDS = {"+": 1, "-": 1, "*": 2, "/": 2, "^": 4}
 
@@ -175,6 +175,7 @@ KINDS = {"identity": identity, "root": root, "number": number, "range": range_, 
 
 def witness(w):
     first, *lines = KINDS[w["kind"]](w)
+    demand(not any("\n" in line for line in [first, *lines]), "a text of two lines")
     return "\n".join([first, *("  " + line for line in lines)])
 
 

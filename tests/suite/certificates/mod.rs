@@ -208,9 +208,7 @@ fn no_equation_is_compared_twice() {
     assert_eq!(
         repeated.into_iter().collect::<Vec<_>>(),
         [
-            "(137) in every escape",
             "Friction cannot hold",
-            "The last of the velocity across",
             "the slope of (115) at its zeros, α held fixed",
         ]
     );
