@@ -308,6 +308,7 @@ pub(super) fn prove_eq79(printed: Components) -> Proof {
                 p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
             p.equal("The two", &own, &rate)?;
         }
+        upright(p, rho_rate()[2])?;
         upright(p, along_z)
     })
 }
