@@ -78,7 +78,6 @@ def generators(rules):
 def made(w, names):
     """The parts as text, each of earlier ones; and of each a number, the same for the same text."""
     texts, whole, same = [], [], {}
-    use = [0] * len(w["parts"])
 
     def of(i):
         return texts[i] if len(texts[i]) < 60 else f"a{i}"
