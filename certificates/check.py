@@ -2,11 +2,10 @@
 """Checks certificates with python-flint alone; nothing of it is shared with what wrote them.
 
     python3 check.py FOLDER [DATE]     all files of a folder; with a date, the result is recorded
-    python3 check.py FOLDER --list     writes ties.csv anew
+    python3 check.py FOLDER --list     writes said.txt anew, if every file is right, for it to be read and reviewed
 
 The format is described in the book, on the page "Certificates". Exit code 0 if every file is accepted.
 """
-import hashlib
 import json
 import re
 import subprocess
@@ -19,7 +18,8 @@ import flint
 from field import identity
 from formula import demand, keys
 from intervals import motion, number, range_, root
-from ties import outline, tied
+from said import Said, witness
+from ties import tied
 
 KINDS = {"identity": identity, "root": root, "number": number, "range": range_, "motion": motion}
 
@@ -30,6 +30,31 @@ def plain(text):
     return re.sub(r"\s+", "", text).rstrip(".,;").replace(r"\quad", "").replace(r"\,", "")
 
 
+LITERAL = r'r?"((?:[^"\\]|\\.)*)"'
+
+
+def rows(files):
+    """Of each claim, by its row in the sources: the statement, what replaces it, and its conditions."""
+    texts = [re.sub(r"\\\n\s*", "", file.read_text("utf-8")) for file in files]
+    consts = lambda text: dict(re.findall(r"const (\w+): [^=]+ = (.*?);\n", text, re.DOTALL))
+    everywhere, found = consts("".join(texts)), {}
+    for text in texts:
+        known = everywhere | consts(text)
+
+        def meant(name):
+            """What stands for a constant, or for one of a list."""
+            of = known.get(name[1], name[0])
+            return of if name[2] is None else re.findall(r"Condition \{.*?Sort::\w+,\s*\}|[A-Z_]{4,}", of, re.DOTALL)[int(name[2])]
+
+        for claim, row in re.findall(r'\bClaim \{\s+id: "([^"]+)",(.*?)\n    \}', text, re.DOTALL):
+            for _ in range(3):
+                row = re.sub(r"(?<!:)\b([A-Z][A-Z0-9_]+)\b(?:\[(\d)\])?", meant, row)
+            statements = re.findall(r"\blatex: " + LITERAL, row)
+            conditions = re.findall(rf"\btext: {LITERAL},\s+sort: Sort::(\w+)", row)
+            found[claim] = statements[:1], statements[1:], [said for said, sort in conditions if sort != "Remark"]
+    return found
+
+
 class Prints:
     """The statements as they stand in the repository: the numbered equations, and the rows of the claims."""
 
@@ -38,40 +63,41 @@ class Prints:
         lines = (self.root / "tests/data/equations.md").read_text("utf-8").splitlines()
         cells = [[cell.strip() for cell in line.split(" | ")] for line in lines if re.match(r"\| \d", line)]
         self.equations = {"eq-" + c[0].strip("| "): " | ".join(c[3:]).rstrip("| ").strip("`") for c in cells}
-        rows = "".join(path.read_text("utf-8") for path in (self.root / "src/claims").rglob("*.rs"))
-        self.rows = re.sub(r"\\\n\s*", "", rows)
-        listed = (self.root / "certificates/ties.csv").read_text("utf-8").splitlines()
-        self.ties = dict(line.split(",", 1) for line in listed)
+        self.rows = rows(sorted((self.root / "src/claims").glob("*.rs")))
+        self.said = Said((self.root / "certificates/said.txt").read_text("utf-8"))
 
-    def has(self, claim, statement, corrected):
+    def has(self, claim, statement, corrected, conditions):
+        printed, correct, under = self.rows.get(claim, ([], [], None))
         if claim in self.equations and not corrected:
-            return plain(self.equations[claim]) == plain(statement)
-        return any(f'"{text}"' in self.rows for text in (statement, statement.replace("\\", "\\\\")))
+            return plain(self.equations[claim]) == plain(statement) and conditions == under
+        return [statement] == (correct if corrected else printed) and conditions == under
 
 
-def listed(certificate):
-    """What a file has to be about: to be read before it is committed."""
-    statement, sha256, witnesses = (certificate[key] for key in ("statement", "sha256", "witnesses"))
-    return f"{tied(statement, witnesses)},{sha256[:16]},{outline(certificate)}"
+def right(certificate, name, prints):
+    """Raises `Wrong` unless the certificate proves what it says; what it says, as text."""
+    version, claim, statement, conditions, about, proof, says, witnesses = keys(
+        certificate, "format claim statement conditions about proof says witnesses")
+    demand(type(version) is int and version == 4, "another version of the format")
+    demand(type(proof) is int and name == f"{claim}-{proof}.json", "another file's name")
+    demand(prints.has(claim, statement, "corrected" in about, conditions), "the statement is not printed so")
+    demand(any(w.get("kind") != "identity" or w.get("equal") for w in witnesses), "nothing is compared")
+    before, under = [], [] if about.startswith("without") else conditions
+    for w in witnesses:
+        demand(w.get("kind") in KINDS, f"no kind of witness: {w.get('kind')}")
+        before.append(KINDS[w["kind"]](w, before, *[under] * (w["kind"] == "identity")))
+    head = [f"{name}: {about}; {tied(statement, witnesses)}", f"statement: {statement}",
+            *(f"condition: {text}" for text in conditions), f"says: {says}"]
+    demand(not any("\n" in line for line in head), "a text of two lines")
+    return "\n".join(head), [witness(w) for w in witnesses]
 
 
 def check(certificate, name, prints):
-    """Raises `Wrong` unless the certificate is right."""
-    version, claim, statement, sha256, about, proof, says, witnesses = keys(
-        certificate, "format claim statement sha256 about proof says witnesses")
-    demand(type(version) is int and version == 3, "another version of the format")
-    demand(type(proof) is int and name == f"{claim}-{proof}.json", "another file's name")
-    demand(hashlib.sha256(statement.encode()).hexdigest() == sha256, "the hash is not that of the statement")
-    demand(prints.has(claim, statement, "corrected" in about), "the statement is not printed so")
-    demand(witnesses, "no witness")
-    before = []
-    for w in witnesses:
-        demand(w.get("kind") in KINDS, f"no kind of witness: {w.get('kind')}")
-        before.append(KINDS[w["kind"]](w, before))
-    tie = listed(certificate)
-    demand(name in prints.ties, "a file that is not listed")
-    demand(prints.ties[name] == tie, f"not what is listed: {tie}")
-    return f"{claim},{proof},{tie.split(',')[0]},{about}"
+    """Raises `Wrong` unless the certificate is right, and says what is recorded."""
+    said = right(certificate, name, prints)
+    demand(name in prints.said.files, "a file that is not listed")
+    demand(prints.said.files[name] == said, "not what is listed")
+    about, tie = said[0].split("\n")[0].split(": ", 1)[1].rsplit("; ", 1)
+    return f"{certificate['claim']},{certificate['proof']},{tie},{about}"
 
 
 def once(pairs):
@@ -86,18 +112,19 @@ def opened(file):
 
 def main(folder, date=None):
     prints = Prints(Path(__file__).resolve().parent.parent)
-    files = sorted(Path(folder).glob("*.json"))
-    if date == "--list":
-        lines = [f"{file.name},{listed(opened(file))}\n" for file in files]
-        (prints.root / "certificates/ties.csv").write_text("".join(lines), "utf-8")
-        return 0
+    files, anew = sorted(Path(folder).glob("*.json")), date == "--list"
     accepted, rejected = [], []
     for file in files:
         try:
-            accepted.append(check(opened(file), file.name, prints))
+            accepted.append((right if anew else check)(opened(file), file.name, prints))
         except Exception as error:  # whatever a broken file brings about
             rejected.append(f"{file.name}: {type(error).__name__}: {error}")
-    rejected += [f"{name}: missing" for name in sorted(prints.ties.keys() - {file.name for file in files})]
+    if anew:
+        print("\n".join(rejected))
+        if not rejected:
+            (prints.root / "certificates/said.txt").write_text(Said.written(accepted), "utf-8")
+        return 1 if rejected else 0
+    rejected += [f"{name}: missing" for name in sorted(prints.said.files.keys() - {file.name for file in files})]
     ties = dict(sorted(Counter(line.split(",")[2] for line in accepted).items()))
     print("\n".join(rejected))
     print(f"{len(accepted)} of {len(files)} files accepted; the printed formula is", ties)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Spoils certificates and counts those that the checker still accepts.
 
-    python3 corrupt.py FOLDER FROM TO     spoils files number FROM to TO, and says what is still accepted, or refused by ties.csv alone
+    python3 corrupt.py FOLDER FROM TO     spoils files number FROM to TO, and says what is still accepted, or refused by said.txt alone
 """
 import copy
 import json
@@ -91,11 +91,9 @@ def dropped(c, rng, others):
 
 
 def another(c, rng, others):
-    other = rng.choice([o for o in others if o["sha256"] != c["sha256"]])
-    c["sha256"] = other["sha256"]
-    if rng.random() < 0.5:
-        c["statement"] = other["statement"]
-    return f"hash of {other['claim']}"
+    other = rng.choice([o for o in others if o["statement"] != c["statement"]])
+    c["statement"] = other["statement"]
+    return f"statement of {other['claim']}"
 
 
 KINDS = [digit, sign, box, swapped, dropped, another]

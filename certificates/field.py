@@ -1,20 +1,25 @@
 """Identities: rational functions of generators, with roots, angles, exponentials, powers and logarithms."""
+import json
+import random
 import re
 from functools import cache, reduce
-from itertools import combinations_with_replacement
 from operator import add, mul, sub, truediv
 
 from flint import acb, arb, fmpq, fmpz_mpoly_ctx
 
-from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
+from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, is_name, keys
+from latex import Reader, name
+from said import plain
 
 RULES = {"pi": "rule", "free": "rule name", "half-tangent": "rule of", "half-exponential": "rule of",
          "root": "rule of degree", "power": "rule of to", "logarithm": "rule of"}
 WORTH = {"pi": lambda: arb.pi(), "half-tangent": lambda x: (x / 2).tan(), "half-exponential": lambda x: (x / 2).exp(),
          "power": pow, "logarithm": arb.log}
 
-# Proofs that put in what does not follow from the rules, but holds where they say.
-RELATIONS = {"B and C touch at Y": "there α = 3π/2 − x and x = cot α, the root of tan x = x"}
+# What a symbol is there, in a proof of what is so at one point only: put in, it changes nothing of what is made of the symbol.
+RELATIONS = {"B and C touch at Y": ("α", ["-", ["/", ["*", "3", "π"], "2"], ["cot", "α"]])}
+# At so many places what is said of signs and branches has to hold, of so many that are looked at.
+PLACES, TRIES = 3, 3000
 
 
 class Element(Value):
@@ -54,14 +59,14 @@ class Element(Value):
 class Field(Calculator):
     """The generators with their relations."""
 
-    def __init__(self, generators, symbols, powers, inverses):
+    def __init__(self, generators, symbols, powers, inverses, conditions=(), seed=""):
         self.n = len(generators)
         self.ctx = fmpz_mpoly_ctx.get([f"g{i}" for i in range(self.n)], "lex")
         self.one = self.ctx.constant(1)
         self.g = [Element(self, g, self.one) for g in self.ctx.gens()]
         # A root is a power; of roots, radicand and degree are known too.
         self.rules, self.roots, self.powers, self.inverses, self.symbols = [], {}, [], [], {"π": self.g[0]}
-        self.half, self.values = self.number(fmpq(1, 2)), None
+        self.half, self.places = self.number(fmpq(1, 2)), None
         for g, x in enumerate(generators):
             self.rules.append(self.rule(g, x))
         demand(self.rules and self.rules[0] == ("pi",), "without π")
@@ -71,7 +76,7 @@ class Field(Calculator):
                 right = self.number(1) / (self.number(1) + self.g[u] * self.g[u])
                 demand(degree == 2 and self.same(of, right), "no half cosine")
         for name, x in symbols:
-            demand(name not in self.symbols, "a symbol twice")
+            demand(is_name(name) and name not in self.symbols, "a symbol twice, or no name")
             self.symbols[name] = self.element(x)
         own = len(self.powers)
         for known in powers:
@@ -87,21 +92,42 @@ class Field(Calculator):
             demand(self.same(self.turn(is_)[function == "arcsin"], of), "an inverse that is none")
             self.inverses.append((function, of, is_))
         self.idle = {known[2] for known in self.powers[own:] + self.inverses}
-        choices = combinations_with_replacement(range(self.n), 2)
-        self.values = next(filter(None, (self.principal(self.powers[own:], minus) for minus in choices)), None)
-        demand(self.values, "roots or angles that are on their principal branches nowhere together")
+        self.branches = [("power", is_) for _, _, is_ in self.powers[own:]] + [(f, is_) for f, _, is_ in self.inverses]
+        self.positive = self.conditions(conditions)
+        draw, tried = random.Random(seed), range(TRIES)
+        places = filter(None, (self.principal(self.powers[own:], draw, i) for i in tried))
+        self.places = [place for place, _ in zip(places, range(PLACES))]
+        demand(len(self.places) == PLACES, "roots or angles that are on their principal branches nowhere together")
 
-    def principal(self, roots, minus):
-        """Values of the generators where all symbols are small and positive, but for two, which may be negative: if there what
-        is known are positive roots of positive numbers, and angles on their principal branches."""
-        values = []
+    def conditions(self, texts):
+        """What is positive by the claim's conditions, as far as these begin with inequalities between what occurs here; and
+        whether it may be zero."""
+        symbols, found = {name(x): x for x in self.symbols}, []
+        spelled = lambda tree: [tree[0], *map(spelled, tree[1:])] if isinstance(tree, list) else symbols.get(tree, tree)
+        for text in texts:
+            latex = re.match(r"\$([^$]*)\$", text)
+            sides = re.split(r"(<|>|\\leq?(?![a-z])|\\geq?(?![a-z]))", latex[1]) if latex else []
+            for left, sign, right in zip(sides[::2], sides[1::2], sides[2::2]):
+                try:
+                    left, right = (evaluate(spelled(*Reader(side).sides()), self) for side in (left, right))
+                except (Wrong, TypeError):  # it cannot be read, or is about something else
+                    continue
+                found.append((right - left if "<" in sign or "l" in sign else left - right, sign in "<>"))
+        return found
+
+    def principal(self, roots, draw, i):
+        """Values of the generators at random, in an order of magnitude that is small at first, where two may be negative: if
+        there the conditions hold, and what is known are positive roots of positive numbers, and angles on their principal branches."""
+        values, minus = [], draw.choices(range(self.n), k=2 * i // TRIES + i % 3)
         for g, (rule, *of) in enumerate(self.rules):
             if rule in ("power", "logarithm") and not (of[0].at(values) > 0 or self.is_imaginary(g)):
                 return None
-            values.append(arb(-1 if g in minus else 1) / (9 + g * g) if rule == "free" else self.worth(g, values))
+            size = fmpq(draw.getrandbits(40) + 1, 1 << 40) * fmpq(2) ** draw.randint(-3, 4 * i // TRIES - 1)
+            values.append(arb(-size if g in minus else size) if rule == "free" else self.worth(g, values))
         within = {"arcsin": lambda x: 2 * abs(x) <= arb.pi(), "arccos": lambda x: 0 <= x <= arb.pi()}
         angles = all(within[function](is_.at(values)) for function, _, is_ in self.inverses)
-        return values if angles and all(is_.at(values) > 0 for _, _, is_ in roots) else None
+        positive = [is_ for _, _, is_ in roots] + [x for x, _ in self.positive]
+        return values if angles and all(x.at(values) > 0 for x in positive) else None
 
     def worth(self, g, values):
         """What a generator is worth by its rule, where those before it have these values."""
@@ -116,7 +142,16 @@ class Field(Calculator):
 
     def differs(self, x):
         """Whether an element differs from 0 somewhere on the principal branches, once these are known."""
-        return self.values is None or not x.at(self.values).contains(0)
+        return self.places is None or any(not x.at(place).contains(0) for place in self.places)
+
+    def everywhere(self, holds, x):
+        """Whether something holds of an element wherever we are on the principal branches."""
+        return all(holds(x.at(place)) for place in self.places)
+
+    def exceeds_zero(self, x):
+        """Whether an element is a positive number, or such a multiple of what is positive by a condition."""
+        of = [(x / y).number() for y, strictly in [(self.number(1), True), *self.positive] if strictly and not self.is_zero(y)]
+        return any(n is not None and n > 0 for n in of)
 
     def rule(self, g, x):
         """A generator's rule, of earlier ones."""
@@ -126,7 +161,7 @@ class Field(Calculator):
                 demand(g == 0, "π is the generator 0")
                 return ("pi",)
             case ["free", name]:
-                demand(isinstance(name, str) and name not in self.symbols, "a name twice")
+                demand(is_name(name) and name not in self.symbols, "a name twice, or no name")
                 self.symbols[name] = self.g[g]
                 return ("free",)
             case ["half-tangent" | "half-exponential" as rule, of]:
@@ -338,32 +373,66 @@ class Field(Calculator):
         side = lambda p: sum((reduce(mul, powers(m), of.number(c)) for m, c in p.to_dict().items()), of.number(0))
         return side(x.above) / side(x.below)
 
-    def keeps(self, x, values):
-        """Whether what occurs keeps to the rules of the generators where values are put in: if all that one is made of goes, it
-        may be anything."""
-        new, there = [], x.occurring() | values.keys()
-        for g, (rule, *_) in enumerate(self.rules):
-            own = self.values[g] if rule == "free" else self.worth(g, new)
-            new.append(values[g].at(self.values) if g in values else own)
-            if rule != "free" and g in there and (g not in values or self.made_of(self.g[g]) & there - {g}):
-                if not (new[g] - (own if g in values else self.values[g])).contains(0):
-                    return False
-        return True
+    def keeps(self, g, all_, alone):
+        """Whether a generator has the value that its rule gives it, where these values are put in; alone, it may have any."""
+        rule, *of = self.rules[g]
+        new, imaginary = all_[g], rule == "half-exponential"
+        positive = rule not in ("half-exponential", "power") or self.everywhere(lambda y: imaginary if isinstance(y, acb) else y > 0, new)
+        if alone and rule != "power" or rule in ("pi", "free"):
+            return positive
+        of = [all_[x] if type(x) is int else self.value(x, all_, self) for x in of]
+        match rule:
+            case "half-tangent":
+                # By cosine and sine of the whole angle.
+                square = new * new
+                cosine, sine = ((self.number(1) - square) / (self.number(1) + square), (new + new) / (self.number(1) + square))
+                return all(map(self.same, self.turn(*of), (cosine, sine)))
+            case "half-exponential":
+                return positive and self.same(self.call("exp", *of), new * new)
+            case "logarithm":
+                return self.same(self.call("ln", *of), new)
+        if self.is_zero(of[0]):
+            return self.is_zero(new) and self.exceeds_zero(of[1])
+        if g in self.roots:
+            return positive and self.same(self.repeated(new, self.roots[g][1]), of[0])
+        return positive and self.same(self.power(*of), new)
 
     def put(self, x, values):
+        """An element with values for some of the generators in it. What these are made of goes along where it occurs too, by the
+        rules; what does not occur need not be said, if one generator alone is made of it."""
+        all_, there = [values.get(g, own) for g, own in enumerate(self.g)], x.occurring()
+        of = {g: self.made_of(self.g[g]) - {g} for g in self.made_of(x)}
+        own, tree = RELATIONS.get(self.title, (None, None))
+        itself = {g for g in values if own in self.symbols and self.same(self.symbols[own], self.g[g]) and self.same(values[g], evaluate(tree, self))}
+        result, values = self.value(x, all_, self), {g: y for g, y in values.items() if g not in itself}
         all_ = [values.get(g, own) for g, own in enumerate(self.g)]
-        for g in self.roots.keys() & values.keys():
-            radicand, degree = self.roots[g]
-            demand(self.same(self.repeated(values[g], degree), self.value(radicand, all_, self)), "no value of a root")
-        return self.value(x, all_, self)
+        for g in of:
+            if g in values or of[g] & values.keys():
+                others = [h for h in there - {g} if of[g] & (of[h] | {h}) and g not in of[h]]
+                demand(self.keeps(g, all_, g in values and not others), "a value against a rule")
+        # What is known of other roots and angles holds there too.
+        beyond = {"arcsin": lambda x: 2 * abs(x) > arb.pi(), "arccos": lambda x: x < 0 or x > arb.pi(), "power": lambda x: x < 0}
+        for function, is_ in self.branches:
+            if is_.occurring() & values.keys():
+                inside = self.everywhere(lambda x: x.is_finite() and not beyond[function](x), self.value(is_, all_, self))
+                demand(inside, "a value beyond a branch")
+        return result
 
 
-def identity(w, before):
-    _, title, given, generators, symbols, powers, inverses, parts, gives, equal, fails = keys(
-        w, "kind title given generators symbols powers inverses parts gives equal fails")
-    demand(equal and type(fails) is bool, "nothing is compared")
+def identity(w, before, conditions=()):
+    """Some stand in several files; each is looked at once."""
+    given = w.get("given", [])
     demand(all(isinstance(other, str) and other in before for other in given), "it rests on a proof that is not there")
-    f = Field(generators, symbols, powers, inverses)
+    return carried_out(json.dumps(w), tuple(conditions))
+
+
+@cache
+def carried_out(text, conditions):
+    w = json.loads(text)
+    _, title, _, generators, symbols, powers, inverses, parts, gives, equal, fails = keys(
+        w, "kind title given generators symbols powers inverses parts gives equal fails")
+    demand(type(fails) is bool and len(equal) >= fails, "nothing is compared")
+    f = Field(generators, symbols, powers, inverses, conditions, text)
     f.title = title
     demand(len(gives) == len(parts), "not as many results as parts")
     made, used = [], set()
@@ -371,11 +440,15 @@ def identity(w, before):
         made.append(step(f, made, part, used))
         as_said = result is None or f.same(made[-1], f.element(result, worked_out=True))
         demand(as_said, f"{title}: a part is something else")
+    difference = lambda left, right: made[index(left, len(made))] - (f.number(0) if right is None else made[index(right, len(made))])
     for i, demanded in enumerate(equal):
         says, left, right = keys(demanded, "says left right")
-        demand(left != right, "something is compared with itself")
+        sides = [i for i in (left, right) if i is not None]
+        demand(not plain(w, sides), "something is compared with itself")
+        nothing = [any(f.is_zero(made[j]) for j in parts[i].get("product", ())) for i in sides]
+        demand(nothing != [True, True], "0 times something")
         used |= {left, right} - {None}
-        off = made[index(left, len(made))] - (f.number(0) if right is None else made[index(right, len(made))])
+        off = difference(left, right)
         if fails and i + 1 == len(equal):
             demand(not f.is_zero(off) and f.differs(off), f"{title}: {says}: equal, which it is not to be")
         else:
@@ -407,10 +480,11 @@ def step(f, made, part, used):
         case ("derivative" | "put"), [i, pairs]:
             x, values = get(i), {index(g, f.n): get(j) for g, j in pairs}
             there = x.occurring() if name == "put" else f.made_of(x)
-            demand(len(values) == len(pairs) and values.keys() <= there, "an idle value")
+            # Rates of what does not occur say just that.
+            absent = name == "derivative" and not values.keys() & there
+            demand(values and len(values) == len(pairs) and (absent or values.keys() <= there), "an idle value")
             free = all(f.rules[g] == ("free",) for g in values)
             demand(free or name == "put", "a rate of what is not free")
-            demand(name != "put" or f.title in RELATIONS or f.keeps(x, values), "a value against a rule")
             return f.put(x, values) if name == "put" else f.derivative(x, values)
         case "series", [tree, known]:
             demand(all(type(start) is int for _, start, _ in known), "no lowest power")

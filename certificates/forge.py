@@ -7,7 +7,6 @@
 """
 import contextlib
 import copy
-import hashlib
 import io
 import json
 import os
@@ -177,8 +176,37 @@ def infinite(w):
     w["parts"][next(i for i, part in enumerate(w["parts"]) if "series" in part)]["series"][1][0][1] = float("inf")
 
 
+def reading(w, old, new):
+    """Another formula for the last one that is read so, with nothing said of what comes of it."""
+    part = [part for part in w["parts"] if "read" in part and old(part["read"])][-1]
+    part["read"], w["gives"] = new, [None] * len(w["parts"])
+
+
+def spin_in_the_law(w):
+    """The spin ω_z drives the centre."""
+    reading(w, lambda tree: tree == "A_x", ["+", "A_x", "ω_z"])
+
+
+def other_speed(w):
+    """The path grows as the speed, whatever that is."""
+    reading(w, lambda tree: "L" in str(tree) and tree != "L", ["*", "7", ["*", "L", "L"]])
+
+
+def goes_on(w):
+    """The vanishing power of the half tangent does not vanish."""
+    put = next(part["put"] for part in w["parts"] if len(part.get("put", [0, []])[1]) == 2)
+    put[1][1][1] = 0
+
+
+def titled(title):
+    return of_kind("identity", lambda w: w["title"] == title)
+
+
 IN_WITNESSES = [
-    (of_kind("identity", lambda w: w["equal"][0]["right"] is not None and not w["fails"]), emptied, "not what is listed"),
+    (titled("ζ₃ is constant and enters nothing else"), spin_in_the_law, "not equal"),
+    (titled("(137) in every escape"), other_speed, "not equal"),
+    (titled("(20): the time at which the particle stops"), goes_on, "a value against a rule"),
+    (of_kind("identity", lambda w: w["equal"] and w["equal"][0]["right"] is not None and not w["fails"]), emptied, "0 times something"),
     (of_kind("root"), coarse, "the root is elsewhere"),
     (of_kind("identity", lambda w: any("series" in part for part in w["parts"])), infinite, "no lowest power"),
     (of_kind("identity"), idle_part, "an idle part"),
@@ -209,22 +237,25 @@ IN_WITNESSES = [
 
 # On files.
 
-def hashed(c):
-    c["sha256"] = hashlib.sha256(c["statement"].encode()).hexdigest()
-
-
-def other_hash(c, other):
-    c["sha256"] = other["sha256"]
-
-
 def other_statement(c, other):
     c["statement"] = other["statement"]
-    hashed(c)
+
+
+def no_statement(c, other):
+    """A string that stands in the sources."""
+    c["statement"], c["about"] = "2.1", "as corrected"
 
 
 def other_sign(c, other):
     c["statement"] = c["statement"].replace("-", "+", 1)
-    hashed(c)
+
+
+def other_condition(c, other):
+    c["conditions"].append("any $x$")
+
+
+def nothing_shown(c, other):
+    c["witnesses"] = [w | {"equal": [], "parts": [], "gives": []} for w in c["witnesses"] if w["kind"] == "identity"]
 
 
 def without_its_end(c, other):
@@ -248,8 +279,10 @@ def other_name(c, other):
 
 
 IN_FILES = [
-    (other_hash, "the hash is not that of the statement"),
     (other_statement, "the statement is not printed so"),
+    (no_statement, "the statement is not printed so"),
+    (other_condition, "the statement is not printed so"),
+    (nothing_shown, "nothing is compared"),
     (other_sign, "the statement is not printed so"),
     (without_its_end, "not what is listed"),
     (other_name, "another file's name"),
@@ -399,6 +432,152 @@ def disproof_elsewhere():
     return *claimed(ROOT_OF_X, parts, [(0, 2)], fails=True, powers=[minus]), "principal"
 
 
+ANY_POWER = [X, {"rule": "free", "name": "b"}, {"rule": "power", "of": of(["1", [0, 1]]), "to": of(["1", [0, 0, 1]])}]
+TO_ANY = ["+", "x", ["^", "x", "b"]]
+
+
+def at(tree, *values):
+    """A formula where generators have values, and what that is said to be."""
+    *values, result = values
+    parts = [{"read": tree}, *({"read": value} for _, value in values), {"read": result}]
+    n = len(values)
+    return [*parts, {"put": [0, [[g, i + 1] for i, (g, _) in enumerate(values)]]}], [(n + 2, n + 1)]
+
+
+def logarithm_of_zero():
+    """x + ln x at 0 is 7."""
+    return *claimed(LOGARITHM, *at(["+", "x", ["ln", "x"]], (1, "0"), (2, "7"), "7")), "no declared logarithm"
+
+
+def power_of_a_negative_number():
+    """x + x^b at −1 is 41."""
+    return *claimed(ANY_POWER, *at(TO_ANY, (1, ["-", "1"]), (3, "42"), "41")), "no declared power"
+
+
+def power_of_zero():
+    """x + x^b at 0 is 0, also for b < 0."""
+    return *claimed(ANY_POWER, *at(TO_ANY, (1, "0"), (3, "0"), "0")), "a value against a rule"
+
+
+def another_condition():
+    """The same for b > −1."""
+    _, witness, why = power_of_zero()
+    return lambda w, _: identity(w, [], ["$b>-1$"]), witness, why
+
+
+def power_of_zero_that_is_not():
+    """x + x^b at 0 is 7, for b > 0."""
+    witness = claimed(ANY_POWER, *at(TO_ANY, (1, "0"), (3, "7"), "7"))[1]
+    return lambda w, _: identity(w, [], ["$b>0$"]), witness, "a value against a rule"
+
+
+def tangent_at_its_pole():
+    """θ + tan(θ/2) at π is π + 7."""
+    return *claimed(ANGLE, *at(["+", "θ", ["tan", ["/", "θ", "2"]]], (1, "π"), (2, "7"), ["+", "π", "7"])), "a value against a rule"
+
+
+def at_a_known_place():
+    """(10 x)^b is 1, as it is at x = 1/10."""
+    generators = [*ANY_POWER[:2], {"rule": "power", "of": of(["10", [0, 1]]), "to": of(["1", [0, 0, 1]])}]
+    return *claimed(generators, *at(["*", "x", ["^", ["*", "10", "x"], "b"]], (3, "1"), "x")), "a value against a rule"
+
+
+def root_left_as_it_is():
+    """x + √x at 1/10 is 1/10 + √x."""
+    return *claimed(ROOT_OF_X, *at(["+", "x", ["√", "x"]], (1, ["/", "1", "10"]), ["+", ["/", "1", "10"], ["√", "x"]])), "a value against a rule"
+
+
+def touch_at_another_point():
+    """The same under the title of the proof that puts in what is so at Y alone."""
+    by, witness, why = root_left_as_it_is()
+    return by, {**witness, "title": "B and C touch at Y"}, why
+
+
+def root_below_left_as_it_is():
+    """x + (√x)^b at 4 is 4 + (√x)^b."""
+    generators = [*ROOT_OF_X, {"rule": "free", "name": "b"}, {"rule": "power", "of": of(["1", [0, 0, 1]]), "to": of(["1", [0, 0, 0, 1]])}]
+    power = ["^", ["√", "x"], "b"]
+    return *claimed(generators, *at(["+", "x", power], (1, "4"), ["+", "4", power])), "a value against a rule"
+
+
+def root_turned():
+    """√x is −√x."""
+    return *claimed(ROOT_OF_X, *at(["√", "x"], (2, ["-", ["√", "x"]]), ["-", ["√", "x"]])), "a value against a rule"
+
+
+def imaginary_root():
+    """x + √(1 − x²) at 2 is 2 − √−3."""
+    generators = [X, {"rule": "root", "of": of(["1", []], ["-1", [0, 2]]), "degree": 2}, {"rule": "root", "of": of(["-3", []]), "degree": 2}]
+    parts = [{"read": ["+", "x", ["√", ["-", "1", ["*", "x", "x"]]]]}, {"read": "2"}, {"element": of(["-1", [0, 0, 0, 1]])},
+             {"element": of(["2", []], ["-1", [0, 0, 0, 1]])}, {"put": [0, [[1, 1], [2, 2]]]}]
+    return *claimed(generators, parts, [(4, 3)]), "a value against a rule"
+
+
+def two_angles_in_one():
+    """tan(θ/2) + exp(θ/2), where the one is 1 and the other 3, is 4."""
+    generators = [*ANGLE, {"rule": "half-exponential", "of": 1}]
+    return *claimed(generators, *at(["+", ["tan", ["/", "θ", "2"]], ["exp", ["/", "θ", "2"]]], (2, "1"), (4, "3"), "4")), "a value against a rule"
+
+
+def root_of_a_square():
+    """√(x²) at −1 is −1, as it is x where x > 0."""
+    itself = {"of": of(["1", [0, 2]]), "to": HALF, "is": of(["1", [0, 1]])}
+    return *claimed([X], *at(["√", ["*", "x", "x"]], (1, ["-", "1"]), ["-", "1"]), powers=[itself]), "a value beyond a branch"
+
+
+def arcsine_of_a_sine():
+    """arcsin sin θ at 3 is 3."""
+    sine = of(["2", [0, 0, 1]], below=[[[["1", []], ["1", [0, 0, 2]]], 1]])
+    angle = {"function": "arcsin", "of": sine, "is": of(["1", [0, 1]])}
+    return *claimed(ANGLE, *at(["arcsin", ["sin", "θ"]], (1, "3"), "3"), inverses=[angle]), "a value beyond a branch"
+
+
+def rate_by_nothing():
+    """x does not change."""
+    return *claimed([X], [{"read": "x"}, {"derivative": [0, []]}], [(1, None)]), "an idle value"
+
+
+def hidden_rate():
+    """x² + y does not change with x, as it does not with z."""
+    names = [X, {"rule": "free", "name": "y"}, {"rule": "free", "name": "z"}]
+    parts = [{"read": ["+", ["*", "x", "x"], "y"]}, {"read": "1"}, {"derivative": [0, [[3, 1], [2, 1]]]}]
+    return *claimed(names, parts, [(2, None)]), "an idle value"
+
+
+def two_for_the_price_of_one():
+    """2 is 2."""
+    return *claimed([], [{"read": "2"}, {"element": of(["2", []])}], [(0, 1)]), "something is compared with itself"
+
+
+def read_twice():
+    """πx is πx."""
+    return *claimed([X], [{"read": ["*", "π", "x"]}, {"read": ["*", "π", "x"]}], [(0, 1)]), "something is compared with itself"
+
+
+def numbers_that_differ():
+    """What is to be disproved is not true, as 1 is not 2."""
+    return *claimed([], [{"read": "1"}, {"read": "2"}], [(0, 1)], fails=True), "something is compared with itself"
+
+
+def one_point():
+    """That x is positive on [1, 1]."""
+    condition = {"formula": "x", "by": 0, "power": 0, "sign": 1, "middle": [str(1 << 30)]}
+    return range_, {"kind": "range", "variables": ["x"], "within": [["1", "1"]], "parts": [{"at": [["1", "1"]], "by": None}],
+                    "cases": [{"of": "rest", "choice": False, "conditions": [condition]}]}, "no range"
+
+
+def root_with_itself():
+    from intervals import number
+    where = (["x"], [Interval(dyadic("1*2^-1"))])
+    return lambda w, _: number(w, [where]), {"kind": "number", "root": 0, "stated": "x", "found": "x"}, "something is compared with itself"
+
+
+def name_like_a_formula():
+    """y is not y, where y is what "x + 1" is called."""
+    odd = {"rule": "free", "name": "x + 1"}
+    return *claimed([X, odd], [{"read": ["+", "x", "1"]}, {"read": "x + 1"}], [(0, 1)], fails=True), "no name"
+
+
 def no_decimal():
     """x + ¼ for x, as if it were a decimal with no digits behind the point."""
     from intervals import number
@@ -423,7 +602,10 @@ def named_as_pi():
 FALSE = [other_branch, at_the_end, at_the_end_of_a_side, by_the_slope_along_x, above_the_sine, cube_root, roots_of_what_is_negative,
          root_beside_the_angle, by_the_root_of_a_square, by_an_imaginary_zero, over_zero_as_written, other_logarithm, other_cosine, negative_root, beyond_the_exponent,
          disproof_elsewhere, no_decimal,
-         nothing_times_anything, named_as_pi]
+         nothing_times_anything, named_as_pi, logarithm_of_zero, power_of_a_negative_number, power_of_zero, another_condition,
+         power_of_zero_that_is_not, tangent_at_its_pole, at_a_known_place, root_left_as_it_is, root_below_left_as_it_is, root_turned, touch_at_another_point,
+         imaginary_root, two_angles_in_one, root_of_a_square, arcsine_of_a_sine, rate_by_nothing, hidden_rate,
+         two_for_the_price_of_one, read_twice, name_like_a_formula, numbers_that_differ, one_point, root_with_itself]
 
 
 def refused(reason, call):

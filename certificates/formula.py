@@ -17,6 +17,10 @@ MEANT = {
 OPERATIONS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
 
 
+# A name cannot be taken for a formula, nor for a part or a generator in the text of what is said.
+NAME = re.compile("(?!\\d|[ag]\\d+$)(\\w|[\u0300-\u036f\u2032\u208a\u208b\u22a5])+(/d\\w+)?")
+
+
 class Wrong(Exception):
     """What is wrong with a certificate."""
 
@@ -31,6 +35,10 @@ def keys(thing, names):
     names = names.split()
     demand(isinstance(thing, dict) and sorted(thing) == sorted(names), f"not the keys {names}")
     return [thing[name] for name in names]
+
+
+def is_name(x):
+    return isinstance(x, str) and NAME.fullmatch(x)
 
 
 def index(x, below):

@@ -7,7 +7,7 @@ from itertools import product
 
 from flint import arb, arb_mat, ctx as precision, fmpq
 
-from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, keys
+from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, is_name, keys
 from latex import read
 
 precision.prec = 512
@@ -105,8 +105,7 @@ def hashed(text):
 
 
 def variables(names):
-    of_letters = isinstance(names, list) and all(isinstance(n, str) for n in names)
-    demand(of_letters and len(set(names)) == len(names) and not any(n == "π" or re.match(r"-?\d", n) for n in names), "no names")
+    demand(isinstance(names, list) and all(map(is_name, names)) and len(set(names)) == len(names) and "π" not in names, "no names")
     return names
 
 
@@ -182,6 +181,7 @@ def number(w, before):
     _, place, stated, found = keys(w, "kind root stated found")
     at = before[index(place, len(before))]
     demand(isinstance(at, tuple), "the number is not that of a root")
+    demand(stated != found, "something is compared with itself")
     off = coefficients(stated, *at)[0] - coefficients(found, *at)[0]
     same = Interval(0).within(off) and off.width() < arb(2) ** -200
     if isinstance(stated, list) and stated[0] == "/" and re.fullmatch(r"\d+/10+", "/".join(map(str, stated[1:]))):
@@ -234,7 +234,9 @@ def range_(w, before, accepted=set()):
 def everywhere(w):
     _, names, within, cases, parts = keys(w, "kind variables within cases parts")
     n = len(variables(names))
-    within, parts = box(within, n), [(box(at, n), by) for at, by in (keys(part, "at by") for part in parts)]
+    within = box(within, n)
+    demand(all(side.low < side.high for side in within), "no range")
+    parts = [(box(at, n), by) for at, by in (keys(part, "at by") for part in parts)]
     cells = [at for at, _ in parts]
     demand(covered(within, cells), "the parts leave a gap")
     volume = lambda cell: reduce(lambda v, side: v * side.width(), cell, arb(1))

@@ -1,5 +1,4 @@
 """Which formulas of a statement are among those that its certificate speaks of."""
-import hashlib
 import json
 
 from flint import arb, arb_mat
@@ -120,45 +119,3 @@ def tied(statement, witnesses):
                 if 0 not in x and any(0 in x - a and 0 in y - b for a, b in known):
                     return "formula"
     return "elsewhere" if understood else "not read"
-
-
-# What shows a thing, and is not part of what is said.
-SHOWN = {"kind", "parts", "gives", "corners", "preconditioner", "middle", "steps"}
-
-
-def digest(thing):
-    return hashlib.sha256(json.dumps(thing, ensure_ascii=False, sort_keys=True).encode()).hexdigest()[:32]
-
-
-def said(w):
-    """What a witness says, without what shows it; of what is compared in an identity, how it is made."""
-    made, get = [], lambda i: made[i]
-    for part in w["parts"] if w["kind"] == "identity" else []:
-        (name, of), = part.items()
-        match name, of:
-            case ("derivative" | "put"), [i, pairs]:
-                of = [get(i), [[g, get(j)] for g, j in pairs]]
-            case "series", [tree, known]:
-                of = [tree, [[n, start, list(map(get, places))] for n, start, places in known]]
-            case "coefficient", [i, power]:
-                of = [get(i), power]
-            case ("read" | "element"), _:
-                pass
-            case _:
-                of = list(map(get, of if isinstance(of, list) else [of]))
-        made.append(digest([name, of]))
-
-    def plain(x):
-        if isinstance(x, dict):
-            return {key: get(y) if key in ("left", "right") and y is not None else plain(y) for key, y in x.items() if key not in SHOWN}
-        return [plain(y) for y in x] if isinstance(x, list) else x
-
-    return {key: x for key, x in plain(w).items() if not (w["kind"] == "root" and key == "root")}
-
-
-def outline(certificate):
-    """What a certificate consists of, in short, and a digest of what it says."""
-    witnesses = certificate["witnesses"]
-    kind = lambda w: f"{w['title']} ({len(w['equal'])})" if w["kind"] == "identity" else f"{w['kind']} of {' '.join(w.get('variables', []))}"
-    heads = [certificate[key] for key in ("about", "says")]
-    return f"{'; '.join(map(kind, witnesses))},{digest([heads, list(map(said, witnesses))])}"

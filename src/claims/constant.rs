@@ -459,10 +459,16 @@ const CLAIMS: &[Claim] = &[
         latex: r"For $\lambda>1$ the particle comes to rest at the time $T$ of (20), and $\theta\to0$ as $t\to T$.",
         plain: "For λ > 1 the particle comes to rest at the time T of (20), and θ → 0 as t → T.",
         depends_on: &["eq-13", "eq-20"],
-        conditions: &[Condition {
-            text: r"$\theta_0\neq\pi$: that particle stops at $T$ without turning",
-            sort: Sort::Degenerate,
-        }],
+        conditions: &[
+            Condition {
+                text: r"$\lambda>1$",
+                sort: Sort::Stated,
+            },
+            Condition {
+                text: r"$\theta_0\neq\pi$: that particle stops at $T$ without turning",
+                sort: Sort::Degenerate,
+            },
+        ],
         trials: trials![&exact::EQ20_WITHIN, limits::eq20_motion, limits::eq20_quadrature, extremes::large_friction_limit, extremes::large_friction_turns.coarse(&[("turning_slope", "the unit grows with the friction, as what rounding of the angle makes of the sum does")]), extremes::large_friction_outside, excepted::large_friction],
         argument: STOPS,
         ..Claim::BLANK

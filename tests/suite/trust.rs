@@ -109,7 +109,6 @@ fn libraries_that_compute_are_named() {
         "rayon",
         "serde",
         "serde_json",
-        "sha2",
         "smallvec",
         "strsim",
         "tempfile",

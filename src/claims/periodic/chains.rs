@@ -21,7 +21,7 @@ pub(super) fn rate() -> Expr {
 /// The ring of (26), with the sign of 𝔴.
 fn ring(sign: i64) -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
-    for name in ["λ₀", "η", "φ", "𝔴₀", "s", "m", "E"] {
+    for name in ["λ₀", "η", "φ", "𝔴₀", "s", "m", "E", "h"] {
         ring.symbol(name);
     }
     ring.angle("ψ");
@@ -148,34 +148,26 @@ pub const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
 );
 
 fn normalised([pulse, gap]: [Expr; 2], largest: Expr) -> Proof {
+    let h = Expr::symbol("h");
     Proof::in_ring("The size of the pulses", ring(1), |p| {
         let length = p.read(
             "The length of a pulse by (42)",
             printed::eq42_end(Expr::symbol("η")),
         )?;
-        let stated = p.read("ηπ, positive for η > 0", Expr::symbol("η") * Expr::pi())?;
-        p.equal("The two", &length, &stated)?;
+        let growth = p.derivative("grows with η at the rate", &length, &p.ring().by("η")?)?;
+        let pi = p.read("π, positive", Expr::pi())?;
+        p.equal("The two", &growth, &pi)?;
+        let eta = p.ring().named("η")?;
+        let none = p.ring().put(&length, &[(&eta, &Rational::int(0))])?;
+        p.zero("The length at η = 0", &none)?;
         let size = p.read("The stated size", largest)?;
         let first = p.read("h in a pulse by (42)", pulse)?;
         p.equal("The two", &first, &size)?;
-        let one = Rational::int(1);
         let none = p.read("In a gap", gap)?;
         p.zero("h", &none)?;
-        for (says, h, least) in [
-            (
-                "in the mirrored pulse",
-                printed::eq43_h(pulse),
-                Rational::int(0),
-            ),
-            ("in the mirrored gap", printed::eq43_h(gap), one),
-        ] {
-            let room = p.read(
-                &format!("The square of the size less that of h {says}"),
-                largest.squared() - h.squared(),
-            )?;
-            p.equal("It is not negative", &room, &least)?;
-        }
-        Ok(())
+        let own = p.read("The square of h", h.squared())?;
+        let mirrored = p.read("The same, mirrored by (43)", printed::eq43_h(h).squared())?;
+        p.equal("The two", &mirrored, &own)
     })
 }
 

@@ -3,18 +3,17 @@
 use super::output::{VERSION, csv, json, say};
 use crate::book;
 use crate::claims::attempt::Attempt;
-use crate::claims::{Claim, Paper};
+use crate::claims::{Claim, Paper, Sort};
 use crate::edition::{Edition, Failure, Format};
 use crate::evidence::{Evidence, Subject};
 use crate::witness::{self, Witness};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use serde::Serialize;
-use sha2::{Digest, Sha256};
 use std::path::Path;
 
 /// The version of the files' format.
-const FORMAT: u32 = 3;
+const FORMAT: u32 = 4;
 
 /// What stands in a file.
 #[derive(Serialize)]
@@ -23,8 +22,8 @@ struct Certificate {
     claim: &'static str,
     /// The LaTeX of what is proved: the claim's, or that of what replaces it.
     statement: &'static str,
-    /// Its hash, SHA-256 of the text in UTF-8.
-    sha256: String,
+    /// The claim's conditions, in LaTeX and words.
+    conditions: Vec<&'static str>,
     /// About what form of the claim it speaks.
     about: String,
     /// Which of the claim's proofs it is, from 1 in the order of the row.
@@ -162,12 +161,13 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
         .correction
         .filter(|_| evidence.subject == Subject::Corrected);
     let statement = corrected.map_or(claim.latex, |correction| correction.latex);
-    let hash = Sha256::digest(statement.as_bytes());
+    let conditions = claim.conditions.iter();
+    let conditions = conditions.filter(|condition| condition.sort != Sort::Remark);
     Certificate {
         format: FORMAT,
         claim: claim.id,
         statement,
-        sha256: hash.iter().map(|byte| format!("{byte:02x}")).collect(),
+        conditions: conditions.map(|condition| condition.text).collect(),
         about: evidence.about(claim.correction.is_none()),
         proof: 1,
         trial: evidence.trial,
@@ -179,6 +179,7 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::claims::Condition;
     use crate::claims::tolerances::NONE;
     use crate::evidence::{Change, Compared, Route};
 
@@ -240,11 +241,21 @@ mod tests {
             let made = certificate(&corrected, &evidence, Vec::new());
             assert_eq!(made.about, about);
         }
-        // As `printf H=+1 | sha256sum` has it.
-        let bears = certificate(&printed, &proof(Subject::Printed), Vec::new());
-        assert_eq!(
-            bears.sha256,
-            "d26b42f2fa7fe7147b6f8a888de4bbfb865980388bdfa85b60e2dc87c781d77a"
-        );
+        // And under which conditions; what we remark is none.
+        const fn condition(text: &'static str, sort: Sort) -> Condition {
+            Condition { text, sort }
+        }
+        let under = Claim {
+            conditions: const {
+                &[
+                    condition("$H>0$", Sort::Stated),
+                    condition("seen", Sort::Remark),
+                    condition("read so", Sort::Reading),
+                ]
+            },
+            ..printed
+        };
+        let made = certificate(&under, &proof(Subject::Within), Vec::new());
+        assert_eq!(made.conditions, ["$H>0$", "read so"]);
     }
 }

@@ -135,6 +135,18 @@ impl Expr {
         Self::new(Node::Symbol(name))
     }
 
+    /// The number of the tree in this thread's store.
+    pub(super) fn index(self) -> u32 {
+        self.index
+    }
+
+    /// The tree of this number.
+    pub(super) fn numbered(index: u32) -> Option<Self> {
+        let here = PhantomData;
+        let known = STORE.with_borrow(|store| (index as usize) < store.nodes.len());
+        known.then_some(Expr { index, here })
+    }
+
     /// The node on top, with its children.
     pub fn node(self) -> Node {
         STORE.with_borrow(|store| store.nodes[self.index as usize])

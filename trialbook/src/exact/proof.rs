@@ -292,15 +292,19 @@ impl<'a> Prover<'a> {
         Ok(quotient)
     }
 
-    /// Demands that two elements are equal.
+    /// Demands that two elements are equal. That a number is itself, or a formula, is no step.
     ///
     /// # Errors
     /// [`Obstacle::NotZero`] with the difference, if they are not.
     pub fn equal(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<(), Obstacle> {
         let difference = x - y;
         self.compared = true;
+        let is_zero = self.ring.is_zero(&difference)?;
+        if is_zero && tape::is_plain(x, y, &difference, self.ring) {
+            return Ok(());
+        }
         tape::compared(says, x, y);
-        if self.ring.is_zero(&difference)? {
+        if is_zero {
             self.note(says, "the difference is 0");
             Ok(())
         } else {
@@ -323,7 +327,8 @@ impl<'a> Prover<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::witness::{self, Witness};
+    use crate::scalar::Scalar;
+    use crate::witness::{self, Part, Witness};
 
     #[test]
     fn a_proof_compares_something() {
@@ -332,6 +337,67 @@ mod tests {
         let empty = Proof::of("nothing", &ring, |_| Ok(()));
         assert_eq!(empty.obstacle(), Some(&Obstacle::Empty));
         assert!(Proof::of("one is one", &ring, |p| p.equal("It", &one, &one)).holds());
+    }
+
+    /// Neither in the proof nor in its certificate, and whether that is written or not.
+    #[test]
+    fn what_is_so_as_it_stands_is_no_step() {
+        let mut ring = Ring::new();
+        let (x, one) = (ring.symbol("x"), Rational::int(1));
+        let twice = Expr::symbol("x") * Expr::int(2);
+        let read = |formula| ring.read(formula).unwrap();
+        for (steps, left, right) in [
+            (0, one.clone(), one.clone()),
+            (0, x.clone(), read(Expr::symbol("x"))),
+            (0, read(Expr::int(1)), one.clone()),
+            (0, read(twice), read(twice)),
+            // Without idle parts it is the same formula.
+            (0, read(twice + Expr::int(0)), read(twice)),
+            (1, read(twice), read(Expr::int(2) * Expr::symbol("x"))),
+            (1, read(twice), &x + &x),
+            (1, &x - &x, Rational::int(0)),
+            (1, read(Expr::int(1) - Expr::pi().sin()), one.clone()),
+        ] {
+            let compare = || Proof::of("t", &ring, |p| p.equal("It", &left, &right));
+            let (written, witness) = witness::of(compare);
+            let [Witness::Identity(witness)] = &witness[..] else {
+                panic!("{witness:?}")
+            };
+            for proof in [&compare(), &written] {
+                assert!(proof.holds() && proof.steps().len() == steps, "{proof}");
+            }
+            assert_eq!(witness.equal.len(), steps, "{written}");
+        }
+    }
+
+    /// By what does not occur, if nothing else is there: what is 0 then says why.
+    #[test]
+    fn a_derivative_keeps_what_it_is_by() {
+        let mut ring = Ring::new();
+        let [x, y] = ["x", "y"].map(|name| ring.symbol(name));
+        ring.symbol("z");
+        let both = ["x", "z"].map(|name| (name, Rational::int(1)));
+        // The generator 0 is π.
+        for (of, by, value, rates) in [
+            (&x, ring.along(&both), 1, vec![1]),
+            (&y, ring.along(&both), 0, vec![1, 3]),
+            (&y, ring.by("z"), 0, vec![2]),
+        ] {
+            let (_, left) = witness::of(|| {
+                Proof::of("t", &ring, |p| {
+                    let slope = p.derivative("Its rate", of, &by.clone()?)?;
+                    p.equal("It", &slope, &Rational::int(value))
+                })
+            });
+            let [Witness::Identity(left)] = &left[..] else {
+                panic!("{left:?}")
+            };
+            let kept = left.parts.iter().find_map(|part| match part {
+                Part::Derivative(_, rates) => Some(rates.iter().map(|(g, _)| *g).collect()),
+                _ => None,
+            });
+            assert_eq!(kept, Some(rates));
+        }
     }
 
     /// In its steps and in its certificate, whichever way it is made use of; where one of them fails, nothing is proved.

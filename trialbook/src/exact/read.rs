@@ -4,7 +4,7 @@ use super::error::ExactError;
 use super::expr::{Binary, Expr, Function, Node};
 use super::rational::Rational;
 use super::ring::{PI, Ring};
-use super::tape;
+use super::tape::{self, Made};
 use dashu_int::IBig;
 
 /// The largest whole exponent that is multiplied out.
@@ -21,7 +21,9 @@ impl Ring {
     /// [`ExactError`] for a symbol, an angle, a power, a logarithm that is not declared, and for a division
     /// by zero.
     pub fn read(&self, formula: Expr) -> Result<Rational, ExactError> {
-        tape::formed(|| tape::read(formula, self), || self.understood(formula))
+        let read = tape::formed(|| tape::read(formula, self), || self.understood(formula))?;
+        let origin = read.origin().made(Made::Read(formula.index()));
+        Ok(read.formed(origin))
     }
 
     fn understood(&self, formula: Expr) -> Result<Rational, ExactError> {

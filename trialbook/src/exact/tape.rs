@@ -14,11 +14,31 @@ use crate::witness::{
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Where an element comes from: its place in the tape of a recording.
+/// Where an element comes from: how it was made, and its place in the tape of a recording.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Origin {
     recording: u32,
     place: usize,
+    made: Made,
+}
+
+/// How an element was made.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Made {
+    /// It was given as it is: a number, a quantity.
+    #[default]
+    Given,
+    /// It was read from the formula of this number in this thread's store.
+    Read(u32),
+    /// It was formed of others.
+    Formed,
+}
+
+impl Origin {
+    /// The same origin of what was made in another way.
+    pub(super) fn made(self, made: Made) -> Self {
+        Origin { made, ..self }
+    }
 }
 
 /// What is demanded in a proof that is being carried out.
@@ -123,6 +143,7 @@ fn origin(part: Part, formed: &Rational) -> Origin {
     Origin {
         recording: witness::recording(),
         place: push(part, formed.generators().collect(), Some(element(formed))),
+        made: Made::Formed,
     }
 }
 
@@ -130,6 +151,11 @@ fn origin(part: Part, formed: &Rational) -> Origin {
 fn noted(part: Part, x: Rational) -> Rational {
     let origin = origin(part, &x);
     x.formed(origin)
+}
+
+/// The same while nothing is noted.
+fn unnoted(x: Rational) -> Rational {
+    x.formed(Origin::default().made(Made::Formed))
 }
 
 /// What comes of two elements by an operator.
@@ -140,7 +166,7 @@ pub(super) fn joined(
     formed: Rational,
 ) -> Rational {
     if !is_on() {
-        return formed.formed(Origin::default());
+        return unnoted(formed);
     }
     let (x, y) = (place(x), place(y));
     noted(by(x, y), formed)
@@ -149,7 +175,7 @@ pub(super) fn joined(
 /// The negative of an element.
 pub(super) fn negative(x: &Rational, formed: Rational) -> Rational {
     if !is_on() {
-        return formed.formed(Origin::default());
+        return unnoted(formed);
     }
     noted(Part::Negative(place(x)), formed)
 }
@@ -176,7 +202,7 @@ pub(super) fn formed(
     operation: impl FnOnce() -> Result<Rational, ExactError>,
 ) -> Result<Rational, ExactError> {
     if !is_on() {
-        return operation();
+        return operation().map(unnoted);
     }
     let part = part();
     with(|tape| tape.met.clear());
@@ -188,13 +214,8 @@ pub(super) fn formed(
 
 /// Forms another shape of the same element.
 pub(super) fn kept(x: &Rational, operation: impl FnOnce() -> Rational) -> Rational {
-    if !is_on() {
-        return operation();
-    }
-    let quiet = Quiet::new();
-    let shape = operation();
-    drop(quiet);
-    shape.formed(x.origin())
+    let _quiet = Quiet::new();
+    operation().formed(x.origin())
 }
 
 /// A formula, read in a ring: with whole numbers for the symbols that stand for such, and without idle parts.
@@ -247,7 +268,7 @@ pub(super) fn expanded(
     operation: impl FnOnce() -> Result<Series, ExactError>,
 ) -> Result<Series, ExactError> {
     if !is_on() {
-        return operation();
+        return Ok(operation()?.mapped(|_, c| unnoted(c)));
     }
     let of = |(name, series): &(&str, &Series)| {
         let places = series.coefficients().iter().map(place).collect();
@@ -307,17 +328,14 @@ pub(super) fn solved(
     equations: &[Rational],
     operation: impl FnOnce() -> Result<Vec<(Rational, Rational)>, ExactError>,
 ) -> Result<Vec<(Rational, Rational)>, ExactError> {
-    if !is_on() {
-        return operation();
-    }
     let quiet = Quiet::new();
-    let solved = operation()?;
+    let solved = operation()?.into_iter();
     drop(quiet);
-    let given = |x: &Rational| x.clone().formed(Origin::default());
-    let solved: Vec<_> = solved
-        .iter()
-        .map(|(x, value)| (given(x), given(value)))
-        .collect();
+    let given = |x: Rational| x.formed(Origin::default());
+    let solved: Vec<_> = solved.map(|(x, value)| (given(x), given(value))).collect();
+    if !is_on() {
+        return Ok(solved);
+    }
     let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
     for equation in equations {
         let put = push(put(equation, &values), BTreeSet::new(), None);
@@ -338,6 +356,35 @@ fn demand(says: &str, left: usize, right: Option<usize>) {
             None => tape.loose.push(equal),
         }
     });
+}
+
+/// Whether two equal elements are so as they stand, without a proof: both were given so, or read from one formula.
+pub(super) fn is_plain(x: &Rational, y: &Rational, difference: &Rational, ring: &Ring) -> bool {
+    // The formula, if it was read from more than a name or a number.
+    let of = |x: &Rational| match x.origin().made {
+        Made::Given => Some(None),
+        Made::Read(formula) => {
+            let formula = named(Expr::numbered(formula)?, ring);
+            let leaf = matches!(formula.node(), Node::Pi | Node::Symbol(_)) || is_number(formula);
+            Some((!leaf).then_some(formula))
+        }
+        Made::Formed => None,
+    };
+    match (of(x), of(y)) {
+        (Some(None), Some(None)) => difference.is_literally_zero(),
+        (Some(x), Some(y)) => x == y,
+        _ => false,
+    }
+}
+
+/// Whether nothing but whole numbers stands in a formula.
+fn is_number(formula: Expr) -> bool {
+    match formula.node() {
+        Node::Int(_) => true,
+        Node::Neg(x) => is_number(x),
+        Node::Binary(_, x, y) => is_number(x) && is_number(y),
+        _ => false,
+    }
 }
 
 /// Notes that two elements were compared.
@@ -565,7 +612,7 @@ fn used(mut equal: Vec<Equal>, ring: &Ring) -> Used {
         }
         shortened(part, i, &asked, &met, ring);
     });
-    let alike = simplified(&mut all, &wanted, &equal);
+    let alike = simplified(&mut all, &wanted, &equal, &met, ring);
     for one in &mut equal {
         one.left = alike[one.left];
         one.right = one.right.map(|right| alike[right]);
@@ -581,6 +628,9 @@ fn used(mut equal: Vec<Equal>, ring: &Ring) -> Used {
             *j = numbers.get(j).copied().unwrap_or(*j)
         });
         generators.extend(&met[i]);
+        if let Part::Derivative(_, rates) = &part {
+            generators.extend(rates.iter().map(|(g, _)| g));
+        }
         known.extend(&met_at[i]);
         numbers.insert(i, parts.len());
         parts.push(part);
@@ -627,8 +677,14 @@ fn marked(equal: &[Equal], all: &mut [Part], mut f: impl FnMut(&mut Part, usize)
 }
 
 /// Takes out what adds nothing, as a checker could not tell what stands beside it: products with 0, sums with it,
-/// derivatives of constants. What is itself compared is left. Returns where each part is to be found now.
-fn simplified(all: &mut [Part], wanted: &[bool], equal: &[Equal]) -> Vec<usize> {
+/// derivatives by what does not occur. What is itself compared is left. Returns where each part is to be found now.
+fn simplified(
+    all: &mut [Part],
+    wanted: &[bool],
+    equal: &[Equal],
+    met: &[BTreeSet<usize>],
+    ring: &Ring,
+) -> Vec<usize> {
     let mut alike: Vec<usize> = (0..all.len()).collect();
     for i in (0..all.len()).filter(|i| wanted[*i]) {
         each(&mut all[i], &mut |j| *j = alike[*j]);
@@ -644,18 +700,24 @@ fn simplified(all: &mut [Part], wanted: &[bool], equal: &[Equal]) -> Vec<usize> 
             Part::Difference(x, y) if zero(x) => all[i] = Part::Negative(*y),
             Part::Product(x, y) if zero(x) || zero(y) => all[i] = nought(),
             Part::Quotient(x, _) | Part::Negative(x) if zero(x) => all[i] = nought(),
-            Part::Derivative(_, rates) if rates.is_empty() => all[i] = nought(),
+            Part::Derivative(x, rates) if !occurs(rates, &met[*x], ring) => all[i] = nought(),
             _ => {}
         }
     }
     alike
 }
 
+/// Whether one of the generators with these rates is among these, or they are made of it.
+fn occurs(rates: &[(usize, usize)], these: &BTreeSet<usize>, ring: &Ring) -> bool {
+    let occurring = made_of(ring, these.clone());
+    rates.iter().any(|(g, _)| occurring.contains(g))
+}
+
 fn nought() -> Part {
     Part::Read(Tree::Leaf("0".to_owned()))
 }
 
-/// Takes from a part what does not count: rates and values of generators that do not occur, coefficients beyond those that
+/// Takes from a part what does not count: values of generators that do not occur, and rates, if any of the others does; coefficients beyond those that
 /// are asked for; and names a generator or a number.
 fn shortened(
     part: &mut Part,
@@ -670,7 +732,8 @@ fn shortened(
                 *part = Part::Read(Tree::Leaf(name));
             }
         }
-        Part::Derivative(x, rates) => {
+        // By what alone does not occur, the derivative says just that.
+        Part::Derivative(x, rates) if occurs(rates, &met[*x], ring) => {
             let occurring = made_of(ring, met[*x].clone());
             rates.retain(|(g, _)| occurring.contains(g));
         }

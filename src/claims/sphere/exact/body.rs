@@ -64,6 +64,7 @@ impl Body {
             ("v_y", ring.divide(&force[1], &m)? - &ay),
             ("ω_x", &lever * &force[1]),
             ("ω_y", -(&lever * &force[0])),
+            ("ω_z", Rational::int(0)),
             ("ν_x", gamma(&ax)?),
             ("ν_y", gamma(&ay)?),
         ];
@@ -299,7 +300,7 @@ pub(super) fn eq79() -> Components {
 pub(super) fn prove_eq79(printed: Components) -> Proof {
     let along_z = printed[2];
     prove("(79): dρ/dτ", Friction::Any, |p, body| {
-        for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed) {
+        for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed).take(2) {
             let own = p.read(&format!("dρ/dτ {axis}"), own)?;
             let own = p.derivative("Its rate", &own, &body.motion)?;
             let printed = p.read(&format!("Printed {axis}"), printed)?;
@@ -307,6 +308,7 @@ pub(super) fn prove_eq79(printed: Components) -> Proof {
                 p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
             p.equal("The two", &own, &rate)?;
         }
+        upright(p, rho_rate()[2])?;
         upright(p, along_z)
     })
 }
