@@ -438,6 +438,11 @@ fn what_is_in_dispute_settles_nothing() {
     assert_eq!(under(Sort::Degenerate, &degenerate), Verdict::Degenerate);
     let contested = [&degenerate[..], &[excepted(BAD)]].concat();
     assert_eq!(under(Sort::Degenerate, &contested), Verdict::Undecided);
+    // A convention is tried in the same way.
+    assert_eq!(under(Sort::Convention, &degenerate), Verdict::Confirmed);
+    for e in [&needed[..], &contested] {
+        assert_eq!(under(Sort::Convention, e), Verdict::Undecided);
+    }
 }
 
 #[test]
