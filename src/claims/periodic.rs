@@ -176,6 +176,10 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Reading,
             },
             Condition {
+                text: r"$\lambda_\mathrm c$ is the least number above which there are rests for all $\lambda_0<1$; below it they may come and go, and below another number there are none",
+                sort: Sort::Reading,
+            },
+            Condition {
                 text: r"a mean of $h$ drives the particle away for ever where $\lambda_0$ is below the size of that mean: without rest, but not periodically",
                 sort: Sort::Remark,
             },
