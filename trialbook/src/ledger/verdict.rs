@@ -253,7 +253,10 @@ pub fn judge(
                 format!("{standing}; what is excepted is degenerate"),
             )
         } else {
-            judgement(Verdict::Confirmed, format!("{standing} under the convention"))
+            judgement(
+                Verdict::Confirmed,
+                format!("{standing} under the convention"),
+            )
         };
     }
     if added().next().is_some() {
