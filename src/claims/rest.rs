@@ -76,7 +76,7 @@ const NEAR_REST_TWO_TERMS: &[Condition] = &[
         sort: Sort::Substance,
     },
     Condition {
-        text: r"“$+\cdots$” read as what is smaller than either term; as the solution of the linear (142), which it is too, it needs no such condition",
+        text: r"“$+\cdots$” is smaller than either term; as the solution of (142) alone it needs no condition",
         sort: Sort::Reading,
     },
     TO_ZERO,

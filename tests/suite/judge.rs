@@ -605,10 +605,10 @@ fn the_page_gives_the_rules_of_the_judge() {
         let e = [by(Printed, &[BAD]), by(Corrected, &two)].concat();
         verdict(kind, Some(Change::Statement), &e)
     };
-    let degenerate = || {
+    let but_for = |sort| {
         let excepted = by(Subject::Excepted, &[0.0]);
         let e = [by(Within, &two), by(Outside, &[BAD]), excepted];
-        under(Sort::Degenerate, &e.concat())
+        under(sort, &e.concat())
     };
     let consistent = [evidence(Route::Consistency, Printed, GOOD)];
     let misprint = || {
@@ -639,7 +639,8 @@ fn the_page_gives_the_rules_of_the_judge() {
         // Under a condition: not without it, then on both sides.
         judged(&[by(Within, &two), by(Outside, &[BAD])], None),
         judged(&[by(Within, &two), by(Outside, &[GOOD])], None),
-        degenerate(),
+        but_for(Sort::Degenerate),
+        but_for(Sort::Convention),
         verdict(Kind::Definition, None, &consistent),
         judged(&[by(Printed, &two)], None),
         judged(&[by(Printed, &[GOOD])], None),

@@ -140,7 +140,7 @@ counts! {
         let example = file("trialbook/examples/fall.rs");
         equations(behind(&example, "mod paper {").split("\n}").next().unwrap_or_default())
     });
-    "own", "lines {} equations" => Among(|_| equations(&file("trialbook/examples/drag/main.rs")));
+    "own", "whole paper {} equations" => Among(|_| equations(&file("trialbook/examples/drag/main.rs")));
     "own", "it takes {} commands" => Among(|page| {
         let (steps, _) = page.text.split_once("## Break it").unwrap_or_default();
         let blocks = steps.split("```text").skip(1).filter_map(|block| block.split("```").next());
@@ -257,7 +257,7 @@ counts! {
     "anisotropic", "{} questions four borders" => Among(curves);
     "anisotropic", "questions {} borders" => Among(curves);
     "anisotropic", "{} questions decide what comes next" => Among(curves);
-    "related", "{} of the steepest" => Is(|| {
+    "related", "{} % of the steepest" => Is(|| {
         let q = value("y-q");
         (100.0 * (q - 1.0) / (q + 1.0)).round()
     });

@@ -135,12 +135,8 @@ impl Ledger {
     fn rest(&self) -> String {
         let counts = self.counts();
         let but = match counts[&Verdict::Degenerate] {
-            0 => String::new(),
-            1 => ", 1 of them with degenerate exceptions (points at which it has no value, or which fill no interval)"
-                .to_owned(),
-            n => format!(
-                ", {n} of them with degenerate exceptions (points at which they have no value, or which fill no interval)"
-            ),
+            0 => "",
+            _ => ", some but for points at which they have no value, or which fill no interval",
         };
         format!("{}All others are right as printed{but}.", self.undecided())
     }
