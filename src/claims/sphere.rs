@@ -502,7 +502,7 @@ const CLAIMS: &[Claim] = &[
         conditions: &[
             SOME_FRICTION,
             Condition {
-                text: r"of the motion that is approached, in which $u_y=0$: for $\lambda_0<\lambda_\mathrm c$ a slip across the drive never ends, and with it the sphere rolls at the two instants only in the limit",
+                text: r"of the motion that is approached, in which $u_y=0$: for $\lambda_0<\lambda_\mathrm c$ a slip across the drive never ends, unless the sphere comes to roll on the way, and with it it rolls at the two instants only in the limit",
                 sort: Sort::Reading,
             },
         ],
