@@ -1,5 +1,5 @@
 //! Maps of fates on the turntable as CSV: for each A that is named, which starts are proved to come to rest and which to
-//! escape, strip by strip. A quarter of an hour for each; `snapshots/fates.csv` has those of 0.7, 0.8 and 0.9.
+//! escape, strip by strip. It takes long; `snapshots/fates.csv` has those of 0.7, 0.8 and 0.9.
 
 use slipbook::claims::rest::fates::{HEAD, map};
 

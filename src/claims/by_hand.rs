@@ -183,8 +183,8 @@ pub static CASES: [ByHand; 28] = [
     },
     ByHand {
         claim: "eq-128",
-        wrong: "a factor $\\sqrt2$ is missing in the first term",
-        reason: "$\\psi$ is put at $\\psi_1$, where $\\dot\\psi=0$. But $\\psi_1$ moves as fast as $\\psi$ relaxes, and $\\cos\\psi$ stays $\\sqrt2$ times as large as $\\cos\\psi_1$",
+        wrong: "$\\psi$ does not keep up with $\\psi_1$: at late times $\\cos\\psi$ is $\\sqrt2\\cos\\psi_1$",
+        reason: "$\\psi$ is put at $\\psi_1$, which needs $\\lvert\\dot\\alpha\\rvert\\cosh2\\alpha\\ll1$. In an escape that tends to $1/(2\\sqrt2)$, and $\\cos\\psi$ to $\\sqrt2\\cos\\psi_1$",
         case: "In the laboratory friction is the only force, of size 1, across the position at late times. With $\\rho=p=c\\tau^2$ and the direction $\\vartheta$, $\\ddot\\rho=\\rho\\dot\\vartheta^2$ gives $\\dot\\vartheta=\\sqrt2/\\tau$, and $\\rho\\ddot\\vartheta+2\\dot\\rho\\dot\\vartheta=1$ gives $3\\sqrt2\\,c=1$. By (104) $A^2$ is $2\\int p\\,\\mathrm d\\tau$ up to a constant, so $A=\\frac13 2^{1/4}\\tau^{3/2}$, and $\\mathrm e^\\alpha=2p/A$ gives $\\mathrm e^{2\\alpha}=\\sqrt2\\,\\tau$. Then $1/\\cosh2\\alpha=\\sqrt2/\\tau$ and $(\\cosh\\alpha)/A=\\frac32/\\tau$. The printed right-hand side is $(\\sqrt2-\\frac32)/\\tau={stated}/\\tau$: $\\alpha$ would fall. In the motion $\\dot\\alpha={found}/\\tau$: it grows",
         digits: 4,
         stated: || late(growth::eq128),
@@ -193,7 +193,7 @@ pub static CASES: [ByHand; 28] = [
     ByHand {
         claim: "eq-129",
         wrong: "the factor of $A$",
-        reason: "An error of its own: $\\alpha$ is put where $\\dot\\alpha$ vanishes, but $\\dot\\alpha=1/(2\\tau)$ is a third of $(\\cosh\\alpha)/A$. From the right form of (128) the same step gives $\\sqrt2A$ on the right, not $\\frac{3\\sqrt2}4A$",
+        reason: "$\\alpha$ is put where $\\dot\\alpha$ vanishes, but $\\dot\\alpha=1/(2\\tau)$ is a third of $(\\cosh\\alpha)/A$. By the right (128) the same step gives $\\sqrt2A$, not $\\frac{3\\sqrt2}4A$",
         case: "At late times $\\cosh\\alpha=\\frac12 2^{1/4}\\tau^{1/2}$, $\\cosh2\\alpha=\\tau/\\sqrt2$ and $A=\\frac13 2^{1/4}\\tau^{3/2}$, so that $(\\cosh\\alpha\\cosh2\\alpha)/A=\\frac3{2\\sqrt2}$. Printed: {stated}. In the motion: {found}",
         digits: 4,
         stated: || Ok(1.0),
@@ -294,7 +294,7 @@ pub static CASES: [ByHand; 28] = [
     },
     ByHand {
         claim: "s4-psi-free",
-        wrong: "the surface depends on $\\psi$",
+        wrong: "the surface depends on $\\psi$, unless $\\lvert\\psi\\rvert\\ll1$",
         reason: "(145) holds once $\\psi$ has relaxed. While it relaxes, $A$ grows too, and by as much: by (114) and (115) $\\mathrm d\\ln\\alpha/\\mathrm d\\psi=(1/\\sigma-\\cos\\psi)/\\sin\\psi$ for small $\\alpha$, and by (113) $\\mathrm dA/\\mathrm d\\psi=-\\alpha^2/\\sin\\psi$",
         case: "Take $\\sigma=\\frac12$ and $\\psi=\\frac\\pi2$ at the start, with $\\alpha=\\alpha_0$. With $t=\\tan\\frac\\psi2$, which falls from 1 to 0, the first equation gives $\\alpha=\\frac12\\alpha_0t(1+t^2)$, as $\\mathrm d\\psi/\\sin\\psi=\\mathrm dt/t$, and the second lets $A$ grow by $\\int\\alpha^2\\,\\mathrm dt/t=\\frac14\\alpha_0^2\\int_0^1t(1+t^2)^2\\,\\mathrm dt=\\frac7{24}\\alpha_0^2$ on the way to $\\sigma$. $(\\sigma-A)/\\alpha_0^2$ at the start, printed: {stated}. In the motion, as $\\alpha_0\\to0$: {found}",
         digits: 3,

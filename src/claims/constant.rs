@@ -162,7 +162,7 @@ const CLAIMS: &[Claim] = &[
         plain: "v (sin θ) (tan(θ/2))^(−λ) = constant",
         depends_on: &["eq-9"],
         conditions: &[Condition {
-            text: r"$0<\theta<\pi$: a non-integer power of a negative tangent has no real value",
+            text: r"$0<\theta<\pi$: a non-integer power of a negative tangent has no real value; for $\theta<0$ the mirror image has to be taken",
             sort: Sort::Degenerate,
         }],
         trials: trials![
@@ -209,7 +209,7 @@ const CLAIMS: &[Claim] = &[
         plain: "A dt = −(v₀ sin θ₀ / (tan(θ₀/2))^λ) d[(tan(θ/2))^λ] / (λ sin θ)",
         depends_on: &["eq-7", "eq-11"],
         conditions: &[Condition {
-            text: r"$0<\theta<\pi$ and $\lambda\neq0$: at $\lambda=0$ it is $0/0$",
+            text: r"$0<\theta<\pi$ and $\lambda\neq0$: at $\lambda=0$ it is $0/0$; for $\theta<0$ the mirror image has to be taken",
             sort: Sort::Degenerate,
         }],
         trials: trials![

@@ -105,7 +105,7 @@ const EQ130: &[Condition] = &[
     ESCAPING_LARGE_A[1],
     ESCAPING_LARGE_A[2],
     Condition {
-        text: r"read with the constant that it gives, $\alpha-\frac13\ln4A\to0$, as (131) takes it over; the ratio of the sides tends to $1$ with any constant",
+        text: r"$\alpha-\frac13\ln4A\to0$, as (131) needs it, not the mere ratio",
         sort: Sort::Reading,
     },
 ];
@@ -116,7 +116,7 @@ const EQ133: &[Condition] = &[
     ESCAPING_LATE[1],
     ESCAPING_LATE[2],
     Condition {
-        text: r"read with the constant that it gives, $\alpha-\frac12\ln\frac{4\tau}3\to0$, as (135) and (136) take it over; the ratio of the sides tends to $1$ with any constant",
+        text: r"$\alpha-\frac12\ln\frac{4\tau}3\to0$, as (135) needs it, not the mere ratio",
         sort: Sort::Reading,
     },
 ];
@@ -127,7 +127,7 @@ const EQ134: &[Condition] = &[
     ESCAPING_LATE[1],
     ESCAPING_LATE[2],
     Condition {
-        text: r"read by the term that it gives, $\frac\pi2-\psi\sim(3/\tau)^{1/2}$; that $\psi\to\frac\pi2$ holds without it",
+        text: r"$\frac\pi2-\psi\sim(3/\tau)^{1/2}$; the mere limit $\psi\to\frac\pi2$ is right",
         sort: Sort::Reading,
     },
 ];

@@ -11,7 +11,7 @@ pub mod strong;
 
 use super::attempt::trials;
 use super::excuses;
-use super::{Claim, Condition, Sort, Topic};
+use super::{Claim, Condition, Sort, Topic, rough};
 use crate::evidence::Kind;
 
 /// The topic.
@@ -137,10 +137,7 @@ const CLAIMS: &[Claim] = &[
             properties::across_outside,
             excepted::no_friction
         ],
-        conditions: &[Condition {
-            text: r"$\mu>0$: without friction nothing acts across",
-            sort: Sort::Degenerate,
-        }],
+        conditions: &[rough(r"$\mu>0$: without friction nothing acts across")],
         ..Claim::BLANK
     },
 ];

@@ -50,6 +50,16 @@ pub use trialbook::claims::{Claim, Condition, Correction, Paper, Sort, Topic, as
 #[cfg(feature = "trials")]
 pub use trialbook::claims::{attempt, compare, enclosed, excepted, points, runs, statement};
 
+/// The convention for the whole paper, whose surface is rough: there is some friction. The text begins with that, and says what
+/// happens without it.
+#[cfg(feature = "trials")]
+const fn rough(text: &'static str) -> Condition {
+    Condition {
+        text,
+        sort: Sort::Convention,
+    }
+}
+
 /// All topics, in the paper's order.
 #[cfg(feature = "trials")]
 static TOPICS: [Topic; 9] = [

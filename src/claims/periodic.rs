@@ -15,7 +15,7 @@ pub mod threshold;
 
 use super::attempt::trials;
 use super::excuses;
-use super::{Claim, Condition, Correction, Sort, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic, rough};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -179,6 +179,10 @@ const CLAIMS: &[Claim] = &[
                 sort: Sort::Reading,
             },
             Condition {
+                text: r"$\lambda_\mathrm c$ is the least number above which there are rests for all $\lambda_0<1$; below it they may come and go, and below another number there are none",
+                sort: Sort::Reading,
+            },
+            Condition {
                 text: r"a mean of $h$ drives the particle away for ever where $\lambda_0$ is below the size of that mean: without rest, but not periodically",
                 sort: Sort::Remark,
             },
@@ -286,10 +290,9 @@ const CLAIMS: &[Claim] = &[
         latex: r"For the pulses of (42), (43): $\eta=1$ has no large-friction phase, $\eta=0$ has no small-friction phase.",
         plain: "For the pulses of (42), (43): η = 1 has no large-friction phase, η = 0 has no small-friction phase.",
         depends_on: &["eq-43", "eq-46"],
-        conditions: &[Condition {
-            text: r"not $\eta=0$ with $\lambda_0=0$: whatever moves goes on then",
-            sort: Sort::Degenerate,
-        }],
+        conditions: &[rough(
+            r"$\lambda_0>0$: without friction whatever moves goes on at $\eta=0$",
+        )],
         trials: trials![
             &chains::EXTREMES,
             pulses::extremes_census,

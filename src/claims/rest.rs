@@ -78,6 +78,10 @@ const NEAR_REST_TWO_TERMS: &[Condition] = &[
         text: r"$\frac14<\sigma<\frac34$: below, a term left out, of order $\alpha^{3\sigma/(1-\sigma)}$, exceeds the first term kept; above, one of order $\alpha^3$ exceeds the second",
         sort: Sort::Substance,
     },
+    Condition {
+        text: r"“$+\cdots$” is smaller than either term; as the solution of (142) alone it needs no condition",
+        sort: Sort::Reading,
+    },
     TO_ZERO,
 ];
 
@@ -357,8 +361,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-143", "eq-145"],
         correction: Some(Correction {
             change: Change::Statement,
-            latex: r"The equation of the surface of starts that come to rest at $\rho=\sigma$ is $A=\sigma-\sigma\alpha^2\left[\frac{\cos^4\chi}{2(1-\sigma)}+\sin^2\chi\cos^2\chi+\frac{\sin^4\chi}{2(1+\sigma)}\right]+\cdots,\quad\chi=\tfrac\psi2$; at $\psi=0$ it is (145).",
-            plain: "The equation of the surface of starts that come to rest at ρ = σ is A = σ − σ α² [cos⁴χ/(2(1 − σ)) + sin²χ cos²χ + sin⁴χ/(2(1 + σ))] + ⋯, χ = ψ/2; at ψ = 0 it is (145).",
+            latex: r"The equation of the surface of starts that come to rest at $\rho=\sigma$ is $A=\sigma-\sigma\alpha^2\left[\frac{\cos^4\chi}{2(1-\sigma)}+\sin^2\chi\cos^2\chi+\frac{\sin^4\chi}{2(1+\sigma)}\right]+\cdots,\quad\chi=\tfrac\psi2$; for $\lvert\psi\rvert\ll1$ it is (145).",
+            plain: "The equation of the surface of starts that come to rest at ρ = σ is A = σ − σ α² [cos⁴χ/(2(1 − σ)) + sin²χ cos²χ + sin⁴χ/(2(1 + σ))] + ⋯, χ = ψ/2; for |ψ| ≪ 1 it is (145).",
         }),
         trials: trials![
             surfaces::psi_free,
@@ -379,8 +383,8 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-143", "eq-145"],
         correction: Some(Correction {
             change: Change::Statement,
-            latex: r"For small $\alpha$ the particle comes to rest if $A$ starts below $1-\alpha\cos^2\chi+\alpha^2\left[\tfrac76\cos^4\chi+2\sin\chi\cos^3\chi-\sin^2\chi\cos^2\chi+\tfrac23\sin^3\chi\cos\chi-\tfrac14\sin^4\chi\right]+O(\alpha^3),\quad\chi=\tfrac\psi2$, and escapes to infinity if it starts above; some $A$ in between, within $O(\alpha^3)$, leads to $\rho=1$, towards which the particle creeps for ever unless it comes straight in.",
-            plain: "For small α the particle comes to rest if A starts below 1 − α cos²χ + α² [(7/6) cos⁴χ + 2 sin χ cos³χ − sin²χ cos²χ + ⅔ sin³χ cos χ − ¼ sin⁴χ] + O(α³), χ = ψ/2, and escapes to infinity if it starts above; some A in between, within O(α³), leads to ρ = 1, towards which the particle creeps for ever unless it comes straight in.",
+            latex: r"For small $\alpha$ the particle comes to rest if $A$ starts below $1-\alpha\cos^2\chi+\alpha^2\left[\tfrac76\cos^4\chi+2\sin\chi\cos^3\chi-\sin^2\chi\cos^2\chi+\tfrac23\sin^3\chi\cos\chi-\tfrac14\sin^4\chi\right]+O(\alpha^3),\quad\chi=\tfrac\psi2$, and escapes to infinity if it starts above; in between, within $O(\alpha^3)$, there is an $A$ from which it creeps towards $\rho=1$ for ever or, coming straight in, stops there.",
+            plain: "For small α the particle comes to rest if A starts below 1 − α cos²χ + α² [(7/6) cos⁴χ + 2 sin χ cos³χ − sin²χ cos²χ + ⅔ sin³χ cos χ − ¼ sin⁴χ] + O(α³), χ = ψ/2, and escapes to infinity if it starts above; in between, within O(α³), there is an A from which it creeps towards ρ = 1 for ever or, coming straight in, stops there.",
         }),
         trials: trials![
             boundary::printed_census,

@@ -22,7 +22,7 @@ mod units;
 
 use super::attempt::trials;
 use super::excuses;
-use super::{Claim, Condition, Correction, Sort, Topic};
+use super::{Claim, Condition, Correction, Sort, Topic, rough};
 use crate::evidence::{Change, Kind};
 
 /// The topic.
@@ -35,21 +35,17 @@ pub const TOPIC: Topic = Topic {
 /// How v_y really dies, in place of a slow exponential.
 const DECAY: Correction = Correction {
     change: Change::Statement,
-    latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time. Once $v_y\ll v_x$, let $d=\lvert\sin\phi\rvert$ be the size of the drive where $v_x$ is zero, and $\mathfrak w_y=\varpi v_y/A_0$. For $\lambda_0>\lambda_\mathrm c$, $v_y$ is exactly zero after a finite time; what is left of it where $v_x$ is zero and friction exceeds the drive dies within a phase of $\lambda_0\mathfrak{w}_y/(\lambda_0^2-d^2)$, to leading order in $\mathfrak w_y$. For $\lambda_0<\lambda_\mathrm c$, where $d=\sin\tilde\phi_1$, each passage of $v_x$ through zero multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, up to terms that stay bounded: $v_y$ falls as the exponential of an exponential. The exception is a particle that comes to a stop on the way to its large-time motion: it loses all of $v_y$ there.",
-    plain: "While v_y ≫ v_x, v_y falls linearly in time. Once v_y ≪ v_x, let d = |sin φ| be the size of the drive where v_x is zero, and w_y = ϖ v_y/A₀. For λ₀ > λ_c, v_y is exactly zero after a finite time; what is left of it where v_x is zero and friction exceeds the drive dies within a phase of λ₀ w_y/(λ₀² − d²), to leading order in w_y. For λ₀ < λ_c, where d = sin φ̃₁, each passage of v_x through zero multiplies ln v_y by (d + λ₀)/(d − λ₀), up to terms that stay bounded: v_y falls as the exponential of an exponential. The exception is a particle that comes to a stop on the way to its large-time motion: it loses all of v_y there.",
+    latex: r"While $v_y\gg v_x$, $v_y$ falls linearly in time. Once $v_y\ll v_x$, let $d=\lvert\sin\phi\rvert$ be the size of the drive where $v_x$ is zero, and $\mathfrak w_y=\varpi v_y/A_0$. For $\lambda_0>\lambda_\mathrm c$, $v_y$ is exactly zero after a finite time; if $v_x$ stops while friction exceeds the drive, the $\mathfrak w_y$ that is left vanishes within the phase $\lambda_0\mathfrak{w}_y/(\lambda_0^2-d^2)$, to leading order. For $\lambda_0<\lambda_\mathrm c$, where $d=\sin\tilde\phi_1$, each passage of $v_x$ through zero multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, up to terms that stay bounded: $v_y$ falls as the exponential of an exponential. The exception is a particle that comes to a stop on the way to its large-time motion: it loses all of $v_y$ there.",
+    plain: "While v_y ≫ v_x, v_y falls linearly in time. Once v_y ≪ v_x, let d = |sin φ| be the size of the drive where v_x is zero, and w_y = ϖ v_y/A₀. For λ₀ > λ_c, v_y is exactly zero after a finite time; if v_x stops while friction exceeds the drive, the w_y that is left vanishes within the phase λ₀ w_y/(λ₀² − d²), to leading order. For λ₀ < λ_c, where d = sin φ̃₁, each passage of v_x through zero multiplies ln v_y by (d + λ₀)/(d − λ₀), up to terms that stay bounded: v_y falls as the exponential of an exponential. The exception is a particle that comes to a stop on the way to its large-time motion: it loses all of v_y there.",
 };
 
 /// Without friction every start keeps its own motion.
-pub(super) const SOME_FRICTION: Condition = Condition {
-    text: r"$\lambda_0>0$: without friction no start is forgotten",
-    sort: Sort::Degenerate,
-};
+pub(super) const SOME_FRICTION: Condition =
+    rough(r"$\lambda_0>0$: without friction no start is forgotten");
 
 /// Without friction the velocity across the drive keeps its value, and the one along it never depends on that.
-pub(super) const FRICTION_ACROSS: Condition = Condition {
-    text: r"$\lambda_0>0$: without friction nothing acts across the drive",
-    sort: Sort::Degenerate,
-};
+pub(super) const FRICTION_ACROSS: Condition =
+    rough(r"$\lambda_0>0$: without friction nothing acts across the drive");
 
 const CLAIMS: &[Claim] = &[
     Claim {
@@ -606,10 +602,9 @@ const CLAIMS: &[Claim] = &[
                 text: r"$\lambda_0<1$",
                 sort: Sort::Stated,
             },
-            Condition {
-                text: r"$0<\lambda_0$: at $\lambda_0=0$ the four formulas give only the two points $0$ and $\pi$ of a period",
-                sort: Sort::Degenerate,
-            },
+            rough(
+                r"$\lambda_0>0$: at $\lambda_0=0$ the four formulas give only the two points $0$ and $\pi$ of a period",
+            ),
         ],
         trials: trials![
             &order::FOUR_POINTS,
@@ -650,10 +645,9 @@ const CLAIMS: &[Claim] = &[
             certified::bracket_outside,
             excepted::no_friction
         ],
-        conditions: &[Condition {
-            text: r"$\lambda_0>0$: without friction the slip ends at $2\pi$, which is $\phi_4$",
-            sort: Sort::Degenerate,
-        }],
+        conditions: &[rough(
+            r"$\lambda_0>0$: without friction the slip ends at $2\pi$, which is $\phi_4$",
+        )],
         argument: r"A continuous function that has opposite signs at $\phi_2$ and $\phi_4$ is 0 in between, and (32) has no second zero, as is shown of it.",
         ..Claim::BLANK
     },
@@ -704,10 +698,7 @@ const CLAIMS: &[Claim] = &[
                 text: r"$\lambda_0<\lambda_\mathrm{c}$",
                 sort: Sort::Stated,
             },
-            Condition {
-                text: r"$0<\lambda_0$: without friction the slip lasts for the whole period",
-                sort: Sort::Degenerate,
-            },
+            rough(r"$\lambda_0>0$: without friction the slip lasts for the whole period"),
         ],
         trials: trials![
             rest_of_period::printed_root,

@@ -14,6 +14,7 @@ mod spheres;
 
 use super::attempt::trials;
 use super::excuses;
+use super::sinusoidal::SOME_FRICTION;
 use super::{Claim, Condition, Correction, Sort, Topic};
 use crate::evidence::{Change, Kind};
 
@@ -503,10 +504,13 @@ const CLAIMS: &[Claim] = &[
         latex: r"At large times $u_x$ vanishes at exactly two instants per period if $\lambda_0<\lambda_\mathrm{c}$, on two intervals per period if $\lambda_\mathrm{c}<\lambda_0<1$, always if $\lambda_0>1$; where $\bm{u}=0$ the sphere rolls without slipping.",
         plain: "At large times u_x vanishes at exactly two instants per period if λ₀ < λ_c, on two intervals per period if λ_c < λ₀ < 1, always if λ₀ > 1; where 𝐮 = 0 the sphere rolls without slipping.",
         depends_on: &["s22-trichotomy", "eq-71", "eq-84", "s3-reduction"],
-        conditions: &[Condition {
-            text: r"$\lambda_0>0$: without friction no start is forgotten",
-            sort: Sort::Degenerate,
-        }],
+        conditions: &[
+            SOME_FRICTION,
+            Condition {
+                text: r"of the motion that is approached, in which $u_y=0$: for $\lambda_0<\lambda_\mathrm c$ a slip across the drive never ends, unless the sphere comes to roll on the way, and with it it rolls at the two instants only in the limit",
+                sort: Sort::Reading,
+            },
+        ],
         trials: trials![
             &exact::carried::TRICHOTOMY,
             driven::trichotomy_census,

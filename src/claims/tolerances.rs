@@ -83,7 +83,7 @@ GAINED = 2e-13,
 
 /// A velocity that dies faster than any exponential.
 GONE = 0.0,
-    "it falls as the exponential of an exponential and below every number, or is zero after a finite time";
+    "it is zero, or smaller than any number of the machine";
 
 /// A time to leading order in a small velocity.
 LAST_STAGE = 2e-5,

@@ -383,8 +383,8 @@ pub fn fates(list: &[Fates], as_of: &str) -> Result<Figure, FigureError> {
         .caption(format!(
             "Sections through the phase space. Shaded: cells whose middle comes to rest, by simulation. The two lines, \
              which cannot be told apart, are proved by validated integration: from every start below the lower one the \
-             particle comes to rest, from every start above the upper one it escapes. The last panel shows a piece of the panel \
-             before it so large that there are two, solid for rest and dashed for escape; the dots between them, just above the \
+             particle comes to rest, from every start shown above the upper one it escapes. The last panel magnifies a piece of the \
+             third until the two lines separate, solid for rest and dashed for escape; the dots between them, just above the \
              solid one, are the simulated boundary. {as_of}.",
         ))
         .alt(

@@ -438,6 +438,11 @@ fn what_is_in_dispute_settles_nothing() {
     assert_eq!(under(Sort::Degenerate, &degenerate), Verdict::Degenerate);
     let contested = [&degenerate[..], &[excepted(BAD)]].concat();
     assert_eq!(under(Sort::Degenerate, &contested), Verdict::Undecided);
+    // A convention is tried in the same way.
+    assert_eq!(under(Sort::Convention, &degenerate), Verdict::Confirmed);
+    for e in [&needed[..], &contested] {
+        assert_eq!(under(Sort::Convention, e), Verdict::Undecided);
+    }
 }
 
 #[test]
@@ -600,10 +605,10 @@ fn the_page_gives_the_rules_of_the_judge() {
         let e = [by(Printed, &[BAD]), by(Corrected, &two)].concat();
         verdict(kind, Some(Change::Statement), &e)
     };
-    let degenerate = || {
+    let but_for = |sort| {
         let excepted = by(Subject::Excepted, &[0.0]);
         let e = [by(Within, &two), by(Outside, &[BAD]), excepted];
-        under(Sort::Degenerate, &e.concat())
+        under(sort, &e.concat())
     };
     let consistent = [evidence(Route::Consistency, Printed, GOOD)];
     let misprint = || {
@@ -634,7 +639,8 @@ fn the_page_gives_the_rules_of_the_judge() {
         // Under a condition: not without it, then on both sides.
         judged(&[by(Within, &two), by(Outside, &[BAD])], None),
         judged(&[by(Within, &two), by(Outside, &[GOOD])], None),
-        degenerate(),
+        but_for(Sort::Degenerate),
+        but_for(Sort::Convention),
         verdict(Kind::Definition, None, &consistent),
         judged(&[by(Printed, &two)], None),
         judged(&[by(Printed, &[GOOD])], None),

@@ -1,7 +1,7 @@
 //! A verdict in the book's prose stands in a placeholder; and the letters hold what fails. Numbers in prose: `tests/prose`.
 
 use crate::{BOOK, LEDGER};
-use slipbook::claims::{PAPER, Sort, by_hand::CASES};
+use slipbook::claims::{PAPER, by_hand::CASES};
 use slipbook::ledger::{Format, Piece, Verdict, pieces, plain_formula, plain_words};
 use std::collections::BTreeMap;
 use std::fs;
@@ -138,14 +138,12 @@ fn the_letter_takes_nothing_for_its_opposite() {
          {conditional} statements need a condition."
     );
     assert!(letter.contains(&counts), "{counts}");
+    // The decay across the drive, region II, escape, the boundary of rest; and the factors of (82) and (106).
+    assert_eq!(ledger.weights(), [4, 2]);
     // Under the conditions stand those of substance alone.
     let listed = letter.split("CONDITIONS").nth(1).unwrap();
     for (_, claim) in PAPER.claims() {
-        for condition in claim
-            .conditions
-            .iter()
-            .filter(|c| c.sort == Sort::Degenerate)
-        {
+        for condition in claim.conditions.iter().filter(|c| c.sort.is_degenerate()) {
             let words = plain(condition.text);
             assert!(words.len() < 40 || !listed.contains(&words), "{words}");
         }

@@ -140,7 +140,7 @@ counts! {
         let example = file("trialbook/examples/fall.rs");
         equations(behind(&example, "mod paper {").split("\n}").next().unwrap_or_default())
     });
-    "own", "lines {} equations" => Among(|_| equations(&file("trialbook/examples/drag/main.rs")));
+    "own", "whole paper {} equations" => Among(|_| equations(&file("trialbook/examples/drag/main.rs")));
     "own", "it takes {} commands" => Among(|page| {
         let (steps, _) = page.text.split_once("## Break it").unwrap_or_default();
         let blocks = steps.split("```text").skip(1).filter_map(|block| block.split("```").next());
@@ -257,9 +257,9 @@ counts! {
     "anisotropic", "{} questions four borders" => Among(curves);
     "anisotropic", "questions {} borders" => Among(curves);
     "anisotropic", "{} questions decide what comes next" => Among(curves);
-    "related", "about {} of the steepest" => Is(|| {
+    "related", "{} % of the steepest" => Is(|| {
         let q = value("y-q");
-        (3.0 * (q - 1.0) / (q + 1.0)).round() / 3.0
+        (100.0 * (q - 1.0) / (q + 1.0)).round()
     });
     "errata", "{} claims are false" => Filled("count wrong");
     "errata", "{} of them by an error of their own" => Filled("count roots");
@@ -282,11 +282,14 @@ counts! {
     "proved", "{} times in all" => Filled("count put");
     "index", "all {} claims" => Filled("count claims");
     "index", "in {} comparisons" => Filled("count points");
-    "index", "{} are proved" => Filled("count proved");
+    "index", "for {} of them" => Filled("count proved");
     "index", "{} claims need" => Filled("count conditional");
-    "index", "{} independent errors" => Filled("count roots");
-    "index", "spoil {} further" => Filled("count heirs");
-    "index", "{} slips in print" => Filled("count misprint");
+    "index", "in {} of its topics" => Filled("count results");
+    "index", "in {} topics" => Filled("count results");
+    "index", "{} formulas have lost" => Filled("count factors");
+    "index", "{} slips of the pen" => Filled("count misprint");
+    "index", "{} times it is a slip" => Filled("count misprint");
+    "index", "{} further statements" => Filled("count heirs");
     "index", "it is § {} and not" => Filled("value p");
     "index", "and not {}" => Filled("value p-printed");
     "index", "is more than {}" => Filled("value critical-radius");

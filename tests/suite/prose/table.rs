@@ -154,7 +154,7 @@ pub const CORRECTED: &[Line] = &[
     ),
     (
         "s22-vy-two-stages",
-        10,
+        11,
         Side(0, 0),
         "sinusoidal::last_stage",
         NONE,

@@ -189,7 +189,7 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
     for condition in claim.conditions {
         let class = match condition.sort {
             Sort::Stated => "stated",
-            Sort::Degenerate | Sort::Substance => "unstated",
+            Sort::Degenerate | Sort::Convention | Sort::Substance => "unstated",
             Sort::Reading | Sort::Remark => "ours",
         };
         let stated = condition.sort.words();

@@ -116,6 +116,8 @@ impl<'a> Filler<'a> {
             ["count", "measured"] => known(Standing::Measured),
             ["count", "wrong"] => inline(count(ledger.wrong())),
             ["count", "roots"] => inline(count(ledger.roots_and_heirs()[0])),
+            ["count", "results"] => inline(count(ledger.weights()[0])),
+            ["count", "factors"] => inline(count(ledger.weights()[1])),
             ["count", "heirs"] => inline(count(ledger.roots_and_heirs()[1])),
             ["value", id] => inline(values::shown(ledger.paper, id)?),
             ["count", slug] => inline(count(ledger.counts()[&verdict_of(slug)?])),

@@ -33,6 +33,7 @@
 //! | `{{value lambda-c}}` | a number of the index of values, by its short name |
 //! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
 //! | `{{count wrong}}`, `{{count roots}}`, `{{count heirs}}` | of the claims that are false: all, those with an error of their own, the others |
+//! | `{{count results}}`, `{{count factors}}` | of the errors of their own: the topics in which a result does not hold, the formulas that have lost a factor or the like |
 //! | `{{count proved}}`, `argued`, `measured` | how many claims are known in this way |
 //! | `{{lines src/motion}}` | how much code stands in these modules, without comments and tests, and their paths; what follows `without` is left out |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |

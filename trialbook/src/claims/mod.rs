@@ -71,6 +71,9 @@ pub enum Sort {
     /// The paper does not; it excepts degenerate points: a set with empty interior, or one on which the claim has no value. A
     /// trial on [`Subject::Excepted`](crate::evidence::Subject::Excepted) has to find that.
     Degenerate,
+    /// The paper takes it for granted throughout, so that the book states it once; it excepts degenerate points, as a trial on
+    /// [`Subject::Excepted`](crate::evidence::Subject::Excepted) has to find. A claim that needs nothing else is confirmed.
+    Convention,
     /// The paper does not, and what it excepts has an inside.
     Substance,
     /// How we read words that can be read in more than one way. It is no condition, and has no effect on the verdict.
@@ -86,15 +89,21 @@ impl Sort {
         match self {
             Sort::Stated => "stated in the paper",
             Sort::Degenerate => "not stated in the paper; it excepts degenerate points only",
+            Sort::Convention => "a convention for the whole paper",
             Sort::Substance => "not stated in the paper",
             Sort::Reading => "our reading",
             Sort::Remark => "our remark",
         }
     }
 
-    /// True if the claim needs it, and the paper does not state it.
+    /// True if the claim needs it, and the paper does not state it with the claim.
     pub fn is_added(self) -> bool {
-        matches!(self, Sort::Degenerate | Sort::Substance)
+        self.is_degenerate() || self == Sort::Substance
+    }
+
+    /// True if it is needed, and excepts degenerate points only.
+    pub fn is_degenerate(self) -> bool {
+        matches!(self, Sort::Degenerate | Sort::Convention)
     }
 }
 

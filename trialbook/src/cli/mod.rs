@@ -96,7 +96,7 @@ enum Command {
         #[arg(long, value_name = "FILE", requires = "depth", num_args = 1.., conflicts_with = "shard")]
         parts: Vec<PathBuf>,
     },
-    /// Seed mistakes in the formulas, and see which trial notices which: some minutes for all claims
+    /// Seed mistakes in the formulas, and see which trial notices which: slow for all claims
     ///
     /// Exit code 1 if a trial that agrees notices no mistake and no reason is on record, or if what it finds without the paper changes.
     Distrust {

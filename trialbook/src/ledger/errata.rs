@@ -3,7 +3,7 @@
 use super::{Entry, Ledger, Verdict};
 use crate::claims::Sort;
 use crate::claims::compare::Failure;
-use crate::evidence::{Evidence, Outcome, Subject};
+use crate::evidence::{Change, Evidence, Outcome, Subject};
 use serde::Serialize;
 use std::collections::BTreeSet;
 
@@ -129,6 +129,17 @@ impl Ledger {
             .filter(|e| e.judgement.verdict.is_wrong());
         let wrong = wrong.filter(|e| e.judgement.verdict != Verdict::Misprint);
         wrong.filter(|e| self.inherits(e).is_empty())
+    }
+
+    /// The errors of their own by weight: in how many topics a result does not hold, and how many formulas have lost a factor,
+    /// a sign or a symbol that others inherit.
+    pub fn weights(&self) -> [usize; 2] {
+        let change = |e: &&Entry| e.claim.correction.map(|c| c.change);
+        let (results, slips): (Vec<_>, Vec<_>) = self
+            .roots()
+            .partition(|e| change(e) == Some(Change::Statement));
+        let topics: BTreeSet<_> = results.iter().map(|e| e.topic.stem).collect();
+        [topics.len(), slips.len()]
     }
 
     /// How many wrong claims have an error of their own, and how many have it from others; misprints are not among them.
@@ -266,6 +277,7 @@ mod tests {
         }
         assert_eq!(errata.len(), 5);
         assert_eq!((ledger.wrong(), ledger.roots_and_heirs()), (4, [2, 1]));
+        assert_eq!(ledger.weights(), [1, 0]);
         assert_eq!(
             of("eq-5").reason,
             "Without the condition 11 of 40 comparisons disagree"

@@ -98,7 +98,7 @@ impl Ledger {
                     heirs.iter().partition(|e| told.insert(e.id));
                 let right = new
                     .iter()
-                    .map(|e| format!("{}: {}", self.name(e.id), e.new));
+                    .map(|e| format!("{}: {}{}", self.name(e.id), e.new, self.note(e.id)));
                 let known: Vec<_> = known.iter().map(|e| self.name(e.id)).collect();
                 let known = (!known.is_empty()).then(|| format!("{}, as above", known.join(", ")));
                 let right: Vec<_> = right.chain(known).collect();
@@ -119,9 +119,7 @@ impl Ledger {
                         closed(new)
                     ),
                 };
-                let readings = self.readings(misprint.id);
-                let readings = readings.map(|reading| format!(" (Our reading: {reading}.)"));
-                let words = words + &readings.collect::<String>();
+                let words = words + &self.note(misprint.id);
                 text += &style.entry(&self.place(misprint), &words);
             }
             text.push('\n');
@@ -137,12 +135,8 @@ impl Ledger {
     fn rest(&self) -> String {
         let counts = self.counts();
         let but = match counts[&Verdict::Degenerate] {
-            0 => String::new(),
-            1 => ", 1 of them with degenerate exceptions (points at which it has no value, or which fill no interval)"
-                .to_owned(),
-            n => format!(
-                ", {n} of them with degenerate exceptions (points at which they have no value, or which fill no interval)"
-            ),
+            0 => "",
+            _ => ", some but for points at which they have no value, or which fill no interval",
         };
         format!("{}All others are right as printed{but}.", self.undecided())
     }
@@ -174,6 +168,14 @@ impl Ledger {
         readings.map(|c| c.text)
     }
 
+    /// The same in brackets, behind what is said of the claim.
+    fn note(&self, id: &str) -> String {
+        let readings = self.readings(id);
+        readings
+            .map(|reading| format!(" (Our reading: {reading}.)"))
+            .collect()
+    }
+
     /// The name of a claim, behind its section where it has no number, and without what explains it behind a colon.
     fn place(&self, erratum: &Erratum) -> String {
         let name = self.name(erratum.id);
@@ -197,7 +199,7 @@ impl Ledger {
                 .iter()
                 .filter(|c| c.sort == Sort::Substance)
             {
-                let name = self.place(erratum);
+                let name = self.place(erratum) + &self.note(erratum.id);
                 match needed.iter_mut().find(|(text, _)| *text == condition.text) {
                     Some((_, names)) => names.push(name),
                     None => needed.push((condition.text, vec![name])),

@@ -34,6 +34,7 @@ impl Entry {
             let by = match condition.sort {
                 Sort::Stated => "condition (stated)",
                 Sort::Degenerate => "condition (added, degenerate points)",
+                Sort::Convention => "condition (convention)",
                 Sort::Substance => "condition (added)",
                 Sort::Reading => "our reading",
                 Sort::Remark => "our remark",

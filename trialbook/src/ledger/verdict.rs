@@ -233,7 +233,7 @@ pub fn judge(
                 e.at
             ));
         }
-        let degenerate = added().filter(|c| c.sort == Sort::Degenerate).count();
+        let degenerate = added().filter(|c| c.sort.is_degenerate()).count();
         if excepted.agree.len() != degenerate {
             return undecided(format!(
                 "{degenerate} conditions are said to except degenerate points, {} found to do so",
@@ -241,15 +241,22 @@ pub fn judge(
             ));
         }
         let standing = held.standing();
-        return match degenerate == added().count() {
-            true => judgement(
-                Verdict::Degenerate,
-                format!("{standing}; what is excepted is degenerate"),
-            ),
-            false => judgement(
+        let needs = |sort| added().any(|c| c.sort == sort);
+        return if needs(Sort::Substance) {
+            judgement(
                 Verdict::Conditional,
                 format!("{standing} under the condition, fails without it"),
-            ),
+            )
+        } else if needs(Sort::Degenerate) {
+            judgement(
+                Verdict::Degenerate,
+                format!("{standing}; what is excepted is degenerate"),
+            )
+        } else {
+            judgement(
+                Verdict::Confirmed,
+                format!("{standing} under the convention"),
+            )
         };
     }
     if added().next().is_some() {
