@@ -37,7 +37,7 @@ written!(
     new "What is new here",
     related "Related work",
     ledger "The ledger",
-    proved "What is proved, what is measured",
+    proved "What is proved, argued, measured",
     certificates "Certificates",
     trust "What you have to trust",
     accuracy "How accurately it was measured",

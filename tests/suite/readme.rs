@@ -2,7 +2,7 @@
 
 use crate::LEDGER;
 use slipbook::claims::PAPER;
-use slipbook::ledger::Verdict;
+use slipbook::ledger::{Standing, Verdict};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
@@ -31,6 +31,11 @@ fn the_table_of_verdicts_is_the_ledgers() {
     }
     let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md");
     let text = fs::read_to_string(&readme).unwrap();
+    let known = Standing::ALL.map(|of| format!("{} {}", ledger.known(of), of.word()));
+    table += &format!(
+        "\nHow that is known, of the claim or of what is right in its place: {}.\n",
+        known.join(", ")
+    );
     let (begin, end) = ("<!-- verdicts -->\n", "<!-- /verdicts -->\n");
     let (before, rest) = text.split_once(begin).expect("a table of verdicts");
     let (old, after) = rest.split_once(end).expect("the end of the table");

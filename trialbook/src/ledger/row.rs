@@ -142,7 +142,7 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::example::tried;
-    use super::super::{Entry, Judgement, Standing, Verdict, plain_words};
+    use super::super::{Entry, Judgement, Verdict, plain_words};
     use super::{EvidenceRow, Row, evidence};
     use crate::claims::{Claim, Condition, Correction, Paper, Sort, Topic};
     use crate::evidence::{Change, Compared, Evidence, Kind, Route, Subject, Tolerance};
@@ -258,7 +258,7 @@ mod tests {
             verdict: "conditional",
             wrong: Some(plain_words("Needs a condition: $x>0$.")),
             ground: "two routes",
-            standing: Some(Standing::Measured),
+            standing: None,
             conditions: CLAIM.conditions,
             depends_on: &["eq-1", "eq-2"],
             corrected: Some(r"\lambda=-1"),

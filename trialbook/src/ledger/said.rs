@@ -255,11 +255,12 @@ mod tests {
         assert_eq!(said(Route::Exact, identity), all);
         for (route, compared) in [
             (Route::Certified, identity),
-            (Route::Exact, Compared::shown("it never stops")),
             (Route::Exact, Compared::one("$a$ for every $x$", "$b$")),
         ] {
             assert_eq!(said(route, compared), "Proved.");
         }
+        let in_words = said(Route::Exact, Compared::shown("it never stops"));
+        assert_eq!(in_words, "Argued; what joins them is said in words.");
     }
 
     #[test]

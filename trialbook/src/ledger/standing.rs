@@ -75,3 +75,59 @@ impl Ledger {
         known.count()
     }
 }
+
+#[cfg(all(test, feature = "trials"))]
+mod tests {
+    use super::Standing::{Argued, Measured, Proved};
+    use super::*;
+    use crate::claims::Claim;
+    use crate::evidence::{Compared, Subject};
+    use crate::ledger::example::{ledger, tried};
+
+    #[test]
+    fn only_a_whole_formula_is_proved() {
+        let by = |route| tried(route, Subject::Printed, 0);
+        let words = Evidence {
+            compared: Compared::shown("it never stops"),
+            ..by(Route::Exact)
+        };
+        let (exact, certified) = (by(Route::Exact), by(Route::Certified));
+        let formula = r"a=b";
+        for (kind, latex, argument, evidence, standing) in [
+            (Kind::Equation, formula, "", &exact, Proved),
+            (Kind::Number, formula, "", &certified, Proved),
+            (Kind::Equation, formula, "", &by(Route::Root), Measured),
+            // A limit, a sign, a statement in words: an identity is not the whole of it.
+            (Kind::Equation, r"a\approx b", "", &exact, Measured),
+            (Kind::Inequality, "a<b", "", &exact, Measured),
+            (Kind::Inequality, "a<b", "", &certified, Proved),
+            (Kind::Property, "it stops", "", &exact, Measured),
+            (Kind::Property, "it stops", "As $a<b$.", &exact, Argued),
+            (Kind::Equation, formula, "As $a<b$.", &exact, Argued),
+            (
+                Kind::Property,
+                "it stops",
+                "As $a<b$.",
+                &by(Route::Root),
+                Measured,
+            ),
+            (Kind::Equation, formula, "", &words, Argued),
+        ] {
+            let mut entry = ledger().entry("eq-8").unwrap().clone();
+            entry.evidence = vec![evidence.clone()];
+            entry.claim = Box::leak(Box::new(Claim {
+                kind,
+                latex,
+                argument,
+                ..*entry.claim
+            }));
+            assert_eq!(
+                entry.standing(),
+                Some(standing),
+                "{kind:?} {latex} {argument}"
+            );
+            entry.evidence[0].partial = true;
+            assert_eq!(entry.standing(), None);
+        }
+    }
+}
