@@ -38,6 +38,7 @@ written!(
     related "Related work",
     ledger "The ledger",
     proved "What is proved, argued, measured",
+    lemmas "Lemmas",
     certificates "Certificates",
     trust "What you have to trust",
     accuracy "How accurately it was measured",

@@ -227,6 +227,9 @@ pub struct Evidence {
     pub title: String,
     /// The steps of a proof, in order, as plain text; none for a measurement.
     pub steps: Vec<String>,
+    /// The proofs that it rests on, whose steps are not among its own, each after those that it rests on itself.
+    #[serde(skip)]
+    pub lemmas: Vec<Lemma>,
     /// True if it covers a part of the claim only: it can speak against the claim, but not for the whole of it.
     pub partial: bool,
     /// The formulas that were read for it, by their paths: `some_crate::some_topic::eq13_time`; also those that were read
@@ -235,6 +238,15 @@ pub struct Evidence {
     /// The shared runs that were read for it, by the places where they are declared.
     #[serde(skip)]
     pub runs: BTreeSet<&'static Location<'static>>,
+}
+
+/// A proof that another one rests on.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Lemma {
+    /// What it shows.
+    pub title: String,
+    /// Its steps.
+    pub steps: Vec<String>,
 }
 
 /// What a piece of evidence says by itself.
@@ -269,6 +281,7 @@ impl Evidence {
             farthest: None,
             title: String::new(),
             steps: Vec::new(),
+            lemmas: Vec::new(),
             partial: false,
             read: BTreeSet::new(),
             runs: BTreeSet::new(),
@@ -293,6 +306,7 @@ impl Evidence {
     /// What became of a proof, in one word or two; `None` for a measurement.
     pub fn proof_words(&self) -> Option<&'static str> {
         self.route.is_proof().then(|| match self.outcome() {
+            Outcome::Agrees if self.is_in_words() => "argued",
             Outcome::Agrees => "proved",
             Outcome::Disagrees => "disproved",
             Outcome::NotANumber | Outcome::TooFewPoints => "not proved",

@@ -6,6 +6,7 @@ use super::code::Place;
 use super::context::{Context, verdict};
 use super::deep;
 use super::error::Fault;
+use super::lemmas;
 use super::maths::Maths;
 use super::text::{counted, escape, sentence, value};
 use crate::claims::{Claim, Sort};
@@ -226,7 +227,7 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         .chain(others)
         .map(|(i, e)| {
             let checked = checked::line(context, entry, e);
-            trial(context.maths, e, (conditional, &checked), code(i).as_ref())
+            trial(context, e, (conditional, &checked), code(i).as_ref())
         })
         .collect();
     let Tally { rejected, tried } = entry.tally();
@@ -246,11 +247,12 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
 }
 
 fn trial(
-    maths: &Maths,
+    context: &Context<'_>,
     evidence: &Evidence,
     (conditional, checked): (bool, &str),
     code: Option<&Place>,
 ) -> Result<String, Fault> {
+    let maths = context.maths;
     let (class, outcome) = match evidence.outcome() {
         Outcome::Agrees => ("agrees", "agrees"),
         Outcome::Disagrees if evidence.subject == Subject::Outside => {
@@ -262,8 +264,8 @@ fn trial(
     };
     let proved = evidence.proof_words();
     let proof = match proved {
-        Some(_) => proof(maths, evidence)?,
-        None => String::new(),
+        Some(_) if !evidence.steps.is_empty() => lemmas::steps(context, &evidence.steps)?,
+        _ => String::new(),
     };
     let reason = match proved {
         Some(_) => String::new(),
@@ -282,20 +284,6 @@ fn trial(
             " <a class=\"code\" href=\"{}\">Code</a>",
             place.address()
         )),
-    ))
-}
-
-/// The steps of a proof, behind a fold.
-fn proof(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
-    if evidence.steps.is_empty() {
-        return Ok(String::new());
-    }
-    let step = |step: &String| Ok(format!("<li>{}</li>", maths.folded(step)?));
-    let steps: Result<String, Fault> = evidence.steps.iter().map(step).collect();
-    Ok(format!(
-        "<details class=\"proof\"><summary>The proof, {}</summary><div class=\"steps\"><ol>{}</ol></div></details>",
-        counted(evidence.steps.len(), "step"),
-        steps?
     ))
 }
 

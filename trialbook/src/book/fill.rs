@@ -4,7 +4,7 @@ use super::claim_box;
 use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::{count, escape, in_words, size};
-use super::{checked, deep, errata, map, overview, symbols, tables, values};
+use super::{checked, deep, errata, lemmas, map, overview, symbols, tables, values};
 use crate::edition::Filled;
 use crate::evidence::Kind;
 use crate::figures::{Figure, panels};
@@ -65,6 +65,7 @@ impl<'a> Filler<'a> {
             ["ask"] => block(overview::field()),
             ["ledger"] => block(tables::whole_ledger(context)?),
             ["ledger", topic] => block(tables::folded_topic(context, topic)?),
+            ["lemmas"] => block(lemmas::all(context)?),
             ["proofs"] => block(tables::proofs(ledger)),
             ["strongest"] => block(tables::strongest(context)?),
             ["measured"] => block(tables::measured(context)?),

@@ -34,6 +34,7 @@
 //! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
 //! | `{{count wrong}}`, `{{count roots}}`, `{{count heirs}}` | of the claims that are false: all, those with an error of their own, the others |
 //! | `{{count results}}`, `{{count factors}}` | of the errors of their own: the topics in which a result does not hold, the formulas that have lost a factor or the like |
+//! | `{{lemmas}}` | the proofs that others rest on and that no box shows |
 //! | `{{count proved}}`, `argued`, `measured` | how many claims are known in this way |
 //! | `{{lines src/motion}}` | how much code stands in these modules, without comments and tests, and their paths; what follows `without` is left out |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
@@ -57,6 +58,7 @@ mod expand;
 mod fill;
 mod frame;
 mod head;
+mod lemmas;
 mod links;
 mod map;
 mod maths;

@@ -3,7 +3,7 @@
 pub use super::runs::Failure;
 use super::tolerances;
 pub use crate::evidence::Compared;
-use crate::evidence::{Evidence, Route, Sample, Subject, Tolerance};
+use crate::evidence::{Evidence, Lemma, Route, Sample, Subject, Tolerance};
 use crate::exact::{Obstacle, Proof, Step};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
@@ -223,6 +223,18 @@ pub fn noted(trial: impl FnOnce() -> Evidence) -> Evidence {
     evidence
 }
 
+fn steps(proof: &Proof) -> Vec<String> {
+    proof.steps().iter().map(Step::to_string).collect()
+}
+
+/// A proof, for others to rest on.
+pub(super) fn lemma(proof: &Proof) -> Lemma {
+    Lemma {
+        title: proof.title().to_owned(),
+        steps: steps(proof),
+    }
+}
+
 /// Evidence from a proof, with its steps: it holds or it does not.
 pub fn proved(proof: &Proof, subject: Subject, compared: Compared) -> Evidence {
     Evidence {
@@ -240,7 +252,8 @@ pub fn proved(proof: &Proof, subject: Subject, compared: Compared) -> Evidence {
             Some(obstacle) => format!("a step of the proof fails ({obstacle})"),
             None => String::new(),
         },
-        steps: proof.steps().iter().map(Step::to_string).collect(),
+        steps: steps(proof),
+        lemmas: proof.premises().into_iter().map(lemma).collect(),
         title: proof.title().to_owned(),
         ..Evidence::new(Route::Exact, subject, compared, tolerances::NONE)
     }

@@ -1,6 +1,6 @@
 //! How a certificate becomes [`Evidence`], and how a formula is evaluated on balls.
 
-use super::compare::Kept;
+use super::compare::{Kept, lemma};
 use super::tolerances;
 use crate::certified::ball::{Ball, bits_for};
 use crate::certified::enclosure::Enclosure;
@@ -57,7 +57,9 @@ pub fn resting_on(
     if let Ok(parts) = outcome {
         steps.push(format!("The rest by subdivision: {parts} parts decide"));
     }
+    let lemmas = premises.iter().flat_map(Proof::premises).map(lemma);
     Evidence {
+        lemmas: lemmas.collect(),
         steps,
         ..certified(outcome, subject, compared)
     }

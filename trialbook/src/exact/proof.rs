@@ -7,7 +7,9 @@ use super::rational::Rational;
 use super::ring::Ring;
 use super::series::Series;
 use super::tape;
+use std::collections::BTreeSet;
 use std::fmt;
+use std::sync::Arc;
 
 /// The longest text of a step in characters: more than that nobody reads.
 const LONGEST: usize = 500;
@@ -57,6 +59,7 @@ pub enum Obstacle {
 pub struct Proof {
     title: String,
     steps: Vec<Step>,
+    premises: Vec<Arc<Proof>>,
     obstacle: Option<Obstacle>,
 }
 
@@ -70,6 +73,7 @@ impl Proof {
         let mut prover = Prover {
             ring,
             steps: Vec::new(),
+            premises: Vec::new(),
             compared: false,
         };
         tape::begin();
@@ -78,6 +82,7 @@ impl Proof {
         let proof = Proof {
             title: title.into(),
             steps: prover.steps,
+            premises: prover.premises,
             obstacle: outcome.err().or(empty),
         };
         match proof.obstacle {
@@ -119,6 +124,7 @@ impl Proof {
         Proof {
             title: title.into(),
             steps: Vec::new(),
+            premises: Vec::new(),
             obstacle: Some(error.into()),
         }
     }
@@ -142,6 +148,17 @@ impl Proof {
     pub fn steps(&self) -> &[Step] {
         &self.steps
     }
+
+    /// The proofs that it rests on, each after those that it rests on itself.
+    pub fn premises(&self) -> Vec<&Proof> {
+        let mut known = BTreeSet::new();
+        let mut all: Vec<&Proof> = Vec::new();
+        for premise in &self.premises {
+            let those = premise.premises().into_iter().chain([&**premise]);
+            all.extend(those.filter(|proof| known.insert(&proof.title)));
+        }
+        all
+    }
 }
 
 /// The proof as numbered lines of plain text.
@@ -163,6 +180,7 @@ impl fmt::Display for Proof {
 pub struct Prover<'a> {
     ring: &'a Ring,
     steps: Vec<Step>,
+    premises: Vec<Arc<Proof>>,
     /// Whether anything was compared.
     compared: bool,
 }
@@ -198,7 +216,8 @@ impl<'a> Prover<'a> {
             });
         }
         tape::given(&other.title);
-        self.note("Proved before", other.title.clone());
+        self.note("Shown before", other.title.clone());
+        self.premises.push(Arc::new(other.clone()));
         Ok(())
     }
 
@@ -209,6 +228,7 @@ impl<'a> Prover<'a> {
     pub fn carry_on(&mut self, other: &Proof) -> Result<(), Obstacle> {
         tape::given(&other.title);
         self.steps.extend_from_slice(&other.steps);
+        self.premises.extend_from_slice(&other.premises);
         match &other.obstacle {
             Some(obstacle) => Err(obstacle.clone()),
             None => Ok(()),
