@@ -280,7 +280,7 @@ mod tests {
                     result: plain_words(&proved.measured()),
                     worst: 0.0,
                     title: Some("Of ratios"),
-                    proof: Some("proved"),
+                    proof: Some("argued"),
                     partial: true,
                     runs: Vec::new(),
                     ..common
