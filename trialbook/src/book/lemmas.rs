@@ -48,7 +48,7 @@ fn shows(evidence: &Evidence, title: &str) -> bool {
 }
 
 fn anchor(title: &str) -> String {
-    let words = title.split(|c: char| !c.is_alphanumeric());
+    let words = title.split(|c: char| !c.is_ascii_alphanumeric());
     let words: Vec<_> = words.filter(|word| !word.is_empty()).collect();
     format!("lemma-{}", words.join("-").to_lowercase())
 }

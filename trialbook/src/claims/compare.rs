@@ -84,10 +84,16 @@ impl Trial {
         points: impl IntoIterator<Item = P>,
         mut pair: impl FnMut(P) -> Result<Pair, Failure>,
     ) -> Evidence {
+        let mut points = points.into_iter();
+        self.gather(&mut || points.next().map(&mut pair))
+    }
+
+    /// The same, compiled once for all.
+    fn gather(&self, next: &mut dyn FnMut() -> Option<Result<Pair, Failure>>) -> Evidence {
         let mut evidence = Evidence::new(self.route, self.subject, self.compared, self.tolerance);
         let mut kept = Kept::default();
-        for point in points {
-            if !take(&mut evidence, &mut kept, pair(point)) {
+        while let Some(pair) = next() {
+            if !take(&mut evidence, &mut kept, pair) {
                 break;
             }
         }

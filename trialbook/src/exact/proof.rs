@@ -70,6 +70,17 @@ impl Proof {
         ring: &Ring,
         steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
     ) -> Self {
+        let mut steps = Some(steps);
+        let once = &mut |p: &mut Prover<'_>| steps.take().map_or(Ok(()), |steps| steps(p));
+        Proof::carried_out(title.into(), ring, once)
+    }
+
+    /// The same, compiled once for all.
+    fn carried_out(
+        title: String,
+        ring: &Ring,
+        steps: &mut dyn FnMut(&mut Prover<'_>) -> Result<(), Obstacle>,
+    ) -> Self {
         let mut prover = Prover {
             ring,
             steps: Vec::new(),
@@ -80,7 +91,7 @@ impl Proof {
         let outcome = steps(&mut prover);
         let empty = (!prover.compared).then_some(Obstacle::Empty);
         let proof = Proof {
-            title: title.into(),
+            title,
             steps: prover.steps,
             premises: prover.premises,
             obstacle: outcome.err().or(empty),
