@@ -163,6 +163,7 @@ const CLAIMS: &[Claim] = &[
             curves::a_far_limit,
             certified::a_once
         ],
+        argument: r"Forward for $2K$ and backward for $2\pi-2K$, friction gives nothing over a period if $2K=(2\pi-2K)q$. On A such a motion starts just where the drive begins to beat friction; below A it has no rest, above A there is one, as is shown of the regions.",
         ..Claim::BLANK
     },
     Claim {
@@ -191,6 +192,7 @@ const CLAIMS: &[Claim] = &[
             curves::eq54_ends,
             certified::b_once
         ],
+        argument: r"On B the slip from $\sin^{-1}\lambda_0$ ends just where the drive can begin to pull backwards, at $\pi+\sin^{-1}(q\lambda_0)$. Below B it ends later and above B earlier, as the arc falls with $\lambda_0$: then a rest comes first, as is shown of the regions.",
         ..Claim::BLANK
     },
     Claim {
@@ -231,7 +233,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-51"],
         trials: trials![&exact::EQ56, curves::eq56_root, curves::eq56_census],
-        argument: r"The square is not negative, and it is 0 at $\phi=\pi/2$: for $\lambda_0\geq1$ nothing starts a slip forwards, and for $q\geq1$ nothing one backwards.",
+        argument: r"The square is not negative, and it is 0 at $\phi=\pi/2$: for $\lambda_0\geq1$ nothing starts a slip forwards, nor, as $q\lambda_0\geq1$ too, one backwards; for $\lambda_0<1$ the drive starts one at $\pi/2$.",
         ..Claim::BLANK
     },
     Claim {
@@ -260,6 +262,7 @@ const CLAIMS: &[Claim] = &[
             corners::y_limit,
             certified::points::y_rounding
         ],
+        argument: r"Y is where (54) meets (55) and has its direction, as is shown of the point where B and C meet; the enclosure gives its digits.",
         ..Claim::BLANK
     },
     Claim {
@@ -293,7 +296,7 @@ const CLAIMS: &[Claim] = &[
         plain: "Taking q ≥ 1 is no loss of generality.",
         depends_on: &["eq-51", "eq-52"],
         trials: trials![&exact::MIRROR, mirror::integration, mirror::census],
-        argument: r"What is true of a motion with $q<1$ is true of its image, half a period later and with the frictions exchanged, whose $q$ is above 1.",
+        argument: r"A motion with $q<1$ has an image, half a period later, reversed and with the frictions exchanged, whose $q$ is above 1: what is found for $q\geq1$ holds for it with the senses exchanged.",
         ..Claim::BLANK
     },
     Claim {

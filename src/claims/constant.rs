@@ -46,11 +46,14 @@ const NOT_THE_ONE_THAT_STOPS: Condition = Condition {
     sort: Sort::Degenerate,
 };
 
+/// Where tan(θ/2) and tan(θ₀/2) stand under a power.
+pub(super) const MIRRORED: &str = r"This is shown for $0<\theta_0<\pi$; for $\theta_0<0$ the motion is the mirror image, and neither side of the formula changes with the signs of $\theta$ and $\theta_0$.";
+
 /// For λ = 1 and 0 < θ₀ < π.
-const FALLS: &str = r"$\dot\theta=-A\sin\theta/v$ is negative for $0<\theta<\pi$, and by (17) $v$ stays between half of $v_0(1+\cos\theta_0)$ and $v_0$: $\theta$ falls for ever and tends to 0, where the steps take the value.";
+const FALLS: &str = r"$\dot\theta=-A\sin\theta/v$ is negative for $0<\theta<\pi$, and by (17) $v$ stays between half of $v_0(1+\cos\theta_0)$ and $v_0$: $\theta$ falls for ever and tends to 0, where the steps take the value. For $\theta_0<0$ the motion is the mirror image; at $\theta_0=0$ the velocity stays as it is, and at $\theta_0=\pi$ the particle stops and stays, with the same values.";
 
 /// For λ > 1 and 0 < θ₀ < π.
-const STOPS: &str = r"$\dot v=-A(\lambda-\cos\theta)\leq-A(\lambda-1)$: $v$ is 0 after a finite time. $\dot\theta=-A\sin\theta/v$ is negative until then, and by (11) $v$ is 0 for no $\theta$ between 0 and $\theta_0$: $\theta$ tends to 0, where (13) is $T$. There the particle stays, as friction exceeds the pull.";
+const STOPS: &str = r"$\dot v=-A(\lambda-\cos\theta)\leq-A(\lambda-1)$: $v$ is 0 after a finite time. $\dot\theta=-A\sin\theta/v$ is negative until then, and by (11) $v$ is 0 for no $\theta$ between 0 and $\theta_0$: $\theta$ tends to 0, where (13) is $T$. There the particle stays, as friction exceeds the pull. For $\theta_0<0$ the motion is the mirror image; at $\theta_0=0$ and $\pi$ (2) gives $T$ at once.";
 
 const CLAIMS: &[Claim] = &[
     Claim {
@@ -197,6 +200,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq11
         ],
         correction: Some(REGULAR_SPEED),
+        argument: MIRRORED,
         ..Claim::BLANK
     },
     Claim {
@@ -253,6 +257,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq13_straight
         ],
         correction: Some(REGULAR_TIME),
+        argument: MIRRORED,
         ..Claim::BLANK
     },
     Claim {
@@ -274,6 +279,7 @@ const CLAIMS: &[Claim] = &[
             time::eq14_outside,
             excepted::eq14
         ],
+        argument: MIRRORED,
         ..Claim::BLANK
     },
     Claim {
@@ -395,7 +401,7 @@ const CLAIMS: &[Claim] = &[
         plain: "For λ = 0, v_y stays constant and v_x grows linearly with t; the path is in general a parabola.",
         depends_on: &["eq-15", "eq-16"],
         trials: trials![&exact::EQ15.elsewhere(excuses::PARTS), &exact::EQ16.elsewhere(excuses::PARTS), limits::parabola_motion, limits::parabola_quadrature.elsewhere(excuses::PARTS)],
-        argument: r"A constant $v_y\neq0$ and a $v_x$ that grows in proportion to the time integrate to a parabola; with $v_y=0$ it is a straight line.",
+        argument: r"A constant $v_y\neq0$ and a $v_x$ that grows linearly with the time integrate to a parabola; with $v_y=0$ it is a straight line.",
         ..Claim::BLANK
     },
     Claim {

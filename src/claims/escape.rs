@@ -158,7 +158,7 @@ const CLAIMS: &[Claim] = &[
         conditions: SMALL_ALPHA,
         depends_on: &["eq-114", "eq-124", "s4-quasi-fixed-stability"],
         trials: trials![&exact::EQ126, onset::eq126_relaxed, onset::eq126_order],
-        argument: r"The term is the first of the power series in $\alpha$; the next is of the second order, as $\cos\psi_1$ and $\cosh\alpha$ are even in $\alpha$.",
+        argument: r"The term is the first of the power series in $\alpha$; the next is of the second order, as $\cos\psi_1$ and $\cosh\alpha$ are even in $\alpha$, and $\cos\psi$ differs from $\cos\psi_1$ by $\lvert\psi-\psi_1\rvert$ at most.",
         ..Claim::BLANK
     },
     Claim {

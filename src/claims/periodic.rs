@@ -25,6 +25,9 @@ pub const TOPIC: Topic = Topic {
     claims: CLAIMS,
 };
 
+/// Of (44).
+const PULSED: &str = r"From rest at 0 $\mathfrak w$ rises at $1-\lambda_0>0$, then falls at $\lambda_0$ to 0 before $\pi$, where with no drive it stays. Every motion becomes this one: two velocities never move apart, and while (44) rests the speed of any other falls at the rate $\lambda_0$, in each period by a fixed amount.";
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-42",
@@ -82,7 +85,7 @@ const CLAIMS: &[Claim] = &[
             ]),
             losses::with_rests
         ],
-        argument: r"The law of motion leaves one velocity after each start, and the cases fit each other. While (44) is 0 there is no force.",
+        argument: PULSED,
         ..Claim::BLANK
     },
     Claim {
@@ -109,7 +112,7 @@ const CLAIMS: &[Claim] = &[
             pulses::eq45_motion.coarse(&[("eq45_w", excuses::HALF)]),
             pulses::eq45_plane.coarse(&[("eq45_w", excuses::HALF)])
         ],
-        argument: r"The mirrored velocity obeys the same law with the same start half a period later, and the law leaves one velocity after each start.",
+        argument: r"The mirrored velocity obeys the same law with the same start half a period later, and the law leaves one velocity after each start; every other motion becomes this one, as is said of (44).",
         ..Claim::BLANK
     },
     Claim {
@@ -137,7 +140,7 @@ const CLAIMS: &[Claim] = &[
             )]),
             losses::without_rest
         ],
-        argument: r"Below $\eta$ the slip lasts until the next pulse, above it it ends before: at the boundary both hold.",
+        argument: r"The stop of (44) comes at $\eta\pi/\lambda_0$, before the next pulse at $\pi$ exactly where $\lambda_0>\eta$; for $\lambda_0\leq\eta$ the motion without rest takes its place.",
         ..Claim::BLANK
     },
     Claim {

@@ -23,7 +23,7 @@ pub const TOPIC: Topic = Topic {
 };
 
 /// Of a particle at rest at ρ = σ.
-const HELD: &str = r"The square is not negative, and it is 0 for $\psi=0$: $p$ can grow from 0 in no direction exactly where $\sigma\leq1$.";
+const HELD: &str = r"At rest friction has to balance $\sigma$, outwards, and can give 1 at most in these units: it holds the particle exactly where $\sigma\leq1$. Beyond, $\dot p=\sigma-1$ outwards is positive; inside, (107) lets $p$ grow in no direction, as the square is not negative.";
 
 /// Stated before (139).
 const AT_REST: &[Condition] = &[Condition {

@@ -47,6 +47,9 @@ pub(super) const SOME_FRICTION: Condition =
 pub(super) const FRICTION_ACROSS: Condition =
     rough(r"$\lambda_0>0$: without friction nothing acts across the drive");
 
+/// Of the phases (27) to (30).
+const PHASES: &str = r"For $0<\lambda_0<1$ the arcsine lies between 0 and $\pi/2$, so that the four phases lie in $[0,2\pi]$, in this order; that there are no others is shown of the four points.";
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-21",
@@ -113,7 +116,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-22"],
         trials: trials![&exact::EQ25, units::eq25_motion, units::eq25_census],
-        argument: r"The square is not negative, and it is 0 at $\phi=\pi/2$: the drive exceeds friction at some phase exactly where (25) holds.",
+        argument: r"With $A_0>0$ (22) makes it $A_0>\mu g$. The square is not negative, and it is 0 at $\phi=\pi/2$: the drive exceeds friction at some phase exactly where (25) holds.",
         ..Claim::BLANK
     },
     Claim {
@@ -159,6 +162,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-25", "eq-26"],
         trials: trials![&exact::EQ27, phases::eq27_root, phases::eq27_motion],
+        argument: PHASES,
         ..Claim::BLANK
     },
     Claim {
@@ -175,6 +179,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-25", "eq-26"],
         trials: trials![&exact::EQ28, phases::eq28_root, phases::eq28_motion],
+        argument: PHASES,
         ..Claim::BLANK
     },
     Claim {
@@ -191,6 +196,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-25", "eq-26"],
         trials: trials![&exact::EQ29, phases::eq29_root, phases::eq29_motion],
+        argument: PHASES,
         ..Claim::BLANK
     },
     Claim {
@@ -207,6 +213,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-25", "eq-26"],
         trials: trials![&exact::EQ30, phases::eq30_root, phases::eq30_motion],
+        argument: PHASES,
         ..Claim::BLANK
     },
     Claim {
@@ -233,6 +240,7 @@ const CLAIMS: &[Claim] = &[
         ],
         depends_on: &["eq-26", "eq-27"],
         trials: trials![&exact::EQ31, slip::eq31_motion],
+        argument: r"With $\mathfrak w>0$ (26) fixes the slope, so that slope and start leave one function. It is positive from $\phi_1$ to its next zero $\tilde\phi_2$, as is shown of (32), so that friction keeps its sign for so long.",
         ..Claim::BLANK
     },
     Claim {
@@ -255,6 +263,7 @@ const CLAIMS: &[Claim] = &[
             slip::eq32_census,
             certified::one_end
         ],
+        argument: r"The left side grows from 0 at $\phi_1$ to $\phi_2$ and falls from there to $\phi_4$, where it is negative: it is 0 once in between, and there the slip ends, which was forward until then.",
         ..Claim::BLANK
     },
     Claim {
@@ -283,7 +292,7 @@ const CLAIMS: &[Claim] = &[
                 .idle(excuses::ONE_MOTION)
                 .elsewhere(excuses::IN_WORDS)
         ],
-        argument: r"The law of motion leaves one velocity after each start, as friction brings two velocities together. The stretches fit each other, and while (33) is 0 the drive is weaker than friction.",
+        argument: r"In the slips $\mathfrak w$ has the sign taken for friction, as is shown of (31) and (32). While (33) is 0, from $\tilde\phi_2>\phi_2$ to $\phi_3$ and half a period later, the drive is weaker than friction. Every other motion becomes this one, as is shown of the rest that a slip leaves.",
         ..Claim::BLANK
     },
     Claim {
@@ -305,7 +314,7 @@ const CLAIMS: &[Claim] = &[
             slip::eq34_census,
             threshold::eq34_root
         ],
-        argument: r"(31) is positive from $\phi_1$ to its only zero $\tilde\phi_2$ and negative behind it, as is shown of (32). It is negative at $\phi_3$ exactly where the slip has ended by then.",
+        argument: r"(31) is positive from $\phi_1$ to its only zero $\tilde\phi_2$ and negative from there to $\phi_4>\phi_3$, as is shown of (32). It is negative at $\phi_3$ exactly where the slip has ended by then.",
         ..Claim::BLANK
     },
     Claim {
@@ -327,6 +336,7 @@ const CLAIMS: &[Claim] = &[
             slip::eq35_census,
             certified::threshold
         ],
+        argument: r"The left side is that of (34), so that it is negative exactly where (34) holds, which is where the slip has ended before $\phi_3$.",
         ..Claim::BLANK
     },
     Claim {
@@ -343,7 +353,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-35", "eq-37"],
         trials: trials![&exact::EQ36, slip::eq36_census],
-        argument: r"The sum of the terms is positive for $0\leq\lambda_0<1$, so that (35) has the sign of $\lambda_c^2-\lambda_0^2$.",
+        argument: r"$\pi\lambda_0+2\sqrt{1-\lambda_0^2}$ is positive, so that the left side of (35) has the sign of $\lambda_\mathrm c^2-\lambda_0^2$; it is negative where $\tilde\phi_2<\phi_3$.",
         ..Claim::BLANK
     },
     Claim {
@@ -361,6 +371,7 @@ const CLAIMS: &[Claim] = &[
             threshold::eq37_motion,
             certified::lambda_c
         ],
+        argument: r"(35) falls with $\lambda_0$, as is shown of it, so that this is its only zero: above it a slip from rest ends before $\phi_3$, as is shown of (34), below it does not.",
         ..Claim::BLANK
     },
     Claim {
@@ -390,7 +401,7 @@ const CLAIMS: &[Claim] = &[
             periodic::eq38_outside,
             excepted::no_friction
         ],
-        argument: r"The law of motion leaves one velocity after each start. The two halves are mirror images that fit each other, and at their ends the drive exceeds friction where (40) holds.",
+        argument: r"Inside the halves $\mathfrak w$ has the sign that (26) takes, and at their ends the drive exceeds friction below $\lambda_\mathrm c$, by (40); at $\lambda_\mathrm c$ it equals it there, and grows. So this is a motion; every other one comes to it, as is shown of small friction.",
         ..Claim::BLANK
     },
     Claim {
@@ -432,7 +443,7 @@ const CLAIMS: &[Claim] = &[
         }],
         depends_on: &["eq-37", "eq-38"],
         trials: trials![&exact::EQ40, threshold::eq40_census],
-        argument: r"Both sines are positive, so that the drive exceeds friction at $\tilde\phi_1$ exactly where the difference of the squares is positive.",
+        argument: r"Both sines are positive, so that the drive exceeds friction at $\tilde\phi_1$ exactly where the difference of the squares is positive. At $\lambda_\mathrm c$ the two are equal: there (38) is (33), with rests of no length.",
         ..Claim::BLANK
     },
     Claim {
@@ -453,6 +464,7 @@ const CLAIMS: &[Claim] = &[
             threshold::eq41_census,
             certified::turns
         ],
+        argument: r"By the identity of (40), $\sin^2\tilde\phi_1-\lambda_0^2=(1+\pi^2/4)(\lambda_\mathrm c^2-\lambda_0^2)$, which is positive below $\lambda_\mathrm c$. As $\lambda_0=\sin\phi_1$ and both phases lie between 0 and $\pi/2$, where the sine grows, $\tilde\phi_1>\phi_1$.",
         ..Claim::BLANK
     },
     Claim {

@@ -13,6 +13,7 @@ mod scaling;
 mod spheres;
 
 use super::attempt::trials;
+use super::constant::MIRRORED;
 use super::excuses;
 use super::sinusoidal::SOME_FRICTION;
 use super::{Claim, Condition, Correction, Sort, Topic};
@@ -115,6 +116,7 @@ const CLAIMS: &[Claim] = &[
         latex: r"I \frac{\mathrm{d} \bm{\omega}}{\mathrm{d} t}=\bm{R}\times\bm{F}",
         plain: "I d𝛚/dt = 𝐑 × 𝐅",
         trials: trials![&exact::EQ60, definitions::eq60],
+        argument: r"The steps hold for six equal masses at one distance on three axes. In the law of rotation about the centre a rigid body enters only by its moments of inertia, and a homogeneous sphere, like the six masses, has one moment $I$ about every axis, so that it obeys the same law.",
         ..Claim::BLANK
     },
     Claim {
@@ -397,6 +399,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq81
         ],
         correction: Some(REGULAR_SLIP),
+        argument: MIRRORED,
         ..Claim::BLANK
     },
     Claim {
@@ -421,6 +424,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq82
         ],
         correction: Some(TIME),
+        argument: MIRRORED,
         ..Claim::BLANK
     },
     Claim {
@@ -442,6 +446,7 @@ const CLAIMS: &[Claim] = &[
             excepted::eq83
         ],
         correction: Some(SLIP_AT_TIME),
+        argument: MIRRORED,
         ..Claim::BLANK
     },
     Claim {
@@ -483,7 +488,7 @@ const CLAIMS: &[Claim] = &[
             every_drive::reduction_rolling,
             every_drive::reduction_rest
         ],
-        argument: r"An equation for $\bm u$ alone that has the form of (1) has its solutions. Once $\bm u$ is known, (79) gives the velocity of the centre without another integration, and (75) the spin.",
+        argument: r"While it slides, $\bm u$ alone obeys (1) with $b\mu$ for $\mu$; while $\lvert\bm A\rvert\leq b\mu g$ a sphere rolls on as that particle stays at rest. Then (79), with $\bm\nu$ the integral of the given $\bm\gamma$, gives the velocity of the centre, and (75) as corrected, with the constant $\zeta_3$, the spin.",
         ..Claim::BLANK
     },
     Claim {

@@ -120,6 +120,9 @@ const OUTER: &[Condition] = &[Condition {
     sort: Sort::Stated,
 }];
 
+/// Of the zeros of (115).
+const QUASI: &str = r"For $\alpha>0$ (115) is 0 where $\sin\psi=\tanh2\alpha$, which lies between 0 and 1: in a turn at $\psi_1$ and $\psi_2$, and nowhere else.";
+
 const CLAIMS: &[Claim] = &[
     Claim {
         id: "eq-86",
@@ -694,6 +697,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-115"],
         conditions: INNER,
         trials: trials![&exact::EQ124, fixed::psi1],
+        argument: QUASI,
         ..Claim::BLANK
     },
     Claim {
@@ -707,6 +711,7 @@ const CLAIMS: &[Claim] = &[
         depends_on: &["eq-115"],
         conditions: INNER,
         trials: trials![&exact::EQ125, fixed::psi2],
+        argument: QUASI,
         ..Claim::BLANK
     },
     Claim {

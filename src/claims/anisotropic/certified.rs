@@ -21,7 +21,7 @@ use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
 use crate::certified::written::{Of, sign, slope};
 use crate::claims::compare::Compared;
-use crate::claims::enclosed::certified;
+use crate::claims::enclosed::{certified, citing};
 use crate::evidence::{Evidence, Subject};
 use crate::exact::{Expr, Proof};
 use crate::paper::anisotropic as printed;
@@ -82,18 +82,26 @@ fn prove_corner(critical: Interval) -> Outcome {
     Ok(parts)
 }
 
+fn algebra_of_b(sides: [Expr; 2]) -> [Proof; 3] {
+    let curve = exact::prove_eq54(sides);
+    [curve, arcs::b_falls(), arcs::corner_falls()]
+}
+
+fn algebra_of_e(sides: [Expr; 2]) -> [Proof; 3] {
+    [exact::prove_e(sides), arcs::e_grows(), arcs::corner_falls()]
+}
+
 fn prove_b(sides: [Expr; 2]) -> Outcome {
-    let algebra = [
-        exact::prove_eq54(sides),
-        arcs::b_falls(),
-        arcs::corner_falls(),
-    ];
-    given(&algebra, || prove_corner(q_y()?))
+    prove_curve(&algebra_of_b(sides))
 }
 
 fn prove_e(sides: [Expr; 2]) -> Outcome {
-    let algebra = [exact::prove_e(sides), arcs::e_grows(), arcs::corner_falls()];
-    given(&algebra, || prove_corner(q_y()?))
+    prove_curve(&algebra_of_e(sides))
+}
+
+/// For B and for E, by the algebra of the curve.
+fn prove_curve(algebra: &[Proof]) -> Outcome {
+    given(algebra, || prove_corner(q_y()?))
 }
 
 /// (54) has one root before q_Y and none beyond.
@@ -101,7 +109,11 @@ pub fn b_once() -> Evidence {
     let compared = Compared::shown(
         r"(54) has one root for every $1\le q<q_Y$ and none for $q>q_Y$: the arc that ends at $\pi+\sin^{-1}(q\lambda_0)$ falls from 2, its slope being a sum of terms of one sign",
     );
-    certified(prove_b(exact::sides_of_b()), Subject::Printed, compared)
+    let algebra = algebra_of_b(exact::sides_of_b());
+    citing(
+        &algebra,
+        certified(prove_curve(&algebra), Subject::Printed, compared),
+    )
 }
 
 /// E has no root before q_Y and one beyond.
@@ -109,7 +121,12 @@ pub fn e_once() -> Evidence {
     let compared = Compared::shown(
         r"E has no root but $\lambda_0=0$ for $1\le q<q_Y$ and one for every $q>q_Y$: the arc that ends at $2\pi-\sin^{-1}(q\lambda_0)$ is $\lambda_0$ times what grows from $-2\pi$",
     );
-    certified(prove_e(exact::sides_of_e()), Subject::Corrected, compared).of_a_part()
+    let algebra = algebra_of_e(exact::sides_of_e());
+    citing(
+        &algebra,
+        certified(prove_curve(&algebra), Subject::Corrected, compared),
+    )
+    .of_a_part()
 }
 
 /// λ₀ on A by (53): its left side is the cotangent of asin λ₀, so that λ₀ = 1/√(1 + r²) if its right side r is positive.
@@ -123,8 +140,11 @@ pub fn a_once() -> Evidence {
     let compared = Compared::shown(
         r"(53) has one root in $0<\lambda_0<1$ for every $q\ge1$: with growing $\lambda_0$ the left side falls from $\infty$ to 0, and the right side is positive",
     );
-    let algebra = arcs::a_falls(exact::sides_of_a());
-    certified(given(&[algebra], || Ok(1)), Subject::Printed, compared)
+    let algebra = [arcs::a_falls(exact::sides_of_a())];
+    citing(
+        &algebra,
+        certified(given(&algebra, || Ok(1)), Subject::Printed, compared),
+    )
 }
 
 /// That A lies below B up to Y and below E from Y on: the arc to the edge, on A.
@@ -207,8 +227,9 @@ pub fn order() -> Evidence {
         r"$A<B<C<D$ for all $1<q<q_Y$ and $A<E<C<D$ for all $q>q_Y$, with $A=B$ and $C=D$ at $q=1$, where the slopes of their differences have a sign; and between the curves lie the regions as they are proved for every $q\ge1$",
     );
     let order = prove_order(on_a, printed::eq55_lambda0);
-    let proof = order.and_then(|parts| given(&regions(), || Ok(parts)));
-    certified(proof, Subject::Corrected, compared)
+    let regions = regions();
+    let proof = order.and_then(|parts| given(&regions, || Ok(parts)));
+    citing(&regions, certified(proof, Subject::Corrected, compared))
 }
 
 /// Between E and C there is no backward motion: E is where the arc to the last moment is zero. About the rest of the
@@ -217,7 +238,12 @@ pub fn e_below_c() -> Evidence {
     let compared = Compared::shown(
         r"the arc to the last moment at which the drive could pull backward is negative below E and positive between E and C, for every $q>q_Y$",
     );
-    certified(prove_e(exact::sides_of_e()), Subject::Corrected, compared).of_a_part()
+    let algebra = algebra_of_e(exact::sides_of_e());
+    citing(
+        &algebra,
+        certified(prove_curve(&algebra), Subject::Corrected, compared),
+    )
+    .of_a_part()
 }
 
 #[cfg(test)]

@@ -31,6 +31,19 @@ pub fn certified(
     }
 }
 
+/// The evidence, which rests on these proofs too: each is named, and can be read where it stands.
+pub fn citing(premises: &[Proof], evidence: Evidence) -> Evidence {
+    let named = premises.iter().map(Proof::cited);
+    let lemmas = premises
+        .iter()
+        .flat_map(|p| p.premises().into_iter().chain([p]));
+    Evidence {
+        steps: named.chain(evidence.steps).collect(),
+        lemmas: lemmas.map(lemma).collect(),
+        ..evidence
+    }
+}
+
 /// Evidence from a certificate that rests on exact proofs, with their steps.
 pub fn resting_on(
     premises: &[Proof],

@@ -160,6 +160,19 @@ impl Proof {
         &self.steps
     }
 
+    /// The step by which another proof rests on it.
+    fn as_step(&self) -> Step {
+        Step {
+            says: "Shown before".into(),
+            gives: self.title.clone(),
+        }
+    }
+
+    /// The same, as text.
+    pub fn cited(&self) -> String {
+        self.as_step().to_string()
+    }
+
     /// The proofs that it rests on, each after those that it rests on itself.
     pub fn premises(&self) -> Vec<&Proof> {
         let mut known = BTreeSet::new();
@@ -227,7 +240,7 @@ impl<'a> Prover<'a> {
             });
         }
         tape::given(&other.title);
-        self.note("Shown before", other.title.clone());
+        self.steps.push(other.as_step());
         self.premises.push(Arc::new(other.clone()));
         Ok(())
     }

@@ -33,7 +33,7 @@ impl Standing {
 impl Evidence {
     /// Whether sentences join the steps of the proof.
     pub fn is_in_words(&self) -> bool {
-        self.route == Route::Exact && self.compared.found().is_none()
+        self.route.is_proof() && self.compared.found().is_none()
     }
 }
 
@@ -91,6 +91,10 @@ mod tests {
             compared: Compared::shown("it never stops"),
             ..by(Route::Exact)
         };
+        let shown = Evidence {
+            route: Route::Certified,
+            ..words.clone()
+        };
         let (exact, certified) = (by(Route::Exact), by(Route::Certified));
         let formula = r"a=b";
         for (kind, latex, argument, evidence, standing) in [
@@ -112,6 +116,7 @@ mod tests {
                 Measured,
             ),
             (Kind::Equation, formula, "", &words, Argued),
+            (Kind::Inequality, "a<b", "", &shown, Argued),
         ] {
             let mut entry = ledger().entry("eq-8").unwrap().clone();
             entry.evidence = vec![evidence.clone()];
