@@ -87,7 +87,7 @@ def right(certificate, name, prints):
     before, under = [], [] if about.startswith("without") else conditions
     for w in witnesses:
         demand(w.get("kind") in KINDS, f"no kind of witness: {w.get('kind')}")
-        before.append(KINDS[w["kind"]](w, before, *[under] * (w["kind"] == "identity")))
+        before.append(KINDS[w["kind"]](w, before, *[under, claim] * (w["kind"] == "identity")))
     head = [f"{name}: {about}; {tied(statement, witnesses)}", f"statement: {statement}",
             *(f"condition: {text}" for text in conditions), f"says: {says}"]
     demand(not any("\n" in line for line in head), "a text of two lines")

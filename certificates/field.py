@@ -3,6 +3,7 @@ import json
 import random
 import re
 from functools import cache, reduce
+from itertools import product
 from operator import add, mul, sub, truediv
 
 from flint import acb, arb, fmpq, fmpz_mpoly_ctx
@@ -17,9 +18,12 @@ WORTH = {"pi": lambda: arb.pi(), "half-tangent": lambda x: (x / 2).tan(), "half-
          "power": pow, "logarithm": arb.log}
 
 # What a symbol is there, in a proof of what is so at one point only: put in, it changes nothing of what is made of the symbol.
-RELATIONS = {"B and C touch at Y": ("α", ["-", ["/", ["*", "3", "π"], "2"], ["cot", "α"]])}
+# It is so in that claim's file alone.
+RELATIONS = {("s24-Y", "B and C touch at Y"): ("α", ["-", ["/", ["*", "3", "π"], "2"], ["cot", "α"]])}
 # At so many places what is said of signs and branches has to hold, of so many that are looked at.
 PLACES, TRIES = 3, 3000
+# What has to hold everywhere is looked at for the signs of so many of the free generators in it, each in so many tries.
+SIGNS, EACH = 7, 24
 
 
 class Element(Value):
@@ -59,14 +63,14 @@ class Element(Value):
 class Field(Calculator):
     """The generators with their relations."""
 
-    def __init__(self, generators, symbols, powers, inverses, conditions=(), seed=""):
+    def __init__(self, generators, symbols, powers, inverses, conditions=(), relation=(None, None)):
         self.n = len(generators)
         self.ctx = fmpz_mpoly_ctx.get([f"g{i}" for i in range(self.n)], "lex")
         self.one = self.ctx.constant(1)
         self.g = [Element(self, g, self.one) for g in self.ctx.gens()]
         # A root is a power; of roots, radicand and degree are known too.
         self.rules, self.roots, self.powers, self.inverses, self.symbols = [], {}, [], [], {"π": self.g[0]}
-        self.half, self.places = self.number(fmpq(1, 2)), None
+        self.half, self.places, self.divisors, self.relation = self.number(fmpq(1, 2)), None, [], relation
         for g, x in enumerate(generators):
             self.rules.append(self.rule(g, x))
         demand(self.rules and self.rules[0] == ("pi",), "without π")
@@ -94,10 +98,15 @@ class Field(Calculator):
         self.idle = {known[2] for known in self.powers[own:] + self.inverses}
         self.branches = [("power", is_) for _, _, is_ in self.powers[own:]] + [(f, is_) for f, _, is_ in self.inverses]
         self.positive = self.conditions(conditions)
-        draw, tried = random.Random(seed), range(TRIES)
-        places = filter(None, (self.principal(self.powers[own:], draw, i) for i in tried))
+        self.declared = self.powers[own:]
+        # Nothing that may be written otherwise decides where we look.
+        draw, tried = random.Random(self.n), range(TRIES)
+        of = ((draw.choices(range(self.n), k=2 * i // TRIES + i % 3), 4 * i // TRIES - 1) for i in tried)
+        places = filter(None, (self.principal(draw, *signs_and_size) for signs_and_size in of))
         self.places = [place for place, _ in zip(places, range(PLACES))]
         demand(len(self.places) == PLACES, "roots or angles that are on their principal branches nowhere together")
+        # What was divided by before there were places.
+        demand(all(map(self.differs, self.divisors)), "division by zero")
 
     def conditions(self, texts):
         """What is positive by the claim's conditions, as far as these begin with inequalities between what occurs here; and
@@ -115,18 +124,20 @@ class Field(Calculator):
                 found.append((right - left if "<" in sign or "l" in sign else left - right, sign in "<>"))
         return found
 
-    def principal(self, roots, draw, i):
-        """Values of the generators at random, in an order of magnitude that is small at first, where two may be negative: if
-        there the conditions hold, and what is known are positive roots of positive numbers, and angles on their principal branches."""
-        values, minus = [], draw.choices(range(self.n), k=2 * i // TRIES + i % 3)
+    def principal(self, draw, minus, most):
+        """Values of the generators at random, up to an order of magnitude, some of them negative: if there the conditions hold,
+        and what is known are positive roots of positive numbers, and angles on their principal branches."""
+        values = []
         for g, (rule, *of) in enumerate(self.rules):
             if rule in ("power", "logarithm") and not (of[0].at(values) > 0 or self.is_imaginary(g)):
                 return None
-            size = fmpq(draw.getrandbits(40) + 1, 1 << 40) * fmpq(2) ** draw.randint(-3, 4 * i // TRIES - 1)
+            if rule == "half-tangent" and not self.is_within(values[of[0]]):
+                return None
+            size = fmpq(draw.getrandbits(40) + 1, 1 << 40) * fmpq(2) ** draw.randint(-3, most)
             values.append(arb(-size if g in minus else size) if rule == "free" else self.worth(g, values))
         within = {"arcsin": lambda x: 2 * abs(x) <= arb.pi(), "arccos": lambda x: 0 <= x <= arb.pi()}
         angles = all(within[function](is_.at(values)) for function, _, is_ in self.inverses)
-        positive = [is_ for _, _, is_ in roots] + [x for x, _ in self.positive]
+        positive = [is_ for _, _, is_ in self.declared] + [x for x, _ in self.positive]
         return values if angles and all(x.at(values) > 0 for x in positive) else None
 
     def worth(self, g, values):
@@ -135,6 +146,11 @@ class Field(Calculator):
         of = [x.at(values) if isinstance(x, Element) else values[x] for x in of]
         return WORTH[rule](*(map(acb, of) if self.is_imaginary(g) else of))
 
+    @staticmethod
+    def is_within(angle):
+        """Whether half an angle has a positive cosine, as it is taken to have."""
+        return not isinstance(angle, acb) and bool(abs(angle) < arb.pi())
+
     def is_imaginary(self, g):
         """Whether a generator is a root of a negative number: no formula has such a root."""
         n = self.roots[g][0].number() if g in self.roots else None
@@ -142,11 +158,25 @@ class Field(Calculator):
 
     def differs(self, x):
         """Whether an element differs from 0 somewhere on the principal branches, once these are known."""
-        return self.places is None or any(not x.at(place).contains(0) for place in self.places)
+        if self.places is None:
+            self.divisors.append(x)
+            return True
+        return any(not x.at(place).contains(0) for place in self.places)
 
-    def everywhere(self, holds, x):
-        """Whether something holds of an element wherever we are on the principal branches."""
-        return all(holds(x.at(place)) for place in self.places)
+    @cache
+    def with_signs(self, free, minus):
+        """Places where these of the free generators are negative and the other ones are not; the rest is left to chance."""
+        draw, others = random.Random(self.n), [g for g in range(self.n) if g not in free]
+        of = ([*minus, *draw.choices(others, k=i % 3)] for i in range(EACH))
+        return [place for signs in of if (place := self.principal(draw, signs, 2))]
+
+    def everywhere(self, holds, *of):
+        """Whether something holds of a place wherever we are on the principal branches, whatever the signs of what these are made of."""
+        free = tuple(g for g in sorted(set().union(*map(self.made_of, of))) if self.rules[g] == ("free",))[:SIGNS]
+        signs = product(*[(False, True)] * len(free))
+        minus = [tuple(g for g, negative in zip(free, some) if negative) for some in signs]
+        places = [place for some in minus for place in self.with_signs(free, some)]
+        return all(map(holds, self.places + places))
 
     def exceeds_zero(self, x):
         """Whether an element is a positive number, or such a multiple of what is positive by a condition."""
@@ -373,11 +403,25 @@ class Field(Calculator):
         side = lambda p: sum((reduce(mul, powers(m), of.number(c)) for m, c in p.to_dict().items()), of.number(0))
         return side(x.above) / side(x.below)
 
+    def exceeds(self, x, imaginary):
+        """Whether an element is positive everywhere, or imaginary if it may be."""
+        return self.everywhere(lambda place: imaginary if isinstance(y := x.at(place), acb) else y > 0, x)
+
+    def moved(self, place, values):
+        """Where one is from a place when these values are put in, by the rules; nowhere if the values are not by the rules."""
+        there = []
+        for g, (rule, *_) in enumerate(self.rules):
+            own = place[g] if rule in ("pi", "free") else self.worth(g, there)
+            there.append(values[g].at(place) if g in values else own)
+            if g in values and rule not in ("pi", "free") and not there[g].overlaps(own):
+                return None
+        return there
+
     def keeps(self, g, all_, alone):
         """Whether a generator has the value that its rule gives it, where these values are put in; alone, it may have any."""
         rule, *of = self.rules[g]
         new, imaginary = all_[g], rule == "half-exponential"
-        positive = rule not in ("half-exponential", "power") or self.everywhere(lambda y: imaginary if isinstance(y, acb) else y > 0, new)
+        positive = rule not in ("half-exponential", "power") or self.exceeds(new, imaginary)
         if alone and rule != "power" or rule in ("pi", "free"):
             return positive
         of = [all_[x] if type(x) is int else self.value(x, all_, self) for x in of]
@@ -386,7 +430,7 @@ class Field(Calculator):
                 # By cosine and sine of the whole angle.
                 square = new * new
                 cosine, sine = ((self.number(1) - square) / (self.number(1) + square), (new + new) / (self.number(1) + square))
-                return all(map(self.same, self.turn(*of), (cosine, sine)))
+                return self.everywhere(lambda place: self.is_within(of[0].at(place)), *of) and all(map(self.same, self.turn(*of), (cosine, sine)))
             case "half-exponential":
                 return positive and self.same(self.call("exp", *of), new * new)
             case "logarithm":
@@ -400,9 +444,10 @@ class Field(Calculator):
     def put(self, x, values):
         """An element with values for some of the generators in it. What these are made of goes along where it occurs too, by the
         rules; what does not occur need not be said, if one generator alone is made of it."""
+        demand(0 not in values, "π is no other number")
         all_, there = [values.get(g, own) for g, own in enumerate(self.g)], x.occurring()
         of = {g: self.made_of(self.g[g]) - {g} for g in self.made_of(x)}
-        own, tree = RELATIONS.get(self.title, (None, None))
+        own, tree = self.relation
         itself = {g for g in values if own in self.symbols and self.same(self.symbols[own], self.g[g]) and self.same(values[g], evaluate(tree, self))}
         result, values = self.value(x, all_, self), {g: y for g, y in values.items() if g not in itself}
         all_ = [values.get(g, own) for g, own in enumerate(self.g)]
@@ -412,28 +457,34 @@ class Field(Calculator):
                 demand(self.keeps(g, all_, g in values and not others), "a value against a rule")
         # What is known of other roots and angles holds there too.
         beyond = {"arcsin": lambda x: 2 * abs(x) > arb.pi(), "arccos": lambda x: x < 0 or x > arb.pi(), "power": lambda x: x < 0}
+        made_of = lambda of: set().union(*map(self.made_of, of))
         for function, is_ in self.branches:
-            if is_.occurring() & values.keys():
-                inside = self.everywhere(lambda x: x.is_finite() and not beyond[function](x), self.value(is_, all_, self))
-                demand(inside, "a value beyond a branch")
+            if self.made_of(is_) & made_of(self.g[g] for g in values):
+                of_it = {g: y for g, y in values.items() if self.made_of(is_) & self.made_of(self.g[g])}
+
+                def inside(place):
+                    there = self.moved(place, of_it)
+                    x = there and is_.at(there)
+                    return x is not None and x.is_finite() and not beyond[function](x)
+
+                demand(self.everywhere(inside, is_, *of_it.values()), "a value beyond a branch")
         return result
 
 
-def identity(w, before, conditions=()):
+def identity(w, before, conditions=(), claim=None):
     """Some stand in several files; each is looked at once."""
     given = w.get("given", [])
     demand(all(isinstance(other, str) and other in before for other in given), "it rests on a proof that is not there")
-    return carried_out(json.dumps(w), tuple(conditions))
+    return carried_out(json.dumps(w), tuple(conditions), RELATIONS.get((claim, w.get("title"))) and claim)
 
 
 @cache
-def carried_out(text, conditions):
+def carried_out(text, conditions, claim):
     w = json.loads(text)
     _, title, _, generators, symbols, powers, inverses, parts, gives, equal, fails = keys(
         w, "kind title given generators symbols powers inverses parts gives equal fails")
     demand(type(fails) is bool and len(equal) >= fails, "nothing is compared")
-    f = Field(generators, symbols, powers, inverses, conditions, text)
-    f.title = title
+    f = Field(generators, symbols, powers, inverses, conditions, RELATIONS.get((claim, title), (None, None)))
     demand(len(gives) == len(parts), "not as many results as parts")
     made, used = [], set()
     for part, result in zip(parts, gives):
@@ -488,11 +539,27 @@ def step(f, made, part, used):
             return f.put(x, values) if name == "put" else f.derivative(x, values)
         case "series", [tree, known]:
             demand(all(type(start) is int for _, start, _ in known), "no lowest power")
+            demand_names(f, tree, [n for n, *_ in known])
             return expanded(f, tree, {n: Series(f, start, [get(i) for i in places]) for n, start, places in known})
         case "coefficient", [i, power]:
             demand(type(power) is int, "no power")
             return get(i)(power)
     raise Wrong(f"no part: {name}")
+
+
+def symbols_in(tree):
+    return set().union(*map(symbols_in, tree[1:])) if isinstance(tree, list) else {tree}
+
+
+def demand_names(f, tree, names):
+    """Only of names are there series, and of what is made of them nothing stays constant."""
+    demand(len(set(names)) == len(names), "two series of one name")
+    for n in names:
+        of = n.removeprefix("exp ") if isinstance(n, str) else n
+        demand(is_name(of) and of != "π" and (of == n or of not in f.symbols and of not in names), "a series of no name")
+    vary = set().union(*(f.made_of(f.symbols[n]) for n in names if n in f.symbols))
+    constant = [f.symbols[n] for n in symbols_in(tree) - set(names) if n in f.symbols and n != "π"]
+    demand(not any(vary & f.made_of(x) for x in constant), "something constant that is made of what varies")
 
 
 def expanded(f, tree, series):

@@ -489,8 +489,8 @@ def root_left_as_it_is():
 
 def touch_at_another_point():
     """The same under the title of the proof that puts in what is so at Y alone."""
-    by, witness, why = root_left_as_it_is()
-    return by, {**witness, "title": "B and C touch at Y"}, why
+    _, witness, why = root_left_as_it_is()
+    return lambda w, _: identity(w, [], (), "s24-Y"), {**witness, "title": "B and C touch at Y"}, why
 
 
 def root_below_left_as_it_is():
@@ -542,6 +542,90 @@ def hidden_rate():
     names = [X, {"rule": "free", "name": "y"}, {"rule": "free", "name": "z"}]
     parts = [{"read": ["+", ["*", "x", "x"], "y"]}, {"read": "1"}, {"derivative": [0, [[3, 1], [2, 1]]]}]
     return *claimed(names, parts, [(2, None)]), "an idle value"
+
+
+TWO_SINES = {"above": [["2", [0, 0, 1, 2]]], "number": "1", "below": []}
+
+
+def touch_in_another_claim():
+    """α + sin α is 3π/2 − cot α + sin α everywhere, under the title of the proof where α is that."""
+    there = ["-", ["/", ["*", "3", "π"], "2"], ["cot", "α"]]
+    _, witness = claimed([{"rule": "free", "name": "α"}, *ANGLE[1:]], *at(["+", "α", ["sin", "α"]], (1, there), ["+", there, ["sin", "α"]]))
+    return lambda w, _: identity(w, [], (), "eq-1"), {**witness, "title": "B and C touch at Y"}, "a value against a rule"
+
+
+def angle_turned():
+    """θ cos(θ/2) at θ + 2π is (θ + 2π) cos(θ/2)."""
+    turned = ["+", "θ", ["*", "2", "π"]]
+    return *claimed(ANGLE, *at(["*", "θ", ["cos", ["/", "θ", "2"]]], (1, turned), ["*", turned, ["cos", ["/", "θ", "2"]]])), "a value against a rule"
+
+
+def root_of_what_goes_along():
+    """θ √(sin² θ)/sin θ at −θ is −θ, as the root is sin θ where that is positive."""
+    square = {"above": [["4", [0, 0, 2, 4]]], "number": "1", "below": []}
+    tree = ["*", ["/", ["√", ["*", ["sin", "θ"], ["sin", "θ"]]], ["sin", "θ"]], "θ"]
+    known = [{"of": square, "to": HALF, "is": TWO_SINES}]
+    return *claimed(ANGLE, *at(tree, (1, ["-", "θ"]), ["-", "θ"]), powers=known), "a value beyond a branch"
+
+
+def root_beside_its_angle():
+    """The same by another half tangent, with nothing said of the angle."""
+    square = {"above": [["4", [0, 0, 2, 4]]], "number": "1", "below": []}
+    tree = ["/", ["√", ["*", ["sin", "θ"], ["sin", "θ"]]], ["sin", "θ"]]
+    parts, equal = at(["*", ["tan", ["/", "θ", "2"]], tree], (2, ["-", "1"]), ["-", "1"])
+    return *claimed(ANGLE, parts, equal, powers=[{"of": square, "to": HALF, "is": TWO_SINES}]), "a value beyond a branch"
+
+
+def root_by_chance():
+    """√(x²) at y is y, whatever the sign of y."""
+    itself = {"of": of(["1", [0, 2]]), "to": HALF, "is": of(["1", [0, 1]])}
+    names = [X, {"rule": "free", "name": "y"}]
+    return *claimed(names, *at(["√", ["*", "x", "x"]], (1, "y"), "y"), powers=[itself]), "a value beyond a branch"
+
+
+def three_for_pi():
+    """π x at π = 3 is 3 x."""
+    return *claimed([X], *at(["*", "π", "x"], (0, "3"), ["*", "3", "x"])), "π is no other number"
+
+
+def in_series(generators, tree, known, values, power, result, why, **more):
+    """A coefficient of a series, and what that is said to be."""
+    parts = [*({"read": value} for value in values), {"series": [tree, known]}, {"coefficient": [len(values), power]}, {"read": result}]
+    return *claimed(generators, parts, [(len(values) + 1, len(values) + 2)], **more), why
+
+
+def exponential_of_a_number():
+    """exp 0 is 7."""
+    return in_series([], ["exp", "0"], [["exp 0", 0, [0]]], ["7"], 0, ["+", "3", "4"], "a series of no name")
+
+
+def exponential_beside_its_symbol():
+    """exp t is 5 at t = 0."""
+    return in_series([], ["+", ["exp", "t"], "t"], [["t", 0, [0, 1]], ["exp t", 0, [2, 1]]], ["0", "1", "5"], 0, ["+", "3", "2"], "a series of no name")
+
+
+def exponential_of_a_constant():
+    """exp x is 5."""
+    return in_series([X], ["exp", "x"], [["exp x", 0, [0]]], ["5"], 0, ["+", "3", "2"], "a series of no name")
+
+
+def left_constant():
+    """w − x² has the coefficient −1 of x², where w is x²."""
+    why = "something constant that is made of what varies"
+    return in_series([X], ["-", "w", ["*", "x", "x"]], [["x", 0, [0, 1, 0]]], ["0", "1"], 2, ["-", "0", "1"], why, symbols=[["w", of(["1", [0, 2]])]])
+
+
+def exponent_to_no_order():
+    """x^n does not change with n, which is 2 to the order 0."""
+    parts = [{"read": "2"}, {"series": [["^", "x", "n"], [["n", 0, [0]]]]}, {"coefficient": [1, 1]}]
+    return *claimed([X], parts, [(2, None)]), "a coefficient that is not known"
+
+
+def symbol_over_zero():
+    """2 s is −1/2, where s is 1/(√4 − 2)."""
+    zero = of(["1", []], below=[[[["-2", []], ["1", [0, 1]]], 1]])
+    parts = [{"read": ["+", "s", "s"]}, {"read": ["-", ["/", "1", "2"]]}]
+    return *claimed([{"rule": "root", "of": FOUR, "degree": 2}], parts, [(0, 1)], symbols=[["s", zero]]), "division by zero"
 
 
 def two_for_the_price_of_one():
@@ -604,7 +688,9 @@ FALSE = [other_branch, at_the_end, at_the_end_of_a_side, by_the_slope_along_x, a
          disproof_elsewhere, no_decimal,
          nothing_times_anything, named_as_pi, logarithm_of_zero, power_of_a_negative_number, power_of_zero, another_condition,
          power_of_zero_that_is_not, tangent_at_its_pole, at_a_known_place, root_left_as_it_is, root_below_left_as_it_is, root_turned, touch_at_another_point,
-         imaginary_root, two_angles_in_one, root_of_a_square, arcsine_of_a_sine, rate_by_nothing, hidden_rate,
+         imaginary_root, two_angles_in_one, root_of_a_square, arcsine_of_a_sine, touch_in_another_claim, angle_turned,
+         root_of_what_goes_along, root_beside_its_angle, root_by_chance, three_for_pi, exponential_of_a_number, exponential_beside_its_symbol,
+         exponential_of_a_constant, left_constant, exponent_to_no_order, symbol_over_zero, rate_by_nothing, hidden_rate,
          two_for_the_price_of_one, read_twice, name_like_a_formula, numbers_that_differ, one_point, root_with_itself]
 
 

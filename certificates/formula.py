@@ -188,6 +188,11 @@ class Expansion(Calculator):
         demand(all(self.of.is_zero(c) for c in others), "a varying exponent")
         return self.of.whole(e)
 
+    def raised(self, x, y):
+        """An exponent is known only so far, even where it is a whole number."""
+        power = super().raised(x, y)
+        return Series(self.of, power.start, power.c[:y.end])
+
     def power(self, x, y, first=None):
         """y = x^e obeys x y′ = e x′ y."""
         x, e, number, known = x.trimmed("a power of"), y.at(0), self.of.number, y.end

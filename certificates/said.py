@@ -105,7 +105,9 @@ def made(w, names):
                 return f"{bracketed(i)} at {put(values, of)}"
             case "series", [tree, known]:
                 series = [f"{n} = x^{start} [{', '.join(map(of, places))}]" for n, start, places in known]
-                return f"series of {infix(tree)} with {'; '.join(series)}"
+                # √(x²) is taken to be x.
+                sign = " for x > 0" if re.search(r"√|\^|arc", infix(tree)) else ""
+                return f"series of {infix(tree)}{sign} with {'; '.join(series)}"
             case "coefficient", [i, power]:
                 return f"coefficient of x^{power} in {bracketed(i)}"
         return f" {signs[kind]} ".join(map(bracketed, x))

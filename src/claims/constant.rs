@@ -201,7 +201,6 @@ const CLAIMS: &[Claim] = &[
         ],
         correction: Some(REGULAR_SPEED),
         argument: MIRRORED,
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-12",
@@ -258,7 +257,6 @@ const CLAIMS: &[Claim] = &[
         ],
         correction: Some(REGULAR_TIME),
         argument: MIRRORED,
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-14",

@@ -400,7 +400,6 @@ const CLAIMS: &[Claim] = &[
         ],
         correction: Some(REGULAR_SLIP),
         argument: MIRRORED,
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-82",
@@ -425,7 +424,6 @@ const CLAIMS: &[Claim] = &[
         ],
         correction: Some(TIME),
         argument: MIRRORED,
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-83",
@@ -447,7 +445,6 @@ const CLAIMS: &[Claim] = &[
         ],
         correction: Some(SLIP_AT_TIME),
         argument: MIRRORED,
-        ..Claim::BLANK
     },
     Claim {
         id: "eq-84",

@@ -362,7 +362,7 @@ fn bad_input_says_what_is_wrong_and_writes_nothing() {
         ("errata --format text --csv", "--csv"),
     ];
     for (command, named) in cases {
-        let output = asked(&command);
+        let output = asked(command);
         let complaint = text(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{command}");
         assert!(complaint.contains(named), "{command}: {complaint}");
@@ -973,7 +973,7 @@ fn an_answer_fits_the_screen() {
 #[test]
 fn a_bad_point_of_a_grid_is_a_row_that_says_why() {
     let line = "ensemble --rho 0:2:3 --p 0:1.5:4 --psi -1:1:2 --csv";
-    let rows = text(&asked(&line).stdout);
+    let rows = text(&asked(line).stdout);
     assert_eq!(rows.lines().count(), 25);
     let refused: Vec<_> = rows.lines().filter(|row| row.contains("refused")).collect();
     assert_eq!(
@@ -984,7 +984,7 @@ fn a_bad_point_of_a_grid_is_a_row_that_says_why() {
     let said = text(&asked(&line[..line.len() - 6]).stdout);
     assert!(said.contains("2 are out of range"), "{said}");
     let line = "solve sinusoidal --lambda0 -0.1:0.8:10";
-    let rows = text(&asked(&line).stdout);
+    let rows = text(&asked(line).stdout);
     assert_eq!(rows.matches("must be between").count(), 2, "{rows}");
 }
 
@@ -1026,7 +1026,7 @@ fn refused_rows_are_counted() {
 #[test]
 fn a_sweep_has_a_row_for_each_point_as_asked_alone() {
     let said = |line: &str| {
-        let output = asked(&line);
+        let output = asked(line);
         assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
         text(&output.stdout)
     };

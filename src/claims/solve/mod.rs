@@ -34,8 +34,7 @@ pub mod turntable;
 mod units;
 
 pub use report::{Report, VERSION};
-pub(crate) use units::head;
-pub use units::{DIMENSIONLESS, RADIANS, Unit};
+pub use units::{DIMENSIONLESS, RADIANS, Unit, head};
 
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;

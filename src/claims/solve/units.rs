@@ -93,6 +93,6 @@ impl Curve {
 }
 
 /// A name with its unit.
-pub(crate) fn head(name: &str, unit: &str) -> String {
+pub fn head(name: &str, unit: &str) -> String {
     format!("{name} ({unit})")
 }
