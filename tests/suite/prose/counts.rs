@@ -289,11 +289,11 @@ counts! {
     "index", "measured for {}" => Filled("count measured");
     "index", "{} claims need" => Filled("count conditional");
     "index", "in {} topics" => Filled("count results");
-    "index", "{} formulas lost" => Filled("count factors");
+    "index", "{} lost factors" => Filled("count factors");
     "index", "{} formulas have lost" => Filled("count factors");
-    "index", "{} are slips of the pen" => Filled("count misprint");
+    "index", "{} slips of the pen" => Filled("count misprint");
     "index", "{} times it is a slip" => Filled("count misprint");
-    "index", "{} heirs have" => Filled("count heirs");
+    "index", "{} heirs" => Filled("count heirs");
     "index", "it is § {} and not" => Filled("value p");
     "index", "and not {}" => Filled("value p-printed");
     "index", "is more than {}" => Filled("value critical-radius");
