@@ -50,7 +50,7 @@ mod tests {
 
     #[test]
     fn a_comma_between_quotation_marks_is_text() {
-        let line = r#"name,"Slow, and late.",3,eq-1 eq-2,eq-1/root/printed/1"#;
+        let line = r#"name,"Slow, and late.",3,eq-1 eq-2,eq-1 root printed 1; eq-2 root printed 1"#;
         let [_, physics, verdicts, ..] = cells(line).unwrap();
         assert_eq!([physics.as_str(), &verdicts], ["Slow, and late.", "3"]);
     }
