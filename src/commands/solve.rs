@@ -265,7 +265,7 @@ struct Moment {
     /// When the angle has fallen to this (radians)
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     theta: Option<Axis>,
-    /// At this time: in s beside --mu, else in the unit of v0/A, or √(R/(μg)) for a sphere
+    /// At this time: in s beside --mu, else as v/A counts it, or for a sphere in √(R/(μg))
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     time: Option<Axis>,
 }

@@ -40,7 +40,13 @@ pub(super) fn run(
     let given = || first.swept.iter().rev().map(|(name, _)| *name);
     let mut heads: Vec<_> = given().map(|name| head(name, unit(name))).collect();
     let keys = heads.len();
-    heads.extend(question.heads()?);
+    // What is given is no answer: no second column of the same name.
+    let answered = question.heads()?.into_iter();
+    heads.extend(
+        answered
+            .filter(|answer| !heads.contains(answer))
+            .collect::<Vec<_>>(),
+    );
     heads.extend(["digits", "note"].map(str::to_owned));
     let heads: Vec<_> = heads.iter().map(String::as_str).collect();
     let range = shard.range(total);
@@ -121,7 +127,14 @@ fn cells(row: &Row) -> Vec<String> {
                 Value::Missing => String::new(),
                 value => word(value),
             };
-            cells.extend(report.fields.iter().map(value));
+            let given = |field: &&Field| row.swept.iter().any(|(name, _)| *name == field.name);
+            cells.extend(
+                report
+                    .fields
+                    .iter()
+                    .filter(|field| !given(field))
+                    .map(value),
+            );
             cells.push(report.digits.map_or(String::new(), |n| n.to_string()));
             cells.push(report.note.clone());
         }

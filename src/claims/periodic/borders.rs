@@ -34,6 +34,10 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             Ok(ring)
         };
         Proof::in_ring("Two velocities under one h", ring(), |p| {
+            p.note(
+                "Under one drive h = sin ψ",
+                "three velocities: 𝔴 and 𝔴₁ of one sign, 𝔴₂ of the other",
+            );
             p.note("The sign of 𝔴 and 𝔴₁, against that of 𝔴₂", sign.to_string());
             let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
             let apart = p.read("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;

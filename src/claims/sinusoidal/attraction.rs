@@ -71,8 +71,8 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         let speed = (vx.squared() + vy.squared()).sqrt();
         let cosine = vx / speed;
         p.note(
-            "Beside v let u be (38), W its size",
-            "the rate of the squared distance is −2λ₀ (v + W) (1 − cos)",
+            "Beside v let u be (38), W its size, and D the distance between the two",
+            "the rate of D² is −2λ₀ (v + W) (1 − cos), with the cosine of the angle between them",
         );
         for (says, sign) in [("u backward, before φ̃₁", 1), ("u forward, after φ̃₁", -1)] {
             let sign = Expr::int(sign);

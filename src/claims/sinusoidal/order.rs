@@ -179,7 +179,7 @@ fn ends_once(w: Expr) -> Proof {
         given(p, &[&EQ31])?;
         let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
         let two = Expr::int(2);
-        let printed = p.read("(31)", w)?;
+        let printed = p.read("(31), with sin β = λ₀", w)?;
         let slope = p.derivative("Its slope", &printed, &p.ring().by("φ")?)?;
         let halves = ((phi - beta) / two).sin() * ((phi + beta) / two).cos();
         let product = p.read(

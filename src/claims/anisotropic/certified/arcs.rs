@@ -21,6 +21,7 @@ pub fn b_falls() -> Proof {
     Proof::in_ring("B's arc falls", ratios(), |p| {
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let to_b = |alpha: Expr, beta: Expr| arc(alpha, Expr::pi() + beta, alpha.sin());
+        p.note("Let", "sin α = λ₀ and sin β = qλ₀, both angles below π/2");
         let zero = Expr::int(0);
         let first = p.read("The arc from 0 to π", to_b(zero, zero))?;
         p.equal("It is 2", &first, &Rational::int(2))?;
