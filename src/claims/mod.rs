@@ -80,8 +80,7 @@ pub static PAPER: Paper = Paper {
     title: "Slipping and rolling on a rough accelerating surface",
     authors: "M. Khorrami, A. Aghamohammadi and C. Aghamohammadi",
     reference: "arXiv:2307.15836",
-    tried: "against Newton's law with Coulomb's friction, integrated without the paper's formulas, and by proofs in exact \
-            arithmetic",
+    letter: include_str!("../../book/letter.md"),
     topics: TOPICS.as_slice(),
     record: include_str!("../../snapshots/verdicts.snap"),
     tallies: include_str!("../../snapshots/variants.snap"),

@@ -117,7 +117,6 @@ static CLAIMS: [Claim; 6] = [
 static PAPER: Paper = Paper {
     title: "The thrown stone",
     authors: "N. N.",
-    tried: "against Newton's law, by integration and by proofs in exact arithmetic",
     topics: &[Topic::new("stone", "The stone", &CLAIMS)],
     record: include_str!("verdicts.txt"),
     formulas: formulas_of!(paper, corrections),

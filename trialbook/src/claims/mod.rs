@@ -272,8 +272,8 @@ pub struct Paper {
     pub authors: &'static str,
     /// Where it can be found: a journal's reference or a number of an archive.
     pub reference: &'static str,
-    /// How its claims were tried, for a letter to the journal: `against …, and by …`.
-    pub tried: &'static str,
+    /// A letter to its authors or its journal, as [`Ledger::letter`](crate::ledger::Ledger::letter) reads it; empty for none.
+    pub letter: &'static str,
     /// Its claims, by topics in its own order.
     pub topics: &'static [Topic],
     /// The recorded verdicts: a line `id: verdict` for each claim.
@@ -319,7 +319,7 @@ impl Paper {
         title: "",
         authors: "",
         reference: "",
-        tried: "against what is found without it",
+        letter: "",
         topics: &[],
         record: "",
         tallies: "",

@@ -53,6 +53,12 @@ pub enum ErrataError {
         /// What failed.
         reason: Failure,
     },
+    /// The letter asks for what there is not, or says too much or too little.
+    #[error("the letter: {says}")]
+    Letter {
+        /// What is wrong with it.
+        says: String,
+    },
     /// No JSON.
     #[error("the errata as JSON: {0}")]
     Json(#[from] serde_json::Error),

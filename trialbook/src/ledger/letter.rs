@@ -3,8 +3,8 @@
 use super::errata::{ErrataError, Erratum};
 use super::pieces::{Piece, decimal, pieces};
 use super::plain::{self, plain_words};
-use super::{Ledger, Verdict, counted};
-use crate::claims::{Paper, Sort};
+use super::{Ledger, Verdict};
+use crate::claims::Paper;
 use std::collections::BTreeSet;
 
 /// A form of the letter.
@@ -19,21 +19,28 @@ pub enum Format {
 }
 
 impl Ledger {
-    /// The errata as a short comment on the paper, as one sends it to a journal, or as JSON: an item for each error that
-    /// rests on no other, with what inherits it, a list of misprints and a paragraph of conditions.
+    /// The paper's [letter](Paper::letter), with what its placeholders ask for, or the errata as JSON. A paper without one is
+    /// sent its supplement.
+    ///
+    /// In the letter a paragraph is a line of words with formulas in `$…$`, a heading begins with `# `. `[words](#id)` names a
+    /// claim that has to be changed; all of them have to be named, and no other. `{{right eq-13}}` is what should stand there,
+    /// `{{stated eq-13}}` and `{{found eq-13}}` are the numbers of its case by hand; `{{value lambda-c 3}}` is a number of the
+    /// paper with three decimals; `{{count numbered}}`, `{{count others}}` and `{{count standing}}` count equations, other
+    /// statements, and what need not be changed; `{{reference}}` is where the paper can be found.
     ///
     /// # Errors
-    /// As [`Ledger::errata`].
+    /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not, or a claim is missing.
     pub fn letter(&self, format: Format) -> Result<String, ErrataError> {
         let errata = self.errata()?;
-        Ok(match format {
-            Format::Json => serde_json::to_string_pretty(&errata)? + "\n",
+        match format {
+            Format::Json => Ok(serde_json::to_string_pretty(&errata)? + "\n"),
+            _ if self.paper.letter.is_empty() => self.supplement(format),
             Format::Text => self.comment(&errata, &Plain),
             Format::Latex => self.comment(&errata, &Latex),
-        })
+        }
     }
 
-    /// What stands behind the comment: every claim that has to be changed, with all its trials. JSON as the letter's.
+    /// What stands behind the letter: every claim that has to be changed, with all its trials. JSON as the letter's.
     ///
     /// # Errors
     /// As [`Ledger::errata`].
@@ -45,177 +52,73 @@ impl Ledger {
         }
     }
 
-    fn comment(&self, errata: &[Erratum], style: &dyn Style) -> String {
-        let wrong = of(errata, &WRONG);
-        let (misprints, wrong): (Vec<&Erratum>, Vec<&Erratum>) = wrong
-            .into_iter()
-            .partition(|e| e.verdict == Verdict::Misprint);
-        let (roots, heirs): (Vec<&Erratum>, Vec<&Erratum>) =
-            wrong.into_iter().partition(|e| e.inherits.is_empty());
-        let mut text = style.opening(self.paper, COMMENT);
-        text += &style.sender();
-        let conditional = of(errata, &[Verdict::Conditional]);
-        text += &style.paragraph(&format!(
-            "All {} numbered equations and statements of the paper were tried {}. We found {}, {} that inherit them, and {}; \
-             {} a condition. {} Statements that are not formulas are given in our words. The trials, the proofs and the program that makes them \
-             are in the supplement and at [link to the code].",
-            self.entries.len(),
-            self.paper.tried,
-            counted(roots.len(), "independent error"),
-            counted(heirs.len(), "further statement"),
-            counted(misprints.len(), "misprint"),
-            match conditional.len() {
-                1 => "1 statement needs".to_owned(),
-                n => format!("{n} statements need"),
-            },
-            self.rest()
-        ));
-        // What has been told under an earlier error is only named.
-        let mut told = BTreeSet::new();
-        text += &style.heading("Corrections");
-        for (i, root) in roots.iter().enumerate() {
-            let heirs: Vec<_> = heirs
-                .iter()
-                .filter(|e| root.fallen.contains(&e.id))
-                .collect();
-            text += &style.numbered(i + 1, &self.name(root.id), root);
-            text += &style.wrong(root);
-            text += &style.entry(as_printed(root), &root.old);
-            text += &style.entry("Right", &root.new);
-            for reading in self.readings(root.id) {
-                text += &style.entry("Our reading", &closed(reading));
-            }
-            for (label, words) in [
-                ("Reason", Some(&root.reason)),
-                ("By hand", root.case.as_ref()),
-            ] {
-                if let Some(words) = words.filter(|words| !words.is_empty()) {
-                    text += &style.entry(label, &closed(words));
-                }
-            }
-            if !heirs.is_empty() {
-                let (new, known): (Vec<&&&Erratum>, Vec<_>) =
-                    heirs.iter().partition(|e| told.insert(e.id));
-                let right = new
-                    .iter()
-                    .map(|e| format!("{}: {}{}", self.name(e.id), e.new, self.note(e.id)));
-                let known: Vec<_> = known.iter().map(|e| self.name(e.id)).collect();
-                let known = (!known.is_empty()).then(|| format!("{}, as above", known.join(", ")));
-                let right: Vec<_> = right.chain(known).collect();
-                text += &style.entry("Also to be changed", &right.join("; "));
-            }
-            text.push('\n');
-        }
-        if !misprints.is_empty() {
-            text += &style.heading("Misprints");
-            for misprint in misprints {
-                let (old, new) = (&misprint.old, &misprint.new);
-                let words = match is_formula(old) && is_formula(new) {
-                    true => format!("{old} should be {new}."),
-                    false => format!(
-                        "{}: {} It should be: {}",
-                        as_printed(misprint),
-                        closed(old),
-                        closed(new)
-                    ),
-                };
-                let words = words + &self.note(misprint.id);
-                text += &style.entry(&self.place(misprint), &words);
-            }
-            text.push('\n');
-        }
-        if !conditional.is_empty() {
-            text += &style.heading("Conditions");
-            text += &style.paragraph(&self.conditions(errata));
-        }
-        text + style.closing()
-    }
-
-    /// What is to be said of all that needs no change.
-    fn rest(&self) -> String {
-        let counts = self.counts();
-        let but = match counts[&Verdict::Degenerate] {
-            0 => "",
-            _ => ", some but for points at which they have no value, or which fill no interval",
-        };
-        format!("{}All others are right as printed{but}.", self.undecided())
-    }
-
-    /// Which statements are undecided, and why: a sentence or two for each, none where there are none.
-    fn undecided(&self) -> String {
-        let open = self.entries.iter();
-        let open = open.filter(|entry| entry.judgement.verdict == Verdict::Undecided);
-        open.map(|entry| {
-            let measured = self.paper.measured.iter();
-            let known = measured.filter(|m| m.claims.contains(&entry.claim.id));
-            let why = known.map(|m| m.reason).next();
-            format!(
-                "A statement of section {} is undecided, that {} {} ",
-                entry.claim.section,
-                closed(&begun_small(entry.claim.latex)),
-                closed(why.unwrap_or(&entry.judgement.ground))
-            )
-        })
-        .collect()
-    }
-
-    /// How a claim is read where its words can be read in more than one way.
-    fn readings(&self, id: &str) -> impl Iterator<Item = &'static str> {
-        let conditions = self
-            .entry(id)
-            .map_or(&[][..], |entry| entry.claim.conditions);
-        let readings = conditions.iter().filter(|c| c.sort == Sort::Reading);
-        readings.map(|c| c.text)
-    }
-
-    /// The same in brackets, behind what is said of the claim.
-    fn note(&self, id: &str) -> String {
-        let readings = self.readings(id);
-        readings
-            .map(|reading| format!(" (Our reading: {reading}.)"))
-            .collect()
-    }
-
-    /// The name of a claim, behind its section where it has no number, and without what explains it behind a colon.
-    fn place(&self, erratum: &Erratum) -> String {
-        let name = self.name(erratum.id);
-        let name = name.split(':').next().unwrap_or_default();
-        match erratum.equation {
-            Some(_) => name.to_owned(),
-            None => format!("Section {}, {name}", erratum.section),
-        }
-    }
-
-    /// The missing conditions, each with the claims that need it.
-    fn conditions(&self, errata: &[Erratum]) -> String {
-        let mut needed: Vec<(&str, Vec<String>)> = Vec::new();
-        for erratum in of(errata, &[Verdict::Conditional]) {
-            let Some(entry) = self.entry(erratum.id) else {
-                continue;
+    fn comment(&self, errata: &[Erratum], style: &dyn Style) -> Result<String, ErrataError> {
+        let mut text = style.opening(self.paper, COMMENT) + &style.sender();
+        let mut named = BTreeSet::new();
+        let lines = self.paper.letter.lines().filter(|line| !line.is_empty());
+        for line in lines {
+            text += &match line.strip_prefix("# ") {
+                Some(title) => style.heading(title),
+                None => style.paragraph(&self.filled(errata, &unlinked(line, &mut named))?),
             };
-            for condition in entry
-                .claim
-                .conditions
-                .iter()
-                .filter(|c| c.sort == Sort::Substance)
-            {
-                let name = self.place(erratum) + &self.note(erratum.id);
-                match needed.iter_mut().find(|(text, _)| *text == condition.text) {
-                    Some((_, names)) => names.push(name),
-                    None => needed.push((condition.text, vec![name])),
-                }
-            }
         }
-        let together = needed.chunk_by(|(_, names), (_, next)| names == next);
-        let clauses = together.map(|conditions| {
-            let texts: Vec<_> = conditions.iter().map(|(text, _)| *text).collect();
-            format!(
-                "{}: holds if {}",
-                conditions[0].1.join(", "),
-                texts.join("; and ")
-            )
-        });
-        clauses.collect::<Vec<_>>().join(". ") + "."
+        let wrong: BTreeSet<_> = errata.iter().map(|erratum| erratum.id).collect();
+        match named.symmetric_difference(&wrong).next() {
+            None => Ok(text + style.closing()),
+            Some(id) if wrong.contains(id) => Err(fault(format!("it does not name {id}"))),
+            Some(id) => Err(fault(format!("{id} need not be changed"))),
+        }
+    }
+
+    /// A line of the letter with its placeholders filled.
+    fn filled(&self, errata: &[Erratum], line: &str) -> Result<String, ErrataError> {
+        let mut parts = line.split("{{");
+        let mut out = parts.next().unwrap_or_default().to_owned();
+        for part in parts {
+            let (asked, after) = part
+                .split_once("}}")
+                .ok_or_else(|| fault(format!("a placeholder without an end: {part}")))?;
+            out += &self.asked(errata, asked)?;
+            out += after;
+        }
+        Ok(out)
+    }
+
+    fn asked(&self, errata: &[Erratum], asked: &str) -> Result<String, ErrataError> {
+        let none = || fault(format!("nothing is known of \"{asked}\""));
+        let words: Vec<_> = asked.split(' ').collect();
+        let standing = || self.entries.len() - errata.len();
+        let numbered = || {
+            let numbered = self.entries.iter().filter(|e| e.claim.equation.is_some());
+            numbered.count()
+        };
+        match words[..] {
+            ["reference"] => Ok(self.paper.reference.to_owned()),
+            ["count", "numbered"] => Ok(numbered().to_string()),
+            ["count", "others"] => Ok((self.entries.len() - numbered()).to_string()),
+            ["count", "standing"] => Ok(standing().to_string()),
+            ["right", id] => {
+                let erratum = errata.iter().find(|erratum| erratum.id == id);
+                erratum.map(|erratum| erratum.new.clone()).ok_or_else(none)
+            }
+            [side @ ("stated" | "found"), id] => {
+                let case = self.paper.case(id).ok_or_else(none)?;
+                let [stated, found] = case.numbers().map_err(|reason| ErrataError::Case {
+                    claim: case.claim,
+                    reason,
+                })?;
+                Ok(if side == "stated" { stated } else { found })
+            }
+            ["value", id, decimals] => {
+                let value = self.paper.value(id).ok_or_else(none)?;
+                let decimals: usize = decimals.parse().map_err(|_| none())?;
+                let number = value
+                    .number()
+                    .map_err(|why| fault(format!("{id}: {why}")))?;
+                Ok(format!("{number:.decimals$}"))
+            }
+            _ => Err(none()),
+        }
     }
 
     fn trials(&self, errata: &[Erratum], style: &dyn Style) -> String {
@@ -238,6 +141,25 @@ impl Ledger {
     }
 }
 
+/// Words without their links to claims, whose ids are noted.
+fn unlinked<'a>(line: &'a str, named: &mut BTreeSet<&'a str>) -> String {
+    let mut out = String::new();
+    let mut rest = line;
+    while let Some((before, after)) = rest.split_once("](#") {
+        let (id, after) = after.split_once(')').unwrap_or((after, ""));
+        named.insert(id);
+        let (before, words) = before.rsplit_once('[').unwrap_or(("", before));
+        out += before;
+        out += words;
+        rest = after;
+    }
+    out + rest
+}
+
+fn fault(says: String) -> ErrataError {
+    ErrataError::Letter { says }
+}
+
 const WRONG: [Verdict; 4] = [
     Verdict::Misprint,
     Verdict::Misderived,
@@ -254,15 +176,7 @@ fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
 const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}";
 
 /// The parts of an item that stand in one paragraph, in LaTeX.
-const RUN_IN: [&str; 7] = [
-    "Printed",
-    "Said",
-    "Right",
-    "Reason",
-    "By hand",
-    "Our reading",
-    "Also to be changed",
-];
+const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
 
 /// How the title of the letter begins.
 const COMMENT: &str = "Comment on";
@@ -271,7 +185,6 @@ const COMMENT: &str = "Comment on";
 trait Style {
     fn opening(&self, paper: &Paper, what: &str) -> String;
     fn sender(&self) -> String;
-    fn numbered(&self, number: usize, name: &str, erratum: &Erratum) -> String;
     fn heading(&self, title: &str) -> String;
     fn paragraph(&self, words: &str) -> String;
     fn title(&self, name: &str, erratum: &Erratum) -> String;
@@ -301,13 +214,6 @@ trait Style {
     }
 }
 
-/// A sentence that goes on in the middle of another.
-fn begun_small(sentence: &str) -> String {
-    let mut letters = sentence.chars();
-    let first = letters.next().map(|c| c.to_ascii_lowercase());
-    first.into_iter().chain(letters).collect()
-}
-
 /// Sentences with the full stop at their end.
 fn closed(words: &str) -> String {
     format!("{}.", words.trim_end_matches('.'))
@@ -319,11 +225,6 @@ fn as_printed(erratum: &Erratum) -> &'static str {
         Some(_) => "Printed",
         None => "Said",
     }
-}
-
-/// True for a formula alone.
-fn is_formula(text: &str) -> bool {
-    text.starts_with('$') && text.ends_with('$') && text.matches('$').count() == 2
 }
 
 /// What a claim is about, behind its name; nothing where that says it already.
@@ -349,13 +250,6 @@ impl Style for Plain {
     }
     fn sender(&self) -> String {
         "[name, affiliation and address of the sender]\n\n".into()
-    }
-    fn numbered(&self, number: usize, name: &str, erratum: &Erratum) -> String {
-        let (name, about) = (plain_words(name), plain_words(&about(name, erratum)));
-        wrapped(
-            &format!("{number}. Section {}: {name}{about}", erratum.section),
-            0,
-        )
     }
     fn heading(&self, title: &str) -> String {
         format!("{}\n{}\n\n", title.to_uppercase(), "=".repeat(title.len()))
@@ -425,19 +319,14 @@ impl Style for Latex {
         // It stands in the title.
         String::new()
     }
-    fn numbered(&self, number: usize, name: &str, erratum: &Erratum) -> String {
-        format!(
-            "\\paragraph{{{number}. Section {}: {}{}.}}\n\n",
-            erratum.section,
-            tex_words(name),
-            tex_words(&about(name, erratum))
-        )
-    }
     fn heading(&self, title: &str) -> String {
         format!("\\subsection*{{{title}}}\n\n")
     }
     fn paragraph(&self, words: &str) -> String {
-        format!("{}\n\n", tex_words(words))
+        match alone(words) {
+            Some(formula) => displayed(formula),
+            None => format!("{}\n\n", tex_words(words)),
+        }
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         format!(
@@ -452,17 +341,24 @@ impl Style for Latex {
         // The parts of an item are one paragraph.
         let end = if RUN_IN.contains(&label) { "" } else { "\n" };
         // A formula alone may be too wide for a line with its label.
-        let alone = words
-            .strip_prefix('$')
-            .and_then(|rest| rest.strip_suffix('$'));
-        match alone.filter(|formula| !formula.contains('$')) {
-            Some(formula) => format!("\\emph{{{label}:}}\n\\[\\fit{{{formula}}}\\]\n{end}"),
+        match alone(words) {
+            Some(formula) => format!("\\emph{{{label}:}}\n{}{end}", displayed(formula)),
             None => format!("\\emph{{{label}:}} {}\n{end}", tex_words(words)),
         }
     }
     fn closing(&self) -> &'static str {
         "\\end{document}\n"
     }
+}
+
+/// The formula of words that are nothing else.
+fn alone(words: &str) -> Option<&str> {
+    let formula = words.strip_prefix('$')?.strip_suffix('$')?;
+    (!formula.contains('$')).then_some(formula)
+}
+
+fn displayed(formula: &str) -> String {
+    format!("\\[\\fit{{{formula}}}\\]\n")
 }
 
 /// Words with formulas in `$…$`, for LaTeX: what stands outside the formulas becomes formulas where it must.
@@ -535,28 +431,43 @@ mod tests {
     }
 
     #[test]
-    fn a_letter_counts_and_tells_everything_once() {
-        let letter = super::super::example::ledger().letter(Format::Text);
-        let letter = letter.unwrap();
-        let words = letter.split_whitespace().collect::<Vec<_>>().join(" ");
-        for said in [
-            "All 8 numbered equations and statements",
-            "We found 2 independent errors, 1 further statement that inherit them, and 1 misprint; 1 statement needs a \
-             condition.",
-            "1. Section 1: (1), an error",
-            "Also to be changed: (3): nothing takes its place; see (1), (2) 2. Section 1: (2), another error",
-            "Also to be changed: (3), as above",
-            "(4): d = 1 should be d = −1.",
-            "(5): holds if x > 0.",
-        ] {
-            assert!(words.contains(said), "{said}\n{letter}");
-        }
-        assert_eq!(words.matches("Also to be changed").count(), 2, "{letter}");
-        // Nobody says why, and there is no condition.
+    fn a_letter_has_what_it_asks_for_and_names_all_that_is_wrong_and_nothing_else() {
+        let mut ledger = super::super::example::ledger();
+        let mut said = |letter: &'static str| {
+            let paper = Paper {
+                letter,
+                ..Paper::BLANK
+            };
+            ledger.paper = Box::leak(Box::new(paper));
+            ledger
+                .letter(Format::Text)
+                .map_err(|error| error.to_string())
+        };
+        let all = "[(1)](#eq-1) [(2)](#eq-2) [(3)](#eq-3) [(4)](#eq-4) [(5)](#eq-5) ";
+        let of = |words: &str| -> &'static str { format!("{all}{words}").leak() };
         assert!(
-            !words.contains("Reason") && !words.contains("comparisons"),
-            "{letter}"
+            said(of("{{right eq-4}}; {{count numbered}}, {{count standing}}"))
+                .unwrap()
+                .contains("(1) (2) (3) (4) (5) d = −1; ")
         );
+        for (letter, says) in [
+            ("[(1)](#eq-1)", "the letter: it does not name eq-2"),
+            (of("[(6)](#eq-6)"), "the letter: eq-6 need not be changed"),
+            (
+                of("{{right eq-6}}"),
+                "the letter: nothing is known of \"right eq-6\"",
+            ),
+            (
+                of("{{found eq-4}}"),
+                "the letter: nothing is known of \"found eq-4\"",
+            ),
+            (
+                of("{{right eq-4"),
+                "the letter: a placeholder without an end: right eq-4",
+            ),
+        ] {
+            assert_eq!(said(letter).unwrap_err(), says, "{letter}");
+        }
     }
 
     #[test]
