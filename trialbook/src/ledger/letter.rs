@@ -146,14 +146,11 @@ impl Ledger {
         let open = self.entries.iter();
         let open = open.filter(|entry| entry.judgement.verdict == Verdict::Undecided);
         open.map(|entry| {
-            let measured = self.paper.measured.iter();
-            let known = measured.filter(|m| m.claims.contains(&entry.claim.id));
-            let why = known.map(|m| m.reason).next();
             format!(
                 "A statement of section {} is undecided, that {} {} ",
                 entry.claim.section,
                 closed(&begun_small(entry.claim.latex)),
-                closed(why.unwrap_or(&entry.judgement.ground))
+                closed(entry.claim.unproved.unwrap_or(&entry.judgement.ground))
             )
         })
         .collect()
