@@ -123,7 +123,6 @@ fn largest(lambda: f64) -> Result<f64, Failure> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::claims::PAPER;
     use crate::numerics::expression::expression;
     use std::collections::BTreeSet;

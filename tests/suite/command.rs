@@ -1053,9 +1053,9 @@ fn a_sweep_has_a_row_for_each_point_as_asked_alone() {
         assert_eq!(row[8], alone["digits"].to_string());
     }
     // What is swept is no answer beside.
-    for (line, width) in [
-        ("constant --lambda 1.5 --v0 1 --theta0 2 --theta 0.1:0.3:3",),
-        ("sphere --gamma 2 --u0 1 --theta0 1 --theta 0.2:0.8:3",),
+    for line in [
+        "constant --lambda 1.5 --v0 1 --theta0 2 --theta 0.1:0.3:3",
+        "sphere --gamma 2 --u0 1 --theta0 1 --theta 0.2:0.8:3",
     ] {
         let rows = said(&format!("solve {line} --csv"));
         let heads: Vec<_> = rows.lines().next().unwrap().split(',').collect();
