@@ -2,9 +2,9 @@
 
 use super::errata::{ErrataError, Erratum};
 use super::pieces::{Piece, decimal, pieces};
-use super::plain::{self, plain_words};
 use super::{Ledger, Verdict, counted};
 use crate::claims::{Paper, Sort};
+use crate::plain::{self, plain_words};
 use std::collections::BTreeSet;
 
 /// A form of the letter.
