@@ -7,9 +7,9 @@
 The format is described in the book, on the page "Certificates". Exit code 0 if every file is accepted.
 """
 import json
-import re
 import subprocess
 import sys
+import tomllib
 from collections import Counter
 from pathlib import Path
 
@@ -24,56 +24,36 @@ from ties import tied
 KINDS = {"identity": identity, "root": root, "number": number, "range": range_, "motion": motion}
 
 
-def plain(text):
-    """A formula without what does not belong to it: spaces, the last full stop, columns."""
-    text = re.sub(r"^(\\text\{)?[A-E]:\}?", "", text).replace(r"\mbox", r"\text").replace("&", "")
-    return re.sub(r"\s+", "", text).rstrip(".,;").replace(r"\quad", "").replace(r"\,", "")
+def text(value):
+    """A text of a claim's entry, which may be broken into lines."""
+    return value.rstrip().replace("\n", " ")
 
 
-LITERAL = r'r?"((?:[^"\\]|\\.)*)"'
-
-
-def rows(files):
-    """Of each claim, by its row in the sources: the statement, what replaces it, and its conditions."""
-    texts = [re.sub(r"\\\n\s*", "", file.read_text("utf-8")) for file in files]
-    # What every claim takes for granted is written shorter.
-    shorter = rf"\brough\(\s*({LITERAL}),?\s*\)"
-    texts = [re.sub(shorter, r"Condition { text: \1, sort: Sort::Convention, }", text) for text in texts]
-    consts = lambda text: dict(re.findall(r"const (\w+): [^=]+ =\s(.*?);\n", text, re.DOTALL))
-    everywhere, found = consts("".join(texts)), {}
-    for text in texts:
-        known = everywhere | consts(text)
-
-        def meant(name):
-            """What stands for a constant, or for one of a list."""
-            of = known.get(name[1], name[0])
-            return of if name[2] is None else re.findall(r"Condition \{.*?Sort::\w+,\s*\}|[A-Z_]{4,}", of, re.DOTALL)[int(name[2])]
-
-        for claim, row in re.findall(r'\bClaim \{\s+id: "([^"]+)",(.*?)\n    \}', text, re.DOTALL):
-            for _ in range(3):
-                row = re.sub(r"(?<!:)\b([A-Z][A-Z0-9_]+)\b(?:\[(\d)\])?", meant, row)
-            statements = re.findall(r"\blatex: " + LITERAL, row)
-            conditions = re.findall(rf"\btext: {LITERAL},\s+sort: Sort::(\w+)", row)
-            found[claim] = statements[:1], statements[1:], [said for said, sort in conditions if sort != "Remark"]
+def entries(folder):
+    """Of each claim, by its entry: the statement, what replaces it, and its conditions, without remarks."""
+    files = {file.stem: tomllib.loads(file.read_text("utf-8")) for file in folder.glob("*.toml")}
+    shared, found = files.pop("shared")["conditions"], {}
+    for file in files.values():
+        known = shared | file.pop("conditions", {})
+        for claim, entry in file.items():
+            if claim not in ("section", "reasons"):
+                given = [known[c] if isinstance(c, str) else c for c in entry.get("conditions", [])]
+                under = [text(said) for c in given for sort, said in c.items() if sort != "remark"]
+                found[claim] = text(entry["latex"]), text(entry.get("corrected", "")), under
     return found
 
 
 class Prints:
-    """The statements as they stand in the repository: the numbered equations, and the rows of the claims."""
+    """The statements as they stand in the repository, in the claims' entries."""
 
     def __init__(self, root_):
         self.root = Path(root_)
-        lines = (self.root / "tests/data/equations.md").read_text("utf-8").splitlines()
-        cells = [[cell.strip() for cell in line.split(" | ")] for line in lines if re.match(r"\| \d", line)]
-        self.equations = {"eq-" + c[0].strip("| "): " | ".join(c[3:]).rstrip("| ").strip("`") for c in cells}
-        self.rows = rows(sorted((self.root / "src/claims").glob("*.rs")))
+        self.entries = entries(self.root / "claims")
         self.said = Said((self.root / "certificates/said.txt").read_text("utf-8"))
 
     def has(self, claim, statement, corrected, conditions):
-        printed, correct, under = self.rows.get(claim, ([], [], None))
-        if claim in self.equations and not corrected:
-            return plain(self.equations[claim]) == plain(statement) and conditions == under
-        return [statement] == (correct if corrected else printed) and conditions == under
+        printed, correct, under = self.entries.get(claim, ("", "", None))
+        return statement == (correct if corrected else printed) and conditions == under
 
 
 def right(certificate, name, prints):

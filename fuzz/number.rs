@@ -6,7 +6,7 @@ use slipbook::claims::PAPER;
 use slipbook::claims::values::search;
 
 fuzz_target!(|number: &str| {
-    if let Ok(found) = search(PAPER.values, number) {
+    if let Ok(found) = search(PAPER.values(), number) {
         assert!(number.parse().is_ok_and(f64::is_finite));
         assert!(found.iter().all(|m| m.column.is_none_or(|column| column < number.len())));
     }

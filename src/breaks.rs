@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 use trialbook::claims::formulas::{Formulas, text};
 
 /// The topics that take part.
-pub static TOPICS: [Topic; 2] = [constant::TOPIC, sphere::TOPIC];
+pub static TOPICS: [&Topic; 2] = [&constant::TOPIC, &sphere::TOPIC];
 
 fn own<S: Scalar>() -> Vec<Formula<S>> {
     [
@@ -40,7 +40,7 @@ const PARTS: [i64; 3] = [100, 100_000, 100_000_000];
 /// The claims with a formula that can be broken.
 pub fn claims() -> Vec<&'static Claim> {
     let tried: BTreeSet<_> = own::<f64>().iter().filter_map(Formula::claim).collect();
-    let all = TOPICS.iter().flat_map(|topic| topic.claims);
+    let all = TOPICS.iter().flat_map(|topic| topic.claims());
     all.filter(|claim| tried.contains(claim.id)).collect()
 }
 

@@ -10,8 +10,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What the crate is built from, from the top of the repository.
-const PARTS: [&str; 5] = [
+const PARTS: [&str; 6] = [
     "src",
+    "claims",
     "book",
     "snapshots",
     "benches/results.json",

@@ -1,24 +1,18 @@
-//! Where the two wings meet: one row per claim of the paper, and the trials that try it.
+//! Where the two wings meet: the claims of the paper, and the trials that try them.
 //!
-//! A claim is data; a trial is a function that returns [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not
-//! said here: the [ledger](crate::ledger) judges.
+//! A claim is data, an entry in `claims/<topic>.toml`; a trial is a function that returns
+//! [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
 
 #[cfg(feature = "trials")]
 pub mod by_hand;
 #[cfg(feature = "trials")]
 pub mod corners;
 #[cfg(feature = "trials")]
-pub mod distrust;
-#[cfg(feature = "trials")]
-mod excuses;
-#[cfg(feature = "trials")]
 mod failure;
 #[cfg(feature = "trials")]
 pub mod formulas;
 #[cfg(feature = "trials")]
 pub mod laid_over;
-#[cfg(feature = "trials")]
-pub mod measured;
 pub mod solve;
 #[cfg(feature = "trials")]
 pub mod tolerances;
@@ -46,32 +40,26 @@ pub mod sphere;
 #[cfg(feature = "trials")]
 pub mod turntable;
 
-pub use trialbook::claims::{Claim, Condition, Correction, Paper, Sort, Topic, as_of};
+pub use trialbook::claims::{Claim, Condition, Correction, Excuse, Paper, Sort, Topic, as_of};
 #[cfg(feature = "trials")]
-pub use trialbook::claims::{attempt, compare, enclosed, excepted, points, runs, statement};
+pub use trialbook::claims::{attempt, compare, enclosed, excepted, points, read, runs, statement};
 
-/// The convention for the whole paper, whose surface is rough: there is some friction. The text begins with that, and says what
-/// happens without it.
+/// The conditions and reasons that claims of several topics have.
 #[cfg(feature = "trials")]
-const fn rough(text: &'static str) -> Condition {
-    Condition {
-        text,
-        sort: Sort::Convention,
-    }
-}
+const SHARED: read::File = read::claims!("../../claims/shared.toml");
 
 /// All topics, in the paper's order.
 #[cfg(feature = "trials")]
-static TOPICS: [Topic; 9] = [
-    general::TOPIC,
-    constant::TOPIC,
-    sinusoidal::TOPIC,
-    periodic::TOPIC,
-    anisotropic::TOPIC,
-    sphere::TOPIC,
-    turntable::TOPIC,
-    escape::TOPIC,
-    rest::TOPIC,
+static TOPICS: [&Topic; 9] = [
+    &general::TOPIC,
+    &constant::TOPIC,
+    &sinusoidal::TOPIC,
+    &periodic::TOPIC,
+    &anisotropic::TOPIC,
+    &sphere::TOPIC,
+    &turntable::TOPIC,
+    &escape::TOPIC,
+    &rest::TOPIC,
 ];
 
 /// The paper on trial.
@@ -87,11 +75,4 @@ pub static PAPER: Paper = Paper {
     deep: include_str!("../../snapshots/deep.tsv"),
     certified: include_str!("../../snapshots/certificates.csv"),
     formulas: formulas::FORMULAS,
-    cases: &by_hand::CASES,
-    values: &values::VALUES,
-    measured: measured::MEASURED,
-    survivors: variants::SURVIVORS,
-    cornered: distrust::CORNERED,
-    unread: distrust::UNREAD,
-    spared: variants::SPARED,
 };

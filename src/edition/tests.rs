@@ -1,6 +1,7 @@
 use super::EDITION;
-use crate::claims::{Claim, Condition, Correction, PAPER, Paper, Sort, Topic};
-use crate::evidence::{Change, Compared, Evidence, Kind, Route, Sample, Subject, Tolerance};
+use crate::claims::read::File;
+use crate::claims::{Claim, PAPER, Paper, Topic};
+use crate::evidence::{Compared, Evidence, Route, Sample, Subject, Tolerance};
 use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger};
 use std::collections::{BTreeMap, BTreeSet};
@@ -12,33 +13,25 @@ use trialbook::book::{self, BookError};
 use trialbook::edition::{Edition, Page};
 
 /// A claim with everything that a box can show, some of it hostile.
-static FULL: Claim = Claim {
-    id: "eq-13",
-    section: "2.1",
-    equation: Some(13),
-    kind: Kind::Equation,
-    title: r"time as a function of $\theta_0$",
-    latex: r"t=\frac{a_1*b_2}{c_3*d_4}\left|\sqrt{x}\right|, {{y}}",
-    plain: "t",
-    conditions: &[
-        Condition {
-            text: r"$\lambda<1$ & <b>",
-            sort: Sort::Stated,
-        },
-        Condition {
-            text: "v > 0",
-            sort: Sort::Substance,
-        },
-    ],
-    depends_on: &["eq-11", "s21-large-friction-stops"],
-    correction: Some(Correction {
-        change: Change::Sign,
-        latex: "t=-1",
-        plain: "t = -1",
-    }),
-    argument: r"As $x$ <grows>.",
-    trials: &[],
-};
+static FULL: Topic = Topic::new(
+    "full",
+    "Full",
+    File::here(
+        r#"
+            [eq-13]
+            section = "2.1"
+            title = 'time as a function of $\theta_0$'
+            latex = 't=\frac{a_1*b_2}{c_3*d_4}\left|\sqrt{x}\right|, {{y}}'
+            plain = "t"
+            conditions = [{ stated = '$\lambda<1$ & <b>' }, { substance = "v > 0" }]
+            from = ["eq-11", "s21-large-friction-stops"]
+            corrected = 't=-\frac{a_1*b_2}{c_3*d_4}\left|\sqrt{x}\right|, {{y}}'
+            corrected-plain = "-t"
+            argument = 'As $x$ <grows>.'
+        "#,
+    ),
+    &[],
+);
 
 fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     const TEN_DIGITS: Tolerance = Tolerance {
@@ -87,7 +80,7 @@ fn ledger() -> Ledger {
             _ => Vec::new(),
         };
         let claim = match claim.id {
-            "eq-13" => &FULL,
+            "eq-13" => &FULL.claims()[0],
             // Nobody has tried it outside its condition here.
             "eq-11" => Box::leak(Box::new(Claim {
                 conditions: &[],

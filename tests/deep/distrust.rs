@@ -3,9 +3,8 @@
 
 use insta::{Settings, assert_snapshot};
 use slipbook::claims::attempt::Attempt;
-use slipbook::claims::distrust::{CORNERED, UNREAD};
 use slipbook::claims::variants::Variant;
-use slipbook::claims::{PAPER, Topic};
+use slipbook::claims::{Claim, Excuse, PAPER, Topic};
 use slipbook::ledger::distrust::{Extent, Tried};
 use slipbook::ledger::{Key, Ledger};
 use std::collections::BTreeSet;
@@ -15,14 +14,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 #[test]
 fn every_trial_notices_mistakes_and_is_as_strict_as_recorded() {
     let variants = PAPER.formulas.variants();
-    let topics = PAPER.topics.iter();
+    let topics = PAPER.topics.iter().copied();
     let wrong = topics.filter_map(|topic| Some((topic.stem, distrusted(topic, &variants).err()?)));
     let wrong: Vec<_> = wrong.collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
-    let ids: Vec<_> = topic.claims.iter().map(|claim| claim.id).collect();
+    let ids: Vec<_> = topic.claims().iter().map(|claim| claim.id).collect();
     let ledger = Ledger::try_some(&PAPER, &ids, |_| {});
     let tried = ledger.distrust(variants, Extent::Few, || {});
     let key = |t: &Tried| ledger.entries[t.entry].key(t.trial);
@@ -34,7 +33,7 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
     let excused: BTreeSet<_> = excused.map(|(key, _)| key).collect();
     let wrong = idle.symmetric_difference(&excused);
     let wrong: Vec<_> = wrong.map(Key::to_string).collect();
-    let of_topic = |id: &str| topic.claims.iter().any(|claim| claim.id == id);
+    let of_topic = |id: &str| topic.claims().iter().any(|claim| claim.id == id);
 
     let slight = ledger.slight();
     let coarse = slight.iter().filter(|s| !s.noticed);
@@ -42,7 +41,7 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
     let coarse: BTreeSet<_> = coarse.collect();
     let excused = attempts(&ledger).flat_map(|(key, attempt)| {
         let formulas = attempt.coarse.iter();
-        formulas.map(move |(formula, _)| (key, *formula))
+        formulas.map(move |excuse| (key, excuse.of))
     });
     let excused: BTreeSet<_> = excused.collect();
     let coarse: Vec<_> = coarse.symmetric_difference(&excused).collect();
@@ -57,14 +56,17 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
     };
     let cornered = those(Some(false)).map(|v| (v.claim.as_str(), v.text.as_str()));
     let cornered: BTreeSet<_> = cornered.collect();
-    let excused = CORNERED.iter().filter(|c| of_topic(c.claim));
-    let excused: BTreeSet<_> = excused.map(|c| (c.claim, c.text)).collect();
+    let of = |list: fn(&Claim) -> &'static [Excuse]| -> BTreeSet<_> {
+        let claims = topic.claims().iter();
+        let pairs = claims.flat_map(|claim| list(claim).iter().map(|excuse| (claim.id, excuse.of)));
+        pairs.collect()
+    };
+    let excused = of(|claim| claim.cornered);
     let cornered: Vec<_> = cornered.symmetric_difference(&excused).collect();
 
     let unread = those(None).map(|v| (v.claim.as_str(), v.formula));
     let unread: BTreeSet<_> = unread.collect();
-    let excused = UNREAD.iter().filter(|u| of_topic(u.claim));
-    let excused: BTreeSet<_> = excused.map(|u| (u.claim, u.formula)).collect();
+    let excused = of(|claim| claim.unread);
     let unread: Vec<_> = unread.symmetric_difference(&excused).collect();
 
     let mut strictness = String::new();

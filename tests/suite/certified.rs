@@ -95,8 +95,7 @@ fn every_certified_number_is_found_in_ordinary_numbers() {
     assert_eq!(
         names,
         PAPER
-            .values
-            .iter()
+            .values()
             .filter(|value| value.enclosure.is_some())
             .map(|value| value.id)
             .collect()

@@ -1,7 +1,7 @@
 //! A verdict in the book's prose stands in a placeholder; and the letters hold what fails. Numbers in prose: `tests/prose`.
 
 use crate::{BOOK, LEDGER};
-use slipbook::claims::{PAPER, by_hand::CASES};
+use slipbook::claims::PAPER;
 use slipbook::ledger::{Format, Piece, pieces, plain_formula, plain_words};
 use std::collections::BTreeMap;
 use std::fs;
@@ -54,8 +54,8 @@ fn the_letters_can_be_sent() {
     let ledger = &*LEDGER;
     let [text, latex, json] =
         [Format::Text, Format::Latex, Format::Json].map(|format| ledger.letter(format).unwrap());
-    for case in &CASES {
-        assert!(json.contains(&format!("\"id\": \"{}\"", case.claim)));
+    for (claim, _) in PAPER.cases() {
+        assert!(json.contains(&format!("\"id\": \"{}\"", claim.id)));
     }
     assert!(text.lines().all(|line| line.chars().count() <= 78));
     let foreign: Vec<_> = latex.chars().filter(|c| !c.is_ascii()).collect();

@@ -168,7 +168,7 @@ fn the_package_has_all_sources() {
     let list = String::from_utf8(list.stdout).unwrap();
     let packed: std::collections::BTreeSet<_> =
         list.lines().map(|line| line.replace('\\', "/")).collect();
-    let mut open = ["src", "book/src", "snapshots", "examples"]
+    let mut open = ["src", "claims", "book/src", "snapshots", "examples"]
         .map(|f| Path::new(env!("CARGO_MANIFEST_DIR")).join(f))
         .to_vec();
     let mut missing = Vec::new();

@@ -113,6 +113,7 @@ fn libraries_that_compute_are_named() {
         "strsim",
         "tempfile",
         "thiserror",
+        "toml",
         "trialbook",
     ];
     for manifest in manifests {

@@ -83,22 +83,38 @@ fn right_way_by_integral() -> Evidence {
     })
 }
 
-static CLAIMS: [Claim; 2] = [
-    Claim::equation("eq-1", "1", "speed of the fall", "v=gt")
-        .tried(trials![speed_by_motion, speed_by_integral]),
-    Claim::equation("eq-2", "1", "way of the fall", "s=gt")
-        .corrected(Change::Statement, "s=gt^2/2")
-        .tried(trials![
-            way_by_motion,
-            right_way_by_motion,
-            right_way_by_integral
-        ]),
-];
+static FALL: Topic = Topic::new(
+    "fall",
+    "The fall",
+    File::here(
+        r#"
+        section = "1"
+
+        [eq-1]
+        title = "speed of the fall"
+        latex = 'v=gt'
+        trials = ["fall::speed_by_motion", "fall::speed_by_integral"]
+
+        [eq-2]
+        title = "way of the fall"
+        latex = 's=gt'
+        corrected = 's=gt^2/2'
+        trials = ["fall::way_by_motion", "fall::right_way_by_motion", "fall::right_way_by_integral"]
+    "#,
+    ),
+    &[trials![
+        speed_by_motion,
+        speed_by_integral,
+        way_by_motion,
+        right_way_by_motion,
+        right_way_by_integral
+    ]],
+);
 
 static PAPER: Paper = Paper {
     title: "The falling stone",
     authors: "N. N.",
-    topics: &[Topic::new("fall", "The fall", &CLAIMS)],
+    topics: &[&FALL],
     record: "eq-1: confirmed\neq-2: misderived\n",
     // Mistakes are made in them, to see that the trials notice.
     formulas: formulas_of!(paper, corrections),

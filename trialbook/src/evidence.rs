@@ -6,12 +6,12 @@ mod ranges;
 pub use compared::Compared;
 pub use ranges::Ranges;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::panic::Location;
 
 /// What sort of statement a claim is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Kind {
     /// Introduces a symbol or sets up a problem.

@@ -47,6 +47,8 @@ pub mod exact;
 pub mod figures;
 pub mod ledger;
 pub mod numerics;
+#[cfg(feature = "trials")]
+pub mod plain;
 #[cfg(feature = "book")]
 pub mod prelude;
 pub mod scalar;

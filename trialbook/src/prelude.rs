@@ -1,9 +1,10 @@
 //! What a paper on trial needs, in one import: `use trialbook::prelude::*;`.
 
-pub use crate::claims::attempt::trials;
+pub use crate::claims::attempt::{Attempt, trials};
 pub use crate::claims::compare::{Compared, Failure, Pair, Trial};
 pub use crate::claims::formulas::{Formulas, formulas_of};
 pub use crate::claims::points::Points;
+pub use crate::claims::read::{File, claims};
 pub use crate::claims::statement::Statement;
 pub use crate::claims::{Claim, Condition, Correction, Paper, Topic};
 pub use crate::edition::{Edition, Page, Sources, sources};

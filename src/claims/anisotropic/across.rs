@@ -1,5 +1,6 @@
 //! Trials of the velocity across the drive under a friction that depends on the direction of the velocity.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -122,7 +123,7 @@ struct Slowed {
 }
 
 /// On the way it never grows.
-pub fn never_grows() -> Evidence {
+fn never_grows() -> Evidence {
     let compared = Compared::one(
         r"the number of states at which (1), with the friction of their direction, lets $\mathfrak w_y>0$ grow",
         r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
@@ -194,6 +195,8 @@ fn at(rough: &Rough, v: [f64; 2]) -> String {
         v[1]
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![vanishes, never_grows, outside];
 
 #[cfg(test)]
 mod tests {

@@ -20,6 +20,7 @@ use crate::certified::error::CertifiedError;
 use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
 use crate::certified::written::{Of, sign, slope};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::enclosed::{certified, citing};
 use crate::evidence::{Evidence, Subject};
@@ -234,7 +235,7 @@ pub fn order() -> Evidence {
 
 /// Between E and C there is no backward motion: E is where the arc to the last moment is zero. About the rest of the
 /// region's motion it says nothing.
-pub fn e_below_c() -> Evidence {
+fn e_below_c() -> Evidence {
     let compared = Compared::shown(
         r"the arc to the last moment at which the drive could pull backward is negative below E and positive between E and C, for every $q>q_Y$",
     );
@@ -245,6 +246,8 @@ pub fn e_below_c() -> Evidence {
     )
     .of_a_part()
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![a_once, b_once, e_once, e_below_c, order];
 
 #[cfg(test)]
 mod tests {

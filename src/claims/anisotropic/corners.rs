@@ -3,6 +3,7 @@
 use super::simulated::{
     START, attractor, bisect, change, order, own_y, restless, reverses, simulated_y, touching,
 };
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -31,7 +32,7 @@ fn at(start: DriveState) -> String {
 }
 
 /// (57) with the change of the motion with equal frictions.
-pub fn x_root() -> Evidence {
+fn x_root() -> Evidence {
     let compared = Compared::one(
         r"$\lambda_0$ of X",
         r"the $\lambda_0$ at which, for $q=1$, a rest appears in the simulated motion",
@@ -40,7 +41,7 @@ pub fn x_root() -> Evidence {
 }
 
 /// At X both A and B end.
-pub fn x_both() -> Evidence {
+fn x_both() -> Evidence {
     let compared = Compared::one(
         r"$\lambda_0$ of X",
         r"the $\lambda_0$ at which, for $q=1$, direct reversals end in the simulated motion",
@@ -63,7 +64,7 @@ fn x(compared: Compared, stream: u64, holds: fn(&[Interval]) -> bool) -> Evidenc
 }
 
 /// (58) with Y by simulation, from several starts.
-pub fn y_decimals() -> Evidence {
+fn y_decimals() -> Evidence {
     let compared = Compared::one(
         "(58)",
         r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
@@ -88,7 +89,7 @@ pub fn y_decimals() -> Evidence {
 }
 
 /// (58) with the place to which region II narrows along qλ₀ = 1 − η.
-pub fn y_limit() -> Evidence {
+fn y_limit() -> Evidence {
     let compared = Compared::one(
         "$q$ of (58)",
         r"the middle of region II on $q\lambda_0=1-\eta$, whose ends come from simulation",
@@ -126,7 +127,7 @@ pub fn y_digits() -> Evidence {
 }
 
 /// Both coordinates of Y by the length x of its forward slip, with tan x = x.
-pub fn y_by_slip() -> Evidence {
+fn y_by_slip() -> Evidence {
     let compared = Compared::many(
         r"$q_Y=\sqrt{1+x^2}$ and $\lambda_0=1/q_Y$, with the root of $\tan x=x$ between $\pi$ and $3\pi/2$,",
         r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
@@ -162,7 +163,7 @@ fn printed_y() -> f64 {
 
 /// Curves that touch: region II between them on qλ₀ = 1 − η opens as the root of η; as η, if they crossed. C lies above
 /// both B and E by c (q − q_Y)², to lowest order, so that it opens for |q − q_Y| < √(η/(q_Y c)).
-pub fn y_contact() -> Evidence {
+fn y_contact() -> Evidence {
     let compared = Compared::one(
         r"$2\sqrt{\eta/(q_Yc)}$, with $c=(q_Y-1)/[2q_Y^3(q_Y+1)]$,",
         r"the width in $q$ of region II on $q\lambda_0=1-\eta$ in the simulation",
@@ -183,7 +184,7 @@ pub fn y_contact() -> Evidence {
 }
 
 /// How closely they touch, as a number: C − B and C − E over (q − q_Y)², the mean of both sides.
-pub fn y_curvature() -> Evidence {
+fn y_curvature() -> Evidence {
     let compared = Compared::one(
         r"$\lambda_0$ on C less $(q_Y-1)\delta^2/[2q_Y^3(q_Y+1)]$",
         r"the $\lambda_0$ at which direct reversals end in the simulation, in units of its distance from $q\lambda_0=1$",
@@ -218,3 +219,14 @@ fn opening(eta: f64) -> Result<[f64; 2], Failure> {
     let is_second = |q: f64| Ok(order(attractor(q, (1.0 - eta) / q)?.intervals()) == "+-0");
     Ok([bisect(y, 2.0, is_second)?, bisect(y, 9.0, is_second)?])
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    x_root,
+    y_decimals,
+    y_limit,
+    x_both,
+    y_digits,
+    y_by_slip,
+    y_contact,
+    y_curvature
+];

@@ -5,6 +5,7 @@ use super::simulated::{
     Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, printed_list,
     simulated,
 };
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::{FAR_A, FAR_E, NONE, ROOT};
 use crate::corrections::anisotropic as corrected;
@@ -129,7 +130,7 @@ const SIDES: Compared = Compared::one(
 .over("$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of where the order changes");
 
 /// (53) with the onset of rest.
-pub fn eq53_root() -> Evidence {
+fn eq53_root() -> Evidence {
     let compared = Compared::one(
         "the root of (53)",
         r"the $\lambda_0$ at which a rest appears in the simulated motion",
@@ -138,12 +139,12 @@ pub fn eq53_root() -> Evidence {
 }
 
 /// (53) on both sides.
-pub fn eq53_census() -> Evidence {
+fn eq53_census() -> Evidence {
     sides(Subject::Printed, SIDES, everywhere, rest, printed_list)
 }
 
 /// (53) for large q.
-pub fn eq53_limit() -> Evidence {
+fn eq53_limit() -> Evidence {
     let compared = Compared::one(
         "the root of (53)",
         r"the $\lambda_0$ at which a rest appears in the simulated motion",
@@ -152,7 +153,7 @@ pub fn eq53_limit() -> Evidence {
 }
 
 /// Its asymptotic form, which is ours.
-pub fn a_far_limit() -> Evidence {
+fn a_far_limit() -> Evidence {
     let compared = Compared::one(
         r"$\pi/(q+1)^2\,[1-\pi^2/(3(q+2)^2)]$, to which curve A tends,",
         r"the $\lambda_0$ at which a rest appears in the simulated motion",
@@ -167,7 +168,7 @@ fn far_out(subject: Subject, compared: Compared, stated: fn(f64) -> f64) -> Evid
 }
 
 /// (54) up to Y with the end of direct reversals.
-pub fn eq54_root() -> Evidence {
+fn eq54_root() -> Evidence {
     let compared = Compared::one(
         "the root of (54)",
         r"the $\lambda_0$ at which forward motion ceases to turn straight into backward motion",
@@ -176,12 +177,12 @@ pub fn eq54_root() -> Evidence {
 }
 
 /// (54) on both sides, up to Y.
-pub fn eq54_census() -> Evidence {
+fn eq54_census() -> Evidence {
     sides(Subject::Printed, SIDES, before_y, reversal, printed_list)
 }
 
 /// Where (54) ends.
-pub fn eq54_ends() -> Evidence {
+fn eq54_ends() -> Evidence {
     let compared = Compared::one(
         "whether (54) has a root (1 if so)",
         "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
@@ -203,7 +204,7 @@ pub fn eq54_ends() -> Evidence {
 }
 
 /// E with the end of direct reversals, beyond Y.
-pub fn e_root() -> Evidence {
+fn e_root() -> Evidence {
     let compared = Compared::one(
         "the root of E",
         r"the $\lambda_0$ at which forward motion ceases to turn straight into backward motion",
@@ -212,7 +213,7 @@ pub fn e_root() -> Evidence {
 }
 
 /// B and E on both sides, with the corrected list, over the whole range of q.
-pub fn e_census() -> Evidence {
+fn e_census() -> Evidence {
     let compared = Compared::one(
         "the order of slips and rests in a period by the corrected list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
@@ -223,7 +224,7 @@ pub fn e_census() -> Evidence {
 }
 
 /// E for large q, and its asymptotic form.
-pub fn e_limit() -> Evidence {
+fn e_limit() -> Evidence {
     let compared = Compared::many(
         r"the root of E, and $4\pi/(q+1)^2\,[1-4\pi^2/(q+7/3)^2]$, to which it tends,",
         r"the $\lambda_0$ at which direct reversals end",
@@ -235,12 +236,12 @@ pub fn e_limit() -> Evidence {
 }
 
 /// (55) with the end of backward motion.
-pub fn eq55_root() -> Evidence {
+fn eq55_root() -> Evidence {
     eq55(Subject::Printed, everywhere)
 }
 
 /// The same up to Y.
-pub fn eq55_corrected_root() -> Evidence {
+fn eq55_corrected_root() -> Evidence {
     eq55(Subject::Corrected, before_y)
 }
 
@@ -253,7 +254,7 @@ fn eq55(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
 }
 
 /// The printed list on both sides of where friction backwards is as strong as the drive.
-pub fn eq55_census() -> Evidence {
+fn eq55_census() -> Evidence {
     let compared = Compared::one(
         "the order of slips and rests in a period by the printed list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
@@ -264,7 +265,7 @@ pub fn eq55_census() -> Evidence {
 }
 
 /// The same up to Y, by where backward motion ends.
-pub fn eq55_corrected_census() -> Evidence {
+fn eq55_corrected_census() -> Evidence {
     sides(Subject::Corrected, SIDES, before_y, backward, printed_list)
 }
 
@@ -274,7 +275,7 @@ fn off_one(row: &Row) -> bool {
 }
 
 /// (56) with the end of all motion.
-pub fn eq56_root() -> Evidence {
+fn eq56_root() -> Evidence {
     let compared = Compared::one(
         "(56)",
         r"the $\lambda_0$ beyond which the simulated particle is at rest for ever",
@@ -284,6 +285,25 @@ pub fn eq56_root() -> Evidence {
 }
 
 /// (56) on both sides.
-pub fn eq56_census() -> Evidence {
+fn eq56_census() -> Evidence {
     sides(Subject::Printed, SIDES, everywhere, motion, printed_list)
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq53_root,
+    eq53_census,
+    eq53_limit,
+    a_far_limit,
+    eq54_root,
+    eq54_census,
+    eq54_ends,
+    eq55_root,
+    eq55_census,
+    eq55_corrected_root,
+    eq55_corrected_census,
+    eq56_root,
+    eq56_census,
+    e_root,
+    e_census,
+    e_limit
+];

@@ -1,5 +1,6 @@
 //! The velocity across the drive dies under every friction that depends on the direction, but is nowhere below some size.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::general::chains::{decays, ring_across};
 use crate::claims::general::law::eq1;
@@ -30,6 +31,8 @@ fn vanishes(law: [Expr; 2], limit: Expr) -> Proof {
         decays(p, law, least, [-Expr::int(1), limit])
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![&VY_VANISHES];
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,7 @@
 //! are rational in the tangents of half these angles. An arc from rest at φ₀ is ∫ (sin φ ∓ λ±) dφ =
 //! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::corrections::anisotropic as corrected;
@@ -348,7 +349,7 @@ fn prove_eq56(curve: Expr) -> Proof {
 }
 
 /// (55).
-pub const EQ55: Statement = Statement::new(
+const EQ55: Statement = Statement::new(
     Subject::Step,
     Compared::one(
         "(52)",
@@ -359,7 +360,7 @@ pub const EQ55: Statement = Statement::new(
 );
 
 /// (56).
-pub const EQ56: Statement = Statement::new(
+const EQ56: Statement = Statement::new(
     Subject::Printed,
     Compared::one(
         "(51)",
@@ -402,7 +403,7 @@ pub(super) fn printed_rates() -> [Expr; 2] {
 }
 
 /// (51).
-pub const EQ51: Statement = Statement::new(
+const EQ51: Statement = Statement::new(
     Subject::Printed,
     Compared::one(
         "(51)",
@@ -416,7 +417,7 @@ pub const EQ51: Statement = Statement::new(
 );
 
 /// (52).
-pub const EQ52: Statement = Statement::new(
+const EQ52: Statement = Statement::new(
     Subject::Printed,
     Compared::one(
         "(52)",
@@ -430,7 +431,7 @@ pub const EQ52: Statement = Statement::new(
 );
 
 /// (53).
-pub const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
+const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
     Subject::Printed,
     Compared::one(
         "(53)",
@@ -441,7 +442,7 @@ pub const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
 );
 
 /// (54), as the condition that a forward arc ends at π + asin(qλ₀).
-pub const EQ54: Statement<[Expr; 2]> = Statement::new(
+const EQ54: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
     Compared::one(
         "(54)",
@@ -495,6 +496,10 @@ pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     },
     |(rates, mirrored)| prove_mirror(rates, mirrored),
 );
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    &DEFINED, &EQ51, &EQ52, &EQ53, &EQ54, &EQ55, &EQ56, &X, &MIRROR, &E, &Y
+];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! Trials of (47) to (52): the two frictions, and the rates while sliding either way.
 
 use super::simulated::{START, attractor, attractor_from};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::MOTION;
@@ -84,7 +85,7 @@ fn against_dimensional(
 }
 
 /// (47), with λ₋ entered by hand.
-pub fn eq47() -> Evidence {
+fn eq47() -> Evidence {
     let compared = Compared::one(
         r"$A_0\mathfrak w$ of the motion with $\lambda_+$ of (47)",
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
@@ -96,7 +97,7 @@ pub fn eq47() -> Evidence {
 }
 
 /// (48), with λ₊ entered by hand.
-pub fn eq48() -> Evidence {
+fn eq48() -> Evidence {
     let compared = Compared::one(
         r"$A_0\mathfrak w$ of the motion with $\lambda_-$ of (48)",
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
@@ -108,7 +109,7 @@ pub fn eq48() -> Evidence {
 }
 
 /// (49), with λ₀ the ratio of the forward friction to the drive.
-pub fn eq49() -> Evidence {
+fn eq49() -> Evidence {
     let compared = Compared::one(
         r"$A_0\mathfrak w$ of the motion with $\lambda_+$ of (49), $\lambda_0=\mu_+g/A_0$,",
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
@@ -120,7 +121,7 @@ pub fn eq49() -> Evidence {
 }
 
 /// (50), with q the ratio of the frictions.
-pub fn eq50() -> Evidence {
+fn eq50() -> Evidence {
     let compared = Compared::one(
         r"$A_0\mathfrak w$ of the motion with $\lambda_-$ of (50), $q=\mu_-/\mu_+$,",
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
@@ -173,7 +174,7 @@ fn summed_rate(
 }
 
 /// (51) along the forward motion.
-pub fn eq51_quadrature() -> Evidence {
+fn eq51_quadrature() -> Evidence {
     summed_rate(
         Compared::one(
             r"the integral of (51) over $\phi$ along a stretch of forward motion",
@@ -186,7 +187,7 @@ pub fn eq51_quadrature() -> Evidence {
 }
 
 /// (52) along the backward motion.
-pub fn eq52_quadrature() -> Evidence {
+fn eq52_quadrature() -> Evidence {
     summed_rate(
         Compared::one(
             r"the integral of (52) over $\phi$ along a stretch of backward motion",
@@ -197,3 +198,6 @@ pub fn eq52_quadrature() -> Evidence {
         printed::eq52_rate,
     )
 }
+
+pub(super) const TRIALS: &[Attempt] =
+    trials![eq47, eq48, eq49, eq50, eq51_quadrature, eq52_quadrature];

@@ -1,6 +1,7 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
 use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE};
@@ -93,3 +94,5 @@ pub fn census() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![integration, census];

@@ -8,6 +8,7 @@ use super::exact::{
     arc, frictions, plane, printed_rates, prove_e, prove_eq53, prove_eq54, sides_of_a, sides_of_b,
     sides_of_e,
 };
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
@@ -99,7 +100,7 @@ pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
 );
 
 /// C, as far as it is a border.
-pub const CURVE_C: Statement = Statement::new(
+const CURVE_C: Statement = Statement::new(
     Subject::Corrected,
     Compared::shown(
         r"for every $1\le q\le q_Y$ there is backward motion just below (55), as in III or, at $q_Y$, in I or II, and none between it and D",
@@ -539,6 +540,8 @@ fn border(c: Expr) -> Proof {
         Ok(())
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![&CURVE_C, &FIRST, &SECOND, &THIRD, &FOURTH, &FIFTH];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
 use super::simulated::{START, attractor_from, listed_digits, own_digits};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, QUADRATURE};
@@ -182,6 +183,8 @@ pub fn census() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![quadrature, census];
 
 #[cfg(test)]
 mod tests {

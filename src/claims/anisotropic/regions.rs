@@ -6,6 +6,7 @@ use super::simulated::{
     Regions, attractor_from, corrected_list, curves_as_corrected, curves_as_printed, listed_digits,
     own_digits, own_y, printed_list, simulated,
 };
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial, where_defined};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
@@ -198,17 +199,17 @@ fn begins_below_c(row: &Row) -> bool {
 }
 
 /// Region I at the points of the census.
-pub fn first_census() -> Evidence {
+fn first_census() -> Evidence {
     printed_census(1, 31.0)
 }
 
 /// Region I by its ends.
-pub fn first_ends() -> Evidence {
+fn first_ends() -> Evidence {
     ends(1, Subject::Printed, BY_ENDS, printed_bounds, everywhere)
 }
 
 /// Region I without friction.
-pub fn first_outside() -> Evidence {
+fn first_outside() -> Evidence {
     let compared = Compared::one(
         "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the motion without friction that begins with $1<\\mathfrak w<3$ at $\\phi=0$",
@@ -222,24 +223,24 @@ pub fn first_outside() -> Evidence {
 }
 
 /// Region II at the points of the census.
-pub fn second_census() -> Evidence {
+fn second_census() -> Evidence {
     printed_census(2, 312.0)
 }
 
 /// Region II by its ends.
-pub fn second_ends() -> Evidence {
+fn second_ends() -> Evidence {
     ends(2, Subject::Printed, BY_ENDS, printed_bounds, has_second)
 }
 
 /// Region II of the corrected list at the points of the census.
-pub fn second_corrected_census() -> Evidence {
+fn second_corrected_census() -> Evidence {
     let trial = by_census(Subject::Corrected, BY_CORRECTED_REGION);
     let says = |q| words_of(2, corrected_list(q));
     census(&trial, |_, _, found| found == 312.0, says)
 }
 
 /// Region II of the corrected list by its ends.
-pub fn second_corrected_ends() -> Evidence {
+fn second_corrected_ends() -> Evidence {
     ends(
         2,
         Subject::Corrected,
@@ -250,12 +251,12 @@ pub fn second_corrected_ends() -> Evidence {
 }
 
 /// What region II has too much: between E and C.
-pub fn between_e_and_c() -> Evidence {
+fn between_e_and_c() -> Evidence {
     beyond_e(Subject::Corrected)
 }
 
 /// The same, as what is remarked beside region IV.
-pub fn down_to_e() -> Evidence {
+fn down_to_e() -> Evidence {
     beyond_e(Subject::Remark)
 }
 
@@ -287,27 +288,27 @@ fn beyond_e(subject: Subject) -> Evidence {
 }
 
 /// Region III at the points of the census.
-pub fn third_census() -> Evidence {
+fn third_census() -> Evidence {
     printed_census(3, 3212.0)
 }
 
 /// Region III by its ends.
-pub fn third_ends() -> Evidence {
+fn third_ends() -> Evidence {
     ends(3, Subject::Printed, BY_ENDS, printed_bounds, has_third)
 }
 
 /// Region IV at the points of the census.
-pub fn fourth_census() -> Evidence {
+fn fourth_census() -> Evidence {
     printed_census(4, 32.0)
 }
 
 /// Region IV by its upper end, and by its lower one where other motion is next to it.
-pub fn fourth_ends() -> Evidence {
+fn fourth_ends() -> Evidence {
     ends(4, Subject::Printed, BY_ENDS, printed_bounds, begins_at_c)
 }
 
 /// The same motion by its ends, beyond Y.
-pub fn fourth_ends_beyond() -> Evidence {
+fn fourth_ends_beyond() -> Evidence {
     ends(
         4,
         Subject::Remark,
@@ -318,12 +319,12 @@ pub fn fourth_ends_beyond() -> Evidence {
 }
 
 /// Region V at the points of the census.
-pub fn fifth_census() -> Evidence {
+fn fifth_census() -> Evidence {
     printed_census(5, 2.0)
 }
 
 /// Region V by its lower end.
-pub fn fifth_ends() -> Evidence {
+fn fifth_ends() -> Evidence {
     ends(5, Subject::Printed, BY_ENDS, printed_bounds, everywhere)
 }
 
@@ -344,7 +345,7 @@ pub fn diagram() -> Evidence {
 
 /// The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
 /// Where B has ended, it enters two at C.
-pub fn diagram_step() -> Evidence {
+fn diagram_step() -> Evidence {
     let compared = Compared::one(
         r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
         "the expected 1",
@@ -363,7 +364,7 @@ pub fn diagram_step() -> Evidence {
 }
 
 /// The corrected diagram at all points of the census.
-pub fn corrected_diagram() -> Evidence {
+fn corrected_diagram() -> Evidence {
     let compared = Compared::one(
         "the order of slips and rests in a period by the corrected diagram (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the simulated motion",
@@ -390,7 +391,7 @@ pub fn far() -> Evidence {
 }
 
 /// The corrected diagram's curves with the changes of the motion, none left out.
-pub fn corrected_curves() -> Evidence {
+fn corrected_curves() -> Evidence {
     let compared = Compared::many(
         r"$\lambda_0$ on A, on B or E, on C (on E beyond Y) and on D",
         r"the $\lambda_0$ at which a rest appears, direct reversals end, backward motion ends and all motion ends",
@@ -416,3 +417,27 @@ pub fn corrected_curves() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    first_census,
+    first_ends,
+    first_outside,
+    second_census,
+    second_ends,
+    second_corrected_census,
+    second_corrected_ends,
+    between_e_and_c,
+    third_census,
+    third_ends,
+    fourth_census,
+    fourth_ends,
+    down_to_e,
+    fourth_ends_beyond,
+    fifth_census,
+    fifth_ends,
+    diagram,
+    corrected_diagram,
+    far,
+    corrected_curves,
+    diagram_step
+];

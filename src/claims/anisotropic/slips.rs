@@ -2,6 +2,7 @@
 
 use super::rows::rows;
 use super::simulated::attractor;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::corrections::anisotropic as corrected;
@@ -101,3 +102,5 @@ pub fn without_rest() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![distances, without_rest];

@@ -1,6 +1,7 @@
 //! Trials of (3) to (5): the definitions are consistent with the use made of them.
 
 use super::launches::turns;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::MOTION;
@@ -13,7 +14,7 @@ const fn consistency(compared: Compared) -> Trial {
 }
 
 /// (3): a particle at rest on a smooth plane is left behind, against this acceleration.
-pub fn eq3() -> Evidence {
+fn eq3() -> Evidence {
     let trial = consistency(Compared::one(
         "(3) times $-t$",
         "the velocity of a particle from rest without friction, on a plane that is pulled towards $-x$",
@@ -42,7 +43,7 @@ fn along_alone(v: [f64; 2]) -> f64 {
 }
 
 /// (4): the angle of the vector built from v and θ is θ, its length v.
-pub fn eq4() -> Evidence {
+fn eq4() -> Evidence {
     let trial = consistency(Compared::one(
         "the size of (4) times the exponential of its angle",
         r"$v\,\mathrm e^\theta$ along motions",
@@ -61,7 +62,7 @@ pub fn eq4() -> Evidence {
 }
 
 /// (5): motions with the same λ are the same in units of v₀ and A, whatever μ, g and A are.
-pub fn eq5() -> Evidence {
+fn eq5() -> Evidence {
     let trial = consistency(Compared::one(
         "$v_x/v_0$ of a motion",
         r"that of another with the same $\lambda$ of (5) and different $\mu$, $g$, $A$, $v_0$, at the same $At/v_0$",
@@ -92,6 +93,8 @@ pub fn eq5() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![eq3, eq4, eq5];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
 use super::launches::Turn;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -124,3 +125,5 @@ pub fn ends() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![points, ends];

@@ -10,6 +10,7 @@ mod sliding;
 #[cfg(test)]
 mod tests;
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
@@ -45,24 +46,24 @@ const fn law(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> Proof) 
     Statement::new(subject, compared, formula, prove)
 }
 
-pub const EQ6: Statement = law(Subject::Printed, eq6, prove_eq6);
-pub const EQ7: Statement = law(Subject::Printed, eq7, prove_eq7);
-pub const EQ8: Statement = law(Subject::Printed, eq8, prove_eq8);
+const EQ6: Statement = law(Subject::Printed, eq6, prove_eq6);
+const EQ7: Statement = law(Subject::Printed, eq7, prove_eq7);
+const EQ8: Statement = law(Subject::Printed, eq8, prove_eq8);
 pub const EQ9: Statement = law(Subject::Within, eq9, prove_eq9);
-pub const EQ10: Statement = law(Subject::Within, eq10, prove_eq10);
+const EQ10: Statement = law(Subject::Within, eq10, prove_eq10);
 pub const EQ11: Statement = law(Subject::Within, eq11, prove_eq11);
 pub const EQ12: Statement = law(Subject::Within, eq12, prove_eq12);
 pub const EQ13: Statement = law(Subject::Within, eq13, prove_eq13);
 pub const EQ14: Statement = law(Subject::Within, eq14, prove_eq14);
-pub const EQ15: Statement = law(Subject::Printed, eq15, prove_eq15);
-pub const EQ16: Statement = law(Subject::Printed, eq16, prove_eq16);
-pub const EQ17: Statement = law(Subject::Printed, eq17, prove_eq17);
-pub const EQ18: Statement = law(Subject::Printed, eq18, prove_eq18);
-pub const EQ19: Statement = law(Subject::Printed, eq19, prove_eq19);
+const EQ15: Statement = law(Subject::Printed, eq15, prove_eq15);
+const EQ16: Statement = law(Subject::Printed, eq16, prove_eq16);
+const EQ17: Statement = law(Subject::Printed, eq17, prove_eq17);
+const EQ18: Statement = law(Subject::Printed, eq18, prove_eq18);
+const EQ19: Statement = law(Subject::Printed, eq19, prove_eq19);
 pub const EQ20: Statement = law(Subject::Printed, eq20, prove_eq20);
 pub const CORRECTED_11: Statement = law(Subject::Corrected, corrected_speed, prove_corrected_speed);
 /// The same for a claim of which it says more.
-pub const EQ20_WITHIN: Statement = EQ20.about(Subject::Within);
+const EQ20_WITHIN: Statement = EQ20.about(Subject::Within);
 
 /// Newton's law in a ring.
 #[derive(Debug)]
@@ -226,3 +227,28 @@ pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
 fn at_start(formula: Expr) -> Expr {
     formula.with("θ", Expr::symbol("θ₀"))
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    &DEFINED,
+    &EQ6,
+    &EQ7,
+    &EQ8,
+    &EQ9,
+    &EQ10,
+    &EQ11,
+    &EQ12,
+    &EQ13,
+    &EQ14,
+    &EQ15,
+    &EQ16,
+    &EQ17,
+    &EQ18,
+    &EQ19,
+    &EQ20,
+    &CANNOT_HOLD,
+    &ALIGNS,
+    &EQ20_WITHIN,
+    &AGAINST,
+    &ON_AN_INCLINE,
+    &ONLY_CONSTANT
+];

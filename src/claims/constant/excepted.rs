@@ -1,6 +1,7 @@
 //! What the conditions of section 2.1 except: points at which the formulas have no value, or that fill no stretch.
 
 use crate::certified::interval::Interval;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::excepted::{no_inside, no_value};
 use crate::evidence::Evidence;
@@ -130,7 +131,7 @@ fn eq13(compared: Compared, excepted: [[Interval; 3]; 2]) -> Evidence {
 }
 
 /// (13), at the critical friction, and from the angle at which its first factor vanishes.
-pub fn eq13_friction() -> Evidence {
+fn eq13_friction() -> Evidence {
     eq13(
         Compared::one(
             "whether (13) has a value (1 if so)",
@@ -186,7 +187,7 @@ pub fn small_friction() -> Evidence {
 }
 
 /// Starts straight against the inertial force.
-pub fn large_friction() -> Evidence {
+fn large_friction() -> Evidence {
     no_inside(
         Compared::one(
             "whether a start meets the condition (1 if so)",
@@ -199,3 +200,16 @@ pub fn large_friction() -> Evidence {
         |[_, theta0]| theta0 != PI,
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq8,
+    eq9,
+    eq10,
+    eq11,
+    eq12,
+    eq13_friction,
+    eq13_straight,
+    eq14,
+    small_friction,
+    large_friction
+];

@@ -1,6 +1,7 @@
 //! Trials of what section 2.1 says in words.
 
 use super::launches::{Aligned, Stop, Turn, aligned, held, others_aligned, stops};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::corrections::constant as corrected;
@@ -11,7 +12,7 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
-pub fn small_friction_limit() -> Evidence {
+fn small_friction_limit() -> Evidence {
     let compared = Compared::constant("the stated 0", "the angle of the velocity at $At/v_0=10^8$");
     let trial = Trial::by(Route::Limit, Subject::Within, compared, LATE_ANGLE);
     trial.over(aligned(), |aligned| {
@@ -26,7 +27,7 @@ pub fn small_friction_limit() -> Evidence {
 }
 
 /// λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving; for λ > 1 it does not.
-pub fn small_friction_census() -> Evidence {
+fn small_friction_census() -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda\le1$ (1 if so)",
         "whether the particle never rests and its angle grows on no step",
@@ -49,7 +50,7 @@ pub fn small_friction_census() -> Evidence {
 }
 
 /// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
-pub fn small_friction_outside() -> Evidence {
+fn small_friction_outside() -> Evidence {
     let compared = Compared::constant(
         "1, for motion",
         "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
@@ -73,7 +74,7 @@ fn moves_late(launch: &Turn) -> Result<f64, MotionError> {
 }
 
 /// λ > 1: towards the stop, d ln θ/d ln v is positive and that of a motion that turns into the x axis, so θ → 0.
-pub fn large_friction_limit() -> Evidence {
+fn large_friction_limit() -> Evidence {
     let compared = Compared::one(
         r"$1/(\lambda-1)$",
         r"$\mathrm d\ln\theta/\mathrm d\ln v$ over the last steps before the stop, extrapolated to $\theta=0$",
@@ -98,7 +99,7 @@ pub fn large_friction_limit() -> Evidence {
 }
 
 /// λ > 1, however large: all the way down ln v falls as ln tan(θ/2) says, so that θ → 0 with v.
-pub fn large_friction_turns() -> Evidence {
+fn large_friction_turns() -> Evidence {
     let compared = Compared::one(
         r"$\int(\lambda-\cos\theta)\,\mathrm d\ln\tan(\theta/2)$ from the launch to the last step",
         r"$\ln v/v_0$ of the motion there",
@@ -148,7 +149,7 @@ fn last_slope(stop: &Stop) -> f64 {
 }
 
 /// λ > 1 and θ₀ = π: the particle stops without turning.
-pub fn large_friction_outside() -> Evidence {
+fn large_friction_outside() -> Evidence {
     let compared = Compared::constant(
         "the stated 0",
         "the angle of the velocity at 99 % of the time of stopping",
@@ -168,6 +169,15 @@ pub fn large_friction_outside() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    small_friction_limit,
+    small_friction_census,
+    small_friction_outside,
+    large_friction_limit,
+    large_friction_turns,
+    large_friction_outside
+];
 
 #[cfg(test)]
 mod tests {

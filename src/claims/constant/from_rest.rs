@@ -1,5 +1,6 @@
 //! Trials of whether friction keeps a particle at rest that begins so.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::excepted::no_inside;
 use crate::claims::points::Points;
@@ -93,3 +94,5 @@ pub fn critical() -> Evidence {
         |[lambda]| lambda != 1.0,
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![census, velocity, outside, critical];

@@ -2,6 +2,7 @@
 //! angle.
 
 use super::launches::{Turn, straight, turns, turns_where};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::DIFFERENCES;
@@ -42,7 +43,7 @@ pub fn eq6_motion() -> Evidence {
 }
 
 /// (7) with the motion.
-pub fn eq7_motion() -> Evidence {
+fn eq7_motion() -> Evidence {
     rates(
         Compared::one("(7)", r"$\mathrm dv_y/\mathrm dt$ of the motion"),
         |turn| {
@@ -53,7 +54,7 @@ pub fn eq7_motion() -> Evidence {
 }
 
 /// (8) with the motion, as an angle, so that an infinite slope is one like any other.
-pub fn eq8_motion() -> Evidence {
+fn eq8_motion() -> Evidence {
     let compared = Compared::one(
         "the angle whose tangent is (8)",
         r"that of $(\mathrm dv_x,\mathrm dv_y)$ of the motion, up to half turns",
@@ -68,7 +69,7 @@ pub fn eq8_motion() -> Evidence {
 }
 
 /// (8) where the velocity stays as it is.
-pub fn eq8_outside() -> Evidence {
+fn eq8_outside() -> Evidence {
     let compared = Compared::one(
         r"(8) at $\lambda=1$, $\theta=0$",
         "the change of the velocity in half a unit of time",
@@ -88,7 +89,7 @@ pub fn eq8_outside() -> Evidence {
 }
 
 /// (9), integrated over the angle.
-pub fn eq9_quadrature() -> Evidence {
+fn eq9_quadrature() -> Evidence {
     let compared = Compared::one(
         r"the exponential of the integral of (9) over $\theta$",
         "$v/v_0$ of the motion",
@@ -108,7 +109,7 @@ pub fn eq9_quadrature() -> Evidence {
 }
 
 /// (9) where dθ = 0 all the way, although the speed changes.
-pub fn eq9_outside() -> Evidence {
+fn eq9_outside() -> Evidence {
     let compared = Compared::one(
         r"the exponential of (9) with $\mathrm d\theta=0$",
         "$v/v_0$ of the motion half a unit of time after the launch",
@@ -143,19 +144,19 @@ fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
 }
 
 /// (10) for θ > 0.
-pub fn eq10_motion() -> Evidence {
+fn eq10_motion() -> Evidence {
     eq10(Subject::Within, |turn| turn.theta0 > 0.0)
 }
 
 /// (10) for θ < 0, with friction.
-pub fn eq10_outside() -> Evidence {
+fn eq10_outside() -> Evidence {
     eq10(Subject::Outside, |turn| {
         turn.theta0 < 0.0 && turn.lambda > 0.0
     })
 }
 
 /// (11) with the speed of the motion.
-pub fn eq11_motion() -> Evidence {
+fn eq11_motion() -> Evidence {
     let compared = Compared::one(
         "(11)",
         r"the speed of the motion when it has turned to $\theta$",
@@ -168,7 +169,7 @@ pub fn eq11_motion() -> Evidence {
 }
 
 /// (11) with the integral of dv/v.
-pub fn eq11_quadrature() -> Evidence {
+fn eq11_quadrature() -> Evidence {
     let compared = Compared::one(
         "(11)",
         r"$v_0\exp\int\mathrm dv/v$, with $\mathrm dv/v$ from the two components of Newton's law",
@@ -185,7 +186,7 @@ pub fn eq11_quadrature() -> Evidence {
 }
 
 /// (11) where the particle starts along the line of the acceleration: the angle stays, the speed does not.
-pub fn eq11_outside() -> Evidence {
+fn eq11_outside() -> Evidence {
     let compared = Compared::one(
         r"(11) at $\theta=\theta_0$",
         "the speed of the motion half a unit of time after the launch",
@@ -196,3 +197,17 @@ pub fn eq11_outside() -> Evidence {
         Ok(Pair::wide(turn.at(), speed, turn.v))
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq6_motion,
+    eq7_motion,
+    eq8_motion,
+    eq8_outside,
+    eq9_quadrature,
+    eq9_outside,
+    eq10_motion,
+    eq10_outside,
+    eq11_motion,
+    eq11_quadrature,
+    eq11_outside
+];

@@ -3,6 +3,7 @@
 //! are right too is not known here.
 
 use super::launches::Turn;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
@@ -186,7 +187,7 @@ pub fn law() -> Evidence {
 }
 
 /// The motion by (1) with the motion on the incline.
-pub fn same_motion() -> Evidence {
+fn same_motion() -> Evidence {
     let compared = Compared::one(
         "the velocity by (1), integrated in the plane, as the component down the slope plus twice that across,",
         "the same sum for the motion on an incline in three dimensions",
@@ -239,3 +240,5 @@ pub fn forces() -> Evidence {
         })
         .of_a_part()
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![law, same_motion, speed, time, forces];

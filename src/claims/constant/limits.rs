@@ -1,6 +1,7 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
 use super::launches::{Turn, frictionless, settled, stops, stops_over_the_angle};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::TERMINAL;
 use crate::evidence::{Evidence, Route, Subject};
@@ -9,7 +10,7 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
 
 /// (15) with v_x of the motion without friction.
-pub fn eq15_motion() -> Evidence {
+fn eq15_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Printed,
         Compared::one("(15)", "$v_x$ of the motion without friction"),
@@ -27,7 +28,7 @@ pub fn eq15_motion() -> Evidence {
 }
 
 /// (16) with v_y of the motion without friction.
-pub fn eq16_motion() -> Evidence {
+fn eq16_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Printed,
         Compared::one("(16)", "$v_y$ of the motion without friction"),
@@ -44,7 +45,7 @@ pub fn eq16_motion() -> Evidence {
 }
 
 /// The parabola: v_y² x − v_y v_0x y − A y²/2 vanishes along the path, the time being eliminated.
-pub fn parabola_motion() -> Evidence {
+fn parabola_motion() -> Evidence {
     let compared = Compared::one(
         "$x(y)$ of the path without friction",
         "the parabola through the launch",
@@ -67,7 +68,7 @@ pub fn parabola_motion() -> Evidence {
 }
 
 /// The same path by quadrature of its slope dx/dy = v_x/v_y.
-pub fn parabola_quadrature() -> Evidence {
+fn parabola_quadrature() -> Evidence {
     let compared = Compared::one(
         r"$\int v_x\,\mathrm dy/v_y$, with (15) and (16), over the path",
         "its $x$",
@@ -93,7 +94,7 @@ pub fn parabola_quadrature() -> Evidence {
 }
 
 /// (17): the invariant at θ over that at θ₀.
-pub fn eq17_motion() -> Evidence {
+fn eq17_motion() -> Evidence {
     let compared = Compared::one(
         r"(17) at $\theta$ over (17) at $\theta_0$, along the motion,",
         "1",
@@ -112,7 +113,7 @@ pub fn eq17_motion() -> Evidence {
 }
 
 /// (18) with v_x after a long time.
-pub fn eq18_limit() -> Evidence {
+fn eq18_limit() -> Evidence {
     let compared = Compared::one("(18)", "$v_x$ of the motion at 40 times $v_0/A$");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
@@ -127,7 +128,7 @@ pub fn eq18_limit() -> Evidence {
 }
 
 /// (18) with the speed that Newton's law over the angle leaves at θ = 0.
-pub fn eq18_quadrature() -> Evidence {
+fn eq18_quadrature() -> Evidence {
     let compared = Compared::one(
         "(18)",
         r"$v_0\exp\int\mathrm dv/v$ over the angle, along and across the velocity",
@@ -147,7 +148,7 @@ pub fn eq18_quadrature() -> Evidence {
 }
 
 /// (19) with v_y after a long time.
-pub fn eq19_limit() -> Evidence {
+fn eq19_limit() -> Evidence {
     let compared = Compared::one("(19)", "$v_y$ of the motion at 40 times $v_0/A$");
     let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
     trial.over(settled(), |late| {
@@ -178,7 +179,7 @@ pub fn eq20_motion() -> Evidence {
 }
 
 /// (20) with the integral of dt over the whole turn.
-pub fn eq20_quadrature() -> Evidence {
+fn eq20_quadrature() -> Evidence {
     let compared = Compared::one(
         "(20)",
         r"$\int\mathrm dt$ over the angle, along and across the velocity",
@@ -202,3 +203,16 @@ fn eq20(start: &Turn) -> Double {
     } = *start;
     printed::eq20_stop_time(number(lambda), number(a), number(v0), number(theta0))
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq15_motion,
+    eq16_motion,
+    eq17_motion,
+    eq18_limit,
+    eq18_quadrature,
+    eq19_limit,
+    eq20_motion,
+    eq20_quadrature,
+    parabola_motion,
+    parabola_quadrature
+];

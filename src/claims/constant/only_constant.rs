@@ -1,6 +1,7 @@
 //! Trials of how a motion under a drive that changes with time differs from all on an inclined plane: along the slope the sense
 //! of sliding changes once at most, under a drive again and again.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
@@ -69,7 +70,7 @@ pub fn turns() -> Evidence {
 }
 
 /// Half a period, late.
-pub fn both_ways() -> Evidence {
+fn both_ways() -> Evidence {
     let compared = Compared::constant(
         r"$-1$ for a sine, 1 for a constant pull",
         "the sign of the product of the velocities at two late times, half a period apart, at which the particle slides,",
@@ -96,3 +97,5 @@ pub fn both_ways() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![turns, both_ways];

@@ -1,5 +1,6 @@
 //! Trials of the sense in which a particle slides in the end: along the plane's acceleration, or against it.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
@@ -85,7 +86,7 @@ pub fn against() -> Evidence {
 }
 
 /// As corrected, in the laboratory.
-pub fn against_in_the_laboratory() -> Evidence {
+fn against_in_the_laboratory() -> Evidence {
     let compared = Compared::constant(
         r"the expected $-1$, for against $\bm A$",
         r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts,",
@@ -105,3 +106,5 @@ pub fn sense_of_sliding() -> Result<f64, Failure> {
     let [x, y] = by_motion(0.5, [-1.0, 0.0], [1.0, 0.0])?;
     Ok(-x / libm::hypot(x, y))
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![along, against, against_in_the_laboratory];

@@ -1,6 +1,7 @@
 //! Trials of (12) to (14): the time against the angle.
 
 use super::launches::{Turn, late_turns, straight, turns, turns_where};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
@@ -34,7 +35,7 @@ fn eq12_rate(turn: &Turn, theta: f64) -> f64 {
 }
 
 /// (12), integrated over the angle.
-pub fn eq12_quadrature() -> Evidence {
+fn eq12_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Subject::Within,
         Compared::one(r"the integral of (12) over $\theta$", "$At$ of the motion"),
@@ -57,7 +58,7 @@ pub fn eq12_quadrature() -> Evidence {
 }
 
 /// (12) where it has no value, while the motion turns as ever: at λ = 0, and for θ < 0 with friction.
-pub fn eq12_outside() -> Evidence {
+fn eq12_outside() -> Evidence {
     let trial = Trial::motion(
         Subject::Outside,
         Compared::one(
@@ -95,7 +96,7 @@ pub fn eq13_motion() -> Evidence {
 }
 
 /// (13) with the integral of dt.
-pub fn eq13_quadrature() -> Evidence {
+fn eq13_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Subject::Within,
         Compared::one(
@@ -114,7 +115,7 @@ pub fn eq13_quadrature() -> Evidence {
 }
 
 /// (13) solved for the angle at the time of the motion.
-pub fn eq13_root() -> Evidence {
+fn eq13_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
         Subject::Within,
@@ -146,7 +147,7 @@ pub fn eq13_root() -> Evidence {
 }
 
 /// (13) where it is 0/0 or 0·∞: at λ = 1 and where cos θ₀ = −λ.
-pub fn eq13_singular() -> Evidence {
+fn eq13_singular() -> Evidence {
     let compared = Compared::one("(13)", "the time of the motion")
         .over(r"$\lambda=1$ or $\cos\theta_0=-\lambda$");
     let singular = turns_where(|turn| !eq13_has_a_value(turn));
@@ -203,7 +204,7 @@ fn speed_at_time_scale(turn: &Turn) -> f64 {
 }
 
 /// (14) with the speed of the motion.
-pub fn eq14_motion() -> Evidence {
+fn eq14_motion() -> Evidence {
     let trial = Trial::motion(
         Subject::Within,
         Compared::one("(14) at the angle and time of the motion", "its speed"),
@@ -216,7 +217,7 @@ pub fn eq14_motion() -> Evidence {
 }
 
 /// (14) where cos θ = −λ, the angle at which it is 0/0.
-pub fn eq14_outside() -> Evidence {
+fn eq14_outside() -> Evidence {
     let trial = Trial::motion(
         Subject::Outside,
         Compared::one(
@@ -259,7 +260,7 @@ fn regular(turn: &Turn, ln_r: f64) -> f64 {
 }
 
 /// The regular form of the time, so late that next to no angle is left.
-pub fn regular_late() -> Evidence {
+fn regular_late() -> Evidence {
     let compared = Compared::one("the regular form of the time", "that of the motion")
         .over("turns to a hundredth of the angle down to $10^{-80}$");
     Trial::motion(Subject::Corrected, compared).over(late_turns(), |turn| {
@@ -274,7 +275,7 @@ pub fn regular_late() -> Evidence {
 }
 
 /// The regular form of the speed by the logarithm, at those points and at all others.
-pub fn regular_speed_by_log() -> Evidence {
+fn regular_speed_by_log() -> Evidence {
     let compared = Compared::one(
         r"the regular form of the speed, by $\ln r$,",
         "that of the motion",
@@ -291,7 +292,7 @@ pub fn regular_speed_by_log() -> Evidence {
 }
 
 /// The regular forms solved for the angle at a time.
-pub fn regular_angle() -> Evidence {
+fn regular_angle() -> Evidence {
     let compared = Compared::one(
         r"$\theta$ with $\tan(\theta/2)=r\tan(\theta_0/2)$, at the root $r$ of the regular form of the time,",
         "the angle of the motion then",
@@ -340,7 +341,7 @@ pub fn regular_straight() -> Evidence {
 }
 
 /// The regular form of the speed.
-pub fn regular_speed() -> Evidence {
+fn regular_speed() -> Evidence {
     let compared = Compared::one("the regular form of the speed", "that of the motion");
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
@@ -354,3 +355,21 @@ pub fn regular_speed() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    regular_speed,
+    regular_straight,
+    regular_speed_by_log,
+    eq12_quadrature,
+    eq12_outside,
+    eq13_motion,
+    eq13_quadrature,
+    eq13_root,
+    eq13_singular,
+    eq13_straight,
+    regular_time,
+    regular_late,
+    regular_angle,
+    eq14_motion,
+    eq14_outside
+];

@@ -11,6 +11,7 @@ use crate::certified::error::CertifiedError;
 use crate::certified::interval::Interval;
 use crate::certified::jet::{Jet, over};
 use crate::certified::written::{Condition, Of, sign};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::enclosed::resting_on;
 use crate::evidence::{Evidence, Subject};
@@ -399,6 +400,8 @@ pub fn eq136() -> Evidence {
         r"$1-\frac{4\ln(\tau/20)}\tau\le\frac{3\sqrt2\,\rho}{\tau^2}\le1+\frac3{2\tau}$"
     ))
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![eq132, eq133, eq134, eq135, eq136];
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,7 @@ pub mod chains;
 pub mod late;
 pub mod spiral;
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
@@ -177,7 +178,7 @@ pub fn eq126(formula: Expr) -> Proof {
 }
 
 /// (126) against the motion.
-pub const EQ126: Statement = Statement::new(
+const EQ126: Statement = Statement::new(
     Subject::Printed,
     Compared::one("(126)", r"the first term in $\alpha$ of (114) at $\psi_1$"),
     || printed::eq126_alpha_rate(Expr::symbol("A")),
@@ -202,7 +203,7 @@ pub fn eq138(formula: Expr) -> Proof {
 }
 
 /// (138) against any motion.
-pub const EQ138: Statement = Statement::new(
+const EQ138: Statement = Statement::new(
     Subject::Printed,
     Compared::one(
         r"$\mathrm d(A^2/2)/\mathrm d\tau$",
@@ -257,7 +258,7 @@ fn never_decreases(formula: Expr) -> Proof {
 }
 
 /// A never decreases, and grows without end unless α → 0.
-pub const NEVER_DECREASES: Statement = Statement::new(
+const NEVER_DECREASES: Statement = Statement::new(
     Subject::Printed,
     Compared::shown(
         r"by (113) $\dot A=\sinh\alpha\ge0$; by (114) $\dot\alpha<1$, so that $A$ grows by $\cosh b-1$ or more each time that $\alpha$ comes to a $b>0$",
@@ -265,6 +266,22 @@ pub const NEVER_DECREASES: Statement = Statement::new(
     || motion::eq113_a_rate(Expr::symbol("α")),
     never_decreases,
 );
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    &EQ126,
+    &EQ128,
+    &EQ129,
+    &EQ130,
+    &EQ131,
+    &EQ132,
+    &EQ133,
+    &EQ134,
+    &EQ135,
+    &EQ136,
+    &EQ137,
+    &EQ138,
+    &NEVER_DECREASES
+];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
 use super::escapes::{a, alpha, flights, relaxed};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -26,7 +27,7 @@ pub fn escaping() -> Evidence {
 }
 
 /// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
-pub fn small_alpha() -> Evidence {
+fn small_alpha() -> Evidence {
     let compared = Compared::constant(
         r"the expected 1, for a fall of $\psi$ to 0",
         r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",
@@ -44,3 +45,5 @@ pub fn small_alpha() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![escaping, small_alpha];

@@ -5,6 +5,7 @@
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
 use super::escapes::{Escape, LATE, Late, a, alpha, escapes};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
@@ -233,7 +234,7 @@ fn delays(compared: Compared, quantity: Quantity, power: f64) -> Evidence {
 }
 
 /// (128): τ dα/dτ.
-pub fn eq128_limit() -> Evidence {
+fn eq128_limit() -> Evidence {
     let compared = Compared::one(
         r"$\tau$ times (128)",
         r"$\tau\,\mathrm d\alpha/\mathrm d\tau$ of the motion, for $\tau\to\infty$",
@@ -243,7 +244,7 @@ pub fn eq128_limit() -> Evidence {
     })
 }
 /// The same of what replaces it.
-pub fn corrected128_limit() -> Evidence {
+fn corrected128_limit() -> Evidence {
     let compared = Compared::one(
         r"$\tau(\sqrt2/\cosh2\alpha-\cosh\alpha/A)$",
         r"$\tau\,\mathrm d\alpha/\mathrm d\tau$ of the motion, for $\tau\to\infty$",
@@ -253,12 +254,12 @@ pub fn corrected128_limit() -> Evidence {
     })
 }
 /// (129): the ratio of its two sides.
-pub fn eq129_limit() -> Evidence {
+fn eq129_limit() -> Evidence {
     let compared = Compared::one(r"$\cosh\alpha\cosh2\alpha/A$, for $\tau\to\infty$,", "1");
     sides(compared, eq129)
 }
 /// The same of what replaces it.
-pub fn corrected129_limit() -> Evidence {
+fn corrected129_limit() -> Evidence {
     let compared = Compared::one(
         r"$3\sqrt2/4$",
         r"$\cosh\alpha\cosh2\alpha/A$ of the motion, for $\tau\to\infty$",
@@ -268,7 +269,7 @@ pub fn corrected129_limit() -> Evidence {
     })
 }
 /// (130): what is added to ⅓ ln A.
-pub fn eq130_limit() -> Evidence {
+fn eq130_limit() -> Evidence {
     let compared = Compared::one(
         r"(130) less $\frac13\ln A$",
         r"$\alpha-\frac13\ln A$ of the motion, for $\tau\to\infty$",
@@ -278,7 +279,7 @@ pub fn eq130_limit() -> Evidence {
     })
 }
 /// The same of what replaces it.
-pub fn corrected130_limit() -> Evidence {
+fn corrected130_limit() -> Evidence {
     let compared = Compared::one(
         r"$\frac13\ln(3\sqrt2)$",
         r"$\alpha-\frac13\ln A$ of the motion, for $\tau\to\infty$",
@@ -288,7 +289,7 @@ pub fn corrected130_limit() -> Evidence {
     })
 }
 /// (131): the factor of A^(1/3).
-pub fn eq131_limit() -> Evidence {
+fn eq131_limit() -> Evidence {
     let compared = Compared::one(
         "(131) over $A^{1/3}$",
         r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
@@ -298,7 +299,7 @@ pub fn eq131_limit() -> Evidence {
     })
 }
 /// The same of what replaces it.
-pub fn corrected131_limit() -> Evidence {
+fn corrected131_limit() -> Evidence {
     let compared = Compared::one(
         r"$\frac12(3\sqrt2)^{1/3}$",
         r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
@@ -308,7 +309,7 @@ pub fn corrected131_limit() -> Evidence {
     })
 }
 /// (132): the prefactor.
-pub fn eq132_limit() -> Evidence {
+fn eq132_limit() -> Evidence {
     let compared = Compared::one(
         r"(132) over $\tau^{3/2}$",
         r"$A/\tau^{3/2}$ of the motion, for $\tau\to\infty$",
@@ -316,7 +317,7 @@ pub fn eq132_limit() -> Evidence {
     against(Subject::Printed, compared, size, |_| Ok(printed_size()))
 }
 /// (132): the exponent.
-pub fn eq132_exponent() -> Evidence {
+fn eq132_exponent() -> Evidence {
     let compared = Compared::one(
         r"the exponent of $\tau$ in (132)",
         "that in $A$ of the motion",
@@ -324,7 +325,7 @@ pub fn eq132_exponent() -> Evidence {
     powers(Subject::Printed, compared, size, 1.5, printed::eq132_a)
 }
 /// The prefactor of what replaces it.
-pub fn corrected132_limit() -> Evidence {
+fn corrected132_limit() -> Evidence {
     let compared = Compared::one(
         "$2^{1/4}/3$",
         r"$A/\tau^{3/2}$ of the motion, for $\tau\to\infty$",
@@ -332,7 +333,7 @@ pub fn corrected132_limit() -> Evidence {
     against(Subject::Corrected, compared, size, |_| Ok(corrected_size()))
 }
 /// Its first correction.
-pub fn corrected132_delay() -> Evidence {
+fn corrected132_delay() -> Evidence {
     let compared = Compared::one(
         r"$-9\sqrt2/8$",
         r"the coefficient of $(\ln\tau)/\tau$ in $A/\tau^{3/2}$, over the limit",
@@ -340,7 +341,7 @@ pub fn corrected132_delay() -> Evidence {
     delays(compared, size, 1.5)
 }
 /// (133): what is added to ½ ln τ.
-pub fn eq133_limit() -> Evidence {
+fn eq133_limit() -> Evidence {
     let compared = Compared::one(
         r"(133) less $\frac12\ln\tau$",
         r"$\alpha-\frac12\ln\tau$ of the motion, for $\tau\to\infty$",
@@ -350,7 +351,7 @@ pub fn eq133_limit() -> Evidence {
     })
 }
 /// The same of what replaces it.
-pub fn corrected133_limit() -> Evidence {
+fn corrected133_limit() -> Evidence {
     let compared = Compared::one(
         r"$\frac12\ln\sqrt2$",
         r"$\alpha-\frac12\ln\tau$ of the motion, for $\tau\to\infty$",
@@ -360,7 +361,7 @@ pub fn corrected133_limit() -> Evidence {
     })
 }
 /// (134): the exponent of π/2 − ψ.
-pub fn eq134_exponent() -> Evidence {
+fn eq134_exponent() -> Evidence {
     let compared = Compared::one(
         r"the exponent of $\tau$ in $\pi/2-\psi$ by (134)",
         "that of the motion",
@@ -368,7 +369,7 @@ pub fn eq134_exponent() -> Evidence {
     powers(Subject::Printed, compared, lag, -1.0, printed::eq134_lag)
 }
 /// (134) as a whole, late.
-pub fn eq134_limit() -> Evidence {
+fn eq134_limit() -> Evidence {
     let compared = Compared::one(
         r"$(\pi/2-\psi)\tau$ by (134), at $\tau=10^8$,",
         r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$",
@@ -378,7 +379,7 @@ pub fn eq134_limit() -> Evidence {
     })
 }
 /// The exponent of what replaces it.
-pub fn corrected134_exponent() -> Evidence {
+fn corrected134_exponent() -> Evidence {
     let compared = Compared::constant(
         "the stated $-1$",
         r"the exponent of $\tau$ in $\pi/2-\psi$ of the motion",
@@ -386,7 +387,7 @@ pub fn corrected134_exponent() -> Evidence {
     powers(Subject::Corrected, compared, lag, -1.0, corrected::lag)
 }
 /// Its prefactor.
-pub fn corrected134_limit() -> Evidence {
+fn corrected134_limit() -> Evidence {
     let compared = Compared::constant(
         "the stated 2",
         r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$,",
@@ -394,7 +395,7 @@ pub fn corrected134_limit() -> Evidence {
     against(Subject::Corrected, compared, lag, |_| Ok(corrected_lag()))
 }
 /// Its first correction.
-pub fn corrected134_delay() -> Evidence {
+fn corrected134_delay() -> Evidence {
     let compared = Compared::one(
         r"$3\sqrt2/4$",
         r"the coefficient of $(\ln\tau)/\tau$ in $(\pi/2-\psi)\tau$, over the limit",
@@ -402,7 +403,7 @@ pub fn corrected134_delay() -> Evidence {
     delays(compared, lag, -1.0)
 }
 /// (135): the prefactor.
-pub fn eq135_limit() -> Evidence {
+fn eq135_limit() -> Evidence {
     let compared = Compared::one(
         r"(135) over $\tau^2$",
         r"$p/\tau^2$ of the motion, for $\tau\to\infty$",
@@ -410,7 +411,7 @@ pub fn eq135_limit() -> Evidence {
     against(Subject::Printed, compared, speed, |_| Ok(printed_speed()))
 }
 /// (135): the exponent.
-pub fn eq135_exponent() -> Evidence {
+fn eq135_exponent() -> Evidence {
     let compared = Compared::one(
         r"the exponent of $\tau$ in (135)",
         "that in $p$ of the motion",
@@ -418,7 +419,7 @@ pub fn eq135_exponent() -> Evidence {
     powers(Subject::Printed, compared, speed, 2.0, printed::eq135_p)
 }
 /// The prefactor of what replaces it.
-pub fn corrected135_limit() -> Evidence {
+fn corrected135_limit() -> Evidence {
     let compared = Compared::one(
         r"$1/(3\sqrt2)$",
         r"$p/\tau^2$ of the motion, for $\tau\to\infty$",
@@ -428,7 +429,7 @@ pub fn corrected135_limit() -> Evidence {
     })
 }
 /// Its first correction.
-pub fn corrected135_delay() -> Evidence {
+fn corrected135_delay() -> Evidence {
     let compared = Compared::one(
         r"$-3\sqrt2/2$",
         r"the coefficient of $(\ln\tau)/\tau$ in $p/\tau^2$, over the limit",
@@ -436,7 +437,7 @@ pub fn corrected135_delay() -> Evidence {
     delays(compared, speed, 2.0)
 }
 /// (136): the prefactor.
-pub fn eq136_limit() -> Evidence {
+fn eq136_limit() -> Evidence {
     let compared = Compared::one(
         r"(136) over $\tau^2$",
         r"$\rho/\tau^2$ of the motion, for $\tau\to\infty$",
@@ -446,7 +447,7 @@ pub fn eq136_limit() -> Evidence {
     })
 }
 /// (136): the exponent.
-pub fn eq136_exponent() -> Evidence {
+fn eq136_exponent() -> Evidence {
     let compared = Compared::one(
         r"the exponent of $\tau$ in (136)",
         r"that in $\rho$ of the motion",
@@ -460,7 +461,7 @@ pub fn eq136_exponent() -> Evidence {
     )
 }
 /// The prefactor of what replaces it.
-pub fn corrected136_limit() -> Evidence {
+fn corrected136_limit() -> Evidence {
     let compared = Compared::one(
         r"$1/(3\sqrt2)$",
         r"$\rho/\tau^2$ of the motion, for $\tau\to\infty$",
@@ -470,7 +471,7 @@ pub fn corrected136_limit() -> Evidence {
     })
 }
 /// Its first correction.
-pub fn corrected136_delay() -> Evidence {
+fn corrected136_delay() -> Evidence {
     let compared = Compared::one(
         r"$-3\sqrt2/2$",
         r"the coefficient of $(\ln\tau)/\tau$ in $\rho/\tau^2$, over the limit",
@@ -478,7 +479,7 @@ pub fn corrected136_delay() -> Evidence {
     delays(compared, distance, 2.0)
 }
 /// The turn of the spiral.
-pub fn winding_limit() -> Evidence {
+fn winding_limit() -> Evidence {
     let compared = Compared::one(
         r"$\sqrt2$",
         r"$\tau$ times the rate at which the particle circles the axis in the laboratory, for $\tau\to\infty$",
@@ -488,7 +489,7 @@ pub fn winding_limit() -> Evidence {
     })
 }
 /// (137): the prefactor.
-pub fn eq137_limit() -> Evidence {
+fn eq137_limit() -> Evidence {
     let compared = Compared::one(
         r"(137) over $\tau^3$",
         r"$s/\tau^3$ of the motion, for $\tau\to\infty$",
@@ -498,7 +499,7 @@ pub fn eq137_limit() -> Evidence {
     })
 }
 /// (137): the exponent.
-pub fn eq137_exponent() -> Evidence {
+fn eq137_exponent() -> Evidence {
     let compared = Compared::one(
         r"the exponent of $\tau$ in (137)",
         "that in $s$ of the motion",
@@ -506,7 +507,7 @@ pub fn eq137_exponent() -> Evidence {
     powers(Subject::Printed, compared, way, 3.0, printed::eq137_s)
 }
 /// The prefactor of what replaces it.
-pub fn corrected137_limit() -> Evidence {
+fn corrected137_limit() -> Evidence {
     let compared = Compared::one(
         r"$1/(9\sqrt2)$",
         r"$s/\tau^3$ of the motion, for $\tau\to\infty$",
@@ -516,7 +517,7 @@ pub fn corrected137_limit() -> Evidence {
     })
 }
 /// Its first correction.
-pub fn corrected137_delay() -> Evidence {
+fn corrected137_delay() -> Evidence {
     let compared = Compared::one(
         r"$-9\sqrt2/4$",
         r"the coefficient of $(\ln\tau)/\tau$ in $s/\tau^3$, over the limit",
@@ -524,10 +525,46 @@ pub fn corrected137_delay() -> Evidence {
     delays(compared, way, 3.0)
 }
 /// (138): the ratio of its two sides.
-pub fn eq138_limit() -> Evidence {
+fn eq138_limit() -> Evidence {
     let compared = Compared::one(r"$(A^2/2)/s$, for $\tau\to\infty$,", "1");
     sides(compared, eq138)
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq128_limit,
+    corrected128_limit,
+    eq129_limit,
+    corrected129_limit,
+    eq130_limit,
+    corrected130_limit,
+    eq131_limit,
+    corrected131_limit,
+    eq132_limit,
+    eq132_exponent,
+    corrected132_limit,
+    corrected132_delay,
+    eq133_limit,
+    corrected133_limit,
+    eq134_exponent,
+    eq134_limit,
+    corrected134_exponent,
+    corrected134_limit,
+    corrected134_delay,
+    eq135_limit,
+    eq135_exponent,
+    corrected135_limit,
+    corrected135_delay,
+    eq136_limit,
+    eq136_exponent,
+    corrected136_limit,
+    corrected136_delay,
+    winding_limit,
+    eq137_limit,
+    eq137_exponent,
+    corrected137_limit,
+    corrected137_delay,
+    eq138_limit
+];
 
 #[cfg(test)]
 mod tests {

@@ -6,6 +6,7 @@ use super::escapes::{
 };
 use super::growth::{Quantity, a_rate, lag, limit, size};
 use super::straight::{StraightIn, beyond_one, time_to_stop};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{
@@ -21,7 +22,7 @@ use crate::paper::{escape as printed, turntable};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 /// (126) with the rate of α after ψ has relaxed, at α below a millionth.
-pub fn eq126_relaxed() -> Evidence {
+fn eq126_relaxed() -> Evidence {
     let compared = Compared::one(
         "(126)",
         r"$\mathrm d\alpha/\mathrm d\tau$ of the motion, when $\psi$ has relaxed and $\alpha$ is below a millionth",
@@ -43,7 +44,7 @@ fn after_relaxing(subject: Subject, compared: Compared) -> Evidence {
 }
 
 /// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
-pub fn eq126_order() -> Evidence {
+fn eq126_order() -> Evidence {
     let compared = Compared::one(
         "(126)",
         r"$\mathrm d\alpha/\mathrm d\tau$ of the motion from $\psi=\psi_1$, in units of $100(\alpha^2+\psi^2)$",
@@ -72,7 +73,7 @@ pub fn eq126_order() -> Evidence {
 }
 
 /// (127) and the statement: launches with A > 1 that have stopped, or not gone far, when τ = 300.
-pub fn above_one_census() -> Evidence {
+fn above_one_census() -> Evidence {
     above_one(
         Subject::Printed,
         Compared::constant(
@@ -83,7 +84,7 @@ pub fn above_one_census() -> Evidence {
 }
 
 /// The same under the condition that the start does not come straight in.
-pub fn above_one_within() -> Evidence {
+fn above_one_within() -> Evidence {
     above_one(
         Subject::Within,
         Compared::constant(
@@ -136,7 +137,7 @@ fn stays(run: &Run) -> f64 {
 }
 
 /// (127) where it decides: close to α = 0, the A at which rest gives way to escape.
-pub fn eq127_root() -> Evidence {
+fn eq127_root() -> Evidence {
     let compared = Compared::one(
         "the bound of (127)",
         "the $A$ at which the motion passes from rest to escape",
@@ -157,7 +158,7 @@ pub fn eq127_root() -> Evidence {
 }
 
 /// A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
-pub fn never_decreases_way() -> Evidence {
+fn never_decreases_way() -> Evidence {
     let compared = Compared::one(
         "$A^2$ at the start, and more by $2s$,",
         "$A^2$ at the end, along the motion",
@@ -177,7 +178,7 @@ pub fn never_decreases_way() -> Evidence {
 }
 
 /// A grows from each start to the end, and falls on no step by more than its rounding.
-pub fn never_decreases_census() -> Evidence {
+fn never_decreases_census() -> Evidence {
     let compared = Compared::constant(
         "1, for growth",
         r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
@@ -210,7 +211,7 @@ fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
 }
 
 /// ψ after many relaxation times, against ψ₁.
-pub fn small_alpha_angle() -> Evidence {
+fn small_alpha_angle() -> Evidence {
     let compared = Compared::one(
         r"$\psi_1$",
         r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
@@ -250,7 +251,7 @@ pub fn relaxed_ratio() -> Evidence {
 }
 
 /// That ratio by the equations of motion: with it, ψ and α fall or grow alike.
-pub fn relaxed_ratio_rate() -> Evidence {
+fn relaxed_ratio_rate() -> Evidence {
     let compared = Compared::one(
         r"the relative rate of $\psi$ by (115) at $\psi=\psi_1A/(2A-1)$ over that of $\alpha$ by (126)",
         "the expected 1",
@@ -266,7 +267,7 @@ pub fn relaxed_ratio_rate() -> Evidence {
 }
 
 /// (126) at the same states.
-pub fn small_alpha_rate() -> Evidence {
+fn small_alpha_rate() -> Evidence {
     let compared = Compared::one(
         "(126)",
         r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed after a start with $\alpha<10^{-11}$",
@@ -275,7 +276,7 @@ pub fn small_alpha_rate() -> Evidence {
 }
 
 /// ψ when a particle that comes straight in has almost stopped.
-pub fn small_alpha_straight() -> Evidence {
+fn small_alpha_straight() -> Evidence {
     let compared = Compared::one(
         r"$\psi_1$",
         r"$\psi$ of a motion that comes straight in, when $\alpha$ has fallen below a ten-thousandth",
@@ -294,7 +295,7 @@ pub fn small_alpha_straight() -> Evidence {
 }
 
 /// The growth of A from A > 1: its limit over τ^(3/2).
-pub fn a_grows() -> Evidence {
+fn a_grows() -> Evidence {
     grows(
         Compared::one("$2^{1/4}/3$", r"the limit of $A/\tau^{3/2}$"),
         size,
@@ -304,7 +305,7 @@ pub fn a_grows() -> Evidence {
 }
 
 /// (130) as a ratio: what it has before ln A.
-pub fn alpha_by_a_grows() -> Evidence {
+fn alpha_by_a_grows() -> Evidence {
     let law = printed::eq130_alpha::<f64>;
     grows(
         Compared::one(
@@ -318,7 +319,7 @@ pub fn alpha_by_a_grows() -> Evidence {
 }
 
 /// That ψ → π/2, as (134) has it.
-pub fn psi_goes_upright() -> Evidence {
+fn psi_goes_upright() -> Evidence {
     grows(
         Compared::one("the limit of (134)", r"that of $\psi$"),
         |l| FRAC_PI_2 - lag(l),
@@ -355,7 +356,7 @@ fn grows(compared: Compared, quantity: Quantity, stated: f64, subject: Subject) 
 }
 
 /// Decades of τ over which α grows.
-pub fn alpha_census() -> Evidence {
+fn alpha_census() -> Evidence {
     let compared = Compared::one(
         r"the number of decades of $\tau$ from 100 to $10^8$ over which $\alpha$ of (133) grows by more than 1",
         r"that of those over which $\alpha$ of the motion does",
@@ -382,7 +383,7 @@ fn grown(values: &[f64]) -> usize {
 }
 
 /// Stops of particles that come straight in from A > 1, in the frame of the table.
-pub fn straight_stops() -> Evidence {
+fn straight_stops() -> Evidence {
     let compared = Compared::constant(
         "the stated 0",
         "the number of stops of a particle that comes straight in from $A>1$",
@@ -400,7 +401,7 @@ pub fn straight_stops() -> Evidence {
 }
 
 /// (127) where a particle comes straight in.
-pub fn above_one_straight() -> Evidence {
+fn above_one_straight() -> Evidence {
     let compared = Compared::one(
         "whether (127) holds at the start (1 if so, for an escape)",
         "what becomes of a particle that comes straight in (0 if it stops)",
@@ -435,7 +436,7 @@ pub fn table_stops(straight: &StraightIn) -> Result<usize, MotionError> {
 }
 
 /// A particle that comes straight in from A > 1: the way in which it slows down, against its own law.
-pub fn straight_rate() -> Evidence {
+fn straight_rate() -> Evidence {
     let compared = Compared::one(
         r"$-1-1/\rho$",
         r"$\mathrm d\alpha/\mathrm d\tau$ of a particle that has almost stopped, coming straight in",
@@ -461,6 +462,29 @@ pub fn straight_rate() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq126_relaxed,
+    eq126_order,
+    above_one_census,
+    eq127_root,
+    above_one_straight,
+    alpha_by_a_grows,
+    alpha_grows,
+    psi_goes_upright,
+    never_decreases_way,
+    never_decreases_census,
+    small_alpha_angle,
+    small_alpha_rate,
+    small_alpha_straight,
+    relaxed_ratio,
+    relaxed_ratio_rate,
+    above_one_within,
+    a_grows,
+    straight_stops,
+    straight_rate,
+    alpha_census
+];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
 
 use super::escapes::{a, alpha, escapes};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{QUADRATURE, ROOT};
@@ -143,3 +144,7 @@ pub fn eq137() -> Evidence {
         },
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq129, eq130, eq131, eq132, eq133, eq134, eq135, eq136, eq137
+];

@@ -2,6 +2,7 @@
 //! vector at that instant, and a term that has a sign.
 
 use super::law::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
@@ -166,6 +167,8 @@ fn across(law: [Expr; 2], said: [Expr; 2]) -> Proof {
         |p| decays(p, law, mu, said),
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![&STOPS, &ACROSS];
 
 #[cfg(test)]
 mod tests {

@@ -1,5 +1,6 @@
 //! What the conditions of section 2 except.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::excepted::no_inside;
 use crate::evidence::Evidence;
@@ -33,3 +34,5 @@ pub fn no_friction() -> Evidence {
         |[mu]| mu > 0.0,
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![instants, no_friction];

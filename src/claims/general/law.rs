@@ -1,6 +1,7 @@
 //! Trials of (1) and (2): the law seen from the plane against the law seen from the laboratory.
 
 use super::planes::{Case, bounded};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::statement::Statement;
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
@@ -34,7 +35,7 @@ fn acceleration(case: &Case, t: f64) -> [f64; 2] {
 
 /// (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
 /// points against V − U, where U is the plane's velocity.
-pub fn eq1_laboratory() -> Evidence {
+fn eq1_laboratory() -> Evidence {
     let compared = Compared::one(
         r"$\bm v$ of (1), integrated,",
         r"$\bm V-\bm U$ of the laboratory, where friction alone acts, component by component",
@@ -87,7 +88,7 @@ fn in_the_laboratory(case: &Case, until: f64) -> Result<[f64; 2], Failure> {
 }
 
 /// (1): its right-hand side, summed over time along the motion, is the change of the velocity.
-pub fn eq1_quadrature() -> Evidence {
+fn eq1_quadrature() -> Evidence {
     let compared = Compared::one(
         "the integral of (1), its second component taken twice,",
         "the change of $v_x+2v_y$ of the motion",
@@ -96,7 +97,7 @@ pub fn eq1_quadrature() -> Evidence {
 }
 
 /// (1): its right-hand side is the rate of the velocity of the motion.
-pub fn eq1_motion() -> Evidence {
+fn eq1_motion() -> Evidence {
     let compared = Compared::one(
         "(1), its second component taken twice,",
         "the rate of $v_x+2v_y$ of the motion",
@@ -105,7 +106,7 @@ pub fn eq1_motion() -> Evidence {
 }
 
 /// (2): its right-hand side, summed over time along the motion, is the change of the speed.
-pub fn eq2_quadrature() -> Evidence {
+fn eq2_quadrature() -> Evidence {
     let compared = Compared::one(
         "the integral of (2) over $t$ along the motion",
         "its change of speed",
@@ -114,7 +115,7 @@ pub fn eq2_quadrature() -> Evidence {
 }
 
 /// (2): its right-hand side is the rate of the speed of the motion.
-pub fn eq2_motion() -> Evidence {
+fn eq2_motion() -> Evidence {
     followed(
         Compared::one("(2)", "the rate of the speed of the motion"),
         eq2_rate,
@@ -292,3 +293,13 @@ pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
         p.equal("Rate against printed rate", &rate, &formula)
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    &EQ1,
+    eq1_laboratory,
+    eq1_quadrature,
+    eq1_motion,
+    &EQ2,
+    eq2_quadrature,
+    eq2_motion
+];

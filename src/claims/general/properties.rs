@@ -7,6 +7,7 @@ use super::examples::{
     AT_REST, Pulled, Returning, others_pulled, others_returning, pulled, returning, violations,
 };
 use super::planes::{Case, SHAPES, along_a_line, any_start, bounded};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
@@ -49,7 +50,7 @@ fn speeds_up_above() -> f64 {
 }
 
 /// Below μg the speed falls on every step until the stop, and the stop comes. Above, a pull along the velocity prevents it.
-pub fn stops_census() -> Evidence {
+fn stops_census() -> Evidence {
     let compared = Compared::one(
         r"whether $\max\lvert\bm A\rvert<\mu g$ (1 if so)",
         r"whether the speed falls on every step and the motion stops by $v_0/(\mu g-\max\lvert\bm A\rvert)$, or $20v_0$",
@@ -96,7 +97,7 @@ fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
 }
 
 /// The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
-pub fn stops_integration() -> Evidence {
+fn stops_integration() -> Evidence {
     let compared = Compared::one(
         "the time at which the motion stops, moved into the bounds that (2) sets where it lies outside,",
         "that time itself",
@@ -117,7 +118,7 @@ pub fn stops_integration() -> Evidence {
 }
 
 /// Motions, from rest, under accelerations that exceed μg again and again, where every rest ends, or never, where none does.
-pub fn rest_census() -> Evidence {
+fn rest_census() -> Evidence {
     let compared = Compared::one(
         r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
         "whether no rest lasts longer than a period",
@@ -143,7 +144,7 @@ fn long_rests(phases: &[Phase], period: f64) -> usize {
 }
 
 /// Others move in every period, or do not.
-pub fn rest_integration() -> Evidence {
+fn rest_integration() -> Evidence {
     let compared = Compared::one(
         r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
         "whether the motion has slid in each of five periods",
@@ -174,7 +175,7 @@ fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
 }
 
 /// A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
-pub fn rest_outside() -> Evidence {
+fn rest_outside() -> Evidence {
     let compared = Compared::constant(
         r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant",
         "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0,",
@@ -211,7 +212,7 @@ fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
 
 /// Accelerations of fixed direction: where |A| ≥ 1.2 μg, from some time on, every step raises the speed; where |A| ≤ 0.9 μg,
 /// none does.
-pub fn grows_census() -> Evidence {
+fn grows_census() -> Evidence {
     let compared = Compared::one(
         r"whether $\lvert\bm A\rvert>\mu g$ at all times (1 if so)",
         "whether the speed grows on every step from $t=200$ to 400",
@@ -224,7 +225,7 @@ pub fn grows_census() -> Evidence {
 }
 
 /// Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
-pub fn grows_integration() -> Evidence {
+fn grows_integration() -> Evidence {
     let compared = Compared::one(
         r"the larger of $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$ and the speed gained from $t=200$ to 400",
         "the speed gained",
@@ -247,7 +248,7 @@ pub fn grows_integration() -> Evidence {
 }
 
 /// |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
-pub fn grows_outside() -> Evidence {
+fn grows_outside() -> Evidence {
     let compared = Compared::one("the larger of the speeds at $t$ and $t+1$", "that at $t+1$");
     let trial = Trial::motion(Subject::Outside, compared);
     let mut points = Points::stream(26);
@@ -277,7 +278,7 @@ pub fn grows_outside() -> Evidence {
 }
 
 /// Across a fixed direction, every step lowers what velocity there is.
-pub fn across_census() -> Evidence {
+fn across_census() -> Evidence {
     let compared = Compared::constant(
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
@@ -305,7 +306,7 @@ fn grows_across(case: &Across) -> Result<usize, Failure> {
 }
 
 /// Without friction the velocity across stays as it is.
-pub fn across_outside() -> Evidence {
+fn across_outside() -> Evidence {
     let compared = Compared::constant(
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ in ten units of time without friction",
@@ -332,7 +333,7 @@ fn sense(change: f64, speed: f64) -> f64 {
 }
 
 /// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
-pub fn across_quadrature() -> Evidence {
+fn across_quadrature() -> Evidence {
     let compared = Compared::one(
         r"$-\int\mu g/v\,\mathrm dt$ along the motion",
         r"the change of $\ln\lvert v_\perp\rvert$",
@@ -353,7 +354,7 @@ pub fn across_quadrature() -> Evidence {
 }
 
 /// Bounded A: what is left of v⊥ after a long time.
-pub fn across_limit() -> Evidence {
+fn across_limit() -> Evidence {
     let compared = Compared::constant(
         "the stated 0",
         r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$,",
@@ -379,7 +380,7 @@ pub fn across_limit() -> Evidence {
 }
 
 /// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
-pub fn across_integration() -> Evidence {
+fn across_integration() -> Evidence {
     let compared = Compared::one(
         r"the smaller of $\lvert v_\perp\rvert$ at a late time and the bound $v_{\perp0}(1+At/v_0)^{-\mu g/A}$, with $A$ up to $30\mu g$,",
         r"$\lvert v_\perp\rvert$ itself",
@@ -465,6 +466,22 @@ fn fixed_direction(stream: u64) -> impl Iterator<Item = Across> {
         }
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    stops_census,
+    stops_integration,
+    rest_census,
+    rest_integration,
+    rest_outside,
+    grows_census,
+    grows_integration,
+    grows_outside,
+    across_census,
+    across_quadrature,
+    across_limit,
+    across_integration,
+    across_outside
+];
 
 #[cfg(test)]
 mod tests {

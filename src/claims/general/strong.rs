@@ -2,6 +2,7 @@
 //! lasts, and that the speed grows in the end if the direction is fixed.
 
 use super::law::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
@@ -51,7 +52,7 @@ fn moves(bound: Expr) -> Proof {
 }
 
 /// A drive of fixed direction that exceeds the friction by a margin makes the speed grow in the end.
-pub const SPEEDS_UP: Statement<(Expr, [Expr; 2], Expr)> = Statement::new(
+const SPEEDS_UP: Statement<(Expr, [Expr; 2], Expr)> = Statement::new(
     Subject::Within,
     Compared::shown(
         r"with $\bm A=-a\,\hat{\bm x}$ and $a\ge\mu g+\delta$, $\delta>0$, at all times, from every start: by (1) $\mathrm dv_x/\mathrm dt\ge\delta$, $v_y^2$ never grows, and $v_x/v$ never falls; it comes above $\mu g/(\mu g+\delta)$ and stays there, and by (2) $\mathrm dv/\mathrm dt>0$ from then on",
@@ -143,6 +144,8 @@ pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr
         },
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![&MOVES, &SPEEDS_UP];
 
 #[cfg(test)]
 mod tests {

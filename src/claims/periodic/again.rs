@@ -2,6 +2,7 @@
 
 use super::drives::{motion, pulses};
 use super::pulses::on_a_plane;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Trial};
 use crate::claims::excepted::no_inside;
 use crate::claims::points::Points;
@@ -61,7 +62,7 @@ fn pull_on_a_plane([eta, _, phi]: [f64; 3]) -> Result<f64, Failure> {
 }
 
 /// As printed: friction.
-pub fn friction_again() -> Evidence {
+fn friction_again() -> Evidence {
     let compared = Compared::one(
         r"the acceleration of friction, which is said to become nonzero again at $\pi$,",
         r"the acceleration of a particle without friction, before and after $\pi$",
@@ -72,7 +73,7 @@ pub fn friction_again() -> Evidence {
 }
 
 /// As corrected: the drive.
-pub fn pull_again() -> Evidence {
+fn pull_again() -> Evidence {
     let compared = Compared::one(
         r"the drive, which becomes nonzero again at $\pi$,",
         r"the acceleration of a particle without friction, before and after $\pi$",
@@ -84,7 +85,7 @@ pub fn pull_again() -> Evidence {
 }
 
 /// The same, with a particle on a plane.
-pub fn pull_again_on_a_plane() -> Evidence {
+fn pull_again_on_a_plane() -> Evidence {
     let compared = Compared::one(
         r"the drive in the middle of a short stretch before or after $\pi$",
         "what a particle gains on a smooth plane over the stretch, divided by its length",
@@ -126,7 +127,7 @@ fn seen(eta: f64) -> Result<f64, Failure> {
 }
 
 /// By the pulses' values.
-pub fn largest_census() -> Evidence {
+fn largest_census() -> Evidence {
     let compared = Compared::one(
         r"the largest $\lvert h\rvert$ that is assumed, 1,",
         "that of the pulses",
@@ -135,7 +136,7 @@ pub fn largest_census() -> Evidence {
 }
 
 /// By what a pulse gives a smooth particle, over its length.
-pub fn largest_integration() -> Evidence {
+fn largest_integration() -> Evidence {
     let compared = Compared::one(
         r"the largest $\lvert h\rvert$ that is assumed, 1,",
         "what a pulse gives a particle without friction, divided by the length of the pulse, to 12 digits",
@@ -159,7 +160,7 @@ fn twelve_digits(x: f64) -> f64 {
 }
 
 /// Pulses of no width.
-pub fn largest_outside() -> Evidence {
+fn largest_outside() -> Evidence {
     let compared = Compared::one(
         r"the largest $\lvert h\rvert$ that is assumed, 1,",
         "that of pulses of no width",
@@ -169,7 +170,7 @@ pub fn largest_outside() -> Evidence {
 }
 
 /// Pulses of no width, among all.
-pub fn no_width() -> Evidence {
+fn no_width() -> Evidence {
     no_inside(
         Compared::one(
             "whether pulses have a width",
@@ -181,6 +182,16 @@ pub fn no_width() -> Evidence {
         |[eta]| eta > 0.0,
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    friction_again,
+    pull_again,
+    pull_again_on_a_plane,
+    largest_census,
+    largest_integration,
+    largest_outside,
+    no_width
+];
 
 #[cfg(test)]
 mod tests {

@@ -5,6 +5,7 @@
 
 use super::chains::{for_both_signs, rate};
 use super::changes::CHANGES;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::general::apart::never_farther_apart;
 use crate::claims::general::law::{eq2, eq2_proof};
@@ -286,6 +287,8 @@ fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
     p.note("So from some time on", "there is no rest");
     Ok(())
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![&THRESHOLD];
 
 #[cfg(test)]
 mod tests {

@@ -2,6 +2,7 @@
 //! rest; and what the pulses are at their two extremes.
 
 use super::exact::{EQ44, EQ46};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::general::chains::STOPS;
 use crate::claims::statement::{Statement, given};
@@ -138,7 +139,7 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
 }
 
 /// The largest |h| of the pulses.
-pub const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
+const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
     Subject::Within,
     Compared::shown(
         r"for every $\eta>0$ the pulse of (42), which has the length $\eta\pi>0$, has the stated size, and the gap and both mirrored by (43) have none that is larger",
@@ -193,7 +194,7 @@ fn pulses() -> Pulses {
 }
 
 /// η = 1 and η = 0.
-pub const EXTREMES: Statement<(Expr, Pulses)> = Statement::new(
+const EXTREMES: Statement<(Expr, Pulses)> = Statement::new(
     Subject::Within,
     Compared::shown(
         r"at $\eta=1$ the pulses of (42), (43) leave no gap, so that $\lvert h\rvert=1>\lambda_0$ at all times for every $\lambda_0<1$ and nothing rests, and $\lambda_\mathrm c$ of (46) is 1; at $\eta=0$ they have no length, so that $h=0$, for every $\lambda_0>0$ the particle is at rest after $\lvert\mathfrak w_0\rvert/\lambda_0$ by (26) and stays, and $\lambda_\mathrm c$ is 0",
@@ -260,7 +261,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
 }
 
 /// What becomes nonzero again at π.
-pub const AGAIN: Statement<(Expr, Pulses, Expr)> = Statement::new(
+const AGAIN: Statement<(Expr, Pulses, Expr)> = Statement::new(
     Subject::Corrected,
     Compared::shown(
         r"for every $\lambda_0>0$ and every $\eta$ between 0 and 1: what (26) gives a particle without friction is $h$, by (42) 0 in the gap before $\pi$ and by (43) $-1$ in the pulse behind it; friction gives one that still slides $\mp\lambda_0$, before $\pi$ as after it. By (44) the slip ends before that if $\lambda_0>\eta$, which is $\lambda_\mathrm c$ of (46), and not otherwise",
@@ -302,6 +303,14 @@ fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
         p.equal("The two", &room, &excess)
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    &REST_ABOVE_ONE,
+    &MOSTLY_AT_REST,
+    &AGAIN,
+    &NORMALISED,
+    &EXTREMES
+];
 
 #[cfg(test)]
 mod tests {

@@ -7,6 +7,7 @@
 use super::borders::{never_part, slows};
 use super::chains::rate;
 use super::exact::EQ45;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::general::apart::never_farther_apart;
 use crate::claims::general::law::eq2;
@@ -330,6 +331,8 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
     );
     Ok(())
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![&CHANGES];
 
 #[cfg(test)]
 mod tests {

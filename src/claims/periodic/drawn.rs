@@ -1,6 +1,7 @@
 //! What the chapter's figures show: the same drives and motions that are tried.
 
 use super::drives::{Phase, motion, named, phase, phase_of, pulses, rest_share, third_harmonic};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::drive::{Drive, DriveError};
@@ -107,7 +108,7 @@ pub fn shares(side: usize) -> Result<Vec<f64>, DriveError> {
 }
 
 /// The drawn shares with those that follow from (44): 1 − η/λ₀ for λ₀ above (46), else 0.
-pub fn shares_motion() -> Evidence {
+fn shares_motion() -> Evidence {
     let compared = Compared::one(
         r"the share of the third case of (44), 0 for $\lambda_0$ below (46),",
         "the share of the period at rest in the motion",
@@ -131,3 +132,5 @@ pub fn shares_motion() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![shares_motion];

@@ -3,6 +3,7 @@
 //! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
 //! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::corrections::periodic as supplied;
@@ -177,6 +178,8 @@ pub const EQ46: Statement = Statement::new(
     || printed::eq46_lambda_c(Expr::symbol("η")),
     eq46_meeting,
 );
+
+pub(super) const TRIALS: &[Attempt] = trials![&EQ44, &EQ45, &EQ46];
 
 #[cfg(test)]
 mod tests {

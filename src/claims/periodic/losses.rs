@@ -1,6 +1,7 @@
 //! What friction takes from the motion under pulses, of which the paper says nothing.
 
 use super::drives::{motion, pulses};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Trial};
 use crate::claims::points::Points;
 use crate::corrections::periodic as supplied;
@@ -39,7 +40,7 @@ fn against(
 }
 
 /// With rests, λ₀ > η.
-pub fn with_rests() -> Evidence {
+fn with_rests() -> Evidence {
     let compared = Compared::one(
         r"$(1-\lambda_0)\eta^2\pi^2$",
         "what friction takes from the motion in a period",
@@ -67,3 +68,5 @@ pub fn without_rest() -> Evidence {
         supplied::loss_without_rest,
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![with_rests, without_rest];

@@ -1,6 +1,7 @@
 //! Trials of how long a particle is at rest in a period when friction is slightly below the largest drive.
 
 use super::drives::{Harmonics, motion, rest_share, steps_between};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, SHARE};
@@ -78,3 +79,5 @@ pub fn two_valued() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![limit, census, two_valued];

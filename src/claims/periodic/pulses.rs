@@ -1,6 +1,7 @@
 //! Trials of (42) to (46): the train of pulses.
 
 use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::excepted::no_inside;
 use crate::claims::points::Points;
@@ -104,7 +105,7 @@ fn joints((eta, lambda): (f64, f64)) -> [f64; 2] {
 }
 
 /// (42): a smooth particle gains what the printed pulse gives until φ.
-pub fn eq42() -> Evidence {
+fn eq42() -> Evidence {
     let trial = consistency(Compared::one(
         r"the area of (42) up to $\phi$",
         r"$\mathfrak w$ of a smooth particle that starts at rest under pulses that fill the share $\eta$",
@@ -115,7 +116,7 @@ pub fn eq42() -> Evidence {
 }
 
 /// (43): the second half takes back what the first has given.
-pub fn eq43() -> Evidence {
+fn eq43() -> Evidence {
     let trial = consistency(Compared::one(
         r"the area of (42) and, up to $\pi+\phi$, of (43)",
         r"$\mathfrak w$ of a smooth particle there",
@@ -159,7 +160,7 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
 }
 
 /// (44) with the simulated motion, over half a period.
-pub fn eq44_motion() -> Evidence {
+fn eq44_motion() -> Evidence {
     let compared = Compared::one(
         r"the largest difference of (44) from $\mathfrak w$ of the motion, over the first half period,",
         "0",
@@ -177,7 +178,7 @@ pub fn eq44_motion() -> Evidence {
 }
 
 /// (45), with (44) in it, with the simulated motion over the other half.
-pub fn eq45_motion() -> Evidence {
+fn eq45_motion() -> Evidence {
     let compared = Compared::one(
         r"the largest difference of (45), with (44), from $\mathfrak w$ of the motion, over the second half period,",
         "0",
@@ -228,7 +229,7 @@ fn from_rest(compared: Compared, value: impl Fn((f64, f64), f64) -> [f64; 2]) ->
 }
 
 /// (44) with a particle on a plane, whose acceleration jumps.
-pub fn eq44_plane() -> Evidence {
+fn eq44_plane() -> Evidence {
     let compared = Compared::one(
         "(44)",
         r"$\mathfrak w$ of a particle on a plane in the direction of the pull, from rest at $\phi=0$",
@@ -237,7 +238,7 @@ pub fn eq44_plane() -> Evidence {
 }
 
 /// (45) with a particle on a plane.
-pub fn eq45_plane() -> Evidence {
+fn eq45_plane() -> Evidence {
     let compared = Compared::one(
         "(45), with (44),",
         r"$\mathfrak w$ of a particle on a plane in the direction of the pull, from rest at $\phi=0$",
@@ -266,7 +267,7 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
 }
 
 /// (46) with the place where rests appear.
-pub fn eq46_root() -> Evidence {
+fn eq46_root() -> Evidence {
     let compared = Compared::one(
         "(46)",
         r"the $\lambda_0$ at which rests appear in the motion",
@@ -283,7 +284,7 @@ pub fn eq46_root() -> Evidence {
 }
 
 /// (46) over the whole square: two rests per period above λ_c, none below.
-pub fn eq46_census() -> Evidence {
+fn eq46_census() -> Evidence {
     let compared = Compared::constant(
         r"2 for $\lambda_0$ above (46) and 0 below",
         "the number of rests in a period of the motion",
@@ -309,7 +310,7 @@ pub fn eq46_census() -> Evidence {
 }
 
 /// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
-pub fn below_motion() -> Evidence {
+fn below_motion() -> Evidence {
     let compared = Compared::one(
         r"the largest difference between our own formula for the motion without rest, for $\lambda_0$ below (46), and $\mathfrak w$ of the motion",
         "0",
@@ -330,7 +331,7 @@ pub fn below_motion() -> Evidence {
 }
 
 /// η = 1 and η = 0 themselves.
-pub fn extremes_census() -> Evidence {
+fn extremes_census() -> Evidence {
     let compared = Compared::constant(
         "0 below (46) and 1 above",
         "the number of rests in a period (1 for a particle at rest for ever)",
@@ -365,7 +366,7 @@ pub fn extremes_census() -> Evidence {
 }
 
 /// No pulses and no friction.
-pub fn extremes_outside() -> Evidence {
+fn extremes_outside() -> Evidence {
     let compared = Compared::constant("the stated 1", "the number of rests in a period")
         .over(r"$\eta=0$ and $\lambda_0=0$");
     let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
@@ -400,7 +401,7 @@ pub fn neither() -> Evidence {
 }
 
 /// η → 1 and η → 0: the phase that is to vanish is as narrow as 1 − η, or as η.
-pub fn extremes_limit() -> Evidence {
+fn extremes_limit() -> Evidence {
     let compared = Compared::one(
         r"the width of the vanishing phase by (46), over $\delta$,",
         "that in the motion",
@@ -429,6 +430,22 @@ pub fn extremes_limit() -> Evidence {
         },
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq42,
+    eq43,
+    eq44_motion,
+    eq44_plane,
+    eq45_motion,
+    eq45_plane,
+    eq46_root,
+    eq46_census,
+    below_motion,
+    extremes_census,
+    extremes_limit,
+    extremes_outside,
+    neither
+];
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,7 @@
 //! While w > 0, w' = h − λ₀ ≤ 1 − λ₀, and likewise for w < 0: |w| is used up within |w₀|/(λ₀ − 1).
 
 use super::drives::{Harmonics, Phase, named, phase};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::{Points, round};
 use crate::claims::tolerances::{NONE, ROOT};
@@ -20,7 +21,7 @@ fn at(name: &str, lambda: f64, start: DriveState) -> String {
 }
 
 /// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
-pub fn within_time() -> Evidence {
+fn within_time() -> Evidence {
     let compared = Compared::constant(
         r"1 for $\lambda_0>1$ and 0 below",
         r"whether the motion, from any start, is at rest (1 if so) from a millionth past the phase $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ on, or for $\lambda_0<1$ from a period on,",
@@ -143,6 +144,8 @@ pub fn sharp() -> Evidence {
         },
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![within_time, stopping_time, sharp];
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,7 @@ use super::drives::{
     Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps_between,
     third_harmonic,
 };
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, THRESHOLD};
@@ -88,7 +89,7 @@ fn admitted() -> Result<Vec<Named>, DriveError> {
 }
 
 /// Every admitted drive: no rest below the one bound, motion with rest above the other.
-pub fn both_ends() -> Evidence {
+fn both_ends() -> Evidence {
     let compared = Compared::constant(
         r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
         "whether the motion has rests (1 if so)",
@@ -141,7 +142,7 @@ fn two_zero_threshold(shape: &Harmonics) -> Result<f64, Failure> {
 }
 
 /// λ_c from that condition, with the place where rests appear in the simulation.
-pub fn two_zeros_root() -> Evidence {
+fn two_zeros_root() -> Evidence {
     let compared = Compared::one(
         r"the $\lambda_0$ at which $\int h=\pi\lambda_0$ between zeros half a period apart and $h$ is $\lambda_0$ at one",
         r"the $\lambda_0$ at which rests appear in the motion",
@@ -166,7 +167,7 @@ pub fn two_zeros_root() -> Evidence {
 }
 
 /// More than one change: rests come, go, and come again as the friction grows.
-pub fn again_and_again() -> Evidence {
+fn again_and_again() -> Evidence {
     let compared = Compared::constant(
         "the stated 3",
         r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
@@ -189,7 +190,7 @@ pub fn again_and_again() -> Evidence {
 }
 
 /// With a mean: no rest below it, and rests above the mean of |h|.
-pub fn with_mean() -> Evidence {
+fn with_mean() -> Evidence {
     let compared = Compared::constant(
         r"0 below the mean of $h$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
         "whether the motion has rests (1 if so; one that drifts has none)",
@@ -215,7 +216,7 @@ pub fn with_mean() -> Evidence {
 }
 
 /// With a mean: how it goes on below it.
-pub fn with_mean_drift() -> Evidence {
+fn with_mean_drift() -> Evidence {
     let compared = Compared::constant(
         "the expected $-1$, for a drift",
         r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
@@ -230,7 +231,7 @@ pub fn with_mean_drift() -> Evidence {
 }
 
 /// The same close to where the friction is as strong as the mean.
-pub fn with_mean_close() -> Evidence {
+fn with_mean_close() -> Evidence {
     let compared = Compared::constant(
         "the expected $-1$, for a drift",
         r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
@@ -287,6 +288,17 @@ pub fn level() -> Evidence {
         rests(&name, &level_at_median(p)?, lambda, true)
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    both_ends,
+    two_zeros_root,
+    again_and_again,
+    with_mean,
+    with_mean_drift,
+    with_mean_close,
+    two_valued,
+    level
+];
 
 #[cfg(test)]
 mod tests {

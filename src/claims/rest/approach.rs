@@ -8,6 +8,7 @@ use super::stops::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
     other_approaches,
 };
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::escape::escapes::{a, alpha, rates};
 use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
@@ -199,7 +200,7 @@ fn at_one(compared: Compared, sides: fn(&Leaving) -> (f64, f64, f64)) -> Evidenc
 }
 
 /// (140) at σ = 1.
-pub fn eq140_at_one() -> Evidence {
+fn eq140_at_one() -> Evidence {
     let compared = Compared::one(
         "(140)",
         r"$\mathrm d\alpha/\mathrm d\tau$ of the motion on the boundary, relative to it",
@@ -210,7 +211,7 @@ pub fn eq140_at_one() -> Evidence {
     })
 }
 /// (141) at σ = 1.
-pub fn eq141_at_one() -> Evidence {
+fn eq141_at_one() -> Evidence {
     let compared = Compared::one(
         r"(141), for any $\tau$,",
         r"$\alpha$ on the boundary, relative to it",
@@ -221,7 +222,7 @@ pub fn eq141_at_one() -> Evidence {
     })
 }
 /// (142) at σ = 1.
-pub fn eq142_at_one() -> Evidence {
+fn eq142_at_one() -> Evidence {
     let compared = Compared::one(
         r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion on the boundary,",
         "0",
@@ -234,7 +235,7 @@ pub fn eq142_at_one() -> Evidence {
     })
 }
 /// (144) at σ = 1.
-pub fn eq144_at_one() -> Evidence {
+fn eq144_at_one() -> Evidence {
     let compared = Compared::one(
         r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion on the boundary,",
         "0",
@@ -246,14 +247,14 @@ pub fn eq144_at_one() -> Evidence {
     })
 }
 /// (145) at σ = 1.
-pub fn eq145_at_one() -> Evidence {
+fn eq145_at_one() -> Evidence {
     let compared = Compared::one("(145)", "$A$ on the boundary");
     at_one(compared, |l| {
         (printed::eq145_a(1.0, l.border.alpha), l.border.a, 1.0)
     })
 }
 /// (141) with another origin of time.
-pub fn eq141_clock() -> Evidence {
+fn eq141_clock() -> Evidence {
     let compared = Compared::one(
         r"(141), with $\tau$ counted from one unit of time after the stop,",
         r"$\alpha$ of the motion at $p=10^{-20}$",
@@ -278,7 +279,7 @@ pub fn eq140_motion() -> Evidence {
     exactly(Route::Integration, compared, eq140)
 }
 /// (140) by order.
-pub fn eq140_order() -> Evidence {
+fn eq140_order() -> Evidence {
     let compared = Compared::one(
         "(140)",
         r"$\mathrm d\alpha/\mathrm d\tau$ of the motion at $p=10^{-3}$, relative, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
@@ -286,7 +287,7 @@ pub fn eq140_order() -> Evidence {
     by_order(compared, 1e-3, eq140)
 }
 /// (140), ψ → π.
-pub fn eq140_straight() -> Evidence {
+fn eq140_straight() -> Evidence {
     straight(
         Compared::one(
             "(140)",
@@ -296,7 +297,7 @@ pub fn eq140_straight() -> Evidence {
     )
 }
 /// What holds there.
-pub fn corrected140() -> Evidence {
+fn corrected140() -> Evidence {
     let compared = Compared::one(
         r"$-1-1/\sigma$",
         r"$\mathrm d\alpha/\mathrm d\tau$ of a motion that comes to rest with $\psi\to\pi$",
@@ -314,7 +315,7 @@ pub fn corrected140() -> Evidence {
     })
 }
 /// (141) at p = 10⁻²⁰.
-pub fn eq141_motion() -> Evidence {
+fn eq141_motion() -> Evidence {
     let compared = Compared::one(
         r"(141), with $\tau$ counted from the stop,",
         r"$\alpha$ of the motion at $p=10^{-20}$",
@@ -322,7 +323,7 @@ pub fn eq141_motion() -> Evidence {
     exactly(Route::Integration, compared, eq141)
 }
 /// (141) by order.
-pub fn eq141_order() -> Evidence {
+fn eq141_order() -> Evidence {
     let compared = Compared::one(
         "(141)",
         r"$\alpha$ of the motion at $p=10^{-3}$, relative, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
@@ -330,7 +331,7 @@ pub fn eq141_order() -> Evidence {
     by_order(compared, 1e-3, eq141)
 }
 /// (141), ψ → π.
-pub fn eq141_straight() -> Evidence {
+fn eq141_straight() -> Evidence {
     straight(
         Compared::one(
             "(141)",
@@ -340,7 +341,7 @@ pub fn eq141_straight() -> Evidence {
     )
 }
 /// (142) at p = 10⁻²⁰.
-pub fn eq142_motion() -> Evidence {
+fn eq142_motion() -> Evidence {
     let compared = Compared::one(
         r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion at $p=10^{-20}$,",
         "0",
@@ -348,7 +349,7 @@ pub fn eq142_motion() -> Evidence {
     exactly(Route::Integration, compared, eq142)
 }
 /// (142) by order.
-pub fn eq142_order() -> Evidence {
+fn eq142_order() -> Evidence {
     let compared = Compared::one(
         r"the difference of the sides of (142) at $p=10^{-3}$, over $2+\psi/\alpha$,",
         r"0, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
@@ -356,7 +357,7 @@ pub fn eq142_order() -> Evidence {
     by_order(compared, 1e-3, eq142)
 }
 /// (142), ψ → π.
-pub fn eq142_straight() -> Evidence {
+fn eq142_straight() -> Evidence {
     straight(
         Compared::one(
             r"the difference of the sides of (142) for a motion that comes to rest with $\psi\to\pi$",
@@ -366,7 +367,7 @@ pub fn eq142_straight() -> Evidence {
     )
 }
 /// (144) at p = 10⁻²⁰, by the way.
-pub fn eq144_motion() -> Evidence {
+fn eq144_motion() -> Evidence {
     let compared = Compared::one(
         r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm dA=\mathrm ds$ from the path still to go,",
         "0",
@@ -374,7 +375,7 @@ pub fn eq144_motion() -> Evidence {
     exactly(Route::Integration, compared, eq144_way)
 }
 /// (144) by order.
-pub fn eq144_order() -> Evidence {
+fn eq144_order() -> Evidence {
     let compared = Compared::one(
         r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion at $p=10^{-3}$,",
         r"0, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
@@ -382,7 +383,7 @@ pub fn eq144_order() -> Evidence {
     by_order(compared, 1e-3, eq144)
 }
 /// (144), ψ → π.
-pub fn eq144_straight() -> Evidence {
+fn eq144_straight() -> Evidence {
     straight(
         Compared::one(
             r"the difference of the sides of (144) for a motion that comes to rest with $\psi\to\pi$",
@@ -392,7 +393,7 @@ pub fn eq144_straight() -> Evidence {
     )
 }
 /// (145) at p = 10⁻²⁰, by the way.
-pub fn eq145_motion() -> Evidence {
+fn eq145_motion() -> Evidence {
     let compared = Compared::one(
         r"the coefficient of $\alpha^2$ in (145)",
         r"$(A-\sigma)/\alpha^2$ at $p=10^{-20}$, where $A^2$ is $\sigma^2$ less twice the length of the path still to go",
@@ -400,7 +401,7 @@ pub fn eq145_motion() -> Evidence {
     exactly(Route::Integration, compared, eq145_way)
 }
 /// (145) by order.
-pub fn eq145_order() -> Evidence {
+fn eq145_order() -> Evidence {
     let compared = Compared::one(
         "(145)",
         r"$A$ of the motion at $p=10^{-3}$, over $A-\sigma$, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
@@ -408,7 +409,7 @@ pub fn eq145_order() -> Evidence {
     by_order(compared, 1e-3, eq145)
 }
 /// (145), ψ → π.
-pub fn eq145_straight() -> Evidence {
+fn eq145_straight() -> Evidence {
     straight(
         Compared::one(
             r"the coefficient of $\alpha^2$ in (145)",
@@ -515,7 +516,7 @@ pub fn eq143_exponent() -> Evidence {
     )
 }
 /// σ < 1/4: what is left out exceeds the first term.
-pub fn eq143_small_sigma() -> Evidence {
+fn eq143_small_sigma() -> Evidence {
     let compared = Compared::one(
         r"$\sigma/(2\sigma-1)$",
         r"the limit of $\psi/(2\alpha)$ without its power of $\alpha$",
@@ -524,7 +525,7 @@ pub fn eq143_small_sigma() -> Evidence {
     constants(Subject::Outside, compared, &[(0.05, 0.24)])
 }
 /// σ > 3/4: what is left out exceeds the second term.
-pub fn eq143_large_sigma() -> Evidence {
+fn eq143_large_sigma() -> Evidence {
     let compared = Compared::one(
         r"$(2\sigma-1)/(1-\sigma)$",
         r"the exponent of $\alpha$ in $\psi/\alpha$ of the motion",
@@ -533,7 +534,7 @@ pub fn eq143_large_sigma() -> Evidence {
     exponents(Subject::Outside, compared, &[(0.8, 0.98)], |_| [1e-3, 1e-4])
 }
 /// σ = 1/2: no value.
-pub fn eq143_one_half() -> Evidence {
+fn eq143_one_half() -> Evidence {
     let compared = Compared::one(
         r"(143) over $2\alpha$",
         r"$\psi/(2\alpha)$ of the motion at $p=10^{-10}$",
@@ -552,7 +553,7 @@ pub fn eq143_one_half() -> Evidence {
     })
 }
 /// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
-pub fn eq143_regular() -> Evidence {
+fn eq143_regular() -> Evidence {
     let compared = Compared::one(
         r"the regular form of (143) over $2\alpha$, its constant taken at $p=10^{-10}$,",
         r"$\psi/(2\alpha)$ at $p=10^{-12}$",
@@ -573,7 +574,7 @@ pub fn eq143_regular() -> Evidence {
     })
 }
 /// ψ → π: (143) has no such motion.
-pub fn eq143_straight() -> Evidence {
+fn eq143_straight() -> Evidence {
     straight(
         Compared::one(
             "(143)",
@@ -584,7 +585,7 @@ pub fn eq143_straight() -> Evidence {
 }
 
 /// α and ψ at the end of a motion to rest.
-pub fn near_rest_angle() -> Evidence {
+fn near_rest_angle() -> Evidence {
     let compared = Compared::many(
         r"the limits 0 of $\alpha$ and $\psi$",
         r"$\alpha$ and $\psi$ of the motion at $p=10^{-30}$",
@@ -603,7 +604,7 @@ pub fn near_rest_angle() -> Evidence {
     })
 }
 /// Random motions to rest, on which ψ and α come nearer to their limits at the end.
-pub fn near_rest_census() -> Evidence {
+fn near_rest_census() -> Evidence {
     let compared = Compared::one(
         r"the number of tenfold falls of $p$, from $10^{-10}$ on, over which $\alpha$ and $\psi$ both come nearer to their limits 0,",
         "that of all such falls",
@@ -652,7 +653,7 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
         .count()
 }
 /// ψ of motions that come straight in to rest.
-pub fn near_rest_straight() -> Evidence {
+fn near_rest_straight() -> Evidence {
     straight(
         Compared::constant(
             "the stated 0",
@@ -662,7 +663,7 @@ pub fn near_rest_straight() -> Evidence {
     )
 }
 /// The angle of those motions by its own law.
-pub fn corrected_near_rest() -> Evidence {
+fn corrected_near_rest() -> Evidence {
     let compared = Compared::one(
         r"$\pi-2\alpha/(2+1/\sigma)$",
         r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
@@ -679,6 +680,42 @@ pub fn corrected_near_rest() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq140_motion,
+    eq140_order,
+    eq140_straight,
+    corrected140,
+    eq140_at_one,
+    eq141_motion,
+    eq141_order,
+    eq141_straight,
+    eq141_at_one,
+    eq141_clock,
+    eq142_motion,
+    eq142_order,
+    eq142_straight,
+    eq142_at_one,
+    eq143_constant,
+    eq143_exponent,
+    eq143_small_sigma,
+    eq143_large_sigma,
+    eq143_one_half,
+    eq143_straight,
+    eq143_regular,
+    eq144_motion,
+    eq144_order,
+    eq144_straight,
+    eq144_at_one,
+    eq145_motion,
+    eq145_order,
+    eq145_straight,
+    eq145_at_one,
+    near_rest_angle,
+    near_rest_census,
+    near_rest_straight,
+    corrected_near_rest
+];
 
 #[cfg(test)]
 mod tests {

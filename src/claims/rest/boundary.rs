@@ -1,5 +1,6 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::runs::{Runs, every};
 
@@ -100,7 +101,7 @@ pub fn printed_root() -> Evidence {
 }
 
 /// (147) on the slow motion, ψ = 2α, which its derivation is about.
-pub fn printed_slow() -> Evidence {
+fn printed_slow() -> Evidence {
     let compared = Compared::one(
         "(147)",
         "the $A$ at which the motion passes from rest to escape",
@@ -138,7 +139,7 @@ pub fn corrected_root() -> Evidence {
 }
 
 /// The least A of the boundary over ψ: the least of those at twelve angles all round, and at some of the order of α.
-pub fn least_root() -> Evidence {
+fn least_root() -> Evidence {
     let compared = Compared::one(
         r"$1-\alpha+\frac76\alpha^2$",
         r"the least $A$, over 21 $\psi$, at which the motion passes from rest to escape, in units of $1000\alpha^3$",
@@ -167,7 +168,7 @@ pub fn least_root() -> Evidence {
 }
 
 /// The second-order boundary so close to A = 1, α = 0 that it is one to a part in 10⁸ or less.
-pub fn corrected_close() -> Evidence {
+fn corrected_close() -> Evidence {
     let compared = Compared::one(
         r"the corrected boundary, to the order $\alpha^2$,",
         r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
@@ -293,7 +294,7 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 }
 
 /// Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
-pub fn corrected_census() -> Evidence {
+fn corrected_census() -> Evidence {
     let compared = Compared::one(
         r"the fate by the corrected boundary, to the order $\alpha^2$ (1 for rest, 0 for escape),",
         r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
@@ -364,7 +365,7 @@ fn slopes(subject: Subject, compared: Compared, stated: fn(f64, f64) -> f64) -> 
 }
 
 /// (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
-pub fn real_surfaces() -> Evidence {
+fn real_surfaces() -> Evidence {
     let compared = Compared::one(
         r"$\partial A/\partial\sigma$ by (146) at $\alpha=\sqrt2(1-\sigma)$",
         "that of the surfaces that the motion makes",
@@ -374,7 +375,7 @@ pub fn real_surfaces() -> Evidence {
 }
 
 /// The real surfaces around the saddle: 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3 there.
-pub fn closing_surfaces() -> Evidence {
+fn closing_surfaces() -> Evidence {
     let compared = Compared::one(
         r"$(1-\sigma)/\sqrt{(1-\sigma)^2+\alpha^2}$ at $\alpha=\sqrt2(1-\sigma)$",
         r"$\partial A/\partial\sigma$ of the surfaces that the motion makes",
@@ -382,6 +383,18 @@ pub fn closing_surfaces() -> Evidence {
     .over(r"$\psi=2\alpha$");
     slopes(Subject::Corrected, compared, corrected::surface_slope)
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    real_surfaces,
+    closing_surfaces,
+    printed_slow,
+    least_root,
+    printed_census,
+    printed_root,
+    corrected_census,
+    corrected_root,
+    corrected_close
+];
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,7 @@
 use super::boundary::{border, corrected_a, printed_a};
 use crate::certified::turntable::{Fate, fate};
 use crate::certified::written::decimal;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
@@ -56,6 +57,8 @@ pub fn corrected() -> Evidence {
         })
         .of_a_part()
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![printed, corrected];
 
 #[cfg(test)]
 mod tests {

@@ -1,5 +1,6 @@
 //! Trials of the statement that every start leads to rest or to an unbounded motion.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
@@ -73,7 +74,7 @@ fn third_fate(path: &Path, tau: f64) -> Result<f64, MotionError> {
 }
 
 /// Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
-pub fn on_the_boundary() -> Evidence {
+fn on_the_boundary() -> Evidence {
     let compared = Compared::constant(
         "the expected 0, for no third fate",
         r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
@@ -100,7 +101,7 @@ fn creeps([[far, fast], [near, slow]]: [[f64; 2]; 2]) -> bool {
 }
 
 /// That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
-pub fn beside_the_boundary() -> Evidence {
+fn beside_the_boundary() -> Evidence {
     let compared = Compared::constant(
         "the expected 1",
         "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
@@ -123,6 +124,9 @@ pub fn beside_the_boundary() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] =
+    trials![fates, followed, on_the_boundary, beside_the_boundary];
 
 #[cfg(test)]
 mod tests {

@@ -10,6 +10,7 @@ pub mod saddle;
 pub mod series;
 pub mod surfaces;
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
@@ -91,7 +92,7 @@ pub const EQ139: Statement = Statement::new(
 );
 
 /// (146) against (145).
-pub const EQ146: Statement = Statement::new(
+const EQ146: Statement = Statement::new(
     Subject::Step,
     Compared::one(
         "(146)",
@@ -105,7 +106,7 @@ pub const EQ146: Statement = Statement::new(
 );
 
 /// (147) against (145) and (146).
-pub const EQ147: Statement = Statement::new(
+const EQ147: Statement = Statement::new(
     Subject::Step,
     Compared::one(
         "(147)",
@@ -117,3 +118,5 @@ pub const EQ147: Statement = Statement::new(
 
 #[cfg(test)]
 mod tests;
+
+pub(super) const TRIALS: &[Attempt] = trials![&EQ139, &EQ146, &EQ147];

@@ -2,6 +2,7 @@
 
 use super::stops::approaches;
 use crate::certified::interval::Interval;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::excepted::{no_inside, no_value};
 use crate::claims::tolerances::NONE;
@@ -45,7 +46,7 @@ pub fn edge() -> Evidence {
 }
 
 /// (143) at σ = ½.
-pub fn one_half() -> Evidence {
+fn one_half() -> Evidence {
     let half = Interval::ratio(1, 2);
     no_value(
         Compared::one(
@@ -59,3 +60,5 @@ pub fn one_half() -> Evidence {
         |[sigma, alpha, c]| printed::eq143_psi(sigma, c, alpha),
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![edge, straight_in, one_half];

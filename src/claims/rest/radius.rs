@@ -1,6 +1,7 @@
 //! Trials of where rest is possible, (139) and its words.
 
 use super::boundary::census;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -13,7 +14,7 @@ use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, 
 use crate::paper::rest as printed;
 
 /// (139) with the largest distance from which a nudged particle comes back to rest.
-pub fn eq139_nudge() -> Evidence {
+fn eq139_nudge() -> Evidence {
     let compared = Compared::one(
         "(139)",
         r"the $\rho$ up to which a particle nudged by $p=10^{-4}$ comes to rest",
@@ -76,7 +77,7 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
 }
 
 /// (139) with a particle that rides with a table: whether it stays, seen from the laboratory.
-pub fn eq139_stays() -> Evidence {
+fn eq139_stays() -> Evidence {
     let compared = Compared::one(
         "whether a particle stays, by (139) (1 if so),",
         "whether one stays that rides with the table, seen from the laboratory",
@@ -110,7 +111,7 @@ fn stayed(moved: f64) -> bool {
 const SOON: f64 = 0.1;
 
 /// (139) where it decides: at rest on the table, a part in 10⁹ or less from the edge.
-pub fn eq139_at_the_edge() -> Evidence {
+fn eq139_at_the_edge() -> Evidence {
     let compared = Compared::one(
         "whether a particle stays, by (139) (1 if so),",
         r"whether one stays that is put at rest on the table within $10^{-9}$ of $\sigma=1$: in the frame of the table, in the laboratory, and by its fate",
@@ -156,7 +157,7 @@ const EVERY: usize = 16;
 const LONG: f64 = 1e3;
 
 /// Where particles come to rest: never beyond the largest σ.
-pub fn resting_places() -> Evidence {
+fn resting_places() -> Evidence {
     let compared = Compared::one(
         r"$\sigma$, but at most that of (139),",
         r"$\sigma$ of random starts that come to rest",
@@ -182,6 +183,9 @@ pub fn resting_places() -> Evidence {
 fn allowed(sigma: f64) -> f64 {
     sigma.min(printed::eq139_largest_sigma())
 }
+
+pub(super) const TRIALS: &[Attempt] =
+    trials![eq139_nudge, eq139_stays, eq139_at_the_edge, resting_places];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! Trials of the surfaces of starts that come to rest at one distance σ, for every ψ.
 
 use super::boundary::resting_place;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{SURFACE, THIRD_ORDER};
@@ -50,7 +51,7 @@ fn by_root(subject: Subject, compared: Compared, stated: fn(f64, f64, f64) -> f6
 }
 
 /// (145) with ψ free.
-pub fn psi_free() -> Evidence {
+fn psi_free() -> Evidence {
     let compared = Compared::one(
         r"(145), whatever $\psi$ is,",
         r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$",
@@ -62,7 +63,7 @@ pub fn psi_free() -> Evidence {
 }
 
 /// With its ψ.
-pub fn with_psi() -> Evidence {
+fn with_psi() -> Evidence {
     let compared = Compared::one(
         r"the corrected $A(\sigma,\alpha,\psi)$",
         r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$",
@@ -87,3 +88,5 @@ pub fn bends() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![psi_free, with_psi, bends];

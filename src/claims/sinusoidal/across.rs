@@ -1,6 +1,7 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
 use super::settled::{Particle, drive, each, lambda_c, printed_late};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -115,7 +116,7 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
 }
 
 /// v_y → 0: what is left after ten periods.
-pub fn vanishes_limit() -> Evidence {
+fn vanishes_limit() -> Evidence {
     let compared = Compared::constant(
         "the stated 0",
         r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
@@ -133,7 +134,7 @@ pub fn vanishes_limit() -> Evidence {
 }
 
 /// The same by the other integrator, with little friction too.
-pub fn vanishes_motion() -> Evidence {
+fn vanishes_motion() -> Evidence {
     let compared = Compared::constant(
         "the stated 0",
         "$v_y$ of a particle on the plane after five periods",
@@ -154,7 +155,7 @@ pub fn vanishes_motion() -> Evidence {
 }
 
 /// Without friction v_y keeps its value.
-pub fn vanishes_outside() -> Evidence {
+fn vanishes_outside() -> Evidence {
     let compared = Compared::constant(
         "the expected 0",
         "$v_y$ of a particle on the plane after five periods without friction",
@@ -173,7 +174,7 @@ pub fn vanishes_outside() -> Evidence {
 }
 
 /// On the way v_y never grows.
-pub fn vanishes_census() -> Evidence {
+fn vanishes_census() -> Evidence {
     let compared = Compared::one(
         r"the number of states at which (1) lets $\mathfrak w_y>0$ grow",
         r"that of the steps of an eighth of a period on which $\ln\mathfrak w_y$ grows, over ten periods",
@@ -228,7 +229,7 @@ pub fn first_stage() -> Evidence {
 }
 
 /// Second stage, as printed: an exponential falls by the same factor in every period.
-pub fn second_stage() -> Evidence {
+fn second_stage() -> Evidence {
     let compared = Compared::constant(
         "the stated 1",
         r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$,",
@@ -258,7 +259,7 @@ fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
 }
 
 /// The large-time v_x, from several v_y, is that of a motion on the line.
-pub fn ignores_motion() -> Evidence {
+fn ignores_motion() -> Evidence {
     let compared = Compared::one(
         r"$\mathfrak w$ by (38), (33) or rest, as $\lambda_0$ says,",
         r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
@@ -278,7 +279,7 @@ pub fn ignores_motion() -> Evidence {
 }
 
 /// On the way v_x does depend on v_y.
-pub fn ignores_census() -> Evidence {
+fn ignores_census() -> Evidence {
     let compared = Compared::constant(
         "the expected 1",
         r"whether the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
@@ -287,7 +288,7 @@ pub fn ignores_census() -> Evidence {
 }
 
 /// Without friction it does not.
-pub fn ignores_outside() -> Evidence {
+fn ignores_outside() -> Evidence {
     let compared = Compared::constant(
         "the expected 1",
         r"whether, without friction, the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
@@ -330,6 +331,18 @@ fn each_differs(curves: &[Vec<f64>]) -> bool {
     let apart = |a: &[f64], b: &[f64]| a.iter().zip(b).any(|(a, b)| (a - b).abs() > 0.01);
     curves.windows(2).all(|pair| apart(&pair[0], &pair[1]))
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    vanishes_limit,
+    vanishes_motion,
+    vanishes_census,
+    vanishes_outside,
+    first_stage,
+    second_stage,
+    ignores_motion,
+    ignores_census,
+    ignores_outside
+];
 
 #[cfg(test)]
 mod tests {

@@ -2,6 +2,7 @@
 //! along the drive does not die, and how friction acts across it.
 
 use super::settled::{ORIGIN, Particle, Slip, dense, drive, lambda_c, settled};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::excepted::no_inside;
 use crate::claims::points::Points;
@@ -28,7 +29,7 @@ fn outlasts(lambda: f64) -> Result<bool, Failure> {
 }
 
 /// λ₀ < λ_c, and beyond.
-pub fn outlasts_census() -> Evidence {
+fn outlasts_census() -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda_0<\lambda_\mathrm c$ (1 if so)",
         r"whether the slip from $\phi_1$ on lasts longer than $\pi$ and $\mathfrak w<0$ a period after $\phi_1$",
@@ -45,7 +46,7 @@ pub fn outlasts_census() -> Evidence {
 }
 
 /// Without friction it lasts for the whole period, and nothing is lost.
-pub fn outlasts_outside() -> Evidence {
+fn outlasts_outside() -> Evidence {
     let compared = Compared::constant(
         "1, as the claim has it",
         r"whether, without friction, $\mathfrak w<0$ (1 if so) one to twenty periods after a start from rest at the phase 0",
@@ -65,7 +66,7 @@ pub fn outlasts_outside() -> Evidence {
 }
 
 /// What is excepted.
-pub fn neither_end() -> Evidence {
+fn neither_end() -> Evidence {
     let c = lambda_c();
     no_inside(
         Compared::one(
@@ -81,7 +82,7 @@ pub fn neither_end() -> Evidence {
 }
 
 /// Motion for ever below λ₀ = 1, and none above.
-pub fn stays_census() -> Evidence {
+fn stays_census() -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda_0<1$ (1 if so)",
         "whether the large-time motion along the drive moves",
@@ -104,7 +105,7 @@ pub fn stays_census() -> Evidence {
 }
 
 /// The same of a particle that was pushed across the drive too, in its sixth period.
-pub fn stays_motion() -> Evidence {
+fn stays_motion() -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda_0<1$ (1 if so)",
         "whether $v_x$ of a particle on the plane has another value than 0 in its sixth period",
@@ -139,7 +140,7 @@ fn away_from_zeros(points: &mut Points) -> Result<[f64; 3], Failure> {
 }
 
 /// The rate of ln 𝔴_y, where that is −20.
-pub fn across_rate() -> Evidence {
+fn across_rate() -> Evidence {
     let compared = Compared::one(
         r"the relative rate $-\lambda_0/\lvert\mathfrak w\rvert$ of $\mathfrak w_y$ by a friction proportional to $\mathfrak w_y$",
         r"$\mathrm d\ln\mathfrak w_y/\mathrm d\phi$ of the motion, by differences, at $\mathfrak w_y=\mathrm e^{-20}$",
@@ -164,7 +165,7 @@ pub fn across_rate() -> Evidence {
 }
 
 /// What a particle on the plane loses across the drive, of 10⁻³ and of 10⁻⁵.
-pub fn across_proportional() -> Evidence {
+fn across_proportional() -> Evidence {
     let compared = Compared::one(
         r"the ratio of the friction across the drive at two velocities that are as 100 to 1",
         r"that of what $v_y=10^{-4}$ and $v_y=10^{-6}$ lose in a hundredth of a period away from the zeros of $v_x$",
@@ -187,6 +188,16 @@ pub fn across_proportional() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    stays_census,
+    stays_motion,
+    across_rate,
+    across_proportional,
+    outlasts_census,
+    outlasts_outside,
+    neither_end
+];
 
 #[cfg(test)]
 mod tests {

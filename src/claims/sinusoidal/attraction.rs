@@ -9,6 +9,7 @@ use super::exact::{
     EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove_eq33, prove_eq38, ring_of_phi_t1, ring_of_phi1,
 };
 use super::order::slip;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::general::apart::never_farther_apart;
 use crate::claims::general::law::{eq1, eq2, eq2_proof};
@@ -204,7 +205,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
 }
 
 /// Drawn to (33), from every start.
-pub const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
+const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
     Subject::Printed,
     Compared::shown(
         r"for every $\lambda_0$ with $\tilde\phi_2<\phi_3$: the velocities of two motions under one drive never move apart, while (33) rests the speed of any other motion falls by $\lambda_0-\lvert\sin\phi\rvert>0$ at least, and so from every start, with any $v_y$, the distance from (33) is 0 after a finite number of its rests",
@@ -214,7 +215,7 @@ pub const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
 );
 
 /// Drawn to (38), from every start, so that no other motion is periodic.
-pub const NO_REST_BELOW: Statement<([Expr; 2], NoRest)> = Statement::new(
+const NO_REST_BELOW: Statement<([Expr; 2], NoRest)> = Statement::new(
     Subject::Printed,
     Compared::shown(
         r"for every $0<\lambda_0<\lambda_\mathrm c$: the velocities of two motions under one drive never move apart, and in each period the distance $D$ of any motion from (38) shrinks by at least an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",
@@ -352,6 +353,9 @@ fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
         Ok(())
     })
 }
+
+pub(super) const TRIALS: &[Attempt] =
+    trials![&IGNORES_VY, &REST_INTERVAL, &NO_REST_BELOW, &TRICHOTOMY];
 
 #[cfg(test)]
 mod tests {

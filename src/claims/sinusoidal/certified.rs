@@ -19,6 +19,7 @@ use crate::certified::jet::{Jet, over};
 use crate::certified::numbers::LAMBDA_C;
 use crate::certified::taylor::Taylor;
 use crate::certified::written::{Of, agree, coefficient, sign, slope};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::enclosed::{certified, numbers, on_balls, resting_on};
 use crate::claims::tolerances::NONE;
@@ -109,7 +110,7 @@ pub fn bracket() -> Evidence {
 }
 
 /// φ̃₂ = φ₄ without friction, where (32) has the solution 2π.
-pub fn bracket_outside() -> Evidence {
+fn bracket_outside() -> Evidence {
     let compared = Compared::constant(
         r"1, for $\tilde\phi_2<\phi_4$",
         r"whether $\phi_4$ is no solution of (32) (1 if so)",
@@ -130,7 +131,7 @@ pub fn bracket_outside() -> Evidence {
 }
 
 /// (32) has one solution between φ₁ and φ₄.
-pub fn one_end() -> Evidence {
+fn one_end() -> Evidence {
     let compared = Compared::shown(
         r"(32) rises from 0 at $\phi_1$ to $\phi_2$, is positive there, falls from there on and is negative at $\phi_4$: it has one solution in between for every $0<\lambda_0<1$",
     );
@@ -231,6 +232,15 @@ pub fn lambda_c() -> Evidence {
     agree(printed::eq37_lambda_c(), Expr::symbol("x").sin());
     evidence
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    one_end,
+    threshold,
+    lambda_c,
+    turns,
+    bracket,
+    bracket_outside
+];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! Theorems about every motion under the sinusoidal drive (21), by the law (1): v_y dies, a weak drive ends all, a strong one
 //! nothing, and how friction acts across.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::general::chains::{decays, ring_across, stops};
 use crate::claims::general::law::{eq1, eq2};
@@ -169,7 +170,7 @@ fn vx_stays(law: [Expr; 2], drive: [Expr; 2], [phi1, phi2]: [Expr; 2]) -> Proof 
 }
 
 /// Friction across the drive, and along it, exactly.
-pub const FRICTION_ACROSS: Statement<([Expr; 2], Expr)> = Statement::new(
+const FRICTION_ACROSS: Statement<([Expr; 2], Expr)> = Statement::new(
     Subject::Printed,
     Compared::shown(
         r"for all $\mathfrak w\ne0$ and $\mathfrak w_y$, with $r=\sqrt{1+(\mathfrak w_y/\mathfrak w)^2}$: by (1) friction is $1/r$ times what is stated across the drive, and $1/r$ times $-\lambda_0\,\mathfrak w/\lvert\mathfrak w\rvert$ along it, and $0\le1-1/r\le\frac12(\mathfrak w_y/\mathfrak w)^2$",
@@ -231,6 +232,9 @@ fn close(p: &mut Prover<'_>, r: Expr, s: Expr) -> Result<(), Obstacle> {
     let square = p.read("(r − 1)² (r + 2)/(2r), which is not negative", square)?;
     p.equal("The two", &room, &square)
 }
+
+pub(super) const TRIALS: &[Attempt] =
+    trials![&VY_VANISHES, &WEAK_DRIVE_STOPS, &VX_STAYS, &FRICTION_ACROSS];
 
 #[cfg(test)]
 mod tests {

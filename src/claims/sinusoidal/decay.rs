@@ -2,6 +2,7 @@
 
 use super::across::{Flight, flights_where, strobed};
 use super::settled::{ORIGIN, Particle, drive, forward, lambda_c, settled};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
@@ -30,7 +31,7 @@ fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
 }
 
 /// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
-pub fn period_factor() -> Evidence {
+fn period_factor() -> Evidence {
     let compared = Compared::one(
         r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
         r"the factor by which $\ln\mathfrak w_y$ grows in a period, from $\ln\mathfrak w_y=-10^9$ on",
@@ -57,7 +58,7 @@ pub fn period_factor() -> Evidence {
 }
 
 /// The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
-pub fn period_factor_reached() -> Evidence {
+fn period_factor_reached() -> Evidence {
     let compared = Compared::one(
         r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
         r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
@@ -84,7 +85,7 @@ pub fn period_factor_reached() -> Evidence {
 }
 
 /// The correction of the first stage: friction leans towards the drive by half the square of the ratio of the velocities.
-pub fn first_stage_correction() -> Evidence {
+fn first_stage_correction() -> Evidence {
     let compared = Compared::one(
         r"$-\frac12[(\mathfrak w+1)^2+\frac12]$, with $\mathfrak w$ at $\phi=0$,",
         r"$\mathfrak w_y^2$ times the relative excess of the mean slope of $\mathfrak w_y$ over a period above $-\lambda_0$",
@@ -110,7 +111,7 @@ pub fn first_stage_correction() -> Evidence {
 }
 
 /// λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
-pub fn passage_limit() -> Evidence {
+fn passage_limit() -> Evidence {
     let compared = Compared::one(
         r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
         r"the ratio of $\Delta\ln v_y$ after and before a passage of a particle with $v_y=10^{-6}$ and $10^{-8}$",
@@ -134,7 +135,7 @@ pub fn passage_limit() -> Evidence {
 }
 
 /// λ₀ < λ_c, by quadrature of d ln 𝔴_y = −λ₀ dφ/|𝔴| towards and from a zero of the simulated motion on the line.
-pub fn passage_quadrature() -> Evidence {
+fn passage_quadrature() -> Evidence {
     let compared = Compared::one(
         r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
         r"$(1+q)/(1-p)$, where $p$ and $q$ are the coefficients of the logarithm in $\lambda_0\int\mathrm d\phi/\lvert\mathfrak w\rvert$ before and after a zero of $\mathfrak w$",
@@ -166,7 +167,7 @@ pub fn passage_quadrature() -> Evidence {
 }
 
 /// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
-pub fn finite_end() -> Evidence {
+fn finite_end() -> Evidence {
     let compared = Compared::constant(
         "the expected 1",
         r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
@@ -217,6 +218,16 @@ pub fn last_stage() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    first_stage_correction,
+    period_factor,
+    period_factor_reached,
+    passage_limit,
+    passage_quadrature,
+    finite_end,
+    last_stage
+];
 
 #[cfg(test)]
 mod tests {

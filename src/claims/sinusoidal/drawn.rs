@@ -1,6 +1,7 @@
 //! The curves of fig-2 to fig-4: what is tried here is what the book draws.
 
 use super::settled::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
@@ -93,7 +94,7 @@ fn over_curves(trial: &Trial, of: impl Fn(&Transient) -> Result<Vec<Pair>, Failu
 }
 
 /// fig-2: every eighth drawn point with a particle on the plane.
-pub fn fig2_motion() -> Evidence {
+fn fig2_motion() -> Evidence {
     let compared = Compared::one(
         r"$\mathfrak w$ of the drawn motion",
         "$v_x$ of a particle on the plane",
@@ -116,7 +117,7 @@ pub fn fig2_motion() -> Evidence {
 }
 
 /// fig-2: where all its curves end, by a particle on the plane that starts like each of them.
-pub fn fig2_limit() -> Evidence {
+fn fig2_limit() -> Evidence {
     let compared = Compared::one(
         r"$\mathfrak w$ by (38) or (33), as $\lambda_0$ says,",
         "$v_x$ of a particle on the plane 15 to 16 periods after it started like a drawn motion",
@@ -175,7 +176,7 @@ fn within_period(from: f64, phi: f64) -> f64 {
 }
 
 /// fig-3: the drawn points with (38).
-pub fn fig3_motion() -> Evidence {
+fn fig3_motion() -> Evidence {
     let from = printed::eq39_phi_t1(SMALL);
     let form = |phi| Ok(eq38(SMALL, within_period(from, phi)).to_f64());
     drawn(
@@ -189,7 +190,7 @@ pub fn fig3_motion() -> Evidence {
 }
 
 /// fig-4: the drawn points with (33).
-pub fn fig4_motion() -> Evidence {
+fn fig4_motion() -> Evidence {
     let from = printed::eq27_phi1(LARGE);
     let form = |phi| Ok(eq33(LARGE, phi_t2(LARGE), within_period(from, phi)).to_f64());
     drawn(
@@ -272,7 +273,7 @@ fn framed(lambda: f64, top: f64, compared: Compared) -> Evidence {
 }
 
 /// fig-3: the frame around it, with the mark 0.8 where the paper puts it.
-pub fn fig3_frame() -> Evidence {
+fn fig3_frame() -> Evidence {
     framed(
         SMALL,
         frame_top(0.8, 150.0),
@@ -284,7 +285,7 @@ pub fn fig3_frame() -> Evidence {
 }
 
 /// fig-4: the frame around it, with the mark 0.3 where the paper puts it.
-pub fn fig4_frame() -> Evidence {
+fn fig4_frame() -> Evidence {
     framed(
         LARGE,
         frame_top(0.3, 155.0),
@@ -294,6 +295,15 @@ pub fn fig4_frame() -> Evidence {
         ),
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    fig2_motion,
+    fig2_limit,
+    fig3_motion,
+    fig3_frame,
+    fig4_motion,
+    fig4_frame
+];
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,7 @@
 //! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
 //! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
@@ -129,7 +130,7 @@ fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
 }
 
 /// (27): sin φ₁ = λ₀.
-pub const EQ27: Statement = Statement::new(
+const EQ27: Statement = Statement::new(
     Subject::Printed,
     Compared::many(
         "the sine and the cosine of (27)",
@@ -140,7 +141,7 @@ pub const EQ27: Statement = Statement::new(
 );
 
 /// (28): sin φ₂ = λ₀.
-pub const EQ28: Statement = Statement::new(
+const EQ28: Statement = Statement::new(
     Subject::Printed,
     Compared::many(
         "the sine and the cosine of (28)",
@@ -151,7 +152,7 @@ pub const EQ28: Statement = Statement::new(
 );
 
 /// (29): sin φ₃ = −λ₀.
-pub const EQ29: Statement = Statement::new(
+const EQ29: Statement = Statement::new(
     Subject::Printed,
     Compared::many(
         "the sine and the cosine of (29)",
@@ -162,7 +163,7 @@ pub const EQ29: Statement = Statement::new(
 );
 
 /// (30): sin φ₄ = −λ₀.
-pub const EQ30: Statement = Statement::new(
+const EQ30: Statement = Statement::new(
     Subject::Printed,
     Compared::many(
         "the sine and the cosine of (30)",
@@ -282,7 +283,7 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
 }
 
 /// (25): the drive exceeds friction at some phase.
-pub const EQ25: Statement<[Expr; 2]> = Statement::new(
+const EQ25: Statement<[Expr; 2]> = Statement::new(
     Subject::Printed,
     Compared::one(
         "the drive less friction",
@@ -328,7 +329,7 @@ pub(super) fn prove_eq33(cases: [Expr; 4]) -> Proof {
 }
 
 /// (33) solves (26) on both slips, and is continuous and periodic by (32).
-pub const EQ33: Statement<[Expr; 4]> = Statement::new(
+const EQ33: Statement<[Expr; 4]> = Statement::new(
     Subject::Printed,
     Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
     eq33,
@@ -387,7 +388,7 @@ fn prove_eq37(critical: Expr) -> Proof {
 }
 
 /// The left side of (35) vanishes at λ_c.
-pub const EQ37: Statement = Statement::new(
+const EQ37: Statement = Statement::new(
     Subject::Printed,
     Compared::one("the left side of (35) at (37)", "0"),
     paper::eq37_lambda_c,
@@ -471,7 +472,7 @@ pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
 }
 
 /// (38) with (39) solves (26) and closes after a period.
-pub const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
+const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
     Subject::Within,
     Compared::many(
         "the slopes of (38), and both its ends,",
@@ -498,7 +499,7 @@ fn prove_eq39(turn: Expr) -> Proof {
 }
 
 /// (39): with it the forward slip of (38) ends in zero.
-pub const EQ39: Statement = Statement::new(
+const EQ39: Statement = Statement::new(
     Subject::Printed,
     Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),
     || paper::eq39_phi_t1(Expr::symbol("λ₀")),
@@ -507,3 +508,23 @@ pub const EQ39: Statement = Statement::new(
 
 #[cfg(test)]
 mod tests;
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    &DEFINITIONS,
+    &EQ25,
+    &EQ26,
+    &EQ27,
+    &EQ28,
+    &EQ29,
+    &EQ30,
+    &EQ31,
+    &EQ32,
+    &EQ33,
+    &EQ34,
+    &EQ35,
+    &EQ36,
+    &EQ37,
+    &EQ38,
+    &EQ39,
+    &EQ40
+];

@@ -1,5 +1,6 @@
 //! What the conditions of sections 2.2 and 3 except.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::excepted::no_inside;
 use crate::evidence::Evidence;
@@ -18,3 +19,5 @@ pub fn no_friction() -> Evidence {
         |[lambda0]| lambda0 > 0.0,
     )
 }
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![no_friction];

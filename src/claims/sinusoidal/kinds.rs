@@ -3,6 +3,7 @@
 use super::settled::{
     ORIGIN, Particle, Slip, dense, drive, end_spread, phi_t2, settled, small, starts,
 };
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
@@ -17,7 +18,7 @@ fn at(lambda: f64) -> String {
 }
 
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
-pub fn no_rest_census() -> Evidence {
+fn no_rest_census() -> Evidence {
     let compared = Compared::constant(
         r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
         "whether the simulated motions from seven starts have no rest at large times (1 if so)",
@@ -46,7 +47,7 @@ fn all_rests(lambda: f64) -> Result<usize, Failure> {
 }
 
 /// The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
-pub fn no_rest_motion() -> Evidence {
+fn no_rest_motion() -> Evidence {
     let compared = Compared::one(
         r"$-2\lambda_0(\tilde\phi_2-\phi_1-\pi)$, with the root $\tilde\phi_2$ of (32),",
         r"$\mathfrak w$ a period after a rest has ended at $\phi_1$, where it has to be negative",
@@ -173,7 +174,7 @@ pub fn trichotomy_outside() -> Evidence {
 }
 
 /// A₀ < μg: a particle with any velocity comes to rest and stays there.
-pub fn weak_drive_motion() -> Evidence {
+fn weak_drive_motion() -> Evidence {
     let compared = Compared::one(
         "whether (25) fails (1 if so)",
         "whether a particle, launched in any direction, is at rest over the last period of four",
@@ -211,7 +212,7 @@ fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
 }
 
 /// A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
-pub fn weak_drive_census() -> Evidence {
+fn weak_drive_census() -> Evidence {
     let compared = Compared::one(
         "whether (25) fails (1 if so)",
         "whether the simulated large-time motion is rest throughout, from seven starts",
@@ -237,6 +238,16 @@ fn all_still(lambda: f64) -> Result<bool, Failure> {
     }
     Ok(still)
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    weak_drive_motion,
+    weak_drive_census,
+    no_rest_motion,
+    no_rest_census,
+    trichotomy_census,
+    trichotomy_motion,
+    trichotomy_outside
+];
 
 #[cfg(test)]
 mod tests {

@@ -3,6 +3,7 @@
 use super::settled::{
     ORIGIN, Slip, drive, each, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{APPROACH, NONE, ROOT};
@@ -42,7 +43,7 @@ fn over_a_period(
 }
 
 /// (33) over a whole period.
-pub fn eq33_motion() -> Evidence {
+fn eq33_motion() -> Evidence {
     let compared = Compared::one(
         r"(33), with $\tilde\phi_2$ by (32),",
         "the simulated large-time motion at 256 phases of the period",
@@ -62,7 +63,7 @@ pub fn eq33_motion() -> Evidence {
 }
 
 /// (38) over a whole period.
-pub fn eq38_motion() -> Evidence {
+fn eq38_motion() -> Evidence {
     let compared = Compared::one(
         "(38) with (39)",
         "the simulated large-time motion at 256 phases of the period",
@@ -82,7 +83,7 @@ pub fn eq38_motion() -> Evidence {
 }
 
 /// λ₀ = 0: every start keeps its own motion.
-pub fn eq38_outside() -> Evidence {
+fn eq38_outside() -> Evidence {
     let compared = Compared::one(
         "(38) with (39)",
         "the motion without friction, from any start, at 256 phases of the period",
@@ -124,12 +125,12 @@ fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
 }
 
 /// (33) is where every start ends.
-pub fn eq33_unique() -> Evidence {
+fn eq33_unique() -> Evidence {
     one_motion(large(), Subject::Printed)
 }
 
 /// (38) is where every start ends.
-pub fn eq38_unique() -> Evidence {
+fn eq38_unique() -> Evidence {
     one_motion(small(), Subject::Within)
 }
 
@@ -137,7 +138,7 @@ pub fn eq38_unique() -> Evidence {
 const PERIODS: u32 = 320;
 
 /// How fast the periodic motion is approached: the distance to it, period by period.
-pub fn eq38_approach() -> Evidence {
+fn eq38_approach() -> Evidence {
     let compared = Compared::one(
         r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
         "the factor by which a simulated motion's distance to the periodic one shrinks in a period",
@@ -175,7 +176,7 @@ fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
 }
 
 /// (39) with the phase at which the simulated motion turns positive.
-pub fn eq39_motion() -> Evidence {
+fn eq39_motion() -> Evidence {
     let compared = Compared::one(
         "(39)",
         "the phase at which the simulated large-time motion turns positive",
@@ -191,7 +192,7 @@ pub fn eq39_motion() -> Evidence {
 }
 
 /// (39) without friction.
-pub fn eq39_outside() -> Evidence {
+fn eq39_outside() -> Evidence {
     let compared = Compared::one(
         "(39)",
         r"the phase at which the motion without friction turns positive, from any start with $-2<\mathfrak w<0$ at $\phi=0$",
@@ -206,7 +207,7 @@ pub fn eq39_outside() -> Evidence {
 }
 
 /// Where the rests lie: [φ̃₂, φ₃], and half a period later.
-pub fn rest_interval_root() -> Evidence {
+fn rest_interval_root() -> Evidence {
     let compared = Compared::many(
         r"the ends of $[\tilde\phi_2,\phi_3]$ and $[\tilde\phi_2+\pi,\phi_1+2\pi]$, with the root $\tilde\phi_2$ of (32),",
         "the ends of the simulated rests",
@@ -232,7 +233,7 @@ pub fn rest_interval_root() -> Evidence {
 }
 
 /// After its first rest a motion is the periodic one, from whatever start.
-pub fn rest_interval_reached() -> Evidence {
+fn rest_interval_reached() -> Evidence {
     let compared = Compared::one(
         "(33)",
         r"$\mathfrak w$ at 40 phases of the period that follows the first rest on the way from any start",
@@ -259,3 +260,16 @@ pub fn rest_interval_reached() -> Evidence {
         Ok(pairs)
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq33_motion,
+    eq33_unique,
+    eq38_motion,
+    eq38_unique,
+    eq38_approach,
+    eq38_outside,
+    eq39_motion,
+    eq39_outside,
+    rest_interval_root,
+    rest_interval_reached
+];

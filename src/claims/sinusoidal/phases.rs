@@ -1,6 +1,7 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
 use super::settled::{ORIGIN, Particle, all, drive, each, lambda_c};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE, ROOT};
@@ -34,7 +35,7 @@ fn at(lambda: f64) -> String {
 }
 
 /// (27) by root-finding.
-pub fn eq27_root() -> Evidence {
+fn eq27_root() -> Evidence {
     by_root(
         printed::eq27_phi1,
         0,
@@ -46,7 +47,7 @@ pub fn eq27_root() -> Evidence {
 }
 
 /// (28) by root-finding.
-pub fn eq28_root() -> Evidence {
+fn eq28_root() -> Evidence {
     by_root(
         printed::eq28_phi2,
         1,
@@ -58,7 +59,7 @@ pub fn eq28_root() -> Evidence {
 }
 
 /// (29) by root-finding.
-pub fn eq29_root() -> Evidence {
+fn eq29_root() -> Evidence {
     by_root(
         printed::eq29_phi3,
         2,
@@ -70,7 +71,7 @@ pub fn eq29_root() -> Evidence {
 }
 
 /// (30) by root-finding.
-pub fn eq30_root() -> Evidence {
+fn eq30_root() -> Evidence {
     by_root(
         printed::eq30_phi4,
         3,
@@ -104,7 +105,7 @@ fn beside_a_motion(lambda: f64, formula: Formula, found: f64) -> Pair {
 }
 
 /// (27): a rest that began at phase 0 ends there.
-pub fn eq27_motion() -> Evidence {
+fn eq27_motion() -> Evidence {
     by_release(
         printed::eq27_phi1,
         0.0,
@@ -116,7 +117,7 @@ pub fn eq27_motion() -> Evidence {
 }
 
 /// (29): a rest that began at phase π ends there.
-pub fn eq29_motion() -> Evidence {
+fn eq29_motion() -> Evidence {
     by_release(
         printed::eq29_phi3,
         PI,
@@ -154,7 +155,7 @@ fn by_extremum(formula: Formula, side: Sign, compared: Compared) -> Evidence {
 }
 
 /// (28): a forward slip is fastest there.
-pub fn eq28_motion() -> Evidence {
+fn eq28_motion() -> Evidence {
     by_extremum(
         printed::eq28_phi2,
         Sign::Positive,
@@ -166,7 +167,7 @@ pub fn eq28_motion() -> Evidence {
 }
 
 /// (30): a backward slip is fastest there.
-pub fn eq30_motion() -> Evidence {
+fn eq30_motion() -> Evidence {
     by_extremum(
         printed::eq30_phi4,
         Sign::Negative,
@@ -206,7 +207,7 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
 }
 
 /// Four points, by counting.
-pub fn four_points_census() -> Evidence {
+fn four_points_census() -> Evidence {
     let compared = Compared::constant(
         "the stated 4",
         r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
@@ -223,7 +224,7 @@ pub fn four_points_census() -> Evidence {
 }
 
 /// The four points, each in its place.
-pub fn four_points_root() -> Evidence {
+fn four_points_root() -> Evidence {
     let compared = Compared::many(
         "(27) to (30)",
         r"the crossings of $h$ with $\pm\lambda_0$, in order",
@@ -246,7 +247,7 @@ pub fn four_points_root() -> Evidence {
 }
 
 /// λ₀ = 0: the points meet in pairs.
-pub fn four_points_outside() -> Evidence {
+fn four_points_outside() -> Evidence {
     let compared = Compared::constant(
         "the stated 4",
         r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
@@ -267,7 +268,7 @@ pub fn four_points_outside() -> Evidence {
 }
 
 /// Every rest of a motion on the line ends at φ₁ or φ₃.
-pub fn rest_ends_motion() -> Evidence {
+fn rest_ends_motion() -> Evidence {
     let compared = Compared::one("the nearer of (27) and (29)", "the end of a simulated rest");
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(121);
@@ -311,7 +312,7 @@ fn rests_from(lambda: f64, start: DriveState) -> Vec<Result<(f64, f64), Failure>
 }
 
 /// In the plane too: no rest ends elsewhere.
-pub fn rest_ends_census() -> Evidence {
+fn rest_ends_census() -> Evidence {
     let compared = Compared::one(
         r"the number of rests that end elsewhere than at (27) and (29), of a particle that began with $v_y\ne0$ and rests at least once,",
         "0",
@@ -342,6 +343,22 @@ pub fn rest_ends_census() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq27_root,
+    eq27_motion,
+    eq28_root,
+    eq28_motion,
+    eq29_root,
+    eq29_motion,
+    eq30_root,
+    eq30_motion,
+    four_points_census,
+    four_points_root,
+    four_points_outside,
+    rest_ends_motion,
+    rest_ends_census
+];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! Trials of where the rest of the period ends that begins at φ₁: what follows the slip up to φ̃₂.
 
 use super::settled::{Slip, small};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Trial};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::sinusoidal as corrected;
@@ -61,7 +62,7 @@ pub fn printed_root() -> Evidence {
 }
 
 /// As printed.
-pub fn printed_quadrature() -> Evidence {
+fn printed_quadrature() -> Evidence {
     let compared = Compared::one(
         r"what the drive gives from $\phi_1$ to $\phi+2\pi$, with $\phi$ in the middle of the slip,",
         "the 0 of a whole period",
@@ -79,10 +80,17 @@ pub fn corrected_root() -> Evidence {
 }
 
 /// As corrected.
-pub fn corrected_quadrature() -> Evidence {
+fn corrected_quadrature() -> Evidence {
     let compared = Compared::one(
         r"what the drive gives from $\phi_1$ to $\phi_1+2\pi$",
         "the 0 of a whole period",
     );
     nothing_given(Subject::Corrected, compared, CORRECTED)
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    printed_root,
+    printed_quadrature,
+    corrected_root,
+    corrected_quadrature
+];

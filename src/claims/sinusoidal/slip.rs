@@ -1,6 +1,7 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
 use super::settled::{ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
@@ -15,7 +16,7 @@ fn at(lambda: f64) -> String {
 }
 
 /// (31) at 40 phases of the slip.
-pub fn eq31_motion() -> Evidence {
+fn eq31_motion() -> Evidence {
     let compared = Compared::one(
         "(31)",
         r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
@@ -38,7 +39,7 @@ pub fn eq31_motion() -> Evidence {
 }
 
 /// (32): its root with the end of the simulated slip.
-pub fn eq32_root() -> Evidence {
+fn eq32_root() -> Evidence {
     let compared = Compared::one(
         r"the root of (32) between $\phi_2$ and $\phi_4$",
         "the end of the simulated slip",
@@ -56,7 +57,7 @@ pub fn eq32_root() -> Evidence {
 }
 
 /// (32) at the time at which a particle, followed by the other integrator, comes back to rest.
-pub fn eq32_motion() -> Evidence {
+fn eq32_motion() -> Evidence {
     let compared = Compared::one("(32) at the end of a slip of a particle from rest", "0");
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
@@ -74,7 +75,7 @@ pub fn eq32_motion() -> Evidence {
 }
 
 /// (32): nowhere before its root, as found by simulation, does its left side vanish.
-pub fn eq32_census() -> Evidence {
+fn eq32_census() -> Evidence {
     let compared = Compared::one(
         "the number of phases, of 1000 between the ends of the simulated slip, at which (32) is not positive",
         "0",
@@ -101,7 +102,7 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
 }
 
 /// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
-pub fn bracket_census() -> Evidence {
+fn bracket_census() -> Evidence {
     let compared = Compared::one(
         "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
         "1",
@@ -120,7 +121,7 @@ pub fn bracket_census() -> Evidence {
 }
 
 /// How close φ̃₂ comes: √(4πλ₀) to φ₄ as λ₀ → 0, √(2(1 − λ₀)) to φ₂ as λ₀ → 1.
-pub fn bracket_limit() -> Evidence {
+fn bracket_limit() -> Evidence {
     let compared = Compared::one(
         r"the gap between $\tilde\phi_2$ of the simulated slip and (30) or (28), over $\sqrt{4\pi\lambda_0}$ for $\lambda_0\to0$ and over $\sqrt{2(1-\lambda_0)}$ for $\lambda_0\to1$,",
         "1",
@@ -173,7 +174,7 @@ fn eq34_of(lambda: Double) -> Double {
 }
 
 /// (34): its left side is what is left of 𝔴 when the drive could start the next slip.
-pub fn eq34_motion() -> Evidence {
+fn eq34_motion() -> Evidence {
     left_with_motion(
         eq34_of,
         Compared::one(
@@ -185,7 +186,7 @@ pub fn eq34_motion() -> Evidence {
 }
 
 /// (35): the same, in the friction alone.
-pub fn eq35_motion() -> Evidence {
+fn eq35_motion() -> Evidence {
     left_with_motion(
         printed::eq35_left,
         Compared::one(
@@ -213,7 +214,7 @@ pub fn ends_early(inequality: fn(f64) -> bool, compared: Compared) -> Evidence {
 }
 
 /// (34) as a condition.
-pub fn eq34_census() -> Evidence {
+fn eq34_census() -> Evidence {
     let holds = |lambda| {
         printed::eq34_left(
             lambda,
@@ -231,7 +232,7 @@ pub fn eq34_census() -> Evidence {
 }
 
 /// (35) as a condition.
-pub fn eq35_census() -> Evidence {
+fn eq35_census() -> Evidence {
     let holds = |lambda| printed::eq35_left(lambda) < 0.0;
     ends_early(
         holds,
@@ -243,7 +244,7 @@ pub fn eq35_census() -> Evidence {
 }
 
 /// (36) as a condition.
-pub fn eq36_census() -> Evidence {
+fn eq36_census() -> Evidence {
     let holds = |lambda| {
         let [left, right] = printed::eq36_sides(lambda);
         left > right
@@ -256,6 +257,20 @@ pub fn eq36_census() -> Evidence {
         ),
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq31_motion,
+    eq32_root,
+    eq32_motion,
+    eq32_census,
+    eq34_motion,
+    eq34_census,
+    eq35_motion,
+    eq35_census,
+    eq36_census,
+    bracket_census,
+    bracket_limit
+];
 
 #[cfg(test)]
 mod tests {

@@ -7,6 +7,7 @@
 use super::attraction::{IGNORES_VY, TRICHOTOMY};
 use super::chains::{VY_VANISHES, eq21, in_units};
 use super::exact::{EQ40, eq38, prove_eq38, ring_of_phi_t1};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::general::law::{eq1, eq1_proof, eq2, eq2_proof};
 use crate::claims::statement::{Statement, given};
@@ -459,7 +460,7 @@ fn two_stages(law: Law, slope: Expr, motion: NoRest, passage: Passage, phase: Ex
 }
 
 /// The two stages, as corrected.
-pub const TWO_STAGES: Statement<(Law, Expr, NoRest, Passage, Expr)> = Statement::new(
+const TWO_STAGES: Statement<(Law, Expr, NoRest, Passage, Expr)> = Statement::new(
     Subject::Corrected,
     Compared::shown(
         r"for every $\lambda_0>0$ and $v_y>0$ the rate of $\mathfrak w_y$ is $-\lambda_0$ up to $\frac12\lambda_0(v_x/v_y)^2$; for every $0<\lambda_0<\lambda_\mathrm c$ and every motion whose speed never becomes 0 each passage, from some time on, multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, $d=\sin\tilde\phi_1$, up to terms that stay bounded, and a particle whose speed becomes 0 loses all of $v_y$; for every $\lambda_0>\lambda_\mathrm c$ $v_y=0$ after a finite time, and with $v_x=0$ and $\lvert\sin\phi\rvert\le d<\lambda_0$ as long as it slides within a phase of $\lambda_0\mathfrak w_y/(\lambda_0^2-d^2)$",
@@ -519,6 +520,8 @@ pub const EXPONENTIAL: Statement<(Expr, Law, NoRest, Passage)> = Statement::new(
     },
     |(ratio, law, motion, passage)| ratio_of_falls(ratio, law, motion, passage),
 );
+
+pub(super) const TRIALS: &[Attempt] = trials![&EXPONENTIAL, &TWO_STAGES];
 
 #[cfg(test)]
 mod tests {

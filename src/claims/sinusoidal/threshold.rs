@@ -1,6 +1,7 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
 use super::settled::{ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -52,7 +53,7 @@ fn at(onset: &Onset) -> String {
 }
 
 /// (37) with the onset of rest.
-pub fn eq37_motion() -> Evidence {
+fn eq37_motion() -> Evidence {
     let compared = Compared::one(
         "(37)",
         "the friction at which simulated rests appear, by bisection",
@@ -78,7 +79,7 @@ fn eq34_of(lambda: f64) -> f64 {
 }
 
 /// (37) with the friction from which on a slip ends before the next one can begin, from several brackets.
-pub fn eq37_root() -> Evidence {
+fn eq37_root() -> Evidence {
     let compared = Compared::one(
         "(37)",
         "the root of how much longer than half a period a simulated slip lasts, from several brackets",
@@ -97,7 +98,7 @@ pub fn eq37_root() -> Evidence {
 }
 
 /// (34): its root with the onset of rest.
-pub fn eq34_root() -> Evidence {
+fn eq34_root() -> Evidence {
     let compared = Compared::one(
         "the root of the left side of (34)",
         "the friction at which simulated rests appear",
@@ -115,7 +116,7 @@ pub fn eq34_root() -> Evidence {
 }
 
 /// (40) holds exactly where the simulated motion passes through zero without rest.
-pub fn eq40_census() -> Evidence {
+fn eq40_census() -> Evidence {
     let compared = Compared::one(
         "whether (40) holds (1 if so)",
         "whether the simulated large-time motion has no rest",
@@ -135,7 +136,7 @@ pub fn eq40_census() -> Evidence {
 }
 
 /// (41): φ̃₁ − φ₁ with what the simulation finds for both.
-pub fn eq41_motion() -> Evidence {
+fn eq41_motion() -> Evidence {
     let compared = Compared::one(
         "the difference of the sides of (41)",
         "the same of the simulation, where it has to be positive",
@@ -155,7 +156,7 @@ pub fn eq41_motion() -> Evidence {
 }
 
 /// (41): its sign, everywhere below λ_c.
-pub fn eq41_census() -> Evidence {
+fn eq41_census() -> Evidence {
     let compared = Compared::one(
         "whether (41) holds (1 if so)",
         "whether the simulated motion turns later than a rest would end",
@@ -177,3 +178,12 @@ pub fn eq41_census() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq34_root,
+    eq37_root,
+    eq37_motion,
+    eq40_census,
+    eq41_motion,
+    eq41_census
+];

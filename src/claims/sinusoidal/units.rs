@@ -1,6 +1,7 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
 use super::settled::{ORIGIN, Particle, drive, settled};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -107,7 +108,7 @@ fn twins(points: &mut Points) -> Result<Twins, Failure> {
 }
 
 /// (22): the motion without units, with the friction (22), is the motion in units.
-pub fn eq22() -> Evidence {
+fn eq22() -> Evidence {
     let trial = consistency(Compared::one(
         r"$\mathfrak w$ of $\mathfrak w'=h\mp\lambda_0$, with $\lambda_0$ by (22),",
         r"$\varpi v_x/A_0$ of the particle",
@@ -129,7 +130,7 @@ pub fn eq22() -> Evidence {
 }
 
 /// (23): both start to slide at the same phase.
-pub fn eq23() -> Evidence {
+fn eq23() -> Evidence {
     let trial = consistency(Compared::one(
         "(23) of the time at which the particle starts",
         "the phase at which its twin does",
@@ -146,7 +147,7 @@ pub fn eq23() -> Evidence {
 }
 
 /// (24): the velocities are the same.
-pub fn eq24() -> Evidence {
+fn eq24() -> Evidence {
     let trial = consistency(Compared::one(
         "(24) of the particle's $v_x$",
         "the velocity of its twin without units",
@@ -175,7 +176,7 @@ fn around_one(stream: u64) -> Vec<f64> {
 }
 
 /// (25): exactly then a particle at rest is set in motion.
-pub fn eq25_motion() -> Evidence {
+fn eq25_motion() -> Evidence {
     let compared = Compared::one(
         "whether (25) holds (1 if so)",
         "whether a particle at rest starts to slide within a period",
@@ -194,7 +195,7 @@ pub fn eq25_motion() -> Evidence {
 }
 
 /// (25): exactly then the large-time motion is not rest.
-pub fn eq25_census() -> Evidence {
+fn eq25_census() -> Evidence {
     let compared = Compared::one(
         "whether (25) holds (1 if so)",
         "whether the large-time motion is not rest for ever",
@@ -214,7 +215,7 @@ pub fn eq25_census() -> Evidence {
 }
 
 /// (26): its integral over a part of a slip is what 𝔴 changes by, in a motion that began with a velocity across.
-pub fn eq26_quadrature() -> Evidence {
+fn eq26_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Subject::Printed,
         Compared::one(
@@ -270,6 +271,16 @@ fn eq26_summed(
         scale: 1.0,
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq21,
+    eq22,
+    eq23,
+    eq24,
+    eq25_motion,
+    eq25_census,
+    eq26_quadrature
+];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
 
 use super::spheres::{Units, braking, sphere};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -231,7 +232,7 @@ fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
 }
 
 /// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
-pub fn eq80() -> Evidence {
+fn eq80() -> Evidence {
     let compared = Compared::one(
         r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
         "$u/u_0$ of a sphere at the same $At/v_0$",
@@ -275,7 +276,7 @@ pub fn eq81() -> Evidence {
 }
 
 /// (81) along the line of the acceleration, where it is 0/0.
-pub fn eq81_outside() -> Evidence {
+fn eq81_outside() -> Evidence {
     let trial = Trial::motion(
         Subject::Outside,
         Compared::one(
@@ -295,7 +296,7 @@ pub fn eq81_outside() -> Evidence {
 }
 
 /// The form of (81) without singular points.
-pub fn regular_slip() -> Evidence {
+fn regular_slip() -> Evidence {
     let compared = Compared::one("the regular form of $u$", "the slip of the motion");
     let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(turns(), |turn| {
@@ -374,7 +375,7 @@ pub fn corrected82() -> Evidence {
 }
 
 /// (82) with its factor, from Newton's law across and along the slip: u dθ = −γ sin θ dτ and du = (γ cos θ − λγ) dτ.
-pub fn corrected82_quadrature() -> Evidence {
+fn corrected82_quadrature() -> Evidence {
     let compared = Compared::one(
         r"(82) over $\gamma$",
         r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by another library's integrator",
@@ -468,7 +469,7 @@ pub(super) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
 }
 
 /// (83) from (81) and (82): with the time of (82) it has to give the slip of (81).
-pub fn eq83_step() -> Evidence {
+fn eq83_step() -> Evidence {
     let compared = Compared::one("$u$ by (83) at the time of (82)", "$u$ by (81)");
     let trial = Trial::by(Route::Consistency, Subject::Step, compared, ROOT);
     let points = Points::stream(703).within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
@@ -483,3 +484,18 @@ pub fn eq83_step() -> Evidence {
         },
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq80,
+    eq81,
+    eq81_outside,
+    regular_slip,
+    regular_straight,
+    eq82,
+    corrected82,
+    corrected82_quadrature,
+    regular_time,
+    eq83,
+    corrected83,
+    eq83_step
+];

@@ -2,6 +2,7 @@
 
 use super::driven::{Swing, of_settled, part};
 use super::every_drive::rolling_time;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::periodic::threshold::{Bounds, bounds};
@@ -106,3 +107,5 @@ pub fn parts() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![census, parts];

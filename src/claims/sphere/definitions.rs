@@ -1,6 +1,7 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
 use super::spheres::{Run, braking, length, mixed, sphere, weighed};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
@@ -105,7 +106,7 @@ pub fn eq60() -> Evidence {
 }
 
 /// (61): the point at **R** from the centre of a rolling sphere is at rest.
-pub fn eq61() -> Evidence {
+fn eq61() -> Evidence {
     let trial = consistency(Compared::one(
         r"$-\bm\omega\times$ (61)",
         "the velocity of the centre of a rolling sphere, each vector by the one number $x+2y$",
@@ -133,7 +134,7 @@ pub fn eq61() -> Evidence {
 }
 
 /// (67): on a plane at rest the slip velocity w lasts for w/(bμg).
-pub fn eq67() -> Evidence {
+fn eq67() -> Evidence {
     let trial = consistency(Compared::one(
         r"$w/(b\mu g)$, with $b$ by (67),",
         "the time at which a sphere on a plane at rest begins to roll",
@@ -167,7 +168,7 @@ pub fn eq67() -> Evidence {
 }
 
 /// (76): what the plane gains on a body that feels no friction.
-pub fn eq76() -> Evidence {
+fn eq76() -> Evidence {
     let trial = consistency(Compared::one(
         r"the integral of (76) over $\tau$",
         r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
@@ -189,3 +190,5 @@ pub fn eq76() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![eq59, eq60, eq61, eq67, eq76];

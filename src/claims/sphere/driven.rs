@@ -3,6 +3,7 @@
 use super::every_drive::rolling_time;
 use super::spheres::{braking, sphere};
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::points::Points;
@@ -241,7 +242,7 @@ fn lambda_c() -> Result<f64, Failure> {
 }
 
 /// (84): the slip obeys the drive of section 2.2 with this λ₀.
-pub fn eq84() -> Evidence {
+fn eq84() -> Evidence {
     let compared = Compared::one(
         r"$\mathfrak w$ of the one-dimensional drive with $\lambda_0$ by (84)",
         r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
@@ -282,7 +283,7 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
 }
 
 /// (85): the slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
-pub fn eq85() -> Evidence {
+fn eq85() -> Evidence {
     let compared = Compared::one(
         r"$\mathfrak w$ of the drive with $\lambda_+=\lambda_0$ of (85) and $\lambda_-=q\lambda_0$",
         r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
@@ -400,7 +401,7 @@ pub fn trichotomy_outside() -> Evidence {
 }
 
 /// Rolling holds as long as friction suffices: the sphere set rolling at φ = 0 begins to slide where sin φ = λ₀.
-pub fn rolling_ends() -> Evidence {
+fn rolling_ends() -> Evidence {
     let compared = Compared::one(
         r"the root $\phi$ of $\sin\phi=\lambda_0$, with $\lambda_0$ by (84),",
         r"the phase at which a sphere that rolls at $\phi=0$ begins to slide",
@@ -441,7 +442,7 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 }
 
 /// The pulse train: kinds on both sides of λ₀ = η.
-pub fn pulse_census() -> Evidence {
+fn pulse_census() -> Evidence {
     let compared = Compared::one(
         r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (46), 20 above, $-1$ for rest throughout above 1)",
         "that of a sphere's late period under the pulses",
@@ -467,7 +468,7 @@ pub fn pulse_census() -> Evidence {
 }
 
 /// The pulse train: the part of a period in which the drive rests.
-pub fn pulse_motion() -> Evidence {
+fn pulse_motion() -> Evidence {
     let compared = Compared::one(
         r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
         "that of a late period in which the sphere rolls, under the pulses",
@@ -533,7 +534,7 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 }
 
 /// The order of forward slip, backward slip and rolling in a period, as the particle has it.
-pub fn anisotropic_census() -> Evidence {
+fn anisotropic_census() -> Evidence {
     let compared = Compared::one(
         r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (3 for a forward slip, 2 for a rest, 1 for a backward slip),",
         "that of the sphere's slip",
@@ -555,7 +556,7 @@ pub fn anisotropic_census() -> Evidence {
 }
 
 /// How long each lasts.
-pub fn anisotropic_motion() -> Evidence {
+fn anisotropic_motion() -> Evidence {
     let compared = Compared::many(
         r"the parts of a period of backward motion and rest, the second one taken twice, of the drive with $\lambda_0$ of (85), where it rests at all,",
         "those of the sphere's slip",
@@ -637,6 +638,19 @@ pub(super) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
         rolls,
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq84,
+    eq85,
+    trichotomy_census,
+    trichotomy_motion,
+    rolling_ends,
+    trichotomy_outside,
+    pulse_census,
+    pulse_motion,
+    anisotropic_census,
+    anisotropic_motion
+];
 
 #[cfg(test)]
 mod tests {

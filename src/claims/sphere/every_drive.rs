@@ -1,6 +1,7 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
 use super::spheres::{Case, Run, braking, case, length, mixed, sphere, times, weighed};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::corrections::sphere as corrected;
@@ -23,7 +24,7 @@ fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failu
 }
 
 /// The slip velocity is the particle's velocity, sliding and rolling.
-pub fn reduction_motion() -> Evidence {
+fn reduction_motion() -> Evidence {
     let compared = Compared::one(
         r"$\bm v$ of a particle with $b\mu$ under the same $\bm A$",
         "the slip velocity of the motion, sliding and rolling, each vector by the one number $x+2y$",
@@ -79,7 +80,7 @@ fn released() -> impl Iterator<Item = Result<Run, Failure>> {
 }
 
 /// The slip that begins by itself is the particle's velocity from rest.
-pub fn reduction_from_rest() -> Evidence {
+fn reduction_from_rest() -> Evidence {
     let compared = Compared::one(
         r"$\bm v$ of a particle with $b\mu$, from rest, under the same turning $\bm A$",
         "the slip velocity of a sphere that rolls at the start, each vector by the one number $x+2y$",
@@ -110,7 +111,7 @@ pub fn reduction_from_rest() -> Evidence {
 }
 
 /// A slip that is small beside the velocity lasts as long as the particle's velocity does.
-pub fn reduction_small_slip() -> Evidence {
+fn reduction_small_slip() -> Evidence {
     let compared = Compared::one(
         r"the time in which a particle with $b\mu$ that is as slow as the slip stops",
         "that in which the sphere, a billion times as fast, comes to roll",
@@ -152,7 +153,7 @@ pub fn reduction_small_slip() -> Evidence {
 }
 
 /// The sphere rolls while the particle rests.
-pub fn reduction_rolling() -> Evidence {
+fn reduction_rolling() -> Evidence {
     let compared = Compared::one(
         r"the time that a particle with $b\mu$ rests",
         "the time that the sphere rolls",
@@ -198,7 +199,7 @@ pub(super) fn rolling_time(
 }
 
 /// The rest follows from u: dρ/dτ by (79), then ζ by the corrected (75), both from the particle's velocity.
-pub fn reduction_rest() -> Evidence {
+fn reduction_rest() -> Evidence {
     let compared = Compared::many(
         r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
         "those of the motion, all components in one weighted sum",
@@ -229,7 +230,7 @@ pub fn reduction_rest() -> Evidence {
 }
 
 /// The vertical spin keeps its value, and another one changes nothing else.
-pub fn spin_constant() -> Evidence {
+fn spin_constant() -> Evidence {
     let compared = Compared::many(
         r"a kept $\omega_z$, and the $x$, $\bm v$, $\omega_x$ and $\omega_y$ in which a motion with three times that $\omega_z$ ends,",
         "those of the motion, all in one weighted sum",
@@ -268,6 +269,15 @@ fn with_three_times_the_spin(ball: Ball) -> Ball {
         ..ball
     }
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    reduction_motion,
+    reduction_from_rest,
+    reduction_small_slip,
+    reduction_rolling,
+    reduction_rest,
+    spin_constant
+];
 
 #[cfg(test)]
 mod tests {

@@ -10,6 +10,7 @@ mod newton;
 #[cfg(test)]
 mod tests;
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
@@ -34,7 +35,7 @@ const AS_A_PARTICLE: Compared = Compared::one(
     r"(11), (13) and (14), proved from (1), with $\gamma$ for $A$, $b$ for $\mu g$ and $\tau$ for $t$, as (74) has them",
 );
 
-pub const EQ59: Law = Law::new(
+const EQ59: Law = Law::new(
     Subject::Printed,
     Compared::one(
         "the formula",
@@ -43,7 +44,7 @@ pub const EQ59: Law = Law::new(
     newton::eq59,
     newton::prove_eq59,
 );
-pub const EQ60: Law = Law::new(
+const EQ60: Law = Law::new(
     Subject::Printed,
     Compared::one(
         "the formula",
@@ -52,7 +53,7 @@ pub const EQ60: Law = Law::new(
     newton::eq60,
     newton::prove_eq60,
 );
-pub const EQ62: Law = Law::new(
+const EQ62: Law = Law::new(
     Subject::Printed,
     Compared::one(
         r"(64), with $\kappa$ by the definition,",
@@ -61,31 +62,31 @@ pub const EQ62: Law = Law::new(
     body::eq62,
     body::prove_eq62,
 );
-pub const EQ63: Law = Law::new(
+const EQ63: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq63,
     body::prove_eq63,
 );
-pub const EQ64: Law = Law::new(
+const EQ64: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq64,
     body::prove_eq64,
 );
-pub const EQ65: Law = Law::new(
+const EQ65: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq65,
     body::prove_eq65,
 );
-pub const EQ66: Law = Law::new(
+const EQ66: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq66,
     body::prove_eq66,
 );
-pub const EQ68: Law = Law::new(
+const EQ68: Law = Law::new(
     Subject::Printed,
     Compared::one(
         r"(73), with $\bm\rho$ by the definition,",
@@ -94,13 +95,13 @@ pub const EQ68: Law = Law::new(
     body::eq68,
     body::prove_eq68,
 );
-pub const EQ69: Law = Law::new(
+const EQ69: Law = Law::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq69,
     body::prove_eq69,
 );
-pub const EQ70: Law = Law::new(
+const EQ70: Law = Law::new(
     Subject::Printed,
     Compared::one(
         r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
@@ -109,85 +110,85 @@ pub const EQ70: Law = Law::new(
     body::eq70,
     body::prove_eq70,
 );
-pub const EQ71: Law = Law::new(
+const EQ71: Law = Law::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq71,
     body::prove_eq71,
 );
-pub const EQ72: Law = Law::new(
+const EQ72: Law = Law::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq72,
     body::prove_eq72,
 );
-pub const EQ73: Law = Law::new(
+const EQ73: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq73,
     body::prove_eq73,
 );
-pub const EQ74: Law = Law::new(
+const EQ74: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq74,
     body::prove_eq74,
 );
-pub const EQ75: Law = Law::new(
+const EQ75: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq75,
     body::prove_eq75,
 );
-pub const CORRECTED_75: Law = Law::new(
+const CORRECTED_75: Law = Law::new(
     Subject::Corrected,
     BY_COMPONENTS,
     body::corrected75,
     body::prove_eq75,
 );
-pub const EQ77: Law = Law::new(
+const EQ77: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq77,
     body::prove_eq77,
 );
-pub const EQ78: Law = Law::new(
+const EQ78: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq78,
     body::prove_eq78,
 );
-pub const EQ79: Law = Law::new(
+const EQ79: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq79,
     body::prove_eq79,
 );
-pub const EQ81: Law = Law::new(
+const EQ81: Law = Law::new(
     Subject::Within,
     AS_A_PARTICLE,
     angle::eq81,
     angle::prove_eq81,
 );
-pub const EQ82: Law = Law::new(
+const EQ82: Law = Law::new(
     Subject::Printed,
     AS_A_PARTICLE,
     angle::eq82,
     angle::prove_eq82,
 );
-pub const CORRECTED_82: Law = Law::new(
+const CORRECTED_82: Law = Law::new(
     Subject::Corrected,
     AS_A_PARTICLE,
     angle::corrected82,
     angle::prove_eq82,
 );
-pub const EQ83: Law = Law::new(
+const EQ83: Law = Law::new(
     Subject::Printed,
     AS_A_PARTICLE,
     angle::eq83,
     angle::prove_eq83,
 );
-pub const CORRECTED_83: Law = Law::new(
+const CORRECTED_83: Law = Law::new(
     Subject::Corrected,
     AS_A_PARTICLE,
     angle::corrected83,
@@ -199,7 +200,7 @@ pub const S3_REDUCTION: Law = Law::new(
     body::reduction,
     body::prove_reduction,
 );
-pub const S3_SPIN_CONSTANT: Law = Law::new(
+const S3_SPIN_CONSTANT: Law = Law::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::spin_rate,
@@ -208,3 +209,32 @@ pub const S3_SPIN_CONSTANT: Law = Law::new(
 
 /// Names of a vector's components, for the steps of a proof.
 const AXES: [&str; 3] = ["along x", "along y", "along z"];
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    &EQ59,
+    &EQ60,
+    &EQ62,
+    &EQ63,
+    &EQ64,
+    &EQ65,
+    &EQ66,
+    &EQ68,
+    &EQ69,
+    &EQ70,
+    &EQ71,
+    &EQ72,
+    &EQ73,
+    &EQ74,
+    &EQ75,
+    &CORRECTED_75,
+    &EQ77,
+    &EQ78,
+    &EQ79,
+    &EQ81,
+    &EQ82,
+    &CORRECTED_82,
+    &EQ83,
+    &CORRECTED_83,
+    &S3_REDUCTION,
+    &S3_SPIN_CONSTANT
+];

@@ -1,6 +1,7 @@
 //! What the conditions of section 3 except.
 
 use crate::certified::interval::Interval;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::excepted::no_value;
 use crate::evidence::Evidence;
@@ -59,3 +60,5 @@ pub fn eq83() -> Evidence {
         |[lambda, theta0, theta, tau]| printed::eq83_slip_at_time(lambda, one, theta0, theta, tau),
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![eq81, eq82, eq83];

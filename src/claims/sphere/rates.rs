@@ -1,6 +1,7 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
 use super::spheres::{Run, length, mixed, sliding, times, weighed};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Subject};
@@ -262,3 +263,17 @@ pub fn eq79() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq63,
+    eq64,
+    eq65,
+    eq66,
+    eq73,
+    eq74,
+    eq75,
+    corrected75,
+    eq77,
+    eq78,
+    eq79
+];

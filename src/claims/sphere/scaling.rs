@@ -2,6 +2,7 @@
 //! of them has 1 for each unit.
 
 use super::spheres::{Case, Dimensionless, Run, Units, length, sliding, sphere, weighed};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -163,7 +164,7 @@ pub fn eq68() -> Evidence {
 }
 
 /// (68) as what the velocity adds up to.
-pub fn eq68_way() -> Evidence {
+fn eq68_way() -> Evidence {
     let compared = Compared::one(
         "the change of (68)",
         r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
@@ -190,7 +191,7 @@ pub fn eq68_way() -> Evidence {
 }
 
 /// (71) where the sphere slides with one friction forwards and with another backwards.
-pub fn eq71_both_ways() -> Evidence {
+fn eq71_both_ways() -> Evidence {
     let compared = Compared::one(
         r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
         r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",
@@ -276,3 +277,6 @@ pub fn eq72() -> Evidence {
         |_: &Run, state: &Dimensionless| [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k]);
     alike(compared, both, both)
 }
+
+pub(super) const TRIALS: &[Attempt] =
+    trials![eq62, eq68, eq68_way, eq69, eq70, eq71, eq71_both_ways, eq72];

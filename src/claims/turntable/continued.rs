@@ -2,6 +2,7 @@
 
 use super::complex::Complex;
 use super::stretches::{FASTER, View, stretches, sum};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
@@ -69,3 +70,5 @@ pub fn eq123() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![eq122, eq123];

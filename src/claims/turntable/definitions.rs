@@ -3,6 +3,7 @@
 //! The motion is integrated twice: in Cartesian components, and in components along and across the velocity.
 
 use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::FRAMES;
 use crate::evidence::{Evidence, Route, Subject};
@@ -249,3 +250,7 @@ pub fn eq118() -> Evidence {
         [printed::eq118_rho(b, beta), view.rho]
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq93, eq94, eq95, eq96, eq97, eq98, eq103, eq110, eq111, eq112, eq116, eq117, eq118
+];

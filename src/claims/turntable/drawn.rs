@@ -1,5 +1,6 @@
 //! The motions that the chapter draws: two launches from the axis, one that comes to rest and one that escapes.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
@@ -92,3 +93,5 @@ pub fn kept() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![kept];

@@ -2,6 +2,7 @@
 //! particle that stops stays.
 
 use super::stretches::{ANY, View, stretches, sum};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::runs::{Runs, every};
@@ -79,7 +80,7 @@ fn weighed([x, y]: [f64; 2]) -> f64 {
 }
 
 /// (89) from the moment of a start on: friction is overcome, and has its full size at once.
-pub fn eq89_from_rest() -> Evidence {
+fn eq89_from_rest() -> Evidence {
     let compared = Compared::one(
         r"the integral of (89) over $\tau$ along a motion that starts from rest, in the frame of the table,",
         r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
@@ -97,7 +98,7 @@ pub fn eq89_from_rest() -> Evidence {
 }
 
 /// (89) with the direction of the velocity that the components along it keep.
-pub fn eq89_by_components() -> Evidence {
+fn eq89_by_components() -> Evidence {
     let compared = Compared::one(
         r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
         r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector by the one number $x+2y$",
@@ -150,7 +151,7 @@ fn from_rest(
 }
 
 /// (91) from a start on.
-pub fn eq91_from_rest() -> Evidence {
+fn eq91_from_rest() -> Evidence {
     let compared = Compared::one(
         r"the integral of (91) over $\tau$ along a motion that starts from rest, in the frame of the table,",
         r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$ by components along the velocity",
@@ -163,7 +164,7 @@ pub fn eq91_from_rest() -> Evidence {
 }
 
 /// (92) from a start on.
-pub fn eq92_from_rest() -> Evidence {
+fn eq92_from_rest() -> Evidence {
     let compared = Compared::one(
         r"the integral of (92) over $\tau$ along a motion that starts from rest, in the frame of the table,",
         r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity",
@@ -308,7 +309,7 @@ fn by_each(programs: usize) -> impl Iterator<Item = (usize, Result<&'static Stop
 }
 
 /// (104) where a motion has come to rest.
-pub fn eq104_at_rest() -> Evidence {
+fn eq104_at_rest() -> Evidence {
     let compared = Compared::one(
         "the change of (104) from the start to the place of rest, by four programs,",
         "0",
@@ -324,7 +325,7 @@ pub fn eq104_at_rest() -> Evidence {
 }
 
 /// (99) until a motion stops.
-pub fn eq99_until_rest() -> Evidence {
+fn eq99_until_rest() -> Evidence {
     let compared = Compared::one(
         r"the integral of (99) over $\tau$ along a motion until it stops, by three programs,",
         "$-p$ at the start",
@@ -340,7 +341,7 @@ pub fn eq99_until_rest() -> Evidence {
 const MANY: &str = "many at once";
 
 /// (99) until motions of which many are followed at once stop.
-pub fn eq99_of_many() -> Evidence {
+fn eq99_of_many() -> Evidence {
     let compared = Compared::one(
         r"the integral of (99) over $\tau$ along a motion until it stops, of many followed at once,",
         "$-p$ at the start",
@@ -359,7 +360,7 @@ pub fn eq99_of_many() -> Evidence {
 const HORIZON: Horizon = Horizon { rho: 3.0, tau: 2.0 };
 
 /// (104) where motions end of which many are followed at once: at rest, at a distance, at a time.
-pub fn eq104_of_many() -> Evidence {
+fn eq104_of_many() -> Evidence {
     let compared = Compared::one(
         r"the change of (104) from the start to rest, to $\rho=3$ or to $\tau=2$, of many followed at once,",
         "0",
@@ -395,3 +396,14 @@ pub fn eq104_of_many() -> Evidence {
     });
     trial.over(resting.chain(going), |pair: Result<Pair, Failure>| pair)
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq89_from_rest,
+    eq89_by_components,
+    eq91_from_rest,
+    eq92_from_rest,
+    eq99_until_rest,
+    eq99_of_many,
+    eq104_at_rest,
+    eq104_of_many
+];

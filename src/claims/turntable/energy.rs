@@ -1,6 +1,7 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
 use super::stretches::{ANY, Launch, Stretch, View, launches, stretches, sum};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::FRAMES;
@@ -32,7 +33,7 @@ pub fn eq104() -> Evidence {
 }
 
 /// (104) with the length of the path, in the words that call it a constant of motion.
-pub fn eq104_kept() -> Evidence {
+fn eq104_kept() -> Evidence {
     let compared = Compared::one(
         "the change of (104), with $s$, over a stretch of motion",
         "the expected 0",
@@ -48,7 +49,7 @@ pub fn eq104_kept() -> Evidence {
 }
 
 /// What p, ℓ and ξ give alone.
-pub fn eq104_without_s() -> Evidence {
+fn eq104_without_s() -> Evidence {
     let compared = Compared::one(
         r"the integral of $-p$ over a stretch of motion",
         r"the change of $\frac12(p^2-\ell^2-\xi^2)$",
@@ -81,7 +82,7 @@ fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) 
 }
 
 /// (105).
-pub fn eq105() -> Evidence {
+fn eq105() -> Evidence {
     let compared = Compared::one(
         r"the integral of (105) over $\tau$ in the frame of the table",
         "the arc length by components along the velocity",
@@ -109,7 +110,7 @@ pub fn way(launch: &Launch) -> Result<f64, Failure> {
 }
 
 /// The work of friction by (106): what the terms without s gain, if (106) keeps its value.
-pub fn work_step() -> Evidence {
+fn work_step() -> Evidence {
     let compared = Compared::one(
         "$-mgs$, the work of friction, over what kinetic and centrifugal energy gain by (106)",
         "the expected 1",
@@ -149,7 +150,7 @@ fn kept(
 }
 
 /// (106) as printed.
-pub fn eq106() -> Evidence {
+fn eq106() -> Evidence {
     let compared = Compared::one("the change of (106) over a motion", "0");
     kept(Subject::Printed, compared, |table, state, s| {
         printed::eq106_constant(table.mass, table.g, table.omega, state.x, state.v, s)
@@ -157,7 +158,7 @@ pub fn eq106() -> Evidence {
 }
 
 /// (106) with m μ g s.
-pub fn eq106_corrected() -> Evidence {
+fn eq106_corrected() -> Evidence {
     let compared = Compared::one(r"the change of (106) with $m\mu gs$ over a motion", "0");
     kept(Subject::Corrected, compared, |table, state, s| {
         let Table { omega, mu, g, mass } = *table;
@@ -203,7 +204,7 @@ pub fn friction() -> Evidence {
 }
 
 /// −mμgs as the work of friction.
-pub fn friction_corrected() -> Evidence {
+fn friction_corrected() -> Evidence {
     let compared = Compared::one(
         r"$-m\mu gs$",
         "the work of friction along the path of length $s$ on the table, found in the laboratory",
@@ -243,3 +244,16 @@ pub fn coriolis() -> Evidence {
         })
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq104,
+    eq105,
+    eq106,
+    eq106_corrected,
+    eq104_kept,
+    eq104_without_s,
+    friction,
+    coriolis,
+    friction_corrected,
+    work_step
+];

@@ -14,6 +14,7 @@ mod setting;
 #[cfg(test)]
 mod tests;
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::evidence::Subject;
@@ -26,7 +27,7 @@ pub type Law = Statement<Vec<Expr>>;
 const RATE: Compared = Compared::one("the printed rate", "the rate by (89), exactly");
 const SIDES: Compared = Compared::one("the left side", "the right side, with (89)");
 
-pub const EQ86: Law = Law::new(
+const EQ86: Law = Law::new(
     Subject::Within,
     Compared::one(
         "the acceleration in the laboratory that (86) leads to",
@@ -35,13 +36,13 @@ pub const EQ86: Law = Law::new(
     frames::eq86,
     frames::prove_eq86,
 );
-pub const EQ87: Law = Law::new(
+const EQ87: Law = Law::new(
     Subject::Printed,
     Compared::one("(86) in the symbols (87) and (88)", "(89)"),
     frames::eq87,
     frames::prove_eq87,
 );
-pub const EQ88: Law = Law::new(
+const EQ88: Law = Law::new(
     Subject::Printed,
     Compared::one("(86) in the symbols (87) and (88)", "(89)"),
     frames::eq88,
@@ -53,16 +54,16 @@ pub const EQ89: Law = Law::new(
     frames::eq89,
     frames::prove_eq89,
 );
-pub const EQ90: Law = Law::new(Subject::Printed, SIDES, frames::eq90, frames::prove_eq90);
-pub const EQ91: Law = Law::new(Subject::Within, SIDES, frames::eq91, frames::prove_eq91);
-pub const EQ92: Law = Law::new(Subject::Within, SIDES, frames::eq92, frames::prove_eq92);
-pub const EQ93: Law = Law::new(
+const EQ90: Law = Law::new(Subject::Printed, SIDES, frames::eq90, frames::prove_eq90);
+const EQ91: Law = Law::new(Subject::Within, SIDES, frames::eq91, frames::prove_eq91);
+const EQ92: Law = Law::new(Subject::Within, SIDES, frames::eq92, frames::prove_eq92);
+const EQ93: Law = Law::new(
     Subject::Printed,
     Compared::one("(93)", "the size of the velocity"),
     definitions::eq93,
     definitions::prove_eq93,
 );
-pub const EQ94: Law = Law::new(
+const EQ94: Law = Law::new(
     Subject::Printed,
     Compared::one("(94)", r"$\bm\rho\cdot(\mathrm d\bm\rho/\mathrm d\tau)/p$"),
     definitions::eq94,
@@ -83,7 +84,7 @@ pub const EQ96: Law = Law::new(
     components::eq96,
     components::prove_eq96,
 );
-pub const EQ97: Law = Law::new(
+const EQ97: Law = Law::new(
     Subject::Printed,
     Compared::one("the left side", "the right side, with (94)"),
     components::eq97,
@@ -101,7 +102,7 @@ pub const EQ99: Law = Law::new(
     components::eq99,
     components::prove_eq99,
 );
-pub const EQ100: Law = Law::new(
+const EQ100: Law = Law::new(
     Subject::Within,
     RATE,
     components::eq100,
@@ -113,25 +114,25 @@ pub const EQ101: Law = Law::new(
     components::eq101,
     components::prove_eq101,
 );
-pub const TANGENTIAL: Law = Law::new(
+const TANGENTIAL: Law = Law::new(
     Subject::Within,
     RATE,
     components::tangential,
     components::prove_tangential,
 );
-pub const AZIMUTHAL: Law = Law::new(
+const AZIMUTHAL: Law = Law::new(
     Subject::Corrected,
     RATE,
     components::azimuthal,
     components::prove_azimuthal,
 );
-pub const RADIAL: Law = Law::new(
+const RADIAL: Law = Law::new(
     Subject::Corrected,
     RATE,
     components::radial,
     components::prove_radial,
 );
-pub const EQ102: Law = Law::new(
+const EQ102: Law = Law::new(
     Subject::Printed,
     Compared::one(
         "each printed expression",
@@ -141,13 +142,13 @@ pub const EQ102: Law = Law::new(
     components::prove_eq102,
 );
 pub const EQ103: Law = Law::new(Subject::Printed, RATE, energy::eq103, energy::prove_eq103);
-pub const EQ104: Law = Law::new(
+const EQ104: Law = Law::new(
     Subject::Printed,
     Compared::one("the rate of (104) along (89)", "0"),
     energy::eq104,
     energy::prove_eq104,
 );
-pub const CORRECTED_106: Law = Law::new(
+const CORRECTED_106: Law = Law::new(
     Subject::Corrected,
     Compared::one(r"the rate of (106) with $m\mu gs$, along (86),", "0"),
     energy::corrected_106,
@@ -207,43 +208,43 @@ pub const EQ115: Law = Law::new(
     hyperbolic::eq115,
     hyperbolic::prove_eq115,
 );
-pub const EQ116: Law = Law::new(
+const EQ116: Law = Law::new(
     Subject::Printed,
     Compared::one("(116), by (117) and (118),", "$B^2$"),
     definitions::eq116,
     definitions::prove_eq116,
 );
-pub const EQ117: Law = Law::new(
+const EQ117: Law = Law::new(
     Subject::Printed,
     Compared::one(r"$p\pm\rho$ by (117) and (118)", r"$B\exp(\pm\beta)$"),
     definitions::eq117,
     definitions::prove_eq117,
 );
-pub const EQ118: Law = Law::new(
+const EQ118: Law = Law::new(
     Subject::Printed,
     Compared::one(r"$p\pm\rho$ by (117) and (118)", r"$B\exp(\pm\beta)$"),
     definitions::eq118,
     definitions::prove_eq118,
 );
-pub const EQ119: Law = Law::new(
+const EQ119: Law = Law::new(
     Subject::Printed,
     RATE,
     hyperbolic::eq119,
     hyperbolic::prove_eq119,
 );
-pub const EQ120: Law = Law::new(
+const EQ120: Law = Law::new(
     Subject::Printed,
     RATE,
     hyperbolic::eq120,
     hyperbolic::prove_eq120,
 );
-pub const EQ121: Law = Law::new(
+const EQ121: Law = Law::new(
     Subject::Within,
     RATE,
     hyperbolic::eq121,
     hyperbolic::prove_eq121,
 );
-pub const EQ122: Law = Law::new(
+const EQ122: Law = Law::new(
     Subject::Printed,
     Compared::many(
         "(111) to (115), with (122) and (123) put in,",
@@ -252,7 +253,7 @@ pub const EQ122: Law = Law::new(
     hyperbolic::eq122,
     hyperbolic::prove_eq122,
 );
-pub const EQ123: Law = Law::new(
+const EQ123: Law = Law::new(
     Subject::Printed,
     Compared::many(
         "(111) to (115), with (122) and (123) put in,",
@@ -267,13 +268,13 @@ pub const EQ124: Law = Law::new(
     fixed::eq124,
     fixed::prove_zero,
 );
-pub const EQ125: Law = Law::new(
+const EQ125: Law = Law::new(
     Subject::Printed,
     Compared::one("(115) at this angle", "0"),
     fixed::eq125,
     fixed::prove_zero,
 );
-pub const S4_MIRROR: Law = Law::new(
+const S4_MIRROR: Law = Law::new(
     Subject::Printed,
     Compared::many(
         "the mirrored accelerations of (86)",
@@ -282,7 +283,7 @@ pub const S4_MIRROR: Law = Law::new(
     frames::eq86,
     frames::prove_mirror,
 );
-pub const CORRECTED_WORK: Law = Law::new(
+const CORRECTED_WORK: Law = Law::new(
     Subject::Corrected,
     Compared::many(
         r"the power of the Coriolis force and the rate of $-m\mu gs$, in (86),",
@@ -291,7 +292,7 @@ pub const CORRECTED_WORK: Law = Law::new(
     energy::works,
     energy::prove_works,
 );
-pub const S4_QUASI_FIXED_STABILITY: Law = Law::new(
+const S4_QUASI_FIXED_STABILITY: Law = Law::new(
     Subject::Within,
     Compared::many(
         r"the slopes of (115) at $\psi_1$ and $\psi_2$",
@@ -339,3 +340,53 @@ pub const PRINTED_WORK: Law = Law::new(
     energy::printed_works,
     energy::prove_works,
 );
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    &EQ86,
+    &EQ87,
+    &EQ88,
+    &EQ89,
+    &EQ90,
+    &EQ91,
+    &EQ92,
+    &EQ93,
+    &EQ94,
+    &EQ95,
+    &EQ96,
+    &EQ97,
+    &EQ98,
+    &EQ99,
+    &EQ100,
+    &EQ101,
+    &EQ102,
+    &EQ103,
+    &EQ104,
+    &PRINTED_106,
+    &CORRECTED_106,
+    &EQ107,
+    &EQ108,
+    &EQ109,
+    &EQ110,
+    &EQ111,
+    &EQ112,
+    &EQ113,
+    &EQ114,
+    &EQ115,
+    &EQ116,
+    &EQ117,
+    &EQ118,
+    &EQ119,
+    &EQ120,
+    &EQ121,
+    &EQ122,
+    &EQ123,
+    &EQ124,
+    &EQ125,
+    &S4_MIRROR,
+    &TANGENTIAL,
+    &AZIMUTHAL,
+    &RADIAL,
+    &PRINTED_WORK,
+    &CORRECTED_WORK,
+    &S4_QUASI_FIXED_STABILITY
+];

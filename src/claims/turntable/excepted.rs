@@ -1,6 +1,7 @@
 //! What the conditions of section 4 except: a particle at rest on the table, and one on the axis.
 
 use crate::certified::interval::Interval;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::excepted::{no_inside, no_value};
 use crate::evidence::Evidence;
@@ -136,7 +137,7 @@ fn eq109(compared: Compared, excepted: [Interval; 2]) -> Evidence {
 }
 
 /// (109), at rest.
-pub fn eq109_rest() -> Evidence {
+fn eq109_rest() -> Evidence {
     eq109(
         Compared::one("whether (109) has a value (1 if so)", "whether $p>0$")
             .over("some of them random, the others at rest"),
@@ -145,7 +146,7 @@ pub fn eq109_rest() -> Evidence {
 }
 
 /// (109), on the axis.
-pub fn eq109_axis() -> Evidence {
+fn eq109_axis() -> Evidence {
     eq109(
         Compared::one("whether (109) has a value (1 if so)", r"whether $\rho>0$")
             .over("some of them random, the others on the axis"),
@@ -176,3 +177,7 @@ pub fn eq121() -> Evidence {
         |[beta, psi]| printed::eq121_psi_rate(beta, psi),
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq86, eq89, eq91, eq92, rest, eq100, eq101, axis, eq109_rest, eq109_axis, eq115, eq121
+];

@@ -1,6 +1,7 @@
 //! Trials of the quasi-fixed points (124) and (125): where ψ stands still, and what deviations do. And how well ψ follows
 //! ψ₁ when α moves, for a figure.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, NONE, STANDS_STILL};
@@ -107,7 +108,7 @@ pub fn psi2() -> Evidence {
 
 /// Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
 /// shrinks.
-pub fn separation() -> Evidence {
+fn separation() -> Evidence {
     let compared = Compared::one(
         r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
         r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
@@ -138,7 +139,7 @@ pub fn separation() -> Evidence {
 
 /// (115) with α held fixed, from any angle: forwards in time it ends where ψ stands still and attracts, backwards where it
 /// repels.
-pub fn frozen() -> Evidence {
+fn frozen() -> Evidence {
     let compared = Compared::many(
         r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
         r"the angles below and above $\pi/2$ at which the forces turn velocity and position equally fast",
@@ -208,6 +209,8 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
     };
     (0..=80).map(moment).collect()
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![psi1, psi2, separation, frozen];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
 use super::stretches::{ANY, Launch, launches, stretches, sum};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, FRAMES};
@@ -70,7 +71,7 @@ fn summed(
 }
 
 /// (86) as an equation for the motion, through several turns of the table.
-pub fn eq86_turns() -> Evidence {
+fn eq86_turns() -> Evidence {
     let compared = Compared::one(
         "the place on the table by (86), through three turns,",
         "that found in the laboratory, as the sum of its components",
@@ -209,3 +210,5 @@ pub fn eq88() -> Evidence {
 fn components() -> impl Iterator<Item = (Result<&'static Launch, Failure>, usize)> {
     launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)))
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![eq86, eq86_turns, eq87, eq88, eq89, mirror];

@@ -2,6 +2,7 @@
 
 use super::standstill::first_rate;
 use super::stretches::{ANY, View, stretches, sum};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::corrections::turntable as corrected;
 use crate::evidence::{Evidence, Subject};
@@ -61,7 +62,7 @@ pub fn azimuthal() -> Evidence {
 }
 
 /// With the rate of p.
-pub fn azimuthal_corrected() -> Evidence {
+fn azimuthal_corrected() -> Evidence {
     let compared = Compared::one(
         r"the integral of $\mathrm d\ell/\mathrm d\tau$ by the law of the angular momentum and $\mathrm dp/\mathrm d\tau$, along the motion,",
         r"the change of $\ell$",
@@ -89,7 +90,7 @@ pub fn radial() -> Evidence {
 }
 
 /// With the rate of p.
-pub fn radial_corrected() -> Evidence {
+fn radial_corrected() -> Evidence {
     let compared = Compared::one(
         r"the integral of $\mathrm d\xi/\mathrm d\tau$ by the law along the radius and $\mathrm dp/\mathrm d\tau$, along the motion,",
         r"the change of $\xi$",
@@ -111,3 +112,11 @@ pub fn in_the_motion(quantity: fn(&View) -> f64) -> Result<f64, Failure> {
     };
     first_rate(&Table::default(), &start, |s| quantity(&View::of(s)))
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    tangential,
+    azimuthal,
+    azimuthal_corrected,
+    radial,
+    radial_corrected
+];

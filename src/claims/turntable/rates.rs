@@ -1,6 +1,7 @@
 //! Printed rates, integrated along motions, against what changed.
 
 use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches, sum};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
@@ -302,3 +303,8 @@ pub fn eq121() -> Evidence {
         printed::eq121_psi_rate(v.outer().1, v.psi)
     })
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq90, eq91, eq92, eq99, eq100, eq101, eq102, eq103, eq107, eq108, eq109, eq113, eq114, eq115,
+    eq119, eq120, eq121
+];

@@ -2,6 +2,7 @@
 //! and one launched from the axis.
 
 use super::stretches::View;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::points::Points;
 use crate::claims::tolerances::DIFFERENCES;
@@ -279,7 +280,7 @@ pub fn eq109() -> Evidence {
 }
 
 /// (109) on the axis.
-pub fn eq109_on_the_axis() -> Evidence {
+fn eq109_on_the_axis() -> Evidence {
     eq109_from(
         Compared::one("(109) on the axis", r"$\mathrm d\psi/\mathrm d\tau$"),
         522,
@@ -341,6 +342,25 @@ pub fn eq121() -> Evidence {
         |v| printed::eq121_psi_rate(v.outer().1, v.psi),
     )
 }
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq86,
+    eq89,
+    eq91,
+    eq92,
+    eq99,
+    eq100,
+    eq101,
+    eq107,
+    eq108,
+    eq109,
+    eq109_on_the_axis,
+    eq114,
+    eq115,
+    eq120,
+    eq121,
+    tangential
+];
 
 #[cfg(test)]
 mod tests {

@@ -4,8 +4,8 @@ use super::{any, config, each};
 use proptest::prelude::*;
 use slipbook::certified::ball::Ball;
 use slipbook::certified::interval::Interval;
+use slipbook::claims::PAPER;
 use slipbook::claims::formulas::formulas;
-use slipbook::claims::values::VALUES;
 use slipbook::scalar::Scalar;
 
 /// A pair of bounds in order, or the whole line.
@@ -56,7 +56,7 @@ proptest! {
 
 #[test]
 fn a_certified_number_has_the_digits_asked_for_or_says_that_it_has_not() {
-    let enclosed = VALUES.iter().filter_map(|value| value.enclosure);
+    let enclosed = PAPER.values().filter_map(|value| value.enclosure);
     for value in enclosed {
         for digits in [0, 1, 17, 60] {
             let text = value.decimal(digits).unwrap();

@@ -107,7 +107,7 @@ proptest! {
 
     #[test]
     fn any_number_is_graded_or_refused(number in text()) {
-        if let Ok(found) = search(PAPER.values, &number) {
+        if let Ok(found) = search(PAPER.values(), &number) {
             prop_assert!(number.parse::<f64>().is_ok_and(f64::is_finite), "{number}");
             for found in found {
                 prop_assert!(found.right >= 1 && found.first_wrong.is_none_or(|n| n == found.right + 1), "{found:?}");

@@ -18,8 +18,7 @@ fn every_certified_number_has_its_thousand_decimals() {
         known.push(name.to_owned());
     });
     let mut all: Vec<_> = PAPER
-        .values
-        .iter()
+        .values()
         .filter(|value| value.enclosure.is_some())
         .map(|value| value.id)
         .collect();

@@ -67,7 +67,7 @@ fn the_first_wrong_digit_is_found() {
             *digit = b'0' + (*digit - b'0' + 5) % 10;
         }
         let given = String::from_utf8(given).unwrap();
-        let matches = search(PAPER.values, &given).unwrap();
+        let matches = search(PAPER.values(), &given).unwrap();
         let own = matches.iter().find(|found| found.name == *id);
         match (changed, own) {
             (None, Some(found)) => assert_eq!(

@@ -3,8 +3,7 @@
 use super::formulas::{Found, Given, found};
 use super::numbers::decimals;
 use super::text::formulas_of;
-use slipbook::claims::by_hand::CASES;
-use slipbook::claims::values::VALUES;
+use slipbook::claims::PAPER;
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
 /// The friction, where the drive pulls backward, and the forward motion at the end of that: λ₀ and what follows it.
@@ -29,7 +28,7 @@ fn by_hand(claim: &str) -> Vec<f64> {
     match claim {
         "s22-vy-two-stages" => vec![(s + FRAC_1_PI) / (s - FRAC_1_PI)],
         "s24-region-2" => {
-            let q = VALUES.iter().find(|value| value.id == "y-q").unwrap();
+            let q = PAPER.value("y-q").unwrap();
             let [cosine, other, lambda, end, begin, speed, from] = wedge(9.0, 0.1);
             let taken = [
                 q.number().unwrap(),
@@ -62,27 +61,25 @@ fn by_hand(claim: &str) -> Vec<f64> {
 #[test]
 fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
     let mut tried = 0;
-    for case in &CASES {
+    for (claim, case) in PAPER.cases() {
         let text = format!("{} {} {}", case.wrong, case.reason, case.case);
-        let by_hand = by_hand(case.claim);
+        let by_hand = by_hand(claim.id);
         for number in decimals(&text) {
             let places = number.len() - number.find('.').unwrap() - 1;
             let known = by_hand
                 .iter()
                 .any(|value| number == format!("{value:.places$}"));
-            assert!(by_hand.is_empty() || known, "{}: {number}", case.claim);
+            assert!(by_hand.is_empty() || known, "{}: {number}", claim.id);
             tried += usize::from(known);
         }
     }
     assert!(tried > 0);
-    let envelope = CASES
-        .iter()
-        .find(|case| case.claim == "s4-envelope-is-boundary")
-        .unwrap();
+    let (_, envelope) = PAPER.find("s4-envelope-is-boundary").unwrap();
+    let numbers = envelope.by_hand.unwrap().computed;
     let between = [
-        (envelope.stated)().unwrap(),
+        (numbers.stated)().unwrap(),
         0.88,
-        (envelope.found)().unwrap(),
+        (numbers.found)().unwrap(),
     ];
     assert!(
         between.windows(2).all(|pair| pair[0] < pair[1]),
@@ -93,7 +90,7 @@ fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
 #[test]
 fn the_arithmetic_of_the_cases_by_hand_is_right() {
     let mut failures = Vec::new();
-    for case in &CASES {
+    for (claim, case) in PAPER.cases() {
         for text in [case.reason.to_owned(), case.words().unwrap()] {
             // A name that is given twice may mean the first or the last.
             let (mut given, mut first) = (Given::new(), Given::new());
@@ -102,7 +99,7 @@ fn the_arithmetic_of_the_cases_by_hand_is_right() {
                 let by_first = found(&formula, &mut Given::with(first.clone()));
                 first.complete(&given);
                 if let (Some(Found::Wrong(why)), Some(Found::Wrong(_))) = (last, by_first) {
-                    failures.push(format!("{}: {formula}: {why}", case.claim));
+                    failures.push(format!("{}: {formula}: {why}", claim.id));
                 }
             }
         }

@@ -4,8 +4,8 @@ use super::choices::{failures, has};
 use super::data::{Data, FIGURES, column, falls, peak, rises, steepens};
 use super::numbers::{decimals, number, slots};
 use super::text::words;
+use slipbook::claims::PAPER;
 use slipbook::claims::periodic::drawn::ETA;
-use slipbook::claims::values::VALUES;
 use slipbook::motion::turntable::{Fate, Start, fate};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 
@@ -441,7 +441,7 @@ fn every_decimal_in_a_caption_is_one_of_its_numbers() {
     for figure in FIGURES.iter() {
         let mut known: Vec<f64> = Data::of(figure).rows().concat();
         // What the paper gives a name, and what has one.
-        known.extend(VALUES.iter().filter_map(|value| value.number().ok()));
+        known.extend(PAPER.values().filter_map(|value| value.number().ok()));
         known.extend([2.0, SQRT_2, PI, 4.0 * PI]);
         let drawn = words(&figure.svg.replace("</", " </"));
         for number in decimals(&format!("{} {}", figure.caption, figure.alt)) {

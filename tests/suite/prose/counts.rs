@@ -16,7 +16,6 @@ use slipbook::claims::rest::fates::recorded;
 use slipbook::claims::solve::sinusoidal::SinusoidalProblem;
 use slipbook::claims::solve::{Double, VERSION};
 use slipbook::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
-use slipbook::claims::values::VALUES;
 use slipbook::evidence::{Compared, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Verdict, judge};
 use slipbook::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
@@ -189,7 +188,7 @@ counts! {
     "constant", "with a {} of the time left" => Code;
     "constant", "about a {} of its initial value" => Code;
     "constant", "ends up with {} of its speed" => Code;
-    "sinusoidal", "{} phases of a period special" => Is(|| VALUES.iter().filter(|v| v.id.starts_with("phi-")).count() as f64);
+    "sinusoidal", "{} phases of a period special" => Is(|| PAPER.values().filter(|v| v.id.starts_with("phi-")).count() as f64);
     "sinusoidal", "the {} merge into" => Is(|| SPECIAL.len() as f64);
     "sinusoidal", "merge into {}" => Is(|| different_phases(TAU));
     "sinusoidal", "or {} if both ends" => Is(|| different_phases(9.0));
@@ -466,17 +465,12 @@ fn curves(page: &Page) -> Vec<f64> {
 }
 
 fn value(id: &str) -> f64 {
-    VALUES
-        .iter()
-        .find(|value| value.id == id)
-        .unwrap()
-        .number()
-        .unwrap()
+    PAPER.value(id).unwrap().number().unwrap()
 }
 
 /// To how many digits the critical radius and speed are given.
 fn critical() -> f64 {
-    let decimals = |id| VALUES.iter().find(|value| value.id == id).unwrap().decimals;
+    let decimals = |id| PAPER.value(id).unwrap().decimals;
     decimals("critical-radius").min(decimals("critical-speed")) as f64
 }
 

@@ -140,7 +140,7 @@ fn own() -> BTreeMap<String, Vec<String>> {
 /// The letters of a topic's boxes.
 fn boxed(topic: &Topic) -> BTreeSet<String> {
     let mut out = BTreeSet::new();
-    for claim in topic.claims {
+    for claim in topic.claims() {
         let whole = |text: &str| match (text.contains('$'), text.ends_with('.')) {
             (true, _) => formulas_of(text),
             (false, true) => Vec::new(),
@@ -178,7 +178,11 @@ fn no_letter_has_two_meanings_on_a_page() {
                 wrong.push(format!("{page}: {letter} is declared twice"));
             }
         }
-        let topic = PAPER.topics.iter().find(|topic| topic.stem == page);
+        let topic = PAPER
+            .topics
+            .iter()
+            .copied()
+            .find(|topic| topic.stem == page);
         let boxed = topic.map(boxed).unwrap_or_default();
         for letter in seen.intersection(&boxed) {
             wrong.push(format!(

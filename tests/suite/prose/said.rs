@@ -4,9 +4,9 @@
 
 use super::choices::{failures, has};
 use super::text::{Word, pages, words};
+use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::drift::budget;
 use slipbook::claims::anisotropic::simulated::{Curves, attractor};
-use slipbook::claims::by_hand::CASES;
 use slipbook::claims::solve::{anisotropic as ratchet, sinusoidal, turntable};
 use slipbook::claims::tolerances::VANISHES;
 use slipbook::corrections::{
@@ -247,9 +247,9 @@ fn text_of(name: &str) -> Vec<Word> {
     let joined = |parts: &mut dyn Iterator<Item = &str>| parts.collect::<Vec<_>>().join(" | ");
     words(&match name {
         "by hand" => joined(
-            &mut CASES
-                .iter()
-                .flat_map(|case| [case.wrong, case.reason, case.case]),
+            &mut PAPER
+                .cases()
+                .flat_map(|(_, case)| [case.wrong, case.reason, case.case]),
         ),
         "meanings" => joined(&mut SYMBOLS.iter().map(|symbol| symbol.meaning)),
         "tasks" => joined(&mut TASKS.iter().flat_map(|task| [task.setup, task.question])),

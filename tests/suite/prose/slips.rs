@@ -9,7 +9,8 @@ use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::exact::Expr;
 use slipbook::seeded::{self, Formula};
 
-/// How many slips of the pen were noticed: by the reader; by a formula of the code; by the words alone.
+/// How many slips of the pen were noticed: by the reader; by a formula of the code; by the words alone, those of the plain text
+/// that stands in the claim's snapshot too.
 #[derive(Debug, Default, PartialEq)]
 struct Noticed {
     not_understood: usize,

@@ -1,5 +1,4 @@
 //! Another paper on trial: a stone is thrown, the drag is in proportion to its velocity; (6) is wrong in print.
-
 use Subject::{Corrected, Printed};
 use trialbook::prelude::*;
 /// As printed: k is the drag over the mass, g gravity, u and w the velocity at the start across and upwards.
@@ -16,7 +15,6 @@ mod paper {
     pub fn eq6_top<S: Scalar>(k: S, g: S, w: S) -> S { w / k + g / k.squared() * (S::int(1) + k * w / g).ln() }
     }
 }
-
 /// What is right.
 mod corrections {
     use trialbook::prelude::*;
@@ -24,7 +22,6 @@ mod corrections {
     pub fn eq6_top<S: Scalar>(k: S, g: S, w: S) -> S { w / k - g / k.squared() * (S::int(1) + k * w / g).ln() }
     }
 }
-
 /// Proves that a formula changes at this rate, and what it begins with.
 fn law([formula, rate, start]: [Expr; 3]) -> Proof {
     let mut ring = Ring::new();
@@ -40,7 +37,6 @@ fn law([formula, rate, start]: [Expr; 3]) -> Proof {
         p.equal("it begins so", &first, &p.ring().read(start)?)
     })
 }
-
 /// What (1) to (4) are, with their rates and what they begin with.
 fn laws() -> [[Expr; 3]; 4] {
     let [k, g, u, w, t] = ["k", "g", "u", "w", "t"].map(Expr::symbol);
@@ -51,25 +47,17 @@ fn laws() -> [[Expr; 3]; 4] {
     [[across, -k * across, u], fall, ways[0], ways[1]]
 }
 const fn proved(formulas: fn() -> [Expr; 3]) -> Statement<[Expr; 3]> {
-    let compared = Compared::one(
-        "the formula",
-        r"Newton's law, as rational functions of $\mathrm e^{kt}$",
-    );
-    Statement::new(Printed, compared, formulas, law)
+    let newton = r"Newton's law, as rational functions of $\mathrm e^{kt}$";
+    Statement::new(Printed, Compared::one("the formula", newton), formulas, law)
 }
-const EQ1: Statement<[Expr; 3]> = proved(|| laws()[0]);
-const EQ2: Statement<[Expr; 3]> = proved(|| laws()[1]);
-const EQ3: Statement<[Expr; 3]> = proved(|| laws()[2]);
-const EQ4: Statement<[Expr; 3]> = proved(|| laws()[3]);
 type Stated = fn(f64, f64, f64) -> f64;
 type Found = fn([f64; 3]) -> Result<f64, Failure>;
 /// Compares what a formula states with what is found, for forty throws.
 fn tried(by: fn(Subject, Compared) -> Trial, of: Subject, says: Stated, is: Found) -> Evidence {
-    let throws = Points::stream(1).within(40, [[0.5, 2.0]; 3]);
     let trial = by(of, Compared::one("the formula", "what Newton's law gives"));
-    trial.at(["k", "g", "w"], throws, 10.0, |[k, g, w]| {
-        Ok([says(k, g, w), is([k, g, w])?])
-    })
+    let pair = |[k, g, w]: [f64; 3]| Ok([says(k, g, w), is([k, g, w])?]);
+    let throws = Points::stream(1).within(40, [[0.5, 2.0]; 3]);
+    trial.at(["k", "g", "w"], throws, 10.0, pair)
 }
 /// Velocity upwards and height at the time `t`.
 fn motion([k, g, w]: [f64; 3], t: f64) -> Result<[f64; 2], Failure> {
@@ -82,59 +70,39 @@ fn rise([k, g, w]: [f64; 3]) -> Result<f64, Failure> {
 fn top(throw: [f64; 3]) -> Result<f64, Failure> {
     Ok(motion(throw, rise(throw)?)?[1])
 }
-fn eq5_motion() -> Evidence {
-    tried(Trial::motion, Printed, paper::eq5_rise, |throw| {
-        let speed = |t| motion(throw, t).map_or(f64::NAN, |[v, _]| v);
-        Ok(root(speed, 1e-3, 4.0)?)
+/// How the claims are tried, which name them.
+const TRIALS: &[Attempt] = trials! {
+    &EQ1 = proved(|| laws()[0]), &EQ2 = proved(|| laws()[1]),
+    &EQ3 = proved(|| laws()[2]), &EQ4 = proved(|| laws()[3]),
+    eq5_motion = tried(Trial::motion, Printed, paper::eq5_rise, |throw| {
+        Ok(root(|t| motion(throw, t).map_or(f64::NAN, |[v, _]| v), 1e-3, 4.0)?)
+    }),
+    eq5_quadrature = tried(Trial::quadrature, Printed, paper::eq5_rise, rise),
+    eq6_motion = tried(Trial::motion, Printed, paper::eq6_top, top),
+    right_motion = tried(Trial::motion, Corrected, corrections::eq6_top, top),
+    right_quadrature = tried(Trial::quadrature, Corrected, corrections::eq6_top, |[k, g, w]| {
+        Ok(integral(|v| v / (g + k * v), 0.0, w)?.value)
     })
-}
-fn eq5_quadrature() -> Evidence {
-    tried(Trial::quadrature, Printed, paper::eq5_rise, rise)
-}
-fn eq6_motion() -> Evidence {
-    tried(Trial::motion, Printed, paper::eq6_top, top)
-}
-fn right_motion() -> Evidence {
-    tried(Trial::motion, Corrected, corrections::eq6_top, top)
-}
-fn right_quadrature() -> Evidence {
-    let height = |[k, g, w]: [f64; 3]| Ok(integral(|v| v / (g + k * v), 0.0, w)?.value);
-    tried(Trial::quadrature, Corrected, corrections::eq6_top, height)
-}
-
-static CLAIMS: [Claim; 6] = [
-    Claim::equation("eq-1", "1", "velocity across", "v_x=u e^{-kt}").tried(trials![&EQ1]),
-    Claim::equation("eq-2", "1", "velocity upwards", "v_y=(w+g/k) e^{-kt}-g/k")
-        .tried(trials![&EQ2]),
-    Claim::equation("eq-3", "1", "way", "x=u (1-e^{-kt})/k").tried(trials![&EQ3]),
-    Claim::equation("eq-4", "1", "height", "y=(w+g/k) (1-e^{-kt})/k-gt/k").tried(trials![&EQ4]),
-    Claim::equation("eq-5", "1", "time of the rise", r"T=\ln(1+kw/g)/k")
-        .tried(trials![eq5_motion, eq5_quadrature]),
-    Claim::equation("eq-6", "1", "top", "H=w/k+gT/k")
-        .corrected(Change::Sign, "H=w/k-gT/k")
-        .tried(trials![eq6_motion, right_motion, right_quadrature]),
-];
+};
+static STONE: Topic = Topic::new("stone", "The stone", claims!("claims.toml"), &[TRIALS]);
 static PAPER: Paper = Paper {
     title: "The thrown stone",
     authors: "N. N.",
-    topics: &[Topic::new("stone", "The stone", &CLAIMS)],
+    topics: &[&STONE],
     record: include_str!("verdicts.txt"),
     formulas: formulas_of!(paper, corrections),
     ..Paper::BLANK
 };
-
 /// The height of the top over the drag, as printed and as it is found.
 fn figures() -> Result<Vec<Figure>, trialbook::edition::Failure> {
     let row = |k| Ok((k, [paper::eq6_top(k, 9.8, 5.0), top([k, 9.8, 5.0])?]));
-    let rows = (1..=40).map(|i| row(f64::from(i) / 20.0));
-    let rows: Vec<_> = rows.collect::<Result<_, Failure>>()?;
+    let rows: Result<Vec<_>, Failure> = (1..=40).map(|i| row(f64::from(i) / 20.0)).collect();
     let plot = Plot::new("top", "The top")
         .caption("The height of the top over the drag, for $g=9.8$ m/s² and $w=5$ m/s.")
         .alt("The printed height falls from far above; the one found falls from 1.2 m.");
     let axes = [Axis::linear("k (1/s)"), Axis::log("H (m)")];
-    Ok(vec![plot.curves(axes, ["printed", "found"], &rows)?])
+    Ok(vec![plot.curves(axes, ["printed", "found"], &rows?)?])
 }
-
 static EDITION: Edition = Edition {
     pages: &[
         Page::new("index", "The thrown stone", include_str!("pages/index.md")),

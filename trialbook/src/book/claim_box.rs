@@ -169,7 +169,7 @@ fn unconditional(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> 
 /// Why the claim fails, and a case to check on paper.
 fn by_hand(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let fails = entry.judgement.verdict.is_wrong();
-    let Some(case) = entry.paper.case(entry.claim.id).filter(|_| fails) else {
+    let Some(case) = entry.claim.by_hand.filter(|_| fails) else {
         return Ok(String::new());
     };
     let words = case
@@ -338,7 +338,7 @@ fn code(context: &Context<'_>, entry: &Entry) -> String {
         ("printed", code.printed(topic, claim)),
         ("corrected", corrections),
         ("motion", code.motion(topic)),
-        ("claim", code.row(topic, claim)),
+        ("claim", code.entry(topic, claim)),
     ];
     let links = places
         .into_iter()

@@ -11,9 +11,9 @@ use std::collections::BTreeMap;
 /// A place in the code.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Place {
-    /// The file below `src`.
+    /// The file below `src`, or that of a topic's claims.
     file: &'static str,
-    /// The function, or the id of a claim's row; empty for the file as a whole.
+    /// The function, or the id of a claim; empty for the file as a whole.
     name: String,
 }
 
@@ -42,15 +42,15 @@ impl Place {
 /// What stands where.
 pub(super) struct Code<'a> {
     edition: &'a Edition,
-    /// Files shown, by their path below `src`.
+    /// Files shown, by their path below `src`, or where the claims are.
     files: BTreeMap<&'static str, Source>,
 }
 
 /// A file.
 struct Source {
     text: &'static str,
-    /// Its functions, with their lines counted from 0.
-    functions: Vec<(usize, &'static str)>,
+    /// Its functions, or its claims, with their lines counted from 0.
+    places: Vec<(usize, &'static str)>,
 }
 
 /// The page that shows a file.
@@ -61,10 +61,17 @@ fn page(file: &str) -> String {
 impl<'a> Code<'a> {
     pub(super) fn new(edition: &'a Edition) -> Self {
         let files = (edition.sources.files)().into_iter().map(|(path, text)| {
-            let functions = functions(text).collect();
-            (path, Source { text, functions })
+            let places = functions(text).collect();
+            (path, Source { text, places })
         });
-        let files = files.collect();
+        let topics = edition.paper.topics.iter();
+        // What stands in a source is not shown apart.
+        let claims = topics.filter(|topic| topic.file.above == 0).map(|topic| {
+            let lines = topic.lines().map(|(line, claim)| (line - 1, claim.id));
+            let (text, places) = (topic.file.text, lines.collect());
+            (topic.file.name(), Source { text, places })
+        });
+        let files = files.chain(claims).collect();
         Code { edition, files }
     }
 
@@ -84,7 +91,7 @@ impl<'a> Code<'a> {
         let start = format!("eq{}_", claim.equation?);
         let mut functions = self
             .of_topic("paper", topic)
-            .flat_map(|(file, source)| source.functions.iter().map(move |f| (file, f.1)));
+            .flat_map(|(file, source)| source.places.iter().map(move |f| (file, f.1)));
         let (file, name) = functions.find(|(_, name)| name.starts_with(&start))?;
         Some(Place {
             file,
@@ -111,11 +118,9 @@ impl<'a> Code<'a> {
         })
     }
 
-    /// The row of a claim.
-    pub(super) fn row(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
-        let mut files = self.of_topic("claims", topic);
-        let (file, _) =
-            files.find(|(_, source)| rows(source.text).any(|(_, id)| id == claim.id))?;
+    /// The entry of a claim.
+    pub(super) fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+        let (file, _) = self.files.get_key_value(topic.file.name())?;
         Some(Place {
             file,
             name: claim.id.to_owned(),
@@ -142,7 +147,7 @@ impl<'a> Code<'a> {
 
     /// How much code stands in these modules, by their paths, without comments and tests. What follows `without` is left out.
     pub(super) fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
-        let shown = self.files.iter();
+        let shown = self.files.iter().filter(|(file, _)| file.ends_with(".rs"));
         let shown = shown.map(|(file, source)| (format!("src/{file}"), source.text));
         let engine = texts(&ENGINE).into_iter();
         let engine = engine.map(|(file, text)| (format!("trialbook/src/{file}"), text));
@@ -207,16 +212,7 @@ fn lines_of_code(text: &str) -> usize {
         .count()
 }
 
-/// The rows of claims in a source: line, counted from 0, and id.
-fn rows(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    text.lines().enumerate().filter_map(|(i, line)| {
-        let field = line.trim_start().strip_prefix("id: \"");
-        let built = || Some(line.split_once("Claim::equation(\"")?.1);
-        Some((i, field.or_else(built)?.split('"').next()?))
-    })
-}
-
-/// The functions and constants of a source, with their lines counted from 0.
+/// The functions and constants of a source and the rows of its list of trials, with their lines counted from 0.
 fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
     text.lines().enumerate().filter_map(|(i, line)| {
         let mut words = line.trim_start();
@@ -224,9 +220,11 @@ fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
             words = words.strip_prefix(word).unwrap_or(words);
         }
         let constant = words.strip_prefix("const ");
-        let name = constant.unwrap_or(words);
-        let name = name.strip_prefix("fn ").or(constant)?;
-        Some((i, &name[..name.find(['(', '<', ':'])?]))
+        let item = constant.unwrap_or(words).strip_prefix("fn ").or(constant);
+        let name = item.and_then(|item| item.split(['(', '<', ':']).next());
+        let row = || Some(words.trim_start_matches('&').split_once(" = ")?.0);
+        let is_name = |name: &&str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
+        Some((i, name.or_else(row).filter(is_name)?))
     })
 }
 
@@ -235,7 +233,7 @@ fn code_page(file: &str, source: &Source, book: &str) -> String {
     let up = "../".repeat(file.matches('/').count() + 1);
     let mut anchors = BTreeMap::new();
     let mut taken: Vec<&str> = Vec::new();
-    for (line, name) in source.functions.iter().copied().chain(rows(text)) {
+    for (line, name) in source.places.iter().copied() {
         if !taken.contains(&name) {
             taken.push(name);
             anchors.insert(line, name);
@@ -247,15 +245,22 @@ fn code_page(file: &str, source: &Source, book: &str) -> String {
         if let Some(name) = anchors.get(&i) {
             code.push_str(&format!("<a id=\"{}\"></a>", escape(name)));
         }
-        state = highlight(line, state, &mut code);
+        state = match file.ends_with(".rs") {
+            true => highlight(line, state, &mut code),
+            false => {
+                code.push_str(&escape(line));
+                state
+            }
+        };
         code.push('\n');
     }
     let book = escape(book);
+    let folder = if file.ends_with(".rs") { "src/" } else { "" };
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{file}</title>\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\
          <style>{STYLE}</style></head><body><header><a href=\"{up}index.html\">{book}</a></header>\
-         <main><h1>src/{file}</h1><pre tabindex=\"0\"><code>{code}</code></pre></main></body></html>\n"
+         <main><h1>{folder}{file}</h1><pre tabindex=\"0\"><code>{code}</code></pre></main></body></html>\n"
     )
 }
 

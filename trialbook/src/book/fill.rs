@@ -72,10 +72,10 @@ impl<'a> Filler<'a> {
             ["accuracy"] => block(tables::accuracy(context)?),
             ["certified"] => block(checked::summary(context)?),
             ["deep"] => block(deep::table_of(context)?),
-            ["survivors"] => block(tables::survivors(context, ledger.paper.survivors)?),
-            ["spared"] => block(tables::spared(context)?),
+            ["survivors"] => block(tables::excused(context, "survivors")?),
+            ["spared"] => block(tables::excused(context, "spared")?),
             ["coarse"] => block(tables::coarse(context)?),
-            ["cornered"] => block(tables::cornered(context)?),
+            ["cornered"] => block(tables::excused(context, "cornered")?),
             ["idle"] => block(tables::idle(context)?),
             ["sheet", id] => block(tables::code(&context.entry(id)?.sheet())),
             ["sheets"] => block(tables::sheets(context)?),
@@ -154,7 +154,7 @@ impl<'a> Filler<'a> {
         let mut topics = self.context.ledger.paper.topics.iter();
         let topic = topics.find(|topic| topic.stem == page);
         let none = || Fault::Placeholder("this is no page of a topic".into());
-        let claims = topic.ok_or_else(none)?.claims;
+        let claims = topic.ok_or_else(none)?.claims();
         let numbers: Vec<u16> = claims.iter().filter_map(|claim| claim.equation).collect();
         let equations = match numbers[..] {
             [] => None,

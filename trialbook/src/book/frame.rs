@@ -81,7 +81,7 @@ impl<'a> Frame<'a> {
         });
         let html = html.collect::<Result<_, BookError>>()?;
         maths.prepare(edition.paper);
-        for value in edition.paper.values {
+        for value in edition.paper.values() {
             // Kept once computed. A failure shows where the number is used.
             let _ = value.number();
         }

@@ -59,7 +59,7 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
             name = escape(&name),
         )
     };
-    let part = |topic: &Topic| {
+    let part = |topic: &&Topic| {
         let entries = context.ledger.entries.iter();
         let entries = entries.filter(|entry| entry.topic.stem == topic.stem);
         let mut numbered: Vec<_> = entries
@@ -102,7 +102,7 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
 
 /// The section in which a topic begins.
 fn first_section(topic: &Topic) -> &'static str {
-    topic.claims.first().map_or("", |claim| claim.section)
+    topic.claims().first().map_or("", |claim| claim.section)
 }
 
 /// What the program is kept in, with a link where that is known.
@@ -187,7 +187,7 @@ pub(super) fn answers(context: &Context<'_>) -> Result<String, Fault> {
         means: plain_words(symbol.meaning),
         id: symbol.claim,
     });
-    let values = context.ledger.paper.values.iter().filter_map(|value| {
+    let values = context.ledger.paper.values().filter_map(|value| {
         Some(Hint {
             is: value.shown().ok()?,
             means: plain_words(value.meaning),

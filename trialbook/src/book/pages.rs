@@ -60,7 +60,7 @@ fn page_of_claims(topic: &Topic, figures: &[Figure]) -> String {
          ## The claims {{#claims}}\n\n",
         topic.title, topic.stem
     );
-    for claim in topic.claims {
+    for claim in topic.claims() {
         if figures.iter().any(|figure| figure.id == claim.id) {
             text.push_str(&format!("{{{{figure {}}}}}\n\n", claim.id));
         }

@@ -175,8 +175,7 @@ impl Search {
             search.exact.extend(exact);
             let number = claim.equation;
             let number = number.map(|n| format!("eq eq{n} equation {n} ({n}) right true wrong"));
-            let values = context.ledger.paper.values.iter();
-            let values = values.filter(|value| value.claim == claim.id);
+            let values = claim.values.iter();
             // As many digits as one remembers, rounded off or cut.
             let values = values.filter_map(|value| value.shown().ok()).map(|text| {
                 let lengths = (4..=text.len()).filter(|n| text.is_char_boundary(*n));

@@ -6,8 +6,7 @@ use super::error::Fault;
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
 use crate::claims::attempt::Attempt;
-use crate::claims::measured::Measured;
-use crate::claims::variants::{Spared, Survivor};
+use crate::claims::{Claim, Excuse};
 use crate::evidence::{Evidence, Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Standing, Verdict};
 use std::collections::{BTreeMap, BTreeSet};
@@ -193,7 +192,7 @@ pub(super) fn whole_ledger(context: &Context<'_>) -> Result<String, Fault> {
 
 /// The sections of the paper that a topic treats: `2.1 `, `3 to 3.4 `.
 fn sections(topic: &Topic) -> String {
-    match topic.claims {
+    match topic.claims() {
         [] => String::new(),
         [first, .., last] if first.section != last.section => {
             format!("{} to {} ", first.section, last.section)
@@ -319,15 +318,15 @@ pub(super) fn strongest(context: &Context<'_>) -> Result<String, Fault> {
 
 /// The claims without a proof, by the reason.
 pub(super) fn measured(context: &Context<'_>) -> Result<String, Fault> {
-    let row = |measured: &Measured| {
-        let links = measured
-            .claims
+    let row = |(why, claims): &(&str, Vec<&'static Claim>)| {
+        let links = claims
             .iter()
-            .map(|id| context.link(context.entry(id)?));
+            .map(|claim| context.link(context.entry(claim.id)?));
         let links: Result<Vec<_>, Fault> = links.collect();
-        Ok([context.maths.words(measured.reason)?, links?.join(", ")])
+        Ok([context.maths.words(why)?, links?.join(", ")])
     };
-    let rows: Result<Vec<_>, Fault> = context.ledger.paper.measured.iter().map(row).collect();
+    let reasons = context.ledger.paper.unproved();
+    let rows: Result<Vec<_>, Fault> = reasons.iter().map(row).collect();
     Ok(table(
         "measured",
         ["Why there is no proof", "Claims"],
@@ -373,44 +372,37 @@ pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
     Ok(table("accuracy", head, rows?))
 }
 
-/// The wrong variants that are not rejected.
-pub(super) fn survivors(context: &Context<'_>, those: &[Survivor]) -> Result<String, Fault> {
-    let row = |survivor: &Survivor| {
-        Ok([
-            context.link(context.entry(survivor.claim)?)?,
-            format!("<code>{}</code>", escape(survivor.text)),
-            context.maths.words(survivor.reason)?,
-        ])
+/// What need not be noticed of each claim, and why: `survivors`, the wrong variants that are not rejected; `spared`, the formulas of
+/// which a proof does not reject every wrong variant; `cornered`, the mistakes in a corner that no measurement notices, and
+/// then the formulas that none reads.
+pub(super) fn excused(context: &Context<'_>, name: &'static str) -> Result<String, Fault> {
+    let (head, lists): (_, &[fn(&Claim) -> &[Excuse]]) = match name {
+        "spared" => (
+            ["Claim", "Formula", "Why the proof does not reject all"],
+            &[|claim| claim.spared],
+        ),
+        "survivors" => (
+            ["Claim", "Wrong variant", "Why it stands"],
+            &[|claim| claim.survivors],
+        ),
+        _ => (
+            ["Claim", "Wrong variant", "Why it stands"],
+            &[|claim| claim.cornered, |claim| claim.unread],
+        ),
     };
-    let rows: Result<Vec<_>, Fault> = those.iter().map(row).collect();
-    let head = ["Claim", "Wrong variant", "Why it stands"];
-    Ok(table("survivors", head, rows?))
-}
-
-/// The mistakes in a corner that no measurement notices, and the formulas that none reads.
-pub(super) fn cornered(context: &Context<'_>) -> Result<String, Fault> {
-    let paper = context.ledger.paper;
-    let unread = paper.unread.iter().map(|unread| Survivor {
-        claim: unread.claim,
-        text: unread.formula,
-        reason: unread.reason,
+    let entries = || context.ledger.entries.iter();
+    let all = lists.iter().flat_map(|list| {
+        entries().flat_map(move |entry| list(entry.claim).iter().map(move |excuse| (entry, excuse)))
     });
-    let all: Vec<_> = paper.cornered.iter().copied().chain(unread).collect();
-    survivors(context, &all)
-}
-
-/// The formulas of which a proof does not reject every wrong variant.
-pub(super) fn spared(context: &Context<'_>) -> Result<String, Fault> {
-    let row = |spared: &Spared| {
+    let rows = all.map(|(entry, excuse)| {
         Ok([
-            context.link(context.entry(spared.claim)?)?,
-            format!("<code>{}</code>", escape(spared.formula)),
-            context.maths.words(spared.reason)?,
+            context.link(entry)?,
+            format!("<code>{}</code>", escape(excuse.of)),
+            context.maths.words(excuse.why)?,
         ])
-    };
-    let rows: Result<Vec<_>, Fault> = context.ledger.paper.spared.iter().map(row).collect();
-    let head = ["Claim", "Formula", "Why the proof does not reject all"];
-    Ok(table("spared", head, rows?))
+    });
+    let rows: Result<Vec<_>, Fault> = rows.collect();
+    Ok(table(name, head, rows?))
 }
 
 /// The trials of all claims.
@@ -423,7 +415,7 @@ fn trials<'a>(context: &Context<'a>) -> impl Iterator<Item = (&'a Entry, &'stati
 pub(super) fn coarse(context: &Context<'_>) -> Result<String, Fault> {
     let coarse = trials(context).flat_map(|(entry, trial)| {
         let formulas = trial.coarse.iter();
-        formulas.map(move |(formula, why)| (entry, trial.name(), *formula, *why))
+        formulas.map(move |excuse| (entry, trial.name(), excuse.of, excuse.why))
     });
     let rows = coarse.map(|(entry, trial, formula, why)| {
         Ok([

@@ -39,21 +39,19 @@ pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
         rows.push((number, [known, all, meaning, link]));
         Ok(())
     };
-    for value in paper.values {
+    for value in paper.values() {
         let text = value.shown().map_err(|failure| no_number(&failure))?;
         add(text, context.maths.words(value.meaning)?, value.claim)?;
     }
-    for case in paper.cases {
+    for (claim, case) in paper.cases() {
         let numbers = case.numbers().map_err(|failure| no_number(&failure))?;
         for (text, whose) in numbers.into_iter().zip(["as printed", "in the motion"]) {
             let value: f64 = text.parse().unwrap_or(0.0);
             // Nobody looks a whole number up; and those above need no second row.
-            let known = paper.values.iter().filter(|v| v.claim == case.claim);
-            let known = known
-                .filter_map(|v| v.number().ok())
-                .any(|v| (v - value).abs() < 1e-4);
+            let known = claim.values.iter().filter_map(|v| v.number().ok());
+            let known = { known }.any(|v| (v - value).abs() < 1e-4);
             if value.fract() != 0.0 && !known {
-                add(text, format!("the case by hand, {whose}"), case.claim)?;
+                add(text, format!("the case by hand, {whose}"), claim.id)?;
             }
         }
     }

@@ -4,12 +4,40 @@
 //! reads none of this.
 
 use super::compare::Failure;
+use std::panic::Location;
+
+/// The two numbers of a claim's case; the words are in the claim's entry.
+#[derive(Debug, Clone, Copy)]
+pub struct Numbers {
+    /// Id of the claim.
+    pub claim: &'static str,
+    /// The number by the claim as printed.
+    pub stated: fn() -> Result<f64, Failure>,
+    /// The number that the motion has.
+    pub found: fn() -> Result<f64, Failure>,
+    pub(super) place: &'static Location<'static>,
+}
+
+impl Numbers {
+    /// The numbers of the case of the claim of this id.
+    #[track_caller]
+    pub const fn new(
+        claim: &'static str,
+        stated: fn() -> Result<f64, Failure>,
+        found: fn() -> Result<f64, Failure>,
+    ) -> Self {
+        Self {
+            claim,
+            stated,
+            found,
+            place: Location::caller(),
+        }
+    }
+}
 
 /// A case of a claim that fails.
 #[derive(Debug, Clone, Copy)]
 pub struct ByHand {
-    /// Id of the claim.
-    pub claim: &'static str,
     /// What is wrong, in a few words: `the sign of the second term`; formulas in `$…$`.
     pub wrong: &'static str,
     /// Where the derivation goes wrong; formulas in `$…$`.
@@ -18,10 +46,8 @@ pub struct ByHand {
     pub case: &'static str,
     /// Digits shown of the numbers.
     pub digits: usize,
-    /// The number by the claim as printed.
-    pub stated: fn() -> Result<f64, Failure>,
-    /// The number that the motion has.
-    pub found: fn() -> Result<f64, Failure>,
+    /// The numbers.
+    pub computed: Numbers,
 }
 
 impl ByHand {
@@ -38,7 +64,8 @@ impl ByHand {
                 .filter(|size| size.parse() == Ok(0.0));
             zero.map_or(text.clone(), str::to_owned)
         };
-        Ok([shown((self.stated)()?), shown((self.found)()?)])
+        let Numbers { stated, found, .. } = self.computed;
+        Ok([shown(stated()?), shown(found()?)])
     }
 
     /// The case with its numbers, formulas in `$…$`.

@@ -1,12 +1,15 @@
 //! What a claim is, and how it is tried.
 //!
-//! A claim is data; a trial is a function that returns [`Evidence`](crate::evidence::Evidence), or a statement that is
-//! proved. Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
+//! A claim is data, an entry in the [file of its topic](read); a trial is a function that returns
+//! [`Evidence`](crate::evidence::Evidence), or a statement that is proved. Whether a claim holds is not said here: the
+//! [ledger](crate::ledger) judges.
 
 #[cfg(feature = "trials")]
 pub mod attempt;
 #[cfg(feature = "trials")]
 pub mod by_hand;
+#[cfg(feature = "trials")]
+mod change;
 #[cfg(feature = "trials")]
 pub mod compare;
 #[cfg(feature = "trials")]
@@ -16,9 +19,9 @@ pub mod excepted;
 #[cfg(feature = "trials")]
 pub mod formulas;
 #[cfg(feature = "trials")]
-pub mod measured;
-#[cfg(feature = "trials")]
 pub mod points;
+#[cfg(feature = "trials")]
+pub mod read;
 #[cfg(feature = "trials")]
 pub mod reading;
 #[cfg(feature = "trials")]
@@ -36,11 +39,12 @@ use crate::evidence::{Change, Kind};
 #[cfg(feature = "trials")]
 use {
     attempt::Attempt,
-    by_hand::ByHand,
+    by_hand::{ByHand, Numbers},
     formulas::Formulas,
-    measured::Measured,
-    values::Value,
-    variants::{Spared, Survivor, Unread},
+    read::{Fault, File, Read, ReadError},
+    std::collections::BTreeSet,
+    std::sync::OnceLock,
+    values::{Number, Value},
 };
 
 /// Of which commit a record is, by its head `# As of commit …, date: columns`; empty for another head.
@@ -63,7 +67,9 @@ pub struct Condition {
 }
 
 /// What sort of condition it is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, serde::Serialize, serde::Deserialize,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Sort {
     /// The paper states it.
@@ -147,71 +153,35 @@ pub struct Claim {
     /// How it is tried.
     #[cfg(feature = "trials")]
     pub trials: &'static [Attempt],
+    /// Why it has no proof, where it has none.
+    pub unproved: Option<&'static str>,
+    /// Why it fails, with a case to check by hand.
+    #[cfg(feature = "trials")]
+    pub by_hand: Option<ByHand>,
+    /// The numbers by which it can be found.
+    #[cfg(feature = "trials")]
+    pub values: &'static [Value],
+    /// The wrong variants of its formulas that no trial rejects, by their text.
+    pub survivors: &'static [Excuse],
+    /// Its formulas of which a proof does not reject every wrong variant, which the other trials do; with what of it does not
+    /// enter the proof.
+    pub spared: &'static [Excuse],
+    /// The mistakes in a corner that no measurement notices, by their text.
+    pub cornered: &'static [Excuse],
+    /// Its formulas that no measurement reads that agrees, so that none can notice a mistake in a corner of them.
+    pub unread: &'static [Excuse],
+}
+
+/// What need not be noticed, and why not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Excuse {
+    /// The formula by its name, or the mistake by its text.
+    pub of: &'static str,
+    /// The reason.
+    pub why: &'static str,
 }
 
 impl Claim {
-    /// What a row need not say: a property without a number, no conditions, no correction, no trials.
-    #[cfg(feature = "trials")]
-    pub const BLANK: Claim = Claim {
-        id: "",
-        section: "",
-        equation: None,
-        kind: Kind::Property,
-        title: "",
-        latex: "",
-        plain: "",
-        conditions: &[],
-        depends_on: &[],
-        correction: None,
-        argument: "",
-        trials: &[],
-    };
-
-    /// A numbered equation, by its id, its section, its title and the formula as printed. The number is that of the id.
-    ///
-    /// ```
-    /// use trialbook::claims::Claim;
-    ///
-    /// const DRAG: Claim = Claim::equation("eq-6", "1", "drag", "F=kv");
-    /// assert_eq!((DRAG.equation, DRAG.trials.len()), (Some(6), 0));
-    /// ```
-    #[cfg(feature = "trials")]
-    pub const fn equation(
-        id: &'static str,
-        section: &'static str,
-        title: &'static str,
-        latex: &'static str,
-    ) -> Self {
-        Claim {
-            id,
-            section,
-            equation: number_of(id),
-            kind: Kind::Equation,
-            title,
-            latex,
-            plain: latex,
-            ..Self::BLANK
-        }
-    }
-
-    /// The same, tried so.
-    #[cfg(feature = "trials")]
-    pub const fn tried(self, trials: &'static [Attempt]) -> Self {
-        Claim { trials, ..self }
-    }
-
-    /// The same, with what is right in its place; the formula serves as plain text too.
-    #[cfg(feature = "trials")]
-    pub const fn corrected(self, change: Change, latex: &'static str) -> Self {
-        let plain = latex;
-        let correction = Some(Correction {
-            change,
-            latex,
-            plain,
-        });
-        Claim { correction, ..self }
-    }
-
     /// What the claim is called for short: `(11)`, `Figure 3`, or its title; formulas in `$…$`.
     pub fn name(&self) -> String {
         match (self.equation, self.kind) {
@@ -223,43 +193,89 @@ impl Claim {
     }
 }
 
-/// The number of an equation in its id.
-#[cfg(feature = "trials")]
-const fn number_of(id: &str) -> Option<u16> {
-    let Some((head, digits)) = id.as_bytes().split_at_checked("eq-".len()) else {
-        return None;
-    };
-    if !matches!(head, b"eq-") {
-        return None;
-    }
-    match str::from_utf8(digits) {
-        Ok(digits) => match u16::from_str_radix(digits, 10) {
-            Ok(number) => Some(number),
-            Err(_) => None,
-        },
-        Err(_) => None,
-    }
-}
-
-/// A topic: a chapter of the book, and the stem of its files in every room.
-#[derive(Debug, Clone, Copy)]
+/// A topic: a chapter of the book, and the stem of its files everywhere.
+#[derive(Debug)]
 pub struct Topic {
     /// Stem of the files: `constant`.
     pub stem: &'static str,
     /// Title of the chapter.
     pub title: &'static str,
-    /// Its claims, in the paper's order.
-    pub claims: &'static [Claim],
+    /// The file of its claims.
+    #[cfg(feature = "trials")]
+    pub file: File,
+    /// The conditions and reasons that several topics use.
+    #[cfg(feature = "trials")]
+    shared: Option<File>,
+    /// The trials and proofs of its modules.
+    #[cfg(feature = "trials")]
+    trials: &'static [&'static [Attempt]],
+    #[cfg(feature = "trials")]
+    cases: &'static [Numbers],
+    #[cfg(feature = "trials")]
+    numbers: &'static [Number],
+    #[cfg(feature = "trials")]
+    read: OnceLock<Result<Read, ReadError>>,
 }
 
+#[cfg(feature = "trials")]
 impl Topic {
-    /// A topic by its stem, its title and its claims.
-    pub const fn new(stem: &'static str, title: &'static str, claims: &'static [Claim]) -> Self {
+    /// A topic by its stem, its title, its claims and the lists of trials that they name.
+    pub const fn new(
+        stem: &'static str,
+        title: &'static str,
+        file: File,
+        trials: &'static [&'static [Attempt]],
+    ) -> Self {
         Self {
             stem,
             title,
-            claims,
+            file,
+            shared: None,
+            trials,
+            cases: &[],
+            numbers: &[],
+            read: OnceLock::new(),
         }
+    }
+
+    /// The same, which uses conditions and reasons of a file that others use too.
+    pub const fn sharing(mut self, file: File) -> Self {
+        self.shared = Some(file);
+        self
+    }
+
+    /// The same, with the numbers of its cases by hand.
+    pub const fn by_hand(mut self, cases: &'static [Numbers]) -> Self {
+        self.cases = cases;
+        self
+    }
+
+    /// The same, with the numbers by which its claims can be found.
+    pub const fn numbers(mut self, numbers: &'static [Number]) -> Self {
+        self.numbers = numbers;
+        self
+    }
+
+    /// Its claims, in the paper's order; read when they are first asked for.
+    ///
+    /// # Panics
+    /// If its file cannot be read: [`Paper::check`] says so with an error.
+    pub fn claims(&self) -> &'static [Claim] {
+        match self.read() {
+            Ok(read) => read.claims,
+            Err(error) => panic!("{error}"),
+        }
+    }
+
+    /// Its claims, with the lines from 1 in which their entries begin.
+    pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'static Claim)> {
+        let lines = self.read().map_or(&[][..], |read| &read.lines);
+        lines.iter().copied().zip(self.claims())
+    }
+
+    /// What its file says.
+    fn read(&self) -> Result<&Read, &ReadError> {
+        self.read.get_or_init(|| Read::of(self)).as_ref()
     }
 }
 
@@ -275,7 +291,7 @@ pub struct Paper {
     /// A letter to its authors or its journal, as [`Ledger::letter`](crate::ledger::Ledger::letter) reads it; empty for none.
     pub letter: &'static str,
     /// Its claims, by topics in its own order.
-    pub topics: &'static [Topic],
+    pub topics: &'static [&'static Topic],
     /// The recorded verdicts: a line `id: verdict` for each claim.
     pub record: &'static str,
     /// How many wrong variants are rejected, as recorded: a line `id: n of m` for each claim with a formula.
@@ -289,27 +305,6 @@ pub struct Paper {
     /// Its formulas.
     #[cfg(feature = "trials")]
     pub formulas: Formulas,
-    /// Why claims fail, with cases to check by hand.
-    #[cfg(feature = "trials")]
-    pub cases: &'static [ByHand],
-    /// The numbers by which claims can be found.
-    #[cfg(feature = "trials")]
-    pub values: &'static [Value],
-    /// Why claims have no proof.
-    #[cfg(feature = "trials")]
-    pub measured: &'static [Measured],
-    /// The wrong variants that no trial rejects.
-    #[cfg(feature = "trials")]
-    pub survivors: &'static [Survivor],
-    /// The mistakes in a corner that no measurement notices.
-    #[cfg(feature = "trials")]
-    pub cornered: &'static [Survivor],
-    /// The formulas with mistakes in a corner that no measurement reads.
-    #[cfg(feature = "trials")]
-    pub unread: &'static [Unread],
-    /// The formulas of which a proof does not reject every wrong variant.
-    #[cfg(feature = "trials")]
-    pub spared: &'static [Spared],
 }
 
 impl Paper {
@@ -326,36 +321,91 @@ impl Paper {
         deep: "",
         certified: "",
         formulas: Formulas::NONE,
-        cases: &[],
-        values: &[],
-        measured: &[],
-        survivors: &[],
-        cornered: &[],
-        unread: &[],
-        spared: &[],
     };
 
     /// All claims with their topics, in the order of the topics.
+    #[cfg(feature = "trials")]
     pub fn claims(&self) -> impl Iterator<Item = (&'static Topic, &'static Claim)> + use<> {
-        let of = |topic: &'static Topic| topic.claims.iter().map(move |claim| (topic, claim));
+        let of = |topic: &&'static Topic| {
+            let topic = *topic;
+            topic.claims().iter().map(move |claim| (topic, claim))
+        };
         self.topics.iter().flat_map(of)
     }
 
     /// The claim of this id, with its topic.
+    #[cfg(feature = "trials")]
     pub fn find(&self, id: &str) -> Option<(&'static Topic, &'static Claim)> {
         self.claims().find(|(_, claim)| claim.id == id)
     }
 
-    /// The case by hand of the claim of this id, if it has one.
+    /// The numbers by which its claims can be found.
     #[cfg(feature = "trials")]
-    pub fn case(&self, id: &str) -> Option<&'static ByHand> {
-        self.cases.iter().find(|case| case.claim == id)
+    pub fn values(&self) -> impl Iterator<Item = &'static Value> + use<> {
+        self.claims().flat_map(|(_, claim)| claim.values)
     }
 
     /// The number of this short name.
     #[cfg(feature = "trials")]
     pub fn value(&self, id: &str) -> Option<&'static Value> {
-        self.values.iter().find(|value| value.id == id)
+        self.values().find(|value| value.id == id)
+    }
+
+    /// The cases by hand, with their claims.
+    #[cfg(feature = "trials")]
+    pub fn cases(&self) -> impl Iterator<Item = (&'static Claim, &'static ByHand)> + use<> {
+        self.claims()
+            .filter_map(|(_, claim)| Some((claim, claim.by_hand.as_ref()?)))
+    }
+
+    /// The reasons why claims have no proof, each with its claims.
+    #[cfg(feature = "trials")]
+    pub fn unproved(&self) -> Vec<(&'static str, Vec<&'static Claim>)> {
+        let mut reasons: Vec<(&str, Vec<_>)> = Vec::new();
+        for (claim, why) in self
+            .claims()
+            .filter_map(|(_, claim)| Some((claim, claim.unproved?)))
+        {
+            match reasons.iter_mut().find(|(known, _)| *known == why) {
+                Some((_, claims)) => claims.push(claim),
+                None => reasons.push((why, vec![claim])),
+            }
+        }
+        reasons
+    }
+
+    /// Whether all files of its claims can be read: all that they name is there, and all that there is for them to name, they
+    /// name.
+    ///
+    /// # Errors
+    /// The first fault, with its file and line.
+    #[cfg(feature = "trials")]
+    pub fn check(&self) -> Result<(), ReadError> {
+        let mut ids = BTreeSet::new();
+        let mut used = BTreeSet::new();
+        for topic in self.topics {
+            let read = topic.read().map_err(ReadError::clone)?;
+            for (claim, line) in read.claims.iter().zip(&read.lines) {
+                if !ids.insert(claim.id) {
+                    return Err(topic.file.error(*line, Fault::Twice(claim.id.into())));
+                }
+            }
+            used.extend(&read.shared);
+        }
+        for topic in self.topics {
+            let read = topic.read().map_err(ReadError::clone)?;
+            if let Some((line, id)) = read.from.iter().find(|(_, id)| !ids.contains(id)) {
+                return Err(topic.file.error(*line, Fault::unknown("claim", id)));
+            }
+        }
+        let shared: Vec<_> = self
+            .topics
+            .iter()
+            .filter_map(|topic| topic.shared)
+            .collect();
+        shared
+            .iter()
+            .try_for_each(|file| read::all_used(file, &used))
     }
 }
 
@@ -365,31 +415,21 @@ mod tests {
 
     #[test]
     fn a_claim_is_called_by_its_number_its_figure_its_title_or_its_id() {
-        let claim = Claim {
-            id: "fig-3",
-            ..Claim::BLANK
+        let file = File::here(
+            "[fig-3]\ntitle = 'Rest'\nlatex = 'a'\n[eq-11]\ntitle = 'Rest'\nlatex = 'a'",
+        );
+        let [figure, equation] = Topic::new("", "", file, &[]).claims() else {
+            panic!("two claims")
         };
-        let title = "Rest";
-        let numbered = Some(11);
+        let words = Claim {
+            kind: Kind::Property,
+            ..*figure
+        };
         for (claim, name) in [
-            (claim, "fig-3"),
-            (Claim { title, ..claim }, "Rest"),
-            (
-                Claim {
-                    kind: Kind::Figure,
-                    title,
-                    ..claim
-                },
-                "Figure 3",
-            ),
-            (
-                Claim {
-                    equation: numbered,
-                    title,
-                    ..claim
-                },
-                "(11)",
-            ),
+            (Claim { title: "", ..words }, "fig-3"),
+            (words, "Rest"),
+            (*figure, "Figure 3"),
+            (*equation, "(11)"),
         ] {
             assert_eq!(claim.name(), name);
         }

@@ -12,9 +12,50 @@ use crate::exact::Expr;
 use crate::numerics::expression::expression;
 use crate::scalar::Scalar;
 use crate::seeded::reading::{self, Read};
+use std::panic::Location;
 use std::sync::OnceLock;
 
-/// A number, computed when it is first asked for.
+/// How a number is computed; its words are in the entry of its claim.
+#[derive(Debug, Clone, Copy)]
+pub struct Number {
+    /// Short name for the pages: `lambda-c`.
+    pub id: &'static str,
+    enclosure: Option<Enclosure>,
+    computed: Option<fn() -> Result<f64, Failure>>,
+    pub(super) place: &'static Location<'static>,
+}
+
+impl Number {
+    /// What a function computes.
+    #[track_caller]
+    pub const fn new(id: &'static str, number: fn() -> Result<f64, Failure>) -> Self {
+        Self {
+            id,
+            enclosure: None,
+            computed: Some(number),
+            place: Location::caller(),
+        }
+    }
+
+    /// What an enclosure alone tells.
+    #[track_caller]
+    pub const fn enclosed(id: &'static str, enclosure: Enclosure) -> Self {
+        Self {
+            id,
+            enclosure: Some(enclosure),
+            computed: None,
+            place: Location::caller(),
+        }
+    }
+
+    /// The same number, which can be enclosed too.
+    pub const fn within(mut self, enclosure: Enclosure) -> Self {
+        self.enclosure = Some(enclosure);
+        self
+    }
+}
+
+/// A number of a claim, computed when it is first asked for.
 #[derive(Debug)]
 pub struct Value {
     /// Short name for the pages: `lambda-c`.
@@ -34,56 +75,24 @@ pub struct Value {
 }
 
 impl Value {
-    /// A number of a claim, which `number` computes.
+    /// A number of the claim of this id, with so many decimals shown.
     pub const fn new(
-        id: &'static str,
+        number: Number,
         claim: &'static str,
         decimals: usize,
         meaning: &'static str,
-        number: fn() -> Result<f64, Failure>,
+        closed: Option<&'static str>,
     ) -> Self {
-        Value {
-            id,
+        Self {
+            id: number.id,
             meaning,
             claim,
             decimals,
-            enclosure: None,
-            closed: None,
-            computed: Some(number),
+            enclosure: number.enclosure,
+            closed,
+            computed: number.computed,
             number: OnceLock::new(),
         }
-    }
-
-    /// A number of a claim by its enclosure alone.
-    pub const fn enclosed(
-        id: &'static str,
-        claim: &'static str,
-        decimals: usize,
-        meaning: &'static str,
-        enclosure: Enclosure,
-    ) -> Self {
-        Value {
-            id,
-            meaning,
-            claim,
-            decimals,
-            enclosure: Some(enclosure),
-            closed: None,
-            computed: None,
-            number: OnceLock::new(),
-        }
-    }
-
-    /// The same number, which can be enclosed too.
-    pub const fn within(mut self, enclosure: Enclosure) -> Self {
-        self.enclosure = Some(enclosure);
-        self
-    }
-
-    /// The same number, with its closed form.
-    pub const fn closed(mut self, form: &'static str) -> Self {
-        self.closed = Some(form);
-        self
     }
 
     /// The number; whoever watches notes what it was computed from, now or before.

@@ -19,40 +19,6 @@ pub struct Variant {
     pub text: String,
 }
 
-/// A wrong variant that no trial rejects, and why none has to.
-#[derive(Debug, Clone, Copy)]
-pub struct Survivor {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The wrong formula, as [`Variant::text`] has it.
-    pub text: &'static str,
-    /// Why it is not rejected.
-    pub reason: &'static str,
-}
-
-/// A formula that no measurement of its claim reads that agrees, so that none can notice a mistake in a corner of it, and why
-/// none has to.
-#[derive(Debug, Clone, Copy)]
-pub struct Unread {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The name of the formula.
-    pub formula: &'static str,
-    /// Why nothing is measured.
-    pub reason: &'static str,
-}
-
-/// A formula of a claim of which a proof of the claim does not reject every wrong variant; the claim's other trials do.
-#[derive(Debug, Clone, Copy)]
-pub struct Spared {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The name of the formula.
-    pub formula: &'static str,
-    /// What of it does not enter the proof.
-    pub reason: &'static str,
-}
-
 impl Formulas {
     /// Every wrong variant of every formula.
     pub fn variants(&self) -> Vec<Variant> {

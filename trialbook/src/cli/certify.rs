@@ -179,9 +179,10 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::Condition;
+    use crate::claims::Topic;
+    use crate::claims::read::File;
     use crate::claims::tolerances::NONE;
-    use crate::evidence::{Change, Compared, Route};
+    use crate::evidence::{Compared, Route};
 
     #[test]
     fn proofs_without_a_certificate_are_named_and_not_counted() {
@@ -207,8 +208,17 @@ mod tests {
 
     #[test]
     fn a_certificate_bears_what_its_proof_speaks_of() {
-        let printed = Claim::equation("eq-6", "1", "top", "H=+1");
-        let corrected = printed.corrected(Change::Sign, "H=-1");
+        let text = "[eq-6]\ntitle = 'top'\nlatex = 'H=+1'\ncorrected = 'H=-1'\n\
+                    conditions = [{ stated = '$H>0$' }, { remark = 'seen' }, { reading = 'read so' }]";
+        let under = Topic::new("", "", File::here(text), &[]).claims()[0];
+        let corrected = Claim {
+            conditions: &[],
+            ..under
+        };
+        let printed = Claim {
+            correction: None,
+            ..corrected
+        };
         let compared = Compared::one("$H$", "the motion");
         let proof = |subject| Evidence::new(Route::Exact, subject, compared, NONE);
         for subject in [
@@ -242,19 +252,6 @@ mod tests {
             assert_eq!(made.about, about);
         }
         // And under which conditions; what we remark is none.
-        const fn condition(text: &'static str, sort: Sort) -> Condition {
-            Condition { text, sort }
-        }
-        let under = Claim {
-            conditions: const {
-                &[
-                    condition("$H>0$", Sort::Stated),
-                    condition("seen", Sort::Remark),
-                    condition("read so", Sort::Reading),
-                ]
-            },
-            ..printed
-        };
         let made = certificate(&under, &proof(Subject::Within), Vec::new());
         assert_eq!(made.conditions, ["$H>0$", "read so"]);
     }

@@ -159,32 +159,28 @@ fn row<'a>(ledger: &'a Ledger, tried: &Tried) -> TrialRow<'a> {
 fn slight_row<'a>(ledger: &'a Ledger, slight: &Slight) -> SlightRow<'a> {
     let entry = &ledger.entries[slight.entry];
     let mut coarse = entry.claim.trials[slight.trial].coarse.iter();
-    let excuse = coarse.find(|(formula, _)| *formula == slight.formula);
+    let excuse = coarse.find(|excuse| excuse.of == slight.formula);
     SlightRow {
         claim: entry.claim.id,
         trial: entry.evidence[slight.trial].trial,
         formula: slight.formula,
         noticed: slight.noticed,
-        excuse: excuse.map(|(_, why)| *why),
+        excuse: excuse.map(|excuse| excuse.why),
     }
 }
 
 fn corner_row<'a>(paper: &Paper, variant: &'a Variant, noticed: Option<bool>) -> CornerRow<'a> {
     let (claim, text) = (variant.claim.as_str(), variant.text.as_str());
-    let (mut cornered, mut unread) = (paper.cornered.iter(), paper.unread.iter());
-    let excuse = match noticed {
-        Some(_) => cornered
-            .find(|c| c.claim == claim && c.text == text)
-            .map(|c| c.reason),
-        None => unread
-            .find(|u| u.claim == claim && u.formula == variant.formula)
-            .map(|u| u.reason),
-    };
+    let excuses = paper.find(claim).map(|(_, claim)| match noticed {
+        Some(_) => (claim.cornered, text),
+        None => (claim.unread, variant.formula),
+    });
+    let excuse = excuses.and_then(|(excuses, of)| excuses.iter().find(|excuse| excuse.of == of));
     CornerRow {
         claim,
         text,
         noticed,
-        excuse,
+        excuse: excuse.map(|excuse| excuse.why),
     }
 }
 

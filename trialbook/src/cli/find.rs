@@ -19,7 +19,7 @@ pub(super) fn no_option(given: &str) -> Result<String, &'static str> {
 /// Finds the claims that carry a number, which may be given as an expression; the exit code is 1 if there is none.
 pub(super) fn find(paper: &Paper, given: &str, format: Format) -> Result<u8, Failure> {
     let number = decimal_of(given)?;
-    let found = search(paper.values, &number)?;
+    let found = search(paper.values(), &number)?;
     match format {
         Format::Text => show(&text(given, &number, &found))?,
         Format::Json => json(&serde_json::json!({
@@ -65,7 +65,7 @@ pub(super) fn all(paper: &Paper, format: Format) -> Result<u8, Failure> {
             plain_words(value.meaning),
         ])
     };
-    let rows = paper.values.iter().map(row);
+    let rows = paper.values().map(row);
     let rows: Vec<_> = rows.collect::<Result<_, _>>()?;
     let names = ["name", "value", "closed", "claim", "meaning"];
     match format {

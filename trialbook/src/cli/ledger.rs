@@ -329,7 +329,7 @@ fn table(entries: &[&Entry]) -> Result<(), Failure> {
 
 /// Tries claims with a progress bar, which shows on a terminal only.
 fn with_progress(paper: &'static Paper, ids: Option<&[&str]>) -> Ledger {
-    let all = || paper.topics.iter().map(|topic| topic.claims.len()).sum();
+    let all = || paper.claims().count();
     let length = ids.map_or_else(all, <[_]>::len) as u64;
     let bar = progress(length, "{bar:40} {pos}/{len} claims  {msg}");
     let done = |claim: &Claim| {

@@ -157,7 +157,7 @@ impl Ledger {
 
     fn erratum(&self, entry: &Entry) -> Result<Erratum, ErrataError> {
         let claim = entry.claim;
-        let by_hand = self.paper.case(claim.id);
+        let by_hand = claim.by_hand;
         let case = by_hand.map(|case| case.words()).transpose();
         let case = case.map_err(|reason| ErrataError::Case {
             claim: claim.id,

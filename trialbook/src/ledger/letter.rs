@@ -2,9 +2,9 @@
 
 use super::errata::{ErrataError, Erratum};
 use super::pieces::{Piece, decimal, pieces};
-use super::plain::{self, plain_words};
 use super::{Ledger, Verdict};
 use crate::claims::Paper;
+use crate::plain::{self, plain_words};
 use std::collections::BTreeSet;
 
 /// A form of the letter.
@@ -102,9 +102,10 @@ impl Ledger {
                 erratum.map(|erratum| erratum.new.clone()).ok_or_else(none)
             }
             [side @ ("stated" | "found"), id] => {
-                let case = self.paper.case(id).ok_or_else(none)?;
+                let mut cases = self.paper.cases();
+                let (claim, case) = cases.find(|(claim, _)| claim.id == id).ok_or_else(none)?;
                 let [stated, found] = case.numbers().map_err(|reason| ErrataError::Case {
-                    claim: case.claim,
+                    claim: claim.id,
                     reason,
                 })?;
                 Ok(if side == "stated" { stated } else { found })

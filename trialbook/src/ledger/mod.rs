@@ -18,8 +18,6 @@ mod letter;
 mod notation;
 #[cfg(feature = "trials")]
 mod pieces;
-#[cfg(feature = "trials")]
-mod plain;
 mod record;
 #[cfg(feature = "trials")]
 mod row;
@@ -40,6 +38,8 @@ mod tally;
 mod variants;
 mod verdict;
 
+#[cfg(feature = "trials")]
+pub use crate::plain::{plain_formula, plain_words};
 #[cfg(feature = "book")]
 pub use errata::{ErrataError, Erratum};
 #[cfg(feature = "trials")]
@@ -48,8 +48,6 @@ pub use key::Key;
 pub use letter::Format;
 #[cfg(feature = "trials")]
 pub use pieces::{Piece, decimal, pieces};
-#[cfg(feature = "trials")]
-pub use plain::{plain_formula, plain_words};
 pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "trials")]
 pub use row::{EvidenceRow, Row};

@@ -144,33 +144,28 @@ mod tests {
     use super::super::example::tried;
     use super::super::{Entry, Judgement, Verdict, plain_words};
     use super::{EvidenceRow, Row, evidence};
-    use crate::claims::{Claim, Condition, Correction, Paper, Sort, Topic};
-    use crate::evidence::{Change, Compared, Evidence, Kind, Route, Subject, Tolerance};
+    use crate::claims::read::File;
+    use crate::claims::{Paper, Topic};
+    use crate::evidence::{Compared, Evidence, Route, Subject, Tolerance};
     use std::panic::Location;
 
-    static CLAIM: Claim = Claim {
-        id: "eq-9",
-        section: "2.1",
-        equation: Some(9),
-        kind: Kind::Number,
-        title: "a ratio",
-        latex: r"\lambda=1",
-        plain: "λ = 1",
-        conditions: &[Condition {
-            text: "$x>0$",
-            sort: Sort::Substance,
-        }],
-        depends_on: &["eq-1", "eq-2"],
-        correction: Some(Correction {
-            change: Change::Sign,
-            latex: r"\lambda=-1",
-            plain: "λ = −1",
-        }),
-        trials: &[],
-        ..Claim::BLANK
-    };
-
-    static TOPIC: Topic = Topic::new("ratios", "Ratios", &[]);
+    static TOPIC: Topic = Topic::new(
+        "ratios",
+        "Ratios",
+        File::here(
+            r#"
+                section = "2.1"
+                [eq-9]
+                kind = "number"
+                title = "a ratio"
+                latex = '\lambda=1'
+                conditions = [{ substance = '$x>0$' }]
+                from = ["eq-1", "eq-2"]
+                corrected = '\lambda=-1'
+            "#,
+        ),
+        &[],
+    );
 
     static PAPER: Paper = Paper {
         tallies: "eq-8: 3 of 4\neq-9: 7 of 12\n",
@@ -219,7 +214,7 @@ mod tests {
         };
         let entry = Entry {
             paper: &PAPER,
-            claim: &CLAIM,
+            claim: &TOPIC.claims()[0],
             topic: &TOPIC,
             evidence: vec![measured, proved],
             judgement,
@@ -259,7 +254,7 @@ mod tests {
             wrong: Some(plain_words("Needs a condition: $x>0$.")),
             ground: "two routes",
             standing: None,
-            conditions: CLAIM.conditions,
+            conditions: entry.claim.conditions,
             depends_on: &["eq-1", "eq-2"],
             corrected: Some(r"\lambda=-1"),
             code: Vec::new(),

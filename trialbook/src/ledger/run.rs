@@ -149,30 +149,11 @@ impl Ledger {
 
 #[cfg(test)]
 mod tests {
-    use super::super::example::{self, trials, tried};
+    use super::super::example;
     use super::*;
-    use crate::evidence::{Change, Route, Subject};
-
-    const STEP_HOLDS: &[Attempt] = trials![Root Printed 20, Census Step 0];
-
-    const fn heir(id: &'static str, of: &'static [&'static str]) -> Claim {
-        Claim {
-            depends_on: of,
-            ..Claim::equation(id, "1", "an heir", "a=1").tried(STEP_HOLDS)
-        }
-    }
-
-    static CHAIN: [Claim; 4] = [
-        Claim::equation("eq-1", "1", "an error", "a=1")
-            .corrected(Change::Sign, "a=-1")
-            .tried(trials![Root Printed 20, Root Corrected 0, Limit Corrected 0]),
-        heir("eq-2", &["eq-1"]),
-        heir("eq-3", &["eq-2"]),
-        heir("eq-4", &["eq-3"]),
-    ];
 
     static HEIRS: Paper = Paper {
-        topics: &[Topic::new("heirs", "Heirs", &CHAIN)],
+        topics: &[&example::CHAIN],
         ..Paper::BLANK
     };
 

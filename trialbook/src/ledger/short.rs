@@ -25,7 +25,7 @@ impl Entry {
         };
         let wrong = match verdict {
             Verdict::Conditional => conditions(),
-            _ => self.paper.case(self.claim.id)?.wrong.to_owned(),
+            _ => self.claim.by_hand?.wrong.to_owned(),
         };
         Some(format!("{begins}: {wrong}."))
     }

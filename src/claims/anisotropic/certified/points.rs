@@ -8,6 +8,7 @@ use crate::certified::interval::{Interval, PI};
 use crate::certified::krawczyk;
 use crate::certified::numbers::{LAMBDA_Y, Q_Y};
 use crate::certified::written::agree;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::{Compared, Pair, Trial, where_defined};
 use crate::claims::enclosed::{DIGITS, certified, numbers, on_balls};
 use crate::claims::tolerances::NONE;
@@ -152,6 +153,9 @@ pub fn no_way_back() -> Evidence {
         })
     })
 }
+
+pub(in crate::claims) const TRIALS: &[Attempt] =
+    trials![x_unique, y_rounding, no_way_back, y_digits];
 
 #[cfg(test)]
 mod tests {

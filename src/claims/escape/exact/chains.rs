@@ -1,6 +1,7 @@
 //! Theorems about every motion that begins with p < ρ and A > 1, or near α = 0: each link is an identity of the ring, and a
 //! term that has a sign.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::rest::exact::eq139;
 use crate::claims::statement::{Statement, given};
@@ -54,7 +55,7 @@ pub const ALPHA_GROWS: Statement<Beyond> = Statement::new(
 );
 
 /// ψ relaxes near α = 0.
-pub const RELAXES: Statement = Statement::new(
+const RELAXES: Statement = Statement::new(
     Subject::Within,
     Compared::shown(
         r"for every $A>0$ at the start, $\lvert\psi\rvert<\pi$ and $\varepsilon>0$, however small: if $\alpha$ is small enough at the start, then within a time below $\varepsilon$ the angle $\psi$ comes closer than $\varepsilon$ to 0 and so to $\psi_1$, stays there while $\alpha$ is small, and $\mathrm d\alpha/\mathrm d\tau$ is then as close to (126)",
@@ -350,6 +351,8 @@ fn relaxes(formula: Expr) -> Proof {
         p.rests_on(&rate)
     })
 }
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![&ESCAPES, &RELAXES, &ALPHA_GROWS];
 
 #[cfg(test)]
 mod tests {

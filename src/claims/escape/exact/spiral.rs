@@ -10,6 +10,7 @@
 
 use super::chains::ALPHA_GROWS;
 use super::{exponential, tau};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::runs::Derived;
 use crate::claims::statement::{Statement, given};
@@ -779,6 +780,10 @@ fn eq137(law: Expr) -> Proof {
         Ok(())
     })
 }
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![
+    &EQ128, &EQ129, &EQ130, &EQ131, &EQ132, &EQ133, &EQ134, &EQ135, &EQ136, &EQ137
+];
 
 #[cfg(test)]
 mod tests {

@@ -5,6 +5,7 @@
 //! (143) solves, and to whose solutions every other comes as fast as those terms fall.
 
 use super::{chains, series};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
@@ -277,6 +278,9 @@ fn eq143(formula: Expr) -> Proof {
         Ok(())
     })
 }
+
+pub(in crate::claims) const TRIALS: &[Attempt] =
+    trials![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];
 
 #[cfg(test)]
 mod tests {

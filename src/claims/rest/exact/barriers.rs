@@ -6,6 +6,7 @@
 
 use super::boundary::{self, imbalance};
 use super::{least, surfaces};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::escape::exact::chains as fates;
 use crate::claims::statement::{Statement, given};
@@ -274,6 +275,8 @@ fn lowest(formula: Expr) -> Proof {
         Ok(())
     })
 }
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![&LEAST, &SURFACE, &BOUNDARY];
 
 #[cfg(test)]
 mod tests {

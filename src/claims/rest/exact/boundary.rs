@@ -3,6 +3,7 @@
 //! With t = tan(ψ/2), Fₖ = (aₖ + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ. The equation of the order k gives the xₙ of Fₖ, and the
 //! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::runs::Derived;
 use crate::claims::statement::{Statement, given};
@@ -188,3 +189,5 @@ pub const PRINTED: Statement = Statement::new(
     || crate::paper::rest::eq147_a(Expr::symbol("α")),
     |formula| prove(formula, 1),
 );
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![&PRINTED, &CORRECTED];

@@ -1,6 +1,7 @@
 //! Theorems about every motion on the table: that it rests or goes away, and how it stops.
 
 use super::arrivals;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::escape::exact::chains::{
     acceleration, comes_to_rest, polar, pushed, stops_along,
@@ -113,6 +114,8 @@ fn near_rest(limits: [Expr; 2], ahead: Expr) -> Proof {
         )
     })
 }
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![&NEAR_REST, &DICHOTOMY];
 
 #[cfg(test)]
 mod tests {

@@ -1,6 +1,7 @@
 //! The least A of the boundary between rest and escape, over all ψ: what there is in place of the envelope (147).
 
 use super::boundary;
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::Statement;
 use crate::corrections::rest as corrected;
@@ -94,6 +95,8 @@ pub const PRINTED: Statement = Statement::new(
     || crate::paper::rest::eq147_a(Expr::symbol("α")),
     prove,
 );
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![&PRINTED, &CORRECTED];
 
 #[cfg(test)]
 mod tests {

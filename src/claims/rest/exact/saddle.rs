@@ -1,5 +1,6 @@
 //! The surfaces of starts that come to rest close to ρ = 1: hyperbolas around a saddle.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
@@ -97,6 +98,8 @@ pub const CORRECTED: Statement = Statement::new(
     },
     prove,
 );
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![&CORRECTED];
 
 #[cfg(test)]
 mod tests {

@@ -4,6 +4,7 @@
 //! that (143) prints. The coefficients are found order by order from the equations of motion (113) to (115), which are
 //! proved from Newton's law.
 
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::runs::Derived;
 use crate::claims::statement::{Statement, given};
@@ -367,3 +368,6 @@ pub const EQ145: Statement = Statement::new(
     },
     eq145,
 );
+
+pub(in crate::claims) const TRIALS: &[Attempt] =
+    trials![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];

@@ -4,6 +4,7 @@
 //! finite at ψ = 0, where the motions to rest arrive.
 
 use super::boundary::{ENOUGH, imbalance};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
@@ -78,3 +79,5 @@ pub const CORRECTED: Statement = Statement::new(
     },
     prove,
 );
+
+pub(in crate::claims) const TRIALS: &[Attempt] = trials![&CORRECTED];

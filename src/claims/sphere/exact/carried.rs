@@ -3,6 +3,7 @@
 
 use super::{S3_REDUCTION, body};
 use crate::claims::anisotropic::{exact as anisotropy, motions};
+use crate::claims::attempt::{Attempt, trials};
 use crate::claims::compare::Compared;
 use crate::claims::periodic::borders::THRESHOLD;
 use crate::claims::periodic::chains::{MOSTLY_AT_REST, REST_ABOVE_ONE};
@@ -15,7 +16,7 @@ use crate::paper::{anisotropic, sinusoidal, sphere as paper};
 use crate::scalar::Scalar;
 
 /// The pulse train.
-pub const PULSE: Statement = Statement::new(
+const PULSE: Statement = Statement::new(
     Subject::Printed,
     Compared::shown(
         r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that (44) to (46) are proved",
@@ -28,7 +29,7 @@ pub const PULSE: Statement = Statement::new(
 );
 
 /// Any periodic drive.
-pub const ANY_DRIVE: Statement = Statement::new(
+const ANY_DRIVE: Statement = Statement::new(
     Subject::Printed,
     Compared::shown(
         r"for every sphere and every start: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22), and (26) with $h$ for the sine is its equation; for that it is proved that all rests above $\lambda_0=1$, that the share of rest tends to 1 below it if $\lvert h\rvert=1$ at single instants, and that, under the conditions of that theorem, some $\lambda_\mathrm c$ divides large friction, with rests, from small, without",
@@ -168,6 +169,9 @@ fn regions(lambda0: Expr) -> Proof {
         )
     })
 }
+
+pub(in crate::claims) const TRIALS: &[Attempt] =
+    trials![&TRICHOTOMY, &ANY_DRIVE, &PULSE, &ANISOTROPIC];
 
 #[cfg(test)]
 mod tests {

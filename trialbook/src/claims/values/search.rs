@@ -120,7 +120,10 @@ fn with_power(text: &str) -> String {
 ///
 /// # Errors
 /// A text that is no decimal number, and a value that cannot be computed.
-pub fn search(values: &[Value], given: &str) -> Result<Vec<Match>, Failure> {
+pub fn search<'a>(
+    values: impl IntoIterator<Item = &'a Value>,
+    given: &str,
+) -> Result<Vec<Match>, Failure> {
     let wanted = Digits::read(given).ok_or_else(|| NotDecimal(given.to_owned()))?;
     let mut found = Vec::new();
     for value in values {
@@ -238,17 +241,24 @@ impl Digits {
 
 #[cfg(test)]
 mod tests {
+    use super::super::Number;
     use super::*;
     use std::f64::consts::PI;
 
+    const fn value(
+        id: &'static str,
+        closed: Option<&'static str>,
+        number: fn() -> Result<f64, Failure>,
+    ) -> Value {
+        Value::new(Number::new(id, number), "eq-1", 10, "", closed)
+    }
+
     static VALUES: [Value; 5] = [
-        Value::new("lambda-c", "eq-1", 10, "", || {
-            Ok(2.0 / libm::sqrt(4.0 + PI * PI))
-        }),
-        Value::new("q", "eq-2", 10, "", || Ok(4.603_338_848_751_7)),
-        Value::new("minus", "eq-3", 10, "", || Ok(-0.0858)),
-        Value::new("half", "eq-4", 10, "", || Ok(3.5)).closed("7/2"),
-        Value::new("five", "eq-5", 10, "", || Ok(0.732_51)),
+        value("lambda-c", None, || Ok(2.0 / libm::sqrt(4.0 + PI * PI))),
+        value("q", None, || Ok(4.603_338_848_751_7)),
+        value("minus", None, || Ok(-0.0858)),
+        value("half", Some("7/2"), || Ok(3.5)),
+        value("five", None, || Ok(0.732_51)),
     ];
 
     /// Names, digits that are right, and the place and column of the first wrong one.

@@ -1,4 +1,4 @@
-//! LaTeX as plain text: for letters, terminals and the search.
+//! LaTeX as plain text: for claims, letters, terminals and the search.
 
 /// Words with formulas in `$…$`, as plain text.
 pub fn plain_words(text: &str) -> String {
@@ -141,7 +141,7 @@ const OTHERS: &[(char, &str)] = &[
 ];
 
 /// The LaTeX command, for use in a formula, of a character that is not ASCII.
-pub(super) fn command(c: char) -> Option<String> {
+pub(crate) fn command(c: char) -> Option<String> {
     if let Some((_, command)) = OTHERS.iter().find(|(known, _)| *known == c) {
         return Some((*command).to_owned());
     }
