@@ -3,7 +3,6 @@
 use super::*;
 use crate::claims::solve::constant::{At, ConstantProblem, Formulas};
 use crate::corrections::constant as corrected;
-use crate::scalar::Scalar;
 use std::f64::consts::PI;
 
 fn constant([lambda, v0, theta0, accel]: [f64; 4], at: At) -> ConstantProblem {

@@ -1,6 +1,5 @@
 //! Periodic drives.
 
-use super::*;
 use crate::claims::anisotropic::simulated::Curves;
 use crate::claims::solve::anisotropic;
 use crate::paper::anisotropic::region;

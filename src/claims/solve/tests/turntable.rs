@@ -1,6 +1,5 @@
 //! The turntable.
 
-use super::*;
 use crate::claims::solve::turntable::{Moment, TurntableProblem};
 
 #[test]
