@@ -2,17 +2,13 @@
 
 mod cases;
 
+use crate::{cells, slipbook};
 use serde_json::Value;
 use slipbook::ledger::Format;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::Duration;
-
-fn slipbook(arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_slipbook"));
-    command.args(arguments).output().unwrap()
-}
 
 /// The command with the words of a line.
 fn asked(line: &str) -> Output {
@@ -672,14 +668,6 @@ fn a_table_and_its_json_say_the_same() {
     ] {
         let answer = json(arguments);
         let table = text(&asked(&format!("{arguments} --csv")).stdout);
-        let cells = |line: &'_ str| -> Vec<String> {
-            let mut quoted = false;
-            let between = |c| {
-                quoted ^= c == '"';
-                c == ',' && !quoted
-            };
-            line.split(between).map(str::to_owned).collect()
-        };
         let mut lines = table.lines().map(cells);
         let head = lines.next().unwrap();
         let answers = answer[rows].as_array().unwrap();

@@ -1,7 +1,8 @@
 //! The command as cases: lines as people type them, and beside them what they are answered, in `cases.txt` to the letter, in
 //! `held.txt` as numbers from elsewhere.
 
-use super::{json, slipbook, text};
+use super::{json, text};
+use crate::slipbook;
 use serde_json::Value;
 use slipbook::numerics::expression::expression;
 use std::fs;
