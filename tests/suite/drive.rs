@@ -148,13 +148,13 @@ fn a_mean_above_the_friction_drifts_and_says_how_fast() {
 }
 
 #[test]
-fn no_periods_is_too_few_and_says_so() {
+fn no_period_and_one_are_too_few() {
     let drive = sine();
-    let outcome = drive.attractor(half(), REST, 0);
-    assert!(matches!(
-        outcome,
-        Err(DriveError::NotSettled { periods: 0, .. })
-    ));
+    for few in [0, 1] {
+        let outcome = drive.attractor(half(), REST, few);
+        let told = matches!(outcome, Err(DriveError::NotSettled { periods, .. }) if periods == few);
+        assert!(told, "{few}: {outcome:?}");
+    }
 }
 
 #[test]

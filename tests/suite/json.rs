@@ -3,7 +3,6 @@
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
-use std::process::Command;
 
 const PAGE: &str = include_str!("../../book/src/json.md");
 
@@ -65,10 +64,7 @@ fn note(shape: &mut Shape, path: &str, value: &Value) {
 }
 
 fn written(command: &str) -> Value {
-    let output = Command::new(env!("CARGO_BIN_EXE_slipbook"))
-        .args(command.split(' '))
-        .output()
-        .unwrap();
+    let output = crate::slipbook(&command.split(' ').collect::<Vec<_>>());
     let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
     assert_eq!(output.status.code(), Some(0), "{command}: {complaint}");
     serde_json::from_slice(&output.stdout).unwrap()

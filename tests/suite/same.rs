@@ -4,7 +4,6 @@ use slipbook::ledger::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 fn read(folder: &Path, below: &str, files: &mut BTreeMap<String, Vec<u8>>) {
     for entry in fs::read_dir(folder).unwrap() {
@@ -22,18 +21,15 @@ fn read(folder: &Path, below: &str, files: &mut BTreeMap<String, Vec<u8>>) {
 #[test]
 fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
     let folder = tempfile::tempdir().unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_slipbook"))
-        .args(["--json", "--out", "book", "--jobs", "1"])
-        .current_dir(folder.path())
-        .output()
-        .unwrap();
+    let out = folder.path().join("book");
+    let output = crate::slipbook(&["--json", "--out", out.to_str().unwrap(), "--jobs", "1"]);
     assert_eq!(output.status.code(), Some(0));
     let files = |book: &Path| {
         let mut files = BTreeMap::new();
         read(book, "", &mut files);
         files
     };
-    let (book, other) = (files(&folder.path().join("book")), files(&crate::BOOK));
+    let (book, other) = (files(&out), files(&crate::BOOK));
     assert!(book.keys().any(|name| name.ends_with(".csv")) && book.keys().eq(other.keys()));
     let differ = book.iter().filter(|(name, bytes)| other[*name] != **bytes);
     let differ: Vec<_> = differ.map(|(name, _)| name).collect();
@@ -67,7 +63,7 @@ fn the_figures_are_the_recorded_ones() {
 
 /// A figure's data as one can read them: what each column holds as a whole, then the first rows and some evenly between them and the last.
 fn thinned(csv: &str) -> String {
-    let mut lines = csv.lines().map(cells);
+    let mut lines = csv.lines().map(crate::cells);
     let head = lines.next().unwrap();
     let mut rows: Vec<_> = lines.collect();
     let mut text = format!("{} rows\n", rows.len());
@@ -85,20 +81,6 @@ fn thinned(csv: &str) -> String {
         text += &format!("{}\n", rows[row].join(" | "));
     }
     text
-}
-
-/// The cells of a line; one with a comma stands between quotation marks.
-fn cells(line: &str) -> Vec<String> {
-    let mut cells = vec![String::new()];
-    let mut quoted = false;
-    for c in line.chars() {
-        match c {
-            '"' => quoted = !quoted,
-            ',' if !quoted => cells.push(String::new()),
-            c => cells.last_mut().unwrap().push(c),
-        }
-    }
-    cells
 }
 
 /// The range and the mean of a column of numbers, which are rounded; of other columns how often each value stands there.

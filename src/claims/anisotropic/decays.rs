@@ -33,17 +33,3 @@ fn vanishes(law: [Expr; 2], limit: Expr) -> Proof {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![&VY_VANISHES];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_lies_across_vanishes_and_another_law_or_limit_is_refused() {
-        assert!(VY_VANISHES.proof().holds(), "{}", VY_VANISHES.proof());
-        let ([x, y], limit) = (VY_VANISHES.formulas)();
-        let small = Expr::symbol("m") / Expr::int(1_000_000);
-        assert!(!vanishes([x, y - small], limit).holds());
-        assert!(!vanishes([x, y], small).holds());
-    }
-}

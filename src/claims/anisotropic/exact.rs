@@ -506,13 +506,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn another_x_fails() {
-        let [q, lambda0] = printed::eq57_x::<Expr>();
-        assert!(!prove_x([q, lambda0 * Expr::int(2)]).holds());
-        assert!(!prove_x([Expr::int(2), lambda0]).holds());
-    }
-
-    #[test]
     fn b_leaves_y_with_its_slope() {
         // dB/dα = −cos α (3π/2 − α) and dB/dβ = −1 − sin α at β = π/2, where 3π/2 − α = cot α: by α, the slope of β is
         // −cos²α/(sin α (1 + sin α)) = 1 − 1/sin α.

@@ -169,20 +169,3 @@ fn across(law: [Expr; 2], said: [Expr; 2]) -> Proof {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![&STOPS, &ACROSS];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_link_holds_and_another_friction_breaks_it() {
-        assert!(STOPS.proof().holds(), "{}", STOPS.proof());
-        assert!(ACROSS.proof().holds(), "{}", ACROSS.proof());
-        let more = Expr::symbol("μ") / Expr::int(1_000_000);
-        assert!(!stops(eq2() - more).holds());
-        let ([x, y], said) = (ACROSS.formulas)();
-        assert!(!across([x, y - more], said).holds());
-        assert!(!across([x, y], [said[0], more]).holds());
-        assert!(!across([x, y], [-said[0], said[1]]).holds());
-    }
-}

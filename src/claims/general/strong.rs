@@ -146,34 +146,3 @@ pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![&MOVES, &SPEEDS_UP];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn small() -> Expr {
-        Expr::symbol("μ") / Expr::int(1_000_000)
-    }
-
-    #[test]
-    fn a_rest_ends_above_the_printed_bound_and_no_other() {
-        assert!(MOVES.proof().holds(), "{}", MOVES.proof());
-        let bound = (MOVES.formulas)();
-        assert!(!moves(bound + small()).holds());
-        assert!(!moves(-bound).holds());
-    }
-
-    #[test]
-    fn each_link_to_a_growing_speed_holds_and_another_law_breaks_it() {
-        assert!(SPEEDS_UP.proof().holds(), "{}", SPEEDS_UP.proof());
-        let (bound, [x, y], speed) = (SPEEDS_UP.formulas)();
-        for (bound, law, speed) in [
-            (bound - small(), [x, y], speed),
-            (bound, [x + small(), y], speed),
-            (bound, [x, y - small()], speed),
-            (bound, [x, y], speed - small()),
-        ] {
-            assert!(!speeds_up(bound, law, speed).holds());
-        }
-    }
-}

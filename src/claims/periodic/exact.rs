@@ -180,20 +180,3 @@ pub const EQ46: Statement = Statement::new(
 );
 
 pub(super) const TRIALS: &[Attempt] = trials![&EQ44, &EQ45, &EQ46];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_claim_has_its_proof() {
-        for (proof, title) in [
-            (EQ44.proof(), "(44)"),
-            (EQ45.proof(), "(45)"),
-            (EQ46.proof(), "(46)"),
-            (small_friction(), "Small friction"),
-        ] {
-            assert!(proof.holds() && proof.title().starts_with(title), "{proof}");
-        }
-    }
-}

@@ -251,19 +251,6 @@ mod tests {
     use crate::claims::PAPER;
     use crate::seeded::with;
 
-    #[test]
-    fn the_statements_are_proved() {
-        for evidence in [bracket(), one_end(), threshold(), turns(), lambda_c()] {
-            assert_eq!(
-                evidence.worst,
-                0.0,
-                "{}: {}",
-                evidence.comparison(),
-                evidence.at
-            );
-        }
-    }
-
     fn refused(evidence: &Evidence) {
         assert_eq!(evidence.worst, f64::INFINITY, "{}", evidence.at);
     }

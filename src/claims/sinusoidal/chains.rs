@@ -240,40 +240,6 @@ pub(super) const TRIALS: &[Attempt] =
 mod tests {
     use super::*;
 
-    fn small() -> Expr {
-        Expr::symbol("μ") / Expr::int(1_000_000)
-    }
-
-    #[test]
-    fn what_lies_across_vanishes_and_another_drive_law_or_limit_is_refused() {
-        assert!(VY_VANISHES.proof().holds(), "{}", VY_VANISHES.proof());
-        let (drive, [x, y], limit) = (VY_VANISHES.formulas)();
-        let across = [drive[0], Expr::symbol("A₀")];
-        assert!(!vy_vanishes(across, [x, y], limit).holds());
-        assert!(!vy_vanishes(drive, [x, y - small()], limit).holds());
-        assert!(!vy_vanishes(drive, [x, y], small()).holds());
-    }
-
-    #[test]
-    fn a_weak_drive_stops_and_a_larger_one_or_another_law_is_refused() {
-        let proof = WEAK_DRIVE_STOPS.proof();
-        assert!(proof.holds(), "{proof}");
-        let (drive, speed) = (WEAK_DRIVE_STOPS.formulas)();
-        let larger = [drive[0] * Expr::int(2), drive[1]];
-        assert!(!weak_drive_stops(larger, speed).holds());
-        assert!(!weak_drive_stops(drive, speed + small()).holds());
-    }
-
-    #[test]
-    fn a_strong_drive_goes_on_and_other_phases_or_another_law_are_refused() {
-        assert!(VX_STAYS.proof().holds(), "{}", VX_STAYS.proof());
-        let ([x, y], drive, [phi1, phi2]) = (VX_STAYS.formulas)();
-        assert!(!vx_stays([x, y], drive, [phi2, phi1]).holds());
-        assert!(!vx_stays([x - small(), y], drive, [phi1, phi2]).holds());
-        let against = [-drive[0], drive[1]];
-        assert!(!vx_stays([x, y], against, [phi1, phi2]).holds());
-    }
-
     #[test]
     fn friction_across_is_as_stated_and_nothing_else_for_both_signs() {
         let proof = FRICTION_ACROSS.proof();

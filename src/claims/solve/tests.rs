@@ -1,39 +1,12 @@
-//! The calculators against values from elsewhere: separate integrations of Newton's law in 30-digit arithmetic by
-//! extrapolation, and slips followed there from event to event.
+//! What an answer says and how many digits it has, and the calculators where no one number is held: `tests/suite/command/held.txt`
+//! holds them against values from elsewhere.
 
 mod constant;
 mod driven;
-mod rest;
 mod sphere;
 mod turntable;
 
 use super::*;
-
-/// Each field agrees with a number, to ten digits of its size.
-#[track_caller]
-fn agrees<T: Fields + Clone>(answer: &Answer<T>, expected: &[(&str, f64)]) {
-    let fields = answer.best.fields();
-    for (name, wanted) in expected {
-        let field = fields.iter().find(|f| f.name == *name).expect("a field");
-        let Value::Number(found) = field.value else {
-            panic!("{name} is {:?}", field.value);
-        };
-        let size = wanted.abs().max(field.scale);
-        assert!(
-            (found - wanted).abs() <= 1e-12 * size,
-            "{name}: {found} {wanted}"
-        );
-    }
-    assert!(answer.digits >= Some(11), "{:?} digits", answer.digits);
-}
-
-#[track_caller]
-fn word<T: Fields + Clone>(answer: &Answer<T>) -> &'static str {
-    match answer.best.fields()[0].value {
-        Value::Word(word) => word,
-        other => panic!("{other:?}"),
-    }
-}
 
 #[test]
 fn an_answer_is_written_with_its_fields_first() {

@@ -482,40 +482,6 @@ fn advancing_in_parts_is_advancing_at_once() {
     assert_eq!((still.end, still.intervals.len()), (start, 0));
 }
 
-#[test]
-fn bad_input_is_named() {
-    for (p, m, name) in [
-        (-0.1, 0.5, "lambda_plus"),
-        (0.5, f64::NAN, "lambda_minus"),
-        (f64::INFINITY, 0.5, "lambda_plus"),
-    ] {
-        let error = Friction::new(p, m).unwrap_err();
-        assert!(matches!(error, DriveError::Parameter { name: n, .. } if n == name));
-        assert!(error.to_string().contains("[0, ∞)"));
-    }
-    let drive = sine();
-    let bad = DriveState {
-        phi: f64::NAN,
-        w: 0.0,
-    };
-    assert!(drive.attractor(friction(0.5, 0.5), bad, 9).is_err());
-    let none = drive.attractor(friction(0.5, 0.5), ORIGIN, 1);
-    assert!(matches!(
-        none,
-        Err(DriveError::NotSettled { periods: 1, .. })
-    ));
-    assert!(
-        drive
-            .advance(friction(0.5, 0.5), ORIGIN, f64::INFINITY)
-            .is_err()
-    );
-    assert!(drive.advance(friction(0.5, 0.5), ORIGIN, -1.0).is_err());
-    assert!(matches!(
-        Drive::new(|x| 1.0 / x, &[]),
-        Err(DriveError::Shape(_))
-    ));
-}
-
 proptest! {
     #[test]
     fn any_drive_settles_or_drifts(

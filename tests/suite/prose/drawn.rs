@@ -216,7 +216,7 @@ fn beside(figure: &Figure, frame: [f64; 4], panel: &str) -> Result<usize, String
     let (Some(up), Some(beside)) = (up, beside) else {
         return Ok(curves(panel).len());
     };
-    let mut rows = figure.csv.lines().map(cells);
+    let mut rows = figure.csv.lines().map(crate::cells);
     let head = rows.next().ok_or("no numbers")?;
     let rows: Vec<_> = rows.collect();
     let columns = |label: &str| {
@@ -263,20 +263,6 @@ fn beside(figure: &Figure, frame: [f64; 4], panel: &str) -> Result<usize, String
     let strange =
         |(colour, corners): &&Drawn<'_>| !corners.iter().all(|c| told(colour, c) || edge(c));
     Ok(curves(panel).iter().filter(strange).count())
-}
-
-/// The cells of a row.
-fn cells(row: &str) -> Vec<String> {
-    let mut cells = vec![String::new()];
-    let mut quoted = false;
-    for c in row.chars() {
-        match c {
-            '"' => quoted = !quoted,
-            ',' if !quoted => cells.push(String::new()),
-            c => cells.last_mut().expect("a cell").push(c),
-        }
-    }
-    cells
 }
 
 #[test]

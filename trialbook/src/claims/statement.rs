@@ -3,6 +3,8 @@
 use super::compare::proved;
 use crate::evidence::{Compared, Evidence, Subject};
 use crate::exact::{Obstacle, Proof, Prover};
+use crate::seeded::{Seed, reading, with};
+use std::collections::BTreeSet;
 use std::panic::Location;
 
 /// What is said of formulas in the shape `F`.
@@ -62,6 +64,12 @@ impl<F> Statement<F> {
 
 /// A statement of any shape.
 pub trait Proved: Sync {
+    /// The paths of the formulas of which it speaks.
+    fn speaks_of(&self) -> BTreeSet<&'static str>;
+
+    /// The proof with a mistake in the formulas of which it speaks, and in nothing else that it reads.
+    fn with_mistake(&self, mistake: Seed) -> Proof;
+
     /// The proof of the formulas as they stand.
     fn proof(&self) -> Proof;
 
@@ -73,6 +81,14 @@ pub trait Proved: Sync {
 }
 
 impl<F> Proved for Statement<F> {
+    fn speaks_of(&self) -> BTreeSet<&'static str> {
+        reading::of(self.formulas).1.formulas
+    }
+
+    fn with_mistake(&self, mistake: Seed) -> Proof {
+        (self.prove)(with(mistake, self.formulas))
+    }
+
     fn proof(&self) -> Proof {
         Statement::proof(self)
     }

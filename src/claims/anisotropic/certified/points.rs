@@ -162,20 +162,6 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_points_are_proved() {
-        for evidence in [x_unique(), y_rounding(), y_digits()] {
-            assert_eq!(
-                evidence.worst,
-                0.0,
-                "{}: {}",
-                evidence.comparison(),
-                evidence.at
-            );
-        }
-        assert_eq!(no_way_back().worst, 2.0);
-    }
-
-    #[test]
     fn mutated_points_are_refused() {
         let off = prove_x(printed::eq53_sides, |l, u| {
             let [left, right] = printed::eq54_sides(l, u);

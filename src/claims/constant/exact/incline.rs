@@ -117,29 +117,3 @@ fn only_constant(law: [Expr; 2]) -> Proof {
         Ok(())
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_incline_has_the_law_and_another_law_or_pull_is_refused() {
-        let proof = ON_AN_INCLINE.proof();
-        assert!(proof.holds(), "{proof}");
-        let ([x, y], drive) = (ON_AN_INCLINE.formulas)();
-        let more = Expr::symbol("μ") / Expr::int(1_000_000);
-        assert!(!on_an_incline([x + more, y], drive).holds());
-        assert!(!on_an_incline([x, -y], drive).holds());
-        assert!(!on_an_incline([x, y], [-drive[0], drive[1]]).holds());
-    }
-
-    #[test]
-    fn the_pull_is_told_by_opposite_velocities_and_another_law_is_refused() {
-        let proof = ONLY_CONSTANT.proof();
-        assert!(proof.holds(), "{proof}");
-        let [x, y] = eq1();
-        let more = Expr::symbol("μ") / Expr::int(1_000_000);
-        assert!(!only_constant([x + more, y]).holds());
-        assert!(!only_constant([x, y * Expr::int(2)]).holds());
-    }
-}

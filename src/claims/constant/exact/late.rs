@@ -124,33 +124,3 @@ fn against(sense: Expr, [ax, ay]: [Expr; 2]) -> Proof {
         p.equal("The two", &limit, &sense)
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn friction_cannot_hold_below_one_and_another_border_is_refused() {
-        assert!(CANNOT_HOLD.proof().holds(), "{}", CANNOT_HOLD.proof());
-        let [left, right] = (CANNOT_HOLD.formulas)();
-        assert!(!cannot_hold([left.squared(), right]).holds());
-        assert!(!cannot_hold([right, left]).holds());
-    }
-
-    #[test]
-    fn the_velocity_aligns_below_one_and_another_border_or_angle_is_refused() {
-        assert!(ALIGNS.proof().holds(), "{}", ALIGNS.proof());
-        let ([left, right], angle) = (ALIGNS.formulas)();
-        assert!(!aligns([left.squared(), right], angle).holds());
-        assert!(!aligns([left, right], right).holds());
-    }
-
-    #[test]
-    fn it_slides_against_the_acceleration_and_another_sense_or_drive_is_refused() {
-        assert!(AGAINST.proof().holds(), "{}", AGAINST.proof());
-        let (sense, [ax, ay]) = (AGAINST.formulas)();
-        assert!(!against(paper::s21_late_sense(), [ax, ay]).holds());
-        assert!(!against(sense, [-ax, ay]).holds());
-        assert!(!against(sense, [ax, ax]).holds());
-    }
-}

@@ -116,26 +116,3 @@ fn near_rest(limits: [Expr; 2], ahead: Expr) -> Proof {
 }
 
 pub(in crate::claims) const TRIALS: &[Attempt] = trials![&NEAR_REST, &DICHOTOMY];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scalar::Scalar;
-
-    #[test]
-    fn each_link_holds_and_another_law_breaks_it() {
-        let little = Expr::int(1) / Expr::int(1_000_000);
-        assert!(DICHOTOMY.proof().holds(), "{}", DICHOTOMY.proof());
-        let (third, bound, [x, y]) = (DICHOTOMY.formulas)();
-        assert!(!dichotomy(third + little, bound, [x, y]).holds());
-        assert!(!dichotomy(third, bound + little, [x, y]).holds());
-        assert!(!dichotomy(third, bound - little, [x, y]).holds());
-        assert!(!dichotomy(third, bound, [x, y + little]).holds());
-
-        assert!(NEAR_REST.proof().holds(), "{}", NEAR_REST.proof());
-        let ([alpha, psi], ahead) = (NEAR_REST.formulas)();
-        assert!(!near_rest([alpha + little, psi], ahead).holds());
-        assert!(!near_rest([alpha, psi - little], ahead).holds());
-        assert!(!near_rest([alpha, psi], ahead + little).holds());
-    }
-}

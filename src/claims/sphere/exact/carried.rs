@@ -172,22 +172,3 @@ fn regions(lambda0: Expr) -> Proof {
 
 pub(in crate::claims) const TRIALS: &[Attempt] =
     trials![&TRICHOTOMY, &ANY_DRIVE, &PULSE, &ANISOTROPIC];
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn each_is_proved_and_another_friction_breaks_it() {
-        let wrong = |stated: Expr| stated * Expr::int(1_000_001) / Expr::int(1_000_000);
-        for statement in [PULSE, ANISOTROPIC, ANY_DRIVE] {
-            let stated = (statement.formulas)();
-            assert!(statement.proof().holds(), "{}", statement.proof());
-            assert!(!(statement.prove)(wrong(stated)).holds());
-        }
-        let [lambda0, critical] = (TRICHOTOMY.formulas)();
-        assert!(TRICHOTOMY.proof().holds(), "{}", TRICHOTOMY.proof());
-        assert!(!trichotomy([wrong(lambda0), critical]).holds());
-        assert!(!trichotomy([lambda0, wrong(critical)]).holds());
-    }
-}

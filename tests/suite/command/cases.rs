@@ -1,0 +1,115 @@
+//! The command as cases: lines as people type them, and beside them what they are answered, in `cases.txt` to the letter, in
+//! `held.txt` as numbers from elsewhere.
+
+use super::{json, text};
+use crate::slipbook;
+use serde_json::Value;
+use slipbook::numerics::expression::expression;
+use std::fs;
+
+const CASES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/suite/command/cases.txt");
+
+/// The lines that are typed, and the remarks, each with what stands below it.
+fn cases(text: &str) -> Vec<(&str, String)> {
+    let mut cases: Vec<(&str, String)> = Vec::new();
+    for line in text.lines() {
+        match cases.last_mut() {
+            Some((_, below)) if !line.starts_with(['$', '#']) => *below += &format!("{line}\n"),
+            _ => cases.push((line, String::new())),
+        }
+    }
+    cases
+}
+
+/// What a line is answered: the exit code if it is not 0, what is printed, as far as the line asks for it, and the first
+/// paragraph of what is said besides.
+fn answer(line: &str) -> String {
+    let mut parts = line.split(" | ");
+    let typed = parts.next().unwrap().split('\'').enumerate();
+    let words = typed.flat_map(|(i, part)| match i % 2 {
+        0 => part.split_whitespace().collect(),
+        _ => vec![part],
+    });
+    let output = slipbook(&words.skip(1).collect::<Vec<_>>());
+    let (said, besides) = (text(&output.stdout), text(&output.stderr));
+    let mut lines: Vec<_> = said.lines().map(str::to_owned).collect();
+    for filter in parts {
+        match filter.split_once(' ') {
+            Some(("grep", word)) => lines.retain(|line| line.contains(word.trim_matches('\''))),
+            Some(("head", count)) => lines.truncate(count[1..].parse().unwrap()),
+            _ => panic!("`{filter}` is no filter"),
+        }
+    }
+    let code = output.status.code().filter(|code| *code != 0);
+    let besides = besides.lines().take_while(|line| !line.is_empty());
+    let besides = besides.filter(|line| !line.contains("[possible values"));
+    code.map(|code| format!("? {code}"))
+        .into_iter()
+        .chain(lines)
+        .chain(besides.map(|line| format!("! {line}")))
+        .map(|line| line + "\n")
+        .collect()
+}
+
+#[test]
+fn every_line_has_its_answer() {
+    let (mut now, mut wrong) = (String::new(), Vec::new());
+    for (line, below) in cases(&fs::read_to_string(CASES).unwrap()) {
+        let found = line.strip_prefix("$ ").map_or(String::new(), answer);
+        if found.trim_end() != below.trim_end() {
+            wrong.push(format!(
+                "{line}\nhas to be answered\n{below}and is\n{found}"
+            ));
+        }
+        let gap = if format!("\n{below}").ends_with("\n\n") {
+            "\n"
+        } else {
+            ""
+        };
+        now += &format!("{line}\n{found}{gap}");
+    }
+    if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
+        return fs::write(CASES, now).unwrap();
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Whether a field of an answer is what a row says: its name, a number or a word, a unit, and how far off it may be.
+fn is_held(answer: &Value, row: &str) -> bool {
+    let (name, wanted) = row.split_once(' ').unwrap();
+    match answer.pointer(&format!("/{}", name.replace('.', "/"))) {
+        None => false,
+        Some(Value::Null) => wanted == "none",
+        Some(Value::String(word)) => match wanted.strip_suffix('…') {
+            Some(begin) => word.starts_with(begin),
+            None => word == wanted,
+        },
+        Some(found) => {
+            let (wanted, error) = wanted.split_once(" ±").unwrap_or((wanted, ""));
+            let (wanted, unit) = wanted.split_once(' ').unwrap_or((wanted, ""));
+            let number = expression(wanted, |decimal| decimal.parse::<f64>().ok());
+            let number = number.unwrap_or_else(|_| panic!("{row}"));
+            let error = error.parse().unwrap_or(1e-12 * number.abs());
+            (found.as_f64().unwrap() - number).abs() <= error
+                && (unit.is_empty() || answer["units"][name] == unit)
+        }
+    }
+}
+
+#[test]
+fn every_number_is_that_of_another_source() {
+    let mut wrong = Vec::new();
+    for (line, below) in cases(include_str!("held.txt")) {
+        let Some(line) = line.strip_prefix("$ slipbook ") else {
+            continue;
+        };
+        let answer = json(line);
+        if !below.contains("digits ") && answer["digits"].as_u64() < Some(11) {
+            wrong.push(format!("{line}: {} digits", answer["digits"]));
+        }
+        let rows = below.lines().filter(|row| !row.is_empty());
+        let rows = rows.filter(|row| !is_held(&answer, row));
+        wrong.extend(rows.map(|row| format!("{line}: {row}, not as in {answer}")));
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
