@@ -38,15 +38,15 @@ pub(super) fn run(
     let mut first = Point::new(0);
     let question = ask(&mut first);
     let given = || first.swept.iter().rev().map(|(name, _)| *name);
-    let mut heads: Vec<_> = given().map(|name| head(name, unit(name))).collect();
+    let answered = question.heads()?;
+    // Where the answer has a quantity of the same name, what is given says so.
+    let given_head = |name| match head(name, unit(name)) {
+        head if answered.contains(&head) => format!("given {head}"),
+        head => head,
+    };
+    let mut heads: Vec<_> = given().map(given_head).collect();
     let keys = heads.len();
-    // What is given is no answer: no second column of the same name.
-    let answered = question.heads()?.into_iter();
-    heads.extend(
-        answered
-            .filter(|answer| !heads.contains(answer))
-            .collect::<Vec<_>>(),
-    );
+    heads.extend(answered);
     heads.extend(["digits", "note"].map(str::to_owned));
     let heads: Vec<_> = heads.iter().map(String::as_str).collect();
     let range = shard.range(total);
@@ -127,14 +127,7 @@ fn cells(row: &Row) -> Vec<String> {
                 Value::Missing => String::new(),
                 value => word(value),
             };
-            let given = |field: &&Field| row.swept.iter().any(|(name, _)| *name == field.name);
-            cells.extend(
-                report
-                    .fields
-                    .iter()
-                    .filter(|field| !given(field))
-                    .map(value),
-            );
+            cells.extend(report.fields.iter().map(value));
             cells.push(report.digits.map_or(String::new(), |n| n.to_string()));
             cells.push(report.note.clone());
         }
