@@ -1,4 +1,4 @@
-//! Where the two wings meet: the claims of the paper, and the trials that try them.
+//! Where the two sides meet: the claims of the paper, and the trials that try them.
 //!
 //! A claim is data, an entry in `claims/<topic>.toml`; a trial is a function that returns
 //! [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
@@ -13,7 +13,6 @@ mod failure;
 pub mod formulas;
 #[cfg(feature = "trials")]
 pub mod laid_over;
-pub mod solve;
 #[cfg(feature = "trials")]
 pub mod tolerances;
 #[cfg(feature = "trials")]

@@ -1,7 +1,7 @@
 //! A plot of a calculator's answer.
 
 use super::{Axis, Figure, FigureError, Panel, Plot, Table};
-use crate::claims::solve;
+use crate::solve;
 
 /// The curve of an answer, on plain axes: equally long units, if they are the same and there is room.
 ///

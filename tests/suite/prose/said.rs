@@ -7,7 +7,7 @@ use super::text::{Word, pages, words};
 use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::drift::budget;
 use slipbook::claims::anisotropic::simulated::{Curves, attractor};
-use slipbook::claims::solve::{anisotropic as ratchet, sinusoidal, turntable};
+use slipbook::solve::{anisotropic as ratchet, sinusoidal, turntable};
 use slipbook::claims::tolerances::VANISHES;
 use slipbook::corrections::{
     anisotropic as border, escape, periodic as pulses, sinusoidal as swing,

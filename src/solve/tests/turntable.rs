@@ -1,6 +1,6 @@
 //! The turntable.
 
-use crate::claims::solve::turntable::{Moment, TurntableProblem};
+use crate::solve::turntable::{Moment, TurntableProblem};
 
 #[test]
 fn a_start_from_rest_goes_straight_out_wherever_it_is() {

@@ -1,7 +1,7 @@
 //! Spheres.
 
-use crate::claims::solve::constant::At;
-use crate::claims::solve::sphere::SphereProblem;
+use crate::solve::constant::At;
+use crate::solve::sphere::SphereProblem;
 use std::f64::consts::PI;
 
 /// Powers of γ stay numbers: up to the largest one there is an answer, whatever the rest.

@@ -1,7 +1,7 @@
 //! Periodic drives.
 
 use crate::claims::anisotropic::simulated::Curves;
-use crate::claims::solve::anisotropic;
+use crate::solve::anisotropic;
 use crate::paper::anisotropic::region;
 
 #[test]

@@ -1,7 +1,7 @@
 //! Launched particles.
 
 use super::*;
-use crate::claims::solve::constant::{At, ConstantProblem, Formulas};
+use crate::solve::constant::{At, ConstantProblem, Formulas};
 use crate::corrections::constant as corrected;
 use std::f64::consts::PI;
 

@@ -11,13 +11,13 @@
 //! ([`Double`]).
 //!
 //! ```
-//! use slipbook::claims::solve::constant::{At, ConstantProblem};
+//! use slipbook::solve::constant::{At, ConstantProblem};
 //!
 //! let launch = ConstantProblem { lambda: 0.5, v0: 1.0, theta0: 1.0, accel: 1.0, at: At::Time(2.0) };
 //! let answer = launch.solve()?;
 //! assert!((answer.best.v - 1.721_996_770_1).abs() < 1e-9);
 //! assert!(answer.digits >= Some(10));
-//! # Ok::<(), slipbook::claims::solve::SolveError>(())
+//! # Ok::<(), slipbook::solve::SolveError>(())
 //! ```
 
 pub mod anisotropic;
