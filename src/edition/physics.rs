@@ -3,7 +3,7 @@
 use crate::claims::{PAPER, as_of};
 use trialbook::book::{escape, table};
 use trialbook::edition::Filled;
-use trialbook::ledger::plain_words;
+use trialbook::notation::plain_words;
 
 /// What the tool `mutants` wrote.
 const RECORD: &str = include_str!("../../snapshots/physics.csv");

@@ -4,7 +4,7 @@
 
 use slipbook::claims::{Claim, PAPER};
 use slipbook::evidence::Kind;
-use slipbook::ledger::{plain_formula, plain_words};
+use trialbook::notation::{plain_formula, plain_words};
 
 /// The claims without their topics.
 fn all() -> impl Iterator<Item = &'static Claim> {

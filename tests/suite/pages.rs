@@ -2,11 +2,12 @@
 
 use crate::{BOOK, LEDGER};
 use slipbook::claims::PAPER;
-use slipbook::ledger::{Format, Piece, pieces, plain_formula, plain_words};
+use slipbook::ledger::Format;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use trialbook::notation::{Piece, pieces, plain_formula, plain_words};
 
 /// Pages that explain what verdicts are, and so name them.
 const ON_VERDICTS: [&str; 6] = ["methods", "adding", "own", "snapshots", "errata", "map"];

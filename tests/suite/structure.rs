@@ -12,10 +12,10 @@ const ENGINE: &Modules = &[
     ("scalar", &[]),
     ("seeded", &["scalar"]),
     ("evidence", &[]),
-    ("plain", &[]),
+    ("notation", &[]),
     ("numerics", &["scalar"]),
     ("witness", &[]),
-    ("exact", &["scalar", "seeded", "witness"]),
+    ("exact", &["notation", "scalar", "seeded", "witness"]),
     ("certified", &["exact", "numerics", "scalar", "witness"]),
     (
         "claims",
@@ -27,10 +27,10 @@ const ENGINE: &Modules = &[
             "certified",
             "seeded",
             "witness",
-            "plain",
+            "notation",
         ],
     ),
-    ("ledger", &["evidence", "claims", "seeded", "plain"]),
+    ("ledger", &["evidence", "claims", "seeded", "notation"]),
     ("figures", &[]),
     ("edition", &["claims", "figures", "seeded"]),
     (
@@ -42,12 +42,15 @@ const ENGINE: &Modules = &[
     ),
     (
         "book",
-        &["evidence", "claims", "ledger", "figures", "edition"],
+        &[
+            "evidence", "claims", "ledger", "figures", "edition", "notation",
+        ],
     ),
     (
         "cli",
         &[
-            "claims", "evidence", "ledger", "figures", "numerics", "book", "edition", "witness",
+            "claims", "evidence", "ledger", "figures", "notation", "numerics", "book", "edition",
+            "witness",
         ],
     ),
 ];
@@ -89,6 +92,7 @@ const OF_THE_PAPER: &Modules = &[
             "corrections",
             "evidence",
             "ledger",
+            "notation",
             "paper",
             "scalar",
             "seeded",
@@ -101,7 +105,8 @@ const OF_THE_PAPER: &Modules = &[
     (
         "edition",
         &[
-            "evidence", "claims", "exam", "ledger", "figures", "symbols", "book", "commands",
+            "evidence", "claims", "exam", "ledger", "figures", "notation", "symbols", "book",
+            "commands",
         ],
     ),
 ];

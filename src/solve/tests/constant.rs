@@ -1,8 +1,8 @@
 //! Launched particles.
 
 use super::*;
-use crate::solve::constant::{At, ConstantProblem, Formulas};
 use crate::corrections::constant as corrected;
+use crate::solve::constant::{At, ConstantProblem, Formulas};
 use std::f64::consts::PI;
 
 fn constant([lambda, v0, theta0, accel]: [f64; 4], at: At) -> ConstantProblem {

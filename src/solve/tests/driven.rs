@@ -1,8 +1,8 @@
 //! Periodic drives.
 
 use crate::claims::anisotropic::simulated::Curves;
-use crate::solve::anisotropic;
 use crate::paper::anisotropic::region;
+use crate::solve::anisotropic;
 
 #[test]
 fn formula_and_motion_name_the_same_region_all_over_the_plane() {

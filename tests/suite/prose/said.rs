@@ -7,7 +7,6 @@ use super::text::{Word, pages, words};
 use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::drift::budget;
 use slipbook::claims::anisotropic::simulated::{Curves, attractor};
-use slipbook::solve::{anisotropic as ratchet, sinusoidal, turntable};
 use slipbook::claims::tolerances::VANISHES;
 use slipbook::corrections::{
     anisotropic as border, escape, periodic as pulses, sinusoidal as swing,
@@ -27,6 +26,7 @@ use slipbook::paper::turntable::{eq107_p_rate, eq109_psi_rate};
 use slipbook::paper::{
     anisotropic, constant, escape as growing, general, periodic, sphere, turntable as print,
 };
+use slipbook::solve::{anisotropic as ratchet, sinusoidal, turntable};
 use slipbook::symbols::SYMBOLS;
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 use std::panic::Location;

@@ -14,10 +14,6 @@ pub(crate) mod example;
 mod key;
 #[cfg(feature = "book")]
 mod letter;
-#[cfg(feature = "trials")]
-mod notation;
-#[cfg(feature = "trials")]
-mod pieces;
 mod record;
 #[cfg(feature = "trials")]
 mod row;
@@ -38,16 +34,12 @@ mod tally;
 mod variants;
 mod verdict;
 
-#[cfg(feature = "trials")]
-pub use crate::plain::{plain_formula, plain_words};
 #[cfg(feature = "book")]
 pub use errata::{ErrataError, Erratum};
 #[cfg(feature = "trials")]
 pub use key::Key;
 #[cfg(feature = "book")]
 pub use letter::Format;
-#[cfg(feature = "trials")]
-pub use pieces::{Piece, decimal, pieces};
 pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "trials")]
 pub use row::{EvidenceRow, Row};

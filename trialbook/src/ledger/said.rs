@@ -2,8 +2,8 @@
 //!
 //! Formulas stand in `$…$`, numbers as `2e-13`; who shows the sentences sets both.
 
-use super::decimal;
 use crate::evidence::{Evidence, Outcome, Route, Subject};
+use crate::notation::decimal;
 
 impl Route {
     /// The method, behind the sentence that says what was compared.

@@ -1,6 +1,6 @@
 //! Our own plain words, taken apart: formulas and numbers, for those who set them in HTML or LaTeX.
 
-use super::notation::formula;
+use super::latex::formula;
 
 /// A piece of plain words.
 #[derive(Debug, Clone, PartialEq, Eq)]

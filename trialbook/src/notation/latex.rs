@@ -1,11 +1,12 @@
-//! Our plain notation of formulas, such as `tan(θ/2)^2 + v_x/R`, read into LaTeX wherever it stands among words.
+//! Plain text as LaTeX: formulas such as `tan(θ/2)^2 + v_x/R`, wherever they stand among words.
 
 mod factors;
 mod scripts;
 #[cfg(test)]
 mod tests;
 
-use crate::plain::command;
+use super::letters::{FRACTIONS, HIGH, LOW, large};
+use super::plain::symbols;
 use factors::{is_differential, is_letter};
 
 /// Signs between the two sides of a statement.
@@ -217,4 +218,37 @@ fn sign_command(sign: char) -> String {
         '~' => r"\sim ".into(),
         sign => command(sign).map_or_else(|| sign.into(), |command| command + " "),
     }
+}
+
+/// Characters of our own words that have another command in LaTeX than its reader has for them, or none.
+const OTHERS: &[(char, &str)] = &[
+    ('−', "-"),
+    ('√', r"\surd"),
+    ('𝔴', r"\mathfrak w"),
+    ('ẑ', r"\hat z"),
+    ('˙', r"\cdot"),
+    ('∠', r"\angle"),
+    ('|', "|"),
+    ('′', "'"),
+    ('𝐫', r"\bm r"),
+    ('𝛒', r"\bm\rho"),
+    ('\u{303}', r"\tilde{}"),
+];
+
+/// The LaTeX command, for use in a formula, of a character that is not ASCII.
+pub(crate) fn command(c: char) -> Option<String> {
+    if let Some((_, command)) = OTHERS.iter().find(|(known, _)| *known == c) {
+        return Some((*command).to_owned());
+    }
+    for (among, sign) in [(LOW, '_'), (HIGH, '^')] {
+        if let Some(large) = large(c, among) {
+            return Some(format!("{sign}{large}"));
+        }
+    }
+    let is = |text: &str| text.trim().chars().eq([c]);
+    if let Some(((above, below), _)) = FRACTIONS.iter().find(|(_, known)| is(known)) {
+        return Some(format!(r"\frac{above}{below}"));
+    }
+    let known = symbols().find(|(_, symbol)| is(symbol));
+    known.map(|(name, _)| format!("\\{name}"))
 }

@@ -1,5 +1,7 @@
 //! LaTeX as plain text: for claims, letters, terminals and the search.
 
+use super::letters::{ACCENTS, FRACTIONS, FUNCTIONS, GREEK, HIGH, LOW, is_small, large, small};
+
 /// Words with formulas in `$…$`, as plain text.
 pub fn plain_words(text: &str) -> String {
     let parts = text.split('$').enumerate();
@@ -18,7 +20,7 @@ pub fn plain_formula(latex: &str) -> String {
     let mut out = String::with_capacity(text.len());
     for c in text.chars() {
         // The power of a function, behind its blank.
-        if SMALL_HIGH.contains(c) && out.ends_with(' ') {
+        if large(c, HIGH).is_some() && out.ends_with(' ') {
             out.pop();
         }
         // Blanks come from several sources: one is enough.
@@ -37,34 +39,6 @@ struct Reader<'a> {
 
 /// Commands that stand for a character or a few.
 const SYMBOLS: &[(&str, &str)] = &[
-    ("alpha", "α"),
-    ("beta", "β"),
-    ("gamma", "γ"),
-    ("delta", "δ"),
-    ("epsilon", "ε"),
-    ("varepsilon", "ε"),
-    ("zeta", "ζ"),
-    ("eta", "η"),
-    ("theta", "θ"),
-    ("vartheta", "ϑ"),
-    ("kappa", "κ"),
-    ("lambda", "λ"),
-    ("mu", "μ"),
-    ("nu", "ν"),
-    ("xi", "ξ"),
-    ("ell", "ℓ"),
-    ("pi", "π"),
-    ("varpi", "ϖ"),
-    ("rho", "ρ"),
-    ("sigma", "σ"),
-    ("tau", "τ"),
-    ("phi", "φ"),
-    ("chi", "χ"),
-    ("psi", "ψ"),
-    ("omega", "ω"),
-    ("Delta", "Δ"),
-    ("Omega", "Ω"),
-    ("Theta", "Θ"),
     ("approx", " ≈ "),
     ("simeq", " ≃ "),
     ("sim", " ~ "),
@@ -111,57 +85,9 @@ const SYMBOLS: &[(&str, &str)] = &[
     ("qquad", "  "),
 ];
 
-/// Characters of our own words that have another command in LaTeX, or none of their own above.
-const OTHERS: &[(char, &str)] = &[
-    ('−', "-"),
-    ('√', r"\surd"),
-    ('𝔴', r"\mathfrak w"),
-    ('²', "^2"),
-    ('³', "^3"),
-    ('⁴', "^4"),
-    ('⁻', "^-"),
-    ('⁵', "^5"),
-    ('⁰', "^0"),
-    ('¹', "^1"),
-    ('⁸', "^8"),
-    ('½', r"\frac12"),
-    ('ẑ', r"\hat z"),
-    ('φ', r"\phi"),
-    ('˙', r"\cdot"),
-    ('⅓', r"\frac13"),
-    ('∠', r"\angle"),
-    ('|', "|"),
-    ('→', r"\to"),
-    ('′', "'"),
-    ('⟨', r"\langle"),
-    ('⟩', r"\rangle"),
-    ('𝐫', r"\bm r"),
-    ('𝛒', r"\bm\rho"),
-    ('\u{303}', r"\tilde{}"),
-];
-
-/// The LaTeX command, for use in a formula, of a character that is not ASCII.
-pub(crate) fn command(c: char) -> Option<String> {
-    if let Some((_, command)) = OTHERS.iter().find(|(known, _)| *known == c) {
-        return Some((*command).to_owned());
-    }
-    if let Some(digit) = SMALL_LOW.chars().position(|known| known == c) {
-        return Some(format!("_{}", SMALL.chars().nth(digit)?));
-    }
-    let known = SYMBOLS
-        .iter()
-        .find(|(_, symbol)| symbol.trim().chars().eq([c]));
-    known.map(|(name, _)| format!("\\{name}"))
-}
-
-/// Digits and signs, and how they look as sub- and superscripts.
-const SMALL: &str = "0123456789+-";
-const SMALL_LOW: &str = "₀₁₂₃₄₅₆₇₈₉₊₋";
-const SMALL_HIGH: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻";
-
-/// True for a digit or a sign as a sub- or superscript.
-fn is_small(c: char) -> bool {
-    SMALL_LOW.contains(c) || SMALL_HIGH.contains(c)
+/// The commands that stand for a character or a few: letters and signs.
+pub(super) fn symbols() -> impl Iterator<Item = &'static (&'static str, &'static str)> {
+    GREEK.iter().chain(SYMBOLS)
 }
 
 /// Commands that only change how their argument looks.
@@ -198,16 +124,6 @@ const SILENT: &[&str] = &[
     "mathclose",
 ];
 
-/// Commands that put a mark over their argument.
-const MARKS: &[(&str, char)] = &[
-    ("dot", '\u{307}'),
-    ("ddot", '\u{308}'),
-    ("hat", '\u{302}'),
-    ("tilde", '\u{303}'),
-    ("bar", '\u{304}'),
-    ("vec", '\u{20d7}'),
-];
-
 impl Reader<'_> {
     /// All up to the brace that closes the group being read, or to the end.
     fn until_closed(&mut self) -> String {
@@ -237,7 +153,7 @@ impl Reader<'_> {
             }
             if !item.trim().is_empty() {
                 let digit = item.starts_with(|c: char| c.is_ascii_digit());
-                let vulgar = VULGAR
+                let vulgar = FRACTIONS
                     .iter()
                     .any(|(_, known)| out.trim_end().ends_with(known));
                 let factor = item.starts_with(|c: char| {
@@ -268,8 +184,8 @@ impl Reader<'_> {
             '}' => return None,
             '{' => self.until_closed(),
             '\\' => self.command(),
-            '_' => script(&self.argument(), "_", SMALL_LOW),
-            '^' => script(&self.argument(), "^", SMALL_HIGH),
+            '_' => script(&self.argument(), "_", LOW),
+            '^' => script(&self.argument(), "^", HIGH),
             '-' => "−".into(),
             '~' => " ".into(),
             '=' | '<' | '>' => format!(" {c} "),
@@ -293,13 +209,13 @@ impl Reader<'_> {
         };
         let (name, rest) = self.rest.split_at(end);
         self.rest = rest;
-        if let Some((_, symbol)) = SYMBOLS.iter().find(|(known, _)| *known == name) {
+        if let Some((_, symbol)) = symbols().find(|(known, _)| *known == name) {
             if name == "lvert" {
                 self.rest = self.rest.trim_start();
             }
             return (*symbol).to_owned();
         }
-        if let Some((_, mark)) = MARKS.iter().find(|(known, _)| *known == name) {
+        if let Some((_, mark)) = ACCENTS.iter().find(|(known, _)| *known == name) {
             let under = self.argument();
             return format!("{under}{mark}");
         }
@@ -307,7 +223,7 @@ impl Reader<'_> {
             "frac" | "tfrac" | "dfrac" => {
                 let (above, below) = (self.argument(), self.argument());
                 let numbers = (above.trim(), below.trim());
-                match VULGAR.iter().find(|(known, _)| *known == numbers) {
+                match FRACTIONS.iter().find(|(known, _)| *known == numbers) {
                     Some((_, vulgar)) => (*vulgar).to_owned(),
                     None => format!("{}/{}", whole(above), factor(below)),
                 }
@@ -332,27 +248,15 @@ impl Reader<'_> {
 }
 
 /// A sub- or superscript: in small digits, or behind its sign.
-fn script(text: &str, sign: &str, to: &str) -> String {
-    let small = |c: char| {
-        let place = SMALL.chars().position(|known| known == c)?;
-        to.chars().nth(place)
-    };
+fn script(text: &str, sign: &str, among: &str) -> String {
     let signs = text.replace('−', "-");
-    match signs.chars().map(small).collect::<Option<String>>() {
+    let digits: Option<String> = signs.chars().map(|c| small(c, among)).collect();
+    match digits {
         Some(small) if !small.is_empty() => small,
         _ if text.starts_with(['·', '′']) => text.replace('·', "˙"),
         _ => format!("{sign}{}", factor(text.to_owned())),
     }
 }
-
-/// Fractions that have a character of their own.
-const VULGAR: &[((&str, &str), &str)] = &[
-    (("1", "2"), "½"),
-    (("1", "3"), "⅓"),
-    (("2", "3"), "⅔"),
-    (("1", "4"), "¼"),
-    (("3", "4"), "¾"),
-];
 
 /// Puts what begins there into brackets.
 fn bracket(out: &mut String, at: usize) {
@@ -369,13 +273,10 @@ fn multiplies(item: &str) -> bool {
 /// True if the text ends with a function whose argument is to come.
 fn ends_with_function(text: &str) -> bool {
     let word = text
-        .trim_end_matches(|c| c == ' ' || SMALL_HIGH.contains(c))
+        .trim_end_matches(|c| c == ' ' || large(c, HIGH).is_some())
         .rsplit(|c: char| !c.is_ascii_alphabetic())
         .next();
-    let functions = [
-        "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "coth", "ln", "exp",
-    ];
-    word.is_some_and(|word| functions.contains(&word))
+    word.is_some_and(|word| FUNCTIONS.contains(&word))
 }
 
 /// A term in brackets unless it is one factor: a number, a symbol with its marks, a differential, a root, a bracket.

@@ -1,23 +1,7 @@
 //! Indices and powers in our plain notation.
 
-use super::{Factor, Reader};
-use crate::plain::command;
-
-/// Small letters and digits below and above the line, each behind what it stands for.
-const LOW: &str = "0₀1₁2₂3₃4₄5₅6₆7₇8₈9₉+₊-₋xₓnₙkₖ";
-const HIGH: &str = "0⁰1¹2²3³4⁴5⁵6⁶7⁷8⁸9⁹+⁺-⁻nⁿkᵏ";
-
-/// What a character stands for, if it is one of these small ones.
-fn small(c: char, among: &str) -> Option<char> {
-    let pair = among.chars().zip(among.chars().skip(1)).step_by(2);
-    pair.into_iter()
-        .find_map(|(large, small)| (small == c).then_some(large))
-}
-
-/// True for a small letter or digit, below the line or above.
-pub(super) fn is_small(c: char) -> bool {
-    small(c, LOW).or(small(c, HIGH)).is_some()
-}
+use super::super::letters::{HIGH, LOW, large};
+use super::{Factor, Reader, command};
 
 impl Reader<'_> {
     /// Indices, powers and primes behind a factor; nothing if it is a name of the code.
@@ -71,7 +55,7 @@ impl Reader<'_> {
     /// Small digits and letters of a kind.
     fn run(&mut self, among: &str) -> Option<String> {
         let mut run = String::new();
-        while let Some(large) = self.peek().and_then(|c| small(c, among)) {
+        while let Some(large) = self.peek().and_then(|c| large(c, among)) {
             run.push(large);
             self.rest = &self.rest[self.peek().map_or(0, char::len_utf8)..];
         }

@@ -1,23 +1,7 @@
 //! The factors of a formula in our plain notation.
 
-use super::scripts::is_small;
-use super::{Factor, Reader};
-use crate::plain::command;
-
-/// Functions by their names, which LaTeX knows too.
-const FUNCTIONS: &[&str] = &[
-    "sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "coth",
-    "exp", "ln", "min", "max",
-];
-
-/// Accents, and the commands that set them.
-const ACCENTS: &[(char, &str)] = &[
-    ('\u{302}', r"\hat"),
-    ('\u{303}', r"\tilde"),
-    ('\u{304}', r"\bar"),
-    ('\u{307}', r"\dot"),
-    ('\u{308}', r"\ddot"),
-];
+use super::super::letters::{ACCENTS, FUNCTIONS, is_small};
+use super::{Factor, Reader, command};
 
 /// A letter of a formula that is not ASCII.
 pub(super) fn is_letter(c: char) -> bool {
@@ -168,8 +152,8 @@ impl Reader<'_> {
             command(c)?
         };
         self.rest = after;
-        while let Some((accent, set)) = ACCENTS.iter().find(|(c, _)| self.rest.starts_with(*c)) {
-            latex = format!("{set}{{{latex}}}");
+        while let Some((set, accent)) = ACCENTS.iter().find(|(_, c)| self.rest.starts_with(*c)) {
+            latex = format!(r"\{set}{{{latex}}}");
             self.rest = &self.rest[accent.len_utf8()..];
         }
         Some(latex)
