@@ -1,5 +1,6 @@
 //! The modules of the two crates and who may know whom, read off the sources themselves.
 
+use slipbook::book::files_below;
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::PathBuf;
@@ -204,7 +205,7 @@ fn sources_of(sources: &str, module: &str) -> Vec<PathBuf> {
         sources.push(file);
     }
     if folder.exists() {
-        let files = files_below(folder).into_iter();
+        let files = files_below(&folder).unwrap().into_values();
         sources.extend(files.filter(|path| path.extension().is_some_and(|e| e == "rs")));
     }
     assert!(!sources.is_empty(), "the module {module} has no sources");
@@ -219,22 +220,6 @@ fn body(function: &str) -> &str {
         *c == '}' && depth == 0
     });
     end.map_or(function, |(end, _)| &function[..end])
-}
-
-/// All files in a folder and in those within it.
-fn files_below(folder: PathBuf) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    let mut open = vec![folder];
-    while let Some(folder) = open.pop() {
-        for entry in fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            match path.is_dir() {
-                true => open.push(path),
-                false => files.push(path),
-            }
-        }
-    }
-    files
 }
 
 /// The modules whose names stand in the code as whole words in a path, or inside a file name.

@@ -24,5 +24,5 @@ mod print;
 mod said;
 mod slips;
 mod table;
-mod text;
+pub mod text;
 mod words;

@@ -77,7 +77,7 @@ mod values;
 
 pub use error::BookError;
 pub use frame::Frame;
-pub use links::dead_links;
+pub use links::{dead_links, files_below};
 pub use register::register;
 pub use swap::bare;
 pub use tables::table;
